@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Everything from Debian's packages (scripts/setup lists them). Headers of others are system headers: their warnings
+# are not ours.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(ginac REQUIRED IMPORTED_TARGET ginac)
+pkg_check_modules(cln REQUIRED IMPORTED_TARGET cln)
+pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(Boost REQUIRED)
+find_library(GMP_LIBRARY gmp REQUIRED)

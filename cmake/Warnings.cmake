@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# flatdyn_warnings: the flags that every target of this project is compiled with. Warnings are errors.
+add_library(flatdyn_warnings INTERFACE)
+target_compile_options(flatdyn_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)

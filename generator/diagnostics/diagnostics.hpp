@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the tool tells a person about his input: severity, place, message, and what to do.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace flatdyn {
+
+// A place in an input file. line 0: the whole file; empty file: no file (the command line).
+struct Place {
+  std::string file;
+  int line = 0;
+
+  bool operator==(const Place&) const = default;
+};
+
+enum class Severity { note, warning, error };
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  Place place;
+  std::string message;  // what is wrong, naming the key and the value
+  std::string hint;     // what to do; may be empty
+};
+
+// "arm.urdf:12: error: link \"a\": mass is negative (-1)\n    hint: ..."
+std::string to_string(const Diagnostic& diagnostic);
+
+// A list of what was found while reading. Readers go on after an error where they can, so that a person
+// sees all that is wrong at once; whoever called decides what to do with the list.
+class Diagnostics {
+ public:
+  void note(Place place, std::string message, std::string hint = {});
+  void warning(Place place, std::string message, std::string hint = {});
+  void error(Place place, std::string message, std::string hint = {});
+
+  const std::vector<Diagnostic>& all() const { return all_; }
+  bool has_errors() const;
+  bool has_warnings() const;
+
+ private:
+  std::vector<Diagnostic> all_;
+};
+
+// Exit codes of the program (documented in docs/exit-codes.md and in --help).
+enum class ExitCode : int {
+  ok = 0,
+  bug = 1,
+  usage = 2,
+  input = 3,
+  unsupported = 4,
+  verification_failed = 5,
+  io = 6,
+};
+
+// Something that ends the run with one of the documented exit codes.
+class Failure : public std::runtime_error {
+ public:
+  Failure(ExitCode code, const std::string& message, std::string hint = {})
+      : std::runtime_error(message), code_(code), hint_(std::move(hint)) {}
+  ExitCode code() const { return code_; }
+  const std::string& hint() const { return hint_; }
+
+ private:
+  ExitCode code_;
+  std::string hint_;
+};
+
+}  // namespace flatdyn

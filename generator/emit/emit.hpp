@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Functions → text of a self-contained C++17 header.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/function.hpp"
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+struct EmitOptions {
+  std::string name_space;            // empty: from the robot's name
+  std::string scalar = "double";     // default of the template parameter: "double" or "float"
+  std::string options_stamp;         // the options that shaped the output, for the stamp
+  std::string input_hash;            // of the robot file's content (and what it includes)
+};
+
+// The header's file name for this mechanism: "panda.hpp".
+std::string header_name(const Mechanism& mechanism, const EmitOptions& options);
+
+// The whole header: documentation, constants, one function template per Function. Deterministic.
+std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options);
+
+}  // namespace flatdyn

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One thing that the generated code computes: a graph with named, shaped outputs. What passes and emitters work on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/graph.hpp"
+
+namespace flatdyn {
+
+// How the entries of an output are laid out.
+enum class Layout {
+  scalar,       // one entry
+  vector,       // rows entries
+  matrix,       // rows × cols, row by row, in full
+  christoffel,  // c_ijk for j <= k: rows = n, cols = n(n+1)/2, entry (i, k(k+1)/2 + j) with j <= k, 0-based
+};
+
+struct Output {
+  std::string name;   // "B", "tau", …
+  Layout layout = Layout::vector;
+  int rows = 1, cols = 1;
+  std::vector<NodeId> entries;  // rows · cols of them; a structural zero is the constant 0
+  std::string meaning;          // one line: what, unit, frame
+};
+
+struct Function {
+  std::string name;      // "inverse_dynamics"
+  std::string summary;   // one line for people
+  std::string equation;  // "(7.42)"
+  std::vector<InputKind> inputs;  // the arguments in order, whether or not every entry is read
+  Graph graph;
+  std::vector<Output> outputs;
+  // Values that must all be positive for the result to mean anything (pivots of B); then the function returns bool.
+  std::vector<NodeId> positive;
+};
+
+// Output entries and conditions, in order: what keeps a node alive.
+std::vector<NodeId> roots(const Function& function);
+
+// The inputs that the function really reads, in order of kind and index.
+std::vector<Input> inputs_read(const Function& function);
+
+}  // namespace flatdyn

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// flatdyn's own expression graph: hash-consed, exact, in a total order that depends on nothing but how it was built.
+//
+// A node is made once and never changes. Operands exist before the node that uses them, so ids are a topological order
+// and a total order at once. Sums and products are n-ary and kept in normal form by the constructors below: like terms
+// are collected, constants folded, nested products flattened, operands sorted. Signs and coefficients live in sums.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "graph/rational.hpp"
+
+namespace flatdyn {
+
+using NodeId = std::int32_t;
+
+// What a function is given. parameter: a free symbol of the robot.
+enum class InputKind : std::uint8_t { q, qd, qdd, tau, h_e, parameter };
+
+struct Input {
+  InputKind kind = InputKind::q;
+  int index = 0;
+
+  bool operator==(const Input&) const = default;
+};
+
+struct Term {
+  Rational coefficient;
+  NodeId node = 0;
+
+  bool operator==(const Term&) const = default;
+};
+
+enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos, sign };
+
+// One operation. Which members mean something depends on op:
+//   constant  value
+//   input     input
+//   sum       value + Σ coefficient_k · node_k; terms sorted by node, no term zero, no node a constant.
+//             A single term with value 0 is a scaled node (coefficient not 1).
+//   product   Π operands, sorted, repeated for powers, at least two; none a constant, a product or a scaled node
+//   quotient  operands[0] / operands[1]
+//   sin, cos, sign   of operands[0]; sign(0) = 0
+struct Node {
+  Op op = Op::constant;
+  Rational value = 0;
+  Input input;
+  std::vector<Term> terms;
+  std::vector<NodeId> operands;
+
+  bool operator==(const Node&) const = default;
+};
+
+class Graph {
+ public:
+  // Constructors: return the node with this value, normalised; a new one only if there is none yet.
+  NodeId constant(const Rational& value);
+  NodeId input(Input input);
+  NodeId sum(std::vector<Term> terms, const Rational& constant = 0);
+  NodeId product(std::vector<NodeId> factors);
+  NodeId scaled(const Rational& coefficient, NodeId node);
+  NodeId quotient(NodeId numerator, NodeId denominator);
+  NodeId sin(NodeId angle);
+  NodeId cos(NodeId angle);
+  NodeId sign(NodeId argument);
+
+  const Node& operator[](NodeId id) const { return nodes_[static_cast<std::size_t>(id)]; }
+  NodeId size() const { return static_cast<NodeId>(nodes_.size()); }
+
+  bool is_constant(NodeId id) const { return (*this)[id].op == Op::constant; }
+  bool is_zero(NodeId id) const { return is_constant(id) && (*this)[id].value == 0; }
+
+  // A name for people, e.g. "omega_3_x": the emitted variable is called so if the node becomes one. The first name
+  // given stays. Constants and inputs have none.
+  void set_name(NodeId id, std::string name);
+  const std::string* name(NodeId id) const;
+
+ private:
+  struct NodeHash {
+    std::size_t operator()(const Node& node) const;
+  };
+  NodeId intern(Node node);
+
+  std::vector<Node> nodes_;
+  std::unordered_map<Node, NodeId, NodeHash> index_;
+  std::unordered_map<NodeId, std::string> names_;
+};
+
+// All operands of a node, whatever its op (for walking).
+std::vector<NodeId> operands_of(const Node& node);
+
+// reachable[id]: whether any of `roots` uses node id.
+std::vector<bool> reachable_from(const Graph& graph, const std::vector<NodeId>& roots);
+
+}  // namespace flatdyn

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Robot file → Robot. The stage before anything is derived: what is wrong with the input is said here.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "diagnostics/diagnostics.hpp"
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+struct ReadOptions {
+  Number snap_tolerance = exact_decimal("1e-5");  // rad; 0 turns snapping off
+  std::optional<Vec3> gravity;                    // --gravity: overrides the file, m/s^2
+  std::optional<std::string> tip;                 // --tip: name of the tip link
+};
+
+// Reads a URDF (tinyxml2) or TOML (toml++) file, by its content's kind (extension .urdf/.xml or .toml), checks it
+// (validate.hpp) and orders nothing. All findings go to `diagnostics`; nullopt if any of them is an error.
+std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
+                                Diagnostics& diagnostics);
+
+}  // namespace flatdyn

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The canonical mechanism: a tree of moving bodies in exact numbers. Fixed joints are merged, every joint axis is z of
+// its body's frame, constant rotations are exactly orthonormal (rational), rotors are part of the link that carries
+// them (augmented links, 7.2.2). Frames follow the modified DH convention as far as the geometry lets them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/number.hpp"
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+// A rotation in a plane, c^2 + s^2 = 1 exactly.
+struct PlanarRotation {
+  Number c = 1, s = 0;
+  bool is_identity() const { return c.is_equal(1); }
+};
+
+// Inertial parameters of a body in its own frame, about the frame's origin: the first ten of (7.77).
+struct InertialParameters {
+  Number mass = 0;                    // m_i, kg
+  Vec3 first_moment = zero_vector();  // m_i r_{i,Ci}, kg m
+  Mat3 inertia = zero_matrix();       // Î_i, matrix entries (symmetric), kg m^2
+
+  bool is_zero() const;
+};
+
+InertialParameters operator+(const InertialParameters& a, const InertialParameters& b);
+// The same body seen from a frame in which the old frame is placed at (R, p).
+InertialParameters transformed(const InertialParameters& a, const Mat3& R, const Vec3& p);
+
+// What the spinning rotor of joint i adds to the augmented links, last two terms of (7.64).
+struct Rotor {
+  int carrier = -1;         // index of the carrying body; -1: the base
+  Number gear_ratio = 0;    // k_r
+  Number inertia = 0;       // I_m, kg m^2
+  Vec3 axis = zero_vector();  // z_m in the frame of the carrier, unit
+};
+
+// Body i, moved by joint i. Frame i in frame parent: displacement p, then Rz(beta) Rx(alpha) Rz(theta + q) for a
+// revolute joint; p, then Rz(beta) Rx(alpha) Rz(theta), then q along z for a prismatic one.
+struct Body {
+  std::string joint;  // name of the joint, as written
+  std::string link;   // name of the link moved by it, as written
+  int parent = -1;    // -1: the base
+  bool prismatic = false;
+  bool continuous = false;
+  PlanarRotation beta, alpha, theta;
+  Vec3 p = zero_vector();        // origin of frame i (at q = 0), in frame parent, m
+  InertialParameters inertia;    // of the augmented link, rotors it carries held still
+  std::optional<Rotor> rotor;    // of the motor that drives joint i
+  Number armature = 0;           // added to b_ii
+  Number viscous = 0;            // F_v
+  Number coulomb = 0;            // F_s
+  Limits limits;
+};
+
+// The constant pose of a written link in the body (or base: -1) it moves with.
+struct LinkFrame {
+  std::string link;
+  int body = -1;
+  Mat3 R = identity_matrix();
+  Vec3 p = zero_vector();
+};
+
+struct Mechanism {
+  std::string name;
+  std::vector<Body> bodies;        // parents before children: the order of q
+  std::vector<LinkFrame> links;    // of every written link, in file order
+  LinkFrame tip;                   // the frame of the tip
+  Vec3 gravity = zero_vector();    // g_0 in the base frame, m/s^2
+  InertialParameters base;         // of what is fixed to the base (counts for the potential energy's constant only)
+  std::vector<FreeSymbol> symbols;
+  std::vector<std::string> merged;  // names of links merged into another by fixed joints
+
+  int size() const { return static_cast<int>(bodies.size()); }
+};
+
+// R_i^parent at q = 0, without the joint's own motion: Rz(beta) Rx(alpha) Rz(theta).
+Mat3 constant_rotation(const Body& body);
+
+// Robot → Mechanism. Throws Failure(unsupported) for what cannot be made canonical.
+Mechanism make_mechanism(const Robot& robot);
+
+}  // namespace flatdyn

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Exact numbers of the model: rationals, multiples of Pi, and expressions in free symbols. No doubles.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace flatdyn {
+
+// Exact: a rational, or an expression in Pi, sqrt(...) and the robot's free symbols.
+using Number = GiNaC::ex;
+
+using Vec3 = std::array<Number, 3>;
+using Mat3 = std::array<std::array<Number, 3>, 3>;  // row-major: m[row][column]
+
+Vec3 zero_vector();
+Mat3 zero_matrix();
+Mat3 identity_matrix();
+
+Vec3 operator+(const Vec3& a, const Vec3& b);
+Vec3 operator-(const Vec3& a, const Vec3& b);
+Vec3 operator*(const Number& a, const Vec3& b);
+Number dot(const Vec3& a, const Vec3& b);
+Vec3 cross(const Vec3& a, const Vec3& b);
+Mat3 operator+(const Mat3& a, const Mat3& b);
+Mat3 operator*(const Mat3& a, const Mat3& b);
+Vec3 operator*(const Mat3& a, const Vec3& b);
+Mat3 transpose(const Mat3& a);
+Mat3 skew(const Vec3& a);                   // S(a), so that S(a) b = a x b
+Mat3 steiner(const Number& m, const Vec3& r);  // m S(r)^T S(r), (7.60)
+
+bool is_zero(const Number& a);      // exactly (expanded)
+bool is_rational(const Number& a);  // a plain rational number: no symbol, no Pi, no root
+bool has_symbols(const Number& a);
+
+// The exact rational of a decimal such as "-1.5e-3" (no double in between).
+// Throws std::invalid_argument if the text is not a finite decimal.
+Number exact_decimal(std::string_view text);
+
+// The value to `digits` significant decimal digits, e.g. "1.5707963267948966". Symbols must have been
+// substituted; throws std::domain_error if one is left.
+std::string to_decimal(const Number& a, int digits);
+
+}  // namespace flatdyn

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The table of passes: each a free function Function → Function that leaves every value unchanged (exactly) and
+// never raises the operation count.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "graph/count.hpp"
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+struct Pass {
+  const char* name;
+  const char* purpose;  // one line
+  Function (*run)(const Function&);
+};
+
+// In the order in which they are run.
+const std::vector<Pass>& pass_table();
+
+struct PassRecord {
+  std::string pass;
+  OperationCount before, after;
+};
+
+// Runs the whole table, repeating it until the count no longer falls (at most a few times).
+Function run_passes(Function function, std::vector<PassRecord>* record = nullptr);
+
+}  // namespace flatdyn

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The functions that flatdyn knows, and their derivation from a mechanism (recursive route).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/function.hpp"
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+// One row per function: its name, one line of help, and how it is derived.
+struct FunctionEntry {
+  const char* name;
+  const char* summary;
+  const char* equation;
+  Function (*derive)(const Mechanism&);
+};
+
+// In the order in which they are emitted: inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel,
+// coriolis_matrix, gravity, bias, forward_dynamics, kinetic_energy, potential_energy, forward_kinematics, jacobian,
+// jacobian_dot_qd.
+const std::vector<FunctionEntry>& function_table();
+
+// Also "forward_kinematics:LINK" and "jacobian:LINK" for any named link.
+// Throws Failure(usage) for an unknown name or link.
+Function derive_function(const Mechanism& mechanism, const std::string& name);
+
+}  // namespace flatdyn
