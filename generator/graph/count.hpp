@@ -10,10 +10,10 @@ namespace flatdyn {
 // Operations of one evaluation, each node counted once. Sign changes are free; a coefficient other than 1 and -1 is a
 // multiplication; a power x^k is k - 1 multiplications.
 struct OperationCount {
-  int additions = 0;        // and subtractions
+  int additions = 0;  // and subtractions
   int multiplications = 0;
   int divisions = 0;
-  int trigonometric = 0;    // sin and cos, each
+  int trigonometric = 0;  // sin and cos, each
 
   int arithmetic() const { return additions + multiplications; }
   bool operator==(const OperationCount&) const = default;

@@ -18,7 +18,7 @@ enum class Layout {
 };
 
 struct Output {
-  std::string name;   // "B", "tau", …
+  std::string name;  // "B", "tau", …
   Layout layout = Layout::vector;
   int rows = 1, cols = 1;
   std::vector<NodeId> entries;  // rows · cols of them; a structural zero is the constant 0
@@ -26,9 +26,9 @@ struct Output {
 };
 
 struct Function {
-  std::string name;      // "inverse_dynamics"
-  std::string summary;   // one line for people
-  std::string equation;  // "(7.42)"
+  std::string name;               // "inverse_dynamics"
+  std::string summary;            // one line for people
+  std::string equation;           // "(7.42)"
   std::vector<InputKind> inputs;  // the arguments in order, whether or not every entry is read
   Graph graph;
   std::vector<Output> outputs;

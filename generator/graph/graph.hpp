@@ -4,6 +4,10 @@
 // A node is made once and never changes. Operands exist before the node that uses them, so ids are a topological order
 // and a total order at once. Sums and products are n-ary and kept in normal form by the constructors below: like terms
 // are collected, constants folded, nested products flattened, operands sorted. Signs and coefficients live in sums.
+//
+// Sums that differ by their sign share one node: the first term of a sum of two or more summands is positive, and the
+// other one is that node scaled by -1 (free). So sum(), quotient(), sin() … may return a scaled node. A sum within a
+// sum stays a node of its own, so that what was named stays shared; a scaled node within a sum is folded into it.
 #pragma once
 
 #include <cstdint>
@@ -42,9 +46,11 @@ enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos
 //   input     input
 //   sum       value + Σ coefficient_k · node_k; terms sorted by node, no term zero, no node a constant.
 //             A single term with value 0 is a scaled node (coefficient not 1).
-//   product   Π operands, sorted, repeated for powers, at least two; none a constant, a product or a scaled node
-//   quotient  operands[0] / operands[1]
-//   sin, cos, sign   of operands[0]; sign(0) = 0
+//             From kept_sum only: a term ±1 · a scaled node.
+//   product   Π operands, sorted, repeated for powers, at least two; none a constant, a product or a scaled node.
+//             From kept_product only: an operand may be a product, or a scaled node whose coefficient is not -1.
+//   quotient  operands[0] / operands[1]; neither is a scaled node, the denominator no constant
+//   sin, cos, sign   of operands[0], which is not scaled by a negative number (sign: not scaled at all); sign(0) = 0
 struct Node {
   Op op = Op::constant;
   Rational value = 0;
@@ -55,6 +61,9 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
+// A sum that is coefficient · node and nothing else.
+inline bool is_scaled(const Node& node) { return node.op == Op::sum && node.terms.size() == 1 && node.value.is_zero(); }
+
 class Graph {
  public:
   // Constructors: return the node with this value, normalised; a new one only if there is none yet.
@@ -63,16 +72,26 @@ class Graph {
   NodeId sum(std::vector<Term> terms, const Rational& constant = 0);
   NodeId product(std::vector<NodeId> factors);
   NodeId scaled(const Rational& coefficient, NodeId node);
-  NodeId quotient(NodeId numerator, NodeId denominator);
+  NodeId quotient(NodeId numerator, NodeId denominator);  // throws std::domain_error for the constant denominator 0
   NodeId sin(NodeId angle);
   NodeId cos(NodeId angle);
   NodeId sign(NodeId argument);
+
+  // As sum and product, but operands that are scaled nodes or products stay as they are instead of being folded in:
+  // for passes, which make such a node an operand where several uses share it, and for copies of their results.
+  NodeId kept_sum(std::vector<Term> terms, const Rational& constant = 0);
+  NodeId kept_product(std::vector<NodeId> factors);
+
+  // The node that `node`, of any graph, becomes here, its operands being `image[operand]` here. Nothing is unfolded.
+  NodeId copy(const Node& node, const std::vector<NodeId>& image);
 
   const Node& operator[](NodeId id) const { return nodes_[static_cast<std::size_t>(id)]; }
   NodeId size() const { return static_cast<NodeId>(nodes_.size()); }
 
   bool is_constant(NodeId id) const { return (*this)[id].op == Op::constant; }
   bool is_zero(NodeId id) const { return is_constant(id) && (*this)[id].value == 0; }
+  // A single term and no constant: coefficient · node.
+  bool is_scaled(NodeId id) const { return flatdyn::is_scaled((*this)[id]); }
 
   // A name for people, e.g. "omega_3_x": the emitted variable is called so if the node becomes one. The first name
   // given stays. Constants and inputs have none.
@@ -80,13 +99,12 @@ class Graph {
   const std::string* name(NodeId id) const;
 
  private:
-  struct NodeHash {
-    std::size_t operator()(const Node& node) const;
-  };
   NodeId intern(Node node);
+  NodeId make_sum(std::vector<Term> terms, Rational constant);
+  NodeId make_product(const Rational& coefficient, std::vector<NodeId> factors);
 
   std::vector<Node> nodes_;
-  std::unordered_map<Node, NodeId, NodeHash> index_;
+  std::unordered_multimap<std::size_t, NodeId> index_;  // hash of a node → the nodes with it; never iterated over
   std::unordered_map<NodeId, std::string> names_;
 };
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "graph/function.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace flatdyn {
+
+std::vector<NodeId> roots(const Function& function) {
+  std::vector<NodeId> all;
+  for (const Output& output : function.outputs) all.insert(all.end(), output.entries.begin(), output.entries.end());
+  all.insert(all.end(), function.positive.begin(), function.positive.end());
+  return all;
+}
+
+std::vector<Input> inputs_read(const Function& function) {
+  const std::vector<bool> alive = reachable_from(function.graph, roots(function));
+  std::vector<Input> inputs;
+  for (NodeId id = 0; id < function.graph.size(); ++id) {
+    const Node& node = function.graph[id];
+    if (alive[static_cast<std::size_t>(id)] && node.op == Op::input) inputs.push_back(node.input);
+  }
+  std::sort(inputs.begin(), inputs.end(),
+            [](const Input& a, const Input& b) { return std::tie(a.kind, a.index) < std::tie(b.kind, b.index); });
+  return inputs;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "graph/graph.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace flatdyn {
+namespace {
+
+std::size_t mixed(std::size_t seed, std::size_t value) {
+  return seed ^ (value + 0x9e3779b97f4a7c15ULL + (seed << 12) + (seed >> 4));
+}
+
+std::size_t hash_of(const mpz_t integer) {
+  std::size_t hash = static_cast<std::size_t>(mpz_sgn(integer) + 1);
+  for (std::size_t k = 0; k < mpz_size(integer); ++k) {
+    hash = mixed(hash, static_cast<std::size_t>(mpz_getlimbn(integer, static_cast<mp_size_t>(k))));
+  }
+  return hash;
+}
+
+std::size_t hash_of(const Rational& value) {
+  return mixed(hash_of(mpq_numref(value.backend().data())), hash_of(mpq_denref(value.backend().data())));
+}
+
+std::size_t hash_of(const Node& node) {
+  std::size_t hash = mixed(static_cast<std::size_t>(node.op), hash_of(node.value));
+  hash = mixed(hash, static_cast<std::size_t>(node.input.kind));
+  hash = mixed(hash, static_cast<std::size_t>(node.input.index));
+  for (const Term& term : node.terms) {
+    hash = mixed(mixed(hash, hash_of(term.coefficient)), static_cast<std::size_t>(term.node));
+  }
+  for (const NodeId operand : node.operands) hash = mixed(hash, static_cast<std::size_t>(operand));
+  return hash;
+}
+
+// Sorts by node, adds up the coefficients of each and drops what cancels.
+void collect(std::vector<Term>& terms) {
+  std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.node < b.node; });
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < terms.size();) {
+    Term total = std::move(terms[k]);
+    for (++k; k < terms.size() && terms[k].node == total.node; ++k) total.coefficient += terms[k].coefficient;
+    if (!total.coefficient.is_zero()) terms[kept++] = std::move(total);
+  }
+  terms.resize(kept);
+}
+
+}  // namespace
+
+NodeId Graph::intern(Node node) {
+  const std::size_t hash = hash_of(node);
+  const auto [first, last] = index_.equal_range(hash);
+  for (auto it = first; it != last; ++it) {
+    if ((*this)[it->second] == node) return it->second;
+  }
+  const NodeId id = size();
+  nodes_.push_back(std::move(node));
+  index_.emplace(hash, id);
+  return id;
+}
+
+NodeId Graph::constant(const Rational& value) {
+  Node node;
+  node.op = Op::constant;
+  node.value = value;
+  return intern(std::move(node));
+}
+
+NodeId Graph::input(Input input) {
+  Node node;
+  node.op = Op::input;
+  node.input = input;
+  return intern(std::move(node));
+}
+
+NodeId Graph::sum(std::vector<Term> terms, const Rational& constant) {
+  for (Term& term : terms) {
+    // A scaled node may stand over another one only if a pass kept it there.
+    while (is_scaled(term.node)) {
+      const Term& inner = (*this)[term.node].terms.front();
+      term.coefficient *= inner.coefficient;
+      term.node = inner.node;
+    }
+  }
+  return make_sum(std::move(terms), constant);
+}
+
+NodeId Graph::kept_sum(std::vector<Term> terms, const Rational& constant) {
+  const bool alone = terms.size() == 1 && constant.is_zero();
+  for (Term& term : terms) {
+    while (is_scaled(term.node)) {
+      const Term& inner = (*this)[term.node].terms.front();
+      if (!alone && abs(term.coefficient) == 1 && abs(inner.coefficient) != 1) break;
+      term.coefficient *= inner.coefficient;
+      term.node = inner.node;
+    }
+  }
+  return make_sum(std::move(terms), constant);
+}
+
+// Constants are folded in, like terms collected; the sign is made canonical. What terms stand for is not looked into.
+NodeId Graph::make_sum(std::vector<Term> terms, Rational constant) {
+  for (Term& term : terms) {
+    if (!is_constant(term.node)) continue;
+    constant += term.coefficient * (*this)[term.node].value;
+    term.coefficient = 0;
+  }
+  collect(terms);
+  if (terms.empty()) return this->constant(constant);
+  if (terms.size() == 1 && constant.is_zero()) {
+    if (terms[0].coefficient == 1) return terms[0].node;
+    if (is_scaled(terms[0].node)) return sum(std::move(terms));  // like terms have left one kept term alone
+  } else if (terms[0].coefficient < 0) {
+    for (Term& term : terms) term.coefficient = -term.coefficient;
+    return scaled(-1, make_sum(std::move(terms), -constant));
+  }
+  Node node;
+  node.op = Op::sum;
+  node.value = std::move(constant);
+  node.terms = std::move(terms);
+  return intern(std::move(node));
+}
+
+NodeId Graph::scaled(const Rational& coefficient, NodeId node) { return sum({{coefficient, node}}); }
+
+NodeId Graph::product(std::vector<NodeId> factors) {
+  Rational coefficient = 1;
+  std::vector<NodeId> flat;
+  flat.reserve(factors.size());
+  while (!factors.empty()) {
+    const Node& node = (*this)[factors.back()];
+    const NodeId id = factors.back();
+    factors.pop_back();
+    if (node.op == Op::constant) {
+      coefficient *= node.value;
+    } else if (flatdyn::is_scaled(node)) {
+      coefficient *= node.terms.front().coefficient;
+      factors.push_back(node.terms.front().node);
+    } else if (node.op == Op::product) {
+      factors.insert(factors.end(), node.operands.begin(), node.operands.end());
+    } else {
+      flat.push_back(id);
+    }
+  }
+  return make_product(coefficient, std::move(flat));
+}
+
+NodeId Graph::kept_product(std::vector<NodeId> factors) {
+  Rational coefficient = 1;
+  std::vector<NodeId> flat;
+  flat.reserve(factors.size());
+  for (const NodeId id : factors) {
+    const Node& node = (*this)[id];
+    if (node.op == Op::constant) {
+      coefficient *= node.value;
+    } else if (flatdyn::is_scaled(node) && node.terms.front().coefficient == -1) {
+      coefficient = -coefficient;
+      flat.push_back(node.terms.front().node);
+    } else {
+      flat.push_back(id);
+    }
+  }
+  return make_product(coefficient, std::move(flat));
+}
+
+NodeId Graph::make_product(const Rational& coefficient, std::vector<NodeId> factors) {
+  if (coefficient.is_zero() || factors.empty()) return constant(coefficient);
+  if (factors.size() == 1) return scaled(coefficient, factors[0]);
+  std::sort(factors.begin(), factors.end());
+  Node node;
+  node.op = Op::product;
+  node.operands = std::move(factors);
+  return scaled(coefficient, intern(std::move(node)));
+}
+
+NodeId Graph::quotient(NodeId numerator, NodeId denominator) {
+  Rational coefficient = 1;
+  const auto strip = [this](NodeId& id, Rational& factor) {
+    while (is_scaled(id)) {
+      const Term& inner = (*this)[id].terms.front();
+      factor *= inner.coefficient;
+      id = inner.node;
+    }
+  };
+  Rational divisor = 1;
+  strip(numerator, coefficient);
+  strip(denominator, divisor);
+  if (is_zero(denominator)) throw std::domain_error("graph: division by the constant 0");
+  coefficient /= divisor;
+  if (is_constant(denominator)) return scaled(coefficient / (*this)[denominator].value, numerator);
+  if (is_zero(numerator)) return numerator;
+  if (numerator == denominator) return constant(coefficient);
+  bool negative = false;
+  if (is_constant(numerator)) {  // k / x is one operation: k stays
+    coefficient *= (*this)[numerator].value;
+    negative = coefficient < 0;
+    numerator = constant(abs(coefficient));
+    coefficient = negative ? -1 : 1;
+  }
+  Node node;
+  node.op = Op::quotient;
+  node.operands = {numerator, denominator};
+  return scaled(coefficient, intern(std::move(node)));
+}
+
+NodeId Graph::sin(NodeId angle) {
+  if (is_zero(angle)) return angle;
+  if (is_scaled(angle) && (*this)[angle].terms.front().coefficient < 0) return scaled(-1, sin(scaled(-1, angle)));
+  Node node;
+  node.op = Op::sin;
+  node.operands = {angle};
+  return intern(std::move(node));
+}
+
+NodeId Graph::cos(NodeId angle) {
+  if (is_zero(angle)) return constant(1);
+  if (is_scaled(angle) && (*this)[angle].terms.front().coefficient < 0) angle = scaled(-1, angle);
+  Node node;
+  node.op = Op::cos;
+  node.operands = {angle};
+  return intern(std::move(node));
+}
+
+NodeId Graph::sign(NodeId argument) {
+  if (is_constant(argument)) return constant((*this)[argument].value.sign());
+  if (is_scaled(argument)) {
+    const Term& inner = (*this)[argument].terms.front();
+    const int factor = inner.coefficient.sign();
+    return scaled(factor, sign(inner.node));
+  }
+  if ((*this)[argument].op == Op::sign) return argument;
+  Node node;
+  node.op = Op::sign;
+  node.operands = {argument};
+  return intern(std::move(node));
+}
+
+NodeId Graph::copy(const Node& node, const std::vector<NodeId>& image) {
+  const auto at = [&image](NodeId id) { return image[static_cast<std::size_t>(id)]; };
+  switch (node.op) {
+    case Op::constant:
+      return constant(node.value);
+    case Op::input:
+      return input(node.input);
+    case Op::sum: {
+      std::vector<Term> terms = node.terms;
+      for (Term& term : terms) term.node = at(term.node);
+      return kept_sum(std::move(terms), node.value);
+    }
+    case Op::product: {
+      std::vector<NodeId> factors = node.operands;
+      for (NodeId& factor : factors) factor = at(factor);
+      return kept_product(std::move(factors));
+    }
+    case Op::quotient:
+      return quotient(at(node.operands[0]), at(node.operands[1]));
+    case Op::sin:
+      return sin(at(node.operands[0]));
+    case Op::cos:
+      return cos(at(node.operands[0]));
+    case Op::sign:
+      return sign(at(node.operands[0]));
+  }
+  throw std::logic_error("graph: a node of no known kind");
+}
+
+void Graph::set_name(NodeId id, std::string name) {
+  const Op op = (*this)[id].op;
+  if (op != Op::constant && op != Op::input) names_.emplace(id, std::move(name));
+}
+
+const std::string* Graph::name(NodeId id) const {
+  const auto it = names_.find(id);
+  return it == names_.end() ? nullptr : &it->second;
+}
+
+std::vector<NodeId> operands_of(const Node& node) {
+  std::vector<NodeId> operands = node.operands;
+  for (const Term& term : node.terms) operands.push_back(term.node);
+  return operands;
+}
+
+std::vector<bool> reachable_from(const Graph& graph, const std::vector<NodeId>& roots) {
+  std::vector<bool> reachable(static_cast<std::size_t>(graph.size()), false);
+  for (const NodeId root : roots) reachable[static_cast<std::size_t>(root)] = true;
+  for (NodeId id = graph.size() - 1; id >= 0; --id) {
+    if (!reachable[static_cast<std::size_t>(id)]) continue;
+    for (const NodeId operand : graph[id].operands) reachable[static_cast<std::size_t>(operand)] = true;
+    for (const Term& term : graph[id].terms) reachable[static_cast<std::size_t>(term.node)] = true;
+  }
+  return reachable;
+}
+
+}  // namespace flatdyn
