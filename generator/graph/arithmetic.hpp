@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Real numbers for evaluate(): double and friends, and any multiprecision type whose sin and cos are found by ADL.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <functional>
+#include <type_traits>
+#include <utility>
+
+#include "graph/evaluate.hpp"
+
+namespace flatdyn {
+
+// The nearest T to an exact number. For built-in types by way of 100 digits, as GMP itself would truncate.
+template <class T>
+T to_real(const Rational& value) {
+  using Wide = std::conditional_t<std::is_floating_point_v<T>, boost::multiprecision::cpp_bin_float_100, T>;
+  return static_cast<T>(Wide(numerator(value)) / Wide(denominator(value)));
+}
+
+template <class T>
+class RealArithmetic {
+ public:
+  using Scalar = T;
+
+  // `value_of` gives each input's value: joint coordinates in rad and m, and so on.
+  explicit RealArithmetic(std::function<T(const Input&)> value_of) : value_of_(std::move(value_of)) {}
+
+  T constant(const Rational& value) const { return to_real<T>(value); }
+  T input(const Input& input) const { return value_of_(input); }
+  T divide(const T& a, const T& b) const { return a / b; }
+  T sin(const Graph&, NodeId, const T& angle) const {
+    using std::sin;
+    return sin(angle);
+  }
+  T cos(const Graph&, NodeId, const T& angle) const {
+    using std::cos;
+    return cos(angle);
+  }
+  T sign(const T& x) const { return x > 0 ? T(1) : x < 0 ? T(-1) : T(0); }
+
+ private:
+  std::function<T(const Input&)> value_of_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Exact evaluation at random points, for deciding whether two functions are the same: over a field F, in which an angle
+// has a random rational point of the unit circle, c = (1 - t²) / (1 + t²), s = 2t / (1 + t²), for its cosine and sine.
+// c² + s² = 1 and the addition theorems hold exactly. A polynomial identity that fails does so here too, with
+// overwhelming probability if the field is large.
+//
+// Everything drawn depends on the seed and on *values* only, never on nodes: so the same seed gives the same inputs,
+// sines and signs in any two graphs. sign is an odd random function: sign(2x) = sign(x) is known to the Graph only.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "graph/evaluate.hpp"
+
+namespace flatdyn {
+
+// The finaliser of splitmix64: a well mixed number from any two.
+inline std::uint64_t scrambled(std::uint64_t seed, std::uint64_t value) {
+  std::uint64_t z = seed + 0x9e3779b97f4a7c15ULL * (value + 1);
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+
+// What a field has to offer, next to + - * / == and construction from 0 and 1: specialise this.
+template <class F>
+struct FieldTraits;
+//   static F from(const Rational&)
+//   static F draw(std::uint64_t bits)            a random element from random bits
+//   static std::uint64_t key(const F&)           a hash of the value
+//   static bool is_negative(const F&)            true for exactly one of x and -x, if x is not 0
+
+template <class F>
+class FieldArithmetic {
+ public:
+  using Scalar = F;
+  using Traits = FieldTraits<F>;
+  struct CirclePoint {
+    F c, s;
+  };
+
+  explicit FieldArithmetic(std::uint64_t seed) : seed_(seed) {}
+
+  F constant(const Rational& value) const { return Traits::from(value); }
+
+  F input(const Input& input) const {
+    const auto kind = static_cast<std::uint64_t>(input.kind);
+    return Traits::draw(scrambled(seed_, (kind << 32) + static_cast<std::uint64_t>(input.index)));
+  }
+
+  F divide(const F& a, const F& b) const { return a / b; }
+  F sin(const Graph& graph, NodeId angle, const F& value) const { return point(graph, angle, value).s; }
+  F cos(const Graph& graph, NodeId angle, const F& value) const { return point(graph, angle, value).c; }
+  F sign(const F& x) const {
+    if (x == F(0)) return F(0);
+    return Traits::is_negative(x) ? -drawn(-x, 1) : drawn(x, 1);
+  }
+
+  // Cosine and sine of an angle that is no sum: of an input, for one.
+  CirclePoint point(const F& angle) const {
+    if (angle == F(0)) return {F(1), F(0)};
+    if (Traits::is_negative(angle)) return conjugate(point(-angle));
+    for (std::uint64_t attempt = 2;; ++attempt) {
+      const F t = drawn(angle, attempt);
+      const F n = F(1) + t * t;
+      if (n == F(0)) continue;  // t² = -1 has solutions in some fields
+      return {(F(1) - t * t) / n, (t + t) / n};
+    }
+  }
+
+ private:
+  F drawn(const F& value, std::uint64_t purpose) const {
+    return Traits::draw(scrambled(scrambled(seed_, Traits::key(value)), purpose));
+  }
+
+  static CirclePoint conjugate(const CirclePoint& a) { return {a.c, -a.s}; }
+  static CirclePoint add(const CirclePoint& a, const CirclePoint& b) {
+    return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
+  }
+
+  static CirclePoint multiple(CirclePoint a, std::uint64_t times) {
+    CirclePoint total = {F(1), F(0)};
+    for (; times > 0; times >>= 1) {
+      if ((times & 1) != 0) total = add(total, a);
+      a = add(a, a);
+    }
+    return total;
+  }
+
+  // Coefficients in an angle that are whole numbers go by the addition theorems; k·x with any other k is an angle of
+  // its own. Deterministic: sums of angles may be nested in any way.
+  CirclePoint point(const Graph& graph, NodeId angle, const F& value) const {
+    CirclePoint total = {F(1), F(0)};
+    add_angles(graph, angle, Rational(1), value, total);
+    return total;
+  }
+
+  void add_angles(const Graph& graph, NodeId angle, const Rational& factor, const F& value, CirclePoint& total) const {
+    const Node& node = graph[angle];
+    if (node.op == Op::sum) {
+      // The terms' values are not at hand: only inputs, whose values are drawn, and sums are looked into.
+      if (looks_linear(graph, angle)) {
+        for (const Term& term : node.terms) add_angles(graph, term.node, factor * term.coefficient, F(0), total);
+        total = add(total, point(constant(factor * node.value)));
+        return;
+      }
+    }
+    const F base = node.op == Op::input ? input(node.input) : value;
+    if (denominator(factor) != 1 || abs(factor) > 1000000) {
+      total = add(total, point(constant(factor) * base));
+      return;
+    }
+    const CirclePoint turned = multiple(point(base), static_cast<std::uint64_t>(abs(factor)));
+    total = add(total, factor < 0 ? conjugate(turned) : turned);
+  }
+
+  // A sum, of sums, of inputs.
+  static bool looks_linear(const Graph& graph, NodeId angle) {
+    const Node& node = graph[angle];
+    if (node.op == Op::input) return true;
+    if (node.op != Op::sum) return false;
+    for (const Term& term : node.terms) {
+      if (!looks_linear(graph, term.node)) return false;
+    }
+    return true;
+  }
+
+  std::uint64_t seed_;
+};
+
+template <>
+struct FieldTraits<Rational> {
+  static Rational from(const Rational& value) { return value; }
+  static Rational draw(std::uint64_t bits) {
+    return Rational(static_cast<std::int64_t>(bits % 2001) - 1000, static_cast<std::int64_t>((bits >> 32) % 97) + 1);
+  }
+  static std::uint64_t key(const Rational& value) {
+    return scrambled(mpz_fdiv_ui(numerator(value).backend().data(), 0xffffffffffffffc5UL),
+                     mpz_fdiv_ui(denominator(value).backend().data(), 0xffffffffffffffc5UL));
+  }
+  static bool is_negative(const Rational& value) { return value < 0; }
+};
+
+using RationalArithmetic = FieldArithmetic<Rational>;
+
+}  // namespace flatdyn

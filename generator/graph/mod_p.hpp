@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The prime field GF(P): exact evaluation in constant time per operation.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+
+#include "graph/field_arithmetic.hpp"
+
+namespace flatdyn {
+
+inline constexpr std::uint64_t kMersenne61 = (std::uint64_t{1} << 61) - 1;  // the usual choice of P
+inline constexpr std::uint64_t kPrime61b = (std::uint64_t{1} << 61) - 31;   // two more primes
+inline constexpr std::uint64_t kPrime61c = (std::uint64_t{1} << 61) - 45;
+
+// An element of GF(P), 0 <= value < P < 2^63.
+template <std::uint64_t P>
+class ModP {
+ public:
+  constexpr ModP() = default;
+  constexpr explicit ModP(std::uint64_t value) : value_(value % P) {}
+
+  // Throws std::domain_error if P divides the denominator.
+  static ModP from(const Rational& value) {
+    const ModP numerator(mpz_fdiv_ui(mpq_numref(value.backend().data()), P));
+    const ModP denominator(mpz_fdiv_ui(mpq_denref(value.backend().data()), P));
+    return denominator.value_ == 1 ? numerator : numerator / denominator;
+  }
+
+  constexpr std::uint64_t value() const { return value_; }
+
+  constexpr ModP& operator+=(ModP b) {
+    value_ += b.value_;
+    if (value_ >= P) value_ -= P;
+    return *this;
+  }
+  constexpr ModP& operator-=(ModP b) { return *this += -b; }
+  constexpr ModP& operator*=(ModP b) {
+    __extension__ using Wide = unsigned __int128;
+    value_ = static_cast<std::uint64_t>(static_cast<Wide>(value_) * b.value_ % P);
+    return *this;
+  }
+  ModP& operator/=(ModP b) { return *this *= b.inverse(); }
+
+  constexpr ModP operator-() const { return ModP(P - value_); }
+  friend constexpr ModP operator+(ModP a, ModP b) { return a += b; }
+  friend constexpr ModP operator-(ModP a, ModP b) { return a -= b; }
+  friend constexpr ModP operator*(ModP a, ModP b) { return a *= b; }
+  friend ModP operator/(ModP a, ModP b) { return a /= b; }
+  friend constexpr bool operator==(ModP a, ModP b) = default;
+
+  // By Fermat's little theorem. Throws std::domain_error for 0.
+  ModP inverse() const {
+    if (value_ == 0) throw std::domain_error("GF(p): division by zero");
+    ModP result(1), power = *this;
+    for (std::uint64_t exponent = P - 2; exponent > 0; exponent >>= 1) {
+      if ((exponent & 1) != 0) result *= power;
+      power *= power;
+    }
+    return result;
+  }
+
+ private:
+  std::uint64_t value_ = 0;
+};
+
+template <std::uint64_t P>
+struct FieldTraits<ModP<P>> {
+  static ModP<P> from(const Rational& value) { return ModP<P>::from(value); }
+  static ModP<P> draw(std::uint64_t bits) { return ModP<P>(bits); }
+  static std::uint64_t key(ModP<P> value) { return value.value(); }
+  static bool is_negative(ModP<P> value) { return value.value() > P / 2; }
+};
+
+template <std::uint64_t P = kMersenne61>
+using ModPArithmetic = FieldArithmetic<ModP<P>>;
+
+}  // namespace flatdyn
