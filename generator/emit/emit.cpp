@@ -37,6 +37,17 @@ std::string without_newline(std::string text) {
   return text;
 }
 
+// One blank line where there are several: a section of a template that is left out leaves its own.
+std::string squeezed(const std::string& text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (k >= 2 && text[k] == '\n' && text[k - 1] == '\n' && text[k - 2] == '\n') continue;
+    result += text[k];
+  }
+  return result;
+}
+
 // "a::b" → {"a", "b"}
 std::vector<std::string> parts_of_namespace(const std::string& name) {
   std::vector<std::string> parts;
@@ -90,7 +101,7 @@ class HeaderWriter {
     page.set_custom_escape([](const std::string& text) { return text; });
     const std::string result = page.render(header);
     if (!page.is_valid()) throw std::logic_error("template header.hpp: " + page.error_message());
-    return result;
+    return squeezed(result);
   }
 
  private:
