@@ -34,9 +34,9 @@ InertialParameters transformed(const InertialParameters& a, const Mat3& R, const
 
 // What the spinning rotor of joint i adds to the augmented links, last two terms of (7.64).
 struct Rotor {
-  int carrier = -1;         // index of the carrying body; -1: the base
-  Number gear_ratio = 0;    // k_r
-  Number inertia = 0;       // I_m, kg m^2
+  int carrier = -1;           // index of the carrying body; -1: the base
+  Number gear_ratio = 0;      // k_r
+  Number inertia = 0;         // I_m, kg m^2
   Vec3 axis = zero_vector();  // z_m in the frame of the carrier, unit
 };
 
@@ -49,12 +49,12 @@ struct Body {
   bool prismatic = false;
   bool continuous = false;
   PlanarRotation beta, alpha, theta;
-  Vec3 p = zero_vector();        // origin of frame i (at q = 0), in frame parent, m
-  InertialParameters inertia;    // of the augmented link, rotors it carries held still
-  std::optional<Rotor> rotor;    // of the motor that drives joint i
-  Number armature = 0;           // added to b_ii
-  Number viscous = 0;            // F_v
-  Number coulomb = 0;            // F_s
+  Vec3 p = zero_vector();      // origin of frame i (at q = 0), in frame parent, m
+  InertialParameters inertia;  // of the augmented link, rotors it carries held still
+  std::optional<Rotor> rotor;  // of the motor that drives joint i
+  Number armature = 0;         // added to b_ii
+  Number viscous = 0;          // F_v
+  Number coulomb = 0;          // F_s
   Limits limits;
 };
 
@@ -68,11 +68,11 @@ struct LinkFrame {
 
 struct Mechanism {
   std::string name;
-  std::vector<Body> bodies;        // parents before children: the order of q
-  std::vector<LinkFrame> links;    // of every written link, in file order
-  LinkFrame tip;                   // the frame of the tip
-  Vec3 gravity = zero_vector();    // g_0 in the base frame, m/s^2
-  InertialParameters base;         // of what is fixed to the base (counts for the potential energy's constant only)
+  std::vector<Body> bodies;      // parents before children: the order of q
+  std::vector<LinkFrame> links;  // of every written link, in file order
+  LinkFrame tip;                 // the frame of the tip
+  Vec3 gravity = zero_vector();  // g_0 in the base frame, m/s^2
+  InertialParameters base;       // of what is fixed to the base (counts for the potential energy's constant only)
   std::vector<FreeSymbol> symbols;
   std::vector<std::string> merged;  // names of links merged into another by fixed joints
 

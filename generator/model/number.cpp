@@ -60,7 +60,11 @@ Mat3 steiner(const Number& m, const Vec3& r) {
   return result;
 }
 
-bool is_zero(const Number& a) { return a.is_zero() || a.expand().is_zero(); }
+bool vanishes(const Number& a) { return a.is_zero() || a.expand().is_zero(); }
+
+Vec3 expanded(const Vec3& a) { return {a[0].expand(), a[1].expand(), a[2].expand()}; }
+
+Mat3 expanded(const Mat3& a) { return {expanded(a[0]), expanded(a[1]), expanded(a[2])}; }
 
 bool is_rational(const Number& a) { return GiNaC::is_a<GiNaC::numeric>(a) && a.info(GiNaC::info_flags::rational); }
 

@@ -29,10 +29,12 @@ Mat3 operator+(const Mat3& a, const Mat3& b);
 Mat3 operator*(const Mat3& a, const Mat3& b);
 Vec3 operator*(const Mat3& a, const Vec3& b);
 Mat3 transpose(const Mat3& a);
-Mat3 skew(const Vec3& a);                   // S(a), so that S(a) b = a x b
+Mat3 skew(const Vec3& a);                      // S(a), so that S(a) b = a x b
 Mat3 steiner(const Number& m, const Vec3& r);  // m S(r)^T S(r), (7.60)
 
-bool is_zero(const Number& a);      // exactly (expanded)
+bool vanishes(const Number& a);  // is zero, exactly (expanded)
+Vec3 expanded(const Vec3& a);
+Mat3 expanded(const Mat3& a);
 bool is_rational(const Number& a);  // a plain rational number: no symbol, no Pi, no root
 bool has_symbols(const Number& a);
 

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Robot → Mechanism. Three steps: merge what fixed joints join; put z of a raw frame on every moving axis; then use
+// the freedom left (phase about z, place of the origin on the axis) so that constant transforms become modified DH.
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "model/mechanism.hpp"
+#include "model/rational_rotation.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct Transform {
+  Mat3 R = identity_matrix();
+  Vec3 p = zero_vector();
+};
+
+Transform compose(const Transform& a, const Transform& b) { return {expanded(a.R * b.R), expanded(a.p + a.R * b.p)}; }
+
+Transform exact_transform(const Displacement& displacement) {
+  const auto turn = [&] { return planar_rotation(displacement.angle); };
+  switch (displacement.kind) {
+    case Displacement::Kind::translation:
+      return {identity_matrix(), rationalised(displacement.translation)};
+    case Displacement::Kind::rotation_x:
+      return {rotation_x(turn()), zero_vector()};
+    case Displacement::Kind::rotation_y:
+      return {rotation_y(turn()), zero_vector()};
+    case Displacement::Kind::rotation_z:
+      return {rotation_z(turn()), zero_vector()};
+  }
+  return {};
+}
+
+Transform exact_transform(const Pose& pose) {
+  Transform result;
+  for (const Displacement& displacement : pose.displacements) result = compose(result, exact_transform(displacement));
+  return result;
+}
+
+// Parameters of a written inertial, in the frame of its link.
+InertialParameters in_link_frame(const Inertial& inertial) {
+  const Number m = rationalised(inertial.mass.number);
+  const Vec3 r = rationalised(inertial.centre_of_mass);
+  InertialParameters body{m, expanded(m * r), zero_matrix()};
+  for (std::size_t i = 0; i < 3; ++i) body.inertia[i] = rationalised(inertial.tensor[i]);
+  if (inertial.about == Inertial::About::centre_of_mass) body.inertia = body.inertia + steiner(m, r);
+  const Transform frame = exact_transform(inertial.frame);
+  return transformed(body, frame.R, frame.p);
+}
+
+// A rotor held still, in the frame of the link that carries it, (7.63), (7.66).
+InertialParameters still_rotor(const Motor& motor) {
+  const Number m = rationalised(motor.mass.number);
+  const Number across = rationalised(motor.inertia_transverse.number);
+  const Number along = rationalised(motor.inertia_axial.number) - across;
+  const Vec3 z = unit(motor.axis), r = rationalised(motor.position);
+  InertialParameters rotor{m, expanded(m * r), steiner(m, r)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    rotor.inertia[i][i] += across;
+    for (std::size_t j = 0; j < 3; ++j) rotor.inertia[i][j] += along * z[i] * z[j];
+  }
+  return rotor;
+}
+
+// The tree with raw frames: z on each axis, origin and phase wherever the file put them.
+class RawTree {
+ public:
+  explicit RawTree(const Robot& robot)
+      : robot_(robot), link_pose_(robot.links.size()), body_of_(robot.links.size(), -1) {
+    walk(robot.root);
+  }
+
+  const Robot& robot_;
+  std::vector<Transform> link_pose_;  // of each written link in its body's raw frame
+  std::vector<int> body_of_;          // body of each written link; -1: the base
+  std::vector<Transform> raw_;        // of each body's raw frame in its parent's raw frame
+  std::vector<int> joint_of_;         // written joint of each body
+  std::vector<int> parent_;
+  std::vector<std::string> merged_;
+
+ private:
+  void walk(int link) {
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+      if (robot_.joints[j].parent == link) attach(static_cast<int>(j));
+    }
+  }
+
+  void attach(int joint_index) {
+    const Joint& joint = robot_.joints[static_cast<std::size_t>(joint_index)];
+    const auto parent = static_cast<std::size_t>(joint.parent), child = static_cast<std::size_t>(joint.child);
+    const Transform frame = compose(link_pose_[parent], exact_transform(joint.origin));
+    const Transform offset = exact_transform(joint.link_offset);
+    if (joint.type == JointType::fixed) {
+      body_of_[child] = body_of_[parent];
+      link_pose_[child] = compose(frame, offset);
+      merged_.push_back(robot_.links[child].name);
+    } else {
+      const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
+      raw_.push_back(compose(frame, onto_axis));
+      parent_.push_back(body_of_[parent]);
+      joint_of_.push_back(joint_index);
+      body_of_[child] = static_cast<int>(raw_.size()) - 1;
+      link_pose_[child] = compose({transpose(onto_axis.R), zero_vector()}, offset);
+    }
+    walk(joint.child);
+  }
+};
+
+// Where each body's final frame is in its raw frame: turned by `phase` about z, moved by `shift`.
+struct Placement {
+  PlanarRotation phase;
+  Vec3 shift = zero_vector();
+};
+
+// Chooses the placements from the base outwards, so that a body knows where its parent's frame has gone.
+class Placer {
+ public:
+  explicit Placer(const RawTree& tree) : tree_(tree), placements_(tree.raw_.size()) {
+    for (std::size_t i = 0; i < placements_.size(); ++i) place(i);
+  }
+
+  const Placement& operator[](std::size_t i) const { return placements_[i]; }
+
+  // Displacement of body i's final origin (at q = 0) in its parent's final frame.
+  Vec3 displacement(std::size_t i) const {
+    const Vec3 raw = raw_displacement(i) + tree_.raw_[i].R * placements_[i].shift;
+    const int parent = tree_.parent_[i];
+    if (parent < 0) return expanded(raw);
+    return expanded(rotation_z(inverse(placements_[static_cast<std::size_t>(parent)].phase)) * raw);
+  }
+
+ private:
+  // Of body i's raw origin from its parent's final origin, along the parent's raw axes.
+  Vec3 raw_displacement(std::size_t i) const {
+    const int parent = tree_.parent_[i];
+    const Vec3 origin = parent < 0 ? zero_vector() : placements_[static_cast<std::size_t>(parent)].shift;
+    return tree_.raw_[i].p - origin;
+  }
+
+  // The child that the frame of body i is made to fit: the first with the most bodies behind it.
+  std::optional<std::size_t> main_child(std::size_t i) const {
+    std::vector<int> weight(tree_.raw_.size(), 1);
+    std::optional<std::size_t> best;
+    for (std::size_t k = tree_.raw_.size(); k-- > i + 1;) {
+      const int parent = tree_.parent_[k];
+      if (parent < 0) continue;
+      weight[static_cast<std::size_t>(parent)] += weight[k];
+      if (parent == static_cast<int>(i) && (!best || weight[k] >= weight[*best])) best = k;
+    }
+    return best;
+  }
+
+  bool is_prismatic(std::size_t i) const {
+    return tree_.robot_.joints[static_cast<std::size_t>(tree_.joint_of_[i])].type == JointType::prismatic;
+  }
+
+  void place(std::size_t i) {
+    const std::optional<std::size_t> child = main_child(i);
+    Placement& placement = placements_[i];
+    if (child) {
+      placement.phase = zxz_angles(tree_.raw_[*child].R).beta;
+    } else if (const PlanarRotation theta = zxz_angles(tree_.raw_[i].R).theta; !is_quarter_turn(theta)) {
+      placement.phase = inverse(theta);
+    }
+    if (is_prismatic(i)) {
+      // Only the direction of a prismatic axis counts: the frame starts where the parent's is.
+      placement.shift = expanded(Number(-1) * (transpose(tree_.raw_[i].R) * raw_displacement(i)));
+    } else {
+      placement.shift = {0, 0, child ? foot_of_common_normal(i, *child) : nearest_to_parent(i)};
+    }
+  }
+
+  // Along the axis of body i, from its raw origin: where the common normal to the child's axis meets it.
+  Number foot_of_common_normal(std::size_t i, std::size_t child) const {
+    const Mat3& R = tree_.raw_[child].R;
+    const Vec3 u = {R[0][2], R[1][2], R[2][2]};
+    const Number across = (u[0] * u[0] + u[1] * u[1]).expand();
+    if (vanishes(across) || is_prismatic(child)) return nearest_to_parent(i);
+    const Vec3& p = tree_.raw_[child].p;
+    return (p[2] - u[2] * (p[0] * u[0] + p[1] * u[1]) / across).expand();
+  }
+
+  // Along the axis of body i: where its parent's frame needs the fewest numbers to reach it.
+  Number nearest_to_parent(std::size_t i) const {
+    const Mat3& R = tree_.raw_[i].R;
+    const Vec3 u = {R[0][2], R[1][2], R[2][2]};
+    const Vec3 d = raw_displacement(i);
+    const Number across = (u[0] * u[0] + u[1] * u[1]).expand();
+    if (vanishes(across)) return (-d[2] * u[2]).expand();
+    return (-(d[0] * u[0] + d[1] * u[1]) / across).expand();
+  }
+
+  const RawTree& tree_;
+  std::vector<Placement> placements_;
+};
+
+Body make_body(const RawTree& tree, const Placer& placer, std::size_t i) {
+  const Joint& joint = tree.robot_.joints[static_cast<std::size_t>(tree.joint_of_[i])];
+  Body body;
+  body.joint = joint.name;
+  body.link = tree.robot_.links[static_cast<std::size_t>(joint.child)].name;
+  body.parent = tree.parent_[i];
+  body.prismatic = joint.type == JointType::prismatic;
+  body.continuous = joint.type == JointType::continuous;
+  const ZxzAngles angles = zxz_angles(tree.raw_[i].R);
+  body.beta = angles.beta;
+  if (body.parent >= 0) body.beta = inverse(placer[static_cast<std::size_t>(body.parent)].phase) * angles.beta;
+  body.alpha = angles.alpha;
+  body.theta = angles.theta * placer[i].phase;
+  if (vanishes(body.alpha.s) && body.alpha.c.is_equal(1)) {
+    body.theta = body.beta * body.theta;  // parallel axes: one phase is enough
+    body.beta = {};
+  }
+  body.p = placer.displacement(i);
+  body.armature = rationalised(joint.armature.number);
+  body.viscous = rationalised(joint.viscous.number);
+  body.coulomb = rationalised(joint.coulomb.number);
+  body.limits = joint.limits;
+  return body;
+}
+
+// The pose of a written link in the final frame of its body.
+Transform final_pose(const RawTree& tree, const Placer& placer, int link) {
+  const Transform& raw = tree.link_pose_[static_cast<std::size_t>(link)];
+  const int body = tree.body_of_[static_cast<std::size_t>(link)];
+  if (body < 0) return raw;
+  const Placement& placement = placer[static_cast<std::size_t>(body)];
+  const Mat3 back = rotation_z(inverse(placement.phase));
+  return {expanded(back * raw.R), expanded(back * (raw.p - placement.shift))};
+}
+
+bool carries(const Mechanism& mechanism, int carrier, int body) {
+  if (carrier < 0) return true;
+  int ancestor = mechanism.bodies[static_cast<std::size_t>(body)].parent;
+  while (ancestor > carrier) ancestor = mechanism.bodies[static_cast<std::size_t>(ancestor)].parent;
+  return ancestor == carrier;
+}
+
+void add_motor(const RawTree& tree, const Placer& placer, int body_index, Mechanism& mechanism) {
+  Body& body = mechanism.bodies[static_cast<std::size_t>(body_index)];
+  const Joint& joint =
+      tree.robot_.joints[static_cast<std::size_t>(tree.joint_of_[static_cast<std::size_t>(body_index)])];
+  if (!joint.motor) return;
+  const int link = joint.motor->carrier >= 0 ? joint.motor->carrier : joint.parent;
+  const Transform pose = final_pose(tree, placer, link);
+  const int carrier = tree.body_of_[static_cast<std::size_t>(link)];
+  if (!carries(mechanism, carrier, body_index)) {
+    throw Failure(ExitCode::unsupported,
+                  joint.motor->place.file + ":" + std::to_string(joint.motor->place.line) + ": motor of joint \"" +
+                      joint.name + "\" is carried by link \"" + tree.robot_.links[static_cast<std::size_t>(link)].name +
+                      "\", which is not between the base and the joint",
+                  "carry it on the joint's parent link or on a link before it");
+  }
+  const InertialParameters still = transformed(still_rotor(*joint.motor), pose.R, pose.p);
+  InertialParameters& carrying =
+      carrier < 0 ? mechanism.base : mechanism.bodies[static_cast<std::size_t>(carrier)].inertia;
+  carrying = carrying + still;
+  body.rotor = Rotor{carrier, rationalised(joint.motor->gear_ratio.number),
+                     rationalised(joint.motor->inertia_axial.number), expanded(pose.R * unit(joint.motor->axis))};
+}
+
+void add_links(const RawTree& tree, const Placer& placer, Mechanism& mechanism) {
+  const Robot& robot = tree.robot_;
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    const Transform pose = final_pose(tree, placer, static_cast<int>(l));
+    mechanism.links.push_back({robot.links[l].name, tree.body_of_[l], pose.R, pose.p});
+    for (const Inertial& inertial : robot.links[l].inertials) {
+      const int body = tree.body_of_[l];
+      InertialParameters& target = body < 0 ? mechanism.base : mechanism.bodies[static_cast<std::size_t>(body)].inertia;
+      target = target + transformed(in_link_frame(inertial), pose.R, pose.p);
+    }
+  }
+  const Transform tip = compose(final_pose(tree, placer, robot.tip), exact_transform(robot.tip_offset));
+  const auto tip_link = static_cast<std::size_t>(robot.tip);
+  mechanism.tip = {robot.links[tip_link].name, tree.body_of_[tip_link], tip.R, tip.p};
+}
+
+}  // namespace
+
+Mechanism make_mechanism(const Robot& robot) {
+  const RawTree tree(robot);
+  const Placer placer(tree);
+  Mechanism mechanism;
+  mechanism.name = robot.name;
+  mechanism.gravity = rationalised(robot.gravity);
+  mechanism.symbols = robot.symbols;
+  mechanism.merged = tree.merged_;
+  for (std::size_t i = 0; i < tree.raw_.size(); ++i) mechanism.bodies.push_back(make_body(tree, placer, i));
+  add_links(tree, placer, mechanism);
+  for (int i = 0; i < mechanism.size(); ++i) add_motor(tree, placer, i, mechanism);
+  return mechanism;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/mechanism.hpp"
+
+#include <algorithm>
+
+#include "model/rational_rotation.hpp"
+
+namespace flatdyn {
+namespace {
+
+// 2 (p·h) 1 - p hᵀ - h pᵀ: what a first moment h adds to the inertia when the pole moves away from it by p.
+Mat3 mixed_steiner(const Vec3& p, const Vec3& h) {
+  const Number twice = 2 * dot(p, h);
+  Mat3 m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = (i == j ? twice : Number(0)) - p[i] * h[j] - h[i] * p[j];
+  }
+  return m;
+}
+
+}  // namespace
+
+bool InertialParameters::is_zero() const {
+  const auto all_vanish = [](const Vec3& v) { return std::all_of(v.begin(), v.end(), vanishes); };
+  return vanishes(mass) && all_vanish(first_moment) && std::all_of(inertia.begin(), inertia.end(), all_vanish);
+}
+
+InertialParameters operator+(const InertialParameters& a, const InertialParameters& b) {
+  return {(a.mass + b.mass).expand(), expanded(a.first_moment + b.first_moment), expanded(a.inertia + b.inertia)};
+}
+
+InertialParameters transformed(const InertialParameters& a, const Mat3& R, const Vec3& p) {
+  const Vec3 h = R * a.first_moment;
+  const Mat3 I = R * a.inertia * transpose(R);
+  return {a.mass, expanded(h + a.mass * p), expanded(I + mixed_steiner(p, h) + steiner(a.mass, p))};
+}
+
+Mat3 constant_rotation(const Body& body) {
+  return expanded(rotation_z(body.beta) * rotation_x(body.alpha) * rotation_z(body.theta));
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/rational_rotation.hpp"
+
+#include <cln/cln.h>
+
+namespace flatdyn {
+namespace {
+
+cln::cl_F to_float(const Number& a) {
+  constexpr std::uintptr_t kGuardDigits = 20;
+  const auto format = cln::float_format(kRationalDigits + kGuardDigits);
+  const long saved = GiNaC::Digits;
+  GiNaC::Digits = static_cast<long>(kRationalDigits + kGuardDigits);
+  const GiNaC::ex value = a.evalf();
+  GiNaC::Digits = saved;
+  return cln::cl_float(cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()), format);
+}
+
+// Nearest multiple of 10^-kRationalDigits, times a power of ten that keeps that many significant digits.
+Number rational_near(const cln::cl_F& value) {
+  if (cln::zerop(value)) return 0;
+  cln::cl_RA scale = cln::expt(cln::cl_RA(10), kRationalDigits);
+  for (cln::cl_F size = cln::abs(value); size > cln::cl_I(1); size = size / cln::cl_I(10)) scale = scale / 10;
+  const cln::cl_I rounded = cln::round1(cln::rational(value) * scale);
+  return GiNaC::numeric(cln::cl_N(cln::cl_RA(rounded) / scale));
+}
+
+bool is_numeric_expression(const Number& a) { return !has_symbols(a); }
+
+// (1 - t^2, 2 t)/(1 + t^2): exactly on the unit circle for any rational t.
+PlanarRotation from_half_tangent(const Number& t) {
+  const Number norm = 1 + t * t;
+  return {(1 - t * t) / norm, 2 * t / norm};
+}
+
+// The rotation by quarter · pi/2.
+PlanarRotation quarter_turns(const cln::cl_I& quarter) {
+  static const PlanarRotation kTurns[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  return kTurns[cln::cl_I_to_int(cln::mod(quarter, 4))];
+}
+
+// Exact root of a rational square, if it is one.
+bool rational_root(const Number& square, Number& root) {
+  if (!is_rational(square)) return false;
+  cln::cl_RA result;
+  const cln::cl_RA value = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(square).to_cl_N());
+  if (value < 0 || !cln::sqrtp(value, &result)) return false;
+  root = GiNaC::numeric(cln::cl_N(result));
+  return true;
+}
+
+}  // namespace
+
+Number rationalised(const Number& a) {
+  if (is_rational(a)) return a;
+  if (is_numeric_expression(a)) return rational_near(to_float(a));
+  if (GiNaC::is_a<GiNaC::symbol>(a)) return a;
+  struct Visit : GiNaC::map_function {
+    GiNaC::ex operator()(const GiNaC::ex& e) override { return rationalised(e); }
+  } visit;
+  return a.map(visit).expand();
+}
+
+Vec3 rationalised(const Vec3& a) { return {rationalised(a[0]), rationalised(a[1]), rationalised(a[2])}; }
+
+PlanarRotation planar_rotation(const Number& angle) {
+  if (has_symbols(angle)) return {GiNaC::cos(angle), GiNaC::sin(angle)};
+  const Number turns = (2 * angle / GiNaC::Pi).expand();
+  if (turns.info(GiNaC::info_flags::integer)) {
+    return quarter_turns(cln::the<cln::cl_I>(GiNaC::ex_to<GiNaC::numeric>(turns).to_cl_N()));
+  }
+  // The nearest quarter turn is exact; what is left is below pi/4, so its half tangent is below 1/2.
+  const cln::cl_F value = to_float(angle);
+  const cln::cl_F half_pi = cln::pi(value) / 2;
+  const cln::cl_I quarter = cln::round1(value / half_pi);
+  const cln::cl_F rest = value - half_pi * cln::cl_float(quarter, value);
+  return quarter_turns(quarter) * from_half_tangent(rational_near(cln::tan(rest / 2)));
+}
+
+PlanarRotation direction_of(const Number& x, const Number& y) {
+  Number norm;
+  if (rational_root((x * x + y * y).expand(), norm)) return {x / norm, y / norm};
+  const cln::cl_F fx = to_float(x), fy = to_float(y);
+  const cln::cl_F angle = cln::atan(fx, fy);  // CLN's order: atan(x, y) is the phase of x + iy
+  const cln::cl_F half_pi = cln::pi(angle) / 2;
+  const cln::cl_I quarter = cln::round1(angle / half_pi);
+  const cln::cl_F rest = angle - half_pi * cln::cl_float(quarter, angle);
+  return quarter_turns(quarter) * from_half_tangent(rational_near(cln::tan(rest / 2)));
+}
+
+PlanarRotation operator*(const PlanarRotation& a, const PlanarRotation& b) {
+  return {(a.c * b.c - a.s * b.s).expand(), (a.s * b.c + a.c * b.s).expand()};
+}
+
+PlanarRotation inverse(const PlanarRotation& a) { return {a.c, -a.s}; }
+
+bool is_quarter_turn(const PlanarRotation& a) { return vanishes(a.c) || vanishes(a.s); }
+
+Mat3 rotation_x(const PlanarRotation& a) { return {Vec3{1, 0, 0}, Vec3{0, a.c, -a.s}, Vec3{0, a.s, a.c}}; }
+
+Mat3 rotation_y(const PlanarRotation& a) { return {Vec3{a.c, 0, a.s}, Vec3{0, 1, 0}, Vec3{-a.s, 0, a.c}}; }
+
+Mat3 rotation_z(const PlanarRotation& a) { return {Vec3{a.c, -a.s, 0}, Vec3{a.s, a.c, 0}, Vec3{0, 0, 1}}; }
+
+namespace {
+
+// Rotation matrix of the quaternion (w; v), which need not be normalised: rational entries, exactly orthonormal.
+Mat3 from_quaternion(const Number& w, const Vec3& v) {
+  const Number norm = w * w + dot(v, v);
+  const Mat3 S = skew(v);
+  const Mat3 S2 = S * S;
+  Mat3 R = identity_matrix();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) R[i][j] += 2 * (w * S[i][j] + S2[i][j]) / norm;
+  }
+  return R;
+}
+
+// Rotation of z onto an axis along ±x, ±y or ±z, with positive `sign` for the positive direction.
+Mat3 signed_permutation(int axis, bool positive) {
+  const PlanarRotation turn{0, positive ? 1 : -1};
+  if (axis == 0) return rotation_y(turn);
+  if (axis == 1) return rotation_x(inverse(turn));
+  return positive ? identity_matrix() : rotation_x({-1, 0});
+}
+
+}  // namespace
+
+Vec3 unit(const Vec3& axis) {
+  const Number square = dot(axis, axis).expand();
+  Number norm;
+  if (rational_root(square, norm)) return Number(1 / norm) * axis;
+  const cln::cl_F length = cln::sqrt(to_float(square));
+  Vec3 result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = vanishes(axis[k]) ? Number(0) : rational_near(to_float(axis[k]) / length);
+  }
+  return result;
+}
+
+Mat3 rotation_onto(const Vec3& axis) {
+  for (int k = 0; k < 3; ++k) {
+    const auto at = [&axis, k](int offset) { return axis[static_cast<std::size_t>((k + offset) % 3)]; };
+    if (vanishes(at(1)) && vanishes(at(2))) return signed_permutation(k, at(0).info(GiNaC::info_flags::positive));
+  }
+  // The half-way quaternion between z and the axis: (1 + u_z; z x u), from the far side if u points down.
+  Vec3 u = unit(axis);
+  const bool down = u[2].info(GiNaC::info_flags::negative);
+  if (down) u = {u[0], -u[1], -u[2]};
+  const Mat3 R = from_quaternion(1 + u[2], {-u[1], u[0], 0});
+  return down ? rotation_x({-1, 0}) * R : R;
+}
+
+ZxzAngles zxz_angles(const Mat3& R) {
+  const Number &x = R[0][2], &y = R[1][2], &z = R[2][2];  // Rz(beta) Rx(alpha) z = (s_b s_a, -c_b s_a, c_a)
+  ZxzAngles angles;
+  if (vanishes(x)) {
+    // beta = 0, which also serves parallel axes.
+    angles.alpha = {z, -y};
+    angles.theta = {R[0][0], -R[0][1]};
+    return angles;
+  }
+  if (vanishes(y)) {
+    angles.beta = {0, 1};
+    angles.alpha = {z, x};
+    angles.theta = {R[1][0], -R[1][1]};
+    return angles;
+  }
+  if (has_symbols(x) || has_symbols(y) || has_symbols(z)) {
+    throw Failure(ExitCode::unsupported, "a symbolic angle makes two neighbouring joint axes skew in general position",
+                  "keep angles numeric, or let only one of alpha and theta be a symbol");
+  }
+  angles.beta = direction_of(-y, x);
+  const Number sin_alpha = (angles.beta.s * x - angles.beta.c * y).expand();
+  angles.alpha = direction_of(z, sin_alpha);
+  angles.theta = direction_of(R[2][1], R[2][0]);  // s_a (s_t, c_t), s_a > 0
+  return angles;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "symbolic/newton_euler.hpp"
+
+namespace flatdyn {
+
+// T of (7.31), rotors included, J.
+Number kinetic_energy(Frames& frames);
+
+// U of (7.36), zero for a mass at the base frame's origin, J.
+Number potential_energy(Frames& frames);
+
+}  // namespace flatdyn

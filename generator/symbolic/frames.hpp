@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The moving frames of a mechanism inside one derivation: sines and cosines, and vectors carried from frame to frame.
+#pragma once
+
+#include "model/mechanism.hpp"
+#include "symbolic/derivation.hpp"
+
+namespace flatdyn {
+
+class Frames {
+ public:
+  Frames(const Mechanism& mechanism, Derivation& derivation);
+
+  // A vector given in the parent's frame, in frame i.
+  Vec3 down(int i, const Vec3& v, const std::string& name);
+  // A vector given in frame i, in the parent's frame.
+  Vec3 up(int i, const Vec3& v, const std::string& name);
+  // A symmetric tensor given in frame i, in the parent's frame: R T R^T.
+  Mat3 up(int i, const Mat3& tensor, const std::string& name);
+
+  // The joint's motion along z in frame i: q_i for a prismatic joint, 0 for a revolute one.
+  Number slide(int i) const { return slide_[static_cast<std::size_t>(i)]; }
+  // Displacement of frame i's origin at q_i = 0, in the parent's frame; the slide comes on top, along z of frame i.
+  const Vec3& p(int i) const { return p_[static_cast<std::size_t>(i)]; }
+  // z of frame i in the parent's frame: constant.
+  Vec3 axis_in_parent(int i) const;
+
+  const Mechanism& mechanism() const { return mechanism_; }
+  Derivation& derivation() { return derivation_; }
+
+ private:
+  struct Turn {
+    PlanarRotation beta, alpha, gamma;  // gamma: theta and, for a revolute joint, q
+  };
+
+  const Mechanism& mechanism_;
+  Derivation& derivation_;
+  std::vector<Turn> turns_;
+  std::vector<Number> slide_;
+  std::vector<Vec3> p_;
+};
+
+// "3" for body 2: people count joints from 1.
+std::string label(int i);
+
+}  // namespace flatdyn

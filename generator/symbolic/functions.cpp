@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/functions.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "graph/count.hpp"
+#include "symbolic/composite.hpp"
+#include "symbolic/energy.hpp"
+#include "symbolic/factorisation.hpp"
+#include "symbolic/kinematics.hpp"
+#include "symbolic/regroup.hpp"
+
+namespace flatdyn {
+namespace {
+
+// One derivation under way: what every function starts from.
+struct Workbench {
+  explicit Workbench(const Mechanism& m) : mechanism(m), derivation(parameters(m)), frames(mechanism, derivation) {}
+
+  static std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism) {
+    std::vector<GiNaC::symbol> result;
+    for (const FreeSymbol& symbol : mechanism.symbols) result.push_back(symbol.symbol);
+    return result;
+  }
+
+  int size() const { return mechanism.size(); }
+  std::vector<Number> all(InputKind kind) { return inputs(derivation, kind, size()); }
+  std::vector<Number> none() const { return std::vector<Number>(static_cast<std::size_t>(size()), 0); }
+
+  NodeId node(const Number& value) { return derivation.node(value); }
+  std::vector<NodeId> nodes(const std::vector<Number>& values) {
+    std::vector<NodeId> result;
+    for (const Number& value : values) result.push_back(node(value));
+    return result;
+  }
+
+  const Mechanism& mechanism;
+  Derivation derivation;
+  Frames frames;
+};
+
+Output vector_output(const std::string& name, std::vector<NodeId> entries, const std::string& meaning) {
+  const int rows = static_cast<int>(entries.size());
+  return {name, Layout::vector, rows, 1, std::move(entries), meaning};
+}
+
+Output matrix_output(const std::string& name, int rows, int cols, std::vector<NodeId> entries,
+                     const std::string& meaning) {
+  return {name, Layout::matrix, rows, cols, std::move(entries), meaning};
+}
+
+Output scalar_output(const std::string& name, NodeId entry, const std::string& meaning) {
+  return {name, Layout::scalar, 1, 1, {entry}, meaning};
+}
+
+Function finished(Workbench& bench, std::vector<InputKind> inputs, std::vector<Output> outputs,
+                  std::vector<NodeId> positive = {}) {
+  Function function;
+  function.inputs = std::move(inputs);
+  function.graph = std::move(bench.derivation.graph());
+  function.outputs = std::move(outputs);
+  function.positive = std::move(positive);
+  return function;
+}
+
+// The same function from every grouping of the parameters; the cheapest counts. The first of equals is kept.
+Function cheapest(const Mechanism& mechanism, const std::function<Function(const Mechanism&)>& derive) {
+  std::optional<Function> best;
+  for (const Grouping grouping : kGroupings) {
+    Function candidate = derive(regrouped(mechanism, grouping));
+    if (!best || count_operations(candidate).arithmetic() < count_operations(*best).arithmetic()) {
+      best = std::move(candidate);
+    }
+  }
+  return *best;
+}
+
+constexpr const char* kTorqueMeaning = "joint torques, N m (forces, N, for prismatic joints)";
+
+Function inverse_dynamics(const Mechanism& mechanism) {
+  return cheapest(mechanism, [](const Mechanism& m) {
+    Workbench bench(m);
+    const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), m.gravity, true};
+    const std::vector<Number> tau = torques(bench.frames, motion);
+    return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
+                    {vector_output("tau", bench.nodes(tau), kTorqueMeaning)});
+  });
+}
+
+Function inverse_dynamics_tip_force(const Mechanism& mechanism) {
+  return cheapest(mechanism, [](const Mechanism& m) {
+    Workbench bench(m);
+    const std::vector<Number> h = inputs(bench.derivation, InputKind::h_e, 6);
+    const Wrench tip = wrench_on_body(bench.frames, m.tip, {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}});
+    const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), m.gravity, true};
+    const std::vector<Number> tau = torques(bench.frames, motion, tip);
+    return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::h_e},
+                    {vector_output("tau", bench.nodes(tau), kTorqueMeaning)});
+  });
+}
+
+Function inertia_matrix_function(const Mechanism& mechanism) {
+  return cheapest(mechanism, [](const Mechanism& m) {
+    Workbench bench(m);
+    std::vector<NodeId> entries;
+    for (const std::vector<Number>& row : inertia_matrix(bench.frames)) {
+      for (const Number& b : row) entries.push_back(bench.node(b));
+    }
+    return finished(bench, {InputKind::q},
+                    {matrix_output("B", m.size(), m.size(), entries,
+                                   "inertia matrix, symmetric, kg m^2 (kg for prismatic joints)")});
+  });
+}
+
+Function christoffel(const Mechanism& mechanism) {
+  return cheapest(with_half_inertia(mechanism), [](const Mechanism& m) {
+    Workbench bench(m);
+    const int n = m.size(), columns = n * (n + 1) / 2;
+    std::vector<NodeId> entries(static_cast<std::size_t>(n * columns), bench.node(0));
+    for (const auto& [key, value] : christoffel_symbols(bench.frames)) {
+      const auto [i, j, k] = key;
+      entries[static_cast<std::size_t>(i * columns + k * (k + 1) / 2 + j)] = bench.node(value);
+    }
+    return finished(bench, {InputKind::q},
+                    {{"c", Layout::christoffel, n, columns, entries, "Christoffel symbols c_ijk = c_ikj, j <= k"}});
+  });
+}
+
+Function coriolis_matrix(const Mechanism& mechanism) {
+  return cheapest(with_half_inertia(mechanism), [](const Mechanism& m) {
+    Workbench bench(m);
+    const auto n = static_cast<std::size_t>(m.size());
+    const std::vector<Number> qd = bench.all(InputKind::qd);
+    std::vector<std::vector<Number>> C(n, std::vector<Number>(n, 0));
+    for (const auto& [key, c] : christoffel_symbols(bench.frames)) {
+      const auto i = static_cast<std::size_t>(key[0]), j = static_cast<std::size_t>(key[1]),
+                 k = static_cast<std::size_t>(key[2]);
+      C[i][j] += c * qd[k];
+      if (j != k) C[i][k] += c * qd[j];
+    }
+    std::vector<NodeId> entries;
+    for (const std::vector<Number>& row : C) {
+      for (const Number& entry : row) entries.push_back(bench.node(entry));
+    }
+    return finished(bench, {InputKind::q, InputKind::qd},
+                    {matrix_output("C", m.size(), m.size(), entries,
+                                   "c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric")});
+  });
+}
+
+Function gravity(const Mechanism& mechanism) {
+  return cheapest(mechanism, [](const Mechanism& m) {
+    Workbench bench(m);
+    const Motion motion{bench.none(), bench.none(), m.gravity, false};
+    return finished(bench, {InputKind::q},
+                    {vector_output("g", bench.nodes(torques(bench.frames, motion)), kTorqueMeaning)});
+  });
+}
+
+std::vector<Number> bias_torques(Workbench& bench) {
+  const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
+  return torques(bench.frames, motion);
+}
+
+Function bias(const Mechanism& mechanism) {
+  return cheapest(mechanism, [](const Mechanism& m) {
+    Workbench bench(m);
+    return finished(bench, {InputKind::q, InputKind::qd},
+                    {vector_output("n", bench.nodes(bias_torques(bench)), kTorqueMeaning)});
+  });
+}
+
+Function forward_dynamics(const Mechanism& mechanism) {
+  return cheapest(mechanism, [](const Mechanism& m) {
+    Workbench bench(m);
+    const std::vector<Number> tau = bench.all(InputKind::tau);
+    std::vector<Number> b = bias_torques(bench);
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      b[i] = bench.derivation.named(tau[i] - b[i], "y_" + label(static_cast<int>(i)));
+    }
+    const Solution solution = solve_factorised(bench.frames, inertia_matrix(bench.frames), b);
+    const std::vector<NodeId> qdd = bench.nodes(solution.x), pivots = bench.nodes(solution.pivots);
+    return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
+                    {vector_output("qdd", qdd, "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)")}, pivots);
+  });
+}
+
+Function kinetic_energy_function(const Mechanism& mechanism) {
+  return cheapest(mechanism, [](const Mechanism& m) {
+    Workbench bench(m);
+    const NodeId T = bench.node(kinetic_energy(bench.frames));
+    return finished(bench, {InputKind::q, InputKind::qd}, {scalar_output("T", T, "kinetic energy, J")});
+  });
+}
+
+Function potential_energy_function(const Mechanism& mechanism) {
+  return cheapest(mechanism, [](const Mechanism& m) {
+    Workbench bench(m);
+    const NodeId U = bench.node(potential_energy(bench.frames));
+    return finished(bench, {InputKind::q},
+                    {scalar_output("U", U, "potential energy, J; zero at the base frame's origin")});
+  });
+}
+
+Function forward_kinematics_of(const Mechanism& mechanism, const LinkFrame& link) {
+  Workbench bench(mechanism);
+  const SymbolicPose result = pose(bench.frames, link);
+  std::vector<NodeId> R, p;
+  for (const Vec3& row : result.R) {
+    for (const Number& entry : row) R.push_back(bench.node(entry));
+  }
+  for (const Number& entry : result.p) p.push_back(bench.node(entry));
+  return finished(bench, {InputKind::q},
+                  {matrix_output("R", 3, 3, R, "rotation matrix of the frame in the base frame"),
+                   vector_output("p", p, "position of the frame's origin in the base frame, m")});
+}
+
+Function jacobian_of(const Mechanism& mechanism, const LinkFrame& link) {
+  Workbench bench(mechanism);
+  const std::vector<JacobianColumn> columns = jacobian(bench.frames, link);
+  std::vector<NodeId> entries;
+  for (std::size_t row = 0; row < 6; ++row) {
+    for (const JacobianColumn& column : columns) {
+      entries.push_back(bench.node(row < 3 ? column.linear[row] : column.angular[row - 3]));
+    }
+  }
+  return finished(
+      bench, {InputKind::q},
+      {matrix_output("J", 6, mechanism.size(), entries, "geometric Jacobian in base axes: linear rows, then angular")});
+}
+
+Function jacobian_dot_qd_of(const Mechanism& mechanism, const LinkFrame& link) {
+  Workbench bench(mechanism);
+  const JacobianColumn a = jacobian_dot_qd(bench.frames, link);
+  std::vector<Number> entries(a.linear.begin(), a.linear.end());
+  entries.insert(entries.end(), a.angular.begin(), a.angular.end());
+  return finished(
+      bench, {InputKind::q, InputKind::qd},
+      {vector_output("a", bench.nodes(entries), "(dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2")});
+}
+
+Function forward_kinematics_tip(const Mechanism& m) { return forward_kinematics_of(m, m.tip); }
+Function jacobian_tip(const Mechanism& m) { return jacobian_of(m, m.tip); }
+Function jacobian_dot_qd_tip(const Mechanism& m) { return jacobian_dot_qd_of(m, m.tip); }
+
+using LinkDerivation = Function (*)(const Mechanism&, const LinkFrame&);
+
+// The functions that may be asked for a named link.
+LinkDerivation link_derivation(const std::string& name) {
+  if (name == "forward_kinematics") return forward_kinematics_of;
+  if (name == "jacobian") return jacobian_of;
+  if (name == "jacobian_dot_qd") return jacobian_dot_qd_of;
+  return nullptr;
+}
+
+const FunctionEntry& entry_of(const std::string& name) {
+  const auto& table = function_table();
+  const auto found = std::find_if(table.begin(), table.end(), [&](const FunctionEntry& e) { return name == e.name; });
+  if (found == table.end())
+    throw Failure(ExitCode::usage, "unknown function \"" + name + "\"", "see flatdyn generate --help");
+  return *found;
+}
+
+}  // namespace
+
+const std::vector<FunctionEntry>& function_table() {
+  static const std::vector<FunctionEntry> table = {
+      {"inverse_dynamics", "tau = B(q) qdd + C(q, qd) qd + g(q) + friction", "(7.42)", inverse_dynamics},
+      {"inverse_dynamics_tip_force", "inverse dynamics with a force h_e that the tip exerts on the environment",
+       "(7.42)", inverse_dynamics_tip_force},
+      {"inertia_matrix", "joint-space inertia matrix B(q)", "(7.32)", inertia_matrix_function},
+      {"christoffel", "Christoffel symbols of the first kind c_ijk(q)", "(7.45)", christoffel},
+      {"coriolis_matrix", "C(q, qd) from the Christoffel symbols", "(7.44)", coriolis_matrix},
+      {"gravity", "gravity torques g(q)", "(7.39)", gravity},
+      {"bias", "C(q, qd) qd + g(q) + friction", "(7.116)", bias},
+      {"forward_dynamics", "qdd from B(q) qdd = tau - bias(q, qd)", "(7.115)", forward_dynamics},
+      {"kinetic_energy", "kinetic energy of links and rotors", "(7.31)", kinetic_energy_function},
+      {"potential_energy", "potential energy of links and rotors", "(7.36)", potential_energy_function},
+      {"forward_kinematics", "pose of the tip", "(2.50)", forward_kinematics_tip},
+      {"jacobian", "geometric Jacobian of the tip", "(7.14), (7.15)", jacobian_tip},
+      {"jacobian_dot_qd", "(dJ/dt) qd of the tip", "", jacobian_dot_qd_tip},
+  };
+  return table;
+}
+
+Function derive_function(const Mechanism& mechanism, const std::string& name) {
+  const std::size_t colon = name.find(':');
+  const std::string stem = name.substr(0, colon);
+  const FunctionEntry& entry = entry_of(stem);
+  Function function;
+  if (colon == std::string::npos) {
+    function = entry.derive(mechanism);
+  } else {
+    const std::string link = name.substr(colon + 1);
+    const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                                    [&](const LinkFrame& frame) { return frame.link == link; });
+    const LinkDerivation derive = link_derivation(stem);
+    if (derive == nullptr) throw Failure(ExitCode::usage, "function \"" + stem + "\" is not one of a link");
+    if (found == mechanism.links.end()) throw Failure(ExitCode::usage, "no link named \"" + link + "\"");
+    function = derive(mechanism, *found);
+  }
+  function.name = name;
+  function.summary = entry.summary;
+  function.equation = entry.equation;
+  return function;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/kinematics.hpp"
+
+#include <algorithm>
+
+namespace flatdyn {
+namespace {
+
+const Body& body_of(Frames& frames, int i) { return frames.mechanism().bodies[static_cast<std::size_t>(i)]; }
+
+// Bodies from `body` to the base.
+std::vector<int> path_to_base(Frames& frames, int body) {
+  std::vector<int> path;
+  for (int i = body; i >= 0; i = body_of(frames, i).parent) path.push_back(i);
+  return path;
+}
+
+// A free vector of body `body` in base axes.
+Vec3 to_base(Frames& frames, int body, Vec3 v, const std::string& name) {
+  for (const int i : path_to_base(frames, body)) v = frames.up(i, v, name + "_" + label(i));
+  return v;
+}
+
+// A point of body `body` in the base frame.
+Vec3 point_in_base(Frames& frames, int body, Vec3 r, const std::string& name) {
+  Derivation& d = frames.derivation();
+  for (const int i : path_to_base(frames, body)) {
+    const std::string n = name + "_" + label(i);
+    r = d.named(r + Vec3{0, 0, frames.slide(i)}, n + "s");
+    r = d.named(frames.up(i, r, n + "u") + frames.p(i), n);
+  }
+  return r;
+}
+
+Vec3 column(const Mat3& m, std::size_t j) { return {m[0][j], m[1][j], m[2][j]}; }
+
+}  // namespace
+
+SymbolicPose pose(Frames& frames, const LinkFrame& link) {
+  Mat3 columns;
+  for (std::size_t j = 0; j < 3; ++j) {
+    static const char* const kNames[] = {"n", "s", "a"};  // normal, sliding, approach
+    columns[j] = to_base(frames, link.body, column(link.R, j), kNames[j]);
+  }
+  return {transpose(columns), point_in_base(frames, link.body, link.p, "p")};
+}
+
+std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
+  Derivation& d = frames.derivation();
+  std::vector<JacobianColumn> columns(static_cast<std::size_t>(frames.mechanism().size()));
+  std::vector<int> path = path_to_base(frames, link.body);
+  const Vec3 p_e = point_in_base(frames, link.body, link.p, "p");
+  // From the base outwards: two columns of each frame's rotation are needed to place the next axis and origin.
+  SymbolicPose here;
+  std::reverse(path.begin(), path.end());
+  for (const int i : path) {
+    const std::string n = label(i);
+    const Vec3 z = d.named(here.R * frames.axis_in_parent(i), "z_" + n);
+    const Vec3 origin = d.named(here.p + here.R * frames.p(i) + frames.slide(i) * z, "p_" + n);
+    JacobianColumn& J = columns[static_cast<std::size_t>(i)];
+    if (body_of(frames, i).prismatic) {
+      J.linear = z;
+    } else {
+      const Vec3 lever = d.named(p_e - origin, "r_" + n);
+      J = {d.named(cross(z, lever), "J_P" + n), z};
+    }
+    Mat3 rows;  // of R_i: each a row of R_(i-1) seen in frame i
+    for (std::size_t k = 0; k < 3; ++k) rows[k] = frames.down(i, here.R[k], "R_" + n + std::to_string(k));
+    here = {rows, origin};
+  }
+  return columns;
+}
+
+JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
+  if (link.body < 0) return {};
+  Derivation& d = frames.derivation();
+  const int n = frames.mechanism().size();
+  const Motion motion{inputs(d, InputKind::qd, n), std::vector<Number>(static_cast<std::size_t>(n), 0), zero_vector(),
+                      false};
+  const LinkMotion body = link_motions(frames, motion)[static_cast<std::size_t>(link.body)];
+  const Vec3 ddp = d.named(body.ddp + body.U * link.p, "ddp_e");
+  return {to_base(frames, link.body, ddp, "a"), to_base(frames, link.body, body.domega, "domega_e")};
+}
+
+Wrench wrench_on_body(Frames& frames, const LinkFrame& link, const Wrench& wrench) {
+  if (link.body < 0) return {};
+  Wrench local = wrench;
+  std::vector<int> path = path_to_base(frames, link.body);
+  std::reverse(path.begin(), path.end());
+  for (const int i : path) {
+    local = {frames.down(i, local.f, "f_e" + label(i)), frames.down(i, local.mu, "mu_e" + label(i))};
+  }
+  return {local.f, local.mu + cross(frames.derivation().named(link.p, "p_e"), local.f)};
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The recursive Newton–Euler algorithm of 7.5 in symbols, in link frames, (7.107)–(7.114), with inertias about the
+// frames' origins instead of the centres of mass.
+#pragma once
+
+#include <optional>
+
+#include "symbolic/frames.hpp"
+
+namespace flatdyn {
+
+// What drives the recursion. Zero entries are left out of the result by themselves.
+struct Motion {
+  std::vector<Number> qd, qdd;
+  Vec3 gravity = zero_vector();  // g_0, base frame
+  bool friction = true;
+};
+
+// Joint rates and accelerations as inputs of the function.
+std::vector<Number> inputs(Derivation& derivation, InputKind kind, int size);
+
+// ω_i, ω̇_i and p̈_i - g_0 of every body, in its own frame; U_i = S(ω̇_i) + S(ω_i)².
+struct LinkMotion {
+  Vec3 omega = zero_vector();   // rad/s
+  Vec3 domega = zero_vector();  // rad/s^2
+  Vec3 ddp = zero_vector();     // of the frame's origin, m/s^2
+  Mat3 U = zero_matrix();       // 1/s^2
+};
+std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion);
+
+// A force and its moment about the origin of a body's frame, in that frame.
+struct Wrench {
+  Vec3 f = zero_vector();   // N
+  Vec3 mu = zero_vector();  // N m
+};
+
+// Generalised forces τ, (7.114). `tip`: wrench that the tip exerts on the environment, on the tip's body.
+std::vector<Number> torques(Frames& frames, const Motion& motion, const std::optional<Wrench>& tip = std::nullopt);
+
+// A wrench on body i, given about its frame's origin, in the frame of its parent about the parent's origin.
+Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string& name);
+
+}  // namespace flatdyn

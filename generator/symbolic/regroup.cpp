@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/regroup.hpp"
+
+namespace flatdyn {
+namespace {
+
+Number movable_inertia(const Mat3& I, Grouping grouping) {
+  switch (grouping) {
+    case Grouping::i_yy:
+      return I[1][1];
+    case Grouping::i_xx:
+      return I[0][0];
+    case Grouping::sigma_zz:
+      return ((I[0][0] + I[1][1] - I[2][2]) / 2).expand();
+    case Grouping::none:
+      break;
+  }
+  return 0;
+}
+
+// The part of link i that can as well be fixed to its parent. Revolute: what a turn about z leaves as it is and the
+// joint's own rate does not move: mass, first moment along z, a transverse inertia. Prismatic: the inertia tensor,
+// because the link does not turn against its parent.
+InertialParameters movable(const Body& body, Grouping grouping) {
+  InertialParameters part;
+  if (body.prismatic) {
+    part.inertia = body.inertia.inertia;
+    return part;
+  }
+  part.mass = body.inertia.mass;
+  part.first_moment[2] = body.inertia.first_moment[2];
+  part.inertia[0][0] = part.inertia[1][1] = movable_inertia(body.inertia.inertia, grouping);
+  return part;
+}
+
+InertialParameters negative(const InertialParameters& a) {
+  InertialParameters result{-a.mass, Number(-1) * a.first_moment, a.inertia};
+  for (Vec3& row : result.inertia) row = Number(-1) * row;
+  return result;
+}
+
+}  // namespace
+
+Mechanism regrouped(const Mechanism& mechanism, Grouping grouping) {
+  Mechanism result = mechanism;
+  if (grouping == Grouping::none) return result;
+  for (int i = result.size() - 1; i >= 0; --i) {
+    Body& body = result.bodies[static_cast<std::size_t>(i)];
+    const InertialParameters part = movable(body, grouping);
+    body.inertia = body.inertia + negative(part);
+    InertialParameters& parent =
+        body.parent < 0 ? result.base : result.bodies[static_cast<std::size_t>(body.parent)].inertia;
+    // The part does not change when the joint turns, so where it is put is the frame at q = 0. A prismatic joint's
+    // tensor has no mass: its place does not matter.
+    parent = parent + transformed(part, constant_rotation(body), body.p);
+  }
+  return result;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/number.hpp"
+
+#include <gtest/gtest.h>
+
+namespace flatdyn {
+namespace {
+
+TEST(ExactDecimal, IsTheRationalThatIsWritten) {
+  EXPECT_EQ(exact_decimal("0.1"), GiNaC::numeric(1, 10));
+  EXPECT_EQ(exact_decimal("-1.5e-3"), GiNaC::numeric(-3, 2000));
+  EXPECT_EQ(exact_decimal("+12."), 12);
+  EXPECT_EQ(exact_decimal(".25E2"), 25);
+}
+
+TEST(ExactDecimal, RefusesWhatIsNoFiniteDecimal) {
+  for (const char* text : {"", "-", ".", "1e", "nan", "inf", "1.2.3", "1 ", "0x10", "1e99999", "1e401"}) {
+    EXPECT_THROW(exact_decimal(text), std::invalid_argument) << text;
+  }
+}
+
+TEST(ToDecimal, KeepsAllDigitsAskedFor) {
+  EXPECT_EQ(to_decimal(GiNaC::Pi / 3, 40).substr(0, 42), "1.0471975511965977461542144610931676280657");
+  EXPECT_EQ(to_decimal(exact_decimal("0.0825"), 17), "0.0825");
+  EXPECT_THROW(to_decimal(GiNaC::symbol("x"), 10), std::domain_error);
+}
+
+TEST(Vanishes, SeesThroughUnexpandedSums) {
+  const GiNaC::symbol x("x");
+  EXPECT_TRUE(vanishes(GiNaC::pow(x + 1, 2) - x * x - 2 * x - 1));
+  EXPECT_FALSE(vanishes(x - 1));
+}
+
+}  // namespace
+}  // namespace flatdyn
