@@ -16,7 +16,8 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
     case Op::constant:
       return {scalar_literal(node.value), Binding::atom};
     case Op::sum:
-      return sum(node);
+      if (const Node* inner = negated_sum(node)) return sum(*inner, true);
+      return sum(node, false);
     case Op::product:
       return product(node);
     case Op::quotient:
@@ -31,6 +32,14 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
       break;  // always a variable
   }
   return reference(id);
+}
+
+// The sum that `node` is the negative of, if it is written out: its signs are changed instead.
+const Node* ExpressionPrinter::negated_sum(const Node& node) const {
+  if (!is_scaled(node) || node.terms[0].coefficient != -1) return nullptr;
+  const NodeId inner = node.terms[0].node;
+  const bool written_out = names_[static_cast<std::size_t>(inner)].empty() && graph_[inner].op == Op::sum;
+  return written_out ? &graph_[inner] : nullptr;
 }
 
 ExpressionPrinter::Text ExpressionPrinter::reference(NodeId id) const {
@@ -66,7 +75,7 @@ std::vector<Term> readable_order(const Graph& graph, std::vector<Term> terms) {
 }  // namespace
 
 // The first positive term comes first, so that signs are subtractions: b - a, not -a + b.
-ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node) const {
+ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node, bool negated) const {
   struct Item {
     Rational coefficient;
     std::string factor;  // empty: the constant
@@ -75,10 +84,11 @@ ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node) const {
   std::vector<Item> items;
   for (const Term& term : readable_order(graph_, node.terms)) {
     const bool plain = abs(term.coefficient) == 1;
-    const std::string factor = operand(term.node, Binding::product);
-    items.push_back({term.coefficient, factor, plain ? Binding::atom : Binding::product});
+    const std::string factor = operand(term.node, plain ? Binding::quotient : Binding::product);
+    items.push_back(
+        {negated ? Rational(-term.coefficient) : term.coefficient, factor, plain ? Binding::atom : Binding::product});
   }
-  if (node.value != 0) items.push_back({node.value, "", Binding::atom});
+  if (node.value != 0) items.push_back({negated ? Rational(-node.value) : node.value, "", Binding::atom});
   const auto leader = std::find_if(items.begin(), items.end(), [](const Item& item) { return item.coefficient > 0; });
   if (leader != items.end()) std::rotate(items.begin(), leader, leader + 1);
 

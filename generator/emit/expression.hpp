@@ -32,7 +32,8 @@ class ExpressionPrinter {
   Text define(NodeId id) const;
   Text reference(NodeId id) const;
   std::string operand(NodeId id, Binding at_least) const;  // in parentheses if it binds less
-  Text sum(const Node& node) const;
+  Text sum(const Node& node, bool negated) const;
+  const Node* negated_sum(const Node& node) const;
   Text product(const Node& node) const;
   Text quotient(const Node& node) const;
 

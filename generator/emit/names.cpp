@@ -64,7 +64,8 @@ std::string wanted_name(const Graph& graph, NodeId id, const std::map<NodeId, st
 std::string NameTable::unique(const std::string& wanted) {
   const std::string valid = cpp_identifier(wanted);
   std::string name = valid;
-  for (int k = 2; !taken_.insert(name).second; ++k) name = valid + "_" + std::to_string(k);
+  const std::string separator = valid.back() == '_' ? "" : "_";  // two underscores in a row are reserved
+  for (int k = 2; !taken_.insert(name).second; ++k) name = valid + separator + std::to_string(k);
   return name;
 }
 
