@@ -11,10 +11,10 @@
 namespace flatdyn {
 
 struct EmitOptions {
-  std::string name_space;            // empty: from the robot's name
-  std::string scalar = "double";     // default of the template parameter: "double" or "float"
-  std::string options_stamp;         // the options that shaped the output, for the stamp
-  std::string input_hash;            // of the robot file's content (and what it includes)
+  std::string name_space;         // empty: from the robot's name
+  std::string scalar = "double";  // default of the template parameter: "double" or "float"
+  std::string options_stamp;      // the options that shaped the output, for the stamp
+  std::string input_hash;         // of the robot file's content (and what it includes)
 };
 
 // The header's file name for this mechanism: "panda.hpp".

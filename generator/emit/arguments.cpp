@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace flatdyn {
+
+InputArgument input_argument(InputKind kind, int joints) {
+  constexpr int kWrench = 6;
+  switch (kind) {
+    case InputKind::q:
+      return {"q", joints, "joint positions, rad or m"};
+    case InputKind::qd:
+      return {"qd", joints, "joint velocities, rad/s or m/s"};
+    case InputKind::qdd:
+      return {"qdd", joints, "joint accelerations, rad/s^2 or m/s^2"};
+    case InputKind::tau:
+      return {"tau", joints, "joint torques or forces, N m or N"};
+    case InputKind::h_e:
+      return {"h_e", kWrench, "force (N), then moment (N m), that the tip exerts on its environment, base frame"};
+    case InputKind::parameter:
+      break;
+  }
+  throw std::logic_error("parameters are no array argument");
+}
+
+std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters) {
+  if (input.kind == InputKind::parameter) return parameters.at(static_cast<std::size_t>(input.index));
+  return fmt::format("{}_{}", input_argument(input.kind, 0).name, input.index + 1);
+}
+
+std::string access_of_input(const Input& input, const std::vector<std::string>& parameters) {
+  if (input.kind == InputKind::parameter) return "parameters." + variable_of_input(input, parameters);
+  return fmt::format("{}[{}]", input_argument(input.kind, 0).name, input.index);
+}
+
+std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters) {
+  std::string text;
+  for (std::size_t first = 0, last = 0; first < inputs.size(); first = last + 1) {
+    const Input& input = inputs[first];
+    last = first;
+    const bool in_array = input.kind != InputKind::parameter;
+    while (in_array && last + 1 < inputs.size() && inputs[last + 1].kind == input.kind &&
+           inputs[last + 1].index == inputs[last].index + 1) {
+      ++last;
+    }
+    if (!text.empty()) text += ", ";
+    if (last == first) {
+      text += access_of_input(input, parameters);
+    } else {
+      text += fmt::format("{}[{}..{}]", input_argument(input.kind, 0).name, input.index, inputs[last].index);
+    }
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+std::string layout_text(const Output& output) {
+  switch (output.layout) {
+    case Layout::scalar:
+    case Layout::vector:
+      return "";
+    case Layout::matrix:
+      return fmt::format("{} x {}, row by row: entry (i, j) is {}[{} * i + j]", output.rows, output.cols, output.name,
+                         output.cols);
+    case Layout::christoffel:
+      return fmt::format("c_ijk = c_ikj is {}[{} * i + k * (k + 1) / 2 + j] for j <= k, counted from 0", output.name,
+                         output.cols);
+  }
+  return "";
+}
+
+}  // namespace flatdyn

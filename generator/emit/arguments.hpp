@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The arguments of emitted functions: names, lengths, what they mean.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+struct InputArgument {
+  std::string name;     // "qd"
+  int length = 0;       // entries
+  std::string meaning;  // "joint velocities, rad/s or m/s"
+};
+
+// `joints`: length of q. Not for InputKind::parameter: those arrive in one struct.
+InputArgument input_argument(InputKind kind, int joints);
+
+// The local variable that an input is read into: "qd_2" of qd[1]; a parameter's is its member's name.
+std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters);
+
+// "qd[1]", "parameters.m1".
+std::string access_of_input(const Input& input, const std::vector<std::string>& parameters);
+
+// "q[1..6], qd[0..6], parameters.m1"; "nothing".
+std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters);
+
+// How an output lies in memory: "7 x 7, row by row".
+std::string layout_text(const Output& output);
+
+}  // namespace flatdyn

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/emit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+#include <sstream>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/function_text.hpp"
+#include "emit/identifiers.hpp"
+#include "emit/joints.hpp"
+#include "emit/names.hpp"
+#include "emit/writer.hpp"
+#include "graph/count.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using kainjow::mustache::data;
+
+constexpr std::size_t kCommentWidth = kLineWidth - 3;  // without "// "
+constexpr std::size_t kConstantIndent = 4;
+
+data list_of(const std::vector<std::string>& lines) {
+  data list(data::type::list);
+  for (const std::string& line : lines) list << data(line);
+  return list;
+}
+
+// Text that ends in a newline, for a template that has its own.
+std::string without_newline(std::string text) {
+  if (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+// One blank line where there are several: a section of a template that is left out leaves its own.
+std::string squeezed(const std::string& text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (k >= 2 && text[k] == '\n' && text[k - 1] == '\n' && text[k - 2] == '\n') continue;
+    result += text[k];
+  }
+  return result;
+}
+
+// "a::b" → {"a", "b"}
+std::vector<std::string> parts_of_namespace(const std::string& name) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = name.find("::", begin)) != std::string::npos; begin = end + 2) {
+    parts.push_back(name.substr(begin, end - begin));
+  }
+  parts.push_back(name.substr(begin));
+  return parts;
+}
+
+std::string namespace_of(const Mechanism& mechanism, const EmitOptions& options) {
+  if (options.name_space.empty()) return cpp_identifier(mechanism.name);
+  for (const std::string& part : parts_of_namespace(options.name_space)) {
+    if (part.empty() || cpp_identifier(part) != part || part == "std") {
+      throw Failure(ExitCode::usage, fmt::format("\"{}\" is no namespace for the generated code", options.name_space),
+                    "use C++ identifiers joined by ::, such as \"arm\" or \"acme::arm\"");
+    }
+  }
+  return options.name_space;
+}
+
+std::string guard_of(const std::string& name_space) {
+  std::string guard = "FLATDYN";
+  for (const std::string& part : parts_of_namespace(name_space)) guard += "_" + part;
+  for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return guard + "_HPP";
+}
+
+class HeaderWriter {
+ public:
+  HeaderWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options)
+      : mechanism_(mechanism),
+        functions_(functions),
+        options_(options),
+        namespace_(namespace_of(mechanism, options)),
+        names_({"Scalar", "Real", "Parameters", "detail", "std", "sin", "cos", "joint_count", "joint_names"}) {
+    if (options.scalar != "double" && options.scalar != "float") {
+      throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
+    }
+    for (const std::string& part : parts_of_namespace(namespace_)) scope_.names.insert(part);
+    take_names();
+  }
+
+  std::string text() {
+    data header;
+    write_documentation(header);
+    write_constants(header);
+    write_functions(header);
+    kainjow::mustache::mustache page(templates::header_hpp);
+    page.set_custom_escape([](const std::string& text) { return text; });
+    const std::string result = page.render(header);
+    if (!page.is_valid()) throw std::logic_error("template header.hpp: " + page.error_message());
+    return squeezed(result);
+  }
+
+ private:
+  // All names at namespace scope, before any function is written: its variables must differ from them.
+  void take_names() {
+    for (const LimitKind& kind : limits_given(mechanism_)) names_.unique(kind.constant);
+    for (const Function& function : functions_) function_names_.push_back(names_.unique(function.name));
+    for (std::size_t k = 0; k < functions_.size(); ++k) {
+      for (const Output& output : functions_[k].outputs) {
+        const bool only = functions_[k].outputs.size() == 1;
+        const std::string wanted = function_names_[k] + (only ? "" : "_" + output.name) + "_nonzero";
+        nonzero_names_.push_back(names_.unique(wanted));
+      }
+    }
+    scope_.joints = mechanism_.size();
+    scope_.names.insert(names_.taken().begin(), names_.taken().end());
+    NameTable members({"Scalar", "Parameters", "Real"});
+    for (const FreeSymbol& symbol : mechanism_.symbols) scope_.parameters.push_back(members.unique(symbol.name));
+  }
+
+  void write_documentation(data& header) const {
+    header["robot"] = comment_text(mechanism_.name);
+    header["summary"] = fmt::format("{} joint{}", mechanism_.size(), mechanism_.size() == 1 ? "" : "s");
+    header["version"] = std::string(FLATDYN_VERSION);
+    std::vector<std::string> stamp;
+    if (!options_.options_stamp.empty()) stamp.push_back("Options: " + comment_text(options_.options_stamp));
+    if (!options_.input_hash.empty()) stamp.push_back("Input: " + comment_text(options_.input_hash));
+    header["stamp"] = list_of(stamp);
+    header["joint_table"] = list_of(joint_table(mechanism_));
+    header["facts"] = list_of(wrapped_words(facts(), kCommentWidth));
+    header["guard"] = guard_of(namespace_);
+    header["namespace"] = namespace_;
+    header["scalar"] = options_.scalar;
+  }
+
+  std::string facts() const {
+    std::string text = fmt::format("Gravity is {} m/s^2 in the base frame.", vector_text(mechanism_.gravity));
+    if (!mechanism_.tip.link.empty()) text += fmt::format(" The tip belongs to link \"{}\".", mechanism_.tip.link);
+    if (!mechanism_.merged.empty()) {
+      text += " Links without a joint of their own, part of those that carry them:";
+      for (std::size_t k = 0; k < mechanism_.merged.size(); ++k) text += (k == 0 ? " " : ", ") + mechanism_.merged[k];
+      text += ".";
+    }
+    return comment_text(text);
+  }
+
+  void write_constants(data& header) const {
+    header["joint_count"] = std::to_string(mechanism_.size());
+    data constants(data::type::list);
+    if (mechanism_.size() > 0) {
+      std::vector<std::string> joints;
+      for (const Body& body : mechanism_.bodies) joints.push_back(quoted(body.joint));
+      constants << constant("As the robot file names them", "const char*", "joint_names", joints);
+    }
+    for (const LimitKind& kind : limits_given(mechanism_)) {
+      const std::vector<std::string> entries = limit_entries(mechanism_, kind);
+      constants << constant(kind.meaning, "Real", kind.constant, entries);
+    }
+    header["constants"] = data(constants);
+    header["parameters?"] = !scope_.parameters.empty();
+    header["parameters"] = list_of(scope_.parameters);
+  }
+
+  static data constant(const std::string& comment, const std::string& type, const std::string& name,
+                       const std::vector<std::string>& entries) {
+    data item;
+    item["comment"] = comment;
+    item["declaration"] = without_newline(
+        list_line(fmt::format("inline constexpr {} {}[joint_count] = {{", type, name), entries, "};", 0));
+    return item;
+  }
+
+  void write_functions(data& header) const {
+    data list(data::type::list);
+    bool uses_sign = false;
+    std::size_t next_nonzero = 0;
+    for (std::size_t k = 0; k < functions_.size(); ++k) {
+      const FunctionText text = function_text(functions_[k], function_names_[k], scope_);
+      uses_sign = uses_sign || text.uses_sign;
+      if (k == 0) header["example"] = list_of(example(text));
+      data item;
+      item["nonzero"] = nonzero(k, next_nonzero);
+      item["comment"] = list_of(comment(functions_[k], text));
+      item["signature"] = signature(text);
+      item["body"] = without_newline(text.body);
+      list << item;
+      next_nonzero += functions_[k].outputs.size();
+    }
+    header["functions"] = data(list);
+    header["uses_sign"] = uses_sign;
+  }
+
+  static std::string signature(const FunctionText& text) {
+    return without_newline(
+        list_line(fmt::format("inline {} {}(", text.returns, text.name), text.parameters, ") noexcept {", 0));
+  }
+
+  static bool is_array_of_arrays(const Output& output) {
+    return !output.entries.empty() && (output.layout == Layout::matrix || output.layout == Layout::christoffel);
+  }
+
+  // The structural zeros of the matrices of function k, a row per line.
+  data nonzero(std::size_t k, std::size_t first_name) const {
+    data list(data::type::list);
+    const Function& function = functions_[k];
+    for (std::size_t o = 0; o < function.outputs.size(); ++o) {
+      const Output& output = function.outputs[o];
+      if (!is_array_of_arrays(output)) continue;
+      std::string text =
+          fmt::format("inline constexpr bool {}[{}] = {{\n", nonzero_names_[first_name + o], output.entries.size());
+      for (int i = 0; i < output.rows; ++i) {
+        std::vector<std::string> row;
+        for (int j = 0; j < output.cols; ++j) {
+          const NodeId entry = output.entries[static_cast<std::size_t>(i * output.cols + j)];
+          row.push_back(function.graph.is_zero(entry) ? "0" : "1");
+        }
+        text += list_line("", row, i + 1 < output.rows ? "," : "};", kConstantIndent);
+      }
+      data item;
+      item["output"] = comment_text(output.name);
+      item["function"] = function_names_[k];
+      item["declaration"] = without_newline(text);
+      list << item;
+    }
+    return list;
+  }
+
+  static std::vector<std::string> comment(const Function& function, const FunctionText& text) {
+    const std::string equation = function.equation.empty() ? "" : " " + function.equation;
+    std::vector<std::string> lines = wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth);
+    for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
+    if (!text.result.empty()) lines.push_back("Returns " + comment_text(text.result) + ".");
+    std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
+    for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
+    for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
+    return lines;
+  }
+
+  // " Always zero: 6 of 9 entries of B." or, of a vector, " Always zero: g[0]."
+  static std::string zeros(const Function& function, std::size_t o, const FunctionText& text) {
+    const Output& output = function.outputs[o];
+    std::string list;
+    int count = 0;
+    for (std::size_t e = 0; e < output.entries.size() && !text.outputs.empty(); ++e) {
+      if (!function.graph.is_zero(output.entries[e])) continue;
+      list += fmt::format("{}{}[{}]", count == 0 ? "" : ", ", text.outputs[o].name, e);
+      ++count;
+    }
+    if (count == 0) return "";
+    if (!is_array_of_arrays(output)) return " Always zero: " + list + ".";
+    return fmt::format(" Always zero: {} of the {} entries of {}.", count, output.entries.size(), text.outputs[o].name);
+  }
+
+  std::vector<std::string> example(const FunctionText& text) const {
+    std::vector<std::string> lines;
+    std::string declarations, call;
+    for (const ArrayArgument& array : text.inputs) {
+      declarations += fmt::format("{}{}[{}] = {{}}", declarations.empty() ? "" : ", ", array.name, array.length);
+      call += (call.empty() ? "" : ", ") + array.name;
+    }
+    for (const ArrayArgument& array : text.outputs) {
+      declarations += fmt::format("{}{}[{}]", declarations.empty() ? "" : ", ", array.name, array.length);
+      call += (call.empty() ? "" : ", ") + array.name;
+    }
+    if (!scope_.parameters.empty()) {
+      lines.push_back(fmt::format("{}::Parameters<> parameters = {{}};  // then set its members", namespace_));
+      call = "parameters" + (call.empty() ? "" : ", " + call);
+    }
+    if (!declarations.empty()) lines.push_back(fmt::format("{} {};", options_.scalar, declarations));
+    const std::string receiver = text.returns == "void" ? "" : "const " + result_type(text) + " result = ";
+    lines.push_back(fmt::format("{}{}::{}({});", receiver, namespace_, text.name, call));
+    return lines;
+  }
+
+  std::string result_type(const FunctionText& text) const {
+    return text.returns == "Scalar" ? options_.scalar : text.returns;
+  }
+
+  const Mechanism& mechanism_;
+  const std::vector<Function>& functions_;
+  const EmitOptions& options_;
+  std::string namespace_;
+  NameTable names_;
+  std::vector<std::string> function_names_;
+  std::vector<std::string> nonzero_names_;  // of all outputs of all functions, in order
+  HeaderScope scope_;
+};
+
+}  // namespace
+
+std::string header_name(const Mechanism& mechanism, const EmitOptions&) {
+  return cpp_identifier(mechanism.name) + ".hpp";
+}
+
+std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
+  return HeaderWriter(mechanism, functions, options).text();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/expression.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "emit/literals.hpp"
+
+namespace flatdyn {
+
+std::string scalar_literal(const Rational& value) { return "Scalar(" + decimal_literal(value) + ")"; }
+
+ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
+  const Node& node = graph_[id];
+  switch (node.op) {
+    case Op::constant:
+      return {scalar_literal(node.value), Binding::atom};
+    case Op::sum:
+      if (const Node* inner = negated_sum(node)) return sum(*inner, true);
+      return sum(node, false);
+    case Op::product:
+      return product(node);
+    case Op::quotient:
+      return quotient(node);
+    case Op::sin:
+      return {"sin(" + use(node.operands[0]) + ")", Binding::atom};
+    case Op::cos:
+      return {"cos(" + use(node.operands[0]) + ")", Binding::atom};
+    case Op::sign:
+      return {"detail::sign(" + use(node.operands[0]) + ")", Binding::atom};
+    case Op::input:
+      break;  // always a variable
+  }
+  return reference(id);
+}
+
+// The sum that `node` is the negative of, if it is written out: its signs are changed instead.
+const Node* ExpressionPrinter::negated_sum(const Node& node) const {
+  if (!is_scaled(node) || node.terms[0].coefficient != -1) return nullptr;
+  const NodeId inner = node.terms[0].node;
+  const bool written_out = names_[static_cast<std::size_t>(inner)].empty() && graph_[inner].op == Op::sum;
+  return written_out ? &graph_[inner] : nullptr;
+}
+
+ExpressionPrinter::Text ExpressionPrinter::reference(NodeId id) const {
+  const std::string& name = names_[static_cast<std::size_t>(id)];
+  return name.empty() ? define(id) : Text{name, Binding::atom};
+}
+
+std::string ExpressionPrinter::operand(NodeId id, Binding at_least) const {
+  const Text text = reference(id);
+  return text.binding < at_least ? "(" + text.code + ")" : text.code;
+}
+
+namespace {
+
+// Terms in the order of the graph, but inputs among themselves by kind and index: q_1 + q_2, whichever was made first.
+std::vector<Term> readable_order(const Graph& graph, std::vector<Term> terms) {
+  std::vector<std::size_t> slots;
+  std::vector<Term> inputs;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    if (graph[terms[k].node].op != Op::input) continue;
+    slots.push_back(k);
+    inputs.push_back(terms[k]);
+  }
+  std::sort(inputs.begin(), inputs.end(), [&graph](const Term& a, const Term& b) {
+    const Input& x = graph[a.node].input;
+    const Input& y = graph[b.node].input;
+    return std::tie(x.kind, x.index) < std::tie(y.kind, y.index);
+  });
+  for (std::size_t k = 0; k < slots.size(); ++k) terms[slots[k]] = inputs[k];
+  return terms;
+}
+
+}  // namespace
+
+// The first positive term comes first, so that signs are subtractions: b - a, not -a + b.
+ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node, bool negated) const {
+  struct Item {
+    Rational coefficient;
+    std::string factor;  // empty: the constant
+    Binding binding;
+  };
+  std::vector<Item> items;
+  for (const Term& term : readable_order(graph_, node.terms)) {
+    const bool plain = abs(term.coefficient) == 1;
+    const std::string factor = operand(term.node, plain ? Binding::quotient : Binding::product);
+    items.push_back(
+        {negated ? Rational(-term.coefficient) : term.coefficient, factor, plain ? Binding::atom : Binding::product});
+  }
+  if (node.value != 0) items.push_back({negated ? Rational(-node.value) : node.value, "", Binding::atom});
+  const auto leader = std::find_if(items.begin(), items.end(), [](const Item& item) { return item.coefficient > 0; });
+  if (leader != items.end()) std::rotate(items.begin(), leader, leader + 1);
+
+  const auto magnitude = [](const Item& item) {
+    if (item.factor.empty()) return scalar_literal(abs(item.coefficient));
+    return item.binding == Binding::atom ? item.factor : scalar_literal(abs(item.coefficient)) + " * " + item.factor;
+  };
+  const Item& first = items.front();
+  const bool leading_minus = first.coefficient < 0 && first.binding == Binding::atom && !first.factor.empty();
+  std::string code = magnitude(first);
+  if (leading_minus) {
+    code = "-" + code;
+  } else if (first.coefficient < 0) {
+    code = scalar_literal(first.coefficient) + (first.factor.empty() ? "" : " * " + first.factor);
+  }
+  for (std::size_t k = 1; k < items.size(); ++k) {
+    code += (items[k].coefficient < 0 ? " - " : " + ") + magnitude(items[k]);
+  }
+  const bool single = items.size() == 1 && !leading_minus;
+  return {code, single ? first.binding : Binding::sum};
+}
+
+ExpressionPrinter::Text ExpressionPrinter::product(const Node& node) const {
+  std::string code = operand(node.operands[0], Binding::product);
+  for (std::size_t k = 1; k < node.operands.size(); ++k) code += " * " + operand(node.operands[k], Binding::product);
+  return {code, Binding::product};
+}
+
+ExpressionPrinter::Text ExpressionPrinter::quotient(const Node& node) const {
+  return {operand(node.operands[0], Binding::product) + " / " + operand(node.operands[1], Binding::atom),
+          Binding::quotient};
+}
+
+}  // namespace flatdyn

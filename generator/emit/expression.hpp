@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Nodes → C++ expressions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/graph.hpp"
+
+namespace flatdyn {
+
+// The variable that holds a node, by id; empty for a node that is written out where it is used.
+using VariableNames = std::vector<std::string>;
+
+class ExpressionPrinter {
+ public:
+  ExpressionPrinter(const Graph& graph, const VariableNames& names) : graph_(graph), names_(names) {}
+
+  // What the node's variable is set to: "c_2 * omega_1_x + s_2 * omega_1_y".
+  std::string definition(NodeId id) const { return define(id).code; }
+  // The node where it is used alone: its variable, or its definition.
+  std::string use(NodeId id) const { return reference(id).code; }
+
+ private:
+  // How tightly the outermost operator binds. A leading minus binds like a sum, so that it never meets another sign.
+  enum class Binding { sum, quotient, product, atom };
+  struct Text {
+    std::string code;
+    Binding binding = Binding::atom;
+  };
+
+  Text define(NodeId id) const;
+  Text reference(NodeId id) const;
+  std::string operand(NodeId id, Binding at_least) const;  // in parentheses if it binds less
+  Text sum(const Node& node, bool negated) const;
+  const Node* negated_sum(const Node& node) const;
+  Text product(const Node& node) const;
+  Text quotient(const Node& node) const;
+
+  const Graph& graph_;
+  const VariableNames& names_;
+};
+
+// "Scalar(0.0825)": one conversion that the compiler does, whatever Scalar is.
+std::string scalar_literal(const Rational& value);
+
+}  // namespace flatdyn

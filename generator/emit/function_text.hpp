@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One Function → the text of one C++ function template.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+// What a function shares with the rest of its header.
+struct HeaderScope {
+  int joints = 0;
+  std::vector<std::string> parameters;  // members of Parameters, by index of the free symbol
+  std::set<std::string> names;          // taken at namespace scope
+};
+
+struct ArrayArgument {
+  std::string name;
+  std::size_t length = 0;
+};
+
+struct FunctionText {
+  std::string name;
+  std::string returns;                  // "void", "bool", "Scalar"
+  std::vector<std::string> parameters;  // "const Scalar* q", …
+  std::vector<ArrayArgument> inputs;    // in the order of the parameters, after the robot's own
+  std::vector<ArrayArgument> outputs;   // empty for a function that returns its value
+  std::vector<std::string> arguments;   // lines that document them
+  std::string reads;                    // "q[1..6]"
+  std::string result;                   // what is returned; empty for void
+  std::string body;                     // indented lines
+  bool uses_sign = false;
+};
+
+FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope);
+
+// The function has one scalar output and cannot fail: it returns the value.
+bool returns_value(const Function& function);
+
+}  // namespace flatdyn

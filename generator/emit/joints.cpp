@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/joints.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "emit/literals.hpp"
+#include "emit/writer.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+constexpr LimitKind kLimitKinds[] = {
+    {"lower", "position_lower", "Smallest position, rad or m", "-HUGE_VAL", &Limits::lower},
+    {"upper", "position_upper", "Largest position, rad or m", "HUGE_VAL", &Limits::upper},
+    {"speed", "velocity_limit", "Largest speed, rad/s or m/s", "HUGE_VAL", &Limits::velocity},
+    {"acceleration", "acceleration_limit", "Largest acceleration, rad/s^2 or m/s^2", "HUGE_VAL", &Limits::acceleration},
+    {"effort", "effort_limit", "Largest torque or force, N m or N", "HUGE_VAL", &Limits::effort},
+};
+
+// A decimal without the ".0" that only a compiler needs.
+std::string plain(std::string literal) {
+  if (literal.size() > 2 && literal.compare(literal.size() - 2, 2, ".0") == 0) literal.resize(literal.size() - 2);
+  return literal;
+}
+
+Rational to_rational(const GiNaC::numeric& number) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << number.numer() << '/' << number.denom();
+  return Rational(text.str());
+}
+
+std::optional<std::string> limit_of(const Body& body, const LimitKind& kind) {
+  const std::optional<Value>& limit = body.limits.*(kind.value);
+  return limit ? decimal_of(limit->number) : std::nullopt;
+}
+
+std::string type_of(const Body& body) {
+  return body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
+}
+
+}  // namespace
+
+std::vector<LimitKind> limits_given(const Mechanism& mechanism) {
+  std::vector<LimitKind> given;
+  for (const LimitKind& kind : kLimitKinds) {
+    const bool any = std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                                 [&kind](const Body& body) { return limit_of(body, kind).has_value(); });
+    if (any) given.push_back(kind);
+  }
+  return given;
+}
+
+std::optional<std::string> decimal_of(const Number& number) {
+  constexpr int kDigits = 40;  // of Pi and roots: enough for the nearest double
+  if (has_symbols(number)) return std::nullopt;
+  const Number exact = is_rational(number) ? number : exact_decimal(to_decimal(number, kDigits));
+  return decimal_literal(to_rational(GiNaC::ex_to<GiNaC::numeric>(exact)));
+}
+
+std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind) {
+  std::vector<std::string> entries;
+  for (const Body& body : mechanism.bodies) {
+    const std::optional<std::string> limit = limit_of(body, kind);
+    entries.push_back(limit ? "Real(" + *limit + ")" : "Real(" + std::string(kind.none) + ")");
+  }
+  return entries;
+}
+
+std::vector<std::string> joint_table(const Mechanism& mechanism) {
+  const std::vector<LimitKind> limits = limits_given(mechanism);
+  std::vector<std::vector<std::string>> rows = {{"index", "joint", "moves link", "type", "unit"}};
+  for (const LimitKind& kind : limits) rows[0].push_back(kind.column);
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    std::vector<std::string> row = {std::to_string(i), comment_text(body.joint), comment_text(body.link), type_of(body),
+                                    body.prismatic ? "m" : "rad"};
+    for (const LimitKind& kind : limits) {
+      const std::optional<std::string> limit = limit_of(body, kind);
+      row.push_back(limit ? plain(*limit) : "none");
+    }
+    rows.push_back(row);
+  }
+  return table_lines(rows);
+}
+
+std::string vector_text(const Vec3& vector) {
+  std::string text;
+  for (const Number& entry : vector) {
+    const std::optional<std::string> decimal = decimal_of(entry);
+    text += (text.empty() ? "(" : ", ") + (decimal ? plain(*decimal) : "symbolic");
+  }
+  return text + ")";
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the header says of the robot's joints: the table for people, the limits for programs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+// One kind of limit that a joint may have.
+struct LimitKind {
+  const char* column;    // heading in the table
+  const char* constant;  // name of the emitted array
+  const char* meaning;   // comment of the array
+  const char* none;      // what stands for "no limit" in it
+  std::optional<Value> Limits::*value;
+};
+
+// The kinds that at least one joint of the mechanism has, in a fixed order.
+std::vector<LimitKind> limits_given(const Mechanism& mechanism);
+
+// A number as a decimal literal of the nearest double; nullopt if it depends on a free symbol.
+std::optional<std::string> decimal_of(const Number& number);
+
+// The entries of the emitted array of one kind of limit: "Real(2.8973)", "HUGE_VAL".
+std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind);
+
+// Lines: index, joint, link, type, unit and the limits given.
+std::vector<std::string> joint_table(const Mechanism& mechanism);
+
+// "(0, 0, -9.81)"
+std::string vector_text(const Vec3& vector);
+
+}  // namespace flatdyn

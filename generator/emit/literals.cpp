@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/literals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "diagnostics/diagnostics.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using Integer = boost::multiprecision::mpz_int;
+
+constexpr int kMantissaBits = std::numeric_limits<double>::digits;
+constexpr int kSmallestExponent =
+    std::numeric_limits<double>::min_exponent - kMantissaBits;  // of a subnormal's last bit
+
+// floor(log2(a / b)) of positive a and b.
+int floor_log2(const Integer& a, const Integer& b) {
+  const int estimate = static_cast<int>(msb(a)) - static_cast<int>(msb(b));  // exact, or one too many
+  const bool too_many = estimate >= 0 ? a < (b << estimate) : (a << -estimate) < b;
+  return too_many ? estimate - 1 : estimate;
+}
+
+// a / b · 2^-exponent rounded to an integer, half to even.
+Integer rounded_quotient(Integer a, Integer b, int exponent) {
+  if (exponent < 0) {
+    a <<= -exponent;
+  } else {
+    b <<= exponent;
+  }
+  Integer quotient, remainder;
+  divide_qr(a, b, quotient, remainder);
+  const int half = Integer(2 * remainder).compare(b);
+  const bool up = half > 0 || (half == 0 && bit_test(quotient, 0));
+  return up ? Integer(quotient + 1) : quotient;
+}
+
+}  // namespace
+
+double nearest_double(const Rational& value) {
+  if (value == 0) return 0;
+  const Integer a = abs(numerator(value));
+  const Integer b = denominator(value);
+  const int exponent = std::max(floor_log2(a, b) - (kMantissaBits - 1), kSmallestExponent);
+  const double mantissa = rounded_quotient(a, b, exponent).convert_to<double>();  // exact: at most 2^53
+  const double magnitude = std::ldexp(mantissa, exponent);
+  if (std::isinf(magnitude) || magnitude < std::numeric_limits<double>::denorm_min()) {
+    throw Failure(ExitCode::input,
+                  "a constant of the model is out of the range of double, about 2^" + std::to_string(floor_log2(a, b)),
+                  "write the robot in units that keep its numbers between 1e-300 and 1e300");
+  }
+  return value < 0 ? -magnitude : magnitude;
+}
+
+std::string decimal_literal(double value) {
+  constexpr double kSmallestFixed = 1e-5;
+  constexpr double kLargestFixed = 1e15;
+  const double magnitude = std::abs(value);
+  const bool fixed = magnitude < kSmallestFixed ? !(magnitude > 0) : magnitude < kLargestFixed;
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                    fixed ? std::chars_format::fixed : std::chars_format::scientific);
+  std::string text(buffer.data(), result.ptr);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+}  // namespace flatdyn

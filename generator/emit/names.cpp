@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/names.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "emit/arguments.hpp"
+#include "emit/identifiers.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+bool is_position(const Node& node) { return node.op == Op::input && node.input.kind == InputKind::q; }
+
+// The joints of an angle q_i + q_j + …, as the textbook writes them: "1", "23", "9_10"; empty for any other angle.
+std::string joints_of_angle(const Graph& graph, NodeId angle) {
+  const Node& node = graph[angle];
+  if (is_position(node)) return std::to_string(node.input.index + 1);
+  if (node.op != Op::sum || node.value != 0) return "";
+  std::vector<int> joints;
+  for (const Term& term : node.terms) {
+    if (term.coefficient != 1 || !is_position(graph[term.node])) return "";
+    joints.push_back(graph[term.node].input.index + 1);
+  }
+  std::sort(joints.begin(), joints.end());
+  std::string text;
+  for (int joint : joints) text += (joints.back() > 9 && !text.empty() ? "_" : "") + std::to_string(joint);
+  return text;
+}
+
+// "tau_1", "B_12", "c_1_10": the entry that the node is stored in, counted from 1.
+std::string name_of_entry(const Output& output, int entry) {
+  if (output.layout == Layout::scalar) return output.name;
+  if (output.layout == Layout::vector || output.cols == 0) return output.name + "_" + std::to_string(entry + 1);
+  const std::string separator = output.rows > 9 || output.cols > 9 ? "_" : "";
+  return output.name + "_" + std::to_string(entry / output.cols + 1) + separator +
+         std::to_string(entry % output.cols + 1);
+}
+
+// By id, for the nodes that outputs hold.
+std::map<NodeId, std::string> names_of_entries(const Function& function) {
+  std::map<NodeId, std::string> names;
+  for (const Output& output : function.outputs) {
+    for (std::size_t e = 0; e < output.entries.size(); ++e) {
+      names.emplace(output.entries[e], name_of_entry(output, static_cast<int>(e)));
+    }
+  }
+  return names;
+}
+
+std::string wanted_name(const Graph& graph, NodeId id, const std::map<NodeId, std::string>& entries) {
+  if (const std::string* given = graph.name(id)) return *given;
+  const Node& node = graph[id];
+  const bool trigonometric = node.op == Op::sin || node.op == Op::cos;
+  const std::string joints = joints_of_angle(graph, trigonometric ? node.operands[0] : id);
+  if (!joints.empty()) return (node.op == Op::sin ? "s_" : node.op == Op::cos ? "c_" : "q_") + joints;
+  const auto entry = entries.find(id);
+  return entry == entries.end() ? "" : entry->second;
+}
+
+}  // namespace
+
+std::string NameTable::unique(const std::string& wanted) {
+  const std::string valid = cpp_identifier(wanted);
+  std::string name = valid;
+  const std::string separator = valid.back() == '_' ? "" : "_";  // two underscores in a row are reserved
+  for (int k = 2; !taken_.insert(name).second; ++k) name = valid + separator + std::to_string(k);
+  return name;
+}
+
+std::string NameTable::temporary() {
+  std::string name;
+  do {
+    name = "t" + std::to_string(++temporaries_);
+  } while (!taken_.insert(name).second);
+  return name;
+}
+
+VariableNames name_variables(const Function& function, const Schedule& schedule,
+                             const std::vector<std::string>& parameters, NameTable& names) {
+  const Graph& graph = function.graph;
+  VariableNames result(schedule.is_variable.size());
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const auto k = static_cast<std::size_t>(id);
+    if (schedule.is_variable[k] && graph[id].op == Op::input) {
+      result[k] = names.unique(variable_of_input(graph[id].input, parameters));
+    }
+  }
+  const std::map<NodeId, std::string> entries = names_of_entries(function);
+  for (const Statement& statement : schedule.statements) {
+    if (!statement.targets.empty()) continue;
+    const std::string wanted = wanted_name(graph, statement.node, entries);
+    result[static_cast<std::size_t>(statement.node)] = wanted.empty() ? names.temporary() : names.unique(wanted);
+  }
+  return result;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/schedule.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace flatdyn {
+
+namespace {
+
+constexpr int kLongestInline = 8;  // operands in one expression
+constexpr int kAlwaysInline = 3;   // operands of a part that is never worth its own line
+
+bool is_leaf(const Node& node) { return node.op == Op::constant || node.op == Op::input; }
+bool is_trigonometric(const Node& node) { return node.op == Op::sin || node.op == Op::cos; }
+bool is_negation(const Node& node) {
+  return node.op == Op::sum && node.value == 0 && node.terms.size() == 1 && node.terms[0].coefficient == -1;
+}
+bool is_worth_its_name(const Node& node) {
+  return node.op == Op::quotient || (node.op == Op::sum && node.terms.size() + (node.value != 0 ? 1 : 0) > 1);
+}
+
+// Output entries by the node that they hold: equal entries (symmetric matrices) are stored together.
+std::map<NodeId, std::vector<Target>> stores_of(const Function& function) {
+  std::map<NodeId, std::vector<Target>> stores;
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    const std::vector<NodeId>& entries = function.outputs[k].entries;
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+      stores[entries[e]].push_back({static_cast<int>(k), static_cast<int>(e)});
+    }
+  }
+  return stores;
+}
+
+class Scheduler {
+ public:
+  explicit Scheduler(const Function& function)
+      : function_(function),
+        graph_(function.graph),
+        alive_(reachable_from(graph_, roots(function))),
+        stores_(stores_of(function)),
+        uses_(alive_.size(), 0),
+        operand_count_(alive_.size(), 1),
+        height_(alive_.size(), 0),
+        done_(alive_.size(), false) {
+    schedule_.is_variable.assign(alive_.size(), false);
+  }
+
+  Schedule run() {
+    count_uses();
+    choose_variables();
+    order_trigonometry();
+    order_outputs();
+    for (NodeId id : function_.positive) visit(id);
+    return std::move(schedule_);
+  }
+
+ private:
+  template <class T>
+  static auto at(std::vector<T>& values, NodeId id) -> decltype(values[0]) {
+    return values[static_cast<std::size_t>(id)];
+  }
+
+  // A sign change is free, so it is written wherever it is used: its uses are uses of what it negates.
+  void count_uses() {
+    for (const auto& [id, targets] : stores_) ++at(uses_, id);
+    for (NodeId id : function_.positive) ++at(uses_, id);
+    for (NodeId id = graph_.size() - 1; id >= 0; --id) {
+      if (!at(alive_, id)) continue;
+      const int uses = is_negation(graph_[id]) ? at(uses_, id) : 1;
+      for (NodeId operand : operands_of(graph_[id])) at(uses_, operand) += uses;
+    }
+  }
+
+  void choose_variables() {
+    for (NodeId id = 0; id < graph_.size(); ++id) {
+      if (!at(alive_, id)) continue;
+      const Node& node = graph_[id];
+      if (node.op == Op::input) at(schedule_.is_variable, id) = true;
+      if (is_leaf(node)) continue;
+      for (NodeId operand : operands_of(node)) at(height_, id) = std::max(at(height_, id), at(height_, operand) + 1);
+      shorten(id);
+      const bool named = graph_.name(id) != nullptr && is_worth_its_name(node) && stores_.count(id) == 0;
+      const bool variable = is_trigonometric(node) || named || at(uses_, id) > 1;
+      at(schedule_.is_variable, id) = variable && !is_negation(node);
+    }
+  }
+
+  // Operands in the node's expression as things stand.
+  int inline_operands(NodeId id) {
+    const Node& node = graph_[id];
+    int count = node.op == Op::sum && node.value != 0 ? 1 : 0;
+    for (const Term& term : node.terms) count += abs(term.coefficient) == 1 ? 0 : 1;
+    for (NodeId operand : operands_of(node))
+      count += at(schedule_.is_variable, operand) ? 1 : at(operand_count_, operand);
+    return count;
+  }
+
+  // Makes variables of the node's largest parts until its expression is short enough.
+  void shorten(NodeId id) {
+    std::vector<NodeId> parts = operands_of(graph_[id]);
+    std::stable_sort(parts.begin(), parts.end(),
+                     [this](NodeId a, NodeId b) { return at(operand_count_, a) > at(operand_count_, b); });
+    for (NodeId part : parts) {
+      if (inline_operands(id) <= kLongestInline || at(operand_count_, part) <= kAlwaysInline) break;
+      if (!is_negation(graph_[part])) at(schedule_.is_variable, part) = true;
+    }
+    at(operand_count_, id) = inline_operands(id);
+  }
+
+  void order_trigonometry() {
+    std::map<std::tuple<NodeId, int>, NodeId> by_angle;  // sine and cosine of one angle side by side
+    for (NodeId id = 0; id < graph_.size(); ++id) {
+      const Node& node = graph_[id];
+      if (at(alive_, id) && is_trigonometric(node)) by_angle[{node.operands[0], node.op == Op::sin ? 0 : 1}] = id;
+    }
+    for (const auto& [angle, id] : by_angle) visit(id);
+  }
+
+  void order_outputs() {
+    std::vector<NodeId> order;
+    for (const auto& [id, targets] : stores_) order.push_back(id);
+    std::sort(order.begin(), order.end(), [this](NodeId a, NodeId b) {
+      return std::tuple(graph_.is_constant(a), at(height_, a), a) <
+             std::tuple(graph_.is_constant(b), at(height_, b), b);
+    });
+    for (NodeId id : order) {
+      visit(id);
+      schedule_.statements.push_back({id, stores_.at(id)});
+    }
+  }
+
+  // Everything that the node needs, then its own variable if it has one.
+  void visit(NodeId id) {
+    const Node& node = graph_[id];
+    if (is_leaf(node) || at(done_, id)) return;
+    at(done_, id) = true;
+    std::vector<NodeId> parts = operands_of(node);
+    std::sort(parts.begin(), parts.end(),
+              [this](NodeId a, NodeId b) { return std::tuple(-at(height_, a), a) < std::tuple(-at(height_, b), b); });
+    for (NodeId part : parts) visit(part);
+    if (at(schedule_.is_variable, id)) schedule_.statements.push_back({id, {}});
+  }
+
+  const Function& function_;
+  const Graph& graph_;
+  std::vector<bool> alive_;
+  std::map<NodeId, std::vector<Target>> stores_;
+  std::vector<int> uses_;
+  std::vector<int> operand_count_;
+  std::vector<int> height_;  // longest path to an input
+  std::vector<bool> done_;
+  Schedule schedule_;
+};
+
+}  // namespace
+
+Schedule make_schedule(const Function& function) { return Scheduler(function).run(); }
+
+}  // namespace flatdyn

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Function → an order of statements: which nodes become variables, and when each value is made.
+#pragma once
+
+#include <vector>
+
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+// An entry of an output.
+struct Target {
+  int output = 0;
+  int entry = 0;
+};
+
+// Makes a variable of the node, or (if there are targets) stores it in all of them.
+struct Statement {
+  NodeId node = 0;
+  std::vector<Target> targets;
+};
+
+struct Schedule {
+  std::vector<Statement> statements;
+  std::vector<bool> is_variable;  // by id; inputs that are read are variables, too, without a statement
+};
+
+// Variables are: what is used twice, sines and cosines, named sums and quotients, and parts that would make a line
+// too long. Sines and cosines come first (a library call spills every register); then depth-first from the outputs,
+// those nearest to the inputs first, so that values live shortly. Ids break ties.
+Schedule make_schedule(const Function& function);
+
+}  // namespace flatdyn

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/expression.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/emit/hand_made.hpp"
+
+namespace flatdyn {
+namespace {
+
+// a, b, c are q[0], q[1], q[2]; everything else is written out.
+class Expressions : public ::testing::Test {
+ protected:
+  std::string text(NodeId id) {
+    VariableNames names(static_cast<std::size_t>(build.graph.size()));
+    names[static_cast<std::size_t>(a)] = "a";
+    names[static_cast<std::size_t>(b)] = "b";
+    names[static_cast<std::size_t>(c)] = "c";
+    return ExpressionPrinter(build.graph, names).definition(id);
+  }
+  NodeId negative(NodeId id) { return build.scaled("-1", id); }
+
+  testing::Builder build;
+  NodeId a = build.q(0), b = build.q(1), c = build.q(2);
+};
+
+TEST_F(Expressions, SubtractInsteadOfAddingANegative) {
+  EXPECT_EQ(text(build.plus({a, negative(b)})), "a - b");
+  EXPECT_EQ(text(build.plus({build.number("1"), negative(build.times({a, a}))})), "Scalar(1.0) - a * a");
+  EXPECT_EQ(text(build.plus({a, build.scaled("-1/2", b)})), "a - Scalar(0.5) * b");
+  EXPECT_EQ(text(build.plus({a, build.number("-2")})), "a - Scalar(2.0)");
+}
+
+TEST_F(Expressions, StartWithAPositiveTermIfThereIsOne) {
+  EXPECT_EQ(text(build.plus({negative(a), b, negative(c)})), "b - a - c");
+  EXPECT_EQ(text(build.plus({negative(a), build.number("1")})), "Scalar(1.0) - a");
+}
+
+TEST_F(Expressions, LeadingMinusWhenAllIsNegative) {
+  EXPECT_EQ(text(negative(a)), "-a");
+  EXPECT_EQ(text(negative(build.times({a, b}))), "-a * b");
+  EXPECT_EQ(text(build.scaled("-1/2", a)), "Scalar(-0.5) * a");
+  EXPECT_EQ(text(negative(build.plus({a, b}))), "-a - b");
+}
+
+TEST_F(Expressions, SumsAreInParenthesesWithinProducts) {
+  EXPECT_EQ(text(build.times({a, build.plus({b, c})})), "a * (b + c)");
+  EXPECT_EQ(text(build.scaled("2", build.plus({b, negative(c)}))), "Scalar(2.0) * (b - c)");
+  EXPECT_EQ(text(build.plus({a, negative(build.plus({b, c}))})), "a - (b + c)");
+}
+
+TEST_F(Expressions, PowersAreProducts) { EXPECT_EQ(text(build.times({a, a, a})), "a * a * a"); }
+
+TEST_F(Expressions, QuotientsKeepTheirStructure) {
+  const auto over = [this](NodeId x, NodeId y) { return build.graph.quotient(x, y); };
+  EXPECT_EQ(text(over(a, b)), "a / b");
+  EXPECT_EQ(text(over(build.times({a, b}), c)), "a * b / c");
+  EXPECT_EQ(text(over(a, build.times({b, c}))), "a / (b * c)");
+  EXPECT_EQ(text(over(build.plus({a, b}), build.plus({b, c}))), "(a + b) / (b + c)");
+  EXPECT_EQ(text(over(over(a, b), c)), "(a / b) / c");
+  EXPECT_EQ(text(over(a, over(b, c))), "a / (b / c)");
+  EXPECT_EQ(text(build.times({a, over(b, c)})), "a * (b / c)");
+  EXPECT_EQ(text(build.plus({a, negative(over(b, c))})), "a - b / c");
+  EXPECT_EQ(text(negative(over(b, c))), "-b / c");
+}
+
+TEST_F(Expressions, FunctionsAndConstants) {
+  EXPECT_EQ(text(build.graph.sin(build.plus({b, a}))), "sin(a + b)");
+  EXPECT_EQ(text(build.graph.sign(a)), "detail::sign(a)");
+  EXPECT_EQ(text(build.number("-3/2")), "Scalar(-1.5)");
+}
+
+}  // namespace
+}  // namespace flatdyn

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include "emit/function_text.hpp"
+#include "unit/emit/hand_made.hpp"
+
+namespace flatdyn {
+namespace {
+
+class Schedules : public ::testing::Test {
+ protected:
+  // The body of a function with these outputs in a vector "y".
+  std::string body(std::vector<NodeId> entries) {
+    Function function;
+    function.name = "f";
+    function.inputs = {InputKind::q};
+    function.graph = build.graph;
+    const int rows = static_cast<int>(entries.size());
+    function.outputs = {{"y", Layout::vector, rows, 1, std::move(entries), ""}};
+    return function_text(function, "f", {}).body;
+  }
+
+  testing::Builder build;
+};
+
+TEST_F(Schedules, ShareWhatIsUsedTwiceAndInlineTheRest) {
+  const NodeId shared = build.graph.quotient(build.q(0), build.q(1));
+  EXPECT_EQ(body({build.plus({shared, build.q(2)}), build.times({shared, build.plus({build.q(2), build.q(3)})})}),
+            "  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3];\n"
+            "  const Scalar t1 = q_1 / q_2;\n"
+            "  y[0] = q_3 + t1;\n"
+            "  y[1] = (q_3 + q_4) * t1;\n");
+}
+
+TEST_F(Schedules, PutSineAndCosineOfAnAngleFirstAndTogether) {
+  const NodeId sum = build.plus({build.q(0), build.q(1)});
+  EXPECT_EQ(body({build.times({build.graph.cos(build.q(0)), build.graph.cos(sum)}), build.graph.sin(sum)}),
+            "  using std::cos;\n"
+            "  using std::sin;\n"
+            "  const Scalar q_1 = q[0], q_2 = q[1];\n"
+            "  const Scalar c_1 = cos(q_1);\n"
+            "  const Scalar q_12 = q_1 + q_2;\n"
+            "  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);\n"
+            "  y[1] = s_12;\n"
+            "  y[0] = c_1 * c_12;\n");
+}
+
+TEST_F(Schedules, StoreEqualEntriesTogetherAndZerosLast) {
+  const NodeId zero = build.number("0");
+  const NodeId shared = build.plus({build.q(0), build.number("1")});
+  EXPECT_EQ(body({zero, shared, shared, zero}),
+            "  const Scalar q_1 = q[0];\n"
+            "  y[1] = y[2] = q_1 + Scalar(1.0);\n"
+            "  y[0] = y[3] = Scalar(0.0);\n");
+}
+
+TEST_F(Schedules, WriteANegativeWhereItIsUsed) {
+  const NodeId product = build.times({build.q(0), build.q(1)});
+  EXPECT_EQ(body({build.scaled("-1", product), product}),
+            "  const Scalar q_1 = q[0], q_2 = q[1];\n"
+            "  const Scalar y_2 = q_1 * q_2;\n"
+            "  y[1] = y_2;\n"
+            "  y[0] = -y_2;\n");
+}
+
+TEST_F(Schedules, NameSumsEvenIfUsedOnce) {
+  const NodeId named = build.named(build.plus({build.q(0), build.q(1)}), "omega_2_z");
+  EXPECT_EQ(body({build.times({named, build.q(2)})}),
+            "  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2];\n"
+            "  const Scalar omega_2_z = q_1 + q_2;\n"
+            "  y[0] = omega_2_z * q_3;\n");
+}
+
+// Expressions stay readable: no line is longer than a hundred columns.
+TEST_F(Schedules, SplitLongExpressions) {
+  std::vector<NodeId> products;
+  for (int k = 0; k < 30; ++k) {
+    const NodeId difference =
+        build.plus({build.q(k), build.scaled("-2", build.q(k + 1)), build.scaled("3/7", build.q(k + 2))});
+    products.push_back(build.times({difference, build.q(k + 3), build.q(k + 4)}));
+  }
+  const std::string text = body({build.plus(products)});
+  std::size_t longest = 0;
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    longest = std::max(longest, end - begin);
+  }
+  EXPECT_LE(longest, 100u) << text;
+  EXPECT_GT(longest, 80u) << text;
+}
+
+TEST_F(Schedules, StatementsFollowWhatTheyUse) {
+  const Function function = testing::two_link_inverse_dynamics();
+  const Schedule schedule = make_schedule(function);
+  std::vector<bool> made(schedule.is_variable.size(), false);
+  for (const Statement& statement : schedule.statements) {
+    for (NodeId operand : operands_of(function.graph[statement.node])) {
+      const auto k = static_cast<std::size_t>(operand);
+      const bool needs_statement = schedule.is_variable[k] && function.graph[operand].op != Op::input;
+      EXPECT_TRUE(made[k] || !needs_statement);
+    }
+    if (statement.targets.empty()) made[static_cast<std::size_t>(statement.node)] = true;
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn
