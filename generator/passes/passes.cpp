@@ -5,8 +5,10 @@
 
 #include "passes/draft.hpp"
 #include "passes/like_terms.hpp"
+#include "passes/rescale.hpp"
 #include "passes/share_products.hpp"
 #include "passes/share_sums.hpp"
+#include "passes/trigonometric.hpp"
 
 namespace flatdyn {
 
@@ -14,7 +16,9 @@ const std::vector<Pass>& pass_table() {
   static const std::vector<Pass> table = {
       {"dead_code", "drop what no output needs", without_dead_code},
       {"like_terms", "merge sums into sums, and collect", like_terms},
+      {"trigonometric", "c^2 + s^2 = 1", trigonometric},
       {"share_sums", "factor sums, and share partial sums", share_sums},
+      {"rescale", "compute sums as the multiple that is cheapest", rescale},
       {"share_products", "share partial products", share_products},
   };
   return table;

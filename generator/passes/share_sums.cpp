@@ -255,13 +255,12 @@ class Sharing {
 
 }  // namespace
 
-Function share_sums(const Function& function) {
-  Function best = function;
-  for (const bool count_shared_products : {false, true}) {
-    Function shared = Sharing(unfolded(function), Policy{count_shared_products}).run();
-    best = cheaper(best, with_shared_products(shared));
-  }
-  return best;
+Function with_shared_sums(const Function& function) {
+  const Function flat = unfolded(function);
+  const Function strict = with_shared_products(Sharing(flat, Policy{false}).run());
+  return cheaper(strict, with_shared_products(Sharing(flat, Policy{true}).run()));
 }
+
+Function share_sums(const Function& function) { return cheaper(function, with_shared_sums(function)); }
 
 }  // namespace flatdyn

@@ -10,4 +10,7 @@ namespace flatdyn {
 // different c and x, and longer ones grow from it.
 Function share_sums(const Function& function);
 
+// The same, whatever it costs: for passes that have rewritten sums so that more may be shared.
+Function with_shared_sums(const Function& function);
+
 }  // namespace flatdyn

@@ -36,6 +36,8 @@ class RandomFunction {
   int below(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
   NodeId any() { return pool_[static_cast<std::size_t>(below(static_cast<int>(pool_.size())))]; }
 
+  NodeId simple() { return pool_[static_cast<std::size_t>(below(std::min(static_cast<int>(pool_.size()), 12)))]; }
+
   // Late ones more often, so that the graph is deep.
   NodeId recent() {
     const int size = static_cast<int>(pool_.size());
@@ -53,12 +55,18 @@ class RandomFunction {
     const bool has_factor = below(3) == 0;
     for (int k = 2 + below(4); k > 0; --k) {
       const NodeId a = below(2) == 0 ? any() : recent();
-      terms.push_back({number(), has_factor ? graph().product({factor, a}) : below(2) == 0 ? a : product_of(a)});
+      terms.push_back({number(), has_factor ? graph().product({factor, simple()}) : below(2) == 0 ? a : product_of(a)});
     }
     return graph().sum(std::move(terms), below(6) == 0 ? number() : Rational(0));
   }
 
-  NodeId product_of(NodeId a) { return graph().product({a, any()}); }
+  // Of at most four factors, most often of two.
+  NodeId product_of(NodeId a) {
+    const NodeId b = any();
+    const auto degree = [this](NodeId id) { return graph()[id].op == Op::product ? graph()[id].operands.size() : 1; };
+    return degree(a) + degree(b) > (below(4) == 0 ? 4 : 2) ? graph().sum({{1, a}, {number(), b}})
+                                                           : graph().product({a, b});
+  }
 
   NodeId rare(int joints) {
     const NodeId qd = graph().input({InputKind::qd, below(joints)});
@@ -77,7 +85,7 @@ class RandomFunction {
 
   void add_operation(int joints) {
     const int kind = below(20);
-    const NodeId id = kind < 9 ? random_sum() : kind < 19 ? product_of(recent()) : rare(joints);
+    const NodeId id = kind < 13 ? random_sum() : kind < 19 ? product_of(recent()) : rare(joints);
     if (graph().is_constant(id)) return;
     if (below(4) == 0) graph().set_name(id, "named_" + std::to_string(id));
     pool_.push_back(id);
