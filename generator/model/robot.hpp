@@ -36,11 +36,11 @@ struct Pose {
 // inertia as matrix entries, as URDF writes them (ixy = -∫ x y dm).
 struct Inertial {
   enum class About { centre_of_mass, frame_origin };
-  Value mass;                                  // kg
-  Pose frame;                                  // of the inertial frame in the link frame; axes of `tensor`
-  Vec3 centre_of_mass = zero_vector();         // in the inertial frame, m (URDF: zero)
-  Mat3 tensor = zero_matrix();                 // kg m^2, along the axes of the inertial frame
-  About about = About::centre_of_mass;         // the point it is about; frame_origin: the inertial frame's origin
+  Value mass;                           // kg
+  Pose frame;                           // of the inertial frame in the link frame; axes of `tensor`
+  Vec3 centre_of_mass = zero_vector();  // in the inertial frame, m (URDF: zero)
+  Mat3 tensor = zero_matrix();          // kg m^2, along the axes of the inertial frame
+  About about = About::centre_of_mass;  // the point it is about; frame_origin: the inertial frame's origin
   Place place;
 };
 
@@ -52,13 +52,13 @@ struct Link {
 
 // The rotor of the motor that drives a joint, (7.21)-(7.30). It turns at k_r q̇ about z_m, on the link that carries it.
 struct Motor {
-  Value mass;                        // kg
-  Value inertia_axial;               // I_m about the rotor axis, kg m^2
-  Value inertia_transverse;          // about any axis across it through the centre of mass, kg m^2
-  Value gear_ratio;                  // k_r = dϑ_m/dq, (7.22); rad/m for a prismatic joint
-  int carrier = -1;                  // index of the link that carries it; -1: the joint's parent link
-  Vec3 axis = {0, 0, 1};             // z_m, in the frame of the carrier; need not be normalised
-  Vec3 position = zero_vector();     // of the rotor's centre of mass, in the frame of the carrier, m
+  Value mass;                     // kg
+  Value inertia_axial;            // I_m about the rotor axis, kg m^2
+  Value inertia_transverse;       // about any axis across it through the centre of mass, kg m^2
+  Value gear_ratio;               // k_r = dϑ_m/dq, (7.22); rad/m for a prismatic joint
+  int carrier = -1;               // index of the link that carries it; -1: the joint's parent link
+  Vec3 axis = {0, 0, 1};          // z_m, in the frame of the carrier; need not be normalised
+  Vec3 position = zero_vector();  // of the rotor's centre of mass, in the frame of the carrier, m
   Place place;
 };
 
@@ -80,9 +80,9 @@ struct Joint {
   Pose origin;
   Vec3 axis = {0, 0, 1};  // in the joint frame; need not be normalised
   Pose link_offset;
-  Value viscous;    // F_v, N·m·s/rad or N·s/m
-  Value coulomb;    // F_s, N·m or N
-  Value armature;   // reflected inertia added to b_ii only, kg m^2 or kg
+  Value viscous;   // F_v, N·m·s/rad or N·s/m
+  Value coulomb;   // F_s, N·m or N
+  Value armature;  // reflected inertia added to b_ii only, kg m^2 or kg
   std::optional<Motor> motor;
   Limits limits;
   Place place;
@@ -106,15 +106,18 @@ struct Snap {
 struct Robot {
   std::string name;
   std::string file;
-  std::vector<Link> links;    // in file order
-  std::vector<Joint> joints;  // in file order
-  int root = -1;              // index of the root link; it is the fixed base
-  int tip = -1;               // index of the link whose frame is the tip
-  Pose tip_offset;            // of the tip frame in the tip link's frame
+  std::vector<Link> links;                    // in file order
+  std::vector<Joint> joints;                  // in file order
+  int root = -1;                              // index of the root link; it is the fixed base
+  int tip = -1;                               // index of the link whose frame is the tip
+  Pose tip_offset;                            // of the tip frame in the tip link's frame
   Vec3 gravity = {0, 0, Number(-981) / 100};  // g_0 in the base frame, m/s^2
   std::vector<FreeSymbol> symbols;            // in order of first appearance
   std::vector<Snap> snaps;
 };
+
+// Indices of all joints, fixed ones too, in depth-first file order. Defined for a valid tree.
+std::vector<int> depth_first_joints(const Robot& robot);
 
 // Indices of the moving joints in depth-first file order: the order of q. Defined for a valid tree.
 std::vector<int> moving_joints(const Robot& robot);
