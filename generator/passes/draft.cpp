@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "passes/draft.hpp"
+
+#include <utility>
+
+#include "graph/count.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr NodeId kNone = -1;
+
+std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
+
+// Everything but the graph, with ids replaced.
+Function with_graph(const Function& source, Graph graph, const std::vector<NodeId>& image) {
+  Function result;
+  result.name = source.name;
+  result.summary = source.summary;
+  result.equation = source.equation;
+  result.inputs = source.inputs;
+  result.graph = std::move(graph);
+  result.outputs = source.outputs;
+  result.positive = source.positive;
+  for (Output& output : result.outputs) {
+    for (NodeId& entry : output.entries) entry = image[index(entry)];
+  }
+  for (NodeId& entry : result.positive) entry = image[index(entry)];
+  return result;
+}
+
+void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image) {
+  if (const std::string* name = from.name(id)) to.set_name(image, *name);
+}
+
+std::vector<bool> alive_nodes(const Draft& draft) {
+  std::vector<bool> alive(draft.nodes.size(), false);
+  std::vector<NodeId> stack = roots(draft.source);
+  while (!stack.empty()) {
+    const NodeId id = stack.back();
+    stack.pop_back();
+    if (alive[index(id)]) continue;
+    alive[index(id)] = true;
+    for (const NodeId operand : operands_of(draft.at(id))) stack.push_back(operand);
+  }
+  return alive;
+}
+
+// Copies `id` and what it needs, operands first.
+void copy_tree(const Draft& draft, NodeId root, Graph& graph, std::vector<NodeId>& image) {
+  std::vector<NodeId> stack = {root};
+  while (!stack.empty()) {
+    const NodeId id = stack.back();
+    if (image[index(id)] != kNone) {
+      stack.pop_back();
+      continue;
+    }
+    const std::size_t depth = stack.size();
+    for (const NodeId operand : operands_of(draft.at(id))) {
+      if (image[index(operand)] == kNone) stack.push_back(operand);
+    }
+    if (stack.size() > depth) continue;
+    stack.pop_back();
+    image[index(id)] = graph.copy(draft.at(id), image);
+    if (id < draft.source.graph.size()) copy_name(draft.source.graph, id, graph, image[index(id)]);
+  }
+}
+
+NodeId unfolded_node(Graph& graph, const Node& node, const std::vector<NodeId>& image) {
+  if (node.op == Op::sum) {
+    std::vector<Term> terms = node.terms;
+    for (Term& term : terms) term.node = image[index(term.node)];
+    return graph.sum(std::move(terms), node.value);
+  }
+  if (node.op == Op::product) {
+    std::vector<NodeId> factors = node.operands;
+    for (NodeId& factor : factors) factor = image[index(factor)];
+    return graph.product(std::move(factors));
+  }
+  return graph.copy(node, image);
+}
+
+}  // namespace
+
+Draft::Draft(const Function& function) : source(function) {
+  nodes.reserve(index(function.graph.size()));
+  for (NodeId id = 0; id < function.graph.size(); ++id) nodes.push_back(function.graph[id]);
+}
+
+NodeId Draft::add(Node node) {
+  nodes.push_back(std::move(node));
+  return static_cast<NodeId>(nodes.size()) - 1;
+}
+
+NodeId Draft::add_sum(std::vector<Term> terms, const Rational& constant) {
+  Node node;
+  node.op = Op::sum;
+  node.terms = std::move(terms);
+  node.value = constant;
+  return add(std::move(node));
+}
+
+NodeId Draft::add_product(std::vector<NodeId> factors) {
+  Node node;
+  node.op = Op::product;
+  node.operands = std::move(factors);
+  return add(std::move(node));
+}
+
+std::vector<int> Draft::use_counts() const {
+  const std::vector<bool> alive = alive_nodes(*this);
+  std::vector<int> uses(nodes.size(), 0);
+  for (const NodeId root : roots(source)) ++uses[index(root)];
+  for (std::size_t id = 0; id < nodes.size(); ++id) {
+    if (!alive[id]) continue;
+    for (const NodeId operand : nodes[id].operands) ++uses[index(operand)];
+    for (const Term& term : nodes[id].terms) ++uses[index(term.node)];
+  }
+  return uses;
+}
+
+Function Draft::finish() const {
+  const std::vector<bool> alive = alive_nodes(*this);
+  Graph graph;
+  std::vector<NodeId> image(nodes.size(), kNone);
+  for (std::size_t id = 0; id < nodes.size(); ++id) {
+    if (alive[id]) copy_tree(*this, static_cast<NodeId>(id), graph, image);
+  }
+  Function result = with_graph(source, std::move(graph), image);
+  // What a root no longer is after folding (a scaled node's inside, say) may be left over: not reached any more.
+  const std::vector<bool> reached = reachable_from(result.graph, roots(result));
+  for (const bool is_reached : reached) {
+    if (!is_reached) return without_dead_code(result);
+  }
+  return result;
+}
+
+Function without_dead_code(const Function& function) {
+  const std::vector<bool> alive = reachable_from(function.graph, roots(function));
+  Graph graph;
+  std::vector<NodeId> image(alive.size(), kNone);
+  for (std::size_t id = 0; id < alive.size(); ++id) {
+    if (!alive[id]) continue;
+    const NodeId old = static_cast<NodeId>(id);
+    image[id] = graph.copy(function.graph[old], image);
+    copy_name(function.graph, old, graph, image[id]);
+  }
+  return with_graph(function, std::move(graph), image);
+}
+
+Function unfolded(const Function& function) {
+  const std::vector<bool> alive = reachable_from(function.graph, roots(function));
+  Graph graph;
+  std::vector<NodeId> image(alive.size(), kNone);
+  for (std::size_t id = 0; id < alive.size(); ++id) {
+    if (!alive[id]) continue;
+    const NodeId old = static_cast<NodeId>(id);
+    image[id] = unfolded_node(graph, function.graph[old], image);
+    copy_name(function.graph, old, graph, image[id]);
+  }
+  return without_dead_code(with_graph(function, std::move(graph), image));
+}
+
+int cost(const Function& function) {
+  constexpr int kDivision = 5, kTrigonometric = 20;
+  const OperationCount count = count_operations(function);
+  return count.arithmetic() + kDivision * count.divisions + kTrigonometric * count.trigonometric;
+}
+
+Function cheaper(const Function& original, Function candidate) {
+  const OperationCount before = count_operations(original), after = count_operations(candidate);
+  const bool worse = after.divisions > before.divisions || after.trigonometric > before.trigonometric;
+  return worse || cost(candidate) >= cost(original) ? original : candidate;
+}
+
+}  // namespace flatdyn

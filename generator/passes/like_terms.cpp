@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "passes/like_terms.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "passes/draft.hpp"
+#include "passes/share_products.hpp"
+
+namespace flatdyn {
+namespace {
+
+int sum_cost(const std::vector<Term>& terms, const Rational& constant) {
+  int total = static_cast<int>(terms.size()) + (constant.is_zero() ? 0 : 1) - 1;
+  for (const Term& term : terms) total += abs(term.coefficient) == 1 ? 0 : 1;
+  return std::max(total, 0);
+}
+
+// `outer` with its term k, which is the sum `inner`, written out.
+Node merged(const Node& outer, std::size_t k, const Node& inner) {
+  Node result = outer;
+  const Rational factor = outer.terms[k].coefficient;
+  result.terms.erase(result.terms.begin() + static_cast<std::ptrdiff_t>(k));
+  result.value += factor * inner.value;
+  for (const Term& term : inner.terms) {
+    const auto place = std::lower_bound(result.terms.begin(), result.terms.end(), term.node,
+                                        [](const Term& a, NodeId node) { return a.node < node; });
+    if (place == result.terms.end() || place->node != term.node) {
+      result.terms.insert(place, {factor * term.coefficient, term.node});
+    } else if ((place->coefficient += factor * term.coefficient).is_zero()) {
+      result.terms.erase(place);
+    }
+  }
+  return result;
+}
+
+// Merges what pays into the node; operands are done already, as ids are a topological order.
+void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses) {
+  for (std::size_t k = 0; k < draft.at(id).terms.size();) {
+    const NodeId operand = draft.at(id).terms[k].node;
+    const Node& inner = draft.at(operand);
+    if (inner.op != Op::sum) {
+      ++k;
+      continue;
+    }
+    const Node& outer = draft.at(id);
+    Node candidate = merged(outer, k, inner);
+    const bool only_use = uses[static_cast<std::size_t>(operand)] == 1;
+    const int before = sum_cost(outer.terms, outer.value) + (only_use ? sum_cost(inner.terms, inner.value) : 0);
+    const int after = sum_cost(candidate.terms, candidate.value);
+    if (only_use ? after > before : after >= before) {
+      ++k;
+      continue;
+    }
+    --uses[static_cast<std::size_t>(operand)];
+    for (const Term& term : inner.terms) uses[static_cast<std::size_t>(term.node)] += only_use ? 0 : 1;
+    draft.at(id) = std::move(candidate);
+    k = 0;
+  }
+}
+
+}  // namespace
+
+Function like_terms(const Function& function) {
+  const Function flat = unfolded(function);
+  Draft draft(flat);
+  std::vector<int> uses = draft.use_counts();
+  for (NodeId id = 0; id < flat.graph.size(); ++id) {
+    if (draft.at(id).op == Op::sum) merge_operands(draft, id, uses);
+  }
+  return cheaper(function, with_shared_products(draft.finish()));
+}
+
+}  // namespace flatdyn

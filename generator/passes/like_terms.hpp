@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+// A sum that is a term of one other sum only is merged into it, and one that several use wherever terms cancel, if
+// that costs no more: what is alike is then collected, and share_sums sees all terms at once.
+Function like_terms(const Function& function);
+
+}  // namespace flatdyn

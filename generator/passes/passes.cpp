@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "passes/passes.hpp"
+
+#include <utility>
+
+#include "passes/draft.hpp"
+#include "passes/like_terms.hpp"
+#include "passes/rescale.hpp"
+#include "passes/share_products.hpp"
+#include "passes/share_sums.hpp"
+#include "passes/trigonometric.hpp"
+
+namespace flatdyn {
+
+const std::vector<Pass>& pass_table() {
+  static const std::vector<Pass> table = {
+      {"dead_code", "drop what no output needs", without_dead_code},
+      {"like_terms", "merge sums into sums, and collect", like_terms},
+      {"trigonometric", "c^2 + s^2 = 1", trigonometric},
+      {"share_sums", "factor sums, and share partial sums", share_sums},
+      {"rescale", "compute sums as the multiple that is cheapest", rescale},
+      {"share_products", "share partial products", share_products},
+  };
+  return table;
+}
+
+Function run_passes(Function function, std::vector<PassRecord>* record) {
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const int cost_before = cost(function);
+    for (const Pass& pass : pass_table()) {
+      const OperationCount before = count_operations(function);
+      function = pass.run(function);
+      if (record != nullptr) record->push_back({pass.name, before, count_operations(function)});
+    }
+    if (cost(function) >= cost_before) break;
+  }
+  return function;
+}
+
+}  // namespace flatdyn

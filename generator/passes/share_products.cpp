@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "passes/share_products.hpp"
+
+#include <algorithm>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "passes/draft.hpp"
+
+namespace flatdyn {
+namespace {
+
+// A factor: a node (>= 0), or the number -1 - k of a constant.
+using Factor = std::int32_t;
+using Factors = std::vector<Factor>;  // sorted, repeated for powers
+
+// A product that something uses, with the absolute value of its coefficient among the factors.
+struct Monomial {
+  Factors factors;
+  int uses = 0;
+};
+
+// Greedy extraction of pairs of factors.
+class Sharing {
+ public:
+  explicit Sharing(const Function& flat) : draft_(flat) {}
+
+  Function run() {
+    collect();
+    for (int m = 0; m < static_cast<int>(monomials_.size()); ++m) {
+      if (monomials_[at(m)].factors.size() <= kLongest) index_pairs(m);
+    }
+    for (std::size_t k = 0; k < pairs_.size(); ++k) push(static_cast<int>(k));
+    while (!queue_.empty()) extract_next();
+    write_back();
+    return draft_.finish();
+  }
+
+ private:
+  static constexpr std::size_t kLongest = 64;  // a longer product is left alone: its pairs would be too many
+  struct Pair {
+    Factor a, b;             // a <= b
+    std::vector<int> where;  // monomials that had the pair when they were looked at
+  };
+  struct Use {  // a sum's term, or (term -1) a node that is itself the product
+    NodeId node;
+    int term;
+    int monomial;
+    bool negative;
+  };
+  struct Candidate {
+    int savings, pair;
+    bool operator<(const Candidate& other) const {
+      return std::tie(savings, other.pair) < std::tie(other.savings, pair);
+    }
+  };
+
+  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+  Factor constant_factor(const Rational& value) {
+    const auto [it, is_new] = constant_ids_.emplace(value, static_cast<Factor>(constants_.size()));
+    if (is_new) constants_.push_back(value);
+    return -1 - it->second;
+  }
+
+  int monomial_of(const Rational& coefficient, NodeId node) {
+    Factors factors;
+    if (draft_.at(node).op == Op::product) {
+      factors = draft_.at(node).operands;
+    } else {
+      factors = {node};
+    }
+    const Rational size = abs(coefficient);
+    if (size != 1) factors.push_back(constant_factor(size));
+    std::sort(factors.begin(), factors.end());
+    const auto [it, is_new] = monomial_ids_.emplace(factors, static_cast<int>(monomials_.size()));
+    if (is_new) monomials_.push_back({std::move(factors), 0});
+    ++monomials_[at(it->second)].uses;
+    return it->second;
+  }
+
+  // Products as terms are monomials; those used elsewhere (roots, operands of quotients …) are rewritten in place.
+  void collect() {
+    const NodeId count = static_cast<NodeId>(draft_.nodes.size());
+    std::vector<bool> elsewhere(draft_.nodes.size(), false);
+    for (const NodeId root : roots(draft_.source)) elsewhere[at(root)] = true;
+    for (NodeId id = 0; id < count; ++id) {
+      for (const NodeId operand : draft_.at(id).operands) elsewhere[at(operand)] = true;
+    }
+    for (NodeId id = 0; id < count; ++id) {
+      const Node& node = draft_.at(id);
+      if (node.op == Op::product && elsewhere[at(id)]) uses_.push_back({id, -1, monomial_of(1, id), false});
+      for (std::size_t k = 0; k < node.terms.size(); ++k) {
+        const Term& term = node.terms[k];
+        uses_.push_back({id, static_cast<int>(k), monomial_of(term.coefficient, term.node), term.coefficient < 0});
+      }
+    }
+  }
+
+  void add_occurrence(Factor a, Factor b, int monomial) {
+    if (a > b) std::swap(a, b);
+    const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) |
+                              static_cast<std::uint64_t>(static_cast<std::uint32_t>(b));
+    const auto [it, is_new] = pair_ids_.emplace(key, static_cast<int>(pairs_.size()));
+    if (is_new) pairs_.push_back({a, b, {}});
+    pairs_[at(it->second)].where.push_back(monomial);
+    touched_.push_back(it->second);
+  }
+
+  void index_pairs(int m) {
+    const Factors factors = monomials_[at(m)].factors;
+    for (std::size_t j = 1; j < factors.size(); ++j) {
+      for (std::size_t i = 0; i < j; ++i) add_occurrence(factors[i], factors[j], m);
+    }
+  }
+
+  bool has_pair(const Factors& factors, Factor a, Factor b) const {
+    const auto range = std::equal_range(factors.begin(), factors.end(), a);
+    if (a == b) return range.second - range.first >= 2;
+    return range.first != range.second && std::binary_search(factors.begin(), factors.end(), b);
+  }
+
+  // Multiplications that go away when the pair becomes a node: one per product that has it, less the node's own.
+  int savings(Pair& pair) {
+    auto& where = pair.where;
+    std::sort(where.begin(), where.end());
+    where.erase(std::unique(where.begin(), where.end()), where.end());
+    std::erase_if(where, [&](int m) { return !has_pair(monomials_[at(m)].factors, pair.a, pair.b); });
+    return static_cast<int>(where.size()) - 1;
+  }
+
+  void push(int pair) {
+    const int gain = savings(pairs_[at(pair)]);
+    if (gain > 0) queue_.push({gain, pair});
+  }
+
+  void extract_next() {
+    const Candidate best = queue_.top();
+    queue_.pop();
+    const int gain = savings(pairs_[at(best.pair)]);
+    if (gain < best.savings) {
+      if (gain > 0) queue_.push({gain, best.pair});
+      return;
+    }
+    extract(best.pair);
+  }
+
+  void extract(int index) {
+    const Pair pair = pairs_[at(index)];
+    const NodeId shared = make_pair_node(pair.a, pair.b);
+    touched_.clear();
+    for (const int m : pair.where) {
+      Factors& factors = monomials_[at(m)].factors;
+      factors.erase(std::find(factors.begin(), factors.end(), pair.a));
+      factors.erase(std::find(factors.begin(), factors.end(), pair.b));
+      factors.push_back(shared);
+      std::sort(factors.begin(), factors.end());
+      const Factors now = factors;
+      for (const Factor factor : now) {
+        if (factor != shared) add_occurrence(factor, shared, m);
+      }
+      if (std::count(now.begin(), now.end(), shared) > 1) add_occurrence(shared, shared, m);
+    }
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    for (const int touched : touched_) push(touched);
+    push(index);  // x·x·x·x has the pair twice
+  }
+
+  NodeId make_pair_node(Factor a, Factor b) {
+    if (a < 0) return draft_.add_sum({{constants_[at(-1 - a)], b}}, 0);
+    return draft_.add_product({a, b});
+  }
+
+  // The node of a monomial without its constant, and the constant (1 if there is none).
+  std::pair<Rational, NodeId> build(const Monomial& monomial) {
+    Factors nodes = monomial.factors;
+    Rational coefficient = 1;
+    if (nodes.front() < 0) {
+      coefficient = constants_[at(-1 - nodes.front())];
+      nodes.erase(nodes.begin());
+    }
+    return {coefficient, nodes.size() == 1 ? nodes[0] : draft_.add_product(nodes)};
+  }
+
+  void write_back() {
+    std::vector<std::pair<Rational, NodeId>> built;
+    for (const Monomial& monomial : monomials_) {
+      built.push_back(build(monomial));
+      auto& [coefficient, node] = built.back();
+      if (monomial.uses > 1 && coefficient != 1) {
+        node = draft_.add_sum({{coefficient, node}}, 0);
+        coefficient = 1;
+      }
+    }
+    for (const Use& use : uses_) {
+      const auto& [coefficient, node] = built[at(use.monomial)];
+      const Term term = {use.negative ? Rational(-coefficient) : coefficient, node};
+      if (use.term >= 0) {
+        draft_.at(use.node).terms[at(use.term)] = term;
+      } else {
+        draft_.at(use.node) = Node{Op::sum, 0, {}, {term}, {}};
+      }
+    }
+  }
+
+  Draft draft_;
+  std::vector<Rational> constants_;
+  std::map<Rational, Factor> constant_ids_;
+  std::vector<Monomial> monomials_;
+  std::map<Factors, int> monomial_ids_;
+  std::vector<Use> uses_;
+  std::vector<Pair> pairs_;
+  std::unordered_map<std::uint64_t, int> pair_ids_;  // looked up in, never iterated over
+  std::vector<int> touched_;
+  std::priority_queue<Candidate> queue_;
+};
+
+}  // namespace
+
+Function with_shared_products(const Function& function) {
+  const Function flat = unfolded(function);
+  return Sharing(flat).run();
+}
+
+Function share_products(const Function& function) { return cheaper(function, with_shared_products(function)); }
+
+}  // namespace flatdyn

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "passes/share_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "passes/polynomials.hpp"
+#include "passes/share_products.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Savings are weighed in parts of an operation: a product that u terms use is saved by 1/u when one of them goes.
+constexpr int kOperation = 60;
+
+// How savings are estimated. Neither is best always, so both are tried.
+struct Policy {
+  bool count_shared_products;  // as above, or not at all
+};
+
+int is_multiplication(const Rational& coefficient) { return coefficient == 1 || coefficient == -1 ? 0 : kOperation; }
+
+class Sharing {
+ public:
+  Sharing(const Function& flat, Policy policy) : p_(flat), policy_(policy) {}
+
+  Function run() {
+    for (int k = 0; k < static_cast<int>(p_.polynomials.size()); ++k) index_polynomial(k);
+    touched_.clear();
+    for (std::size_t k = 0; k < kernels_.size(); ++k) push(static_cast<int>(k));
+    while (!queue_.empty()) extract_next();
+    return p_.finish();
+  }
+
+ private:
+  // In a very long sum, only terms this close to each other are paired: the work stays linear.
+  static constexpr std::size_t kWindow = 48;
+
+  struct Occurrence {  // polynomial = … + c · factor · (a + ratio · b)
+    int polynomial;
+    MonomialId factor;
+    auto operator<=>(const Occurrence&) const = default;
+  };
+  struct Kernel {  // a + ratio · b, a < b, without common factor
+    MonomialId a, b;
+    Rational ratio;
+    std::vector<Occurrence> where;  // when they were looked at
+  };
+  struct Candidate {
+    int savings, kernel;
+    bool operator<(const Candidate& other) const {
+      return std::tie(savings, other.kernel) < std::tie(other.savings, kernel);
+    }
+  };
+  // What extracting a kernel brings, and as which multiple of it the new node is best made.
+  struct Plan {
+    int savings = 0;
+    Rational scale = 1;
+    int existing = -1;  // a polynomial that is the kernel already
+  };
+
+  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+  const PolynomialTerm* find(const Polynomial& polynomial, MonomialId monomial) const {
+    for (const PolynomialTerm& term : polynomial.terms) {
+      if (term.monomial == monomial) return &term;
+    }
+    return nullptr;
+  }
+
+  void index_pair(int polynomial, const PolynomialTerm& first, const PolynomialTerm& second) {
+    const MonomialId factor = p_.monomials.common(first.monomial, second.monomial);
+    MonomialId a = p_.monomials.quotient(first.monomial, factor);
+    MonomialId b = p_.monomials.quotient(second.monomial, factor);
+    Rational ratio = second.coefficient / first.coefficient;
+    if (a > b) {
+      std::swap(a, b);
+      ratio = 1 / ratio;
+    }
+    const auto [it, is_new] = kernel_ids_.emplace(std::make_tuple(a, b, ratio), static_cast<int>(kernels_.size()));
+    if (is_new) kernels_.push_back({a, b, ratio, {}});
+    kernels_[at(it->second)].where.push_back({polynomial, factor});
+    touched_.push_back(it->second);
+  }
+
+  void index_polynomial(int k) {
+    const std::vector<PolynomialTerm> terms = p_.polynomials[at(k)].terms;
+    for (std::size_t j = 1; j < terms.size(); ++j) {
+      for (std::size_t i = j > kWindow ? j - kWindow : 0; i < j; ++i) index_pair(k, terms[i], terms[j]);
+    }
+  }
+
+  // The coefficient c of an occurrence; nothing if it is no longer there.
+  const Rational* coefficient(const Kernel& kernel, const Occurrence& occurrence) {
+    const Polynomial& polynomial = p_.polynomials[at(occurrence.polynomial)];
+    const PolynomialTerm* first = find(polynomial, p_.monomials.product(kernel.a, occurrence.factor));
+    if (first == nullptr) return nullptr;
+    const PolynomialTerm* second = find(polynomial, p_.monomials.product(kernel.b, occurrence.factor));
+    if (second == nullptr || second->coefficient != kernel.ratio * first->coefficient) return nullptr;
+    return &first->coefficient;
+  }
+
+  int coefficient_cost(const Rational& coefficient, MonomialId monomial) const {
+    return p_.monomials.degree(monomial) == 0 ? 0 : is_multiplication(coefficient);
+  }
+
+  // What a term's product costs this term alone.
+  int product_cost(MonomialId monomial) {
+    const int degree = p_.monomials.degree(monomial), uses = p_.uses_of(monomial);
+    if (degree < 2) return 0;
+    if (uses <= 1) return (degree - 1) * kOperation;
+    return policy_.count_shared_products ? (degree - 1) * kOperation / uses : 0;
+  }
+
+  int new_product_cost(MonomialId monomial) {
+    const int degree = p_.monomials.degree(monomial);
+    return degree < 2 || p_.uses_of(monomial) > 0 ? 0 : (degree - 1) * kOperation;
+  }
+
+  // All but the coefficient of the new term, which depends on the kernel's scale.
+  int savings_at(const Kernel& kernel, const Occurrence& occurrence, const Rational& c) {
+    const MonomialId first = p_.monomials.product(kernel.a, occurrence.factor);
+    const MonomialId second = p_.monomials.product(kernel.b, occurrence.factor);
+    const int before = kOperation + coefficient_cost(c, first) + coefficient_cost(c * kernel.ratio, second) +
+                       product_cost(first) + product_cost(second);
+    return before - p_.monomials.degree(occurrence.factor) * kOperation;
+  }
+
+  Plan plan(Kernel& kernel) {
+    auto& where = kernel.where;
+    std::sort(where.begin(), where.end());
+    where.erase(std::unique(where.begin(), where.end()), where.end());
+    std::erase_if(where, [&](const Occurrence& o) { return coefficient(kernel, o) == nullptr; });
+    Plan best;
+    if (where.empty()) return best;
+    int savings = 0;
+    std::vector<Rational> coefficients;
+    for (const Occurrence& occurrence : where) {
+      const Rational c = *coefficient(kernel, occurrence);
+      const bool is_kernel =
+          p_.monomials.degree(occurrence.factor) == 0 && p_.polynomials[at(occurrence.polynomial)].terms.size() == 2;
+      if (is_kernel && best.existing < 0) {
+        best.existing = occurrence.polynomial;
+        best.scale = c;
+        continue;
+      }
+      savings += savings_at(kernel, occurrence, c);
+      coefficients.push_back(c);
+    }
+    if (best.existing >= 0) {
+      best.savings = coefficients.empty() ? 0 : savings - scaling_cost(coefficients, best.scale);
+      return best;
+    }
+    savings -= kOperation + new_product_cost(kernel.a) + new_product_cost(kernel.b);
+    choose_scale(kernel, coefficients, best);
+    best.savings += savings;
+    return best;
+  }
+
+  static int scaling_cost(const std::vector<Rational>& coefficients, const Rational& scale) {
+    int total = 0;
+    for (const Rational& c : coefficients) total += is_multiplication(c / scale);
+    return total;
+  }
+
+  // The kernel may be made as scale · (a + ratio · b) for any scale.
+  void choose_scale(const Kernel& kernel, const std::vector<Rational>& coefficients, Plan& best) const {
+    std::vector<Rational> scales = {1, 1 / kernel.ratio};
+    for (std::size_t k = 0; k < std::min<std::size_t>(coefficients.size(), 4); ++k) scales.push_back(coefficients[k]);
+    bool is_first = true;
+    for (const Rational& scale : scales) {
+      const int savings = -scaling_cost(coefficients, scale) - coefficient_cost(scale, kernel.a) -
+                          coefficient_cost(scale * kernel.ratio, kernel.b);
+      if (!is_first && savings <= best.savings) continue;
+      is_first = false;
+      best.savings = savings;
+      best.scale = scale;
+    }
+  }
+
+  void push(int kernel) {
+    const int savings = plan(kernels_[at(kernel)]).savings;
+    if (savings > 0) queue_.push({savings, kernel});
+  }
+
+  void extract_next() {
+    const Candidate best = queue_.top();
+    queue_.pop();
+    const Plan now = plan(kernels_[at(best.kernel)]);
+    if (now.savings < best.savings) {
+      if (now.savings > 0) queue_.push({now.savings, best.kernel});
+      return;
+    }
+    extract(best.kernel, now);
+  }
+
+  void extract(int index, const Plan& plan) {
+    const Kernel kernel = kernels_[at(index)];
+    const int source = plan.existing >= 0 ? plan.existing : new_polynomial(kernel, plan.scale);
+    const NodeId shared = p_.polynomials[at(source)].node;
+    const MonomialId shared_monomial = p_.monomials.id({shared});
+    touched_.clear();
+    for (const Occurrence& occurrence : kernel.where) {
+      if (occurrence.polynomial == source) continue;
+      const Rational* c = coefficient(kernel, occurrence);
+      if (c == nullptr) continue;  // one before has used its terms
+      replace(kernel, occurrence, {*c / plan.scale, p_.monomials.product(occurrence.factor, shared_monomial)});
+    }
+    if (plan.existing < 0) index_polynomial(source);
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    for (const int touched : touched_) push(touched);
+  }
+
+  int new_polynomial(const Kernel& kernel, const Rational& scale) {
+    const NodeId node = p_.draft.add_sum({}, 0);
+    p_.polynomials.push_back({node, {{scale, kernel.a}, {scale * kernel.ratio, kernel.b}}});
+    ++p_.uses_of(kernel.a);
+    ++p_.uses_of(kernel.b);
+    return static_cast<int>(p_.polynomials.size()) - 1;
+  }
+
+  void replace(const Kernel& kernel, const Occurrence& occurrence, PolynomialTerm merged) {
+    auto& terms = p_.polynomials[at(occurrence.polynomial)].terms;
+    const MonomialId first = p_.monomials.product(kernel.a, occurrence.factor);
+    const MonomialId second = p_.monomials.product(kernel.b, occurrence.factor);
+    std::erase_if(terms, [&](const PolynomialTerm& term) {
+      if (term.monomial == merged.monomial) {  // like terms
+        merged.coefficient += term.coefficient;
+        --p_.uses_of(merged.monomial);
+      }
+      return term.monomial == first || term.monomial == second || term.monomial == merged.monomial;
+    });
+    --p_.uses_of(first);
+    --p_.uses_of(second);
+    if (merged.coefficient.is_zero()) return;
+    ++p_.uses_of(merged.monomial);
+    terms.push_back(merged);
+    const std::vector<PolynomialTerm> now = terms;
+    const std::size_t begin = now.size() > kWindow ? now.size() - kWindow : 0;
+    for (std::size_t k = begin; k + 1 < now.size(); ++k) index_pair(occurrence.polynomial, now[k], merged);
+  }
+
+  Polynomials p_;
+  Policy policy_;
+  std::vector<Kernel> kernels_;
+  std::map<std::tuple<MonomialId, MonomialId, Rational>, int> kernel_ids_;
+  std::vector<int> touched_;
+  std::priority_queue<Candidate> queue_;
+};
+
+}  // namespace
+
+Function with_shared_sums(const Function& function) {
+  const Function flat = unfolded(function);
+  const Function strict = with_shared_products(Sharing(flat, Policy{false}).run());
+  return cheaper(strict, with_shared_products(Sharing(flat, Policy{true}).run()));
+}
+
+Function share_sums(const Function& function) { return cheaper(function, with_shared_sums(function)); }
+
+}  // namespace flatdyn

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "passes/trigonometric.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "passes/polynomials.hpp"
+#include "passes/share_sums.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct SinCos {
+  NodeId sin, cos;
+};
+
+// The sines and cosines of the angles of which a function has both, by the angle's node.
+std::map<NodeId, SinCos> sines_and_cosines(const Graph& graph) {
+  std::map<NodeId, SinCos> result;
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& node = graph[id];
+    if (node.op != Op::sin && node.op != Op::cos) continue;
+    const auto [it, is_new] = result.emplace(node.operands[0], SinCos{-1, -1});
+    (node.op == Op::sin ? it->second.sin : it->second.cos) = id;
+  }
+  std::erase_if(result, [](const auto& entry) { return entry.second.sin < 0 || entry.second.cos < 0; });
+  return result;
+}
+
+bool any_square(Polynomials& p, const Polynomial& polynomial, MonomialId square) {
+  return std::any_of(polynomial.terms.begin(), polynomial.terms.end(),
+                     [&](const PolynomialTerm& term) { return p.monomials.divides(square, term.monomial); });
+}
+
+// Replaces x² by 1 - y² in sums that have both squares. Whether there were any.
+bool eliminate(Polynomials& p, NodeId x, NodeId y) {
+  const MonomialId square = p.monomials.id({x, x}), other = p.monomials.id({y, y});
+  bool changed = false;
+  for (Polynomial& polynomial : p.polynomials) {
+    if (!any_square(p, polynomial, square) || !any_square(p, polynomial, other)) continue;
+    std::map<MonomialId, Rational> sum;
+    for (const PolynomialTerm& term : polynomial.terms) {
+      if (!p.monomials.divides(square, term.monomial)) {
+        sum[term.monomial] += term.coefficient;
+        continue;
+      }
+      const MonomialId cofactor = p.monomials.quotient(term.monomial, square);
+      sum[cofactor] += term.coefficient;
+      sum[p.monomials.product(cofactor, other)] -= term.coefficient;
+    }
+    polynomial.terms.clear();
+    for (const auto& [monomial, coefficient] : sum) {
+      if (!coefficient.is_zero()) polynomial.terms.push_back({coefficient, monomial});
+    }
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace
+
+Function trigonometric(const Function& function) {
+  const Function flat = unfolded(function);
+  Function best = function;
+  for (const bool keep_cosine : {true, false}) {
+    Polynomials p(flat);
+    bool changed = false;
+    for (const auto& [angle, pair] : sines_and_cosines(flat.graph)) {
+      const NodeId gone = keep_cosine ? pair.sin : pair.cos, kept = keep_cosine ? pair.cos : pair.sin;
+      if (eliminate(p, gone, kept)) changed = true;
+    }
+    if (changed) best = cheaper(best, with_shared_sums(p.finish()));
+  }
+  return best;
+}
+
+}  // namespace flatdyn
