@@ -16,13 +16,12 @@ cln::cl_F to_float(const Number& a) {
   return cln::cl_float(cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()), format);
 }
 
-// Nearest multiple of 10^-kRationalDigits, times a power of ten that keeps that many significant digits.
+// The simplest rational that equals `value` to kRationalDigits digits: by continued fractions, so with half as many
+// digits as a decimal would need. The numbers of long chains multiply; short ones keep exact arithmetic fast.
 Number rational_near(const cln::cl_F& value) {
   if (cln::zerop(value)) return 0;
-  cln::cl_RA scale = cln::expt(cln::cl_RA(10), kRationalDigits);
-  for (cln::cl_F size = cln::abs(value); size > cln::cl_I(1); size = size / cln::cl_I(10)) scale = scale / 10;
-  const cln::cl_I rounded = cln::round1(cln::rational(value) * scale);
-  return GiNaC::numeric(cln::cl_N(cln::cl_RA(rounded) / scale));
+  const cln::cl_F rounded = cln::cl_float(value, cln::float_format(static_cast<std::uintptr_t>(kRationalDigits)));
+  return GiNaC::numeric(cln::cl_N(cln::rationalize(rounded)));
 }
 
 bool is_numeric_expression(const Number& a) { return !has_symbols(a); }

@@ -10,8 +10,8 @@ namespace flatdyn {
 // Digits to which an irrational constant is replaced by a rational one.
 inline constexpr int kRationalDigits = 44;
 
-// The rational number nearest to `a` on a grid of 10^-kRationalDigits relative to its size; irrational subexpressions
-// (Pi, roots) are replaced in place, free symbols stay.
+// The simplest rational number that agrees with `a` to kRationalDigits digits; irrational subexpressions (Pi, roots)
+// are replaced in place, free symbols stay.
 Number rationalised(const Number& a);
 Vec3 rationalised(const Vec3& a);
 
