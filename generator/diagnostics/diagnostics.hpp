@@ -21,8 +21,9 @@ enum class Severity { note, warning, error };
 struct Diagnostic {
   Severity severity = Severity::error;
   Place place;
-  std::string message;  // what is wrong, naming the key and the value
-  std::string hint;     // what to do; may be empty
+  std::string message;       // what is wrong, naming the key and the value
+  std::string hint;          // what to do; may be empty
+  bool unsupported = false;  // an error that is no mistake in the file: the program cannot do it (exit code 4)
 };
 
 // "arm.urdf:12: error: link \"a\": mass is negative (-1)\n    hint: ..."
@@ -35,10 +36,14 @@ class Diagnostics {
   void note(Place place, std::string message, std::string hint = {});
   void warning(Place place, std::string message, std::string hint = {});
   void error(Place place, std::string message, std::string hint = {});
+  void unsupported(Place place, std::string message, std::string hint = {});  // an error
+  void add(Diagnostic diagnostic);
 
   const std::vector<Diagnostic>& all() const { return all_; }
   bool has_errors() const;
   bool has_warnings() const;
+  // Every error there is, and at least one, is something unsupported.
+  bool only_unsupported() const;
 
  private:
   std::vector<Diagnostic> all_;

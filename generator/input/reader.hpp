@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "diagnostics/diagnostics.hpp"
 #include "model/robot.hpp"
@@ -15,6 +16,7 @@ struct ReadOptions {
   Number snap_tolerance = exact_decimal("1e-5");  // rad; 0 turns snapping off
   std::optional<Vec3> gravity;                    // --gravity: overrides the file, m/s^2
   std::optional<std::string> tip;                 // --tip: name of the tip link
+  std::vector<std::string> fixed_joints;          // --fix: joints held at q = 0, as if they were fixed ones
 };
 
 // Reads a URDF (tinyxml2) or TOML (toml++) file, by its content's kind (extension .urdf/.xml or .toml), checks it

@@ -116,6 +116,9 @@ struct Robot {
   std::vector<Snap> snaps;
 };
 
+// Indices of all joints, fixed ones too, in depth-first file order. Defined for a valid tree.
+std::vector<int> depth_first_joints(const Robot& robot);
+
 // Indices of the moving joints in depth-first file order: the order of q. Defined for a valid tree.
 std::vector<int> moving_joints(const Robot& robot);
 

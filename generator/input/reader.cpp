@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/reader.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "input/context.hpp"
+#include "input/nearest.hpp"
+#include "input/toml_reader.hpp"
+#include "input/urdf_reader.hpp"
+#include "model/validate.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+const Place kCommandLine;
+
+enum class FileKind { urdf, toml, unknown };
+
+FileKind kind_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  if (extension == ".urdf" || extension == ".xml") return FileKind::urdf;
+  return extension == ".toml" ? FileKind::toml : FileKind::unknown;
+}
+
+// The inertia of a rotor that no longer turns, as a body fixed to the link that carries it.
+Inertial as_inertial(const Motor& motor) {
+  Inertial inertial;
+  inertial.mass = motor.mass;
+  inertial.centre_of_mass = motor.position;
+  inertial.place = motor.place;
+  // I_t E + (I_a - I_t) z z^T / (z^T z)
+  const Number& transverse = motor.inertia_transverse.number;
+  const Number along = (motor.inertia_axial.number - transverse) / dot(motor.axis, motor.axis);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      inertial.tensor[i][j] = (i == j ? transverse : Number(0)) + along * motor.axis[i] * motor.axis[j];
+    }
+  }
+  return inertial;
+}
+
+void hold(Joint& joint, Robot& robot) {
+  joint.type = JointType::fixed;
+  if (!joint.motor) return;
+  const int carrier = joint.motor->carrier >= 0 ? joint.motor->carrier : joint.parent;
+  const bool has_axis = !flatdyn::is_zero(dot(joint.motor->axis, joint.motor->axis));
+  if (carrier >= 0 && has_axis) {
+    robot.links[static_cast<std::size_t>(carrier)].inertials.push_back(as_inertial(*joint.motor));
+  }
+  joint.motor.reset();
+}
+
+void hold_joints(const ReadContext& context, Robot& robot) {
+  std::vector<std::string> known;
+  for (const Joint& joint : robot.joints) known.push_back(joint.name);
+  for (const auto& [name, place] : context.held_joints) {
+    const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                    [&wanted = name](const Joint& joint) { return joint.name == wanted; });
+    if (found != robot.joints.end()) {
+      hold(*found, robot);
+    } else if (!robot.joints.empty()) {
+      context.diagnostics.error(place, "there is no joint \"" + name + "\" to be fixed",
+                                hint_for_unknown(name, known, "joints"));
+    }
+  }
+}
+
+int last_link(const Robot& robot) {
+  const std::vector<int> order = depth_first_joints(robot);
+  return order.empty() ? robot.root : robot.joints[static_cast<std::size_t>(order.back())].child;
+}
+
+void attach(const Attachments& attachments, ReadContext& context, Robot& robot) {
+  robot.tip = last_link(robot);
+  if (attachments.tip) {
+    const Spot spot{attachments.tip_offset.place, "tip, link"};
+    robot.tip = link_named(robot, *attachments.tip, spot, context.diagnostics).value_or(robot.tip);
+  }
+  robot.tip_offset = attachments.tip_offset;
+  if (attachments.payload) {
+    const Spot spot{attachments.payload->inertial.place, "payload, link"};
+    const std::string& name = attachments.payload->link;
+    const int link = name.empty() ? robot.tip : link_named(robot, name, spot, context.diagnostics).value_or(robot.tip);
+    robot.links[static_cast<std::size_t>(link)].inertials.push_back(attachments.payload->inertial);
+  }
+  // A payload stays where the file puts it, whatever frame the user asks for.
+  if (context.options.tip) {
+    robot.tip =
+        link_named(robot, *context.options.tip, {kCommandLine, "--tip"}, context.diagnostics).value_or(robot.tip);
+    robot.tip_offset = {};
+  }
+}
+
+// File by file and line by line, the order in which a person works through them.
+void hand_over(const Diagnostics& found, Diagnostics& diagnostics) {
+  std::vector<Diagnostic> sorted = found.all();
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.place.file, a.place.line) < std::tie(b.place.file, b.place.line);
+  });
+  for (Diagnostic& diagnostic : sorted) diagnostics.add(std::move(diagnostic));
+}
+
+void read_into(const std::filesystem::path& path, ReadContext& context, Robot& robot) {
+  const std::string file = path.string();
+  const FileKind kind = kind_of(path);
+  const std::optional<std::string> text = file_text(file, context.diagnostics);
+  if (!text) return;
+  if (kind == FileKind::unknown) {
+    context.diagnostics.error({file, 0}, "unknown kind of file", "robot files are called .urdf, .xml or .toml");
+    return;
+  }
+  Attachments attachments;
+  if (kind == FileKind::urdf) {
+    read_urdf(*text, file, context, robot);
+  } else {
+    attachments = read_toml(*text, file, context, robot);
+  }
+  if (robot.links.empty() && context.diagnostics.has_errors()) return;
+  hold_joints(context, robot);
+  if (!validate_tree(robot, context.diagnostics)) return;
+  attach(attachments, context, robot);
+  validate_values(robot, context.diagnostics);
+}
+
+}  // namespace
+
+std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
+                                Diagnostics& diagnostics) {
+  Diagnostics found;
+  ReadContext context{options, found, {}, {}, {}};
+  for (const std::string& joint : options.fixed_joints) context.held_joints.push_back({joint, kCommandLine});
+  Robot robot;
+  robot.file = path.string();
+  read_into(path, context, robot);
+  robot.symbols = context.symbols.in_order();
+  robot.snaps = context.snaps;
+  if (robot.name.empty()) robot.name = path.stem().string();
+  if (options.gravity) robot.gravity = *options.gravity;
+  hand_over(found, diagnostics);
+  if (found.has_errors()) return std::nullopt;
+  return robot;
+}
+
+}  // namespace flatdyn

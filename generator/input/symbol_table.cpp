@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/symbol_table.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <tuple>
+
+#include "emit/identifiers.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+std::string with_article(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::length:
+      return "a length";
+    case Quantity::angle:
+      return "an angle";
+    case Quantity::mass:
+      return "a mass";
+    case Quantity::inertia:
+      return "a moment of inertia";
+    case Quantity::acceleration:
+      return "an acceleration";
+    case Quantity::gear_ratio:
+      return "a gear ratio";
+    case Quantity::viscous_friction:
+      return "a viscous friction";
+    case Quantity::coulomb_friction:
+      return "a Coulomb friction";
+    case Quantity::other:
+      return "a value";
+  }
+  throw std::logic_error("unknown quantity");
+}
+
+// The symbol of x or c x, c rational; nothing for any other expression.
+std::optional<GiNaC::symbol> symbol_of(const Number& value) {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) return GiNaC::ex_to<GiNaC::symbol>(value);
+  if (!GiNaC::is_a<GiNaC::mul>(value) || value.nops() != 2) return std::nullopt;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (is_rational(value.op(1 - i)) && GiNaC::is_a<GiNaC::symbol>(value.op(i))) {
+      return GiNaC::ex_to<GiNaC::symbol>(value.op(i));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+GiNaC::symbol SymbolTable::get(std::string_view name, const Place& place, std::size_t column,
+                               Diagnostics& diagnostics) {
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.symbol.name == name; });
+  if (found != entries_.end()) {
+    if (std::tie(place.line, column) < std::tie(found->symbol.place.line, found->column)) {
+      found->symbol.place = place;
+      found->column = column;
+    }
+    return found->symbol.symbol;
+  }
+  report_bad_name(std::string(name), place, diagnostics);
+  const std::string text(name);
+  entries_.push_back({{GiNaC::symbol(text), text, place}, column, Quantity::other, {}});
+  return entries_.back().symbol.symbol;
+}
+
+void SymbolTable::report_bad_name(const std::string& name, const Place& place, Diagnostics& diagnostics) const {
+  // What the program itself prints and emits: q_1, qd_1, s_12 = sin(q_1 + q_2), tau_1.
+  static const std::regex kOwnNames("(q|qd|qdd|dq|ddq|tau)_?[0-9]*|[sc]_?[0-9]+");
+  if (std::regex_match(name, kOwnNames)) {
+    diagnostics.error(place,
+                      "symbol \"" + name + "\" has two meanings: it is also a joint variable, or its sine or cosine",
+                      "rename the symbol, e.g. \"" + name + "_0\" or \"k_" + name + "\"");
+  }
+  for (const Entry& entry : entries_) {
+    if (cpp_identifier(entry.symbol.name) == cpp_identifier(name)) {
+      diagnostics.error(
+          place,
+          "symbols \"" + entry.symbol.name + "\" and \"" + name + "\" have the same C++ name, " + cpp_identifier(name),
+          "rename one of them");
+    }
+  }
+}
+
+void SymbolTable::check_quantity(const Number& value, Quantity quantity, const Place& place, Diagnostics& diagnostics) {
+  if (quantity == Quantity::other) return;
+  const std::optional<GiNaC::symbol> symbol = symbol_of(value);
+  if (!symbol) return;
+  for (Entry& entry : entries_) {
+    if (!entry.symbol.symbol.is_equal(*symbol)) continue;
+    if (entry.quantity == Quantity::other) {
+      entry.quantity = quantity;
+      entry.quantity_place = place;
+    } else if (entry.quantity != quantity) {
+      diagnostics.error(place,
+                        "symbol \"" + entry.symbol.name + "\" is used as " + with_article(quantity) + " here and as " +
+                            with_article(entry.quantity) + " in line " + std::to_string(entry.quantity_place.line),
+                        "give each quantity a symbol of its own");
+    }
+    return;
+  }
+}
+
+std::vector<FreeSymbol> SymbolTable::in_order() const {
+  std::vector<Entry> sorted = entries_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.symbol.place.line, a.column) < std::tie(b.symbol.place.line, b.column);
+  });
+  std::vector<FreeSymbol> symbols;
+  for (const Entry& entry : sorted) symbols.push_back(entry.symbol);
+  return symbols;
+}
+
+}  // namespace flatdyn

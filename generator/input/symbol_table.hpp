@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The free symbols of a robot file: one GiNaC symbol per name, and what each stands for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostics.hpp"
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+// What a value is, so that a symbol with two meanings is found.
+enum class Quantity {
+  length,
+  angle,
+  mass,
+  inertia,
+  acceleration,
+  gear_ratio,
+  viscous_friction,
+  coulomb_friction,
+  other,  // not tracked
+};
+
+class SymbolTable {
+ public:
+  // The symbol of this name, made at its first use. `column` orders symbols of one line.
+  GiNaC::symbol get(std::string_view name, const Place& place, std::size_t column, Diagnostics& diagnostics);
+
+  // To be called with each value that was read: where it is a symbol, or a rational times a symbol, the symbol is
+  // such a quantity; a second, different one is an error.
+  void check_quantity(const Number& value, Quantity quantity, const Place& place, Diagnostics& diagnostics);
+
+  // In order of first appearance in the file.
+  std::vector<FreeSymbol> in_order() const;
+
+ private:
+  struct Entry {
+    FreeSymbol symbol;
+    std::size_t column = 0;
+    Quantity quantity = Quantity::other;
+    Place quantity_place;
+  };
+
+  void report_bad_name(const std::string& name, const Place& place, Diagnostics& diagnostics) const;
+
+  std::vector<Entry> entries_;
+};
+
+}  // namespace flatdyn

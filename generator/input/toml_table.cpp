@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/toml_table.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "input/expression.hpp"
+#include "input/nearest.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+std::string with_key(const std::string& what, std::string_view key) {
+  return what.empty() ? std::string(key) : what + ", " + std::string(key);
+}
+
+bool is_infinite(const toml::node& node) {
+  const auto* number = node.as_floating_point();
+  return number != nullptr && (number->get() > 1e300 || number->get() < -1e300);
+}
+
+// A multiple of Pi by a rational, a rational, or a symbol: what an angle may be. Other numbers (sqrt(2), pi/2 - 0.1)
+// become a rational that is equal to many more digits than are kept of a rotation.
+Number canonical_angle(const Number& angle, const Spot& spot, Diagnostics& diagnostics) {
+  constexpr int kDigits = 80;
+  if (GiNaC::is_a<GiNaC::symbol>(angle)) return angle;
+  if (has_symbols(angle)) {
+    diagnostics.unsupported(spot.place, spot.what + ": an angle with a symbol in it must be the bare symbol",
+                            "give the whole angle a symbol of its own");
+    return 0;
+  }
+  if (is_rational(angle) || is_rational(angle / GiNaC::Pi)) return angle;
+  return exact_decimal(to_decimal(angle, kDigits));
+}
+
+}  // namespace
+
+TomlSource::TomlSource(std::string text, std::string file, ReadContext& context)
+    : text_(std::move(text)), file_(std::move(file)), context_(context) {
+  if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);  // a byte order mark counts as no column
+  line_starts_.push_back(0);
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    if (text_[i] == '\n') line_starts_.push_back(i + 1);
+  }
+}
+
+std::optional<toml::table> TomlSource::parse() const {
+  try {
+    return toml::parse(std::string_view(text_), std::string_view(file_));
+  } catch (const toml::parse_error& error) {
+    context_.diagnostics.error(place(error.source()), "not well-formed TOML: " + std::string(error.description()),
+                               "strings need quotes, tables [name], arrays of tables [[name]]");
+    return std::nullopt;
+  }
+}
+
+Place TomlSource::place(const toml::source_region& region) const {
+  return {file_, static_cast<int>(region.begin.line)};
+}
+
+std::string TomlSource::text_of(const toml::source_region& region) const {
+  if (region.begin.line == 0 || region.begin.line > line_starts_.size()) return "";
+  // Columns count code points: a byte of the form 10xxxxxx goes on with the one before.
+  std::size_t position = line_starts_[region.begin.line - 1];
+  const auto advance = [&](std::size_t columns) {
+    for (; columns > 0 && position < text_.size(); --columns) {
+      do ++position;
+      while (position < text_.size() && (static_cast<unsigned char>(text_[position]) & 0xC0U) == 0x80U);
+    }
+    return position;
+  };
+  const std::size_t begin = advance(region.begin.column - 1);
+  const std::size_t end = advance(region.end.column - region.begin.column);
+  return text_.substr(begin, end - begin);
+}
+
+const toml::node* TomlTable::find(std::string_view key) {
+  known_.emplace_back(key);
+  return table_.get(key);
+}
+
+Place TomlTable::place_of(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return node == nullptr ? place() : source_.place(node->source());
+}
+
+Spot TomlTable::spot(const toml::node& node, std::string_view key) const {
+  return {source_.place(node.source()), with_key(what_, key)};
+}
+
+void TomlTable::report_kind(const toml::node& node, std::string_view key, const std::string& expected) const {
+  const Spot where = spot(node, key);
+  source_.context().diagnostics.error(where.place, where.what + ": " + expected + " is expected",
+                                      "docs/robot-format.md lists the keys and their values");
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (const auto* string = node->as_string()) return string->get();
+  report_kind(*node, key, "a text in quotes");
+  return std::nullopt;
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  std::vector<std::string> all;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || !std::all_of(array->begin(), array->end(), [](const auto& e) { return e.is_string(); })) {
+    report_kind(*node, key, "a list of texts in quotes");
+    return {};
+  }
+  for (const toml::node& element : *array) all.push_back(element.as_string()->get());
+  return all;
+}
+
+Number TomlTable::expression_of(const toml::node& node, const std::string& text, const Spot& spot) {
+  ReadContext& context = source_.context();
+  const toml::source_index column = node.source().begin.column;
+  const auto symbol = [&](std::string_view name, std::size_t offset) -> Number {
+    return context.symbols.get(name, spot.place, column + offset, context.diagnostics);
+  };
+  try {
+    const Number value = parse_expression(text, symbol);
+    if (has_symbols(value)) return value;
+    const Number magnitude = GiNaC::abs(value.evalf());
+    if (GiNaC::ex_to<GiNaC::numeric>(magnitude) <= GiNaC::ex_to<GiNaC::numeric>(largest_number())) return value;
+    context.diagnostics.error(spot.place, spot.what + ": \"" + text + "\" is too large",
+                              "numbers go up to 1e30; check the units (SI)");
+  } catch (const ExpressionError& error) {
+    context.diagnostics.error(
+        spot.place,
+        spot.what + ": \"" + text + "\": " + error.what() + " (column " + std::to_string(error.column()) + ")",
+        "e.g. 0.25, \"pi/2\", \"sqrt(2)/2\", \"2*l_1 - a_1\"");
+  }
+  return 0;
+}
+
+Number TomlTable::number_of(const toml::node& node, std::string_view key) {
+  const Spot where = spot(node, key);
+  if (const auto* string = node.as_string()) return expression_of(node, string->get(), where);
+  if (const auto* integer = node.as_integer())
+    return checked_decimal(std::to_string(integer->get()), where, source_.context().diagnostics).value_or(0);
+  if (!node.is_floating_point()) {
+    report_kind(node, key, "a number or an expression in quotes");
+    return 0;
+  }
+  std::string text = source_.text_of(node.source());
+  std::erase(text, '_');  // TOML lets digits be grouped: 1_000.0
+  return checked_decimal(text, where, source_.context().diagnostics).value_or(0);
+}
+
+std::optional<Value> TomlTable::number(std::string_view key, Quantity quantity) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const Value value{number_of(*node, key), source_.place(node->source())};
+  source_.context().symbols.check_quantity(value.number, quantity, value.place, source_.context().diagnostics);
+  return value;
+}
+
+Value TomlTable::number_or_zero(std::string_view key, Quantity quantity) {
+  return number(key, quantity).value_or(Value{0, place()});
+}
+
+std::optional<Value> TomlTable::limit(std::string_view key, Quantity quantity) {
+  const toml::node* node = find(key);
+  if (node == nullptr || is_infinite(*node)) return std::nullopt;
+  std::optional<Value> value = number(key, quantity);
+  if (!has_symbols(value->number)) return value;
+  source_.context().diagnostics.unsupported(value->place,
+                                            with_key(what_, key) + ": a symbol as a limit is not supported",
+                                            "limits are constants of the generated code: write a number");
+  return std::nullopt;
+}
+
+const toml::array* TomlTable::three(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return nullptr;
+  const toml::array* array = node->as_array();
+  if (array != nullptr && array->size() == 3) return array;
+  report_kind(*node, key, "a list of three numbers, [x, y, z],");
+  return nullptr;
+}
+
+Vec3 TomlTable::vector(std::string_view key, Quantity quantity, const Vec3& fallback) {
+  const toml::array* array = three(key);
+  if (array == nullptr) return fallback;
+  Vec3 values;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const toml::node& node = *array->get(i);
+    values[i] = number_of(node, key);
+    source_.context().symbols.check_quantity(values[i], quantity, source_.place(node.source()),
+                                             source_.context().diagnostics);
+  }
+  return values;
+}
+
+Number TomlTable::angle_of(const toml::node& node, std::string_view key) {
+  ReadContext& context = source_.context();
+  const Spot where = spot(node, key);
+  const Number value = number_of(node, key);
+  context.symbols.check_quantity(value, Quantity::angle, where.place, context.diagnostics);
+  if (node.is_string()) return canonical_angle(value, where, context.diagnostics);
+  return snapped_angle(value, source_.text_of(node.source()), where, context);
+}
+
+Number TomlTable::angle(std::string_view key) {
+  const toml::node* node = find(key);
+  return node == nullptr ? Number(0) : angle_of(*node, key);
+}
+
+Vec3 TomlTable::angles(std::string_view key) {
+  const toml::array* array = three(key);
+  if (array == nullptr) return zero_vector();
+  return {angle_of(*array->get(0), key), angle_of(*array->get(1), key), angle_of(*array->get(2), key)};
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (const toml::table* inner = node->as_table()) return TomlTable(*inner, with_key(what_, key), source_);
+  report_kind(*node, key, "a table");
+  return std::nullopt;
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const toml::array* array = node->as_array();
+  if (array == nullptr || !std::all_of(array->begin(), array->end(), [](const auto& e) { return e.is_table(); })) {
+    report_kind(*node, key, "an array of tables, [[" + std::string(key) + "]],");
+    return {};
+  }
+  std::vector<TomlTable> all;
+  for (const toml::node& element : *array) all.emplace_back(*element.as_table(), std::string(key), source_);
+  return all;
+}
+
+void TomlTable::reject_unknown_keys() const {
+  std::vector<std::tuple<toml::source_index, std::string>> unknown;
+  for (const auto& [key, node] : table_) {
+    if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
+    unknown.emplace_back(key.source().begin.line, std::string(key.str()));
+  }
+  std::sort(unknown.begin(), unknown.end());
+  for (const auto& [line, key] : unknown) {
+    const Place where{place().file, static_cast<int>(line)};
+    source_.context().diagnostics.error(where, (what_.empty() ? "" : what_ + ": ") + "unknown key \"" + key + "\"",
+                                        hint_for_unknown(key, known_, "keys"));
+  }
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/urdf_reader.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "input/nearest.hpp"
+#include "input/urdf_actuators.hpp"
+#include "input/urdf_values.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr const char* kFixHint = "hold it still: make it type=\"fixed\", or give the option --fix ";
+
+class UrdfReader {
+ public:
+  UrdfReader(const std::string& file, ReadContext& context, Robot& robot)
+      : values_(file, context), context_(context), diagnostics_(context.diagnostics), robot_(robot) {}
+
+  void read(const XMLElement& root) {
+    const char* name = root.Attribute("name");
+    robot_.name = name == nullptr ? "" : name;
+    for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+      if (std::string_view(e->Name()) == "link") read_link(*e);
+      report_what_moves_unseen(*e);
+    }
+    for (const XMLElement* e = root.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
+      read_joint(*e);
+    }
+    read_urdf_actuators(root, values_, robot_);
+  }
+
+ private:
+  // Elements that change the dynamics and that are not read here: refused, never skipped.
+  void report_what_moves_unseen(const XMLElement& element) {
+    const std::string_view name = element.Name();
+    if (name.starts_with("xacro:")) {
+      diagnostics_.error(values_.place(element), "<" + std::string(name) + ">: this is a xacro template, not a URDF",
+                         "expand it first: xacro FILE > robot.urdf");
+      return;
+    }
+    static const std::vector<std::string_view> kForcesAndConstraints = {"loop_joint",
+                                                                        "drake:joint",
+                                                                        "drake:linear_bushing_rpy",
+                                                                        "drake:linear_spring_damper",
+                                                                        "drake:ball_constraint",
+                                                                        "drake:distance_constraint",
+                                                                        "drake:tendon_constraint"};
+    if (std::find(kForcesAndConstraints.begin(), kForcesAndConstraints.end(), name) == kForcesAndConstraints.end()) {
+      return;
+    }
+    const char* joint = element.Attribute("name");
+    diagnostics_.unsupported(values_.place(element),
+                             "<" + std::string(name) +
+                                 (joint == nullptr ? "" : " name=\"" + std::string(joint) + "\"") +
+                                 "> is not supported yet",
+                             "supported joints: revolute, continuous, prismatic, fixed, in a tree");
+  }
+
+  void read_link(const XMLElement& element) {
+    Link link;
+    link.place = values_.place(element);
+    link.name = values_.required_text(element, "name", "link");
+    const std::string what = "link \"" + link.name + "\"";
+    const XMLElement* inertial = element.FirstChildElement("inertial");
+    if (inertial != nullptr) {
+      link.inertials.push_back(read_inertial(*inertial, what));
+      if (const XMLElement* second = inertial->NextSiblingElement("inertial")) {
+        diagnostics_.error(values_.place(*second), what + " has two <inertial> elements", "keep one");
+      }
+    }
+    // The first of a name counts; the validation reports the others.
+    link_of_name_.emplace(link.name, static_cast<int>(robot_.links.size()));
+    robot_.links.push_back(std::move(link));
+  }
+
+  Inertial read_inertial(const XMLElement& element, const std::string& link) {
+    Inertial inertial;
+    inertial.place = values_.place(element);
+    inertial.frame = values_.origin(element, link + ", inertial");
+    const XMLElement* mass = element.FirstChildElement("mass");
+    if (mass == nullptr) {
+      diagnostics_.error(inertial.place, link + ": <inertial> has no <mass>", "write <mass value=\"...\"/> (kg)");
+    } else {
+      inertial.mass = values_.required_number(*mass, "value", link + ", mass");
+    }
+    const XMLElement* inertia = element.FirstChildElement("inertia");
+    if (inertia == nullptr) {
+      diagnostics_.error(inertial.place, link + ": <inertial> has no <inertia>",
+                         "write <inertia ixx= iyy= izz= ixy= ixz= iyz=/> (kg m^2); all 0 for a point mass");
+    } else {
+      inertial.tensor = read_tensor(*inertia, link + ", inertia");
+    }
+    return inertial;
+  }
+
+  Mat3 read_tensor(const XMLElement& element, const std::string& what) {
+    const auto diagonal = [&](const char* key) { return values_.required_number(element, key, what).number; };
+    const auto product = [&](const char* key) {
+      return values_.number(element, key, what).value_or(Value{0, values_.place(element)}).number;
+    };
+    const Number xx = diagonal("ixx"), yy = diagonal("iyy"), zz = diagonal("izz");
+    const Number xy = product("ixy"), xz = product("ixz"), yz = product("iyz");
+    return {Vec3{xx, xy, xz}, Vec3{xy, yy, yz}, Vec3{xz, yz, zz}};
+  }
+
+  void read_joint(const XMLElement& element) {
+    Joint joint;
+    joint.place = values_.place(element);
+    joint.name = values_.required_text(element, "name", "joint");
+    const std::string what = "joint \"" + joint.name + "\"";
+    joint.type = read_type(element, joint.name);
+    joint.parent = read_link_name(element, "parent", what);
+    joint.child = read_link_name(element, "child", what);
+    joint.origin = values_.origin(element, what);
+    joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
+    if (joint.type != JointType::fixed) {
+      read_axis(element, what, joint);
+      read_limits(element, what, joint);
+      read_friction(element, what, joint);
+    }
+    robot_.joints.push_back(std::move(joint));
+  }
+
+  bool is_held(const std::string& joint) const {
+    return std::any_of(context_.held_joints.begin(), context_.held_joints.end(),
+                       [&](const HeldJoint& held) { return held.name == joint; });
+  }
+
+  JointType read_type(const XMLElement& element, const std::string& name) {
+    static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
+                                                            {"revolute", JointType::revolute},
+                                                            {"continuous", JointType::continuous},
+                                                            {"prismatic", JointType::prismatic}};
+    const std::string what = "joint \"" + name + "\"";
+    const std::string type = values_.required_text(element, "type", what);
+    if (is_held(name) || type.empty()) return JointType::fixed;
+    const auto found = kTypes.find(type);
+    if (found == kTypes.end()) {
+      report_type(element, what, name, type);
+      return JointType::fixed;
+    }
+    if (found->second != JointType::fixed) report_mimic(element, what, name);
+    return found->second;
+  }
+
+  void report_type(const XMLElement& element, const std::string& what, const std::string& name,
+                   const std::string& type) {
+    static const std::vector<std::string> kNotYet = {"floating", "planar", "ball", "spherical", "universal", "screw"};
+    if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
+      diagnostics_.unsupported(values_.place(element), what + ": type \"" + type + "\" is not supported yet",
+                               kFixHint + name);
+    } else {
+      diagnostics_.error(values_.place(element), what + ": unknown type \"" + type + "\"",
+                         hint_for_unknown(type, {"fixed", "revolute", "continuous", "prismatic"}, "types"));
+    }
+  }
+
+  // Taking a mimic joint for one that moves by itself, or for a fixed one, would be silently wrong.
+  void report_mimic(const XMLElement& element, const std::string& what, const std::string& name) {
+    for (const char* tag : {"mimic", "drake:mimic"}) {
+      const XMLElement* mimic = element.FirstChildElement(tag);
+      if (mimic == nullptr) continue;
+      const char* leader = mimic->Attribute("joint");
+      diagnostics_.unsupported(
+          values_.place(*mimic),
+          what + " mimics joint \"" + (leader == nullptr ? "" : leader) + "\": mimic joints are not supported yet",
+          kFixHint + name);
+    }
+  }
+
+  int read_link_name(const XMLElement& joint, const char* tag, const std::string& what) {
+    const XMLElement* element = joint.FirstChildElement(tag);
+    if (element == nullptr) {
+      diagnostics_.error(values_.place(joint), what + " has no <" + tag + ">",
+                         std::string("write <") + tag + " link=\"...\"/>");
+      return -1;
+    }
+    const std::string name = values_.required_text(*element, "link", what);
+    if (name.empty()) return -1;
+    const auto found = link_of_name_.find(name);
+    if (found != link_of_name_.end()) return found->second;
+    std::vector<std::string> known;
+    for (const Link& link : robot_.links) known.push_back(link.name);
+    diagnostics_.error(values_.place(*element), what + ": there is no " + tag + " link \"" + name + "\"",
+                       hint_for_unknown(name, known, "links"));
+    return -1;
+  }
+
+  void read_axis(const XMLElement& element, const std::string& what, Joint& joint) {
+    joint.axis = {1, 0, 0};  // URDF's default
+    if (const XMLElement* axis = element.FirstChildElement("axis")) {
+      joint.axis = values_.vector(*axis, "xyz", what + ", axis", joint.axis);
+    }
+  }
+
+  void read_limits(const XMLElement& element, const std::string& what, Joint& joint) {
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (limit == nullptr) return;
+    const std::string where = what + ", limit";
+    if (joint.type != JointType::continuous) {
+      joint.limits.lower = values_.limit(*limit, "lower", where);
+      joint.limits.upper = values_.limit(*limit, "upper", where);
+    }
+    joint.limits.velocity = values_.limit(*limit, "velocity", where);
+    joint.limits.effort = values_.limit(*limit, "effort", where);
+    for (const char* key : {"acceleration", "drake:acceleration"}) {
+      if (auto acceleration = values_.limit(*limit, key, where)) joint.limits.acceleration = acceleration;
+    }
+  }
+
+  void read_friction(const XMLElement& element, const std::string& what, Joint& joint) {
+    const XMLElement* dynamics = element.FirstChildElement("dynamics");
+    if (dynamics == nullptr) return;
+    if (auto damping = values_.number(*dynamics, "damping", what + ", dynamics")) joint.viscous = *damping;
+    if (auto friction = values_.number(*dynamics, "friction", what + ", dynamics")) joint.coulomb = *friction;
+  }
+
+  UrdfValues values_;
+  ReadContext& context_;
+  Diagnostics& diagnostics_;
+  Robot& robot_;
+  std::map<std::string, int> link_of_name_;
+};
+
+// "XML_ERROR_MISMATCHED_ELEMENT" → "mismatched element"
+std::string readable(std::string name) {
+  for (const std::string prefix : {"XML_ERROR_", "XML_"}) {
+    if (name.starts_with(prefix)) name.erase(0, prefix.size());
+  }
+  for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(c | 0x20);
+  return name;
+}
+
+void report_other_format(const XMLElement& root, const Place& place, Diagnostics& diagnostics) {
+  const std::string name = root.Name();
+  const std::string message = "the outermost element is <" + name + ">, not <robot>";
+  if (name == "sdf" || name == "mujoco" || name == "mujocoinclude") {
+    diagnostics.unsupported(place, message + ": this format is not supported",
+                            "convert the model to URDF, or write a TOML file");
+  } else {
+    diagnostics.error(place, message, "a URDF file is <robot name=\"...\"> ... </robot>");
+  }
+}
+
+}  // namespace
+
+void read_urdf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
+  tinyxml2::XMLDocument document;  // resolves no entities of its own but the five of XML; nesting is bounded (100)
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+    context.diagnostics.error({file, document.ErrorLineNum()}, "not well-formed XML: " + readable(document.ErrorName()),
+                              "check the tags and quotes near this line");
+    return;
+  }
+  const XMLElement* root = document.RootElement();
+  if (root == nullptr) {
+    context.diagnostics.error({file, 0}, "there is no element in this file",
+                              "a URDF file is <robot name=\"...\"> ... </robot>");
+    return;
+  }
+  if (std::string_view(root->Name()) != "robot") {
+    report_other_format(*root, {file, root->GetLineNum()}, context.diagnostics);
+    return;
+  }
+  UrdfReader(file, context, robot).read(*root);
+}
+
+}  // namespace flatdyn

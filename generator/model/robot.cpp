@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+std::vector<int> depth_first_joints(const Robot& robot) {
+  std::vector<std::vector<int>> joints_of_link(robot.links.size());
+  // Pushed from the last to the first, so that the first in the file is on top of the stack.
+  for (std::size_t j = robot.joints.size(); j-- > 0;) {
+    joints_of_link[static_cast<std::size_t>(robot.joints[j].parent)].push_back(static_cast<int>(j));
+  }
+  std::vector<int> order;
+  std::vector<int> stack = joints_of_link[static_cast<std::size_t>(robot.root)];
+  while (!stack.empty()) {
+    const int joint = stack.back();
+    stack.pop_back();
+    order.push_back(joint);
+    const auto child = static_cast<std::size_t>(robot.joints[static_cast<std::size_t>(joint)].child);
+    stack.insert(stack.end(), joints_of_link[child].begin(), joints_of_link[child].end());
+  }
+  return order;
+}
+
+std::vector<int> moving_joints(const Robot& robot) {
+  std::vector<int> order;
+  for (const int joint : depth_first_joints(robot)) {
+    if (robot.joints[static_cast<std::size_t>(joint)].type != JointType::fixed) order.push_back(joint);
+  }
+  return order;
+}
+
+}  // namespace flatdyn

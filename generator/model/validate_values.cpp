@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
+#include "emit/identifiers.hpp"
+#include "model/physical_inertia.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+bool is_negative(const Number& a) { return is_rational(a) && a.info(GiNaC::info_flags::negative); }
+bool is_exact_zero(const Number& a) { return flatdyn::is_zero(a); }
+
+std::string decimal(const Number& a) { return fmt::format("{:.6g}", GiNaC::ex_to<GiNaC::numeric>(a).to_double()); }
+
+std::string named(const Joint& joint) { return "joint \"" + joint.name + "\""; }
+std::string named(const Link& link) { return "link \"" + link.name + "\""; }
+
+void check_axis(const Joint& joint, Diagnostics& diagnostics) {
+  for (const Number& component : joint.axis) {
+    if (!has_symbols(component)) continue;
+    diagnostics.unsupported(joint.place, named(joint) + ": a symbol in the axis is not supported",
+                            "write numbers; a symbolic angle can be given in rpy, alpha or theta");
+    return;
+  }
+  if (is_exact_zero(dot(joint.axis, joint.axis))) {
+    diagnostics.error(joint.place, named(joint) + ": the axis is zero", "write a direction such as 0 0 1");
+  }
+}
+
+void check_not_negative(const Value& value, const std::string& what, const std::string& hint,
+                        Diagnostics& diagnostics) {
+  if (is_negative(value.number)) {
+    diagnostics.error(value.place, what + " is negative (" + decimal(value.number) + ")", hint);
+  }
+}
+
+void check_inertia(const Link& link, const Inertial& inertial, Diagnostics& diagnostics) {
+  check_not_negative(inertial.mass, named(link) + ": mass", "masses are in kg, not negative", diagnostics);
+  const Mat3 tensor = central_tensor(inertial);
+  const auto fault = fault_of_inertia(tensor);
+  if (fault) {
+    const auto [largest, middle, smallest] = principal_moments(tensor);
+    const std::string what = *fault == InertiaFault::not_positive_semidefinite
+                                 ? "a principal moment is negative"
+                                 : "the largest principal moment exceeds the sum of the others";
+    diagnostics.warning(
+        inertial.place,
+        fmt::format("{}: no body has this inertia: {} ({:.6g}, {:.6g}, {:.6g} kg m^2 about the centre of mass)",
+                    named(link), what, largest, middle, smallest),
+        "check the units, the signs of the products of inertia, and the point that the tensor is about");
+  }
+  bool all_zero = true;
+  for (const Vec3& row : tensor) {
+    for (const Number& entry : row) all_zero = all_zero && is_exact_zero(entry);
+  }
+  if (is_exact_zero(inertial.mass.number) && !all_zero) {
+    diagnostics.warning(inertial.place, named(link) + ": the mass is zero but the inertia is not",
+                        "give the mass, or delete the inertia");
+  }
+}
+
+void check_motor(const Joint& joint, Diagnostics& diagnostics) {
+  if (!joint.motor) return;
+  const Motor& motor = *joint.motor;
+  const std::string what = named(joint) + ", motor: ";
+  check_not_negative(motor.mass, what + "mass", "masses are in kg, not negative", diagnostics);
+  check_not_negative(motor.inertia_axial, what + "inertia", "kg m^2, not negative", diagnostics);
+  check_not_negative(motor.inertia_transverse, what + "inertia_transverse", "kg m^2, not negative", diagnostics);
+  if (is_exact_zero(motor.gear_ratio.number)) {
+    diagnostics.error(motor.gear_ratio.place, what + "gear_ratio is zero",
+                      "k_r = motor speed / joint speed; 1 if direct");
+  }
+  if (is_exact_zero(dot(motor.axis, motor.axis))) {
+    diagnostics.error(motor.place, what + "the axis is zero", "write a direction such as [0, 0, 1]");
+  }
+  const Number excess = motor.inertia_axial.number - 2 * motor.inertia_transverse.number;
+  if (!is_exact_zero(motor.inertia_transverse.number) && is_rational(excess) && !is_negative(excess) &&
+      !is_exact_zero(excess)) {
+    diagnostics.warning(motor.place, what + "no body has this inertia: inertia exceeds twice inertia_transverse",
+                        "check the units; a flat disc has twice, a slender rotor less");
+  }
+}
+
+void check_range(const Joint& joint, Diagnostics& diagnostics) {
+  const std::optional<Value>& lower = joint.limits.lower;
+  const std::optional<Value>& upper = joint.limits.upper;
+  if (!lower || !upper) return;
+  const Number range = upper->number - lower->number;
+  if (is_negative(range)) {
+    diagnostics.error(lower->place,
+                      fmt::format("{}: the lower limit ({}) is above the upper one ({})", named(joint),
+                                  decimal(lower->number), decimal(upper->number)),
+                      "exchange them");
+  } else if (is_exact_zero(range)) {
+    diagnostics.warning(lower->place, named(joint) + " cannot move: its lower and upper limit are the same",
+                        "give the range, or make the joint a fixed one");
+  }
+}
+
+bool take_away_if_zero(std::optional<Value>& limit) {
+  if (!limit || !is_exact_zero(limit->number)) return false;
+  limit.reset();
+  return true;
+}
+
+// Exporters write zeros for limits that nobody gave: lower = upper = 0, velocity = 0, ...
+void take_away_zero_limits(Joint& joint, Diagnostics& diagnostics) {
+  Limits& limits = joint.limits;
+  std::vector<std::string> zeros;
+  Place place = joint.place;
+  if (limits.lower && limits.upper && is_exact_zero(limits.lower->number) && is_exact_zero(limits.upper->number)) {
+    place = limits.lower->place;
+    limits.lower.reset();
+    limits.upper.reset();
+    zeros = {"lower", "upper"};
+  }
+  const std::array<std::pair<const char*, std::optional<Value>*>, 3> magnitudes = {
+      {{"velocity", &limits.velocity}, {"acceleration", &limits.acceleration}, {"effort", &limits.effort}}};
+  for (const auto& [name, limit] : magnitudes) {
+    const Place written = *limit ? (*limit)->place : place;
+    if (!take_away_if_zero(*limit)) continue;
+    if (zeros.empty()) place = written;
+    zeros.emplace_back(name);
+  }
+  if (zeros.empty()) return;
+  diagnostics.note(place,
+                   fmt::format("{}: limits of 0 are taken as not given: {}", named(joint), fmt::join(zeros, ", ")),
+                   "give the limits, or leave them out");
+}
+
+void check_limits(Joint& joint, Diagnostics& diagnostics) {
+  take_away_zero_limits(joint, diagnostics);
+  check_range(joint, diagnostics);
+  const std::array<std::pair<const char*, const std::optional<Value>*>, 3> magnitudes = {
+      {{"velocity", &joint.limits.velocity},
+       {"acceleration", &joint.limits.acceleration},
+       {"effort", &joint.limits.effort}}};
+  for (const auto& [name, limit] : magnitudes) {
+    if (*limit) {
+      check_not_negative(**limit, named(joint) + ": " + name + " limit", "it bounds the magnitude", diagnostics);
+    }
+  }
+}
+
+void check_joint(Joint& joint, Diagnostics& diagnostics) {
+  if (joint.type == JointType::fixed) return;
+  check_axis(joint, diagnostics);
+  check_not_negative(joint.viscous, named(joint) + ": viscous friction (damping)",
+                     "friction acts against the motion: write it positive", diagnostics);
+  check_not_negative(joint.coulomb, named(joint) + ": Coulomb friction",
+                     "friction acts against the motion: write it positive", diagnostics);
+  check_not_negative(joint.armature, named(joint) + ": armature", "reflected inertia is not negative", diagnostics);
+  check_motor(joint, diagnostics);
+  check_limits(joint, diagnostics);
+}
+
+void check_cpp_names(const Robot& robot, Diagnostics& diagnostics) {
+  std::map<std::string, const Joint*> joint_of_name;
+  for (const int index : moving_joints(robot)) {
+    const Joint& joint = robot.joints[static_cast<std::size_t>(index)];
+    const std::string identifier = cpp_identifier(joint.name);
+    const auto [first, inserted] = joint_of_name.emplace(identifier, &joint);
+    if (inserted) continue;
+    diagnostics.error(joint.place,
+                      fmt::format("joints \"{}\" (line {}) and \"{}\" have the same C++ name, {}", first->second->name,
+                                  first->second->place.line, joint.name, identifier),
+                      "rename one of them");
+  }
+}
+
+// A joint that moves neither mass nor inertia makes B(q) singular: no forward dynamics.
+void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
+  std::vector<bool> has_inertia(robot.links.size(), false);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    for (const Inertial& inertial : robot.links[i].inertials) {
+      if (!is_exact_zero(inertial.mass.number)) has_inertia[i] = true;
+      for (const Vec3& row : inertial.tensor) {
+        for (const Number& entry : row) has_inertia[i] = has_inertia[i] || !is_exact_zero(entry);
+      }
+    }
+  }
+  for (const Joint& joint : robot.joints) {
+    if (joint.motor && joint.motor->carrier >= 0) has_inertia[static_cast<std::size_t>(joint.motor->carrier)] = true;
+    if (joint.motor && joint.motor->carrier < 0) has_inertia[static_cast<std::size_t>(joint.parent)] = true;
+  }
+  std::vector<int> order = depth_first_joints(robot);
+  for (auto index = order.rbegin(); index != order.rend(); ++index) {
+    const Joint& joint = robot.joints[static_cast<std::size_t>(*index)];
+    if (has_inertia[static_cast<std::size_t>(joint.child)]) {
+      has_inertia[static_cast<std::size_t>(joint.parent)] = true;
+    } else if (joint.type != JointType::fixed && is_exact_zero(joint.armature.number) && !joint.motor) {
+      diagnostics.warning(joint.place, named(joint) + " moves no mass: the inertia matrix is singular",
+                          "give the links after it their <inertial>, or make it a fixed joint");
+    }
+  }
+}
+
+}  // namespace
+
+void validate_values(Robot& robot, Diagnostics& diagnostics) {
+  for (const Link& link : robot.links) {
+    for (const Inertial& inertial : link.inertials) check_inertia(link, inertial, diagnostics);
+  }
+  for (Joint& joint : robot.joints) check_joint(joint, diagnostics);
+  if (moving_joints(robot).empty()) {
+    diagnostics.error({robot.file, 0}, "no joint of this robot moves",
+                      "make a joint revolute, continuous or prismatic");
+  }
+  check_cpp_names(robot, diagnostics);
+  check_moved_inertia(robot, diagnostics);
+}
+
+}  // namespace flatdyn
