@@ -233,7 +233,8 @@ class HeaderWriter {
     const std::string equation = function.equation.empty() ? "" : " " + function.equation;
     std::vector<std::string> lines = wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth);
     for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
-    if (!text.result.empty()) lines.push_back("Returns " + comment_text(text.result) + ".");
+    const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
+    for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
     std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
     for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
     for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);

@@ -57,16 +57,23 @@ std::string list_line(const std::string& begin, const std::vector<std::string>& 
                       std::size_t indent) {
   std::string result;
   std::string line = std::string(indent, ' ') + begin;
+  std::size_t length = line.size() + end.size();
+  for (const std::string& item : items) length += item.size() + 2;
+  bool starts_line = true;
+  if (length > kLineWidth + 2 && !begin.empty() && begin.back() == '{') {
+    result = line + '\n';
+    line = std::string(indent + kContinuationIndent, ' ');
+  }
   for (std::size_t k = 0; k < items.size(); ++k) {
     const bool last = k + 1 == items.size();
     const std::string item = items[k] + (last ? end : ",");
-    const bool starts_line = k == 0;
     if (!starts_line && line.size() + 1 + item.size() > kLineWidth) {
       result += line + '\n';
       line = std::string(indent + kContinuationIndent, ' ') + item;
     } else {
       line += (starts_line ? "" : " ") + item;
     }
+    starts_line = false;
   }
   return result + line + (items.empty() ? end : "") + '\n';
 }

@@ -13,7 +13,8 @@ constexpr std::size_t kLineWidth = 100;
 // A statement with this indent, newline at the end. Too long, it is broken after operators, the outermost first.
 std::string code_line(const std::string& statement, std::size_t indent);
 
-// begin + items joined by ", " + end, broken between items; newline at the end.
+// begin + items joined by ", " + end, broken between items (a list in braces starts on its own line
+// then); newline at the end.
 std::string list_line(const std::string& begin, const std::vector<std::string>& items, const std::string& end,
                       std::size_t indent);
 

@@ -30,8 +30,8 @@ TEST_F(Schedules, ShareWhatIsUsedTwiceAndInlineTheRest) {
   EXPECT_EQ(body({build.plus({shared, build.q(2)}), build.times({shared, build.plus({build.q(2), build.q(3)})})}),
             "  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3];\n"
             "  const Scalar t1 = q_1 / q_2;\n"
-            "  y[0] = q_3 + t1;\n"
-            "  y[1] = (q_3 + q_4) * t1;\n");
+            "  y[0] = t1 + q_3;\n"
+            "  y[1] = t1 * (q_3 + q_4);\n");
 }
 
 TEST_F(Schedules, PutSineAndCosineOfAnAngleFirstAndTogether) {

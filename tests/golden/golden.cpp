@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "golden/golden.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace flatdyn::testing {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> headers_in(const fs::path& folder) {
+  std::vector<fs::path> headers;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".hpp") headers.push_back(entry.path());
+  }
+  std::sort(headers.begin(), headers.end());
+  return headers;
+}
+
+std::string first_difference(const std::string& expected, const std::string& produced) {
+  std::istringstream a(expected), b(produced);
+  std::string line_a, line_b;
+  for (int number = 1;; ++number) {
+    const bool more_a = static_cast<bool>(std::getline(a, line_a));
+    const bool more_b = static_cast<bool>(std::getline(b, line_b));
+    if (!more_a && !more_b) return "differs in how it ends";
+    if (more_a == more_b && line_a == line_b) continue;
+    return fmt::format("differs from line {} on:\n  checked in: {}\n  now:        {}", number,
+                       more_a ? line_a : "(end)", more_b ? line_b : "(end)");
+  }
+}
+
+}  // namespace
+
+std::vector<GoldenCase> read_cases(const fs::path& table) {
+  std::vector<GoldenCase> cases;
+  std::ifstream file(table);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    GoldenCase golden;
+    if (!(words >> golden.robot) || golden.robot.front() == '#') continue;
+    for (std::string word; words >> word;) golden.options += " " + word;
+    cases.push_back(golden);
+  }
+  return cases;
+}
+
+std::string generate(const std::string& program, const fs::path& source_dir, const GoldenCase& golden,
+                     const fs::path& output) {
+  const fs::path log = output / "log";
+  const std::string command = fmt::format("cd '{}' && '{}' generate {} -o '{}'{} > '{}' 2>&1", source_dir.string(),
+                                          program, golden.robot, output.string(), golden.options, log.string());
+  if (std::system(command.c_str()) == 0) return "";
+  return "failed: " + command + "\n" + content_of(log);
+}
+
+std::vector<std::string> differences(const fs::path& expected, const fs::path& produced) {
+  std::vector<std::string> found;
+  const std::vector<fs::path> headers = headers_in(produced);
+  if (headers.empty()) found.push_back("no header was written");
+  for (const fs::path& header : headers) {
+    const fs::path golden = expected / header.filename();
+    if (!fs::exists(golden)) {
+      found.push_back(header.filename().string() + " is not checked in");
+      continue;
+    }
+    const std::string before = content_of(golden), now = content_of(header);
+    if (before != now) found.push_back(header.filename().string() + " " + first_difference(before, now));
+  }
+  return found;
+}
+
+std::string content_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TemporaryFolder::TemporaryFolder() {
+  static int count = 0;
+  path_ = fs::path(::testing::TempDir()) / fmt::format("flatdyn-golden-{}-{}", getpid(), count++);
+  fs::create_directories(path_);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+}  // namespace flatdyn::testing

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Checked-in output against what the program writes now, byte for byte. `cmake --build … --target regenerate` renews
+// it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace flatdyn::testing {
+
+// A line of generated/robots.txt: "robots/panda.urdf --functions inverse_dynamics".
+struct GoldenCase {
+  std::string robot;    // relative to the source folder
+  std::string options;  // of `flatdyn generate`
+};
+
+// Comments (#) and empty lines left out.
+std::vector<GoldenCase> read_cases(const std::filesystem::path& table);
+
+// `program` generate robot -o output options, run in `source_dir`. Returns what it printed if it fails, else nothing.
+std::string generate(const std::string& program, const std::filesystem::path& source_dir, const GoldenCase& golden,
+                     const std::filesystem::path& output);
+
+// A sentence for each .hpp in `produced` that is missing in `expected` or differs from it, with the first line that
+// does; and one if nothing was produced.
+std::vector<std::string> differences(const std::filesystem::path& expected, const std::filesystem::path& produced);
+
+std::string content_of(const std::filesystem::path& file);
+
+// A new empty folder, removed at the end of scope.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace flatdyn::testing
