@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "cli/commands.hpp"
+
+namespace flatdyn {
+namespace {
+
+Number decimal_option(const std::string& option, const std::string& text) {
+  try {
+    return exact_decimal(text);
+  } catch (const std::invalid_argument&) {
+    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not a decimal number", option, text));
+  }
+}
+
+Vec3 vector_option(const std::string& option, const std::string& text) {
+  std::vector<Number> entries;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) entries.push_back(decimal_option(option, part));
+  if (entries.size() != 3) {
+    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not three numbers", option, text),
+                  "write it as 0,0,-9.81");
+  }
+  return {entries[0], entries[1], entries[2]};
+}
+
+}  // namespace
+
+void RobotArguments::add_to(CLI::App& command) {
+  command.add_option("robot", robot, "robot file: URDF or TOML")->required();
+  command.add_option("--snap", snap, "take angles this near to a multiple of pi/12 for it, rad; 0: never")
+      ->capture_default_str();
+  command.add_option("--gravity", gravity, "g_0 in the base frame, m/s^2, as x,y,z; overrides the file");
+  command.add_option("--tip", tip, "link whose frame is the tip; default: the last in depth-first order");
+  command.add_option("--fix", fixed_joints, "hold this joint at q = 0, as if it were a fixed one");
+  command.add_flag("--werror", warnings_are_errors, "warnings about the robot file are errors");
+  command.add_flag("--json", json, "print JSON on stdout");
+  command.add_flag("-q,--quiet", quiet, "no notes, no progress");
+}
+
+PipelineOptions RobotArguments::options() const {
+  PipelineOptions options;
+  options.read.snap_tolerance = decimal_option("--snap", snap);
+  if (!gravity.empty()) options.read.gravity = vector_option("--gravity", gravity);
+  if (!tip.empty()) options.read.tip = tip;
+  options.read.fixed_joints = fixed_joints;
+  options.warnings_are_errors = warnings_are_errors;
+  return options;
+}
+
+void print_diagnostics(const Diagnostics& diagnostics, bool quiet) {
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    if (quiet && diagnostic.severity == Severity::note) continue;
+    fmt::print(stderr, "{}\n", to_string(diagnostic));
+  }
+}
+
+}  // namespace flatdyn

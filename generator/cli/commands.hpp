@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The subcommands. Each adds itself to the command line and leaves a function to run if it was the one asked for.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "pipeline.hpp"
+
+namespace flatdyn {
+
+using Run = std::function<ExitCode()>;
+
+// What every subcommand that reads a robot takes.
+struct RobotArguments {
+  std::string robot;
+  std::string snap = "1e-5";
+  std::string gravity;
+  std::string tip;
+  std::vector<std::string> fixed_joints;
+  bool warnings_are_errors = false;
+  bool json = false;
+  bool quiet = false;
+
+  void add_to(CLI::App& command);
+  PipelineOptions options() const;
+};
+
+Run add_generate(CLI::App& app);
+Run add_inspect(CLI::App& app);
+Run add_derive(CLI::App& app);
+Run add_verify(CLI::App& app);
+Run add_eval(CLI::App& app);
+
+// Diagnostics on stderr, one each.
+void print_diagnostics(const Diagnostics& diagnostics, bool quiet);
+
+}  // namespace flatdyn

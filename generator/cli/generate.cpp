@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "report/describe.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct GenerateArguments : RobotArguments {
+  std::string folder;
+  std::vector<std::string> functions;
+  std::string scalar = "double";
+  std::string name_space;
+};
+
+// The options that shape the output, as they go into its stamp.
+std::string stamp_of(const GenerateArguments& arguments) {
+  std::string stamp;
+  const auto add = [&stamp](const std::string& option, const std::string& value) {
+    if (!value.empty()) stamp += (stamp.empty() ? "" : " ") + option + " " + value;
+  };
+  add("--functions", fmt::format("{}", fmt::join(arguments.functions, ",")));
+  add("--scalar", arguments.scalar == "double" ? "" : arguments.scalar);
+  add("--namespace", arguments.name_space);
+  add("--snap", arguments.snap == "1e-5" ? "" : arguments.snap);
+  add("--gravity", arguments.gravity);
+  add("--tip", arguments.tip);
+  add("--fix", fmt::format("{}", fmt::join(arguments.fixed_joints, " --fix ")));
+  return stamp;
+}
+
+ExitCode generate(const GenerateArguments& arguments) {
+  PipelineOptions options = arguments.options();
+  options.functions = arguments.functions;
+  std::vector<OptimisedFunction> functions;
+  const Model model = read_model(arguments.robot, options);
+  {
+    Progress progress(arguments.quiet);
+    functions = make_functions(model, options, progress);
+  }
+  const EmitOptions emit{arguments.name_space, arguments.scalar, stamp_of(arguments), model.input_hash};
+  const std::filesystem::path folder = arguments.folder;
+  const std::string header = header_name(model.mechanism, emit);
+  nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
+  manifest.update(model_json(model));
+  manifest["functions"] = functions_json(functions);
+  write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit)},
+               {folder / "manifest.json", manifest.dump(2) + "\n"}});
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  if (arguments.json) {
+    fmt::print("{}\n", manifest.dump(2));
+  } else {
+    fmt::print("{}\n{}\nwrote {}\n", describe_model(model), describe_functions(functions), (folder / header).string());
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_generate(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("generate",
+                         "Write a header that computes the robot's dynamics.\n\n"
+                         "  flatdyn generate robots/panda.urdf -o out/\n"
+                         "  flatdyn generate arm.toml -o out/ --functions inverse_dynamics,gravity --scalar float");
+  const auto arguments = std::make_shared<GenerateArguments>();
+  arguments->add_to(*command);
+  command->add_option("-o,--output", arguments->folder, "folder to write to; made if it is not there")->required();
+  command
+      ->add_option("--functions", arguments->functions,
+                   fmt::format("what to compute, separated by commas; default: all of {}. forward_kinematics:LINK, "
+                               "jacobian:LINK and jacobian_dot_qd:LINK for a named link",
+                               fmt::join(all_function_names(), ", ")))
+      ->delimiter(',');
+  command->add_option("--scalar", arguments->scalar, "scalar of the constants")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command->add_option("--namespace", arguments->name_space, "C++ namespace; default: the robot's name");
+  return [arguments] { return generate(*arguments); };
+}
+
+}  // namespace flatdyn

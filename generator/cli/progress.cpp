@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "cli/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace flatdyn {
+namespace {
+
+constexpr const char* kEraseLine = "\r\033[K";
+
+}  // namespace
+
+Progress::Progress(bool quiet)
+    : shown_(!quiet && ::isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() {
+  if (written_) fmt::print(stderr, "{}", kEraseLine);
+}
+
+void Progress::step(const std::string& what) {
+  if (!shown_ || std::chrono::steady_clock::now() - start_ < std::chrono::seconds(1)) return;
+  fmt::print(stderr, "{}{} …", kEraseLine, what);
+  std::fflush(stderr);
+  written_ = true;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the program is busy with, on stderr, for a person who waits: shown on a terminal only, after a second.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace flatdyn {
+
+class Progress {
+ public:
+  explicit Progress(bool quiet = false);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void step(const std::string& what);
+
+ private:
+  bool shown_;
+  bool written_ = false;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace flatdyn

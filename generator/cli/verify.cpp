@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/verify.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct VerifyArguments : RobotArguments {
+  std::vector<std::string> functions;
+  VerifyOptions options;
+};
+
+ExitCode run_verify(const VerifyArguments& arguments) {
+  PipelineOptions options = arguments.RobotArguments::options();
+  options.functions = arguments.functions;
+  const Model model = read_model(arguments.robot, options);
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  VerifyReport report;
+  {
+    Progress progress(arguments.quiet);
+    const std::vector<Function> functions = functions_of(make_functions(model, options, progress));
+    report = verify(model.robot, model.mechanism, functions, arguments.options, progress);
+  }
+  fmt::print("{}\n", arguments.json ? to_json(report).dump(2) : to_text(report));
+  return report.passed() ? ExitCode::ok : ExitCode::verification_failed;
+}
+
+}  // namespace
+
+Run add_verify(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "verify",
+      "Compare every generated function with the Lagrangian, exactly, and with the recursive Newton-Euler reference.\n\n"
+      "  flatdyn verify robots/panda.urdf\n"
+      "  flatdyn verify arm.toml --functions inverse_dynamics --states 1000 --json");
+  const auto arguments = std::make_shared<VerifyArguments>();
+  arguments->add_to(*command);
+  command->add_option("--functions", arguments->functions, "what to compare, separated by commas; default: all")
+      ->delimiter(',');
+  command->add_option("--states", arguments->options.states, "random states")->capture_default_str()->check(CLI::Range(1, 1000000));
+  command->add_option("--seed", arguments->options.seed, "of the random states")->capture_default_str();
+  command->add_option("--bound", arguments->options.bound, "largest scaled error allowed in double")->capture_default_str();
+  return [arguments] { return run_verify(*arguments); };
+}
+
+}  // namespace flatdyn

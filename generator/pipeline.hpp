@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The whole program: robot file ──▶ Robot ──▶ Mechanism ──▶ functions ──▶ passes ──▶ text. One line per stage.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/progress.hpp"
+#include "emit/emit.hpp"
+#include "input/reader.hpp"
+#include "passes/passes.hpp"
+#include "symbolic/functions.hpp"
+
+namespace flatdyn {
+
+struct PipelineOptions {
+  ReadOptions read;
+  bool warnings_are_errors = false;
+  std::vector<std::string> functions;  // empty: all of function_table()
+};
+
+// A robot as read, and as made canonical. Diagnostics (warnings, notes) are kept for whoever reports.
+struct Model {
+  Robot robot;
+  Mechanism mechanism;
+  Diagnostics diagnostics;
+  std::string input_hash;  // of the bytes of the robot file
+};
+
+// Reads and makes canonical. Errors in the input end in BadInput, which carries the diagnostics.
+Model read_model(const std::filesystem::path& path, const PipelineOptions& options);
+
+class BadInput : public Failure {
+ public:
+  BadInput(ExitCode code, Diagnostics found)
+      : Failure(code, "the robot file has errors"), diagnostics(std::move(found)) {}
+  Diagnostics diagnostics;
+};
+
+// A function as derived, then as the passes left it.
+struct OptimisedFunction {
+  Function function;
+  OperationCount derived;
+  std::vector<PassRecord> passes;
+};
+
+std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress);
+
+std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised);
+
+// Names of all functions in the order of the table.
+std::vector<std::string> all_function_names();
+
+}  // namespace flatdyn

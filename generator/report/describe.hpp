@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The model and the functions made from it, as text for people and as JSON for programs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline.hpp"
+
+namespace flatdyn {
+
+// "0.333", "pi/2", "m_l1*a_1": a number as people write it, to six digits if it is no short decimal.
+std::string short_text(const Number& number);
+
+// Joints, merged links, snapped angles.
+std::string describe_model(const Model& model);
+nlohmann::ordered_json model_json(const Model& model);
+
+// The canonical bodies: where their frames are, inertial parameters about the frames' origins, motors, friction.
+std::string describe_bodies(const Mechanism& mechanism);
+
+// Per function: operation counts, inputs read, structural zeros.
+std::string describe_functions(const std::vector<OptimisedFunction>& functions);
+nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions);
+
+int structural_zeros(const Function& function);
+
+}  // namespace flatdyn

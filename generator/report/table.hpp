@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flatdyn {
+
+// Rows of text with aligned columns, two blanks between them; the first row is the heading.
+std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace flatdyn

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/compiled.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/emit.hpp"
+#include "emit/function_text.hpp"
+#include "emit/identifiers.hpp"
+
+namespace flatdyn {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kNamespace = "robot_under_test";
+
+// One plain C entry per function: all inputs as arrays, all outputs one after the other in `out`.
+using Entry = void (*)(const double* q, const double* qd, const double* qdd, const double* tau, const double* h_e,
+                       const double* parameters, double* out);
+
+const char* argument_of(InputKind kind) {
+  static const char* const kNames[] = {"q", "qd", "qdd", "tau", "h_e"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string entry_text(const Mechanism& mechanism, const Function& function, std::size_t index) {
+  std::vector<std::string> arguments;
+  if (!mechanism.symbols.empty()) {
+    std::vector<std::string> members;
+    for (std::size_t k = 0; k < mechanism.symbols.size(); ++k) members.push_back(fmt::format("parameters[{}]", k));
+    arguments.push_back(fmt::format("{}::Parameters<double>{{{}}}", kNamespace, fmt::join(members, ", ")));
+  }
+  for (const InputKind kind : function.inputs) arguments.emplace_back(argument_of(kind));
+  std::string result;
+  if (returns_value(function)) {
+    result = "out[0] = ";
+  } else {
+    std::size_t offset = 0;
+    for (const Output& output : function.outputs) {
+      arguments.push_back(fmt::format("out + {}", offset));
+      offset += output.entries.size();
+    }
+  }
+  return fmt::format(
+      "extern \"C\" void entry_{}([[maybe_unused]] const double* q, [[maybe_unused]] const double* qd,\n"
+      "    [[maybe_unused]] const double* qdd, [[maybe_unused]] const double* tau, [[maybe_unused]] const double* h_e,\n"
+      "    [[maybe_unused]] const double* parameters, double* out) {{\n  {}{}::{}({});\n}}\n",
+      index, result, kNamespace, cpp_identifier(function.name), fmt::join(arguments, ", "));
+}
+
+void write(const fs::path& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  if (!file) throw Failure(ExitCode::io, path.string() + ": cannot be written");
+}
+
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+class CompiledFunctions::Library {
+ public:
+  Library(const Mechanism& mechanism, const std::vector<Function>& functions) {
+    std::string pattern = (fs::temp_directory_path() / "flatdyn-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw Failure(ExitCode::io, "no temporary folder can be made");
+    folder_ = pattern;
+    EmitOptions options;
+    options.name_space = kNamespace;
+    write(folder_ / "robot.hpp", emit_cpp(mechanism, functions, options));
+    std::string driver = "#include \"robot.hpp\"\n";
+    for (std::size_t k = 0; k < functions.size(); ++k) driver += entry_text(mechanism, functions[k], k);
+    write(folder_ / "driver.cpp", driver);
+    compile();
+    handle_ = ::dlopen((folder_ / "driver.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle_ == nullptr) throw Failure(ExitCode::bug, fmt::format("emitted code cannot be loaded: {}", ::dlerror()));
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+      entries_.push_back(reinterpret_cast<Entry>(::dlsym(handle_, fmt::format("entry_{}", k).c_str())));
+    }
+  }
+  ~Library() {
+    if (handle_ != nullptr) ::dlclose(handle_);
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+
+  Entry entry(std::size_t index) const { return entries_[index]; }
+
+ private:
+  void compile() const {
+    const char* chosen = std::getenv("CXX");
+    const std::string compiler = chosen != nullptr && *chosen != '\0' ? chosen : "c++";
+    if (std::system(fmt::format("{} --version > /dev/null 2>&1", compiler).c_str()) != 0) {
+      throw Failure(ExitCode::io, fmt::format("no C++ compiler: {} cannot be run", compiler), "install g++ or set CXX");
+    }
+    const std::string command = fmt::format(
+        "{0} -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror -shared -fPIC '{1}/driver.cpp' -o "
+        "'{1}/driver.so' 2> '{1}/log'",
+        compiler, folder_.string());
+    if (std::system(command.c_str()) != 0) {
+      throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of(folder_ / "log"));
+    }
+  }
+
+  fs::path folder_;
+  void* handle_ = nullptr;
+  std::vector<Entry> entries_;
+};
+
+CompiledFunctions::CompiledFunctions(const Mechanism& mechanism, const std::vector<Function>& functions)
+    : library_(std::make_unique<Library>(mechanism, functions)), functions_(functions) {}
+
+CompiledFunctions::~CompiledFunctions() = default;
+
+std::vector<double> CompiledFunctions::call(std::size_t index, const State& state) const {
+  std::size_t length = 0;
+  for (const Output& output : functions_[index].outputs) length += output.entries.size();
+  std::vector<double> out(length);
+  library_->entry(index)(state.q.data(), state.qd.data(), state.qdd.data(), state.tau.data(), state.h_e.data(),
+                         state.parameters.data(), out.data());
+  return out;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The emitted text, compiled by the machine's compiler and called: what users run is what is checked.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "graph/function.hpp"
+#include "model/mechanism.hpp"
+#include "verify/states.hpp"
+
+namespace flatdyn {
+
+class CompiledFunctions {
+ public:
+  // Emits, writes to a temporary folder, compiles ($CXX or c++, contraction off) and loads. Throws Failure(io) if there
+  // is no compiler, Failure(bug) if the text does not compile.
+  CompiledFunctions(const Mechanism& mechanism, const std::vector<Function>& functions);
+  ~CompiledFunctions();
+  CompiledFunctions(const CompiledFunctions&) = delete;
+  CompiledFunctions& operator=(const CompiledFunctions&) = delete;
+
+  // Entries of all outputs of functions[index], in order; in double.
+  std::vector<double> call(std::size_t index, const State& state) const;
+
+ private:
+  class Library;
+  std::unique_ptr<Library> library_;
+  std::vector<Function> functions_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/properties.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "graph/arithmetic.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Vector = reference::VectorX<Real50>;
+using Matrix = reference::MatrixX<Real50>;
+
+// Derivatives by central differences: error h² from the formula, 1e-60 / h from rounding.
+const Real50 kStep("1e-20");
+constexpr double kTolerance = 1e-30;
+
+struct ExactState {
+  Vector q, qd, qdd, tau;
+  std::vector<double> parameters;
+};
+
+Vector vector_of(const std::vector<double>& values) {
+  Vector v(static_cast<Eigen::Index>(values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k) v[static_cast<Eigen::Index>(k)] = Real50(values[k]);
+  return v;
+}
+
+class Functions {
+ public:
+  explicit Functions(const std::vector<Function>& functions) {
+    for (const Function& function : functions) by_name_[function.name] = &function;
+  }
+
+  bool has(std::initializer_list<const char*> names) const {
+    return std::all_of(names.begin(), names.end(), [this](const char* name) { return by_name_.contains(name); });
+  }
+
+  // Entries of the (only) output.
+  Vector operator()(const std::string& name, const ExactState& state) const {
+    RealArithmetic<Real50> arithmetic([&state](const Input& input) -> Real50 {
+      switch (input.kind) {
+        case InputKind::q:
+          return state.q[input.index];
+        case InputKind::qd:
+          return state.qd[input.index];
+        case InputKind::qdd:
+          return state.qdd[input.index];
+        case InputKind::tau:
+          return state.tau[input.index];
+        case InputKind::parameter:
+          return Real50(state.parameters[static_cast<std::size_t>(input.index)]);
+        case InputKind::h_e:
+          break;
+      }
+      return Real50(0);
+    });
+    const Function& function = *by_name_.at(name);
+    const std::vector<Real50> all = evaluate(function, arithmetic);
+    const std::vector<NodeId>& entries = function.outputs[0].entries;
+    Vector values(static_cast<Eigen::Index>(entries.size()));
+    for (std::size_t k = 0; k < entries.size(); ++k) values[static_cast<Eigen::Index>(k)] = all[static_cast<std::size_t>(entries[k])];
+    return values;
+  }
+
+  Matrix matrix(const std::string& name, const ExactState& state) const {
+    const Vector entries = (*this)(name, state);
+    const Eigen::Index n = state.q.size();
+    return Eigen::Map<const Eigen::Matrix<Real50, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(entries.data(), n, n);
+  }
+
+ private:
+  std::map<std::string, const Function*> by_name_;
+};
+
+ExactState after(const ExactState& state, const Real50& time) {
+  ExactState later = state;
+  later.q += time * state.qd;
+  later.qd += time * state.qdd;
+  return later;
+}
+
+double to_double(const Real50& x) { return Real50(abs(x)).convert_to<double>(); }
+
+// Relative size of a sum that should vanish against the size of its parts.
+double relative(const Real50& sum, const Real50& size) { return size == 0 ? to_double(sum) : to_double(Real50(sum / size)); }
+
+double asymmetry(const Functions& f, const ExactState& state) {
+  const Matrix B = f.matrix("inertia_matrix", state);
+  return relative((B - B.transpose()).norm(), B.norm());
+}
+
+double smallest_pivot(const Functions& f, const ExactState& state) {
+  const Matrix B = f.matrix("inertia_matrix", state);
+  return B.ldlt().vectorD().minCoeff().convert_to<double>();
+}
+
+double skewness(const Functions& f, const ExactState& state) {
+  ExactState rest = state;
+  rest.qdd.setZero();
+  const Matrix Bdot = (f.matrix("inertia_matrix", after(rest, kStep)) - f.matrix("inertia_matrix", after(rest, -kStep))) / (2 * kStep);
+  const Matrix C = f.matrix("coriolis_matrix", state);
+  const Vector& w = state.tau;  // any vector
+  return relative(w.dot((Bdot - 2 * C) * w), w.squaredNorm() * (Bdot.norm() + C.norm()));
+}
+
+double energy_imbalance(const Functions& f, const ExactState& state) {
+  const Real50 rate = (f("kinetic_energy", after(state, kStep))[0] - f("kinetic_energy", after(state, -kStep))[0]) / (2 * kStep);
+  const Vector tau = f("inverse_dynamics", state), bias = f("bias", state);
+  const Matrix C = f.matrix("coriolis_matrix", state);
+  const Real50 power = state.qd.dot(tau - bias + C * state.qd);
+  return relative(rate - power, state.qd.norm() * (tau.norm() + bias.norm()));
+}
+
+double round_trip(const Functions& f, ExactState state) {
+  state.tau = f("inverse_dynamics", state);
+  const Vector qdd = f("forward_dynamics", state);
+  return relative((qdd - state.qdd).norm(), qdd.norm());
+}
+
+}  // namespace
+
+std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states) {
+  constexpr std::size_t kStates = 5;
+  const Functions f(functions);
+  std::vector<ExactState> exact;
+  for (std::size_t k = 0; k < std::min(kStates, states.size()); ++k) {
+    const State& s = states[k];
+    exact.push_back({vector_of(s.q), vector_of(s.qd), vector_of(s.qdd), vector_of(s.tau), s.parameters});
+  }
+  std::vector<Property> properties;
+  const auto vanishing = [&](const std::string& name, double (*measure)(const Functions&, const ExactState&)) {
+    double largest = 0;
+    for (const ExactState& state : exact) largest = std::max(largest, measure(f, state));
+    properties.push_back({name, fmt::format("{:.1g}, relative", largest), largest < kTolerance});
+  };
+  if (f.has({"inertia_matrix"})) {
+    vanishing("B is symmetric", asymmetry);
+    double pivot = std::numeric_limits<double>::infinity();
+    for (const ExactState& state : exact) pivot = std::min(pivot, smallest_pivot(f, state));
+    properties.push_back({"B is positive definite", fmt::format("smallest pivot {:.2g}", pivot), pivot > 0});
+  }
+  if (f.has({"inertia_matrix", "coriolis_matrix"})) vanishing("w'(dB/dt - 2C)w = 0, (7.48)", skewness);
+  if (f.has({"inverse_dynamics", "bias", "coriolis_matrix", "kinetic_energy"})) {
+    vanishing("energy balance, (7.50)", energy_imbalance);
+  }
+  if (f.has({"inverse_dynamics", "forward_dynamics"})) {
+    vanishing("forward dynamics undoes inverse dynamics", [](const Functions& g, const ExactState& s) { return round_trip(g, s); });
+  }
+  return properties;
+}
+
+}  // namespace flatdyn

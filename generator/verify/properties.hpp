@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the equations of motion of any robot obey, checked on the generated functions' graphs in 50 digits.
+#pragma once
+
+#include "verify/states.hpp"
+#include "verify/verify.hpp"
+
+namespace flatdyn {
+
+// B symmetric and positive definite; wᵀ(Ḃ - 2C)w = 0, (7.48); energy balance, (7.50); forward ∘ inverse = identity.
+// A property whose functions are not among those given is left out.
+std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states);
+
+}  // namespace flatdyn

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/reference_model.hpp"
+
+#include <random>
+#include <type_traits>
+
+namespace flatdyn {
+
+SymbolValues random_symbol_values(const Robot& robot, unsigned seed) {
+  std::mt19937 engine(seed);
+  SymbolValues values;
+  for (std::size_t k = 0; k < robot.symbols.size(); ++k) values.push_back(GiNaC::numeric(long(engine() % 900 + 100), 500));
+  return values;
+}
+
+template <class S>
+S to_scalar(const Number& a, const GiNaC::exmap& values) {
+  constexpr int kDigits = 60;
+  const std::string text = to_decimal(a.subs(values), kDigits);
+  if constexpr (std::is_same_v<S, double>) {
+    return Real50(text).convert_to<double>();
+  } else {
+    return S(text);
+  }
+}
+
+namespace {
+
+// One conversion from the written robot; holds what every step needs.
+template <class S>
+class Converter {
+ public:
+  Converter(const Robot& robot, const SymbolValues& symbol_values) : robot_(robot) {
+    for (std::size_t k = 0; k < robot.symbols.size(); ++k) values_[robot.symbols[k].symbol] = symbol_values[k];
+  }
+
+  reference::Robot<S> run() {
+    result_.root = robot_.root;
+    result_.gravity = vector(robot_.gravity);
+    for (const Link& link : robot_.links) add_link(link);
+    attach_joints_of(robot_.root);
+    add_motors();
+    result_.tip = robot_.tip;
+    std::tie(result_.R_tip, result_.p_tip) = pose(robot_.tip_offset);
+    return result_;
+  }
+
+ private:
+  using Vector = reference::Vector3<S>;
+  using Matrix = reference::Matrix3<S>;
+
+  S number(const Number& a) const { return to_scalar<S>(a, values_); }
+  Vector vector(const Vec3& v) const { return {number(v[0]), number(v[1]), number(v[2])}; }
+  Matrix matrix(const Mat3& m) const {
+    Matrix result;
+    for (int i = 0; i < 3; ++i) result.row(i) = vector(m[static_cast<std::size_t>(i)]).transpose();
+    return result;
+  }
+  Vector unit(const Vec3& v) const { return vector(v).normalized(); }
+
+  std::pair<Matrix, Vector> pose(const Pose& written) const {
+    Matrix R = Matrix::Identity();
+    Vector p = Vector::Zero();
+    for (const Displacement& step : written.displacements) {
+      if (step.kind == Displacement::Kind::translation) {
+        p += R * vector(step.translation);
+        continue;
+      }
+      const Vector axis = step.kind == Displacement::Kind::rotation_x   ? Vector(Vector::UnitX())
+                          : step.kind == Displacement::Kind::rotation_y ? Vector(Vector::UnitY())
+                                                                        : Vector(Vector::UnitZ());
+      R = Matrix(R * reference::rotation_about(axis, number(step.angle)));
+    }
+    return {R, p};
+  }
+
+  // m S(r)ᵀ S(r), (7.60).
+  static Matrix point_inertia(const S& m, const Vector& r) {
+    return m * (r.dot(r) * Matrix::Identity() - r * r.transpose());
+  }
+
+  void add_link(const Link& link) {
+    reference::Link<S> result;
+    for (const Inertial& inertial : link.inertials) {
+      const auto [R, p] = pose(inertial.frame);
+      const Vector r = vector(inertial.centre_of_mass);
+      const S m = number(inertial.mass.number);
+      Matrix I = matrix(inertial.tensor);
+      if (inertial.about == Inertial::About::frame_origin) I -= point_inertia(m, r);
+      result.inertials.push_back({m, p + R * r, R * I * R.transpose()});
+    }
+    result_.links.push_back(std::move(result));
+  }
+
+  void attach_joints_of(int link) {
+    for (const Joint& joint : robot_.joints) {
+      if (joint.parent != link) continue;
+      reference::Joint<S> result;
+      result.parent = joint.parent;
+      result.child = joint.child;
+      std::tie(result.R_0, result.p_0) = pose(joint.origin);
+      std::tie(result.R_1, result.p_1) = pose(joint.link_offset);
+      if (joint.type != JointType::fixed) {
+        result.type = joint.type == JointType::prismatic ? reference::JointType::prismatic : reference::JointType::revolute;
+        result.index = next_index_++;
+        result.axis = unit(joint.axis);
+        result.viscous = number(joint.viscous.number);
+        result.coulomb = number(joint.coulomb.number);
+        result.armature = number(joint.armature.number);
+        if (joint.motor) result.rotor = rotor(joint);
+      }
+      result_.joints.push_back(std::move(result));
+      attach_joints_of(joint.child);
+    }
+  }
+
+  static int carrier_of(const Joint& joint) { return joint.motor->carrier >= 0 ? joint.motor->carrier : joint.parent; }
+
+  reference::Rotor<S> rotor(const Joint& joint) const {
+    return {carrier_of(joint), number(joint.motor->gear_ratio.number), number(joint.motor->inertia_axial.number),
+            unit(joint.motor->axis)};
+  }
+
+  // The rotors held still, as bodies on their carriers, (7.63), (7.66).
+  void add_motors() {
+    for (const Joint& joint : robot_.joints) {
+      if (!joint.motor || joint.type == JointType::fixed) continue;
+      const Vector z = unit(joint.motor->axis);
+      const S across = number(joint.motor->inertia_transverse.number);
+      const S along = number(joint.motor->inertia_axial.number);
+      const Matrix I = across * Matrix::Identity() + (along - across) * (z * z.transpose());
+      result_.links[static_cast<std::size_t>(carrier_of(joint))].inertials.push_back(
+          {number(joint.motor->mass.number), vector(joint.motor->position), I});
+    }
+  }
+
+  const Robot& robot_;
+  GiNaC::exmap values_;
+  reference::Robot<S> result_;
+  int next_index_ = 0;
+};
+
+}  // namespace
+
+template <class S>
+reference::Robot<S> reference_robot(const Robot& robot, const SymbolValues& values) {
+  return Converter<S>(robot, values).run();
+}
+
+template double to_scalar<double>(const Number&, const GiNaC::exmap&);
+template Real50 to_scalar<Real50>(const Number&, const GiNaC::exmap&);
+template reference::Robot<double> reference_robot(const Robot&, const SymbolValues&);
+template reference::Robot<Real50> reference_robot(const Robot&, const SymbolValues&);
+
+}  // namespace flatdyn

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Robot, as written → the numeric reference's robot, over any scalar. The mechanism's frames, merging and regrouping
+// have no part in it.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include "flatdyn/reference/kinematics.hpp"
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+// What "50 digits" are: a few more are carried.
+using Real50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
+
+// Values for the robot's free symbols, in their order.
+using SymbolValues = std::vector<Number>;
+
+// Small positive rationals, different for each symbol and each seed.
+SymbolValues random_symbol_values(const Robot& robot, unsigned seed);
+
+// The number nearest to `a`, with the symbols' values put in.
+template <class S>
+S to_scalar(const Number& a, const GiNaC::exmap& values);
+
+template <class S>
+reference::Robot<S> reference_robot(const Robot& robot, const SymbolValues& values);
+
+extern template reference::Robot<double> reference_robot(const Robot&, const SymbolValues&);
+extern template reference::Robot<Real50> reference_robot(const Robot&, const SymbolValues&);
+
+}  // namespace flatdyn

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/states.hpp"
+
+#include <cmath>
+#include <random>
+
+namespace flatdyn {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+// std::uniform_real_distribution differs between libraries; this does not.
+class Uniform {
+ public:
+  explicit Uniform(unsigned seed) : engine_(seed) {}
+  double operator()(double low, double high) {
+    constexpr double kScale = 1.0 / 9007199254740992.0;  // 2^-53
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * kScale);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+double limit_or(const std::optional<Value>& value, double otherwise) {
+  return value && !has_symbols(value->number) ? std::stod(to_decimal(value->number, 17)) : otherwise;
+}
+
+struct Range {
+  double low, high;
+};
+
+Range position_range(const Body& body) {
+  const double widest = body.prismatic ? 1 : kPi;
+  return {limit_or(body.limits.lower, -widest), limit_or(body.limits.upper, widest)};
+}
+
+// A limit of zero says that nobody filled it in.
+double bound(const std::optional<Value>& limit, double otherwise) {
+  const double value = limit_or(limit, otherwise);
+  return value > 0 ? value : otherwise;
+}
+
+}  // namespace
+
+const std::vector<double>& State::of(InputKind kind) const {
+  switch (kind) {
+    case InputKind::q:
+      return q;
+    case InputKind::qd:
+      return qd;
+    case InputKind::qdd:
+      return qdd;
+    case InputKind::tau:
+      return tau;
+    case InputKind::h_e:
+      return h_e;
+    case InputKind::parameter:
+      break;
+  }
+  return parameters;
+}
+
+std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed) {
+  Uniform uniform(seed);
+  std::vector<State> states;
+  for (int k = 0; k < count; ++k) {
+    State state;
+    for (const Body& body : mechanism.bodies) {
+      const auto symmetric = [&uniform](double b) { return uniform(-b, b); };
+      const Range range = position_range(body);
+      state.q.push_back(uniform(range.low, range.high));
+      state.qd.push_back(symmetric(bound(body.limits.velocity, body.prismatic ? 1 : 5)));
+      state.qdd.push_back(symmetric(bound(body.limits.acceleration, body.prismatic ? 10 : 20)));
+      state.tau.push_back(symmetric(bound(body.limits.effort, 100)));
+    }
+    for (double& h : state.h_e) h = uniform(-50, 50);
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
+std::vector<State> edge_states(const Mechanism& mechanism) {
+  std::vector<State> states;
+  const auto n = static_cast<std::size_t>(mechanism.size());
+  for (const double q : {0.0, kPi / 2, -kPi / 2, kPi, -kPi, 2000 * kPi, 0.1 + 1000}) {
+    for (const double qd : {0.0, 1.0, -1000.0}) {
+      State state;
+      state.q.assign(n, q);
+      state.qd.assign(n, qd);
+      state.qdd.assign(n, qd == 1.0 ? -2.0 : 0.0);
+      state.tau.assign(n, 1.0);
+      states.push_back(std::move(state));
+    }
+  }
+  return states;
+}
+
+}  // namespace flatdyn

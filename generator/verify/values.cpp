@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/values.hpp"
+
+#include <map>
+
+#include "flatdyn/reference/magnitude.hpp"
+#include "graph/arithmetic.hpp"
+
+namespace flatdyn {
+namespace {
+
+template <class S>
+reference::VectorX<S> vector_of(const std::vector<double>& values) {
+  reference::VectorX<S> v(static_cast<Eigen::Index>(values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k) v[static_cast<Eigen::Index>(k)] = S(values[k]);
+  return v;
+}
+
+template <class Matrix>
+auto row_by_row(const Matrix& m) {
+  std::vector<typename Matrix::Scalar> entries;
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    for (Eigen::Index j = 0; j < m.cols(); ++j) entries.push_back(m(i, j));
+  }
+  return entries;
+}
+
+// A state in the reference's types.
+template <class S>
+struct Arguments {
+  explicit Arguments(const State& state)
+      : q(vector_of<S>(state.q)), qd(vector_of<S>(state.qd)), qdd(vector_of<S>(state.qdd)), tau(vector_of<S>(state.tau)) {
+    const reference::VectorX<S> h = vector_of<S>(state.h_e);
+    h_e.f_e = h.template head<3>();
+    h_e.mu_e = h.template tail<3>();
+  }
+  reference::VectorX<S> q, qd, qdd, tau;
+  reference::Environment<S> h_e;
+};
+
+template <class S>
+using Evaluation = std::vector<S> (*)(const reference::Robot<S>&, const Arguments<S>&);
+
+template <class S>
+std::vector<S> pose_entries(const reference::Robot<S>& robot, const Arguments<S>& a) {
+  const reference::Pose<S> pose = reference::tip_pose(robot, a.q);
+  std::vector<S> entries = row_by_row(pose.R);
+  entries.insert(entries.end(), pose.p.data(), pose.p.data() + 3);
+  return entries;
+}
+
+template <class S>
+const std::map<std::string, Evaluation<S>>& reference_table() {
+  using R = reference::Robot<S>;
+  using A = Arguments<S>;
+  namespace ref = reference;
+  static const std::map<std::string, Evaluation<S>> table = {
+      {"inverse_dynamics", [](const R& r, const A& a) { return row_by_row(ref::inverse_dynamics(r, a.q, a.qd, a.qdd)); }},
+      {"inverse_dynamics_tip_force",
+       [](const R& r, const A& a) { return row_by_row(ref::inverse_dynamics(r, a.q, a.qd, a.qdd, a.h_e)); }},
+      {"inertia_matrix", [](const R& r, const A& a) { return row_by_row(ref::inertia_matrix(r, a.q)); }},
+      {"christoffel", [](const R& r, const A& a) { return row_by_row(ref::christoffel(r, a.q)); }},
+      {"coriolis_matrix", [](const R& r, const A& a) { return row_by_row(ref::coriolis_matrix(r, a.q, a.qd)); }},
+      {"gravity", [](const R& r, const A& a) { return row_by_row(ref::gravity(r, a.q)); }},
+      {"bias", [](const R& r, const A& a) { return row_by_row(ref::bias(r, a.q, a.qd)); }},
+      {"forward_dynamics", [](const R& r, const A& a) { return row_by_row(ref::forward_dynamics(r, a.q, a.qd, a.tau)); }},
+      {"kinetic_energy", [](const R& r, const A& a) { return std::vector<S>{ref::kinetic_energy(r, a.q, a.qd)}; }},
+      {"potential_energy", [](const R& r, const A& a) { return std::vector<S>{ref::potential_energy(r, a.q)}; }},
+      {"forward_kinematics", pose_entries<S>},
+      {"jacobian", [](const R& r, const A& a) { return row_by_row(ref::jacobian(r, a.q)); }},
+      {"jacobian_dot_qd", [](const R& r, const A& a) { return row_by_row(ref::jacobian_dot_qd(r, a.q, a.qd)); }},
+  };
+  return table;
+}
+
+using MagnitudeRobot = reference::Robot<double>;
+using MagnitudeArguments = Arguments<double>;
+
+std::vector<double> absolute(std::vector<double> values) {
+  for (double& v : values) v = std::abs(v);
+  return values;
+}
+
+// Of q̈ = B⁻¹ (τ - n): what an error of the size of the terms of B q̈ + n - τ becomes.
+std::vector<double> acceleration_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  const auto zero = reference::VectorX<double>::Zero(a.q.size());
+  const reference::VectorX<double> qdd = reference::forward_dynamics(r, a.q, a.qd, a.tau).cwiseAbs();
+  const reference::MatrixX<double> inverse = reference::inertia_matrix(r, a.q).inverse().cwiseAbs();
+  const reference::VectorX<double> terms = reference::torque_magnitude(r, a.q, a.qd, zero) + a.tau.cwiseAbs() +
+                                           reference::inertia_magnitude(r, a.q) * qdd;
+  return row_by_row(reference::VectorX<double>(inverse * terms));
+}
+
+// T = ½ q̇ᵀ B q̇ with magnitudes.
+std::vector<double> kinetic_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  const reference::VectorX<double> rate = a.qd.cwiseAbs();
+  return {0.5 * rate.dot(reference::inertia_magnitude(r, a.q) * rate)};
+}
+
+// Rotations have length 1; positions and levers that of the way to the tip.
+std::vector<double> pose_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  std::vector<double> entries(9, 1.0);
+  entries.insert(entries.end(), 3, reference::reach(r, a.q));
+  return entries;
+}
+
+std::vector<double> jacobian_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  const auto n = static_cast<std::size_t>(a.q.size());
+  std::vector<double> entries(3 * n, std::max(1.0, reference::reach(r, a.q)));
+  entries.insert(entries.end(), 3 * n, 1.0);
+  return entries;
+}
+
+std::vector<double> tip_acceleration(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  const Eigen::Vector2d m = reference::tip_acceleration_magnitude(r, a.q, a.qd);
+  return {m[0], m[0], m[0], m[1], m[1], m[1]};
+}
+
+const std::map<std::string, Evaluation<double>>& magnitude_table() {
+  using R = MagnitudeRobot;
+  using A = MagnitudeArguments;
+  namespace ref = reference;
+  static const std::map<std::string, Evaluation<double>> table = {
+      {"inverse_dynamics", [](const R& r, const A& a) { return row_by_row(ref::torque_magnitude(r, a.q, a.qd, a.qdd)); }},
+      {"inverse_dynamics_tip_force",
+       [](const R& r, const A& a) {
+         const ref::MagnitudeOptions tip{.f_e = a.h_e.f_e.norm(), .mu_e = a.h_e.mu_e.norm()};
+         return row_by_row(ref::torque_magnitude(r, a.q, a.qd, a.qdd, tip));
+       }},
+      {"inertia_matrix", [](const R& r, const A& a) { return row_by_row(ref::inertia_magnitude(r, a.q)); }},
+      {"christoffel", [](const R& r, const A& a) { return row_by_row(ref::christoffel_magnitude(r, a.q)); }},
+      {"coriolis_matrix", [](const R& r, const A& a) { return row_by_row(ref::coriolis_magnitude(r, a.q, a.qd)); }},
+      {"gravity",
+       [](const R& r, const A& a) {
+         const ref::VectorX<double> zero = ref::VectorX<double>::Zero(a.q.size());
+         return row_by_row(ref::torque_magnitude(r, a.q, zero, zero));
+       }},
+      {"bias",
+       [](const R& r, const A& a) {
+         const ref::VectorX<double> zero = ref::VectorX<double>::Zero(a.q.size());
+         return row_by_row(ref::torque_magnitude(r, a.q, a.qd, zero));
+       }},
+      {"forward_dynamics", acceleration_magnitude},
+      {"kinetic_energy", kinetic_magnitude},
+      {"potential_energy", [](const R& r, const A& a) { return std::vector<double>{ref::potential_magnitude(r, a.q)}; }},
+      {"forward_kinematics", pose_magnitude},
+      {"jacobian", jacobian_magnitude},
+      {"jacobian_dot_qd", tip_acceleration},
+  };
+  return table;
+}
+
+}  // namespace
+
+template <class S>
+std::vector<S> graph_values(const Function& function, const State& state) {
+  RealArithmetic<S> arithmetic([&state](const Input& input) {
+    return S(state.of(input.kind)[static_cast<std::size_t>(input.index)]);
+  });
+  const std::vector<S> all = evaluate(function, arithmetic);
+  std::vector<S> result;
+  for (const Output& output : function.outputs) {
+    for (const NodeId id : output.entries) result.push_back(all[static_cast<std::size_t>(id)]);
+  }
+  return result;
+}
+
+template <class S>
+std::optional<std::vector<S>> reference_values(const Function& function, const reference::Robot<S>& robot, const State& state) {
+  const auto found = reference_table<S>().find(function.name);
+  if (found == reference_table<S>().end()) return std::nullopt;
+  return found->second(robot, Arguments<S>(state));
+}
+
+std::vector<double> magnitudes(const Function& function, const reference::Robot<double>& robot, const State& state) {
+  return absolute(magnitude_table().at(function.name)(robot, Arguments<double>(state)));
+}
+
+template std::vector<double> graph_values(const Function&, const State&);
+template std::vector<Real50> graph_values(const Function&, const State&);
+template std::optional<std::vector<double>> reference_values(const Function&, const reference::Robot<double>&, const State&);
+template std::optional<std::vector<Real50>> reference_values(const Function&, const reference::Robot<Real50>&, const State&);
+
+}  // namespace flatdyn

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "report/table.hpp"
+#include "verify/compiled.hpp"
+#include "verify/exact.hpp"
+#include "verify/properties.hpp"
+#include "verify/values.hpp"
+
+namespace flatdyn {
+namespace {
+
+// The mechanism's constants are rationals within 1e-40 of the written ones; what is left after 50-digit sums.
+constexpr double kGraphTolerance = 1e-35;
+
+std::vector<State> with_parameters(std::vector<State> states, const SymbolValues& values) {
+  for (State& state : states) {
+    for (const Number& value : values) state.parameters.push_back(std::stod(to_decimal(value, 17)));
+  }
+  return states;
+}
+
+struct Subject {
+  const Function& function;
+  std::size_t index;
+};
+
+class Comparison {
+ public:
+  Comparison(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
+             const VerifyOptions& options)
+      : symbols_(random_symbol_values(robot, options.seed)),
+        exact_(reference_robot<Real50>(robot, symbols_)),
+        rounded_(reference_robot<double>(robot, symbols_)),
+        compiled_(mechanism, functions),
+        options_(options),
+        random_(with_parameters(random_states(mechanism, options.states, options.seed), symbols_)),
+        edge_(with_parameters(edge_states(mechanism), symbols_)) {}
+
+  void compare(const Subject& subject, FunctionReport& report) const {
+    std::vector<double> generated, reference;
+    const std::size_t count = states_for(subject.function);
+    for (std::size_t k = 0; k < count + edge_.size(); ++k) {
+      const bool is_edge = k >= count;
+      const State& state = is_edge ? edge_[k - count] : random_[k];
+      const auto truth = reference_values<Real50>(subject.function, exact_, state);
+      if (!truth) {
+        report.compared = false;
+        return;
+      }
+      const std::vector<double> scale = magnitudes(subject.function, rounded_, state);
+      const std::vector<Real50> graph = graph_values<Real50>(subject.function, state);
+      report.graph_error = std::max(report.graph_error, relative_difference(graph, *truth, scale));
+      generated.push_back(scaled_error(compiled_.call(subject.index, state), *truth, scale));
+      reference.push_back(scaled_error(*reference_values<double>(subject.function, rounded_, state), *truth, scale));
+    }
+    report.generated = summary(generated);
+    report.reference = summary(reference);
+  }
+
+  const std::vector<State>& random() const { return random_; }
+
+ private:
+  // Symbols by polarisation cost n² recursions in 50 digits each: fewer states where n is large.
+  std::size_t states_for(const Function& function) const {
+    const bool symbols = function.name == "christoffel" || function.name == "coriolis_matrix";
+    const std::size_t n = random_.empty() ? 1 : random_[0].q.size();
+    const std::size_t affordable = symbols ? std::max<std::size_t>(2, 1500 / (n * n)) : std::max<std::size_t>(10, 2000 / n);
+    return std::min(random_.size(), affordable);
+  }
+
+  static double relative_difference(const std::vector<Real50>& a, const std::vector<Real50>& b, const std::vector<double>& scale) {
+    double largest = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const double difference = Real50(abs(a[k] - b[k])).convert_to<double>();
+      largest = std::max(largest, scale[k] > 0 ? difference / scale[k] : difference);
+    }
+    return largest;
+  }
+
+  // An entry with magnitude 0 must be 0 to the last bit.
+  static double scaled_error(const std::vector<double>& x, const std::vector<Real50>& truth, const std::vector<double>& scale) {
+    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+    double largest = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const double difference = Real50(abs(Real50(x[k]) - truth[k])).convert_to<double>();
+      if (!(difference >= 0)) return std::numeric_limits<double>::infinity();
+      if (difference > 0) {
+        largest = std::max(largest, scale[k] > 0 ? difference / (kEpsilon * scale[k]) : std::numeric_limits<double>::infinity());
+      }
+    }
+    return largest;
+  }
+
+  static ErrorSummary summary(std::vector<double> errors) {
+    std::sort(errors.begin(), errors.end());
+    const std::size_t k = errors.size() * 99 / 100;
+    return {errors.back(), errors[std::min(k, errors.size() - 1)]};
+  }
+
+  SymbolValues symbols_;
+  reference::Robot<Real50> exact_;
+  reference::Robot<double> rounded_;
+  CompiledFunctions compiled_;
+  VerifyOptions options_;
+  std::vector<State> random_, edge_;
+};
+
+std::string short_number(double value) { return fmt::format("{:.2g}", value); }
+
+}  // namespace
+
+bool VerifyReport::passed() const {
+  return std::all_of(functions.begin(), functions.end(), [](const FunctionReport& f) { return f.passed; }) &&
+         std::all_of(properties.begin(), properties.end(), [](const Property& p) { return p.passed; });
+}
+
+VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
+                    const VerifyOptions& options, Progress& progress) {
+  VerifyReport report;
+  progress.step("compiling the emitted code");
+  const Comparison comparison(robot, mechanism, functions, options);
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    FunctionReport row;
+    row.function = functions[k].name;
+    progress.step("verifying " + row.function);
+    const ExactResult exact = prove_exactly(mechanism, functions[k], {});
+    row.proven = exact.proven;
+    report.failure_probability = std::max(report.failure_probability, exact.failure_probability);
+    comparison.compare({functions[k], k}, row);
+    row.passed = row.proven && row.graph_error < kGraphTolerance && row.generated.largest <= options.bound;
+    report.functions.push_back(row);
+  }
+  report.properties = check_properties(functions, comparison.random());
+  return report;
+}
+
+std::string to_text(const VerifyReport& report) {
+  std::vector<std::vector<std::string>> rows = {
+      {"function", "exactly", "50 digits", "double: max", "p99", "reference: max", "p99", ""}};
+  for (const FunctionReport& f : report.functions) {
+    if (!f.compared) {
+      rows.push_back({f.function, f.proven ? "equal" : "DIFFERS", "-", "-", "-", "-", "-", f.passed ? "ok" : "FAILED"});
+      continue;
+    }
+    rows.push_back({f.function, f.proven ? "equal" : "DIFFERS", short_number(f.graph_error), short_number(f.generated.largest),
+                    short_number(f.generated.percentile_99), short_number(f.reference.largest),
+                    short_number(f.reference.percentile_99), f.passed ? "ok" : "FAILED"});
+  }
+  std::string text = aligned_table(rows);
+  text += fmt::format("\nexactly: against the Lagrangian modulo primes; a wrong function passes with probability < {:.0e}\n",
+                      report.failure_probability);
+  text += "50 digits: largest relative difference from the recursive Newton-Euler reference\n";
+  text += "double: scaled errors of the compiled code, in units of the last place of the terms' magnitude; edge states included\n\n";
+  for (const Property& p : report.properties) text += fmt::format("{}: {} ({})\n", p.passed ? "ok" : "FAILED", p.name, p.measured);
+  return text;
+}
+
+nlohmann::ordered_json to_json(const VerifyReport& report) {
+  nlohmann::ordered_json json = {{"passed", report.passed()}, {"failure_probability", report.failure_probability}};
+  json["functions"] = nlohmann::ordered_json::array();
+  for (const FunctionReport& f : report.functions) {
+    json["functions"].push_back({{"name", f.function},
+                                 {"proven", f.proven},
+                                 {"compared", f.compared},
+                                 {"graph_error", f.graph_error},
+                                 {"max", f.generated.largest},
+                                 {"p99", f.generated.percentile_99},
+                                 {"reference_max", f.reference.largest},
+                                 {"reference_p99", f.reference.percentile_99},
+                                 {"passed", f.passed}});
+  }
+  json["properties"] = nlohmann::ordered_json::array();
+  for (const Property& p : report.properties) {
+    json["properties"].push_back({{"name", p.name}, {"measured", p.measured}, {"passed", p.passed}});
+  }
+  return json;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Is what was generated right? Three answers for every function: exactly (modulo primes, against the Lagrangian); in 50
+// digits (the graph against the recursive Newton–Euler reference); in double (the compiled text against 50 digits, with
+// the reference's own rounding error beside it).
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "cli/progress.hpp"
+#include "graph/function.hpp"
+#include "model/mechanism.hpp"
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+struct VerifyOptions {
+  int states = 200;      // random states in double; edge states come on top
+  unsigned seed = 1;
+  double bound = 16;     // largest scaled error allowed on random states
+};
+
+// Scaled errors: abs(x - exact) / (ε · magnitude), flatdyn/reference/magnitude.hpp.
+struct ErrorSummary {
+  double largest = 0;
+  double percentile_99 = 0;
+};
+
+struct FunctionReport {
+  std::string function;
+  bool proven = false;         // equal to the Lagrangian at random points of prime fields
+  double graph_error = 0;      // graph against reference, both in 50 digits, relative to the magnitude
+  ErrorSummary generated;      // compiled text in double
+  ErrorSummary reference;      // the reference itself in double
+  bool compared = true;        // false: no reference for it (a named link)
+  bool passed = false;
+};
+
+struct Property {
+  std::string name;
+  std::string measured;
+  bool passed = false;
+};
+
+struct VerifyReport {
+  std::vector<FunctionReport> functions;
+  std::vector<Property> properties;
+  double failure_probability = 0;  // that a wrong function passes the exact comparison
+
+  bool passed() const;
+};
+
+VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
+                    const VerifyOptions& options, Progress& progress);
+
+std::string to_text(const VerifyReport& report);
+nlohmann::ordered_json to_json(const VerifyReport& report);
+
+}  // namespace flatdyn

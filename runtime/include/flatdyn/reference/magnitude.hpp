@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scale against which rounding errors are measured. Relative error means nothing where a torque passes through
+// zero; what counts is the size of the terms that are added up. The magnitude of a torque is the value that the
+// Newton–Euler recursion gives when every vector is replaced by its length and every sign by plus: the sum of the
+// absolute values of the torque's own terms. A code that loses bits by adding and subtracting more than the physics
+// asks for shows up against it; cancellation that lies in the robot does not.
+#pragma once
+
+#include "flatdyn/reference/kinematics.hpp"
+
+namespace flatdyn::reference {
+
+struct MagnitudeOptions {
+  bool gravity = true;
+  bool friction = true;
+  double f_e = 0, mu_e = 0;  // lengths of the tip force and moment
+};
+
+namespace detail {
+
+struct MotionMagnitude {
+  double omega = 0, domega = 0, ddp = 0;
+
+  double swing(double r) const { return (domega + omega * omega) * r; }
+};
+
+inline MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint, double q, double qd, double qdd) {
+  MotionMagnitude child = parent;
+  const double slide = joint.type == JointType::prismatic ? std::abs(q) : 0;
+  child.ddp += parent.swing(joint.p_0.norm() + slide);
+  if (joint.type == JointType::revolute) {
+    child.omega += qd;
+    child.domega += qdd + qd * parent.omega;
+  } else if (joint.type == JointType::prismatic) {
+    child.ddp += qdd + 2 * qd * parent.omega;
+  }
+  child.ddp += child.swing(joint.p_1.norm());
+  return child;
+}
+
+}  // namespace detail
+
+// Magnitude of each entry of inverse_dynamics.
+inline VectorX<double> torque_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd,
+                                        const VectorX<double>& qdd, const MagnitudeOptions& options = {}) {
+  using detail::MotionMagnitude;
+  const auto entry = [](const VectorX<double>& v, int index) { return index < 0 ? 0.0 : std::abs(v[index]); };
+  std::vector<MotionMagnitude> motions(robot.links.size());
+  if (options.gravity) motions[static_cast<std::size_t>(robot.root)].ddp = robot.gravity.norm();
+  for (const Joint<double>& joint : robot.joints) {
+    motions[static_cast<std::size_t>(joint.child)] =
+        detail::moved(motions[static_cast<std::size_t>(joint.parent)], joint, entry(q, joint.index),
+                      entry(qd, joint.index), entry(qdd, joint.index));
+  }
+  std::vector<double> f(robot.links.size(), 0), mu(robot.links.size(), 0);
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    const MotionMagnitude& motion = motions[l];
+    for (const Inertial<double>& body : robot.links[l].inertials) {
+      const double F = std::abs(body.mass) * (motion.ddp + motion.swing(body.r_C.norm()));
+      f[l] += F;
+      mu[l] += body.r_C.norm() * F + body.inertia.norm() * (motion.domega + motion.omega * motion.omega);
+    }
+  }
+  f[static_cast<std::size_t>(robot.tip)] += options.f_e;
+  mu[static_cast<std::size_t>(robot.tip)] += options.mu_e + robot.p_tip.norm() * options.f_e;
+  VectorX<double> tau = VectorX<double>::Zero(q.size());
+  for (const Joint<double>& joint : robot.joints) {
+    if (joint.index < 0) continue;
+    const double v = entry(qd, joint.index), a = entry(qdd, joint.index);
+    tau[joint.index] += std::abs(joint.armature) * a;
+    if (options.friction) tau[joint.index] += std::abs(joint.viscous) * v + (v > 0 ? std::abs(joint.coulomb) : 0);
+    if (!joint.rotor) continue;
+    const Rotor<double>& rotor = *joint.rotor;
+    const MotionMagnitude& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
+    const double k = std::abs(rotor.gear_ratio), spin = k * std::abs(rotor.inertia);
+    mu[static_cast<std::size_t>(rotor.carrier)] += spin * (a + v * carrier.omega);
+    tau[joint.index] += spin * (carrier.domega + k * a);
+  }
+  for (std::size_t j = robot.joints.size(); j-- > 0;) {
+    const Joint<double>& joint = robot.joints[j];
+    const auto child = static_cast<std::size_t>(joint.child), parent = static_cast<std::size_t>(joint.parent);
+    const double at_joint = mu[child] + joint.p_1.norm() * f[child];
+    if (joint.type == JointType::revolute) tau[joint.index] += at_joint;
+    if (joint.type == JointType::prismatic) tau[joint.index] += f[child];
+    const double slide = joint.type == JointType::prismatic ? entry(q, joint.index) : 0;
+    f[parent] += f[child];
+    mu[parent] += at_joint + (joint.p_0.norm() + slide) * f[child];
+  }
+  return tau;
+}
+
+// Of B: the magnitude of the torques for a unit acceleration.
+inline MatrixX<double> inertia_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  const Eigen::Index n = q.size();
+  const VectorX<double> zero = VectorX<double>::Zero(n);
+  MatrixX<double> B(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    B.col(j) = torque_magnitude(robot, q, zero, VectorX<double>::Unit(n, j), {.gravity = false, .friction = false});
+  }
+  return B;
+}
+
+// Of c_ijk, j <= k, laid out as in christoffel(): the velocity torque of two unit rates.
+inline MatrixX<double> christoffel_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  const Eigen::Index n = q.size();
+  const VectorX<double> zero = VectorX<double>::Zero(n);
+  MatrixX<double> c(n, n * (n + 1) / 2);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    for (Eigen::Index j = 0; j <= k; ++j) {
+      VectorX<double> qd = VectorX<double>::Unit(n, j);
+      if (j != k) qd += VectorX<double>::Unit(n, k);
+      c.col(k * (k + 1) / 2 + j) = torque_magnitude(robot, q, qd, zero, {.gravity = false, .friction = false});
+    }
+  }
+  return c;
+}
+
+// Of C: Σ_k mag(c_ijk) |q̇_k|.
+inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd) {
+  const Eigen::Index n = q.size();
+  const MatrixX<double> c = christoffel_magnitude(robot, q);
+  MatrixX<double> C = MatrixX<double>::Zero(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const Eigen::Index low = std::min(j, k), high = std::max(j, k);
+      C.col(j) += c.col(high * (high + 1) / 2 + low) * std::abs(qd[k]);
+    }
+  }
+  return C;
+}
+
+// Length of the way from the base to the tip's origin.
+inline double reach(const Robot<double>& robot, const VectorX<double>& q) {
+  double length = robot.p_tip.norm();
+  int link = robot.tip;
+  for (std::size_t j = robot.joints.size(); j-- > 0;) {
+    const Joint<double>& joint = robot.joints[j];
+    if (joint.child != link) continue;
+    link = joint.parent;
+    length += joint.p_0.norm() + joint.p_1.norm();
+    if (joint.type == JointType::prismatic) length += std::abs(q[joint.index]);
+  }
+  return length;
+}
+
+// Of J̇ q̇: the tip's acceleration, linear and angular, from the recursion in lengths.
+inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const VectorX<double>& q,
+                                                  const VectorX<double>& qd) {
+  std::vector<detail::MotionMagnitude> motions(robot.links.size());
+  for (const Joint<double>& joint : robot.joints) {
+    const double rate = joint.index < 0 ? 0 : std::abs(qd[joint.index]);
+    motions[static_cast<std::size_t>(joint.child)] = detail::moved(
+        motions[static_cast<std::size_t>(joint.parent)], joint, joint.index < 0 ? 0 : q[joint.index], rate, 0);
+  }
+  const detail::MotionMagnitude& tip = motions[static_cast<std::size_t>(robot.tip)];
+  return {tip.ddp + tip.swing(robot.p_tip.norm()), tip.domega};
+}
+
+// Σ |m| ‖g_0‖ · (length of the way to the centre of mass).
+inline double potential_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  std::vector<double> way(robot.links.size(), 0);
+  for (const Joint<double>& joint : robot.joints) {
+    const double slide = joint.type == JointType::prismatic ? std::abs(q[joint.index]) : 0;
+    way[static_cast<std::size_t>(joint.child)] =
+        way[static_cast<std::size_t>(joint.parent)] + joint.p_0.norm() + slide + joint.p_1.norm();
+  }
+  double U = 0;
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    for (const Inertial<double>& body : robot.links[l].inertials) {
+      U += std::abs(body.mass) * robot.gravity.norm() * (way[l] + body.r_C.norm());
+    }
+  }
+  return U;
+}
+
+}  // namespace flatdyn::reference

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The robot as written, for the numeric reference: nothing merged, no frame moved, fixed joints kept.
+#pragma once
+
+#include <Eigen/Dense>
+#include <optional>
+#include <vector>
+
+namespace flatdyn::reference {
+
+template <class S>
+using Vector3 = Eigen::Matrix<S, 3, 1>;
+template <class S>
+using Matrix3 = Eigen::Matrix<S, 3, 3>;
+template <class S>
+using VectorX = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+template <class S>
+using MatrixX = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+
+// A rigid body fixed to a link; a still rotor is one, too.
+template <class S>
+struct Inertial {
+  S mass = S(0);                             // kg
+  Vector3<S> r_C = Vector3<S>::Zero();       // centre of mass, link frame, m
+  Matrix3<S> inertia = Matrix3<S>::Zero();   // about the centre of mass, link axes, kg m^2
+};
+
+template <class S>
+struct Link {
+  std::vector<Inertial<S>> inertials;
+};
+
+// A rotor that turns at k_r q̇ about z_m against the link that carries it, (7.23).
+template <class S>
+struct Rotor {
+  int carrier = 0;                        // link
+  S gear_ratio = S(1);                    // k_r
+  S inertia = S(0);                       // I_m, kg m^2
+  Vector3<S> axis = Vector3<S>::UnitZ();  // z_m, carrier's frame, unit
+};
+
+enum class JointType { fixed, revolute, prismatic };
+
+// Child frame in parent frame: (R_0, p_0) · motion(axis, q) · (R_1, p_1).
+template <class S>
+struct Joint {
+  JointType type = JointType::fixed;
+  int parent = 0, child = 0;  // links
+  int index = -1;             // entry of q; -1 for a fixed joint
+  Matrix3<S> R_0 = Matrix3<S>::Identity(), R_1 = Matrix3<S>::Identity();
+  Vector3<S> p_0 = Vector3<S>::Zero(), p_1 = Vector3<S>::Zero();
+  Vector3<S> axis = Vector3<S>::UnitZ();  // in the joint frame (after R_0), unit
+  S viscous = S(0), coulomb = S(0), armature = S(0);
+  std::optional<Rotor<S>> rotor;
+};
+
+template <class S>
+struct Robot {
+  std::vector<Link<S>> links;
+  std::vector<Joint<S>> joints;  // a link's own joint before those that it carries
+  int root = 0;
+  Vector3<S> gravity = Vector3<S>(S(0), S(0), S(-9.81));  // g_0, base frame, m/s^2
+  int tip = 0;                                            // link
+  Matrix3<S> R_tip = Matrix3<S>::Identity();              // tip frame in the tip link
+  Vector3<S> p_tip = Vector3<S>::Zero();
+
+  int size() const {
+    int n = 0;
+    for (const Joint<S>& joint : joints) n += joint.index >= 0 ? 1 : 0;
+    return n;
+  }
+};
+
+// Rotation by an angle about a unit axis (Rodrigues).
+template <class S>
+Matrix3<S> rotation_about(const Vector3<S>& u, const S& angle) {
+  using std::cos;
+  using std::sin;
+  const S c = cos(angle), s = sin(angle);
+  Matrix3<S> K;
+  K << S(0), -u.z(), u.y(), u.z(), S(0), -u.x(), -u.y(), u.x(), S(0);
+  return Matrix3<S>::Identity() + s * K + (S(1) - c) * (K * K);
+}
+
+// Where a joint stands for a position q: rotation of the child frame in the parent's, the joint's axis in parent and
+// child axes, and the two constant displacements, the first (with the slide) in parent axes, the second in child axes.
+template <class S>
+struct JointPlacement {
+  Matrix3<S> R;
+  Vector3<S> z_parent, z_child, before, after;
+};
+
+template <class S>
+JointPlacement<S> placement(const Joint<S>& joint, const S& q) {
+  const bool turns = joint.type == JointType::revolute;
+  const Matrix3<S> turned = turns ? Matrix3<S>(joint.R_0 * rotation_about(joint.axis, q)) : joint.R_0;
+  JointPlacement<S> place;
+  place.R = turned * joint.R_1;
+  place.z_parent = joint.R_0 * joint.axis;
+  place.z_child = joint.R_1.transpose() * joint.axis;
+  place.before = joint.p_0;
+  if (joint.type == JointType::prismatic) place.before += q * place.z_parent;
+  place.after = joint.R_1.transpose() * joint.p_1;
+  return place;
+}
+
+}  // namespace flatdyn::reference
