@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/degree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graph/evaluate.hpp"
+#include "verify/lagrangian.hpp"
+
+namespace flatdyn {
+
+Degree Degree::of(double degree) {
+  Degree result(1);
+  result.degree_ = degree;
+  return result;
+}
+
+Degree& Degree::operator+=(const Degree& b) {
+  is_zero_ = is_zero_ && b.is_zero_;
+  degree_ = std::max(degree_, b.degree_);
+  return *this;
+}
+
+namespace {
+
+// Of the cosine and sine of an angle, in those of the angles that are drawn: multiples by the addition theorems.
+double angle_degree(const Graph& graph, NodeId angle) {
+  const Node& node = graph[angle];
+  if (node.op != Op::sum) return 1;
+  double degree = node.value == 0 ? 0 : 1;
+  for (const Term& term : node.terms) {
+    degree += std::ceil(std::abs(static_cast<double>(term.coefficient))) * angle_degree(graph, term.node);
+  }
+  return degree;
+}
+
+struct DegreeArithmetic {
+  using Scalar = Degree;
+  Degree constant(const Rational& value) const { return Degree(value == 0 ? 0 : 1); }
+  Degree input(const Input&) const { return Degree::of(1); }
+  Degree divide(const Degree& a, const Degree& b) {
+    reciprocals += b.value();
+    return a * Degree::of(1);
+  }
+  Degree sin(const Graph& graph, NodeId angle, const Degree&) const { return Degree::of(angle_degree(graph, angle)); }
+  Degree cos(const Graph& graph, NodeId angle, const Degree&) const { return Degree::of(angle_degree(graph, angle)); }
+
+  double reciprocals = 0;
+};
+
+// Degrees of the denominators that occur, by number.
+using Denominators = std::vector<double>;
+
+// Of a quotient N / Π D_k^e_k. Denominators are kept apart by the quotient that brought them, so that a sum of terms
+// with the same ones does not multiply them.
+struct RationalDegree {
+  bool is_zero = true;
+  double numerator = 0;
+  std::map<std::size_t, double> exponents;
+  std::shared_ptr<const Denominators> denominators;
+
+  // Degree of Π D_k^(common_k - e_k).
+  double missing(const std::map<std::size_t, double>& common, const Denominators& degrees) const {
+    double total = 0;
+    for (const auto& [k, exponent] : common) {
+      const auto own = exponents.find(k);
+      total += (exponent - (own == exponents.end() ? 0 : own->second)) * degrees[k];
+    }
+    return total;
+  }
+
+  RationalDegree& operator+=(const RationalDegree& b) {
+    if (b.is_zero) return *this;
+    if (is_zero) return *this = b;
+    if (!denominators) denominators = b.denominators;
+    std::map<std::size_t, double> common = exponents;
+    for (const auto& [k, exponent] : b.exponents) common[k] = std::max(common[k], exponent);
+    if (!common.empty()) {
+      numerator = std::max(numerator + missing(common, *denominators), b.numerator + b.missing(common, *denominators));
+    } else {
+      numerator = std::max(numerator, b.numerator);
+    }
+    exponents = std::move(common);
+    return *this;
+  }
+
+  RationalDegree& operator*=(const RationalDegree& b) {
+    is_zero = is_zero || b.is_zero;
+    if (!denominators) denominators = b.denominators;
+    numerator += b.numerator;
+    for (const auto& [k, exponent] : b.exponents) exponents[k] += exponent;
+    return *this;
+  }
+  friend RationalDegree operator*(RationalDegree a, const RationalDegree& b) { return a *= b; }
+};
+
+class RationalDegreeArithmetic {
+ public:
+  using Scalar = RationalDegree;
+
+  RationalDegree constant(const Rational& value) const { return {value == 0, 0, {}, nullptr}; }
+  RationalDegree input(const Input&) const { return {false, 1, {}, nullptr}; }
+  RationalDegree sin(const Graph& graph, NodeId angle, const RationalDegree&) const {
+    return {false, angle_degree(graph, angle), {}, nullptr};
+  }
+  RationalDegree cos(const Graph& graph, NodeId angle, const RationalDegree& value) const {
+    return sin(graph, angle, value);
+  }
+  RationalDegree sign(const RationalDegree&) const { return {false, 1, {}, nullptr}; }
+
+  // (N_a / Π D^e_a) / (N_b / Π D^e_b): N_b becomes a denominator.
+  RationalDegree divide(RationalDegree a, const RationalDegree& b) {
+    a.denominators = denominators_;
+    for (const auto& [k, exponent] : b.exponents) {
+      const double cancelled = std::min(a.exponents[k], exponent);
+      a.exponents[k] -= cancelled;
+      a.numerator += (exponent - cancelled) * (*denominators_)[k];
+    }
+    a.exponents[denominators_->size()] = 1;
+    denominators_->push_back(b.numerator);
+    return a;
+  }
+
+  const Denominators& denominators() const { return *denominators_; }
+
+ private:
+  std::shared_ptr<Denominators> denominators_ = std::make_shared<Denominators>();
+};
+
+}  // namespace
+
+MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
+  DegreeArithmetic arithmetic;
+  const Degree drawn = Degree::of(1);
+  const auto n = static_cast<std::size_t>(mechanism.size());
+  Lagrangian<Degree> lagrangian(field_mechanism(mechanism, arithmetic),
+                                std::vector<JointPoint<Degree>>(n, {drawn, drawn, drawn}));
+  const std::vector<Degree> rates(n, drawn);
+  Degree largest = lagrangian.potential_energy() + lagrangian.kinetic_energy(rates);
+  for (const Degree& torque : lagrangian.inverse_dynamics(rates, rates, rates)) largest += torque;
+  for (const Degree& torque : lagrangian.tip_torques(std::vector<Degree>(6, drawn))) largest += torque;
+  for (const FieldFrame<Degree>& link : lagrangian.mechanism().links) {
+    for (const Degree& entry : lagrangian.jacobian_dot_qd(link, rates)) largest += entry;
+  }
+  return {largest.value(), arithmetic.reciprocals};
+}
+
+FunctionDegrees function_degrees(const Function& function) {
+  RationalDegreeArithmetic arithmetic;
+  const std::vector<RationalDegree> values = evaluate(function, arithmetic);
+  RationalDegree all;
+  for (const NodeId root : roots(function)) all += values[static_cast<std::size_t>(root)];
+  FunctionDegrees result{all.numerator, 0};
+  for (const auto& [k, exponent] : all.exponents) result.denominator += exponent * arithmetic.denominators()[k];
+  return result;
+}
+
+double drawn_angles(const Function& function, const Mechanism& mechanism) {
+  double count = static_cast<double>(mechanism.size()) + static_cast<double>(mechanism.symbols.size());
+  for (NodeId id = 0; id < function.graph.size(); ++id) {
+    const Op op = function.graph[id].op;
+    if (op == Op::sin || op == Op::cos) count += 1;
+  }
+  return count;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A Mechanism whose numbers are elements of a field: real, or modulo a prime.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graph/graph.hpp"
+#include "model/mechanism.hpp"
+#include "verify/field_vector.hpp"
+
+namespace flatdyn {
+
+template <class F>
+struct FieldInertia {
+  F mass;
+  Vector3<F> first_moment;
+  Matrix3<F> inertia;
+};
+
+template <class F>
+struct FieldRotor {
+  int carrier;
+  F gear_ratio, inertia;
+  Vector3<F> axis;
+};
+
+template <class F>
+struct FieldFrame {
+  int body;
+  Matrix3<F> R;
+  Vector3<F> p;
+};
+
+template <class F>
+struct FieldBody {
+  int parent;
+  bool prismatic;
+  Matrix3<F> R;  // constant rotation in the parent's frame: Rz(beta) Rx(alpha) Rz(theta)
+  Vector3<F> p;
+  FieldInertia<F> inertia;
+  std::optional<FieldRotor<F>> rotor;
+  F armature, viscous, coulomb;
+};
+
+template <class F>
+struct FieldMechanism {
+  std::vector<FieldBody<F>> bodies;
+  std::vector<FieldFrame<F>> links;
+  FieldFrame<F> tip;
+  Vector3<F> gravity;
+  FieldInertia<F> base;
+
+  int size() const { return static_cast<int>(bodies.size()); }
+};
+
+Rational to_rational(const Number& a);  // throws Failure(unsupported) if it is none
+
+// A sum of multiples of free symbols and a constant as a node of `graph`, the symbols as inputs of kind parameter.
+// Throws Failure(unsupported) for any other expression.
+NodeId linear_angle(const Number& angle, const std::vector<FreeSymbol>& symbols, Graph& graph);
+
+// The position of a symbol among the robot's free symbols. Throws Failure(bug) for a stranger.
+int index_of(const Number& symbol, const std::vector<FreeSymbol>& symbols);
+
+[[noreturn]] void cannot_map(const Number& a);
+
+// Number → field, by an Arithmetic as evaluate() takes it: so a free symbol, and its sine, has the same value here as
+// in any Graph.
+template <class Arithmetic>
+class NumberMap {
+ public:
+  using F = typename Arithmetic::Scalar;
+
+  NumberMap(const std::vector<FreeSymbol>& symbols, Arithmetic& arithmetic)
+      : symbols_(symbols), arithmetic_(arithmetic) {}
+
+  F operator()(const Number& a) const {
+    if (GiNaC::is_a<GiNaC::numeric>(a)) return arithmetic_.constant(to_rational(a));
+    if (GiNaC::is_a<GiNaC::symbol>(a)) return arithmetic_.input({InputKind::parameter, index_of(a, symbols_)});
+    if (GiNaC::is_a<GiNaC::add>(a)) return folded(a, F(0), [](F& total, const F& next) { total += next; });
+    if (GiNaC::is_a<GiNaC::mul>(a)) return folded(a, F(1), [](F& total, const F& next) { total = total * next; });
+    if (GiNaC::is_a<GiNaC::power>(a)) return power(a);
+    if (GiNaC::is_a<GiNaC::function>(a)) return sine_or_cosine(a);
+    cannot_map(a);
+  }
+
+ private:
+  template <class Join>
+  F folded(const Number& a, F total, Join join) const {
+    for (const Number& operand : a) join(total, (*this)(operand));
+    return total;
+  }
+
+  F power(const Number& a) const {
+    if (!a.op(1).info(GiNaC::info_flags::integer)) cannot_map(a);
+    const int exponent = GiNaC::ex_to<GiNaC::numeric>(a.op(1)).to_int();
+    const F base = (*this)(a.op(0));
+    F result = F(1);
+    for (int k = 0; k < std::abs(exponent); ++k) result = result * base;
+    return exponent < 0 ? arithmetic_.divide(F(1), result) : result;
+  }
+
+  F sine_or_cosine(const Number& a) const {
+    Graph graph;
+    const NodeId angle = linear_angle(a.op(0), symbols_, graph);
+    const std::string name = GiNaC::ex_to<GiNaC::function>(a).get_name();
+    if (name == "sin") return arithmetic_.sin(graph, angle, (*this)(a.op(0)));
+    if (name == "cos") return arithmetic_.cos(graph, angle, (*this)(a.op(0)));
+    cannot_map(a);
+  }
+
+  const std::vector<FreeSymbol>& symbols_;
+  Arithmetic& arithmetic_;
+};
+
+template <class Arithmetic>
+class MechanismMap {
+ public:
+  using F = typename Arithmetic::Scalar;
+
+  MechanismMap(const Mechanism& mechanism, Arithmetic& arithmetic)
+      : mechanism_(mechanism), number_(mechanism.symbols, arithmetic) {}
+
+  FieldMechanism<F> operator()() const {
+    FieldMechanism<F> result;
+    for (const Body& body : mechanism_.bodies) result.bodies.push_back(mapped(body));
+    for (const LinkFrame& link : mechanism_.links) result.links.push_back(mapped(link));
+    result.tip = mapped(mechanism_.tip);
+    result.gravity = mapped(mechanism_.gravity);
+    result.base = mapped(mechanism_.base);
+    return result;
+  }
+
+ private:
+  Vector3<F> mapped(const Vec3& v) const { return {number_(v[0]), number_(v[1]), number_(v[2])}; }
+  Matrix3<F> mapped(const Mat3& m) const { return {mapped(m[0]), mapped(m[1]), mapped(m[2])}; }
+  FieldInertia<F> mapped(const InertialParameters& a) const {
+    return {number_(a.mass), mapped(a.first_moment), mapped(a.inertia)};
+  }
+  FieldFrame<F> mapped(const LinkFrame& a) const { return {a.body, mapped(a.R), mapped(a.p)}; }
+
+  // Rz(beta) Rx(alpha) Rz(theta), multiplied in the field.
+  Matrix3<F> rotation(const Body& body) const {
+    const auto about_z = [this](const PlanarRotation& a) {
+      return mapped(Mat3{Vec3{a.c, -a.s, 0}, Vec3{a.s, a.c, 0}, Vec3{0, 0, 1}});
+    };
+    const PlanarRotation& a = body.alpha;
+    const Matrix3<F> about_x = mapped(Mat3{Vec3{1, 0, 0}, Vec3{0, a.c, -a.s}, Vec3{0, a.s, a.c}});
+    return times(times(about_z(body.beta), about_x), about_z(body.theta));
+  }
+
+  FieldBody<F> mapped(const Body& body) const {
+    FieldBody<F> result{body.parent,          body.prismatic, rotation(body),         mapped(body.p),
+                        mapped(body.inertia), std::nullopt,   number_(body.armature), number_(body.viscous),
+                        number_(body.coulomb)};
+    if (body.rotor) {
+      result.rotor = FieldRotor<F>{body.rotor->carrier, number_(body.rotor->gear_ratio), number_(body.rotor->inertia),
+                                   mapped(body.rotor->axis)};
+    }
+    return result;
+  }
+
+  const Mechanism& mechanism_;
+  NumberMap<Arithmetic> number_;
+};
+
+template <class Arithmetic>
+FieldMechanism<typename Arithmetic::Scalar> field_mechanism(const Mechanism& mechanism, Arithmetic& arithmetic) {
+  return MechanismMap<Arithmetic>(mechanism, arithmetic)();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the Lagrangian says each output of a Function is, at one point of a field: by the function's name.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "graph/function.hpp"
+#include "verify/lagrangian.hpp"
+
+namespace flatdyn {
+
+template <class Arithmetic>
+class LagrangianOutputs {
+ public:
+  using F = typename Arithmetic::Scalar;
+  using Values = std::vector<F>;
+
+  // `values`: of the function's nodes, from evaluate() with the same arithmetic.
+  LagrangianOutputs(const Mechanism& mechanism, const Function& function, Arithmetic& arithmetic, const Values& values)
+      : mechanism_(mechanism),
+        arithmetic_(arithmetic),
+        values_(values),
+        stem_(function.name.substr(0, function.name.find(':'))),
+        link_(function.name == stem_ ? "" : function.name.substr(stem_.size() + 1)),
+        lagrangian_(field_mechanism(mechanism, arithmetic), joint_points()) {}
+
+  // The function's own values, brought to a form that has no denominators: for forward_dynamics, B times them.
+  Values found(const Output& output) {
+    Values result;
+    for (const NodeId entry : output.entries) result.push_back(values_[static_cast<std::size_t>(entry)]);
+    return stem_ == "forward_dynamics" ? times(lagrangian_.inertia(), result) : result;
+  }
+
+  // What found() has to be.
+  Values entries(const Output& output) {
+    if (stem_ == "inverse_dynamics") return inverse_dynamics();
+    if (stem_ == "inverse_dynamics_tip_force") return added(inverse_dynamics(), lagrangian_.tip_torques(tip_force()));
+    if (stem_ == "inertia_matrix") return lagrangian_.inertia().entries();
+    if (stem_ == "christoffel") return christoffel();
+    if (stem_ == "coriolis_matrix") return lagrangian_.coriolis_matrix(rates()).entries();
+    if (stem_ == "gravity") return lagrangian_.gravity();
+    if (stem_ == "bias") return lagrangian_.bias(rates(), signs());
+    if (stem_ == "forward_dynamics") return net_torques();
+    if (stem_ == "kinetic_energy") return {lagrangian_.kinetic_energy(rates())};
+    if (stem_ == "potential_energy") return {lagrangian_.potential_energy()};
+    if (stem_ == "forward_kinematics") return pose(output.name);
+    if (stem_ == "jacobian") return lagrangian_.jacobian(frame()).entries();
+    if (stem_ == "jacobian_dot_qd") return lagrangian_.jacobian_dot_qd(frame(), rates());
+    throw Failure(ExitCode::bug, "no definition to compare function \"" + stem_ + "\" with");
+  }
+
+ private:
+  std::vector<JointPoint<F>> joint_points() {
+    Graph graph;  // of the bare joint angles
+    std::vector<JointPoint<F>> points;
+    for (int i = 0; i < mechanism_.size(); ++i) {
+      const Input input{InputKind::q, i};
+      const F value = arithmetic_.input(input);
+      JointPoint<F> point;
+      if (mechanism_.bodies[static_cast<std::size_t>(i)].prismatic) {
+        point.d = value;
+      } else {
+        const NodeId angle = graph.input(input);
+        point.c = arithmetic_.cos(graph, angle, value);
+        point.s = arithmetic_.sin(graph, angle, value);
+      }
+      points.push_back(point);
+    }
+    return points;
+  }
+
+  Values drawn(InputKind kind, int count) const {
+    Values result;
+    for (int i = 0; i < count; ++i) result.push_back(arithmetic_.input({kind, i}));
+    return result;
+  }
+
+  Values rates() const { return drawn(InputKind::qd, mechanism_.size()); }
+  Values tip_force() const { return drawn(InputKind::h_e, 6); }
+
+  Values signs() const {
+    Values result;
+    for (const F& qd : rates()) result.push_back(arithmetic_.sign(qd));
+    return result;
+  }
+
+  static Values added(Values a, const Values& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+    return a;
+  }
+
+  Values inverse_dynamics() {
+    return lagrangian_.inverse_dynamics(rates(), drawn(InputKind::qdd, mechanism_.size()), signs());
+  }
+
+  // τ - n: what B q̈ has to be.
+  Values net_torques() {
+    Values result = drawn(InputKind::tau, mechanism_.size());
+    const Values bias = lagrangian_.bias(rates(), signs());
+    for (std::size_t i = 0; i < bias.size(); ++i) result[i] += -bias[i];
+    return result;
+  }
+
+  // In the order of Layout::christoffel.
+  Values christoffel() {
+    Values result;
+    for (int i = 0; i < mechanism_.size(); ++i) {
+      for (int k = 0; k < mechanism_.size(); ++k) {
+        for (int j = 0; j <= k; ++j) result.push_back(lagrangian_.christoffel(i, j, k));
+      }
+    }
+    return result;
+  }
+
+  const FieldFrame<F>& frame() const {
+    if (link_.empty()) return lagrangian_.mechanism().tip;
+    for (std::size_t k = 0; k < mechanism_.links.size(); ++k) {
+      if (mechanism_.links[k].link == link_) return lagrangian_.mechanism().links[k];
+    }
+    throw Failure(ExitCode::bug, "no link named \"" + link_ + "\"");
+  }
+
+  Values pose(const std::string& output) const {
+    const Pose3<F> pose = lagrangian_.pose(frame());
+    if (output == "p") return Values(pose.p.begin(), pose.p.end());
+    Values result;
+    for (const Vector3<F>& row : pose.R) result.insert(result.end(), row.begin(), row.end());
+    return result;
+  }
+
+  const Mechanism& mechanism_;
+  Arithmetic& arithmetic_;
+  const Values& values_;
+  std::string stem_, link_;
+  Lagrangian<F> lagrangian_;
+};
+
+}  // namespace flatdyn
