@@ -79,7 +79,8 @@ class TomlReader {
   void read_links(TomlTable& table) {
     const Place top{file_, 0};
     convention_ = read_convention(table);
-    robot_.links.push_back({table.text("base").value_or("base"), {}, table.has("base") ? table.place_of("base") : top});
+    robot_.links.push_back(
+        {table.text("base").value_or("base"), {}, table.has("base") ? table.place_of("base") : Place{file_, 1}});
     std::vector<TomlTable> rows = table.tables("link");
     if (rows.empty() && !table.has("link")) {
       diagnostics_.error(top, "there is no [[link]] and no urdf",
