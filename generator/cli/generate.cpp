@@ -45,14 +45,15 @@ ExitCode generate(const GenerateArguments& arguments) {
   const std::string header = header_name(model.mechanism, emit);
   nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
   manifest.update(model_json(model));
-  manifest["functions"] = functions_json(functions);
+  manifest["functions"] = functions_json(functions, symbol_names(model.mechanism));
   write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit)},
                {folder / "manifest.json", manifest.dump(2) + "\n"}});
   print_diagnostics(model.diagnostics, arguments.quiet);
   if (arguments.json) {
     fmt::print("{}\n", manifest.dump(2));
   } else {
-    fmt::print("{}\n{}\nwrote {}\n", describe_model(model), describe_functions(functions), (folder / header).string());
+    fmt::print("{}\n{}\nwrote {}\n", describe_model(model),
+               describe_functions(functions, symbol_names(model.mechanism)), (folder / header).string());
   }
   return ExitCode::ok;
 }

@@ -13,10 +13,10 @@
 
 namespace flatdyn {
 
-// A joint that the options or the file want held at q = 0.
-struct HeldJoint {
+// A name that refers to a link or joint, and where it is said.
+struct Reference {
   std::string name;
-  Place place;  // where that is said
+  Place place;
 };
 
 struct ReadContext {
@@ -24,7 +24,7 @@ struct ReadContext {
   Diagnostics& diagnostics;
   SymbolTable symbols;
   std::vector<Snap> snaps;
-  std::vector<HeldJoint> held_joints;
+  std::vector<Reference> held_joints;  // that the options or the file want held at q = 0
 };
 
 // What a number stands for in messages, and where it is: `joint "shoulder", origin rpy`.

@@ -35,7 +35,9 @@ std::string joined(const std::vector<std::string>& names) {
 
 std::string hint_for_unknown(std::string_view written, const std::vector<std::string>& known, std::string_view plural) {
   constexpr std::size_t kLongestName = 200;
-  std::size_t best_distance = std::max<std::size_t>(1, written.size() / 3) + 1;
+  // Up to a third of the letters may be wrong, one at least, but never all.
+  const std::size_t most_wrong = written.size() <= 1 ? 0 : std::max<std::size_t>(1, written.size() / 3);
+  std::size_t best_distance = most_wrong + 1;
   const std::string* best = nullptr;
   for (const std::string& name : known) {
     if (name.size() > kLongestName || written.size() > kLongestName) continue;

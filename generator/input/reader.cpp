@@ -74,22 +74,19 @@ int last_link(const Robot& robot) {
 }
 
 void attach(const Attachments& attachments, ReadContext& context, Robot& robot) {
+  const auto index_of = [&](const std::optional<Reference>& link, const char* what) {
+    return link ? find_link(robot, *link, what, context.diagnostics).value_or(robot.tip) : robot.tip;
+  };
   robot.tip = last_link(robot);
-  if (attachments.tip) {
-    const Spot spot{attachments.tip_offset.place, "tip, link"};
-    robot.tip = link_named(robot, *attachments.tip, spot, context.diagnostics).value_or(robot.tip);
-  }
+  robot.tip = index_of(attachments.tip, "tip, link");
   robot.tip_offset = attachments.tip_offset;
   if (attachments.payload) {
-    const Spot spot{attachments.payload->inertial.place, "payload, link"};
-    const std::string& name = attachments.payload->link;
-    const int link = name.empty() ? robot.tip : link_named(robot, name, spot, context.diagnostics).value_or(robot.tip);
+    const int link = index_of(attachments.payload->link, "payload, link");
     robot.links[static_cast<std::size_t>(link)].inertials.push_back(attachments.payload->inertial);
   }
   // A payload stays where the file puts it, whatever frame the user asks for.
   if (context.options.tip) {
-    robot.tip =
-        link_named(robot, *context.options.tip, {kCommandLine, "--tip"}, context.diagnostics).value_or(robot.tip);
+    robot.tip = index_of(Reference{*context.options.tip, kCommandLine}, "--tip");
     robot.tip_offset = {};
   }
 }

@@ -27,7 +27,7 @@ void read_about(TomlTable& table, bool has_inertia, Inertial& inertial, Diagnost
   }
 }
 
-Motor read_motor(TomlTable& table, std::string& carrier) {
+Motor read_motor(TomlTable& table, std::optional<Reference>& carrier) {
   Motor motor;
   motor.place = table.place();
   motor.mass = table.number_or_zero("mass", Quantity::mass);
@@ -36,7 +36,7 @@ Motor read_motor(TomlTable& table, std::string& carrier) {
   motor.gear_ratio = table.number("gear_ratio", Quantity::gear_ratio).value_or(Value{1, table.place()});
   motor.axis = table.vector("axis", Quantity::other, {0, 0, 1});
   motor.position = table.vector("position", Quantity::length, zero_vector());
-  carrier = table.text("carrier").value_or("");
+  carrier = table.reference("carrier");
   table.reject_unknown_keys();
   return motor;
 }
@@ -71,14 +71,16 @@ std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics
     inertial.place = tensor->place();
   }
   read_about(table, tensor.has_value(), inertial, diagnostics);
-  if (!table.has("mass") && !table.has("com") && !tensor) return std::nullopt;
-  return inertial;
+  const bool given = table.has("mass") || table.has("com") || tensor;
+  return given ? std::optional<Inertial>(inertial) : std::nullopt;
 }
 
-void read_joint_properties(TomlTable& table, Joint& joint, std::string& carrier) {
+std::optional<Reference> read_joint_properties(TomlTable& table, Joint& joint) {
+  std::optional<Reference> carrier;
   if (auto viscous = table.number("viscous", Quantity::viscous_friction)) joint.viscous = *viscous;
   if (auto coulomb = table.number("coulomb", Quantity::coulomb_friction)) joint.coulomb = *coulomb;
-  if (auto armature = table.number("armature", Quantity::inertia)) joint.armature = *armature;
+  const Quantity reflected = joint.type == JointType::prismatic ? Quantity::mass : Quantity::inertia;
+  if (auto armature = table.number("armature", reflected)) joint.armature = *armature;
   if (std::optional<TomlTable> motor = table.table("motor")) joint.motor = read_motor(*motor, carrier);
   if (std::optional<TomlTable> table_of_limits = table.table("limits")) {
     const Limits limits = read_limits(*table_of_limits, joint.type);
@@ -88,6 +90,7 @@ void read_joint_properties(TomlTable& table, Joint& joint, std::string& carrier)
     replace_if_given(joint.limits.acceleration, limits.acceleration);
     replace_if_given(joint.limits.effort, limits.effort);
   }
+  return carrier;
 }
 
 }  // namespace flatdyn

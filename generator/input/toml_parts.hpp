@@ -13,7 +13,7 @@ namespace flatdyn {
 std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics);
 
 // viscous, coulomb, armature, limits, motor of a [[link]] or [[joint]]; what is not there stays as it is.
-// carrier: the name of the motor's carrier, to be looked up when all links are known; empty if it is not given.
-void read_joint_properties(TomlTable& table, Joint& joint, std::string& carrier);
+// Returns the motor's carrier, to be looked up when all links are known, if it is given.
+std::optional<Reference> read_joint_properties(TomlTable& table, Joint& joint);
 
 }  // namespace flatdyn

@@ -69,9 +69,9 @@ class TomlReader {
   }
 
  private:
-  struct CarrierName {
-    std::string link;
-    Spot spot;
+  struct Carrier {
+    Reference link;
+    std::string what;
   };
 
   // ---- links of the file itself
@@ -79,7 +79,8 @@ class TomlReader {
   void read_links(TomlTable& table) {
     const Place top{file_, 0};
     convention_ = read_convention(table);
-    robot_.links.push_back({table.text("base").value_or("base"), {}, table.has("base") ? table.place_of("base") : top});
+    robot_.links.push_back(
+        {table.text("base").value_or("base"), {}, table.has("base") ? table.place_of("base") : Place{file_, 1}});
     std::vector<TomlTable> rows = table.tables("link");
     if (rows.empty() && !table.has("link")) {
       diagnostics_.error(top, "there is no [[link]] and no urdf",
@@ -115,9 +116,8 @@ class TomlReader {
     joint.parent = static_cast<int>(number) - 1;
     if (joint.name.empty())
       diagnostics_.error(row.place_of("joint"), row.what() + ", joint: the name is empty", "give it a name");
-    if (const std::optional<std::string> parent = row.text("parent")) {
-      joint.parent =
-          link_named(robot_, *parent, {row.place_of("parent"), row.what() + ", parent"}, diagnostics_).value_or(-1);
+    if (const std::optional<Reference> parent = row.reference("parent")) {
+      joint.parent = find_link(robot_, *parent, row.what() + ", parent", diagnostics_).value_or(-1);
     }
     joint.type = read_type(row);
     place_joint(row, joint);
@@ -186,22 +186,19 @@ class TomlReader {
   }
 
   void read_properties(TomlTable& table, Joint& joint) {
-    std::string carrier;
-    read_joint_properties(table, joint, carrier);
+    const std::optional<Reference> carrier = read_joint_properties(table, joint);
     if (joint.motor && joint.type == JointType::fixed) {
       diagnostics_.error(joint.motor->place, table.what() + ": a fixed joint has no motor",
                          "add the motor's mass to the link that carries it");
       joint.motor.reset();
     }
-    if (joint.motor && !carrier.empty()) {
-      carriers_[joint.name] = {carrier, {joint.motor->place, table.what() + ", motor, carrier"}};
-    }
+    if (joint.motor && carrier) carriers_[joint.name] = {*carrier, table.what() + ", motor, carrier"};
   }
 
-  void find_carrier(const std::string& joint_name, const CarrierName& carrier) {
+  void find_carrier(const std::string& joint_name, const Carrier& carrier) {
     for (Joint& joint : robot_.joints) {
       if (joint.name != joint_name || !joint.motor) continue;
-      joint.motor->carrier = link_named(robot_, carrier.link, carrier.spot, diagnostics_).value_or(-1);
+      joint.motor->carrier = find_link(robot_, carrier.link, carrier.what, diagnostics_).value_or(-1);
     }
   }
 
@@ -250,13 +247,13 @@ class TomlReader {
   Attachments read_attachments(TomlTable& table) {
     Attachments attachments;
     if (std::optional<TomlTable> tip = table.table("tip")) {
-      attachments.tip = tip->text("link");
+      attachments.tip = tip->reference("link");
       const Vec3 xyz = tip->vector("xyz", Quantity::length, zero_vector());
       attachments.tip_offset = pose_from_xyz_rpy(xyz, tip->angles("rpy"), tip->place());
       tip->reject_unknown_keys();
     }
     if (std::optional<TomlTable> payload = table.table("payload")) {
-      const std::string link = payload->text("link").value_or("");
+      const std::optional<Reference> link = payload->reference("link");
       if (auto inertial = read_inertial(*payload, diagnostics_)) attachments.payload = {link, *inertial};
       payload->reject_unknown_keys();
     }
@@ -269,19 +266,20 @@ class TomlReader {
   Diagnostics& diagnostics_;
   Robot& robot_;
   DhConvention convention_ = DhConvention::none;
-  std::map<std::string, CarrierName> carriers_;  // by the name of the joint
+  std::map<std::string, Carrier> carriers_;  // by the name of the joint
 };
 
 }  // namespace
 
-std::optional<int> link_named(const Robot& robot, const std::string& name, const Spot& spot, Diagnostics& diagnostics) {
+std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,
+                             Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    if (robot.links[i].name == name) return static_cast<int>(i);
+    if (robot.links[i].name == link.name) return static_cast<int>(i);
     known.push_back(robot.links[i].name);
   }
-  diagnostics.error(spot.place, spot.what + ": there is no link \"" + name + "\"",
-                    hint_for_unknown(name, known, "links"));
+  diagnostics.error(link.place, what + ": there is no link " + quoted(link.name),
+                    hint_for_unknown(link.name, known, "links"));
   return std::nullopt;
 }
 

@@ -12,10 +12,10 @@ namespace flatdyn {
 // What a TOML file says about the whole robot, which can be applied only when the tree is known.
 struct Attachments {
   struct Payload {
-    std::string link;  // empty: the tip's
+    std::optional<Reference> link;  // the tip's if it is not given
     Inertial inertial;
   };
-  std::optional<std::string> tip;
+  std::optional<Reference> tip;
   Pose tip_offset;
   std::optional<Payload> payload;
 };
@@ -24,7 +24,8 @@ struct Attachments {
 // read on. `file` names it in diagnostics, and its folder is where a URDF is looked for.
 Attachments read_toml(const std::string& text, const std::string& file, ReadContext& context, Robot& robot);
 
-// Index of the link of this name, or nullopt and a diagnostic.
-std::optional<int> link_named(const Robot& robot, const std::string& name, const Spot& spot, Diagnostics& diagnostics);
+// Index of the link of this name, or nullopt and a diagnostic; `what` says who refers to it.
+std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,
+                             Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -103,6 +103,11 @@ std::optional<std::string> TomlTable::text(std::string_view key) {
   return std::nullopt;
 }
 
+std::optional<Reference> TomlTable::reference(std::string_view key) {
+  const std::optional<std::string> name = text(key);
+  return name ? std::optional<Reference>({*name, place_of(key)}) : std::nullopt;
+}
+
 std::vector<std::string> TomlTable::texts(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
@@ -116,46 +121,49 @@ std::vector<std::string> TomlTable::texts(std::string_view key) {
   return all;
 }
 
-Number TomlTable::expression_of(const toml::node& node, const std::string& text, const Spot& spot) {
+std::optional<Number> TomlTable::expression_of(const toml::node& node, const std::string& text, const Spot& spot) {
   ReadContext& context = source_.context();
   const toml::source_index column = node.source().begin.column;
   const auto symbol = [&](std::string_view name, std::size_t offset) -> Number {
     return context.symbols.get(name, spot.place, column + offset, context.diagnostics);
   };
+  constexpr std::size_t kShown = 40;
+  const std::string shown = "\"" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "\"";
   try {
     const Number value = parse_expression(text, symbol);
     if (has_symbols(value)) return value;
     const Number magnitude = GiNaC::abs(value.evalf());
     if (GiNaC::ex_to<GiNaC::numeric>(magnitude) <= GiNaC::ex_to<GiNaC::numeric>(largest_number())) return value;
-    context.diagnostics.error(spot.place, spot.what + ": \"" + text + "\" is too large",
+    context.diagnostics.error(spot.place, spot.what + ": " + shown + " is too large",
                               "numbers go up to 1e30; check the units (SI)");
   } catch (const ExpressionError& error) {
     context.diagnostics.error(
-        spot.place,
-        spot.what + ": \"" + text + "\": " + error.what() + " (column " + std::to_string(error.column()) + ")",
+        spot.place, spot.what + ": " + shown + ": " + error.what() + " (column " + std::to_string(error.column()) + ")",
         "e.g. 0.25, \"pi/2\", \"sqrt(2)/2\", \"2*l_1 - a_1\"");
   }
-  return 0;
+  return std::nullopt;
 }
 
-Number TomlTable::number_of(const toml::node& node, std::string_view key) {
+std::optional<Number> TomlTable::number_of(const toml::node& node, std::string_view key) {
   const Spot where = spot(node, key);
   if (const auto* string = node.as_string()) return expression_of(node, string->get(), where);
   if (const auto* integer = node.as_integer())
-    return checked_decimal(std::to_string(integer->get()), where, source_.context().diagnostics).value_or(0);
+    return checked_decimal(std::to_string(integer->get()), where, source_.context().diagnostics);
   if (!node.is_floating_point()) {
     report_kind(node, key, "a number or an expression in quotes");
-    return 0;
+    return std::nullopt;
   }
   std::string text = source_.text_of(node.source());
   std::erase(text, '_');  // TOML lets digits be grouped: 1_000.0
-  return checked_decimal(text, where, source_.context().diagnostics).value_or(0);
+  return checked_decimal(text, where, source_.context().diagnostics);
 }
 
 std::optional<Value> TomlTable::number(std::string_view key, Quantity quantity) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  const Value value{number_of(*node, key), source_.place(node->source())};
+  const std::optional<Number> exact = number_of(*node, key);
+  if (!exact) return std::nullopt;
+  const Value value{*exact, source_.place(node->source())};
   source_.context().symbols.check_quantity(value.number, quantity, value.place, source_.context().diagnostics);
   return value;
 }
@@ -168,7 +176,7 @@ std::optional<Value> TomlTable::limit(std::string_view key, Quantity quantity) {
   const toml::node* node = find(key);
   if (node == nullptr || is_infinite(*node)) return std::nullopt;
   std::optional<Value> value = number(key, quantity);
-  if (!has_symbols(value->number)) return value;
+  if (!value || !has_symbols(value->number)) return value;
   source_.context().diagnostics.unsupported(value->place,
                                             with_key(what_, key) + ": a symbol as a limit is not supported",
                                             "limits are constants of the generated code: write a number");
@@ -190,7 +198,9 @@ Vec3 TomlTable::vector(std::string_view key, Quantity quantity, const Vec3& fall
   Vec3 values;
   for (std::size_t i = 0; i < 3; ++i) {
     const toml::node& node = *array->get(i);
-    values[i] = number_of(node, key);
+    const std::optional<Number> value = number_of(node, key);
+    if (!value) return fallback;
+    values[i] = *value;
     source_.context().symbols.check_quantity(values[i], quantity, source_.place(node.source()),
                                              source_.context().diagnostics);
   }
@@ -200,7 +210,7 @@ Vec3 TomlTable::vector(std::string_view key, Quantity quantity, const Vec3& fall
 Number TomlTable::angle_of(const toml::node& node, std::string_view key) {
   ReadContext& context = source_.context();
   const Spot where = spot(node, key);
-  const Number value = number_of(node, key);
+  const Number value = number_of(node, key).value_or(0);
   context.symbols.check_quantity(value, Quantity::angle, where.place, context.diagnostics);
   if (node.is_string()) return canonical_angle(value, where, context.diagnostics);
   return snapped_angle(value, source_.text_of(node.source()), where, context);

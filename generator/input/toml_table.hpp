@@ -47,9 +47,10 @@ class TomlTable {
   bool has(std::string_view key) const { return table_.contains(key); }
 
   std::optional<std::string> text(std::string_view key);
+  std::optional<Reference> reference(std::string_view key);
   std::vector<std::string> texts(std::string_view key);
 
-  // nullopt if the key is not there; 0 and an error if it is no number or expression.
+  // nullopt if the key is not there, or, with an error, if it is no number or expression.
   std::optional<Value> number(std::string_view key, Quantity quantity);
   Value number_or_zero(std::string_view key, Quantity quantity);
   // A number without symbols; infinite means none.
@@ -69,8 +70,8 @@ class TomlTable {
  private:
   const toml::node* find(std::string_view key);
   Spot spot(const toml::node& node, std::string_view key) const;
-  Number number_of(const toml::node& node, std::string_view key);
-  Number expression_of(const toml::node& node, const std::string& text, const Spot& spot);
+  std::optional<Number> number_of(const toml::node& node, std::string_view key);
+  std::optional<Number> expression_of(const toml::node& node, const std::string& text, const Spot& spot);
   Number angle_of(const toml::node& node, std::string_view key);
   const toml::array* three(std::string_view key);
   void report_kind(const toml::node& node, std::string_view key, const std::string& expected) const;

@@ -128,7 +128,7 @@ class UrdfReader {
 
   bool is_held(const std::string& joint) const {
     return std::any_of(context_.held_joints.begin(), context_.held_joints.end(),
-                       [&](const HeldJoint& held) { return held.name == joint; });
+                       [&](const Reference& held) { return held.name == joint; });
   }
 
   JointType read_type(const XMLElement& element, const std::string& name) {

@@ -84,7 +84,11 @@ Vec3 UrdfValues::vector(const XMLElement& element, const char* attribute, const 
   }
   Vec3 values;
   const Spot spot{place(element), what + ", " + attribute};
-  for (std::size_t i = 0; i < 3; ++i) values[i] = checked_decimal(words[i], spot, context_.diagnostics).value_or(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<Number> value = checked_decimal(words[i], spot, context_.diagnostics);
+    if (!value) return fallback;
+    values[i] = *value;
+  }
   return values;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "model/validate.hpp"
@@ -90,6 +91,10 @@ void find_root(Robot& robot, const std::vector<int>& joint_above, Diagnostics& d
   }
 }
 
+bool all_named(const Robot& robot) {
+  return std::none_of(robot.links.begin(), robot.links.end(), [](const Link& link) { return link.name.empty(); });
+}
+
 bool find_tree(Robot& robot, Diagnostics& diagnostics) {
   if (robot.links.empty()) {
     diagnostics.error({robot.file, 0}, "the robot has no links", "add a link for the base and one for each joint");
@@ -105,7 +110,8 @@ bool find_tree(Robot& robot, Diagnostics& diagnostics) {
     report_cycle(robot, joint_above, link, diagnostics);
     return false;
   }
-  find_root(robot, joint_above, diagnostics);
+  // With a name missing or taken twice, joints may hang on the wrong link: what follows from that is not said.
+  if (!diagnostics.has_errors() && all_named(robot)) find_root(robot, joint_above, diagnostics);
   return robot.root >= 0;
 }
 

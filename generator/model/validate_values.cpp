@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -22,11 +23,9 @@ std::string named(const Joint& joint) { return "joint \"" + joint.name + "\""; }
 std::string named(const Link& link) { return "link \"" + link.name + "\""; }
 
 void check_axis(const Joint& joint, Diagnostics& diagnostics) {
-  for (const Number& component : joint.axis) {
-    if (!has_symbols(component)) continue;
+  if (std::any_of(joint.axis.begin(), joint.axis.end(), has_symbols)) {
     diagnostics.unsupported(joint.place, named(joint) + ": a symbol in the axis is not supported",
                             "write numbers; a symbolic angle can be given in rpy, alpha or theta");
-    return;
   }
   if (is_exact_zero(dot(joint.axis, joint.axis))) {
     diagnostics.error(joint.place, named(joint) + ": the axis is zero", "write a direction such as 0 0 1");
@@ -40,9 +39,38 @@ void check_not_negative(const Value& value, const std::string& what, const std::
   }
 }
 
+void check_inertia_without_mass(const Link& link, const Inertial& inertial, Diagnostics& diagnostics) {
+  if (!is_exact_zero(inertial.mass.number)) return;
+  bool all_zero = true;
+  for (const Vec3& row : inertial.tensor) {
+    for (const Number& entry : row) all_zero = all_zero && is_exact_zero(entry);
+  }
+  if (all_zero) return;
+  diagnostics.warning(inertial.place, named(link) + ": the mass is zero but the inertia is not",
+                      "give the mass, or delete the inertia");
+}
+
+// One diagonal entry and nothing else: no body has that, but planar models are written so.
+bool is_about_one_axis(const Mat3& tensor) {
+  int entries = 0, moments = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (is_exact_zero(tensor[i][j])) continue;
+      ++entries;
+      if (i == j && !is_negative(tensor[i][j])) ++moments;
+    }
+  }
+  return entries == 1 && moments == 1;
+}
+
 void check_inertia(const Link& link, const Inertial& inertial, Diagnostics& diagnostics) {
   check_not_negative(inertial.mass, named(link) + ": mass", "masses are in kg, not negative", diagnostics);
   const Mat3 tensor = central_tensor(inertial);
+  if (is_about_one_axis(tensor)) {
+    diagnostics.note(inertial.place, named(link) + ": only a moment of inertia about one axis is given",
+                     "that is enough if the link turns about that axis only, as in a planar arm");
+    return;
+  }
   const auto fault = fault_of_inertia(tensor);
   if (fault) {
     const auto [largest, middle, smallest] = principal_moments(tensor);
@@ -54,14 +82,6 @@ void check_inertia(const Link& link, const Inertial& inertial, Diagnostics& diag
         fmt::format("{}: no body has this inertia: {} ({:.6g}, {:.6g}, {:.6g} kg m^2 about the centre of mass)",
                     named(link), what, largest, middle, smallest),
         "check the units, the signs of the products of inertia, and the point that the tensor is about");
-  }
-  bool all_zero = true;
-  for (const Vec3& row : tensor) {
-    for (const Number& entry : row) all_zero = all_zero && is_exact_zero(entry);
-  }
-  if (is_exact_zero(inertial.mass.number) && !all_zero) {
-    diagnostics.warning(inertial.place, named(link) + ": the mass is zero but the inertia is not",
-                        "give the mass, or delete the inertia");
   }
 }
 
@@ -75,6 +95,9 @@ void check_motor(const Joint& joint, Diagnostics& diagnostics) {
   if (is_exact_zero(motor.gear_ratio.number)) {
     diagnostics.error(motor.gear_ratio.place, what + "gear_ratio is zero",
                       "k_r = motor speed / joint speed; 1 if direct");
+  }
+  if (std::any_of(motor.axis.begin(), motor.axis.end(), has_symbols)) {
+    diagnostics.unsupported(motor.place, what + "a symbol in the axis is not supported", "write numbers");
   }
   if (is_exact_zero(dot(motor.axis, motor.axis))) {
     diagnostics.error(motor.place, what + "the axis is zero", "write a direction such as [0, 0, 1]");
@@ -204,15 +227,20 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
 }  // namespace
 
 void validate_values(Robot& robot, Diagnostics& diagnostics) {
+  const bool complete = !diagnostics.has_errors();
   for (const Link& link : robot.links) {
-    for (const Inertial& inertial : link.inertials) check_inertia(link, inertial, diagnostics);
+    for (const Inertial& inertial : link.inertials) {
+      check_inertia(link, inertial, diagnostics);
+      if (complete) check_inertia_without_mass(link, inertial, diagnostics);
+    }
   }
   for (Joint& joint : robot.joints) check_joint(joint, diagnostics);
+  check_cpp_names(robot, diagnostics);
+  if (!complete) return;
   if (moving_joints(robot).empty()) {
     diagnostics.error({robot.file, 0}, "no joint of this robot moves",
                       "make a joint revolute, continuous or prismatic");
   }
-  check_cpp_names(robot, diagnostics);
   check_moved_inertia(robot, diagnostics);
 }
 

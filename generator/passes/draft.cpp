@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "passes/draft.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "graph/count.hpp"
@@ -80,6 +81,13 @@ NodeId unfolded_node(Graph& graph, const Node& node, const std::vector<NodeId>& 
   return graph.copy(node, image);
 }
 
+// Folding may leave nodes behind that nothing reaches any more: products that had a coefficient, say.
+Function without_leftovers(Function function) {
+  const std::vector<bool> reached = reachable_from(function.graph, roots(function));
+  const bool is_all_reached = std::find(reached.begin(), reached.end(), false) == reached.end();
+  return is_all_reached ? std::move(function) : without_dead_code(function);
+}
+
 }  // namespace
 
 Draft::Draft(const Function& function) : source(function) {
@@ -126,13 +134,7 @@ Function Draft::finish() const {
   for (std::size_t id = 0; id < nodes.size(); ++id) {
     if (alive[id]) copy_tree(*this, static_cast<NodeId>(id), graph, image);
   }
-  Function result = with_graph(source, std::move(graph), image);
-  // What a root no longer is after folding (a scaled node's inside, say) may be left over: not reached any more.
-  const std::vector<bool> reached = reachable_from(result.graph, roots(result));
-  for (const bool is_reached : reached) {
-    if (!is_reached) return without_dead_code(result);
-  }
-  return result;
+  return without_leftovers(with_graph(source, std::move(graph), image));
 }
 
 Function without_dead_code(const Function& function) {
@@ -158,7 +160,12 @@ Function unfolded(const Function& function) {
     image[id] = unfolded_node(graph, function.graph[old], image);
     copy_name(function.graph, old, graph, image[id]);
   }
-  return without_dead_code(with_graph(function, std::move(graph), image));
+  return without_leftovers(with_graph(function, std::move(graph), image));
+}
+
+bool is_worth_repeating(int cost_before, int cost_after) {
+  constexpr int kLeastGain = 400;  // one in so many operations
+  return (cost_before - cost_after) * kLeastGain >= cost_before && cost_after < cost_before;
 }
 
 int cost(const Function& function) {

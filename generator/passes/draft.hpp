@@ -36,6 +36,9 @@ Function unfolded(const Function& function);
 // What a pass weighs: all operations, sin, cos and divisions as much as the additions that they take the time of.
 int cost(const Function& function);
 
+// Whether passes that have brought the cost down by so much should be run again: time is bounded, too.
+bool is_worth_repeating(int cost_before, int cost_after);
+
 // `candidate` if it costs less than `original` and has no more sin, cos or divisions; else `original`.
 Function cheaper(const Function& original, Function candidate);
 

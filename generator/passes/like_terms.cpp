@@ -61,14 +61,18 @@ void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses) {
 
 }  // namespace
 
-Function like_terms(const Function& function) {
+Function with_merged_sums(const Function& function) {
   const Function flat = unfolded(function);
   Draft draft(flat);
   std::vector<int> uses = draft.use_counts();
   for (NodeId id = 0; id < flat.graph.size(); ++id) {
     if (draft.at(id).op == Op::sum) merge_operands(draft, id, uses);
   }
-  return cheaper(function, with_shared_products(draft.finish()));
+  return unfolded(draft.finish());
+}
+
+Function like_terms(const Function& function) {
+  return cheaper(function, with_shared_products(with_merged_sums(function)));
 }
 
 }  // namespace flatdyn

@@ -9,4 +9,7 @@ namespace flatdyn {
 // that costs no more: what is alike is then collected, and share_sums sees all terms at once.
 Function like_terms(const Function& function);
 
+// The same in full normal form (nothing shared by keeping), whatever it costs.
+Function with_merged_sums(const Function& function);
+
 }  // namespace flatdyn

@@ -33,7 +33,7 @@ Function run_passes(Function function, std::vector<PassRecord>* record) {
       function = pass.run(function);
       if (record != nullptr) record->push_back({pass.name, before, count_operations(function)});
     }
-    if (cost(function) >= cost_before) break;
+    if (!is_worth_repeating(cost_before, cost(function))) break;
   }
   return function;
 }

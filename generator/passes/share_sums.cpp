@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "passes/like_terms.hpp"
 #include "passes/polynomials.hpp"
 #include "passes/share_products.hpp"
 
@@ -43,6 +44,7 @@ class Sharing {
   struct Occurrence {  // polynomial = … + c · factor · (a + ratio · b)
     int polynomial;
     MonomialId factor;
+    MonomialId first, second;  // factor · a, factor · b
     auto operator<=>(const Occurrence&) const = default;
   };
   struct Kernel {  // a + ratio · b, a < b, without common factor
@@ -51,9 +53,9 @@ class Sharing {
     std::vector<Occurrence> where;  // when they were looked at
   };
   struct Candidate {
-    int savings, kernel;
+    int priority, kernel;
     bool operator<(const Candidate& other) const {
-      return std::tie(savings, other.kernel) < std::tie(other.savings, kernel);
+      return std::tie(priority, other.kernel) < std::tie(other.priority, kernel);
     }
   };
   // What extracting a kernel brings, and as which multiple of it the new node is best made.
@@ -76,14 +78,16 @@ class Sharing {
     const MonomialId factor = p_.monomials.common(first.monomial, second.monomial);
     MonomialId a = p_.monomials.quotient(first.monomial, factor);
     MonomialId b = p_.monomials.quotient(second.monomial, factor);
+    Occurrence occurrence = {polynomial, factor, first.monomial, second.monomial};
     Rational ratio = second.coefficient / first.coefficient;
     if (a > b) {
       std::swap(a, b);
+      std::swap(occurrence.first, occurrence.second);
       ratio = 1 / ratio;
     }
     const auto [it, is_new] = kernel_ids_.emplace(std::make_tuple(a, b, ratio), static_cast<int>(kernels_.size()));
     if (is_new) kernels_.push_back({a, b, ratio, {}});
-    kernels_[at(it->second)].where.push_back({polynomial, factor});
+    kernels_[at(it->second)].where.push_back(occurrence);
     touched_.push_back(it->second);
   }
 
@@ -97,9 +101,9 @@ class Sharing {
   // The coefficient c of an occurrence; nothing if it is no longer there.
   const Rational* coefficient(const Kernel& kernel, const Occurrence& occurrence) {
     const Polynomial& polynomial = p_.polynomials[at(occurrence.polynomial)];
-    const PolynomialTerm* first = find(polynomial, p_.monomials.product(kernel.a, occurrence.factor));
+    const PolynomialTerm* first = find(polynomial, occurrence.first);
     if (first == nullptr) return nullptr;
-    const PolynomialTerm* second = find(polynomial, p_.monomials.product(kernel.b, occurrence.factor));
+    const PolynomialTerm* second = find(polynomial, occurrence.second);
     if (second == nullptr || second->coefficient != kernel.ratio * first->coefficient) return nullptr;
     return &first->coefficient;
   }
@@ -116,18 +120,30 @@ class Sharing {
     return policy_.count_shared_products ? (degree - 1) * kOperation / uses : 0;
   }
 
-  int new_product_cost(MonomialId monomial) {
-    const int degree = p_.monomials.degree(monomial);
-    return degree < 2 || p_.uses_of(monomial) > 0 ? 0 : (degree - 1) * kOperation;
+  // What the new node needs for its own two products, where they do not simply move into it from a sum.
+  int new_products_cost(const Kernel& kernel) {
+    for (const Occurrence& occurrence : kernel.where) {
+      if (p_.monomials.degree(occurrence.factor) == 0) return 0;
+    }
+    int total = 0;
+    for (const MonomialId monomial : {kernel.a, kernel.b}) {
+      if (p_.uses_of(monomial) == 0) total += std::max(p_.monomials.degree(monomial) - 1, 0) * kOperation;
+    }
+    return total;
   }
 
   // All but the coefficient of the new term, which depends on the kernel's scale.
   int savings_at(const Kernel& kernel, const Occurrence& occurrence, const Rational& c) {
-    const MonomialId first = p_.monomials.product(kernel.a, occurrence.factor);
-    const MonomialId second = p_.monomials.product(kernel.b, occurrence.factor);
-    const int before = kOperation + coefficient_cost(c, first) + coefficient_cost(c * kernel.ratio, second) +
-                       product_cost(first) + product_cost(second);
-    return before - p_.monomials.degree(occurrence.factor) * kOperation;
+    const int before =
+        kOperation + coefficient_cost(c, occurrence.first) + coefficient_cost(c * kernel.ratio, occurrence.second);
+    const int degree = p_.monomials.degree(occurrence.factor);
+    if (degree == 0) return before;
+    return before + product_cost(occurrence.first) + product_cost(occurrence.second) - degree * kOperation;
+  }
+
+  // One use of a partial sum saves nothing, unless a coefficient or a factor is taken out.
+  bool is_hopeless(const Kernel& kernel, const Occurrence& only) const {
+    return p_.monomials.degree(only.factor) == 0 && is_multiplication(kernel.ratio) != 0;
   }
 
   Plan plan(Kernel& kernel) {
@@ -136,7 +152,7 @@ class Sharing {
     where.erase(std::unique(where.begin(), where.end()), where.end());
     std::erase_if(where, [&](const Occurrence& o) { return coefficient(kernel, o) == nullptr; });
     Plan best;
-    if (where.empty()) return best;
+    if (where.empty() || (where.size() == 1 && is_hopeless(kernel, where[0]))) return best;
     int savings = 0;
     std::vector<Rational> coefficients;
     for (const Occurrence& occurrence : where) {
@@ -155,7 +171,7 @@ class Sharing {
       best.savings = coefficients.empty() ? 0 : savings - scaling_cost(coefficients, best.scale);
       return best;
     }
-    savings -= kOperation + new_product_cost(kernel.a) + new_product_cost(kernel.b);
+    savings -= kOperation + new_products_cost(kernel);
     choose_scale(kernel, coefficients, best);
     best.savings += savings;
     return best;
@@ -182,17 +198,31 @@ class Sharing {
     }
   }
 
+  // Among equal savings, partial sums of products that several sums have go first: a factor that is taken out of one
+  // of these sums would hide them.
+  int priority(const Plan& plan, const Kernel& kernel) const {
+    int result = plan.savings;
+    if (result <= 0 || kernel.where.size() < 2) return result;
+    for (const Occurrence& occurrence : kernel.where) {
+      if (p_.monomials.degree(occurrence.factor) > 0) continue;
+      result += kOperation / 2 * std::max(p_.monomials.degree(occurrence.first) - 1, 0);
+      result += kOperation / 2 * std::max(p_.monomials.degree(occurrence.second) - 1, 0);
+    }
+    return result;
+  }
+
   void push(int kernel) {
-    const int savings = plan(kernels_[at(kernel)]).savings;
-    if (savings > 0) queue_.push({savings, kernel});
+    const Plan now = plan(kernels_[at(kernel)]);
+    if (now.savings > 0) queue_.push({priority(now, kernels_[at(kernel)]), kernel});
   }
 
   void extract_next() {
     const Candidate best = queue_.top();
     queue_.pop();
     const Plan now = plan(kernels_[at(best.kernel)]);
-    if (now.savings < best.savings) {
-      if (now.savings > 0) queue_.push({now.savings, best.kernel});
+    const int now_priority = priority(now, kernels_[at(best.kernel)]);
+    if (now_priority < best.priority) {
+      if (now_priority > 0) queue_.push({now_priority, best.kernel});
       return;
     }
     extract(best.kernel, now);
@@ -208,7 +238,7 @@ class Sharing {
       if (occurrence.polynomial == source) continue;
       const Rational* c = coefficient(kernel, occurrence);
       if (c == nullptr) continue;  // one before has used its terms
-      replace(kernel, occurrence, {*c / plan.scale, p_.monomials.product(occurrence.factor, shared_monomial)});
+      replace(occurrence, {*c / plan.scale, p_.monomials.product(occurrence.factor, shared_monomial)});
     }
     if (plan.existing < 0) index_polynomial(source);
     std::sort(touched_.begin(), touched_.end());
@@ -224,10 +254,9 @@ class Sharing {
     return static_cast<int>(p_.polynomials.size()) - 1;
   }
 
-  void replace(const Kernel& kernel, const Occurrence& occurrence, PolynomialTerm merged) {
+  void replace(const Occurrence& occurrence, PolynomialTerm merged) {
     auto& terms = p_.polynomials[at(occurrence.polynomial)].terms;
-    const MonomialId first = p_.monomials.product(kernel.a, occurrence.factor);
-    const MonomialId second = p_.monomials.product(kernel.b, occurrence.factor);
+    const MonomialId first = occurrence.first, second = occurrence.second;
     std::erase_if(terms, [&](const PolynomialTerm& term) {
       if (term.monomial == merged.monomial) {  // like terms
         merged.coefficient += term.coefficient;
@@ -253,12 +282,23 @@ class Sharing {
   std::priority_queue<Candidate> queue_;
 };
 
-}  // namespace
-
-Function with_shared_sums(const Function& function) {
-  const Function flat = unfolded(function);
+Function shared_once(const Function& flat) {
   const Function strict = with_shared_products(Sharing(flat, Policy{false}).run());
   return cheaper(strict, with_shared_products(Sharing(flat, Policy{true}).run()));
+}
+
+}  // namespace
+
+// What has been made a node early and is used once in the end is merged again: then better factors may show.
+Function with_shared_sums(const Function& function) {
+  constexpr int kRounds = 3;
+  Function best = shared_once(unfolded(function));
+  for (int round = 0; round < kRounds; ++round) {
+    const int cost_before = cost(best);
+    best = cheaper(best, shared_once(with_merged_sums(best)));
+    if (!is_worth_repeating(cost_before, cost(best))) break;
+  }
+  return best;
 }
 
 Function share_sums(const Function& function) { return cheaper(function, with_shared_sums(function)); }

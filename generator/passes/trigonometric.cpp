@@ -30,17 +30,22 @@ std::map<NodeId, SinCos> sines_and_cosines(const Graph& graph) {
   return result;
 }
 
-bool any_square(Polynomials& p, const Polynomial& polynomial, MonomialId square) {
+// Where a square is replaced.
+enum class Where { same_sum, anywhere };
+
+bool any_square(const Polynomials& p, const Polynomial& polynomial, MonomialId square) {
   return std::any_of(polynomial.terms.begin(), polynomial.terms.end(),
                      [&](const PolynomialTerm& term) { return p.monomials.divides(square, term.monomial); });
 }
 
-// Replaces x² by 1 - y² in sums that have both squares. Whether there were any.
-bool eliminate(Polynomials& p, NodeId x, NodeId y) {
+// Replaces x² by 1 - y² in sums that have both squares; or, if y²·cofactor is computed anyway, in any. Whether there
+// were any.
+bool eliminate(Polynomials& p, NodeId x, NodeId y, Where where) {
   const MonomialId square = p.monomials.id({x, x}), other = p.monomials.id({y, y});
   bool changed = false;
   for (Polynomial& polynomial : p.polynomials) {
-    if (!any_square(p, polynomial, square) || !any_square(p, polynomial, other)) continue;
+    if (!any_square(p, polynomial, square)) continue;
+    const bool has_both = any_square(p, polynomial, other);
     std::map<MonomialId, Rational> sum;
     for (const PolynomialTerm& term : polynomial.terms) {
       if (!p.monomials.divides(square, term.monomial)) {
@@ -48,14 +53,16 @@ bool eliminate(Polynomials& p, NodeId x, NodeId y) {
         continue;
       }
       const MonomialId cofactor = p.monomials.quotient(term.monomial, square);
-      sum[cofactor] += term.coefficient;
-      sum[p.monomials.product(cofactor, other)] -= term.coefficient;
+      const MonomialId replacement = p.monomials.product(cofactor, other);
+      const bool replaces = has_both || (where == Where::anywhere && p.uses_of(replacement) > 0);
+      sum[replaces ? cofactor : term.monomial] += term.coefficient;
+      if (replaces) sum[replacement] -= term.coefficient;
+      changed = changed || replaces;
     }
     polynomial.terms.clear();
     for (const auto& [monomial, coefficient] : sum) {
       if (!coefficient.is_zero()) polynomial.terms.push_back({coefficient, monomial});
     }
-    changed = true;
   }
   return changed;
 }
@@ -65,14 +72,16 @@ bool eliminate(Polynomials& p, NodeId x, NodeId y) {
 Function trigonometric(const Function& function) {
   const Function flat = unfolded(function);
   Function best = function;
-  for (const bool keep_cosine : {true, false}) {
-    Polynomials p(flat);
-    bool changed = false;
-    for (const auto& [angle, pair] : sines_and_cosines(flat.graph)) {
-      const NodeId gone = keep_cosine ? pair.sin : pair.cos, kept = keep_cosine ? pair.cos : pair.sin;
-      if (eliminate(p, gone, kept)) changed = true;
+  for (const Where where : {Where::same_sum, Where::anywhere}) {
+    for (const bool keep_cosine : {true, false}) {
+      Polynomials p(flat);
+      bool changed = false;
+      for (const auto& [angle, pair] : sines_and_cosines(flat.graph)) {
+        const NodeId gone = keep_cosine ? pair.sin : pair.cos, kept = keep_cosine ? pair.cos : pair.sin;
+        if (eliminate(p, gone, kept, where)) changed = true;
+      }
+      if (changed) best = cheaper(best, with_shared_sums(p.finish()));
     }
-    if (changed) best = cheaper(best, with_shared_sums(p.finish()));
   }
   return best;
 }

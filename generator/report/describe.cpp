@@ -7,6 +7,8 @@
 #include <map>
 #include <sstream>
 
+#include "emit/arguments.hpp"
+
 #include "report/table.hpp"
 
 namespace flatdyn {
@@ -27,26 +29,6 @@ std::string range_text(const Limits& limits) {
 std::string snap_text(const Snap& snap) {
   return fmt::format("  {}:{}: {}: {} taken for {} (off by {} rad)\n", snap.place.file, snap.place.line, snap.what,
                      snap.written, short_text(snap.exact), to_decimal(snap.difference, 2));
-}
-
-// "q[1..6], qd[0..6]".
-std::string ranges_text(const std::vector<Input>& inputs) {
-  static const std::map<InputKind, const char*> kNames = {
-      {InputKind::q, "q"},     {InputKind::qd, "qd"},   {InputKind::qdd, "qdd"},
-      {InputKind::tau, "tau"}, {InputKind::h_e, "h_e"}, {InputKind::parameter, "parameters"}};
-  std::string text;
-  for (std::size_t k = 0; k < inputs.size();) {
-    std::size_t last = k;
-    while (last + 1 < inputs.size() && inputs[last + 1].kind == inputs[k].kind &&
-           inputs[last + 1].index == inputs[last].index + 1) {
-      ++last;
-    }
-    text += text.empty() ? "" : ", ";
-    text += last == k ? fmt::format("{}[{}]", kNames.at(inputs[k].kind), inputs[k].index)
-                      : fmt::format("{}[{}..{}]", kNames.at(inputs[k].kind), inputs[k].index, inputs[last].index);
-    k = last + 1;
-  }
-  return text.empty() ? "nothing" : text;
 }
 
 }  // namespace
@@ -170,6 +152,12 @@ nlohmann::ordered_json model_json(const Model& model) {
   return json;
 }
 
+std::vector<std::string> symbol_names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const FreeSymbol& symbol : mechanism.symbols) names.push_back(symbol.name);
+  return names;
+}
+
 int structural_zeros(const Function& function) {
   int zeros = 0;
   for (const Output& output : function.outputs) {
@@ -178,7 +166,8 @@ int structural_zeros(const Function& function) {
   return zeros;
 }
 
-std::string describe_functions(const std::vector<OptimisedFunction>& functions) {
+std::string describe_functions(const std::vector<OptimisedFunction>& functions,
+                               const std::vector<std::string>& symbols) {
   std::vector<std::vector<std::string>> rows = {
       {"function", "mul", "add", "div", "sin/cos", "as derived", "zeros", "reads"}};
   for (const OptimisedFunction& each : functions) {
@@ -186,12 +175,13 @@ std::string describe_functions(const std::vector<OptimisedFunction>& functions) 
     rows.push_back({each.function.name, std::to_string(count.multiplications), std::to_string(count.additions),
                     std::to_string(count.divisions), std::to_string(count.trigonometric),
                     std::to_string(each.derived.arithmetic()), std::to_string(structural_zeros(each.function)),
-                    ranges_text(inputs_read(each.function))});
+                    list_of_inputs(inputs_read(each.function), symbols)});
   }
   return aligned_table(rows);
 }
 
-nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions) {
+nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions,
+                                      const std::vector<std::string>& symbols) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const OptimisedFunction& each : functions) {
     const OperationCount count = count_operations(each.function);
@@ -202,7 +192,7 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
                     {"sin_cos", count.trigonometric},
                     {"operations_as_derived", each.derived.arithmetic()},
                     {"structural_zeros", structural_zeros(each.function)},
-                    {"reads", ranges_text(inputs_read(each.function))}});
+                    {"reads", list_of_inputs(inputs_read(each.function), symbols)}});
   }
   return json;
 }

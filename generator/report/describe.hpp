@@ -19,8 +19,12 @@ nlohmann::ordered_json model_json(const Model& model);
 std::string describe_bodies(const Mechanism& mechanism);
 
 // Per function: operation counts, inputs read, structural zeros.
-std::string describe_functions(const std::vector<OptimisedFunction>& functions);
-nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions);
+std::string describe_functions(const std::vector<OptimisedFunction>& functions,
+                               const std::vector<std::string>& symbols);
+nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions,
+                                      const std::vector<std::string>& symbols);
+
+std::vector<std::string> symbol_names(const Mechanism& mechanism);
 
 int structural_zeros(const Function& function);
 

@@ -51,7 +51,8 @@ std::string entry_text(const Mechanism& mechanism, const Function& function, std
   }
   return fmt::format(
       "extern \"C\" void entry_{}([[maybe_unused]] const double* q, [[maybe_unused]] const double* qd,\n"
-      "    [[maybe_unused]] const double* qdd, [[maybe_unused]] const double* tau, [[maybe_unused]] const double* h_e,\n"
+      "    [[maybe_unused]] const double* qdd, [[maybe_unused]] const double* tau, [[maybe_unused]] const double* "
+      "h_e,\n"
       "    [[maybe_unused]] const double* parameters, double* out) {{\n  {}{}::{}({});\n}}\n",
       index, result, kNamespace, cpp_identifier(function.name), fmt::join(arguments, ", "));
 }

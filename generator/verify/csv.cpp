@@ -45,9 +45,11 @@ void check_heading(const CsvTable& table, const Place& place, Diagnostics& diagn
   }
 }
 
-void check_row(const CsvTable& table, const std::vector<std::string>& row, const Place& place, Diagnostics& diagnostics) {
+void check_row(const CsvTable& table, const std::vector<std::string>& row, const Place& place,
+               Diagnostics& diagnostics) {
   if (row.size() != table.columns.size()) {
-    diagnostics.error(place, fmt::format("{} entries, but the heading has {} columns", row.size(), table.columns.size()));
+    diagnostics.error(place,
+                      fmt::format("{} entries, but the heading has {} columns", row.size(), table.columns.size()));
     return;
   }
   for (std::size_t k = 0; k < row.size(); ++k) {
@@ -79,7 +81,8 @@ CsvTable read_csv(const std::filesystem::path& path, Diagnostics& diagnostics) {
     if (diagnostics.all().size() >= kMostMessages) break;
   }
   if (table.rows.empty()) {
-    diagnostics.error({path.string(), 0}, "no states in the file", "a heading such as q1,q2,qd1,qd2 and a line for each state");
+    diagnostics.error({path.string(), 0}, "no states in the file",
+                      "a heading such as q1,q2,qd1,qd2 and a line for each state");
   }
   return table;
 }

@@ -4,6 +4,7 @@
 
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
+#include "model/robot.hpp"
 #include "verify/csv.hpp"
 
 namespace flatdyn {
@@ -13,11 +14,13 @@ struct EvalOptions {
   int digits = 17;         // significant digits, up to 50; computed with 60 above 17
 };
 
-// Columns: q1…, qd1…, qdd1…, tau1…, h_e1…h_e6, or q_<joint>, qd_<joint>, …; free symbols by their names. Columns that the
-// function does not read are passed on. The result is the table with the output's columns behind it, matrices row by row
-// and in full: tau_1, B_1_2, c_1_2_3. What is missing or unreadable goes to `diagnostics` (then the result is empty).
-CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Function& function, const CsvTable& states,
-                        const std::string& file, const EvalOptions& options, Diagnostics& diagnostics);
+// Columns: q1…, qd1…, qdd1…, tau1…, h_e1…h_e6, or q_<joint>, qd_<joint>, …; free symbols by their names. Columns that
+// the function does not read are passed on. The result is the table with the output's columns behind it, matrices row
+// by row and in full: tau_1, B_1_2, c_1_2_3. What is missing or unreadable goes to `diagnostics` (then the result is
+// empty).
+CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Function& function,
+                        const CsvTable& states, const std::string& file, const EvalOptions& options,
+                        Diagnostics& diagnostics);
 
 std::string to_text(const CsvTable& table);
 

@@ -63,14 +63,16 @@ class Functions {
     const std::vector<Real50> all = evaluate(function, arithmetic);
     const std::vector<NodeId>& entries = function.outputs[0].entries;
     Vector values(static_cast<Eigen::Index>(entries.size()));
-    for (std::size_t k = 0; k < entries.size(); ++k) values[static_cast<Eigen::Index>(k)] = all[static_cast<std::size_t>(entries[k])];
+    for (std::size_t k = 0; k < entries.size(); ++k)
+      values[static_cast<Eigen::Index>(k)] = all[static_cast<std::size_t>(entries[k])];
     return values;
   }
 
   Matrix matrix(const std::string& name, const ExactState& state) const {
     const Vector entries = (*this)(name, state);
     const Eigen::Index n = state.q.size();
-    return Eigen::Map<const Eigen::Matrix<Real50, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(entries.data(), n, n);
+    return Eigen::Map<const Eigen::Matrix<Real50, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(entries.data(), n,
+                                                                                                    n);
   }
 
  private:
@@ -87,7 +89,9 @@ ExactState after(const ExactState& state, const Real50& time) {
 double to_double(const Real50& x) { return Real50(abs(x)).convert_to<double>(); }
 
 // Relative size of a sum that should vanish against the size of its parts.
-double relative(const Real50& sum, const Real50& size) { return size == 0 ? to_double(sum) : to_double(Real50(sum / size)); }
+double relative(const Real50& sum, const Real50& size) {
+  return size == 0 ? to_double(sum) : to_double(Real50(sum / size));
+}
 
 double asymmetry(const Functions& f, const ExactState& state) {
   const Matrix B = f.matrix("inertia_matrix", state);
@@ -102,14 +106,16 @@ double smallest_pivot(const Functions& f, const ExactState& state) {
 double skewness(const Functions& f, const ExactState& state) {
   ExactState rest = state;
   rest.qdd.setZero();
-  const Matrix Bdot = (f.matrix("inertia_matrix", after(rest, kStep)) - f.matrix("inertia_matrix", after(rest, -kStep))) / (2 * kStep);
+  const Matrix Bdot =
+      (f.matrix("inertia_matrix", after(rest, kStep)) - f.matrix("inertia_matrix", after(rest, -kStep))) / (2 * kStep);
   const Matrix C = f.matrix("coriolis_matrix", state);
   const Vector& w = state.tau;  // any vector
   return relative(w.dot((Bdot - 2 * C) * w), w.squaredNorm() * (Bdot.norm() + C.norm()));
 }
 
 double energy_imbalance(const Functions& f, const ExactState& state) {
-  const Real50 rate = (f("kinetic_energy", after(state, kStep))[0] - f("kinetic_energy", after(state, -kStep))[0]) / (2 * kStep);
+  const Real50 rate =
+      (f("kinetic_energy", after(state, kStep))[0] - f("kinetic_energy", after(state, -kStep))[0]) / (2 * kStep);
   const Vector tau = f("inverse_dynamics", state), bias = f("bias", state);
   const Matrix C = f.matrix("coriolis_matrix", state);
   const Real50 power = state.qd.dot(tau - bias + C * state.qd);
@@ -149,7 +155,8 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
     vanishing("energy balance, (7.50)", energy_imbalance);
   }
   if (f.has({"inverse_dynamics", "forward_dynamics"})) {
-    vanishing("forward dynamics undoes inverse dynamics", [](const Functions& g, const ExactState& s) { return round_trip(g, s); });
+    vanishing("forward dynamics undoes inverse dynamics",
+              [](const Functions& g, const ExactState& s) { return round_trip(g, s); });
   }
   return properties;
 }

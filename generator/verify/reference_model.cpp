@@ -9,7 +9,8 @@ namespace flatdyn {
 SymbolValues random_symbol_values(const Robot& robot, unsigned seed) {
   std::mt19937 engine(seed);
   SymbolValues values;
-  for (std::size_t k = 0; k < robot.symbols.size(); ++k) values.push_back(GiNaC::numeric(long(engine() % 900 + 100), 500));
+  for (std::size_t k = 0; k < robot.symbols.size(); ++k)
+    values.push_back(GiNaC::numeric(long(engine() % 900 + 100), 500));
   return values;
 }
 
@@ -101,7 +102,8 @@ class Converter {
       std::tie(result.R_0, result.p_0) = pose(joint.origin);
       std::tie(result.R_1, result.p_1) = pose(joint.link_offset);
       if (joint.type != JointType::fixed) {
-        result.type = joint.type == JointType::prismatic ? reference::JointType::prismatic : reference::JointType::revolute;
+        result.type =
+            joint.type == JointType::prismatic ? reference::JointType::prismatic : reference::JointType::revolute;
         result.index = next_index_++;
         result.axis = unit(joint.axis);
         result.viscous = number(joint.viscous.number);

@@ -27,6 +27,8 @@ S to_scalar(const Number& a, const GiNaC::exmap& values);
 template <class S>
 reference::Robot<S> reference_robot(const Robot& robot, const SymbolValues& values);
 
+extern template double to_scalar<double>(const Number&, const GiNaC::exmap&);
+extern template Real50 to_scalar<Real50>(const Number&, const GiNaC::exmap&);
 extern template reference::Robot<double> reference_robot(const Robot&, const SymbolValues&);
 extern template reference::Robot<Real50> reference_robot(const Robot&, const SymbolValues&);
 

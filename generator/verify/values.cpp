@@ -29,7 +29,10 @@ auto row_by_row(const Matrix& m) {
 template <class S>
 struct Arguments {
   explicit Arguments(const State& state)
-      : q(vector_of<S>(state.q)), qd(vector_of<S>(state.qd)), qdd(vector_of<S>(state.qdd)), tau(vector_of<S>(state.tau)) {
+      : q(vector_of<S>(state.q)),
+        qd(vector_of<S>(state.qd)),
+        qdd(vector_of<S>(state.qdd)),
+        tau(vector_of<S>(state.tau)) {
     const reference::VectorX<S> h = vector_of<S>(state.h_e);
     h_e.f_e = h.template head<3>();
     h_e.mu_e = h.template tail<3>();
@@ -55,7 +58,8 @@ const std::map<std::string, Evaluation<S>>& reference_table() {
   using A = Arguments<S>;
   namespace ref = reference;
   static const std::map<std::string, Evaluation<S>> table = {
-      {"inverse_dynamics", [](const R& r, const A& a) { return row_by_row(ref::inverse_dynamics(r, a.q, a.qd, a.qdd)); }},
+      {"inverse_dynamics",
+       [](const R& r, const A& a) { return row_by_row(ref::inverse_dynamics(r, a.q, a.qd, a.qdd)); }},
       {"inverse_dynamics_tip_force",
        [](const R& r, const A& a) { return row_by_row(ref::inverse_dynamics(r, a.q, a.qd, a.qdd, a.h_e)); }},
       {"inertia_matrix", [](const R& r, const A& a) { return row_by_row(ref::inertia_matrix(r, a.q)); }},
@@ -63,7 +67,8 @@ const std::map<std::string, Evaluation<S>>& reference_table() {
       {"coriolis_matrix", [](const R& r, const A& a) { return row_by_row(ref::coriolis_matrix(r, a.q, a.qd)); }},
       {"gravity", [](const R& r, const A& a) { return row_by_row(ref::gravity(r, a.q)); }},
       {"bias", [](const R& r, const A& a) { return row_by_row(ref::bias(r, a.q, a.qd)); }},
-      {"forward_dynamics", [](const R& r, const A& a) { return row_by_row(ref::forward_dynamics(r, a.q, a.qd, a.tau)); }},
+      {"forward_dynamics",
+       [](const R& r, const A& a) { return row_by_row(ref::forward_dynamics(r, a.q, a.qd, a.tau)); }},
       {"kinetic_energy", [](const R& r, const A& a) { return std::vector<S>{ref::kinetic_energy(r, a.q, a.qd)}; }},
       {"potential_energy", [](const R& r, const A& a) { return std::vector<S>{ref::potential_energy(r, a.q)}; }},
       {"forward_kinematics", pose_entries<S>},
@@ -86,8 +91,8 @@ std::vector<double> acceleration_magnitude(const MagnitudeRobot& r, const Magnit
   const auto zero = reference::VectorX<double>::Zero(a.q.size());
   const reference::VectorX<double> qdd = reference::forward_dynamics(r, a.q, a.qd, a.tau).cwiseAbs();
   const reference::MatrixX<double> inverse = reference::inertia_matrix(r, a.q).inverse().cwiseAbs();
-  const reference::VectorX<double> terms = reference::torque_magnitude(r, a.q, a.qd, zero) + a.tau.cwiseAbs() +
-                                           reference::inertia_magnitude(r, a.q) * qdd;
+  const reference::VectorX<double> terms =
+      reference::torque_magnitude(r, a.q, a.qd, zero) + a.tau.cwiseAbs() + reference::inertia_magnitude(r, a.q) * qdd;
   return row_by_row(reference::VectorX<double>(inverse * terms));
 }
 
@@ -121,7 +126,8 @@ const std::map<std::string, Evaluation<double>>& magnitude_table() {
   using A = MagnitudeArguments;
   namespace ref = reference;
   static const std::map<std::string, Evaluation<double>> table = {
-      {"inverse_dynamics", [](const R& r, const A& a) { return row_by_row(ref::torque_magnitude(r, a.q, a.qd, a.qdd)); }},
+      {"inverse_dynamics",
+       [](const R& r, const A& a) { return row_by_row(ref::torque_magnitude(r, a.q, a.qd, a.qdd)); }},
       {"inverse_dynamics_tip_force",
        [](const R& r, const A& a) {
          const ref::MagnitudeOptions tip{.f_e = a.h_e.f_e.norm(), .mu_e = a.h_e.mu_e.norm()};
@@ -142,7 +148,8 @@ const std::map<std::string, Evaluation<double>>& magnitude_table() {
        }},
       {"forward_dynamics", acceleration_magnitude},
       {"kinetic_energy", kinetic_magnitude},
-      {"potential_energy", [](const R& r, const A& a) { return std::vector<double>{ref::potential_magnitude(r, a.q)}; }},
+      {"potential_energy",
+       [](const R& r, const A& a) { return std::vector<double>{ref::potential_magnitude(r, a.q)}; }},
       {"forward_kinematics", pose_magnitude},
       {"jacobian", jacobian_magnitude},
       {"jacobian_dot_qd", tip_acceleration},
@@ -154,9 +161,8 @@ const std::map<std::string, Evaluation<double>>& magnitude_table() {
 
 template <class S>
 std::vector<S> graph_values(const Function& function, const State& state) {
-  RealArithmetic<S> arithmetic([&state](const Input& input) {
-    return S(state.of(input.kind)[static_cast<std::size_t>(input.index)]);
-  });
+  RealArithmetic<S> arithmetic(
+      [&state](const Input& input) { return S(state.of(input.kind)[static_cast<std::size_t>(input.index)]); });
   const std::vector<S> all = evaluate(function, arithmetic);
   std::vector<S> result;
   for (const Output& output : function.outputs) {
@@ -166,7 +172,8 @@ std::vector<S> graph_values(const Function& function, const State& state) {
 }
 
 template <class S>
-std::optional<std::vector<S>> reference_values(const Function& function, const reference::Robot<S>& robot, const State& state) {
+std::optional<std::vector<S>> reference_values(const Function& function, const reference::Robot<S>& robot,
+                                               const State& state) {
   const auto found = reference_table<S>().find(function.name);
   if (found == reference_table<S>().end()) return std::nullopt;
   return found->second(robot, Arguments<S>(state));
@@ -178,7 +185,9 @@ std::vector<double> magnitudes(const Function& function, const reference::Robot<
 
 template std::vector<double> graph_values(const Function&, const State&);
 template std::vector<Real50> graph_values(const Function&, const State&);
-template std::optional<std::vector<double>> reference_values(const Function&, const reference::Robot<double>&, const State&);
-template std::optional<std::vector<Real50>> reference_values(const Function&, const reference::Robot<Real50>&, const State&);
+template std::optional<std::vector<double>> reference_values(const Function&, const reference::Robot<double>&,
+                                                             const State&);
+template std::optional<std::vector<Real50>> reference_values(const Function&, const reference::Robot<Real50>&,
+                                                             const State&);
 
 }  // namespace flatdyn

@@ -14,9 +14,9 @@
 namespace flatdyn {
 
 struct VerifyOptions {
-  int states = 200;      // random states in double; edge states come on top
+  int states = 200;  // random states in double; edge states come on top
   unsigned seed = 1;
-  double bound = 16;     // largest scaled error allowed on random states
+  double bound = 16;  // largest scaled error allowed on random states
 };
 
 // Scaled errors: abs(x - exact) / (ε · magnitude), flatdyn/reference/magnitude.hpp.
@@ -27,11 +27,11 @@ struct ErrorSummary {
 
 struct FunctionReport {
   std::string function;
-  bool proven = false;         // equal to the Lagrangian at random points of prime fields
-  double graph_error = 0;      // graph against reference, both in 50 digits, relative to the magnitude
-  ErrorSummary generated;      // compiled text in double
-  ErrorSummary reference;      // the reference itself in double
-  bool compared = true;        // false: no reference for it (a named link)
+  bool proven = false;     // equal to the Lagrangian at random points of prime fields
+  double graph_error = 0;  // graph against reference, both in 50 digits, relative to the magnitude
+  ErrorSummary generated;  // compiled text in double
+  ErrorSummary reference;  // the reference itself in double
+  bool compared = true;    // false: no reference for it (a named link)
   bool passed = false;
 };
 
@@ -44,7 +44,7 @@ struct Property {
 struct VerifyReport {
   std::vector<FunctionReport> functions;
   std::vector<Property> properties;
-  double failure_probability = 0;  // that a wrong function passes the exact comparison
+  double failure_log2 = -1e9;  // log2 of the probability that a wrong function passes the exact comparison
 
   bool passed() const;
 };

@@ -45,7 +45,7 @@ class RandomFunctions : public testing::TestWithParam<int> {
  protected:
   std::uint64_t seed() const { return 20260 + static_cast<std::uint64_t>(GetParam()); }
   Function make() const {
-    return RandomFunction(seed()).make(50 + static_cast<int>(seed() * 37 % 450), 2 + GetParam() % 6);
+    return RandomFunction(seed()).make(15 + static_cast<int>(seed() * 37 % 140), 2 + GetParam() % 6);
   }
 };
 

@@ -24,7 +24,8 @@ struct MotionMagnitude {
   double swing(double r) const { return (domega + omega * omega) * r; }
 };
 
-inline MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint, double q, double qd, double qdd) {
+inline MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint, double q, double qd,
+                             double qdd) {
   MotionMagnitude child = parent;
   const double slide = joint.type == JointType::prismatic ? std::abs(q) : 0;
   child.ddp += parent.swing(joint.p_0.norm() + slide);
@@ -116,7 +117,8 @@ inline MatrixX<double> christoffel_magnitude(const Robot<double>& robot, const V
 }
 
 // Of C: Σ_k mag(c_ijk) |q̇_k|.
-inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd) {
+inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<double>& q,
+                                          const VectorX<double>& qd) {
   const Eigen::Index n = q.size();
   const MatrixX<double> c = christoffel_magnitude(robot, q);
   MatrixX<double> C = MatrixX<double>::Zero(n, n);

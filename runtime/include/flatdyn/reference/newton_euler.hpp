@@ -20,10 +20,10 @@ struct Environment {
 // Motion of a link's frame, in its own axes.
 template <class S>
 struct LinkMotion {
-  Matrix3<S> R = Matrix3<S>::Identity();     // link axes in base axes
-  Vector3<S> omega = Vector3<S>::Zero();     // rad/s
-  Vector3<S> domega = Vector3<S>::Zero();    // rad/s^2
-  Vector3<S> ddp = Vector3<S>::Zero();       // of the origin, less g_0, m/s^2
+  Matrix3<S> R = Matrix3<S>::Identity();   // link axes in base axes
+  Vector3<S> omega = Vector3<S>::Zero();   // rad/s
+  Vector3<S> domega = Vector3<S>::Zero();  // rad/s^2
+  Vector3<S> ddp = Vector3<S>::Zero();     // of the origin, less g_0, m/s^2
 };
 
 namespace detail {
@@ -95,7 +95,8 @@ VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const Ve
                             const Environment<S>& environment = {}) {
   const std::vector<LinkMotion<S>> motions = link_motions(robot, q, qd, qdd, environment.gravity);
   std::vector<Vector3<S>> f(robot.links.size(), Vector3<S>::Zero()), mu(robot.links.size(), Vector3<S>::Zero());
-  for (std::size_t l = 0; l < robot.links.size(); ++l) detail::add_inertial_wrench(robot.links[l], motions[l], f[l], mu[l]);
+  for (std::size_t l = 0; l < robot.links.size(); ++l)
+    detail::add_inertial_wrench(robot.links[l], motions[l], f[l], mu[l]);
 
   const auto tip = static_cast<std::size_t>(robot.tip);
   const Vector3<S> f_e = motions[tip].R.transpose() * environment.f_e;

@@ -20,9 +20,9 @@ using MatrixX = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 // A rigid body fixed to a link; a still rotor is one, too.
 template <class S>
 struct Inertial {
-  S mass = S(0);                             // kg
-  Vector3<S> r_C = Vector3<S>::Zero();       // centre of mass, link frame, m
-  Matrix3<S> inertia = Matrix3<S>::Zero();   // about the centre of mass, link axes, kg m^2
+  S mass = S(0);                            // kg
+  Vector3<S> r_C = Vector3<S>::Zero();      // centre of mass, link frame, m
+  Matrix3<S> inertia = Matrix3<S>::Zero();  // about the centre of mass, link axes, kg m^2
 };
 
 template <class S>

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/eval.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct EvalArguments : RobotArguments {
+  std::string function, states, output;
+  EvalOptions options;
+};
+
+nlohmann::ordered_json json_of(const CsvTable& table) {
+  nlohmann::ordered_json json = {{"columns", table.columns}, {"rows", nlohmann::ordered_json::array()}};
+  for (const auto& row : table.rows) json["rows"].push_back(row);
+  return json;
+}
+
+ExitCode run_eval(const EvalArguments& arguments) {
+  PipelineOptions options = arguments.RobotArguments::options();
+  options.functions = {arguments.function};
+  const Model model = read_model(arguments.robot, options);
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  Diagnostics found;
+  const CsvTable states = read_csv(arguments.states, found);
+  if (found.has_errors()) throw BadInput(ExitCode::input, found);
+  Progress progress(arguments.quiet);
+  const std::vector<Function> functions = functions_of(make_functions(model, options, progress));
+  const CsvTable result =
+      evaluate_table(model.robot, model.mechanism, functions[0], states, arguments.states, arguments.options, found);
+  if (found.has_errors()) throw BadInput(ExitCode::input, found);
+  const std::string text = arguments.json ? json_of(result).dump(2) + "\n" : to_text(result);
+  if (arguments.output.empty()) {
+    fmt::print("{}", text);
+  } else {
+    write_files({{arguments.output, text}});
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_eval(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "eval",
+      "Evaluate a function at the states of a CSV file, from the emitted code's graph or from the reference.\n\n"
+      "  flatdyn eval robots/panda.urdf --function gravity --states states.csv\n"
+      "  flatdyn eval robots/panda.urdf --function inertia_matrix --states states.csv --reference --digits 50 -o "
+      "B.csv");
+  const auto arguments = std::make_shared<EvalArguments>();
+  arguments->add_to(*command);
+  command->add_option("--function", arguments->function, "which one; see flatdyn generate --help")->required();
+  command->add_option("--states", arguments->states, "CSV: q1,…,qd1,…,qdd1,…,tau1,…, or by joint: q_<joint>,…")
+      ->required();
+  command->add_flag("--reference", arguments->options.reference,
+                    "evaluate the recursive Newton-Euler reference instead");
+  command->add_option("--digits", arguments->options.digits, "significant digits")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 50));
+  command->add_option("-o,--output", arguments->output, "write to this file instead of stdout");
+  return [arguments] { return run_eval(*arguments); };
+}
+
+}  // namespace flatdyn

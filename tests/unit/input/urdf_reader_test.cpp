@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gtest/gtest.h>
+
+#include "input/robot_file.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Kind = Displacement::Kind;
+
+class UrdfReader : public RobotFiles {
+ protected:
+  Joint joint(const std::string& type, const std::string& elements, const std::string& more = "") {
+    return read("r.urdf", one_joint_urdf(type, elements, more)).joints.at(0);
+  }
+};
+
+TEST_F(UrdfReader, ReadsDecimalsExactly) {
+  const Robot robot = read("r.urdf", R"(<robot name="r">
+  <link name="base"/>
+  <link name="arm">
+    <inertial>
+      <origin xyz="0.1 -2e-3 .5" rpy="0 0 0.3"/>
+      <mass value="0.1"/>
+      <inertia ixx="0.3" ixy="0.01" ixz="0.02" iyy="0.2" iyz="0.03" izz="0.4"/>
+    </inertial>
+  </link>
+  <joint name="j" type="revolute"><parent link="base"/><child link="arm"/></joint>
+</robot>)");
+  const Inertial& inertial = robot.links.at(1).inertials.at(0);
+  EXPECT_TRUE(inertial.mass.number.is_equal(Number(1) / 10));
+  EXPECT_EQ(inertial.mass.place.line, 6);
+  EXPECT_TRUE(inertial.tensor[1][2].is_equal(Number(3) / 100));
+  EXPECT_TRUE(inertial.tensor[2][0].is_equal(Number(2) / 100));
+  ASSERT_EQ(inertial.frame.displacements.size(), 2U);
+  EXPECT_EQ(inertial.frame.displacements[0].kind, Kind::translation);
+  EXPECT_TRUE(inertial.frame.displacements[0].translation[1].is_equal(Number(-2) / 1000));
+  EXPECT_EQ(inertial.frame.displacements[1].kind, Kind::rotation_z);
+  EXPECT_TRUE(inertial.frame.displacements[1].angle.is_equal(Number(3) / 10));
+  EXPECT_TRUE(robot.gravity[2].is_equal(Number(-981) / 100));
+  EXPECT_EQ(robot.links[robot.root].name, "base");
+  EXPECT_EQ(robot.links[robot.tip].name, "arm");
+}
+
+TEST_F(UrdfReader, TakesRpyAsRzRyRx) {
+  const Joint j = joint("revolute", R"(<origin xyz="0 0 1" rpy="0.1 0.2 0.3"/>)");
+  ASSERT_EQ(j.origin.displacements.size(), 4U);
+  EXPECT_EQ(j.origin.displacements[0].kind, Kind::translation);
+  EXPECT_EQ(j.origin.displacements[1].kind, Kind::rotation_z);
+  EXPECT_TRUE(j.origin.displacements[1].angle.is_equal(Number(3) / 10));
+  EXPECT_EQ(j.origin.displacements[2].kind, Kind::rotation_y);
+  EXPECT_EQ(j.origin.displacements[3].kind, Kind::rotation_x);
+  EXPECT_TRUE(j.link_offset.displacements.empty());
+}
+
+TEST_F(UrdfReader, HasTheDefaultAxisOfUrdf) {
+  EXPECT_TRUE(joint("revolute", "").axis[0].is_equal(1));
+  const Joint j = joint("prismatic", R"(<axis xyz="0.1 0 -0.2"/>)");
+  EXPECT_EQ(j.type, JointType::prismatic);
+  EXPECT_TRUE(j.axis[0].is_equal(Number(1) / 10));  // left as written: not normalised
+}
+
+TEST_F(UrdfReader, ReadsFrictionAndLimits) {
+  const Joint j = joint("revolute", R"(<dynamics damping="0.5" friction="0.25"/>
+      <limit lower="-1" upper="2" velocity="3" effort="4" drake:acceleration="5"/>)");
+  EXPECT_TRUE(j.viscous.number.is_equal(Number(1) / 2));
+  EXPECT_TRUE(j.coulomb.number.is_equal(Number(1) / 4));
+  EXPECT_TRUE(j.limits.lower->number.is_equal(-1));
+  EXPECT_TRUE(j.limits.upper->number.is_equal(2));
+  EXPECT_TRUE(j.limits.velocity->number.is_equal(3));
+  EXPECT_TRUE(j.limits.effort->number.is_equal(4));
+  EXPECT_TRUE(j.limits.acceleration->number.is_equal(5));
+}
+
+TEST_F(UrdfReader, TakesInfiniteAndHugeLimitsForNone) {
+  const Joint j = joint("revolute", R"(<limit lower="-inf" upper="INF" velocity="1e308" effort="4"/>)");
+  EXPECT_FALSE(j.limits.lower || j.limits.upper || j.limits.velocity);
+  EXPECT_TRUE(j.limits.effort.has_value());
+}
+
+TEST_F(UrdfReader, LeavesTheRangeOfAContinuousJointOut) {
+  const Joint j = joint("continuous", R"(<limit lower="-1" upper="1" velocity="3" effort="4"/>)");
+  EXPECT_EQ(j.type, JointType::continuous);
+  EXPECT_FALSE(j.limits.lower || j.limits.upper);
+}
+
+TEST_F(UrdfReader, ReadsArmature) {
+  EXPECT_TRUE(joint("revolute", R"(<dynamics armature="0.01"/>)").armature.number.is_equal(Number(1) / 100));
+}
+
+TEST_F(UrdfReader, ReadsDrakesRotorInTheJoint) {
+  const Joint j = joint("revolute", R"(<drake:rotor_inertia value="1e-4"/><drake:gear_ratio value="50"/>)");
+  EXPECT_TRUE(j.armature.number.is_equal(Number(1) / 4));
+  EXPECT_FALSE(j.motor.has_value());
+}
+
+constexpr const char* kTransmission = R"(<transmission name="t"><type>transmission_interface/SimpleTransmission</type>
+    <joint name="j"/><actuator name="m"><mechanicalReduction> 100 </mechanicalReduction>)";
+
+TEST_F(UrdfReader, ReadsDrakesRotorInTheActuator) {
+  const std::string rotor = R"(<drake:rotor_inertia value="1e-4"/>)";
+  const std::string end = "</actuator></transmission>";
+  // The reduction of the transmission counts; Drake's own tag comes first.
+  EXPECT_TRUE(joint("revolute", "", kTransmission + rotor + end).armature.number.is_equal(1));
+  const std::string ratio = R"(<drake:gear_ratio value="-20"/>)";
+  EXPECT_TRUE(joint("revolute", "", kTransmission + rotor + ratio + end).armature.number.is_equal(Number(4) / 100));
+  // A rotor in the joint, too, is geared by the transmission.
+  EXPECT_TRUE(joint("revolute", rotor, kTransmission + end).armature.number.is_equal(1));
+}
+
+TEST_F(UrdfReader, AReductionWithoutRotorChangesNothing) {
+  EXPECT_TRUE(
+      joint("revolute", "", std::string(kTransmission) + "</actuator></transmission>").armature.number.is_zero());
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
+TEST_F(UrdfReader, IgnoresWhatDoesNotMove) {
+  joint(
+      "revolute", "<calibration rising=\"0\"/><safety_controller k_velocity=\"1\"/>",
+      R"(<gazebo><joint name="j" type="depth"/></gazebo><material name="m"/><sensor name="s"><joint type="ball"/></sensor>)");
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
+constexpr const char* kTree = R"(<robot name="tree">
+  <link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="e"/>
+  <joint name="ab" type="revolute"><parent link="a"/><child link="b"/></joint>
+  <joint name="ac" type="fixed"><parent link="a"/><child link="c"/></joint>
+  <joint name="cd" type="continuous"><parent link="c"/><child link="d"/></joint>
+  <joint name="be" type="prismatic"><parent link="b"/><child link="e"/></joint>
+</robot>)";
+
+TEST_F(UrdfReader, OrdersJointsDepthFirst) {
+  const Robot robot = read("tree.urdf", kTree);
+  std::vector<std::string> names;
+  for (const int j : moving_joints(robot)) names.push_back(robot.joints[static_cast<std::size_t>(j)].name);
+  EXPECT_EQ(names, (std::vector<std::string>{"ab", "be", "cd"}));
+  EXPECT_EQ(robot.links[static_cast<std::size_t>(robot.tip)].name, "d");
+}
+
+TEST_F(UrdfReader, TakesTheOptions) {
+  ReadOptions options;
+  options.tip = "e";
+  options.gravity = Vec3{0, 1, 2};
+  options.fixed_joints = {"ab"};
+  const Robot robot = read("tree.urdf", kTree, options);
+  EXPECT_EQ(robot.links[static_cast<std::size_t>(robot.tip)].name, "e");
+  EXPECT_TRUE(robot.gravity[2].is_equal(2));
+  EXPECT_EQ(robot.joints[0].type, JointType::fixed);
+  EXPECT_EQ(moving_joints(robot).size(), 2U);
+}
+
+TEST_F(UrdfReader, ReportsUnknownNamesOfTheOptions) {
+  ReadOptions options;
+  options.tip = "f";
+  options.fixed_joints = {"ax"};
+  const auto path = write("tree.urdf", kTree);
+  EXPECT_FALSE(read_robot(path, options, diagnostics_).has_value());
+  ASSERT_GE(diagnostics_.all().size(), 2U);
+  EXPECT_EQ(to_string(diagnostics_.all()[0]),
+            "error: there is no joint \"ax\" to be fixed\n    hint: did you mean \"ab\"?");
+  EXPECT_EQ(to_string(diagnostics_.all()[1]),
+            "error: --tip: there is no link \"f\"\n    hint: known links: a, b, c, d, e");
+}
+
+TEST_F(UrdfReader, HoldsMimicAndFloatingJointsIfTold) {
+  ReadOptions options;
+  options.fixed_joints = {"k", "f"};
+  const std::string more = R"(<link name="hand"/><joint name="k" type="revolute"><parent link="arm"/>
+      <child link="hand"/><mimic joint="j"/></joint><link name="eye"/><joint name="f" type="floating">
+      <parent link="hand"/><child link="eye"/></joint>)";
+  const Robot robot = read("r.urdf", one_joint_urdf("revolute", "", more), options);
+  EXPECT_EQ(moving_joints(robot).size(), 1U);
+}
+
+TEST_F(UrdfReader, AFixedJointMayMimic) {
+  EXPECT_EQ(moving_joints(read("r.urdf", one_joint_urdf("revolute", "", R"(<link name="h"/><joint name="k" type="fixed">
+      <parent link="arm"/><child link="h"/><mimic joint="j"/></joint>)")))
+                .size(),
+            1U);
+}
+
+TEST_F(UrdfReader, AMissingFileEndsWithIo) {
+  try {
+    read_robot(folder_ / "nothing.urdf", {}, diagnostics_);
+    FAIL() << "no exception";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::io);
+  }
+  EXPECT_THROW(read_robot(folder_, {}, diagnostics_), Failure);
+}
+
+TEST_F(UrdfReader, RefusesAFileThatIsTooLarge) {
+  const auto path = write("large.urdf", "<robot>");
+  std::filesystem::resize_file(path, std::uintmax_t{65} * 1024 * 1024);  // sparse: takes no room
+  EXPECT_FALSE(read_robot(path, {}, diagnostics_).has_value());
+  EXPECT_EQ(diagnostics_.all().at(0).message, "the file is larger than 64 MB");
+}
+
+TEST_F(UrdfReader, ExpandsNoEntities) {
+  const std::string bomb = R"(<!DOCTYPE r [<!ENTITY a "0000000000"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>)";
+  const auto path = write("bomb.urdf", bomb + one_joint_urdf("revolute", R"(<origin xyz="&b; 0 0"/>)"));
+  EXPECT_FALSE(read_robot(path, {}, diagnostics_).has_value());
+}
+
+}  // namespace
+}  // namespace flatdyn
