@@ -4,9 +4,11 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
@@ -22,8 +24,9 @@ namespace {
 
 constexpr const char* kNamespace = "robot_under_test";
 
-// One plain C entry per function: all inputs as arrays, all outputs one after the other in `out`.
-using Entry = void (*)(const double* q, const double* qd, const double* qdd, const double* tau, const double* h_e,
+// One plain C entry per function: all inputs as arrays, all outputs one after the other in `out`; false where a
+// condition of the function does not hold.
+using Entry = bool (*)(const double* q, const double* qd, const double* qdd, const double* tau, const double* h_e,
                        const double* parameters, double* out);
 
 const char* argument_of(InputKind kind) {
@@ -31,7 +34,7 @@ const char* argument_of(InputKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-std::string entry_text(const Mechanism& mechanism, const Function& function, std::size_t index) {
+std::string call_text(const Mechanism& mechanism, const Function& function) {
   std::vector<std::string> arguments;
   if (!mechanism.symbols.empty()) {
     std::vector<std::string> members;
@@ -39,22 +42,25 @@ std::string entry_text(const Mechanism& mechanism, const Function& function, std
     arguments.push_back(fmt::format("{}::Parameters<double>{{{}}}", kNamespace, fmt::join(members, ", ")));
   }
   for (const InputKind kind : function.inputs) arguments.emplace_back(argument_of(kind));
-  std::string result;
-  if (returns_value(function)) {
-    result = "out[0] = ";
-  } else {
-    std::size_t offset = 0;
-    for (const Output& output : function.outputs) {
-      arguments.push_back(fmt::format("out + {}", offset));
-      offset += output.entries.size();
-    }
+  std::size_t offset = 0;
+  for (const Output& output : function.outputs) {
+    if (returns_value(function)) break;
+    arguments.push_back(fmt::format("out + {}", offset));
+    offset += output.entries.size();
   }
-  return fmt::format(
-      "extern \"C\" void entry_{}([[maybe_unused]] const double* q, [[maybe_unused]] const double* qd,\n"
-      "    [[maybe_unused]] const double* qdd, [[maybe_unused]] const double* tau, [[maybe_unused]] const double* "
-      "h_e,\n"
-      "    [[maybe_unused]] const double* parameters, double* out) {{\n  {}{}::{}({});\n}}\n",
-      index, result, kNamespace, cpp_identifier(function.name), fmt::join(arguments, ", "));
+  return fmt::format("{}::{}({})", kNamespace, cpp_identifier(function.name), fmt::join(arguments, ", "));
+}
+
+std::string entry_text(const Mechanism& mechanism, const Function& function, std::size_t index) {
+  const std::string call = call_text(mechanism, function);
+  const std::string body = returns_value(function)     ? "out[0] = " + call + ";\n  return true;"
+                           : function.positive.empty() ? call + ";\n  return true;"
+                                                       : "return " + call + ";";
+  std::string inputs;
+  for (const char* name : {"q", "qd", "qdd", "tau", "h_e", "parameters"}) {
+    inputs += fmt::format("[[maybe_unused]] const double* {}, ", name);
+  }
+  return fmt::format("extern \"C\" bool entry_{}({}double* out) {{\n  {}\n}}\n", index, inputs, body);
 }
 
 void write(const fs::path& path, const std::string& text) {
@@ -131,8 +137,9 @@ std::vector<double> CompiledFunctions::call(std::size_t index, const State& stat
   std::size_t length = 0;
   for (const Output& output : functions_[index].outputs) length += output.entries.size();
   std::vector<double> out(length);
-  library_->entry(index)(state.q.data(), state.qd.data(), state.qdd.data(), state.tau.data(), state.h_e.data(),
-                         state.parameters.data(), out.data());
+  const bool holds = library_->entry(index)(state.q.data(), state.qd.data(), state.qdd.data(), state.tau.data(),
+                                            state.h_e.data(), state.parameters.data(), out.data());
+  if (!holds) std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
   return out;
 }
 

@@ -21,7 +21,7 @@ class CompiledFunctions {
   CompiledFunctions(const CompiledFunctions&) = delete;
   CompiledFunctions& operator=(const CompiledFunctions&) = delete;
 
-  // Entries of all outputs of functions[index], in order; in double.
+  // Entries of all outputs of functions[index], in order; in double. Not-a-number where the function returns false.
   std::vector<double> call(std::size_t index, const State& state) const;
 
  private:

@@ -3,12 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
-#include <set>
+#include <optional>
 
 #include "emit/arguments.hpp"
-#include "graph/arithmetic.hpp"
 #include "verify/values.hpp"
 
 namespace flatdyn {
@@ -26,7 +24,8 @@ class Columns {
     if (input.kind == InputKind::parameter) return {mechanism_.symbols[k].name};
     const std::string stem = input_argument(input.kind, mechanism_.size()).name;
     std::vector<std::string> names = {stem + std::to_string(input.index + 1)};
-    if (input.kind != InputKind::h_e) names.push_back(stem + "_" + mechanism_.bodies[k].joint);
+    static constexpr const char* kForceNames[] = {"fx", "fy", "fz", "mx", "my", "mz"};
+    names.push_back(input.kind == InputKind::h_e ? kForceNames[k] : stem + "_" + mechanism_.bodies[k].joint);
     return names;
   }
 
@@ -65,6 +64,7 @@ std::vector<Input> inputs_of(const Mechanism& mechanism, const Function& functio
   if (!all) return inputs_read(function);
   std::vector<Input> inputs;
   for (const InputKind kind : function.inputs) {
+    if (kind == InputKind::parameter) continue;  // all of them below
     const int length = input_argument(kind, mechanism.size()).length;
     for (int i = 0; i < length; ++i) inputs.push_back({kind, i});
   }
@@ -73,66 +73,76 @@ std::vector<Input> inputs_of(const Mechanism& mechanism, const Function& functio
   return inputs;
 }
 
-using Row = std::map<std::pair<InputKind, int>, Number>;
-
-template <class S>
-std::vector<S> from_graph(const Function& function, const Row& row) {
-  RealArithmetic<S> arithmetic([&row](const Input& input) {
-    return to_scalar<S>(row.at({input.kind, input.index}), {});
-  });
-  const std::vector<S> all = evaluate(function, arithmetic);
-  std::vector<S> result;
-  for (const Output& output : function.outputs) {
-    for (const NodeId id : output.entries) result.push_back(all[static_cast<std::size_t>(id)]);
-  }
-  return result;
+std::string text_of(double value, int digits) {
+  constexpr int kShortest = 17;
+  return digits >= kShortest ? fmt::format("{}", value) : fmt::format("{:.{}g}", value, digits);
 }
-
-// One line of the table as exact numbers; inputs without a column are 0 (they are not read).
-Row row_of(const Columns& columns, const std::vector<Input>& inputs, const std::vector<std::string>& entries) {
-  Row row;
-  for (const Input& input : inputs) {
-    const auto column = columns.find(input);
-    row[{input.kind, input.index}] = column ? exact_decimal(entries[*column]) : Number(0);
-  }
-  return row;
-}
-
-std::vector<double> doubles_of(const Row& row, InputKind kind, std::size_t length) {
-  std::vector<double> values(length, 0.0);
-  for (std::size_t i = 0; i < length; ++i) {
-    const auto found = row.find({kind, static_cast<int>(i)});
-    if (found != row.end()) values[i] = to_scalar<double>(found->second, {});
-  }
-  return values;
-}
-
-template <class S>
-std::vector<S> from_reference(const Robot& robot, const Mechanism& mechanism, const Function& function,
-                              const Row& row) {
-  SymbolValues values;
-  for (std::size_t k = 0; k < mechanism.symbols.size(); ++k)
-    values.push_back(row.at({InputKind::parameter, static_cast<int>(k)}));
-  const auto n = static_cast<std::size_t>(mechanism.size());
-  const State state{doubles_of(row, InputKind::q, n),   doubles_of(row, InputKind::qd, n),
-                    doubles_of(row, InputKind::qdd, n), doubles_of(row, InputKind::tau, n),
-                    doubles_of(row, InputKind::h_e, 6), {}};
-  const auto result = reference_values<S>(function, reference_robot<S>(robot, values), state);
-  if (!result) throw Failure(ExitCode::usage, "the reference does not know function \"" + function.name + "\"");
-  return *result;
-}
-
-std::string text_of(double value, int) { return fmt::format("{}", value); }
 std::string text_of(const Real50& value, int digits) { return value.str(digits); }
 
+// One line of the table after the other, in S.
 template <class S>
-std::vector<std::string> evaluated(const Robot& robot, const Mechanism& mechanism, const Function& function,
-                                   const Row& row, const EvalOptions& options) {
-  const std::vector<S> values =
-      options.reference ? from_reference<S>(robot, mechanism, function, row) : from_graph<S>(function, row);
-  std::vector<std::string> texts;
-  for (const S& value : values) texts.push_back(text_of(value, options.digits));
-  return texts;
+class Evaluation {
+ public:
+  Evaluation(const Robot& robot, const Mechanism& mechanism, const Function& function, const EvalOptions& options)
+      : robot_(robot), mechanism_(mechanism), function_(function), options_(options), graph_(function) {}
+
+  // nullopt where a condition of the function does not hold.
+  std::optional<std::vector<std::string>> operator()(const Columns& columns, const std::vector<Input>& inputs,
+                                                     const std::vector<std::string>& entries) {
+    const StateOf<S> state = state_of(columns, inputs, entries);
+    const auto values = options_.reference ? std::optional(from_reference(state)) : graph_(state);
+    if (!values) return std::nullopt;
+    std::vector<std::string> texts;
+    for (const S& value : *values) texts.push_back(text_of(value, options_.digits));
+    return texts;
+  }
+
+ private:
+  // Inputs that are not read stay 0.
+  StateOf<S> state_of(const Columns& columns, const std::vector<Input>& inputs,
+                      const std::vector<std::string>& entries) {
+    const std::vector<S> zero(static_cast<std::size_t>(mechanism_.size()), S(0));
+    StateOf<S> state{zero, zero, zero, zero, std::vector<S>(6, S(0)), std::vector<S>(mechanism_.symbols.size(), S(0))};
+    std::vector<S>* const members[] = {&state.q, &state.qd, &state.qdd, &state.tau, &state.h_e, &state.parameters};
+    symbols_.assign(mechanism_.symbols.size(), 0);
+    for (const Input& input : inputs) {
+      const Number value = exact_decimal(entries[*columns.find(input)]);
+      const auto index = static_cast<std::size_t>(input.index);
+      (*members[static_cast<std::size_t>(input.kind)])[index] = to_scalar<S>(value, {});
+      if (input.kind == InputKind::parameter) symbols_[index] = value;
+    }
+    return state;
+  }
+
+  std::vector<S> from_reference(const StateOf<S>& state) {
+    // The robot's numbers change with its symbols only.
+    if (!reference_ || !symbols_.empty()) {
+      reference_ = seen_by(function_, robot_, reference_robot<S>(robot_, symbols_));
+    }
+    return reference_values(function_, *reference_, state);
+  }
+
+  const Robot& robot_;
+  const Mechanism& mechanism_;
+  const Function& function_;
+  const EvalOptions& options_;
+  GraphEvaluator<S> graph_;
+  SymbolValues symbols_;
+  std::optional<reference::Robot<S>> reference_;
+};
+
+template <class S>
+void append_values(Evaluation<S> evaluation, const Columns& columns, const std::vector<Input>& inputs, CsvTable& table,
+                   const std::string& file, Diagnostics& diagnostics) {
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const auto values = evaluation(columns, inputs, table.rows[k]);
+    if (!values) {
+      diagnostics.error({file, table.lines[k]}, "the inertia matrix is not positive definite here",
+                        "joints that move no mass need an armature");
+      continue;
+    }
+    table.rows[k].insert(table.rows[k].end(), values->begin(), values->end());
+  }
 }
 
 }  // namespace
@@ -154,13 +164,12 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
     for (const std::string& name : output_columns(output)) result.columns.push_back(name);
   }
   constexpr int kDoubleDigits = 17;
-  for (std::vector<std::string>& entries : result.rows) {
-    const Row row = row_of(columns, inputs, entries);
-    const std::vector<std::string> values = options.digits > kDoubleDigits
-                                                ? evaluated<Real50>(robot, mechanism, function, row, options)
-                                                : evaluated<double>(robot, mechanism, function, row, options);
-    entries.insert(entries.end(), values.begin(), values.end());
+  if (options.digits > kDoubleDigits) {
+    append_values(Evaluation<Real50>(robot, mechanism, function, options), columns, inputs, result, file, diagnostics);
+  } else {
+    append_values(Evaluation<double>(robot, mechanism, function, options), columns, inputs, result, file, diagnostics);
   }
+  if (diagnostics.has_errors()) return {};
   return result;
 }
 

@@ -17,7 +17,7 @@ using Real50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_floa
 // Values for the robot's free symbols, in their order.
 using SymbolValues = std::vector<Number>;
 
-// Small positive rationals, different for each symbol and each seed.
+// Small positive numbers, for each symbol and seed other ones; doubles hold them exactly.
 SymbolValues random_symbol_values(const Robot& robot, unsigned seed);
 
 // The number nearest to `a`, with the symbols' values put in.

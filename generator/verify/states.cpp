@@ -43,24 +43,6 @@ double bound(const std::optional<Value>& limit, double otherwise) {
 
 }  // namespace
 
-const std::vector<double>& State::of(InputKind kind) const {
-  switch (kind) {
-    case InputKind::q:
-      return q;
-    case InputKind::qd:
-      return qd;
-    case InputKind::qdd:
-      return qdd;
-    case InputKind::tau:
-      return tau;
-    case InputKind::h_e:
-      return h_e;
-    case InputKind::parameter:
-      break;
-  }
-  return parameters;
-}
-
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed) {
   Uniform uniform(seed);
   std::vector<State> states;

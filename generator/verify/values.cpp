@@ -10,11 +10,32 @@ namespace flatdyn {
 namespace {
 
 template <class S>
-reference::VectorX<S> vector_of(const std::vector<double>& values) {
+reference::VectorX<S> vector_of(const std::vector<S>& values) {
   reference::VectorX<S> v(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t k = 0; k < values.size(); ++k) v[static_cast<Eigen::Index>(k)] = S(values[k]);
+  for (std::size_t k = 0; k < values.size(); ++k) v[static_cast<Eigen::Index>(k)] = values[k];
   return v;
 }
+
+// "jacobian" of "jacobian:hand".
+std::string stem_of(const Function& function) { return function.name.substr(0, function.name.find(':')); }
+
+// RealArithmetic that converts each of a graph's constants once; they are found by their place in the graph.
+template <class S>
+class CachedArithmetic : public RealArithmetic<S> {
+ public:
+  CachedArithmetic(const StateOf<S>& state, std::unordered_map<const Rational*, S>& constants)
+      : RealArithmetic<S>(
+            [&state](const Input& input) { return state.of(input.kind)[static_cast<std::size_t>(input.index)]; }),
+        constants_(constants) {}
+
+  S constant(const Rational& value) const {
+    const auto found = constants_.find(&value);
+    return found != constants_.end() ? found->second : constants_.emplace(&value, to_real<S>(value)).first->second;
+  }
+
+ private:
+  std::unordered_map<const Rational*, S>& constants_;
+};
 
 template <class Matrix>
 auto row_by_row(const Matrix& m) {
@@ -28,7 +49,7 @@ auto row_by_row(const Matrix& m) {
 // A state in the reference's types.
 template <class S>
 struct Arguments {
-  explicit Arguments(const State& state)
+  explicit Arguments(const StateOf<S>& state)
       : q(vector_of<S>(state.q)),
         qd(vector_of<S>(state.qd)),
         qdd(vector_of<S>(state.qdd)),
@@ -110,10 +131,7 @@ std::vector<double> pose_magnitude(const MagnitudeRobot& r, const MagnitudeArgum
 }
 
 std::vector<double> jacobian_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
-  const auto n = static_cast<std::size_t>(a.q.size());
-  std::vector<double> entries(3 * n, std::max(1.0, reference::reach(r, a.q)));
-  entries.insert(entries.end(), 3 * n, 1.0);
-  return entries;
+  return row_by_row(reference::jacobian_magnitude(r, a.q));
 }
 
 std::vector<double> tip_acceleration(const MagnitudeRobot& r, const MagnitudeArguments& a) {
@@ -160,34 +178,32 @@ const std::map<std::string, Evaluation<double>>& magnitude_table() {
 }  // namespace
 
 template <class S>
-std::vector<S> graph_values(const Function& function, const State& state) {
-  RealArithmetic<S> arithmetic(
-      [&state](const Input& input) { return S(state.of(input.kind)[static_cast<std::size_t>(input.index)]); });
-  const std::vector<S> all = evaluate(function, arithmetic);
+std::optional<std::vector<S>> GraphEvaluator<S>::operator()(const StateOf<S>& state) {
+  CachedArithmetic<S> arithmetic(state, constants_);
+  const std::vector<S> all = evaluate(function_, arithmetic);
+  const auto value = [&all](NodeId id) { return all[static_cast<std::size_t>(id)]; };
+  for (const NodeId id : function_.positive) {
+    if (!(value(id) > 0)) return std::nullopt;
+  }
   std::vector<S> result;
-  for (const Output& output : function.outputs) {
-    for (const NodeId id : output.entries) result.push_back(all[static_cast<std::size_t>(id)]);
+  for (const Output& output : function_.outputs) {
+    for (const NodeId id : output.entries) result.push_back(value(id));
   }
   return result;
 }
 
 template <class S>
-std::optional<std::vector<S>> reference_values(const Function& function, const reference::Robot<S>& robot,
-                                               const State& state) {
-  const auto found = reference_table<S>().find(function.name);
-  if (found == reference_table<S>().end()) return std::nullopt;
-  return found->second(robot, Arguments<S>(state));
+std::vector<S> reference_values(const Function& function, const reference::Robot<S>& robot, const StateOf<S>& state) {
+  return reference_table<S>().at(stem_of(function))(robot, Arguments<S>(state));
 }
 
 std::vector<double> magnitudes(const Function& function, const reference::Robot<double>& robot, const State& state) {
-  return absolute(magnitude_table().at(function.name)(robot, Arguments<double>(state)));
+  return absolute(magnitude_table().at(stem_of(function))(robot, Arguments<double>(state)));
 }
 
-template std::vector<double> graph_values(const Function&, const State&);
-template std::vector<Real50> graph_values(const Function&, const State&);
-template std::optional<std::vector<double>> reference_values(const Function&, const reference::Robot<double>&,
-                                                             const State&);
-template std::optional<std::vector<Real50>> reference_values(const Function&, const reference::Robot<Real50>&,
-                                                             const State&);
+template class GraphEvaluator<double>;
+template class GraphEvaluator<Real50>;
+template std::vector<double> reference_values(const Function&, const reference::Robot<double>&, const StateOf<double>&);
+template std::vector<Real50> reference_values(const Function&, const reference::Robot<Real50>&, const StateOf<Real50>&);
 
 }  // namespace flatdyn

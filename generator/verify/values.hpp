@@ -3,21 +3,48 @@
 // measured against.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
 #include "graph/function.hpp"
 #include "verify/reference_model.hpp"
 #include "verify/states.hpp"
 
 namespace flatdyn {
 
-// Entries of all outputs, in order.
+// Evaluates one function's graph at many states: its constants are converted once. The function must outlive it.
 template <class S>
-std::vector<S> graph_values(const Function& function, const State& state);
+class GraphEvaluator {
+ public:
+  explicit GraphEvaluator(const Function& function) : function_(function) {}
 
-// The same from the recursive Newton–Euler reference; nullopt for a function of a named link other than the tip, whose
-// frame the reference is not set up for.
+  // Entries of all outputs, in order; nullopt where a condition of the function does not hold (a pivot of B that is not
+  // positive).
+  std::optional<std::vector<S>> operator()(const StateOf<S>& state);
+
+ private:
+  const Function& function_;
+  std::unordered_map<const Rational*, S> constants_;
+};
+
+// The same entries from the recursive Newton–Euler reference.
 template <class S>
-std::optional<std::vector<S>> reference_values(const Function& function, const reference::Robot<S>& robot,
-                                               const State& state);
+std::vector<S> reference_values(const Function& function, const reference::Robot<S>& robot, const StateOf<S>& state);
+
+// The robot as a function sees it: one of a named link ("jacobian:hand") takes that link's frame for the tip.
+template <class S>
+reference::Robot<S> seen_by(const Function& function, const Robot& written, reference::Robot<S> robot) {
+  const std::size_t colon = function.name.find(':');
+  if (colon == std::string::npos) return robot;
+  for (std::size_t l = 0; l < written.links.size(); ++l) {
+    if (written.links[l].name == function.name.substr(colon + 1)) robot.tip = static_cast<int>(l);
+  }
+  robot.R_tip.setIdentity();
+  robot.p_tip.setZero();
+  return robot;
+}
 
 // The sum of the absolute values of each entry's own terms (flatdyn/reference/magnitude.hpp).
 std::vector<double> magnitudes(const Function& function, const reference::Robot<double>& robot, const State& state);

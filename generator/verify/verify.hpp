@@ -29,9 +29,9 @@ struct FunctionReport {
   std::string function;
   bool proven = false;     // equal to the Lagrangian at random points of prime fields
   double graph_error = 0;  // graph against reference, both in 50 digits, relative to the magnitude
-  ErrorSummary generated;  // compiled text in double
+  ErrorSummary generated;  // compiled text in double, random states
+  ErrorSummary at_edges;   // the same at edge states, divided by 1 + the sum of all angles
   ErrorSummary reference;  // the reference itself in double
-  bool compared = true;    // false: no reference for it (a named link)
   bool passed = false;
 };
 

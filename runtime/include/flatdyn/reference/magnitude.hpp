@@ -144,6 +144,22 @@ inline double reach(const Robot<double>& robot, const VectorX<double>& q) {
   return length;
 }
 
+// Of J: a revolute joint's column is an axis, crossed with the difference of two positions, and that axis; a prismatic
+// joint's is an axis; joints that do not move the tip have none.
+inline MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  const double way = reach(robot, q);
+  MatrixX<double> J = MatrixX<double>::Zero(6, q.size());
+  int link = robot.tip;
+  for (std::size_t j = robot.joints.size(); j-- > 0;) {
+    const Joint<double>& joint = robot.joints[j];
+    if (joint.child != link) continue;
+    link = joint.parent;
+    if (joint.type == JointType::prismatic) J.col(joint.index).head<3>().setOnes();
+    if (joint.type == JointType::revolute) J.col(joint.index) << way, way, way, 1, 1, 1;
+  }
+  return J;
+}
+
 // Of J̇ q̇: the tip's acceleration, linear and angular, from the recursion in lengths.
 inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                                   const VectorX<double>& qd) {
