@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/eval.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/robots.hpp"
+#include "symbolic/functions.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::joint;
+
+// A slide that carries a pendulum of mass m: b_11 = 2 + m, b_12 = -m sin(q_2) for a lever of 1 m.
+class Eval : public ::testing::Test {
+ protected:
+  Eval() {
+    const Inertial cart{{2, {}}, {}, zero_vector(), zero_matrix(), Inertial::About::centre_of_mass, {}};
+    Inertial bob{{m, {}}, {}, {1, 0, 0}, zero_matrix(), Inertial::About::centre_of_mass, {}};
+    robot.name = "cart";
+    robot.links = {{"base", {}, {}}, {"cart", {cart}, {}}, {"bob", {bob}, {}}};
+    robot.joints = {joint("slide", JointType::prismatic, 0, 1, {}, {1, 0, 0}),
+                    joint("swing", JointType::revolute, 1, 2, {}, {0, 0, 1})};
+    robot.root = 0;
+    robot.tip = 2;
+    robot.gravity = {0, GiNaC::numeric(-981, 100), 0};
+    robot.symbols = {{m, "m", {}}};
+    mechanism = make_mechanism(robot);
+  }
+
+  CsvTable evaluate(const std::string& name, const CsvTable& table, const EvalOptions& options = {}) {
+    Diagnostics diagnostics;
+    const CsvTable result =
+        evaluate_table(robot, mechanism, derive_function(mechanism, name), table, "states.csv", options, diagnostics);
+    for (const Diagnostic& each : diagnostics.all()) messages.push_back(to_string(each));
+    return result;
+  }
+
+  const GiNaC::symbol m{"m"};
+  Robot robot;
+  Mechanism mechanism;
+  std::vector<std::string> messages;
+  const CsvTable states{{"time", "m", "q1", "q2"}, {{"0.5", "3", "7", "0"}, {"0.6", "0.5", "7", "0.5"}}, {2, 3}};
+};
+
+TEST_F(Eval, AppendsTheMatrixRowByRow) {
+  const CsvTable result = evaluate("inertia_matrix", states);
+  EXPECT_THAT(messages, ElementsAre());
+  EXPECT_THAT(result.columns, ElementsAre("time", "m", "q1", "q2", "B_1_1", "B_1_2", "B_2_1", "B_2_2"));
+  ASSERT_EQ(result.rows.size(), 2u);
+  EXPECT_THAT(result.rows[0], ElementsAre("0.5", "3", "7", "0", "5", "0", "0", "3"));
+  EXPECT_DOUBLE_EQ(std::stod(result.rows[1][5]), -0.5 * std::sin(0.5));
+}
+
+// The CSV's 0.5 is exact, and 0.1 is a tenth, not the double next to it.
+TEST_F(Eval, GivesFiftyDigitsFromTheGraphAndFromTheReference) {
+  const CsvTable tenth{{"q1", "q2", "m"}, {{"0", "0.1", "1"}}, {2}};
+  const Real50 expected = -sin(Real50("0.1"));
+  for (const bool reference : {false, true}) {
+    const CsvTable result = evaluate("inertia_matrix", tenth, {.reference = reference, .digits = 50});
+    ASSERT_EQ(result.rows.size(), 1u);
+    EXPECT_LE(abs(Real50(Real50(result.rows[0][4]) - expected)), Real50("1e-49")) << result.rows[0][4];
+  }
+}
+
+TEST_F(Eval, RoundsToTheDigitsAskedFor) {
+  const CsvTable result = evaluate("inertia_matrix", states, {.digits = 3});
+  EXPECT_EQ(result.rows.at(1).at(5), "-0.24");
+}
+
+TEST_F(Eval, TakesJointNames) {
+  const CsvTable named{{"q_slide", "q_swing", "m"}, {{"7", "0.5", "0.5"}}, {2}};
+  EXPECT_EQ(evaluate("inertia_matrix", named).rows.at(0).at(4), evaluate("inertia_matrix", states).rows.at(1).at(5));
+}
+
+TEST_F(Eval, TakesTipForcesByBothNames) {
+  CsvTable numbered{{"m", "q1", "q2", "qd1", "qd2", "qdd1", "qdd2", "h_e1", "h_e2", "h_e3", "h_e4", "h_e5", "h_e6"},
+                    {{"1", "0", "0", "0", "0", "0", "0", "10", "20", "30", "1", "2", "3"}},
+                    {2}};
+  const CsvTable first = evaluate("inverse_dynamics_tip_force", numbered);
+  const char* const names[] = {"fx", "fy", "fz", "mx", "my", "mz"};
+  for (std::size_t k = 0; k < 6; ++k) numbered.columns[7 + k] = names[k];
+  const CsvTable second = evaluate("inverse_dynamics_tip_force", numbered);
+  ASSERT_EQ(first.rows.size(), 1u);
+  EXPECT_EQ(first.rows, second.rows);
+  // The tip is at the joint: g acts on the bob alone, the moment about z is the third.
+  EXPECT_THAT(first.rows[0][13], "10");
+  EXPECT_THAT(first.rows[0][14], "12.81");
+}
+
+TEST_F(Eval, NamesColumnsThatAreMissing) {
+  evaluate("gravity", {{"q1", "q2"}, {{"1", "2"}}, {2}});
+  evaluate("inertia_matrix", {{"m", "q1"}, {{"1", "2"}}, {2}});
+  EXPECT_THAT(messages, ElementsAre("states.csv:1: error: column m is missing; gravity reads it",
+                                    "states.csv:1: error: column q2 or q_swing is missing; inertia_matrix reads it"));
+}
+
+// Without the bob's mass the second joint moves nothing: there is no acceleration to give.
+TEST_F(Eval, RefusesAnIndefiniteInertiaMatrix) {
+  const CsvTable table{{"m", "q1", "q2", "qd1", "qd2", "tau1", "tau2"},
+                       {{"1", "0", "0", "0", "0", "1", "1"}, {"0", "0", "0", "0", "0", "1", "1"}},
+                       {2, 5}};
+  EXPECT_TRUE(evaluate("forward_dynamics", table).rows.empty());
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_THAT(messages[0], ::testing::HasSubstr("states.csv:5: error: the inertia matrix is not positive definite"));
+}
+
+TEST_F(Eval, WritesCsv) {
+  EXPECT_EQ(to_text(CsvTable{{"a", "b"}, {{"1", "2.50"}, {"3", "-4e-9"}}, {2, 3}}), "a,b\n1,2.50\n3,-4e-9\n");
+}
+
+}  // namespace
+}  // namespace flatdyn
