@@ -74,7 +74,7 @@ class Parser {
         value = bounded(value * factor());
       } else if (take('/')) {
         const Number divisor = factor();
-        if (flatdyn::is_zero(divisor)) fail("division by zero");
+        if (vanishes(divisor)) fail("division by zero");
         value = bounded(value / divisor);
       } else {
         return value;
@@ -96,7 +96,7 @@ class Parser {
     if (!exponent.info(GiNaC::info_flags::integer)) fail("an exponent must be an integer (roots: sqrt(...))");
     const int bound = has_symbols(base) ? kLargestSymbolicExponent : kLargestExponent;
     if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > bound) fail("the exponent is too large");
-    if (flatdyn::is_zero(base) && exponent.info(GiNaC::info_flags::negative)) fail("division by zero");
+    if (vanishes(base) && exponent.info(GiNaC::info_flags::negative)) fail("division by zero");
     return bounded(GiNaC::pow(base, exponent));
   }
 

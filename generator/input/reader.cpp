@@ -46,7 +46,7 @@ void hold(Joint& joint, Robot& robot) {
   joint.type = JointType::fixed;
   if (!joint.motor) return;
   const int carrier = joint.motor->carrier >= 0 ? joint.motor->carrier : joint.parent;
-  const bool has_axis = !flatdyn::is_zero(dot(joint.motor->axis, joint.motor->axis));
+  const bool has_axis = !vanishes(dot(joint.motor->axis, joint.motor->axis));
   if (carrier >= 0 && has_axis) {
     robot.links[static_cast<std::size_t>(carrier)].inertials.push_back(as_inertial(*joint.motor));
   }

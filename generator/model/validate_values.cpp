@@ -15,7 +15,7 @@ namespace flatdyn {
 namespace {
 
 bool is_negative(const Number& a) { return is_rational(a) && a.info(GiNaC::info_flags::negative); }
-bool is_exact_zero(const Number& a) { return flatdyn::is_zero(a); }
+bool is_exact_zero(const Number& a) { return vanishes(a); }
 
 std::string decimal(const Number& a) { return fmt::format("{:.6g}", GiNaC::ex_to<GiNaC::numeric>(a).to_double()); }
 

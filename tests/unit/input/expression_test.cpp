@@ -21,7 +21,7 @@ class Expression : public testing::Test {
     return symbols_.try_emplace(name, GiNaC::symbol(name)).first->second;
   }
 
-  bool same(const std::string& text, const Number& value) { return flatdyn::is_zero(parse(text) - value); }
+  bool same(const std::string& text, const Number& value) { return vanishes(parse(text) - value); }
 
   std::size_t error_column(const std::string& text) {
     try {

@@ -109,10 +109,9 @@ S kinetic_energy(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& q
     if (joint.index < 0) continue;
     const S& rate = qd[joint.index];
     twice += joint.armature * rate * rate;
-    if (!joint.rotor) continue;
-    const S spin = joint.rotor->gear_ratio * rate;
-    const Vector3<S>& omega = velocities[static_cast<std::size_t>(joint.rotor->carrier)].omega;
-    twice += joint.rotor->inertia * spin * (S(2) * omega.dot(joint.rotor->axis) + spin);
+    const S spin = joint.rotor.gear_ratio * rate;
+    const Vector3<S>& omega = velocities[static_cast<std::size_t>(joint.rotor.carrier)].omega;
+    twice += joint.rotor.inertia * spin * (S(2) * omega.dot(joint.rotor.axis) + spin);
   }
   return twice / S(2);
 }

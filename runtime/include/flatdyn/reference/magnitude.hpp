@@ -70,8 +70,7 @@ inline VectorX<double> torque_magnitude(const Robot<double>& robot, const Vector
     const double v = entry(qd, joint.index), a = entry(qdd, joint.index);
     tau[joint.index] += std::abs(joint.armature) * a;
     if (options.friction) tau[joint.index] += std::abs(joint.viscous) * v + (v > 0 ? std::abs(joint.coulomb) : 0);
-    if (!joint.rotor) continue;
-    const Rotor<double>& rotor = *joint.rotor;
+    const Rotor<double>& rotor = joint.rotor;
     const MotionMagnitude& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
     const double k = std::abs(rotor.gear_ratio), spin = k * std::abs(rotor.inertia);
     mu[static_cast<std::size_t>(rotor.carrier)] += spin * (a + v * carrier.omega);

@@ -110,8 +110,7 @@ VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const Ve
     const S &v = qd[joint.index], &a = qdd[joint.index];
     tau[joint.index] += joint.armature * a;
     if (environment.friction) tau[joint.index] += joint.viscous * v + joint.coulomb * detail::sign(v);
-    if (!joint.rotor) continue;
-    const Rotor<S>& rotor = *joint.rotor;
+    const Rotor<S>& rotor = joint.rotor;
     const LinkMotion<S>& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
     const Vector3<S> turning = carrier.omega.cross(rotor.axis);
     const S spin = rotor.gear_ratio * rotor.inertia;

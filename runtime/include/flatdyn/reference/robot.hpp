@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <optional>
 #include <vector>
 
 namespace flatdyn::reference {
@@ -51,7 +50,7 @@ struct Joint {
   Vector3<S> p_0 = Vector3<S>::Zero(), p_1 = Vector3<S>::Zero();
   Vector3<S> axis = Vector3<S>::UnitZ();  // in the joint frame (after R_0), unit
   S viscous = S(0), coulomb = S(0), armature = S(0);
-  std::optional<Rotor<S>> rotor;
+  Rotor<S> rotor;  // inertia 0: none
 };
 
 template <class S>

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The model in closed form, by Lagrange: what people read, and the definition for small robots. Polynomials in
+// s_i = sin q_i, c_i = cos q_i, d_i and the free symbols, expanded, with s_i² replaced by 1 - c_i²: so equal means
+// equal.
+#pragma once
+
+#include <vector>
+
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+struct ClosedForm {
+  std::vector<GiNaC::symbol> c, s, d;      // one of each per joint; c, s for revolute, d for prismatic joints
+  std::vector<std::vector<Number>> B;      // (7.32)
+  std::vector<std::vector<Number>> c_ijk;  // [i][k (k + 1) / 2 + j], j <= k, (7.45)
+  std::vector<Number> g;                   // (7.39)
+
+  int size() const { return static_cast<int>(g.size()); }
+  const Number& christoffel(int i, int j, int k) const;
+};
+
+ClosedForm closed_form(const Mechanism& mechanism);
+
+// sin(x)² → 1 - cos(x)² everywhere, expanded: for the joints' s_i and c_i, and for angles that are free symbols.
+Number reduced(const Number& expression, const ClosedForm& form);
+
+}  // namespace flatdyn
