@@ -115,8 +115,8 @@ VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const Ve
     const Vector3<S> turning = carrier.omega.cross(rotor.axis);
     const S spin = rotor.gear_ratio * rotor.inertia;
     mu[static_cast<std::size_t>(rotor.carrier)] += spin * a * rotor.axis + spin * v * turning;
-    const Vector3<S> domega_m = carrier.domega + rotor.gear_ratio * a * rotor.axis + rotor.gear_ratio * v * turning;
-    tau[joint.index] += spin * domega_m.dot(rotor.axis);
+    // Of ω̇_m only what turns about z_m counts: k_r q̇ ω × z_m is normal to it.
+    tau[joint.index] += spin * (carrier.domega.dot(rotor.axis) + rotor.gear_ratio * a);
   }
 
   for (std::size_t j = robot.joints.size(); j-- > 0;) {

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The reference, in 50 digits, against the Orocos Kinematics and Dynamics Library on random robots. KDL works in double
+// and knows no rotors (a joint's inertia there is our armature), no friction in its solvers, and takes gravity at the
+// base. Errors are measured on the scale of the quantity's own terms.
+#include <gtest/gtest.h>
+
+#include <kdl/chaindynparam.hpp>
+#include <kdl/chainfdsolver_recursive_newton_euler.hpp>
+#include <kdl/chainfksolverpos_recursive.hpp>
+#include <kdl/chainidsolver_recursive_newton_euler.hpp>
+#include <kdl/chainjnttojacdotsolver.hpp>
+#include <kdl/chainjnttojacsolver.hpp>
+#include <kdl/tree.hpp>
+#include <kdl/treeidsolver_recursive_newton_euler.hpp>
+
+#include "flatdyn/reference/magnitude.hpp"
+#include "support/reference_robots.hpp"
+
+namespace flatdyn {
+namespace {
+
+namespace ref = reference;
+using S = testing::Digits50;
+using Vector = ref::VectorX<double>;
+using Matrix = ref::MatrixX<double>;
+using testing::random_reference_robot;
+using testing::ReferenceState;
+
+constexpr double kBound = 64;  // scaled error that KDL's own rounding may reach
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+KDL::Vector kdl(const ref::Vector3<double>& v) { return {v.x(), v.y(), v.z()}; }
+
+KDL::Frame kdl(const ref::Matrix3<double>& R, const ref::Vector3<double>& p) {
+  return {KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)), kdl(p)};
+}
+
+KDL::JntArray kdl(const Vector& v) {
+  KDL::JntArray array(static_cast<unsigned>(v.size()));
+  array.data = v;
+  return array;
+}
+
+KDL::RigidBodyInertia kdl(const ref::Link<double>& link) {
+  KDL::RigidBodyInertia sum = KDL::RigidBodyInertia::Zero();
+  for (const auto& body : link.inertials) {
+    const auto& I = body.inertia;
+    sum = sum + KDL::RigidBodyInertia(body.mass, kdl(body.r_C),
+                                      KDL::RotationalInertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
+  }
+  return sum;
+}
+
+// A joint is two segments: its constant displacement, then the motion with the link behind it.
+std::vector<KDL::Segment> segments(const ref::Robot<double>& robot, const ref::Joint<double>& joint) {
+  const std::string name = std::to_string(joint.child);
+  const auto type = joint.type == ref::JointType::revolute    ? KDL::Joint::RotAxis
+                    : joint.type == ref::JointType::prismatic ? KDL::Joint::TransAxis
+                                                              : KDL::Joint::Fixed;
+  const KDL::Joint still("still" + name, KDL::Joint::Fixed);
+  const KDL::Joint moving = type == KDL::Joint::Fixed ? KDL::Joint("joint" + name, KDL::Joint::Fixed)
+                                                      : KDL::Joint("joint" + name, KDL::Vector::Zero(), kdl(joint.axis),
+                                                                   type, 1, 0, joint.armature);
+  return {KDL::Segment("origin" + name, still, kdl(joint.R_0, joint.p_0)),
+          KDL::Segment("link" + name, moving, kdl(joint.R_1, joint.p_1),
+                       kdl(robot.links[static_cast<std::size_t>(joint.child)]))};
+}
+
+KDL::Chain kdl_chain(const ref::Robot<double>& robot) {
+  KDL::Chain chain;
+  for (const auto& joint : robot.joints) {
+    for (const auto& segment : segments(robot, joint)) chain.addSegment(segment);
+  }
+  chain.addSegment(KDL::Segment("tip", KDL::Joint("to_tip", KDL::Joint::Fixed), kdl(robot.R_tip, robot.p_tip)));
+  return chain;
+}
+
+// Each entry within kBound units of the last place of its magnitude.
+void expect_close(const Matrix& value, const ref::MatrixX<S>& exact, const Matrix& magnitude, const char* what) {
+  ASSERT_EQ(value.rows(), exact.rows()) << what;
+  ASSERT_EQ(value.cols(), exact.cols()) << what;
+  for (Eigen::Index i = 0; i < value.rows(); ++i) {
+    for (Eigen::Index j = 0; j < value.cols(); ++j) {
+      const double error = S(abs(S(value(i, j)) - exact(i, j))).convert_to<double>();
+      EXPECT_LE(error, kBound * kEpsilon * magnitude(i, j)) << what << " " << i << "," << j << ": " << value(i, j);
+    }
+  }
+}
+
+class Kdl : public ::testing::TestWithParam<unsigned> {
+ protected:
+  explicit Kdl(bool chain = true) : options{.joints = 9, .chain = chain, .rotors = false, .friction = false} {}
+
+  testing::RandomRobot options;
+  ref::Robot<S> exact = random_reference_robot<S>(GetParam(), options);
+  ref::Robot<double> robot = random_reference_robot<double>(GetParam(), options);
+  int n = robot.size();
+  unsigned joints = static_cast<unsigned>(n);
+  ReferenceState<double> s{GetParam(), n};
+  ReferenceState<S> x{GetParam(), n};
+  Vector zero = Vector::Zero(n);
+};
+
+class KdlChain : public Kdl {
+ protected:
+  KDL::Chain chain = kdl_chain(robot);
+};
+
+TEST_P(KdlChain, InverseDynamics) {
+  KDL::ChainIdSolver_RNE solver(chain, kdl(robot.gravity));
+  KDL::JntArray tau(joints);
+  const KDL::Wrenches none(chain.getNrOfSegments(), KDL::Wrench::Zero());
+  ASSERT_EQ(solver.CartToJnt(kdl(s.q), kdl(s.qd), kdl(s.qdd), none, tau), 0);
+  expect_close(tau.data, ref::inverse_dynamics(exact, x.q, x.qd, x.qdd), ref::torque_magnitude(robot, s.q, s.qd, s.qdd),
+               "tau");
+}
+
+// KDL wants the wrench that acts on the segment, in its own axes: the tip's, reversed.
+TEST_P(KdlChain, TipForce) {
+  KDL::ChainIdSolver_RNE solver(chain, kdl(robot.gravity));
+  KDL::JntArray tau(joints);
+  KDL::Wrenches wrenches(chain.getNrOfSegments(), KDL::Wrench::Zero());
+  const ref::Matrix3<double> R = ref::tip_pose(robot, s.q).R;
+  const ref::Vector3<double> f = R.transpose() * s.h_e.f_e, mu = R.transpose() * s.h_e.mu_e;
+  wrenches.back() = -KDL::Wrench(kdl(f), kdl(mu));
+  ASSERT_EQ(solver.CartToJnt(kdl(s.q), kdl(s.qd), kdl(s.qdd), wrenches, tau), 0);
+  const ref::MagnitudeOptions tip{.f_e = s.h_e.f_e.norm(), .mu_e = s.h_e.mu_e.norm()};
+  expect_close(tau.data, ref::inverse_dynamics(exact, x.q, x.qd, x.qdd, x.h_e),
+               ref::torque_magnitude(robot, s.q, s.qd, s.qdd, tip), "tau");
+}
+
+TEST_P(KdlChain, InertiaCoriolisAndGravity) {
+  KDL::ChainDynParam solver(chain, kdl(robot.gravity));
+  KDL::JntSpaceInertiaMatrix B(joints);
+  KDL::JntArray velocity_torque(joints), g(joints);
+  ASSERT_EQ(solver.JntToMass(kdl(s.q), B), 0);
+  ASSERT_EQ(solver.JntToCoriolis(kdl(s.q), kdl(s.qd), velocity_torque), 0);
+  ASSERT_EQ(solver.JntToGravity(kdl(s.q), g), 0);
+  expect_close(B.data, ref::inertia_matrix(exact, x.q), ref::inertia_magnitude(robot, s.q), "B");
+  expect_close(g.data, ref::gravity(exact, x.q), ref::torque_magnitude(robot, s.q, zero, zero), "g");
+  const ref::VectorX<S> expected = ref::coriolis_matrix(exact, x.q, x.qd) * x.qd;
+  expect_close(velocity_torque.data, expected, ref::torque_magnitude(robot, s.q, s.qd, zero, {.gravity = false}),
+               "C qd");
+}
+
+TEST_P(KdlChain, ForwardDynamics) {
+  KDL::ChainFdSolver_RNE solver(chain, kdl(robot.gravity));
+  KDL::JntArray qdd(joints);
+  const KDL::Wrenches none(chain.getNrOfSegments(), KDL::Wrench::Zero());
+  ASSERT_EQ(solver.CartToJnt(kdl(s.q), kdl(s.qd), kdl(s.tau), none, qdd), 0);
+  const Vector terms = ref::torque_magnitude(robot, s.q, s.qd, zero) + s.tau.cwiseAbs() +
+                       ref::inertia_magnitude(robot, s.q) * qdd.data.cwiseAbs();
+  const Vector magnitude = ref::inertia_matrix(robot, s.q).inverse().cwiseAbs() * terms;
+  expect_close(qdd.data, ref::forward_dynamics(exact, x.q, x.qd, x.tau), magnitude, "qdd");
+}
+
+TEST_P(KdlChain, Kinematics) {
+  const double reach = ref::reach(robot, s.q);
+  KDL::Frame pose;
+  KDL::ChainFkSolverPos_recursive positions(chain);
+  ASSERT_EQ(positions.JntToCart(kdl(s.q), pose), 0);
+  const ref::Pose<S> tip = ref::tip_pose(exact, x.q);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_LE(abs(S(S(pose.p[i]) - tip.p[i])), S(kBound * kEpsilon * reach));
+    for (int j = 0; j < 3; ++j) EXPECT_LE(abs(S(S(pose.M(i, j)) - tip.R(i, j))), S(kBound * kEpsilon));
+  }
+  KDL::ChainJntToJacSolver jacobians(chain);
+  KDL::Jacobian J(joints);
+  ASSERT_EQ(jacobians.JntToJac(kdl(s.q), J), 0);
+  const Matrix lengths = Matrix::Constant(6, n, std::max(1.0, reach));
+  expect_close(J.data, ref::jacobian(exact, x.q), lengths, "J");
+}
+
+TEST_P(KdlChain, JacobianDotTimesSpeed) {
+  KDL::ChainJntToJacDotSolver solver(chain);
+  solver.setHybridRepresentation();
+  KDL::Twist twist;
+  ASSERT_EQ(solver.JntToJacDot(KDL::JntArrayVel(kdl(s.q), kdl(s.qd)), twist), 0);
+  Vector rate(6);
+  for (int i = 0; i < 6; ++i) rate[i] = twist(i);
+  const Eigen::Vector2d size = ref::tip_acceleration_magnitude(robot, s.q, s.qd);
+  Vector magnitude(6);
+  magnitude << Vector::Constant(3, size[0]), Vector::Constant(3, size[1]);
+  expect_close(rate, ref::jacobian_dot_qd(exact, x.q, x.qd), magnitude, "Jdot qd");
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, KdlChain, ::testing::Range(1u, 31u));
+
+class KdlTree : public Kdl {
+ protected:
+  KdlTree() : Kdl(false) {}
+};
+
+TEST_P(KdlTree, InverseDynamics) {
+  KDL::Tree tree("link0");
+  for (const auto& joint : robot.joints) {
+    std::string hook = "link" + std::to_string(joint.parent);
+    for (const auto& segment : segments(robot, joint)) {
+      ASSERT_TRUE(tree.addSegment(segment, hook));
+      hook = segment.getName();
+    }
+  }
+  ASSERT_EQ(tree.getNrOfJoints(), joints);
+  // Joints were added in the order of q, which is how KDL numbers them.
+  KDL::TreeIdSolver_RNE solver(tree, kdl(robot.gravity));
+  KDL::JntArray tau(joints);
+  ASSERT_EQ(solver.CartToJnt(kdl(s.q), kdl(s.qd), kdl(s.qdd), KDL::WrenchMap(), tau), 0);
+  expect_close(tau.data, ref::inverse_dynamics(exact, x.q, x.qd, x.qdd), ref::torque_magnitude(robot, s.q, s.qd, s.qdd),
+               "tau");
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, KdlTree, ::testing::Range(1u, 31u));
+
+}  // namespace
+}  // namespace flatdyn
