@@ -28,6 +28,7 @@ struct RobotArguments {
 
 Run add_generate(CLI::App& app);
 Run add_inspect(CLI::App& app);
+Run add_derive(CLI::App& app);
 Run add_verify(CLI::App& app);
 Run add_eval(CLI::App& app);
 

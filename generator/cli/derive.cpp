@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/derive.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct DeriveArguments : RobotArguments {
+  DeriveOptions derive;
+  bool latex = false;
+};
+
+nlohmann::ordered_json json_of(const std::vector<DerivedLine>& lines) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const DerivedLine& line : lines) {
+    json.push_back({{"name", line.name}, {"text", line.text}, {"terms", line.terms}, {"left_out", line.left_out}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json json_of(const DerivedModel& model) {
+  return {{"joints", json_of(model.joints)},
+          {"inertia", json_of(model.inertia)},
+          {"shared", json_of(model.shared)},
+          {"christoffel", json_of(model.christoffel)},
+          {"gravity", json_of(model.gravity)},
+          {"equations", json_of(model.equations)},
+          {"notes", model.notes}};
+}
+
+ExitCode run_derive(const DeriveArguments& arguments) {
+  const Model model = read_model(arguments.robot, arguments.options());
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  if (arguments.json) {
+    const Notation notation = arguments.latex ? Notation::latex : Notation::text;
+    fmt::print("{}\n", json_of(derive_model(model.mechanism, arguments.derive, notation)).dump(2));
+  } else if (arguments.latex) {
+    fmt::print("{}", derive_latex(model.mechanism, arguments.derive));
+  } else {
+    fmt::print("{}", derive_text(model.mechanism, arguments.derive));
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_derive(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("derive",
+                         "Print B, the Christoffel symbols, g and the equations of motion in closed form.\n\n"
+                         "  flatdyn derive robots/planar_2r.toml\n"
+                         "  flatdyn derive robots/planar_2r.toml --latex");
+  const auto arguments = std::make_shared<DeriveArguments>();
+  arguments->add_to(*command);
+  command->add_flag("--latex", arguments->latex, "as LaTeX");
+  command->add_option("--max-terms", arguments->derive.max_terms, "leave out longer expressions, saying so")
+      ->capture_default_str();
+  return [arguments] { return run_derive(*arguments); };
+}
+
+}  // namespace flatdyn
