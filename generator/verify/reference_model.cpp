@@ -10,7 +10,7 @@ SymbolValues random_symbol_values(const Robot& robot, unsigned seed) {
   std::mt19937 engine(seed);
   SymbolValues values;
   for (std::size_t k = 0; k < robot.symbols.size(); ++k)
-    values.push_back(GiNaC::numeric(long(engine() % 900 + 100), 500));
+    values.push_back(GiNaC::numeric(long(engine() % 900 + 100), 512));
   return values;
 }
 
