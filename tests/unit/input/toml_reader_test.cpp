@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
-#include "input/robot_file.hpp"
+#include "unit/input/robot_file.hpp"
 
 namespace flatdyn {
 namespace {
