@@ -102,10 +102,12 @@ std::strong_ordering Factor::operator<=>(const Factor& b) const {
   const auto joints = [](const std::vector<int>& a) {
     return std::count_if(a.begin(), a.end(), [](int k) { return k != 0; });
   };
-  if (const auto order = kind <=> b.kind; order != 0) return order;
+  const bool both_turn = is_trigonometric() && b.is_trigonometric();  // s_1 c_2: the angle counts first
+  if (const auto order = kind <=> b.kind; !both_turn && order != 0) return order;
   if (const auto order = index <=> b.index; order != 0) return order;
   if (const auto order = joints(angle) <=> joints(b.angle); order != 0) return order;
-  return b.angle <=> angle;
+  if (const auto order = b.angle <=> angle; order != 0) return order;
+  return kind <=> b.kind;
 }
 
 Names::Names(const Mechanism& mechanism, const ClosedForm& form) : form_(form) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Is a Function exactly what the Lagrangian says? Decided by evaluating both at random points modulo 61-bit primes:
-// no rounding, no tolerance. A "no" is certain; a "yes" is wrong with the probability stated.
+// no rounding, no tolerance. A "no" is certain; a "yes" is wrong with the probability stated (Schwartz-Zippel), as long
+// as the three primes do not all divide every coefficient of the difference.
 #pragma once
 
 #include <cstdint>
