@@ -76,22 +76,40 @@ std::string content_of(const fs::path& path) {
   return text.str();
 }
 
+// Gone with the object, also when making the library fails half-way.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "flatdyn-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw Failure(ExitCode::io, "no temporary folder can be made");
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
 }  // namespace
 
 class CompiledFunctions::Library {
  public:
   Library(const Mechanism& mechanism, const std::vector<Function>& functions) {
-    std::string pattern = (fs::temp_directory_path() / "flatdyn-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw Failure(ExitCode::io, "no temporary folder can be made");
-    folder_ = pattern;
     EmitOptions options;
     options.name_space = kNamespace;
-    write(folder_ / "robot.hpp", emit_cpp(mechanism, functions, options));
+    write(folder_.path() / "robot.hpp", emit_cpp(mechanism, functions, options));
     std::string driver = "#include \"robot.hpp\"\n";
     for (std::size_t k = 0; k < functions.size(); ++k) driver += entry_text(mechanism, functions[k], k);
-    write(folder_ / "driver.cpp", driver);
+    write(folder_.path() / "driver.cpp", driver);
     compile();
-    handle_ = ::dlopen((folder_ / "driver.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+    handle_ = ::dlopen((folder_.path() / "driver.so").c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ == nullptr) throw Failure(ExitCode::bug, fmt::format("emitted code cannot be loaded: {}", ::dlerror()));
     for (std::size_t k = 0; k < functions.size(); ++k) {
       entries_.push_back(reinterpret_cast<Entry>(::dlsym(handle_, fmt::format("entry_{}", k).c_str())));
@@ -99,8 +117,6 @@ class CompiledFunctions::Library {
   }
   ~Library() {
     if (handle_ != nullptr) ::dlclose(handle_);
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
   }
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
@@ -117,13 +133,13 @@ class CompiledFunctions::Library {
     const std::string command = fmt::format(
         "{0} -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror -shared -fPIC '{1}/driver.cpp' -o "
         "'{1}/driver.so' 2> '{1}/log'",
-        compiler, folder_.string());
+        compiler, folder_.path().string());
     if (std::system(command.c_str()) != 0) {
-      throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of(folder_ / "log"));
+      throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of(folder_.path() / "log"));
     }
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
   void* handle_ = nullptr;
   std::vector<Entry> entries_;
 };
