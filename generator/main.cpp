@@ -18,6 +18,7 @@ ExitCode run(const Run& command) {
     return command();
   } catch (const BadInput& bad) {
     print_diagnostics(bad.diagnostics, false);
+    if (!bad.diagnostics.has_errors()) fmt::print(stderr, "flatdyn: warnings are errors (-Werror)\n");
     return bad.code();
   } catch (const Failure& failure) {
     return report(failure);

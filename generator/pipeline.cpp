@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/uuid/detail/sha1.hpp>
 #include <fstream>
 #include <sstream>
@@ -10,18 +11,40 @@
 namespace flatdyn {
 namespace {
 
-std::string hash_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  const std::string bytes = content.str();
+// Over the bytes of all files that were read, in order.
+std::string hash_of(const std::vector<std::string>& files) {
   boost::uuids::detail::sha1 sha;
-  sha.process_bytes(bytes.data(), bytes.size());
+  for (const std::string& path : files) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream content;
+    content << file.rdbuf();
+    const std::string bytes = content.str();
+    sha.process_bytes(bytes.data(), bytes.size());
+  }
   boost::uuids::detail::sha1::digest_type digest;
   sha.get_digest(digest);
   std::string text = "sha1:";
   for (const auto word : digest) text += fmt::format("{:08x}", word);
   return text;
+}
+
+// All of them before the first is derived.
+void check_names(const Mechanism& mechanism, const std::vector<std::string>& names) {
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    check_function_name(mechanism, *name);
+    if (std::find(names.begin(), name, *name) != name) {
+      throw Failure(ExitCode::usage, "function \"" + *name + "\" is asked for twice", "name it once");
+    }
+  }
+}
+
+OptimisedFunction make_function(const Mechanism& mechanism, const std::string& name, Progress& progress) {
+  progress.step("deriving " + name);
+  Function derived = derive_function(mechanism, name);
+  OptimisedFunction optimised{{}, count_operations(derived), {}};
+  progress.step("optimising " + name);
+  optimised.function = run_passes(std::move(derived), &optimised.passes);
+  return optimised;
 }
 
 }  // namespace
@@ -35,7 +58,8 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
     throw BadInput(code, std::move(diagnostics));
   }
   Mechanism mechanism = make_mechanism(*robot);
-  return {std::move(*robot), std::move(mechanism), std::move(diagnostics), hash_of(path)};
+  std::string hash = hash_of(robot->files);
+  return {std::move(*robot), std::move(mechanism), std::move(diagnostics), std::move(hash)};
 }
 
 std::vector<std::string> all_function_names() {
@@ -44,15 +68,19 @@ std::vector<std::string> all_function_names() {
   return names;
 }
 
-std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress) {
+std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress,
+                                              Diagnostics& findings) {
+  const bool asked = !options.functions.empty();
+  const std::vector<std::string> names = asked ? options.functions : all_function_names();
+  check_names(model.mechanism, names);
   std::vector<OptimisedFunction> result;
-  for (const std::string& name : options.functions.empty() ? all_function_names() : options.functions) {
-    progress.step("deriving " + name);
-    Function derived = derive_function(model.mechanism, name);
-    OptimisedFunction optimised{{}, count_operations(derived), {}};
-    progress.step("optimising " + name);
-    optimised.function = run_passes(std::move(derived), &optimised.passes);
-    result.push_back(std::move(optimised));
+  for (const std::string& name : names) {
+    try {
+      result.push_back(make_function(model.mechanism, name, progress));
+    } catch (const Failure& failure) {
+      if (asked || failure.code() != ExitCode::unsupported) throw;
+      findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
+    }
   }
   return result;
 }

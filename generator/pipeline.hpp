@@ -25,7 +25,7 @@ struct Model {
   Robot robot;
   Mechanism mechanism;
   Diagnostics diagnostics;
-  std::string input_hash;  // of the bytes of the robot file
+  std::string input_hash;  // of the bytes of the robot file, and of a URDF that it names
 };
 
 // Reads and makes canonical. Errors in the input end in BadInput, which carries the diagnostics.
@@ -45,7 +45,9 @@ struct OptimisedFunction {
   std::vector<PassRecord> passes;
 };
 
-std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress);
+// Those that options.functions names; or all that the robot allows: what is left out is a warning in `findings`.
+std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress,
+                                              Diagnostics& findings);
 
 std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised);
 

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
+#include "report/table.hpp"
 
 namespace flatdyn {
 namespace {
@@ -30,15 +31,35 @@ Vec3 vector_option(const std::string& option, const std::string& text) {
 }  // namespace
 
 void RobotArguments::add_to(CLI::App& command) {
-  command.add_option("robot", robot, "robot file: URDF or TOML")->required();
-  command.add_option("--snap", snap, "take angles this near to a multiple of pi/12 for it, rad; 0: never")
-      ->capture_default_str();
-  command.add_option("--gravity", gravity, "g_0 in the base frame, m/s^2, as x,y,z; overrides the file");
-  command.add_option("--tip", tip, "link whose frame is the tip; default: the last in depth-first order");
-  command.add_option("--fix", fixed_joints, "hold this joint at q = 0, as if it were a fixed one");
-  command.add_flag("--werror", warnings_are_errors, "warnings about the robot file are errors");
+  command.add_option("robot", robot, "robot file: URDF or TOML")->required()->type_name("FILE");
+  command.add_option("--snap", snap, "take angles this near to a multiple of pi/12 for it; 0: never")
+      ->capture_default_str()
+      ->type_name("RAD");
+  command.add_option("--gravity", gravity, "g_0 in the base frame, m/s^2; overrides the file")->type_name("X,Y,Z");
+  command.add_option("--tip", tip, "link whose frame is the tip; default: the last, depth-first, of those that move")
+      ->type_name("LINK");
+  command.add_option("--fix", fixed_joints, "hold this joint at q = 0, as if it were a fixed one; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("JOINT");
+  // As compilers spell it: -W takes the rest of -Werror for its value.
+  command
+      .add_option_function<std::string>(
+          "-W", [this](const std::string&) { warnings_are_errors = true; }, "-Werror: warnings are errors")
+      ->type_name("error")
+      ->check([](const std::string& value) { return value == "error" ? "" : "write -Werror"; });
   command.add_flag("--json", json, "print JSON on stdout");
   command.add_flag("-q,--quiet", quiet, "no notes, no progress");
+}
+
+void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {
+  command.add_option("--functions", functions, "what to compute, separated by commas; default: all of those below")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
+  std::vector<std::vector<std::string>> rows;
+  for (const FunctionEntry& entry : function_table()) rows.push_back({"", entry.name, entry.summary});
+  command.footer("Functions:\n" + aligned_table(rows) +
+                 "forward_kinematics, jacobian and jacobian_dot_qd also take a link: jacobian:LINK.");
 }
 
 PipelineOptions RobotArguments::options() const {

@@ -26,6 +26,9 @@ struct RobotArguments {
   PipelineOptions options() const;
 };
 
+// --functions, and the table of functions at the end of the help.
+void add_functions_option(CLI::App& command, std::vector<std::string>& functions);
+
 Run add_generate(CLI::App& app);
 Run add_inspect(CLI::App& app);
 Run add_derive(CLI::App& app);

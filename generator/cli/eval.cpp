@@ -31,7 +31,7 @@ ExitCode run_eval(const EvalArguments& arguments) {
   const CsvTable states = read_csv(arguments.states, found);
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
   Progress progress(arguments.quiet);
-  const std::vector<Function> functions = functions_of(make_functions(model, options, progress));
+  const std::vector<Function> functions = functions_of(make_functions(model, options, progress, found));
   const CsvTable result =
       evaluate_table(model.robot, model.mechanism, functions[0], states, arguments.states, arguments.options, found);
   if (found.has_errors()) throw BadInput(ExitCode::input, found);

@@ -35,10 +35,11 @@ ExitCode generate(const GenerateArguments& arguments) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   std::vector<OptimisedFunction> functions;
+  Diagnostics findings;
   const Model model = read_model(arguments.robot, options);
   {
     Progress progress(arguments.quiet);
-    functions = make_functions(model, options, progress);
+    functions = make_functions(model, options, progress, findings);
   }
   const EmitOptions emit{arguments.name_space, arguments.scalar, stamp_of(arguments), model.input_hash};
   const std::filesystem::path folder = arguments.folder;
@@ -47,8 +48,9 @@ ExitCode generate(const GenerateArguments& arguments) {
   manifest.update(model_json(model));
   manifest["functions"] = functions_json(functions, symbol_names(model.mechanism));
   write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit)},
-               {folder / "manifest.json", manifest.dump(2) + "\n"}});
+               {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
   print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(findings, arguments.quiet);
   if (arguments.json) {
     fmt::print("{}\n", manifest.dump(2));
   } else {
@@ -68,17 +70,15 @@ Run add_generate(CLI::App& app) {
                          "  flatdyn generate arm.toml -o out/ --functions inverse_dynamics,gravity --scalar float");
   const auto arguments = std::make_shared<GenerateArguments>();
   arguments->add_to(*command);
-  command->add_option("-o,--output", arguments->folder, "folder to write to; made if it is not there")->required();
-  command
-      ->add_option("--functions", arguments->functions,
-                   fmt::format("what to compute, separated by commas; default: all of {}. forward_kinematics:LINK, "
-                               "jacobian:LINK and jacobian_dot_qd:LINK for a named link",
-                               fmt::join(all_function_names(), ", ")))
-      ->delimiter(',');
+  command->add_option("-o,--output", arguments->folder, "folder to write to; made if it is not there")
+      ->required()
+      ->type_name("FOLDER");
+  add_functions_option(*command, arguments->functions);
   command->add_option("--scalar", arguments->scalar, "scalar of the constants")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command->add_option("--namespace", arguments->name_space, "C++ namespace; default: the robot's name");
+  command->add_option("--namespace", arguments->name_space, "C++ namespace; default: the robot's name")
+      ->type_name("NAME");
   return [arguments] { return generate(*arguments); };
 }
 

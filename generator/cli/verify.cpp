@@ -19,11 +19,13 @@ ExitCode run_verify(const VerifyArguments& arguments) {
   const Model model = read_model(arguments.robot, options);
   print_diagnostics(model.diagnostics, arguments.quiet);
   VerifyReport report;
+  Diagnostics findings;
   {
     Progress progress(arguments.quiet);
-    const std::vector<Function> functions = functions_of(make_functions(model, options, progress));
+    const std::vector<Function> functions = functions_of(make_functions(model, options, progress, findings));
     report = verify(model.robot, model.mechanism, functions, arguments.options, progress);
   }
+  print_diagnostics(findings, arguments.quiet);
   fmt::print("{}\n", arguments.json ? to_json(report).dump(2) : to_text(report));
   return report.passed() ? ExitCode::ok : ExitCode::verification_failed;
 }
@@ -38,8 +40,7 @@ Run add_verify(CLI::App& app) {
                                      "  flatdyn verify arm.toml --functions inverse_dynamics --states 1000 --json");
   const auto arguments = std::make_shared<VerifyArguments>();
   arguments->add_to(*command);
-  command->add_option("--functions", arguments->functions, "what to compare, separated by commas; default: all")
-      ->delimiter(',');
+  add_functions_option(*command, arguments->functions);
   command->add_option("--states", arguments->options.states, "random states")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));

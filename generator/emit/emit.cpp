@@ -14,6 +14,7 @@
 #include "emit/names.hpp"
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
+#include "symbolic/number_text.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -138,7 +139,8 @@ class HeaderWriter {
   }
 
   std::string facts() const {
-    std::string text = fmt::format("Gravity is {} m/s^2 in the base frame.", vector_text(mechanism_.gravity));
+    std::string text =
+        fmt::format("Gravity is {} m/s^2 in the base frame.", NumberText(mechanism_, 17)(mechanism_.gravity));
     if (!mechanism_.tip.link.empty()) text += fmt::format(" The tip belongs to link \"{}\".", mechanism_.tip.link);
     if (!mechanism_.merged.empty()) {
       text += " Links without a joint of their own, part of those that carry them:";

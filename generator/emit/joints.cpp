@@ -86,13 +86,4 @@ std::vector<std::string> joint_table(const Mechanism& mechanism) {
   return table_lines(rows);
 }
 
-std::string vector_text(const Vec3& vector) {
-  std::string text;
-  for (const Number& entry : vector) {
-    const std::optional<std::string> decimal = decimal_of(entry);
-    text += (text.empty() ? "(" : ", ") + (decimal ? plain(*decimal) : "symbolic");
-  }
-  return text + ")";
-}
-
 }  // namespace flatdyn

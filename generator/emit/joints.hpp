@@ -31,7 +31,4 @@ std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKi
 // Lines: index, joint, link, type, unit and the limits given.
 std::vector<std::string> joint_table(const Mechanism& mechanism);
 
-// "(0, 0, -9.81)"
-std::string vector_text(const Vec3& vector);
-
 }  // namespace flatdyn

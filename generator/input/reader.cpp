@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "diagnostics/nearest.hpp"
 #include "input/context.hpp"
-#include "input/nearest.hpp"
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
 #include "model/validate.hpp"
@@ -68,16 +68,24 @@ void hold_joints(const ReadContext& context, Robot& robot) {
   }
 }
 
-int last_link(const Robot& robot) {
-  const std::vector<int> order = depth_first_joints(robot);
-  return order.empty() ? robot.root : robot.joints[static_cast<std::size_t>(order.back())].child;
+// The last link in depth-first order of those that move: a sensor that is fixed to the base is nobody's tip.
+int last_moving_link(const Robot& robot) {
+  std::vector<bool> moves(robot.links.size(), false);
+  int last = robot.root;
+  for (const int j : depth_first_joints(robot)) {
+    const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
+    const auto child = static_cast<std::size_t>(joint.child);
+    moves[child] = joint.type != JointType::fixed || moves[static_cast<std::size_t>(joint.parent)];
+    if (moves[child]) last = joint.child;
+  }
+  return last;
 }
 
 void attach(const Attachments& attachments, ReadContext& context, Robot& robot) {
   const auto index_of = [&](const std::optional<Reference>& link, const char* what) {
     return link ? find_link(robot, *link, what, context.diagnostics).value_or(robot.tip) : robot.tip;
   };
-  robot.tip = last_link(robot);
+  robot.tip = last_moving_link(robot);
   robot.tip = index_of(attachments.tip, "tip, link");
   robot.tip_offset = attachments.tip_offset;
   if (attachments.payload) {
@@ -105,6 +113,7 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
   const FileKind kind = kind_of(path);
   const std::optional<std::string> text = file_text(file, context.diagnostics);
   if (!text) return;
+  robot.files.push_back(file);
   if (kind == FileKind::unknown) {
     context.diagnostics.error({file, 0}, "unknown kind of file", "robot files are called .urdf, .xml or .toml");
     return;

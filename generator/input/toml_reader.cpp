@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "input/nearest.hpp"
+#include "diagnostics/nearest.hpp"
 #include "input/toml_parts.hpp"
 #include "input/urdf_reader.hpp"
 #include "input/urdf_values.hpp"
@@ -212,6 +212,7 @@ class TomlReader {
       return;
     }
     if (const std::optional<std::string> text = file_text(path, diagnostics_)) {
+      robot_.files.push_back(path);
       read_urdf(*text, path, context_, robot_);
     }
     if (table.has("link")) {

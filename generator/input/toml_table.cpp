@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "diagnostics/nearest.hpp"
 #include "input/expression.hpp"
-#include "input/nearest.hpp"
 
 namespace flatdyn {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "input/nearest.hpp"
+#include "diagnostics/nearest.hpp"
 #include "input/urdf_actuators.hpp"
 #include "input/urdf_values.hpp"
 

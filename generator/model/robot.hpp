@@ -106,6 +106,7 @@ struct Snap {
 struct Robot {
   std::string name;
   std::string file;
+  std::vector<std::string> files;             // all that were read: this one, and a URDF that it names
   std::vector<Link> links;                    // in file order
   std::vector<Joint> joints;                  // in file order
   int root = -1;                              // index of the root link; it is the fixed base

@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
-#include <sstream>
 
 #include "emit/arguments.hpp"
-
 #include "report/table.hpp"
+#include "symbolic/number_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -19,52 +17,34 @@ std::string type_of(const Body& body) {
   return body.continuous ? "continuous" : "revolute";
 }
 
-std::string limit_text(const std::optional<Value>& value) { return value ? short_text(value->number) : "-"; }
+std::string limit_text(const std::optional<Value>& value, const NumberText& text) {
+  return value ? text(value->number) : "-";
+}
 
-std::string range_text(const Limits& limits) {
+std::string range_text(const Limits& limits, const NumberText& text) {
   if (!limits.lower && !limits.upper) return "-";
-  return "[" + limit_text(limits.lower) + ", " + limit_text(limits.upper) + "]";
+  return "[" + limit_text(limits.lower, text) + ", " + limit_text(limits.upper, text) + "]";
 }
 
 std::string snap_text(const Snap& snap) {
   return fmt::format("  {}:{}: {}: {} taken for {} (off by {} rad)\n", snap.place.file, snap.place.line, snap.what,
-                     snap.written, short_text(snap.exact), to_decimal(snap.difference, 2));
+                     snap.written, plain_number_text(snap.exact), to_decimal(snap.difference, 2));
 }
 
 }  // namespace
 
-std::string short_text(const Number& number) {
-  if (has_symbols(number)) {
-    std::ostringstream text;
-    text << number;
-    return text.str();
-  }
-  const Number turns = (number / GiNaC::Pi).expand();
-  if (!number.is_zero() && is_rational(turns)) {
-    const GiNaC::numeric r = GiNaC::ex_to<GiNaC::numeric>(turns);
-    const std::string sign = r.is_negative() ? "-" : "";
-    const GiNaC::numeric above = GiNaC::abs(r.numer());
-    std::ostringstream text;
-    text << sign;
-    if (!above.is_equal(1)) text << above << "*";
-    text << "pi";
-    if (!r.denom().is_equal(1)) text << "/" << r.denom();
-    return text.str();
-  }
-  return fmt::format("{:.6g}", std::stod(to_decimal(number, 17)));
-}
-
 std::string describe_model(const Model& model) {
   const Mechanism& mechanism = model.mechanism;
-  std::string text = fmt::format("robot {}: {} joints, gravity ({}, {}, {}) m/s^2, tip {}\n\n", mechanism.name,
-                                 mechanism.size(), short_text(mechanism.gravity[0]), short_text(mechanism.gravity[1]),
-                                 short_text(mechanism.gravity[2]), mechanism.tip.link);
+  const NumberText number(mechanism);
+  std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name,
+                                 mechanism.size() == 1 ? "1 joint" : fmt::format("{} joints", mechanism.size()),
+                                 number(mechanism.gravity), mechanism.tip.link);
   std::vector<std::vector<std::string>> rows = {{"q", "joint", "type", "moves", "after", "range", "speed", "effort"}};
   for (int i = 0; i < mechanism.size(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
     const std::string parent = body.parent < 0 ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
-    rows.push_back({std::to_string(i), body.joint, type_of(body), body.link, parent, range_text(body.limits),
-                    limit_text(body.limits.velocity), limit_text(body.limits.effort)});
+    rows.push_back({std::to_string(i), body.joint, type_of(body), body.link, parent, range_text(body.limits, number),
+                    limit_text(body.limits.velocity, number), limit_text(body.limits.effort, number)});
   }
   text += aligned_table(rows);
   if (!mechanism.merged.empty())
@@ -81,73 +61,105 @@ std::string describe_model(const Model& model) {
 
 namespace {
 
-std::string vector_text(const Vec3& v) {
-  return fmt::format("({}, {}, {})", short_text(v[0]), short_text(v[1]), short_text(v[2]));
-}
-
-std::string turn_text(const PlanarRotation& turn) {
-  if (has_symbols(turn.c)) return "atan2(" + short_text(turn.s) + ", " + short_text(turn.c) + ")";
+std::string turn_text(const PlanarRotation& turn, const NumberText& number) {
+  if (has_symbols(turn.c)) return "atan2(" + number(turn.s) + ", " + number(turn.c) + ")";
   const double angle = std::atan2(std::stod(to_decimal(turn.s, 17)), std::stod(to_decimal(turn.c, 17)));
   const double quarters = angle / std::acos(0.0);
   return quarters == std::round(quarters) ? fmt::format("{:g} deg", 90 * quarters) : fmt::format("{:.6g} rad", angle);
 }
 
-std::string describe_body(const Body& body, int i) {
+std::string describe_body(const Body& body, int i, const NumberText& number) {
   const InertialParameters& b = body.inertia;
-  std::string text = fmt::format("body {} ({}), frame in its parent: p = {} m, Rz({}) Rx({}) Rz({}{})\n", i, body.link,
-                                 vector_text(body.p), turn_text(body.beta), turn_text(body.alpha),
-                                 turn_text(body.theta), body.prismatic ? "" : " + q");
-  text += fmt::format(
-      "  m = {} kg, m r = {} kg m\n  I = xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2 about the origin\n",
-      short_text(b.mass), vector_text(b.first_moment), short_text(b.inertia[0][0]), short_text(b.inertia[1][1]),
-      short_text(b.inertia[2][2]), short_text(b.inertia[0][1]), short_text(b.inertia[0][2]),
-      short_text(b.inertia[1][2]));
-  text += fmt::format("  friction F_v = {}, F_s = {}\n", short_text(body.viscous), short_text(body.coulomb));
-  if (!vanishes(body.armature)) text += fmt::format("  reflected inertia {}\n", short_text(body.armature));
+  const auto turn = [&number](const PlanarRotation& rotation) { return turn_text(rotation, number); };
+  std::string text =
+      fmt::format("body {} ({}), frame in its parent: p = {} m, Rz({}) Rx({}) Rz({}{})\n", i, body.link, number(body.p),
+                  turn(body.beta), turn(body.alpha), turn(body.theta), body.prismatic ? "" : " + q");
+  text += fmt::format("  m = {} kg, m r = {} kg m\n", number(b.mass), number(b.first_moment));
+  text += fmt::format("  I = xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2 about the origin\n",
+                      number(b.inertia[0][0]), number(b.inertia[1][1]), number(b.inertia[2][2]),
+                      number(b.inertia[0][1]), number(b.inertia[0][2]), number(b.inertia[1][2]));
+  text += fmt::format("  friction F_v = {}, F_s = {}\n", number(body.viscous), number(body.coulomb));
+  if (!vanishes(body.armature)) text += fmt::format("  reflected inertia {}\n", number(body.armature));
   if (body.rotor) {
-    text += fmt::format("  rotor: k_r = {}, I_m = {} kg m^2, axis {} on {}\n", short_text(body.rotor->gear_ratio),
-                        short_text(body.rotor->inertia), vector_text(body.rotor->axis),
+    text += fmt::format("  rotor: k_r = {}, I_m = {} kg m^2, axis {} on {}\n", number(body.rotor->gear_ratio),
+                        number(body.rotor->inertia), number(body.rotor->axis),
                         body.rotor->carrier < 0 ? "the base" : fmt::format("body {}", body.rotor->carrier));
   }
   return text;
 }
 
+// A number, or the text of an expression in the free symbols.
+nlohmann::ordered_json number_json(const Number& number, const NumberText& text) {
+  if (has_symbols(number)) return text(number);
+  return std::stod(to_decimal(number, 17));
+}
+
+template <class Numbers>
+nlohmann::ordered_json list_json(const Numbers& numbers, const NumberText& text) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Number& number : numbers) json.push_back(number_json(number, text));
+  return json;
+}
+
+nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
+  const InertialParameters& b = body.inertia;
+  nlohmann::ordered_json joint = {
+      {"name", body.joint}, {"type", type_of(body)}, {"link", body.link}, {"parent", body.parent}};
+  const auto add_limit = [&](const char* key, const std::optional<Value>& value) {
+    if (value) joint[key] = number_json(value->number, text);
+  };
+  add_limit("lower", body.limits.lower);
+  add_limit("upper", body.limits.upper);
+  add_limit("velocity", body.limits.velocity);
+  add_limit("effort", body.limits.effort);
+  const Mat3 R = constant_rotation(body);
+  joint["origin"] = {{"p", list_json(body.p, text)}, {"R", nlohmann::ordered_json::array()}};
+  for (const Vec3& row : R) joint["origin"]["R"].push_back(list_json(row, text));
+  joint["mass"] = number_json(b.mass, text);
+  joint["first_moment"] = list_json(b.first_moment, text);
+  joint["inertia_about_origin"] = nlohmann::ordered_json::array();
+  for (const Vec3& row : b.inertia) joint["inertia_about_origin"].push_back(list_json(row, text));
+  joint["viscous_friction"] = number_json(body.viscous, text);
+  joint["coulomb_friction"] = number_json(body.coulomb, text);
+  joint["armature"] = number_json(body.armature, text);
+  if (body.rotor) {
+    joint["rotor"] = {{"gear_ratio", number_json(body.rotor->gear_ratio, text)},
+                      {"inertia", number_json(body.rotor->inertia, text)},
+                      {"axis", list_json(body.rotor->axis, text)},
+                      {"carrier", body.rotor->carrier}};
+  }
+  return joint;
+}
+
 }  // namespace
 
 std::string describe_bodies(const Mechanism& mechanism) {
+  const NumberText number(mechanism);
   std::string text;
-  for (int i = 0; i < mechanism.size(); ++i) text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i);
+  for (int i = 0; i < mechanism.size(); ++i) {
+    text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i, number);
+  }
   return text;
 }
 
 nlohmann::ordered_json model_json(const Model& model) {
+  const NumberText text(model.mechanism);
   nlohmann::ordered_json json;
   json["robot"] = model.mechanism.name;
   json["input_hash"] = model.input_hash;
-  for (const Number& g : model.mechanism.gravity) json["gravity"].push_back(short_text(g));
+  json["gravity"] = list_json(model.mechanism.gravity, text);
   json["tip"] = model.mechanism.tip.link;
   json["joints"] = nlohmann::ordered_json::array();
-  for (const Body& body : model.mechanism.bodies) {
-    nlohmann::ordered_json joint = {
-        {"name", body.joint}, {"type", type_of(body)}, {"link", body.link}, {"parent", body.parent}};
-    const auto add = [&joint](const char* key, const std::optional<Value>& value) {
-      if (value && !has_symbols(value->number)) joint[key] = std::stod(to_decimal(value->number, 17));
-    };
-    add("lower", body.limits.lower);
-    add("upper", body.limits.upper);
-    add("velocity", body.limits.velocity);
-    add("effort", body.limits.effort);
-    json["joints"].push_back(std::move(joint));
-  }
+  for (const Body& body : model.mechanism.bodies) json["joints"].push_back(joint_json(body, text));
   json["merged_links"] = model.mechanism.merged;
-  json["symbols"] = nlohmann::ordered_json::array();
-  for (const FreeSymbol& symbol : model.mechanism.symbols) json["symbols"].push_back(symbol.name);
+  json["symbols"] = symbol_names(model.mechanism);
   json["snapped"] = nlohmann::ordered_json::array();
   for (const Snap& snap : model.robot.snaps) {
-    json["snapped"].push_back({{"line", snap.place.line},
+    json["snapped"].push_back({{"file", snap.place.file},
+                               {"line", snap.place.line},
                                {"what", snap.what},
                                {"written", snap.written},
-                               {"taken_for", short_text(snap.exact)}});
+                               {"taken_for", plain_number_text(snap.exact)}});
   }
   return json;
 }

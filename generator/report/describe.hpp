@@ -8,10 +8,8 @@
 
 namespace flatdyn {
 
-// "0.333", "pi/2", "m_l1*a_1": a number as people write it, to six digits if it is no short decimal.
-std::string short_text(const Number& number);
-
-// Joints, merged links, snapped angles.
+// Joints, merged links, snapped angles. In JSON also frames and inertial parameters: numbers, or the text of an
+// expression in the free symbols.
 std::string describe_model(const Model& model);
 nlohmann::ordered_json model_json(const Model& model);
 

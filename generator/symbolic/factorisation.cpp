@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/factorisation.hpp"
 
+#include <fmt/format.h>
+
+#include "diagnostics/diagnostics.hpp"
+
 namespace flatdyn {
 
 Solution solve_factorised(Frames& frames, std::vector<std::vector<Number>> B, std::vector<Number> b) {
@@ -11,6 +15,12 @@ Solution solve_factorised(Frames& frames, std::vector<std::vector<Number>> B, st
   std::vector<Number> inverse(n);
   for (std::size_t k = n; k-- > 0;) {
     const std::string row = label(static_cast<int>(k));
+    if (vanishes(B[k][k])) {
+      throw Failure(ExitCode::unsupported,
+                    fmt::format("forward_dynamics: B(q) is singular, because joint \"{}\" moves no inertia",
+                                frames.mechanism().bodies[k].joint),
+                    "give the links that it moves their inertia, or its motor a rotor");
+    }
     inverse[k] = d.quotient(1, B[k][k], "d_" + row);
     for (int i = parent(k); i >= 0; i = parent(index(i))) {
       const Number l = d.named(B[k][index(i)] * inverse[k], "l_" + row + "_" + label(i));

@@ -13,6 +13,7 @@ struct Solution {
 };
 
 // B as from inertia_matrix; overwritten by its factors.
+// Throws Failure(unsupported) if a pivot is exactly zero.
 Solution solve_factorised(Frames& frames, std::vector<std::vector<Number>> B, std::vector<Number> b);
 
 }  // namespace flatdyn

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/functions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <optional>
 
+#include "diagnostics/nearest.hpp"
 #include "graph/count.hpp"
 #include "symbolic/composite.hpp"
 #include "symbolic/energy.hpp"
@@ -258,9 +261,37 @@ LinkDerivation link_derivation(const std::string& name) {
 const FunctionEntry& entry_of(const std::string& name) {
   const auto& table = function_table();
   const auto found = std::find_if(table.begin(), table.end(), [&](const FunctionEntry& e) { return name == e.name; });
-  if (found == table.end())
-    throw Failure(ExitCode::usage, "unknown function \"" + name + "\"", "see flatdyn generate --help");
-  return *found;
+  if (found != table.end()) return *found;
+  std::vector<std::string> known;
+  for (const FunctionEntry& entry : table) known.emplace_back(entry.name);
+  throw Failure(ExitCode::usage, "unknown function \"" + name + "\"", hint_for_unknown(name, known, "functions"));
+}
+
+const LinkFrame& link_of(const Mechanism& mechanism, const std::string& name) {
+  const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                                  [&](const LinkFrame& frame) { return frame.link == name; });
+  if (found != mechanism.links.end()) return *found;
+  std::vector<std::string> known;
+  for (const LinkFrame& frame : mechanism.links) known.push_back(frame.link);
+  throw Failure(ExitCode::usage, "no link named \"" + name + "\"", hint_for_unknown(name, known, "links"));
+}
+
+// What a name asks for: "jacobian", or "jacobian:hand" for a link.
+struct Request {
+  const FunctionEntry* entry = nullptr;
+  const LinkFrame* link = nullptr;
+};
+
+Request parsed(const Mechanism& mechanism, const std::string& name) {
+  const std::size_t colon = name.find(':');
+  Request request{&entry_of(name.substr(0, colon)), nullptr};
+  if (colon == std::string::npos) return request;
+  if (link_derivation(request.entry->name) == nullptr) {
+    throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.entry->name),
+                  "those of a link are forward_kinematics, jacobian and jacobian_dot_qd");
+  }
+  request.link = &link_of(mechanism, name.substr(colon + 1));
+  return request;
 }
 
 }  // namespace
@@ -285,22 +316,13 @@ const std::vector<FunctionEntry>& function_table() {
   return table;
 }
 
+void check_function_name(const Mechanism& mechanism, const std::string& name) { parsed(mechanism, name); }
+
 Function derive_function(const Mechanism& mechanism, const std::string& name) {
-  const std::size_t colon = name.find(':');
-  const std::string stem = name.substr(0, colon);
-  const FunctionEntry& entry = entry_of(stem);
-  Function function;
-  if (colon == std::string::npos) {
-    function = entry.derive(mechanism);
-  } else {
-    const std::string link = name.substr(colon + 1);
-    const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
-                                    [&](const LinkFrame& frame) { return frame.link == link; });
-    const LinkDerivation derive = link_derivation(stem);
-    if (derive == nullptr) throw Failure(ExitCode::usage, "function \"" + stem + "\" is not one of a link");
-    if (found == mechanism.links.end()) throw Failure(ExitCode::usage, "no link named \"" + link + "\"");
-    function = derive(mechanism, *found);
-  }
+  const Request request = parsed(mechanism, name);
+  const FunctionEntry& entry = *request.entry;
+  Function function =
+      request.link == nullptr ? entry.derive(mechanism) : link_derivation(entry.name)(mechanism, *request.link);
   function.name = name;
   function.summary = entry.summary;
   function.equation = entry.equation;

@@ -23,8 +23,11 @@ struct FunctionEntry {
 // jacobian_dot_qd.
 const std::vector<FunctionEntry>& function_table();
 
-// Also "forward_kinematics:LINK" and "jacobian:LINK" for any named link.
-// Throws Failure(usage) for an unknown name or link.
+// Throws Failure(usage) for the name of no function, and for no link of the robot.
+void check_function_name(const Mechanism& mechanism, const std::string& name);
+
+// By name; also "forward_kinematics:LINK", "jacobian:LINK" and "jacobian_dot_qd:LINK" for any named link.
+// Throws as check_function_name does.
 Function derive_function(const Mechanism& mechanism, const std::string& name);
 
 }  // namespace flatdyn

@@ -96,6 +96,26 @@ FactorKind kind_of(const GiNaC::symbol& symbol, const Mechanism& mechanism) {
   return is_dynamic && !is_length ? FactorKind::dynamic : FactorKind::other;
 }
 
+// Every constant of a body that may be an expression.
+std::vector<Number> constants_of(const Body& body) {
+  const InertialParameters& inertia = body.inertia;
+  std::vector<Number> constants = {body.viscous, body.coulomb, body.armature, inertia.mass};
+  for (const PlanarRotation& turn : {body.beta, body.alpha, body.theta}) {
+    constants.push_back(turn.c);
+    constants.push_back(turn.s);
+  }
+  const auto add = [&constants](const Vec3& v) { constants.insert(constants.end(), v.begin(), v.end()); };
+  add(body.p);
+  add(inertia.first_moment);
+  for (const Vec3& row : inertia.inertia) add(row);
+  if (body.rotor) {
+    constants.push_back(body.rotor->gear_ratio);
+    constants.push_back(body.rotor->inertia);
+    add(body.rotor->axis);
+  }
+  return constants;
+}
+
 }  // namespace
 
 std::strong_ordering Factor::operator<=>(const Factor& b) const {
@@ -132,9 +152,9 @@ Names::Names(const Mechanism& mechanism, const ClosedForm& form) : form_(form) {
     for (const Number& c : form.c_ijk[i]) learn(c);
     learn(form.g[i]);
   }
+  for (const Number& entry : mechanism.gravity) learn(entry.expand());
   for (const Body& body : mechanism.bodies) {
-    learn(body.viscous);
-    learn(body.coulomb);
+    for (const Number& entry : constants_of(body)) learn(entry.expand());
   }
   std::sort(entries_.begin(), entries_.end(),
             [](const Entry& a, const Entry& b) { return natural_key(a.name) < natural_key(b.name); });

@@ -98,9 +98,17 @@ double asymmetry(const Functions& f, const ExactState& state) {
   return relative((B - B.transpose()).norm(), B.norm());
 }
 
+// Rounding apart: 0 for a singular matrix.
 double smallest_pivot(const Functions& f, const ExactState& state) {
   const Matrix B = f.matrix("inertia_matrix", state);
-  return B.ldlt().vectorD().minCoeff().convert_to<double>();
+  const Real50 pivot = B.ldlt().vectorD().minCoeff();
+  return abs(pivot) <= kTolerance * B.norm() ? 0 : pivot.convert_to<double>();
+}
+
+// A joint that moves no inertia (the reader warns of it) makes B singular, which is right for that robot.
+Property definiteness(double smallest_pivot) {
+  if (smallest_pivot == 0) return {"B is positive semidefinite", "singular: a joint moves no inertia", true};
+  return {"B is positive definite", fmt::format("smallest pivot {:.2g}", smallest_pivot), smallest_pivot > 0};
 }
 
 double skewness(const Functions& f, const ExactState& state) {
@@ -148,7 +156,7 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
     vanishing("B is symmetric", asymmetry);
     double pivot = std::numeric_limits<double>::infinity();
     for (const ExactState& state : exact) pivot = std::min(pivot, smallest_pivot(f, state));
-    properties.push_back({"B is positive definite", fmt::format("smallest pivot {:.2g}", pivot), pivot > 0});
+    properties.push_back(definiteness(pivot));
   }
   if (f.has({"inertia_matrix", "coriolis_matrix"})) vanishing("w'(dB/dt - 2C)w = 0, (7.48)", skewness);
   if (f.has({"inverse_dynamics", "bias", "coriolis_matrix", "kinetic_energy"})) {

@@ -52,8 +52,9 @@ class Comparison {
     GraphEvaluator<Real50> graph(function);
     std::vector<double> generated, generated_at_edges, reference;
     const std::size_t count = states_for(function);
-    // With as few states as that, every fourth edge state: angles and speeds still take all their values.
-    const std::size_t stride = count < edge_.size() ? 4 : 1;
+    // Where states are dear, about as many edge states as random ones.
+    constexpr std::size_t kFewestEdges = 4;
+    const std::size_t stride = std::max<std::size_t>(1, edge_.size() / std::max(count, kFewestEdges));
     for (std::size_t k = 0; k < count + (edge_.size() + stride - 1) / stride; ++k) {
       const bool is_edge = k >= count;
       const State& state = is_edge ? edge_[(k - count) * stride] : random_[k];

@@ -15,7 +15,8 @@ VerifyReport report_of(const std::string& robot, const std::vector<std::string>&
   options.functions = functions;
   const Model model = read_model(kRobots + robot, options);
   Progress quiet(true);
-  const std::vector<Function> made = functions_of(make_functions(model, options, quiet));
+  Diagnostics left_out;
+  const std::vector<Function> made = functions_of(make_functions(model, options, quiet, left_out));
   return verify(model.robot, model.mechanism, made, {}, quiet);
 }
 

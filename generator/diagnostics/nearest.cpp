@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/nearest.hpp"
+#include "diagnostics/nearest.hpp"
 
 #include <algorithm>
 #include <numeric>

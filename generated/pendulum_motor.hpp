@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The dynamics of robot "pendulum_motor" as flat code: 1 joint.
+// Made by flatdyn 0.1.0 from its robot file; to change it, make it again.
+// Input: sha1:590ca7faf02658234a2643ca52068cc6bca5b179
+//
+//   index  joint  moves link  type      unit
+//   0      theta  pendulum    revolute  rad
+//
+// Gravity is (g, 0, 0) m/s^2 in the base frame. The tip belongs to link "pendulum".
+//
+// Every function is a template over its scalar: float, double, or any type that has + - * / and
+// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+//
+//   pendulum_motor::Parameters<> parameters = {};  // then set its members
+//   double q[1] = {}, qd[1] = {}, qdd[1] = {}, tau[1];
+//   pendulum_motor::inverse_dynamics(parameters, q, qd, qdd, tau);
+//
+// Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
+// Every entry of an output is written, zeros too. All inputs are read before anything is written:
+// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
+// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+
+#ifndef FLATDYN_PENDULUM_MOTOR_HPP
+#define FLATDYN_PENDULUM_MOTOR_HPP
+
+#include <cmath>
+
+namespace pendulum_motor {
+
+// The scalar that the tool was asked for: that of the constants, and of Parameters by default.
+using Real = double;
+
+inline constexpr int joint_count = 1;
+
+// As the robot file names them.
+inline constexpr const char* joint_names[joint_count] = {"theta"};
+
+// What the robot file leaves open: an argument of every function. Units as in the file.
+template <class Scalar = Real>
+struct Parameters {
+  Scalar g;
+  Scalar m;
+  Scalar l;
+  Scalar I;
+  Scalar F;
+  Scalar F_m;
+  Scalar k_r;
+  Scalar I_m;
+};
+
+// tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
+//   q[1]    in   joint positions, rad or m
+//   qd[1]   in   joint velocities, rad/s or m/s
+//   qdd[1]  in   joint accelerations, rad/s^2 or m/s^2
+//   tau[1]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0], qd[0], qdd[0], parameters.g, parameters.m, parameters.l, parameters.I, parameters.F,
+// parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 4 add, 1 sin/cos.
+template <class Scalar>
+inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* qdd, Scalar* tau) noexcept {
+  using std::sin;
+  const Scalar q_1 = q[0];
+  const Scalar qd_1 = qd[0];
+  const Scalar qdd_1 = qdd[0];
+  const Scalar g = parameters.g, m = parameters.m, l = parameters.l, I = parameters.I,
+      F = parameters.F, F_m = parameters.F_m, k_r = parameters.k_r, I_m = parameters.I_m;
+  const Scalar s_1 = sin(q_1);
+  const Scalar t1 = k_r * k_r;
+  const Scalar F_v1 = F + F_m * t1;
+  const Scalar t2 = g * m * l * s_1;
+  tau[0] = qd_1 * F_v1 + t2 + qdd_1 * (I + I_m * t1);
+}
+
+// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+//   q[1]    in   joint positions, rad or m
+//   qd[1]   in   joint velocities, rad/s or m/s
+//   qdd[1]  in   joint accelerations, rad/s^2 or m/s^2
+//   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
+//   tau[1]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0], qd[0], qdd[0], h_e[5], parameters.g, parameters.m, parameters.l, parameters.I,
+// parameters.F, parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 5 add, 1
+// sin/cos.
+template <class Scalar>
+inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau) noexcept {
+  using std::sin;
+  const Scalar q_1 = q[0];
+  const Scalar qd_1 = qd[0];
+  const Scalar qdd_1 = qdd[0];
+  const Scalar h_e_6 = h_e[5];
+  const Scalar g = parameters.g, m = parameters.m, l = parameters.l, I = parameters.I,
+      F = parameters.F, F_m = parameters.F_m, k_r = parameters.k_r, I_m = parameters.I_m;
+  const Scalar s_1 = sin(q_1);
+  const Scalar t1 = k_r * k_r;
+  const Scalar F_v1 = F + F_m * t1;
+  const Scalar t2 = g * m * l * s_1;
+  tau[0] = h_e_6 + qd_1 * F_v1 + t2 + qdd_1 * (I + I_m * t1);
+}
+
+// The entries of B in inertia_matrix that are not always zero.
+inline constexpr bool inertia_matrix_nonzero[1] = {
+    1};
+
+// joint-space inertia matrix B(q) (7.32).
+//   q[1]  in   joint positions, rad or m
+//   B[1]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
+//              1 x 1, row by row: entry (i, j) is B[1 * i + j]
+// Reads parameters.I, parameters.k_r, parameters.I_m. Operations: 2 mul, 1 add.
+template <class Scalar>
+inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+    Scalar* B) noexcept {
+  const Scalar I = parameters.I, k_r = parameters.k_r, I_m = parameters.I_m;
+  B[0] = I + k_r * k_r * I_m;
+}
+
+// The entries of c in christoffel that are not always zero.
+inline constexpr bool christoffel_nonzero[1] = {
+    0};
+
+// Christoffel symbols of the first kind c_ijk(q) (7.45).
+//   q[1]  in   joint positions, rad or m
+//   c[1]  out  Christoffel symbols c_ijk = c_ikj, j <= k
+//              c_ijk = c_ikj is c[1 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
+// Reads nothing. Operations: 0 mul, 0 add. Always zero: 1 of the 1 entries of c.
+template <class Scalar>
+inline void christoffel(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
+    Scalar* c) noexcept {
+  c[0] = Scalar(0.0);
+}
+
+// The entries of C in coriolis_matrix that are not always zero.
+inline constexpr bool coriolis_matrix_nonzero[1] = {
+    0};
+
+// C(q, qd) from the Christoffel symbols (7.44).
+//   q[1]   in   joint positions, rad or m
+//   qd[1]  in   joint velocities, rad/s or m/s
+//   C[1]   out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
+//               1 x 1, row by row: entry (i, j) is C[1 * i + j]
+// Reads nothing. Operations: 0 mul, 0 add. Always zero: 1 of the 1 entries of C.
+template <class Scalar>
+inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
+    const Scalar* /* qd */, Scalar* C) noexcept {
+  C[0] = Scalar(0.0);
+}
+
+// gravity torques g(q) (7.39).
+//   q[1]  in   joint positions, rad or m
+//   g[1]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0], parameters.g, parameters.m, parameters.l. Operations: 3 mul, 0 add, 1 sin/cos.
+template <class Scalar>
+inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g) noexcept {
+  using std::sin;
+  const Scalar q_1 = q[0];
+  const Scalar g_2 = parameters.g, m = parameters.m, l = parameters.l;
+  const Scalar s_1 = sin(q_1);
+  g[0] = g_2 * m * l * s_1;
+}
+
+// C(q, qd) qd + g(q) + friction (7.116).
+//   q[1]   in   joint positions, rad or m
+//   qd[1]  in   joint velocities, rad/s or m/s
+//   n[1]   out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0], qd[0], parameters.g, parameters.m, parameters.l, parameters.F, parameters.F_m,
+// parameters.k_r. Operations: 6 mul, 2 add, 1 sin/cos.
+template <class Scalar>
+inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* n) noexcept {
+  using std::sin;
+  const Scalar q_1 = q[0];
+  const Scalar qd_1 = qd[0];
+  const Scalar g = parameters.g, m = parameters.m, l = parameters.l, F = parameters.F,
+      F_m = parameters.F_m, k_r = parameters.k_r;
+  const Scalar s_1 = sin(q_1);
+  const Scalar F_v1 = F + F_m * k_r * k_r;
+  n[0] = g * m * l * s_1 + qd_1 * F_v1;
+}
+
+// qdd from B(q) qdd = tau - bias(q, qd) (7.115).
+//   q[1]    in   joint positions, rad or m
+//   qd[1]   in   joint velocities, rad/s or m/s
+//   tau[1]  in   joint torques or forces, N m or N
+//   qdd[1]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
+// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
+// number.
+// Reads q[0], qd[0], tau[0], parameters.g, parameters.m, parameters.l, parameters.I, parameters.F,
+// parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 4 add, 1 div, 1 sin/cos.
+template <class Scalar>
+inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* tau, Scalar* qdd) noexcept {
+  using std::sin;
+  const Scalar q_1 = q[0];
+  const Scalar qd_1 = qd[0];
+  const Scalar tau_1 = tau[0];
+  const Scalar g = parameters.g, m = parameters.m, l = parameters.l, I = parameters.I,
+      F = parameters.F, F_m = parameters.F_m, k_r = parameters.k_r, I_m = parameters.I_m;
+  const Scalar s_1 = sin(q_1);
+  const Scalar t1 = k_r * k_r;
+  const Scalar F_v1 = F + F_m * t1;
+  const Scalar y_1 = tau_1 - qd_1 * F_v1 - g * m * l * s_1;
+  const Scalar b_1_1 = I + I_m * t1;
+  const Scalar d_1 = Scalar(1.0) / b_1_1;
+  qdd[0] = y_1 * d_1;
+  bool positive = b_1_1 > Scalar(0.0);
+  return positive;
+}
+
+// kinetic energy of links and rotors (7.31).
+//   q[1]   in  joint positions, rad or m
+//   qd[1]  in  joint velocities, rad/s or m/s
+// Returns T: kinetic energy, J.
+// Reads qd[0], parameters.I, parameters.k_r, parameters.I_m. Operations: 5 mul, 1 add.
+template <class Scalar>
+inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+    const Scalar* qd) noexcept {
+  const Scalar qd_1 = qd[0];
+  const Scalar I = parameters.I, k_r = parameters.k_r, I_m = parameters.I_m;
+  return Scalar(0.5) * qd_1 * qd_1 * (I + k_r * k_r * I_m);
+}
+
+// potential energy of links and rotors (7.36).
+//   q[1]  in  joint positions, rad or m
+// Returns U: potential energy, J; zero at the base frame's origin.
+// Reads q[0], parameters.g, parameters.m, parameters.l. Operations: 3 mul, 0 add, 1 sin/cos.
+template <class Scalar>
+inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q) noexcept {
+  using std::cos;
+  const Scalar q_1 = q[0];
+  const Scalar g = parameters.g, m = parameters.m, l = parameters.l;
+  const Scalar c_1 = cos(q_1);
+  return -g * m * l * c_1;
+}
+
+// The entries of R in forward_kinematics that are not always zero.
+inline constexpr bool forward_kinematics_R_nonzero[9] = {
+    1, 1, 0,
+    1, 1, 0,
+    0, 0, 1};
+
+// pose of the tip (2.50).
+//   q[1]  in   joint positions, rad or m
+//   R[9]  out  rotation matrix of the frame in the base frame
+//              3 x 3, row by row: entry (i, j) is R[3 * i + j]
+//   p[3]  out  position of the frame's origin in the base frame, m
+// Reads q[0]. Operations: 0 mul, 0 add, 2 sin/cos. Always zero: 4 of the 9 entries of R. Always
+// zero: p[0], p[1], p[2].
+template <class Scalar>
+inline void forward_kinematics(const Parameters<Scalar>& /* parameters */, const Scalar* q,
+    Scalar* R, Scalar* p) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  R[0] = R[4] = c_1;
+  R[3] = s_1;
+  R[1] = -s_1;
+  R[8] = Scalar(1.0);
+  R[2] = R[5] = R[6] = R[7] = p[0] = p[1] = p[2] = Scalar(0.0);
+}
+
+// The entries of J in jacobian that are not always zero.
+inline constexpr bool jacobian_nonzero[6] = {
+    0,
+    0,
+    0,
+    0,
+    0,
+    1};
+
+// geometric Jacobian of the tip (7.14), (7.15).
+//   q[1]  in   joint positions, rad or m
+//   J[6]  out  geometric Jacobian in base axes: linear rows, then angular
+//              6 x 1, row by row: entry (i, j) is J[1 * i + j]
+// Reads nothing. Operations: 0 mul, 0 add. Always zero: 5 of the 6 entries of J.
+template <class Scalar>
+inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
+    Scalar* J) noexcept {
+  J[5] = Scalar(1.0);
+  J[0] = J[1] = J[2] = J[3] = J[4] = Scalar(0.0);
+}
+
+// (dJ/dt) qd of the tip.
+//   q[1]   in   joint positions, rad or m
+//   qd[1]  in   joint velocities, rad/s or m/s
+//   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
+// Reads nothing. Operations: 0 mul, 0 add. Always zero: a[0], a[1], a[2], a[3], a[4], a[5].
+template <class Scalar>
+inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
+    const Scalar* /* qd */, Scalar* a) noexcept {
+  a[0] = a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
+}
+
+}  // namespace pendulum_motor
+
+#endif  // FLATDYN_PENDULUM_MOTOR_HPP

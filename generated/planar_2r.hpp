@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The dynamics of robot "planar_2r" as flat code: 2 joints.
+// Made by flatdyn 0.1.0 from its robot file; to change it, make it again.
+// Input: sha1:17cf213b905ae502b84e32529e8d0b9a088c7411
+//
+//   index  joint    moves link  type      unit
+//   0      theta_1  link1       revolute  rad
+//   1      theta_2  link2       revolute  rad
+//
+// Gravity is (0, -g, 0) m/s^2 in the base frame. The tip belongs to link "link2".
+//
+// Every function is a template over its scalar: float, double, or any type that has + - * / and
+// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+//
+//   planar_2r::Parameters<> parameters = {};  // then set its members
+//   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
+//   planar_2r::inverse_dynamics(parameters, q, qd, qdd, tau);
+//
+// Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
+// Every entry of an output is written, zeros too. All inputs are read before anything is written:
+// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
+// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+
+#ifndef FLATDYN_PLANAR_2R_HPP
+#define FLATDYN_PLANAR_2R_HPP
+
+#include <cmath>
+
+namespace planar_2r {
+
+// The scalar that the tool was asked for: that of the constants, and of Parameters by default.
+using Real = double;
+
+inline constexpr int joint_count = 2;
+
+// As the robot file names them.
+inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
+
+// What the robot file leaves open: an argument of every function. Units as in the file.
+template <class Scalar = Real>
+struct Parameters {
+  Scalar g;
+  Scalar a_1;
+  Scalar m_l1;
+  Scalar l_1;
+  Scalar I_l1;
+  Scalar m_m1;
+  Scalar I_m1;
+  Scalar k_r1;
+  Scalar a_2;
+  Scalar m_l2;
+  Scalar l_2;
+  Scalar I_l2;
+  Scalar m_m2;
+  Scalar I_m2;
+  Scalar k_r2;
+};
+
+// tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
+//   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1], qdd[0..1], parameters.g, parameters.a_1, parameters.m_l1,
+// parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
+// parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
+// 28 mul, 20 add, 4 sin/cos.
+template <class Scalar>
+inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* qdd, Scalar* tau) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = g * c_1;
+  const Scalar ddp_o_2_y = a_1 * qdd_1 + t1;
+  const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + l_2 * t2;
+  const Scalar domega_2_z = qdd_1 + qdd_2;
+  const Scalar N_2_z = domega_2_z * I_2_zz + ddp_2_y * t2;
+  const Scalar t3 = k_r2 * qdd_2;
+  tau[1] = N_2_z + I_m2 * k_r2 * (qdd_1 + t3);
+  const Scalar t4 = a_1 * (m_l2 + m_m2);
+  const Scalar t5 = m_l1 * l_1;
+  const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t5 + a_1 * t4;
+  const Scalar t6 = qdd_1 * (I_1_zz + I_m1 * k_r1 * k_r1);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t7 = a_1 * t2 * (s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z);
+  const Scalar mr_1_x = t5 + t4;
+  tau[0] = N_2_z + I_m2 * t3 - t7 + t1 * mr_1_x + t6;
+}
+
+// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
+//   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
+//   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1], qdd[0..1], h_e[0..1], h_e[5], parameters.g, parameters.a_1,
+// parameters.m_l1, parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1,
+// parameters.a_2, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
+// parameters.I_m2, parameters.k_r2. Operations: 38 mul, 28 add, 4 sin/cos.
+template <class Scalar>
+inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
+  const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1, a_2 = parameters.a_2,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
+  const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar t2 = s_2 * f_e1_x + c_2 * t1;
+  const Scalar t3 = g * c_1;
+  const Scalar ddp_o_2_y = a_1 * qdd_1 + t3;
+  const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
+  const Scalar t4 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + l_2 * t4;
+  const Scalar domega_2_z = qdd_1 + qdd_2;
+  const Scalar mu_2_z = h_e_6 - a_2 * t2 + domega_2_z * I_2_zz + ddp_2_y * t4;
+  const Scalar t5 = k_r2 * qdd_2;
+  tau[1] = mu_2_z + I_m2 * k_r2 * (qdd_1 + t5);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t6 = s_2 * (omega_2_z * omega_2_z * t4 + s_2 * t1 - c_2 * f_e1_x);
+  const Scalar t7 = a_1 * (t6 + c_2 * (t2 - domega_2_z * t4));
+  const Scalar t8 = a_1 * (m_l2 + m_m2);
+  const Scalar t9 = m_l1 * l_1;
+  const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t9 + a_1 * t8;
+  const Scalar t10 = qdd_1 * (I_1_zz + I_m1 * k_r1 * k_r1);
+  const Scalar mr_1_x = t9 + t8;
+  tau[0] = mu_2_z + I_m2 * t5 - t7 + t3 * mr_1_x + t10;
+}
+
+// The entries of B in inertia_matrix that are not always zero.
+inline constexpr bool inertia_matrix_nonzero[4] = {
+    1, 1,
+    1, 1};
+
+// joint-space inertia matrix B(q) (7.32).
+//   q[2]  in   joint positions, rad or m
+//   B[4]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
+//              2 x 2, row by row: entry (i, j) is B[2 * i + j]
+// Reads q[1], parameters.a_1, parameters.m_l1, parameters.l_1, parameters.I_l1, parameters.I_m1,
+// parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
+// parameters.I_m2, parameters.k_r2. Operations: 13 mul, 11 add, 1 sin/cos.
+template <class Scalar>
+inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q,
+    Scalar* B) noexcept {
+  using std::cos;
+  const Scalar q_2 = q[1];
+  const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  const Scalar c_2 = cos(q_2);
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar Ic_2_zz = I_l2 + l_2 * t1;
+  const Scalar t2 = t1 * a_1 * c_2;
+  const Scalar t3 = a_1 * a_1 * (m_l2 + m_m2);
+  B[0] = I_l1 + I_m2 + Ic_2_zz + I_m1 * k_r1 * k_r1 + Scalar(2.0) * t2 + m_l1 * l_1 * l_1 + t3;
+  const Scalar t4 = I_m2 * k_r2;
+  B[3] = Ic_2_zz + k_r2 * t4;
+  B[1] = B[2] = Ic_2_zz + t2 + t4;
+}
+
+// The entries of c in christoffel that are not always zero.
+inline constexpr bool christoffel_nonzero[6] = {
+    0, 1, 1,
+    1, 0, 0};
+
+// Christoffel symbols of the first kind c_ijk(q) (7.45).
+//   q[2]  in   joint positions, rad or m
+//   c[6]  out  Christoffel symbols c_ijk = c_ikj, j <= k
+//              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
+// Reads q[1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos.
+// Always zero: 3 of the 6 entries of c.
+template <class Scalar>
+inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c) noexcept {
+  using std::sin;
+  const Scalar q_2 = q[1];
+  const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
+  const Scalar s_2 = sin(q_2);
+  const Scalar db_11_2r = a_1 * m_l2 * l_2 * s_2;
+  c[3] = db_11_2r;
+  c[1] = c[2] = -db_11_2r;
+  c[0] = c[4] = c[5] = Scalar(0.0);
+}
+
+// The entries of C in coriolis_matrix that are not always zero.
+inline constexpr bool coriolis_matrix_nonzero[4] = {
+    1, 1,
+    1, 0};
+
+// C(q, qd) from the Christoffel symbols (7.44).
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   C[4]   out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
+//               2 x 2, row by row: entry (i, j) is C[2 * i + j]
+// Reads q[1], qd[0..1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 5 mul, 1 add,
+// 1 sin/cos. Always zero: 1 of the 4 entries of C.
+template <class Scalar>
+inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* C) noexcept {
+  using std::sin;
+  const Scalar q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
+  const Scalar s_2 = sin(q_2);
+  const Scalar t1 = l_2 * s_2 * a_1 * m_l2;
+  const Scalar C_21 = qd_1 * t1;
+  C[2] = C_21;
+  const Scalar t2 = qd_2 * t1;
+  C[0] = -t2;
+  C[1] = -t2 - C_21;
+  C[3] = Scalar(0.0);
+}
+
+// gravity torques g(q) (7.39).
+//   q[2]  in   joint positions, rad or m
+//   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
+// parameters.l_2, parameters.m_m2. Operations: 9 mul, 4 add, 4 sin/cos.
+template <class Scalar>
+inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar g_2 = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1,
+      l_1 = parameters.l_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = g_2 * m_l2 * l_2 * (s_1 * s_2 - c_1 * c_2);
+  g[1] = -t1;
+  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
+  g[0] = g_2 * c_1 * mr_1_x - t1;
+}
+
+// C(q, qd) qd + g(q) + friction (7.116).
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1,
+// parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 15 mul, 7 add, 4 sin/cos.
+template <class Scalar>
+inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* n) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = g * c_1;
+  const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * t1;
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar N_2_z = ddp_2_y * t2;
+  n[1] = N_2_z;
+  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  n[0] = N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2 + t1 * mr_1_x;
+}
+
+// qdd from B(q) qdd = tau - bias(q, qd) (7.115).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   tau[2]  in   joint torques or forces, N m or N
+//   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
+// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
+// number.
+// Reads q[0..1], qd[0..1], tau[0..1], parameters.g, parameters.a_1, parameters.m_l1,
+// parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
+// parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
+// 30 mul, 22 add, 2 div, 4 sin/cos.
+template <class Scalar>
+inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* tau, Scalar* qdd) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar tau_1 = tau[0], tau_2 = tau[1];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + l_2 * t1;
+  const Scalar t2 = I_m2 * k_r2;
+  const Scalar b_2_2 = I_2_zz + k_r2 * t2;
+  const Scalar d_2 = Scalar(1.0) / b_2_2;
+  const Scalar t3 = a_1 * t1;
+  const Scalar t4 = c_2 * t3;
+  const Scalar mu_2_1_z = I_2_zz + t2 + t4;
+  const Scalar t5 = mu_2_1_z * d_2;
+  const Scalar t6 = a_1 * (m_l2 + m_m2);
+  const Scalar t7 = m_l1 * l_1;
+  const Scalar b_2_1_1 = I_l1 + I_m2 + I_2_zz + Scalar(2.0) * t4 - mu_2_1_z * t5 +
+      I_m1 * k_r1 * k_r1 + l_1 * t7 + a_1 * t6;
+  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
+  const Scalar t8 = g * c_1;
+  const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * t8;
+  const Scalar t9 = ddp_2_y * t1;
+  const Scalar y_2 = tau_2 - t9;
+  const Scalar mr_1_x = t7 + t6;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t10 = s_2 * omega_2_z * omega_2_z * t3;
+  const Scalar y_2_1 = tau_1 - t9 - y_2 * t5 + t10 - t8 * mr_1_x;
+  const Scalar qdd_1 = d_1 * y_2_1;
+  qdd[0] = qdd_1;
+  qdd[1] = d_2 * (y_2 - mu_2_1_z * qdd_1);
+  bool positive = b_2_1_1 > Scalar(0.0);
+  positive &= b_2_2 > Scalar(0.0);
+  return positive;
+}
+
+// kinetic energy of links and rotors (7.31).
+//   q[2]   in  joint positions, rad or m
+//   qd[2]  in  joint velocities, rad/s or m/s
+// Returns T: kinetic energy, J.
+// Reads q[1], qd[0..1], parameters.a_1, parameters.m_l1, parameters.l_1, parameters.I_l1,
+// parameters.I_m1, parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2,
+// parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 20 mul, 11 add, 1 sin/cos.
+template <class Scalar>
+inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd) noexcept {
+  using std::cos;
+  const Scalar q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  const Scalar c_2 = cos(q_2);
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + l_2 * t1;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t2 = Scalar(2.0) * qd_1;
+  const Scalar L_2_z = omega_2_z * I_2_zz + a_1 * c_2 * t1 * t2;
+  const Scalar t3 = a_1 * a_1 * (m_l2 + m_m2);
+  const Scalar I_1_zz = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t3;
+  const Scalar t4 = qd_1 * qd_1 * (I_1_zz + I_m1 * k_r1 * k_r1);
+  const Scalar t5 = k_r2 * qd_2;
+  const Scalar T_2 = I_m2 * t5 * (t2 + t5) + omega_2_z * L_2_z + t4;
+  return Scalar(0.5) * T_2;
+}
+
+// potential energy of links and rotors (7.36).
+//   q[2]  in  joint positions, rad or m
+// Returns U: potential energy, J; zero at the base frame's origin.
+// Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
+// parameters.l_2, parameters.m_m2. Operations: 8 mul, 4 add, 4 sin/cos.
+template <class Scalar>
+inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar hc_1_x = m_l1 * l_1 + c_2 * t1 + a_1 * (m_l2 + m_m2);
+  const Scalar hu_1_t_y = s_1 * hc_1_x + c_1 * s_2 * t1;
+  return g * hu_1_t_y;
+}
+
+// The entries of R in forward_kinematics that are not always zero.
+inline constexpr bool forward_kinematics_R_nonzero[9] = {
+    1, 1, 0,
+    1, 1, 0,
+    0, 0, 1};
+
+// pose of the tip (2.50).
+//   q[2]  in   joint positions, rad or m
+//   R[9]  out  rotation matrix of the frame in the base frame
+//              3 x 3, row by row: entry (i, j) is R[3 * i + j]
+//   p[3]  out  position of the frame's origin in the base frame, m
+// Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 9 mul, 5 add, 4 sin/cos. Always zero:
+// 4 of the 9 entries of R. Always zero: p[2].
+template <class Scalar>
+inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
+    Scalar* p) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = c_1 * s_2;
+  const Scalar n_1_t_y = s_1 * c_2 + t1;
+  R[3] = n_1_t_y;
+  const Scalar t2 = s_1 * s_2;
+  R[0] = R[4] = c_1 * c_2 - t2;
+  R[1] = -n_1_t_y;
+  const Scalar p_2_x = a_1 + a_2 * c_2;
+  p[1] = s_1 * p_2_x + a_2 * t1;
+  p[0] = c_1 * p_2_x - a_2 * t2;
+  R[8] = Scalar(1.0);
+  R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
+}
+
+// The entries of J in jacobian that are not always zero.
+inline constexpr bool jacobian_nonzero[12] = {
+    1, 1,
+    1, 1,
+    0, 0,
+    0, 0,
+    0, 0,
+    1, 1};
+
+// geometric Jacobian of the tip (7.14), (7.15).
+//   q[2]   in   joint positions, rad or m
+//   J[12]  out  geometric Jacobian in base axes: linear rows, then angular
+//               6 x 2, row by row: entry (i, j) is J[2 * i + j]
+// Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 8 mul, 5 add, 4 sin/cos. Always zero:
+// 6 of the 12 entries of J.
+template <class Scalar>
+inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar p_2_x = a_1 + a_2 * c_2;
+  const Scalar t1 = a_2 * s_2;
+  const Scalar t2 = s_1 * t1 - c_1 * p_2_x;
+  J[2] = -t2;
+  const Scalar p_1u_t_y = s_1 * p_2_x + c_1 * t1;
+  J[0] = -p_1u_t_y;
+  J[3] = -t2 - a_1 * c_1;
+  J[1] = a_1 * s_1 - p_1u_t_y;
+  J[10] = J[11] = Scalar(1.0);
+  J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
+}
+
+// (dJ/dt) qd of the tip.
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
+// Reads q[0..1], qd[0..1], parameters.a_1, parameters.a_2. Operations: 13 mul, 5 add, 4 sin/cos.
+// Always zero: a[2], a[3], a[4], a[5].
+template <class Scalar>
+inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* a) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t1 = omega_2_z * a_2 * omega_2_z;
+  const Scalar t2 = qd_1 * a_1 * qd_1;
+  const Scalar ddp_e_x = t1 + c_2 * t2;
+  const Scalar a_2_t_x = s_2 * s_2 * t2 + c_2 * ddp_e_x;
+  const Scalar t3 = s_2 * t1;
+  a[0] = s_1 * t3 - c_1 * a_2_t_x;
+  a[1] = -s_1 * a_2_t_x - c_1 * t3;
+  a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
+}
+
+}  // namespace planar_2r
+
+#endif  // FLATDYN_PLANAR_2R_HPP

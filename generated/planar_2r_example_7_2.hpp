@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The dynamics of robot "planar_2r_example_7_2" as flat code: 2 joints.
+// Made by flatdyn 0.1.0 from its robot file; to change it, make it again.
+// Input: sha1:165e0b51c5e87befb79f7319ecd88c0e78014339
+//
+//   index  joint    moves link  type      unit
+//   0      theta_1  link1       revolute  rad
+//   1      theta_2  link2       revolute  rad
+//
+// Gravity is (0, -9.81, 0) m/s^2 in the base frame. The tip belongs to link "link2".
+//
+// Every function is a template over its scalar: float, double, or any type that has + - * / and
+// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+//
+//   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
+//   planar_2r_example_7_2::inverse_dynamics(q, qd, qdd, tau);
+//
+// Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
+// Every entry of an output is written, zeros too. All inputs are read before anything is written:
+// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
+// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+
+#ifndef FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
+#define FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
+
+#include <cmath>
+
+namespace planar_2r_example_7_2 {
+
+// The scalar that the tool was asked for: that of the constants, and of Parameters by default.
+using Real = double;
+
+inline constexpr int joint_count = 2;
+
+// As the robot file names them.
+inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
+
+// tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
+//   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1], qdd[0..1]. Operations: 14 mul, 13 add, 4 sin/cos.
+template <class Scalar>
+inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
+    Scalar* tau) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
+  const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
+  const Scalar domega_2_z = qdd_1 + qdd_2;
+  const Scalar t1 = Scalar(25.0) * (s_2 * ddp_o_2_x - c_2 * ddp_o_2_y) - Scalar(22.5) * domega_2_z;
+  tau[1] = qdd_1 + Scalar(100.0) * qdd_2 - t1;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t2 = s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z;
+  tau[0] = Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1 + qdd_2 - t1 - Scalar(25.0) * t2;
+}
+
+// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
+//   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
+//   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1], qdd[0..1], h_e[0..1], h_e[5]. Operations: 23 mul, 21 add, 4 sin/cos.
+template <class Scalar>
+inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
+    const Scalar* h_e, Scalar* tau) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
+  const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
+  const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar t2 = s_2 * f_e1_x + c_2 * t1;
+  const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
+  const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
+  const Scalar t3 = s_2 * ddp_o_2_x - c_2 * ddp_o_2_y;
+  const Scalar domega_2_z = qdd_1 + qdd_2;
+  const Scalar mu_2_z = h_e_6 - t2 - Scalar(25.0) * t3 + Scalar(22.5) * domega_2_z;
+  tau[1] = qdd_1 + Scalar(100.0) * qdd_2 + mu_2_z;
+  const Scalar t4 = c_2 * (t2 - Scalar(25.0) * domega_2_z);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t5 = s_2 * (Scalar(25.0) * omega_2_z * omega_2_z + s_2 * t1 - c_2 * f_e1_x);
+  tau[0] = Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1 + qdd_2 + mu_2_z - t5 - t4;
+}
+
+// The entries of B in inertia_matrix that are not always zero.
+inline constexpr bool inertia_matrix_nonzero[4] = {
+    1, 1,
+    1, 1};
+
+// joint-space inertia matrix B(q) (7.32).
+//   q[2]  in   joint positions, rad or m
+//   B[4]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
+//              2 x 2, row by row: entry (i, j) is B[2 * i + j]
+// Reads q[1]. Operations: 2 mul, 2 add, 1 sin/cos.
+template <class Scalar>
+inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
+  using std::cos;
+  const Scalar q_2 = q[1];
+  const Scalar c_2 = cos(q_2);
+  B[0] = Scalar(50.0) * c_2 + Scalar(200.01);
+  B[1] = B[2] = Scalar(25.0) * c_2 + Scalar(23.5);
+  B[3] = Scalar(122.5);
+}
+
+// The entries of c in christoffel that are not always zero.
+inline constexpr bool christoffel_nonzero[6] = {
+    0, 1, 1,
+    1, 0, 0};
+
+// Christoffel symbols of the first kind c_ijk(q) (7.45).
+//   q[2]  in   joint positions, rad or m
+//   c[6]  out  Christoffel symbols c_ijk = c_ikj, j <= k
+//              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
+// Reads q[1]. Operations: 2 mul, 0 add, 1 sin/cos. Always zero: 3 of the 6 entries of c.
+template <class Scalar>
+inline void christoffel(const Scalar* q, Scalar* c) noexcept {
+  using std::sin;
+  const Scalar q_2 = q[1];
+  const Scalar s_2 = sin(q_2);
+  c[1] = c[2] = Scalar(-25.0) * s_2;
+  c[3] = Scalar(25.0) * s_2;
+  c[0] = c[4] = c[5] = Scalar(0.0);
+}
+
+// The entries of C in coriolis_matrix that are not always zero.
+inline constexpr bool coriolis_matrix_nonzero[4] = {
+    1, 1,
+    1, 0};
+
+// C(q, qd) from the Christoffel symbols (7.44).
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   C[4]   out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
+//               2 x 2, row by row: entry (i, j) is C[2 * i + j]
+// Reads q[1], qd[0..1]. Operations: 3 mul, 1 add, 1 sin/cos. Always zero: 1 of the 4 entries of C.
+template <class Scalar>
+inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexcept {
+  using std::sin;
+  const Scalar q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar s_2 = sin(q_2);
+  const Scalar t1 = Scalar(25.0) * s_2;
+  const Scalar C_21 = qd_1 * t1;
+  C[2] = C_21;
+  const Scalar t2 = qd_2 * t1;
+  C[0] = -t2;
+  C[1] = -t2 - C_21;
+  C[3] = Scalar(0.0);
+}
+
+// gravity torques g(q) (7.39).
+//   q[2]  in   joint positions, rad or m
+//   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1]. Operations: 4 mul, 2 add, 4 sin/cos.
+template <class Scalar>
+inline void gravity(const Scalar* q, Scalar* g) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar N_2_z = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
+  g[1] = N_2_z;
+  g[0] = Scalar(784.8) * c_1 + N_2_z;
+}
+
+// C(q, qd) qd + g(q) + friction (7.116).
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1]. Operations: 9 mul, 5 add, 4 sin/cos.
+template <class Scalar>
+inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
+  const Scalar t1 = Scalar(25.0) * s_2;
+  const Scalar N_2_z = Scalar(245.25) * c_1 * c_2 - ddp_o_2_x * t1;
+  n[1] = N_2_z;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  n[0] = Scalar(784.8) * c_1 + N_2_z - t1 * omega_2_z * omega_2_z;
+}
+
+// qdd from B(q) qdd = tau - bias(q, qd) (7.115).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   tau[2]  in   joint torques or forces, N m or N
+//   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
+// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
+// number.
+// Reads q[0..1], qd[0..1], tau[0..1]. Operations: 17 mul, 12 add, 1 div, 4 sin/cos.
+template <class Scalar>
+inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
+    Scalar* qdd) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar tau_1 = tau[0], tau_2 = tau[1];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
+  const Scalar t1 = Scalar(25.0) * s_2;
+  const Scalar t2 = Scalar(245.25) * c_1 * c_2 - ddp_o_2_x * t1;
+  const Scalar y_2 = tau_2 - t2;
+  const Scalar mu_2_1_z = Scalar(25.0) * c_2 + Scalar(23.5);
+  const Scalar t3 = Scalar(0.00816326530612245) * mu_2_1_z;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t4 = Scalar(784.8) * c_1 - tau_1 + t2 - t1 * omega_2_z * omega_2_z + y_2 * t3;
+  const Scalar b_2_1_1 = Scalar(50.0) * c_2 - mu_2_1_z * t3 + Scalar(200.01);
+  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
+  const Scalar t5 = d_1 * t4;
+  qdd[0] = -t5;
+  qdd[1] = Scalar(0.00816326530612245) * y_2 + t3 * t5;
+  bool positive = b_2_1_1 > Scalar(0.0);
+  return positive;
+}
+
+// kinetic energy of links and rotors (7.31).
+//   q[2]   in  joint positions, rad or m
+//   qd[2]  in  joint velocities, rad/s or m/s
+// Returns T: kinetic energy, J.
+// Reads q[1], qd[0..1]. Operations: 10 mul, 5 add, 1 sin/cos.
+template <class Scalar>
+inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
+  using std::cos;
+  const Scalar q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar c_2 = cos(q_2);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar L_2_z = Scalar(50.0) * c_2 * qd_1 + Scalar(22.5) * omega_2_z;
+  const Scalar L_m2 = Scalar(2.0) * qd_1 + Scalar(100.0) * qd_2;
+  const Scalar T_2 = Scalar(177.51) * qd_1 * qd_1 + omega_2_z * L_2_z + qd_2 * L_m2;
+  return Scalar(0.5) * T_2;
+}
+
+// potential energy of links and rotors (7.36).
+//   q[2]  in  joint positions, rad or m
+// Returns U: potential energy, J; zero at the base frame's origin.
+// Reads q[0..1]. Operations: 5 mul, 2 add, 4 sin/cos.
+template <class Scalar>
+inline Scalar potential_energy(const Scalar* q) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar hc_1_x = Scalar(25.0) * c_2 + Scalar(80.0);
+  const Scalar hu_1_t_y = Scalar(25.0) * c_1 * s_2 + s_1 * hc_1_x;
+  return Scalar(9.81) * hu_1_t_y;
+}
+
+// The entries of R in forward_kinematics that are not always zero.
+inline constexpr bool forward_kinematics_R_nonzero[9] = {
+    1, 1, 0,
+    1, 1, 0,
+    0, 0, 1};
+
+// pose of the tip (2.50).
+//   q[2]  in   joint positions, rad or m
+//   R[9]  out  rotation matrix of the frame in the base frame
+//              3 x 3, row by row: entry (i, j) is R[3 * i + j]
+//   p[3]  out  position of the frame's origin in the base frame, m
+// Reads q[0..1]. Operations: 6 mul, 5 add, 4 sin/cos. Always zero: 4 of the 9 entries of R. Always
+// zero: p[2].
+template <class Scalar>
+inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = s_1 * s_2;
+  R[0] = R[4] = c_1 * c_2 - t1;
+  const Scalar t2 = c_1 * s_2;
+  const Scalar n_1_t_y = t2 + s_1 * c_2;
+  R[3] = n_1_t_y;
+  R[1] = -n_1_t_y;
+  const Scalar p_2_x = c_2 + Scalar(1.0);
+  p[1] = t2 + s_1 * p_2_x;
+  const Scalar p_1u_t_x = t1 - c_1 * p_2_x;
+  p[0] = -p_1u_t_x;
+  R[8] = Scalar(1.0);
+  R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
+}
+
+// The entries of J in jacobian that are not always zero.
+inline constexpr bool jacobian_nonzero[12] = {
+    1, 1,
+    1, 1,
+    0, 0,
+    0, 0,
+    0, 0,
+    1, 1};
+
+// geometric Jacobian of the tip (7.14), (7.15).
+//   q[2]   in   joint positions, rad or m
+//   J[12]  out  geometric Jacobian in base axes: linear rows, then angular
+//               6 x 2, row by row: entry (i, j) is J[2 * i + j]
+// Reads q[0..1]. Operations: 4 mul, 5 add, 4 sin/cos. Always zero: 6 of the 12 entries of J.
+template <class Scalar>
+inline void jacobian(const Scalar* q, Scalar* J) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar p_2_x = c_2 + Scalar(1.0);
+  const Scalar p_1u_t_x = c_1 * p_2_x - s_1 * s_2;
+  J[2] = p_1u_t_x;
+  const Scalar p_1u_t_y = c_1 * s_2 + s_1 * p_2_x;
+  J[0] = -p_1u_t_y;
+  J[1] = s_1 - p_1u_t_y;
+  const Scalar r_2_x = c_1 - p_1u_t_x;
+  J[3] = -r_2_x;
+  J[10] = J[11] = Scalar(1.0);
+  J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
+}
+
+// (dJ/dt) qd of the tip.
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
+// Reads q[0..1], qd[0..1]. Operations: 11 mul, 5 add, 4 sin/cos. Always zero: a[2], a[3], a[4],
+// a[5].
+template <class Scalar>
+inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
+  using std::cos;
+  using std::sin;
+  const Scalar q_1 = q[0], q_2 = q[1];
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t1 = omega_2_z * omega_2_z;
+  const Scalar t2 = qd_1 * qd_1;
+  const Scalar ddp_e_x = t1 + c_2 * t2;
+  const Scalar a_2_t_x = s_2 * s_2 * t2 + c_2 * ddp_e_x;
+  const Scalar t3 = s_2 * t1;
+  a[0] = s_1 * t3 - c_1 * a_2_t_x;
+  a[1] = -s_1 * a_2_t_x - c_1 * t3;
+  a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
+}
+
+}  // namespace planar_2r_example_7_2
+
+#endif  // FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Operation counts are the product: none may grow unseen. Ceilings are what is reached today.
+#include <gtest/gtest.h>
+
+#include "graph/count.hpp"
+#include "pipeline.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct Ceiling {
+  const char* robot;
+  const char* function;
+  int multiplications, additions;
+};
+
+class OperationCounts : public ::testing::TestWithParam<Ceiling> {};
+
+TEST_P(OperationCounts, AreNotAbove) {
+  PipelineOptions options;
+  options.functions = {GetParam().function};
+  const Model model = read_model(std::string(FLATDYN_SOURCE_DIR "/robots/") + GetParam().robot, options);
+  Progress quiet(true);
+  Diagnostics left_out;
+  const OperationCount count = count_operations(make_functions(model, options, quiet, left_out).at(0).function);
+  EXPECT_LE(count.multiplications, GetParam().multiplications);
+  EXPECT_LE(count.additions, GetParam().additions);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Robots, OperationCounts,
+    ::testing::Values(
+        Ceiling{"panda.urdf", "inverse_dynamics", 309, 290}, Ceiling{"panda.urdf", "inertia_matrix", 182, 157},
+        Ceiling{"panda.urdf", "christoffel", 770, 622}, Ceiling{"panda.urdf", "coriolis_matrix", 994, 833},
+        Ceiling{"panda.urdf", "bias", 301, 273}, Ceiling{"panda.urdf", "gravity", 65, 38},
+        Ceiling{"panda.urdf", "forward_dynamics", 610, 539}, Ceiling{"rx90.toml", "inverse_dynamics", 243, 227},
+        Ceiling{"rx90.toml", "inertia_matrix", 113, 100}, Ceiling{"rx90.toml", "forward_dynamics", 429, 371},
+        Ceiling{"puma560.toml", "inverse_dynamics", 195, 157}, Ceiling{"ur5.urdf", "inverse_dynamics", 177, 135},
+        Ceiling{"planar_2r_example_7_2.toml", "inverse_dynamics", 14, 13}),
+    [](const auto& test) {
+      std::string name = std::string(test.param.robot) + "_" + test.param.function;
+      for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+      return name;
+    });
+
+}  // namespace
+}  // namespace flatdyn

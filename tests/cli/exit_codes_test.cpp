@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Exit codes as docs/exit-codes.md has them, and that nothing is written when something is wrong.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kPendulum = "robots/pendulum_motor.toml";
+
+TEST(ExitCodes, WrongCommandLinesAreUsage) {
+  for (const char* arguments :
+       {"", "frobnicate", "generate", "generate robots/scara.toml", "inspect a.urdf b.urdf",
+        "generate robots/scara.toml -o /tmp --scalar half", "verify robots/scara.toml --states 0",
+        "inspect robots/scara.toml --gravity 1,2", "inspect robots/scara.toml --snap small",
+        "inspect robots/scara.toml -Wall", "eval robots/scara.toml --function gravity"}) {
+    const Outcome outcome = run_flatdyn(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_FALSE(outcome.err.empty()) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+  }
+}
+
+TEST(ExitCodes, AnUnknownFunctionIsUsageAndNamesTheNearest) {
+  const Scratch scratch;
+  const Outcome near = run_flatdyn("generate robots/scara.toml -o " + scratch.path("out") + " --functions gravty");
+  EXPECT_EQ(near.code, 2);
+  EXPECT_THAT(near.err, HasSubstr("did you mean \"gravity\"?"));
+  const Outcome far = run_flatdyn("generate robots/scara.toml -o " + scratch.path("out") + " --functions all");
+  EXPECT_EQ(far.code, 2);
+  EXPECT_THAT(far.err, HasSubstr("known functions: inverse_dynamics, "));
+  const Outcome link =
+      run_flatdyn("generate robots/scara.toml -o " + scratch.path("out") + " --functions jacobian:tool");
+  EXPECT_EQ(link.code, 2);
+  EXPECT_THAT(link.err, HasSubstr("link1, link2"));
+  const Outcome twice = run_flatdyn("generate robots/scara.toml -o " + scratch.path("out") + " --functions bias,bias");
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_TRUE(scratch.is_empty());
+}
+
+TEST(ExitCodes, AWrongFileIsInput) {
+  const Scratch scratch;
+  scratch.write("broken.urdf", "<robot name=\"a\">\n  <link name=\"b\">\n</robot>\n");
+  const Outcome outcome = run_flatdyn("generate " + scratch.path("broken.urdf") + " -o " + scratch.path("out"));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("broken.urdf:"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("out")));
+}
+
+constexpr const char* kTooFlat =
+    "<robot name='a'><link name='b'/><link name='c'><inertial><mass value='1'/>"
+    "<inertia ixx='1' iyy='1' izz='3' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+    "<joint name='j' type='revolute'><parent link='b'/><child link='c'/><axis xyz='0 0 1'/>"
+    "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>\n";
+
+TEST(ExitCodes, AWarningIsInputUnderWerrorOnly) {
+  const Scratch scratch;
+  scratch.write("flat.urdf", kTooFlat);
+  const Outcome plain = run_flatdyn("inspect " + scratch.path("flat.urdf"));
+  EXPECT_EQ(plain.code, 0);
+  EXPECT_THAT(plain.err, HasSubstr("warning: "));
+  const Outcome strict = run_flatdyn("inspect -Werror " + scratch.path("flat.urdf"));
+  EXPECT_EQ(strict.code, 3);
+  EXPECT_THAT(strict.err, HasSubstr("warnings are errors (-Werror)"));
+  EXPECT_EQ(strict.out, "");
+}
+
+TEST(ExitCodes, AJointThatCannotBeDoneYetIsUnsupported) {
+  const Scratch scratch;
+  scratch.write("base.urdf",
+                "<robot name='a'><link name='b'/><link name='c'/>\n"
+                "<joint name='j' type='floating'><parent link='b'/><child link='c'/></joint></robot>\n");
+  const Outcome outcome = run_flatdyn("generate " + scratch.path("base.urdf") + " -o " + scratch.path("out"));
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("base.urdf:2:"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("out")));
+}
+
+// No scaled error is below a bound of zero, unless the result is exact.
+TEST(ExitCodes, AFailedVerificationSaysSo) {
+  const Outcome outcome = run_flatdyn("verify robots/puma560.toml --functions gravity --states 20 --bound 0");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.out, HasSubstr("FAILED"));
+  EXPECT_EQ(run_flatdyn("verify robots/puma560.toml --functions gravity --states 20").code, 0);
+}
+
+TEST(ExitCodes, WhatCannotBeReadOrWrittenIsIo) {
+  const Scratch scratch;
+  EXPECT_EQ(run_flatdyn("inspect " + scratch.path("nothing.urdf")).code, 6);
+  EXPECT_EQ(run_flatdyn("inspect " + scratch.path()).code, 6);
+  scratch.write("file", "");
+  EXPECT_EQ(run_flatdyn(std::string("generate ") + kPendulum + " -o " + scratch.path("file")).code, 6);
+  EXPECT_EQ(
+      run_flatdyn(std::string("eval ") + kPendulum + " --function gravity --states " + scratch.path("none.csv")).code,
+      6);
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What each subcommand prints and writes.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr const char* kPendulum = "robots/pendulum_motor.toml";
+
+TEST(Generate, WritesAHeaderThatCompilesAloneAndReportsWhatItDid) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn("generate robots/puma560.toml -o " + scratch.path("new/folder"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("robot puma560: 6 joints"));
+  for (const char* text : {"inverse_dynamics ", "sin/cos", "q[1..5]", "zeros", "wrote "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+  const std::string command = fmt::format(
+      "g++ -std=c++17 -Wall -Wextra -Wconversion -Werror -fno-exceptions -fno-rtti -fsyntax-only -x c++ '{}'",
+      scratch.path("new/folder/puma560.hpp"));
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+// Two runs have different addresses, so GiNaC sorts differently in each.
+TEST(Generate, GivesTheSameBytesInEveryRunFromEveryFolder) {
+  const Scratch scratch;
+  std::string first;
+  for (int run = 0; run < 4; ++run) {
+    const std::string folder = fmt::format("run{}", run);
+    ASSERT_EQ(run_flatdyn("generate robots/scara.toml -q -o " + scratch.path(folder)).code, 0);
+    const std::string text = scratch.read(folder + "/scara.hpp") + scratch.read(folder + "/scara.json");
+    if (run == 0) first = text;
+    EXPECT_EQ(text, first);
+    EXPECT_THAT(text, Not(HasSubstr(scratch.path())));
+  }
+}
+
+TEST(Generate, EmitsWhatIsAskedForAndNothingElse) {
+  const Scratch scratch;
+  ASSERT_EQ(run_flatdyn(fmt::format("generate robots/ur5.urdf -q -o {} --functions gravity,jacobian:forearm_link "
+                                    "--scalar float --namespace acme::arm",
+                                    scratch.path()))
+                .code,
+            0);
+  const std::string header = scratch.read("ur5.hpp");
+  EXPECT_THAT(header, HasSubstr("namespace acme::arm {"));
+  EXPECT_THAT(header, HasSubstr("using Real = float;"));
+  EXPECT_THAT(header, HasSubstr("inline void gravity("));
+  EXPECT_THAT(header, HasSubstr("inline void jacobian_forearm_link("));
+  EXPECT_THAT(header, Not(HasSubstr("inverse_dynamics")));
+}
+
+// One joint that moves nothing: B is singular, all else is well defined.
+TEST(Generate, LeavesOutForwardDynamicsWhereBIsSingular) {
+  const Scratch scratch;
+  scratch.write("empty.toml", "[[link]]\n");
+  const std::string generate = "generate " + scratch.path("empty.toml") + " -o " + scratch.path();
+  const Outcome all = run_flatdyn(generate);
+  EXPECT_EQ(all.code, 0);
+  EXPECT_THAT(all.err, HasSubstr("warning: left out forward_dynamics: B(q) is singular, because joint \"joint1\""));
+  EXPECT_THAT(scratch.read("empty.hpp"), Not(HasSubstr("void forward_dynamics(")));
+  EXPECT_THAT(scratch.read("empty.hpp"), HasSubstr("void inverse_dynamics("));
+  EXPECT_EQ(run_flatdyn(generate + " --functions forward_dynamics").code, 4);
+  EXPECT_EQ(run_flatdyn("verify " + scratch.path("empty.toml") + " --states 5").code, 0);
+}
+
+TEST(Generate, KeepsTheOldHeaderWhenTheInputIsWrong) {
+  const Scratch scratch;
+  scratch.write("arm.toml", "[[link]]\nmas = 1\n");
+  scratch.write("arm.hpp", "as it was");
+  EXPECT_EQ(run_flatdyn("generate " + scratch.path("arm.toml") + " -o " + scratch.path()).code, 3);
+  EXPECT_EQ(scratch.read("arm.hpp"), "as it was");
+}
+
+TEST(Json, IsValidOnEverySubcommand) {
+  const Scratch scratch;
+  scratch.write("states.csv", "q1\n0.5\n");
+  const std::string robot = kPendulum;
+  const std::string parameters = "robots/planar_2r_example_7_2.toml";
+  scratch.write("two.csv", "q1,q2\n0.5,0.25\n");
+  for (const std::string& arguments :
+       {"generate " + parameters + " --json -o " + scratch.path("out"), "inspect " + robot + " --json",
+        "derive " + robot + " --json", "derive " + robot + " --json --latex",
+        "verify " + robot + " --json --states 5 --functions gravity",
+        "eval " + parameters + " --json --function gravity --states " + scratch.path("two.csv")}) {
+    const Outcome outcome = run_flatdyn(arguments);
+    EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err;
+    EXPECT_TRUE(json::accept(outcome.out)) << arguments << "\n" << outcome.out;
+  }
+}
+
+TEST(Json, InspectHasTheModelInNumbers) {
+  const json model = json::parse(run_flatdyn("inspect robots/panda.urdf --json").out);
+  EXPECT_EQ(model["robot"], "panda");
+  ASSERT_EQ(model["joints"].size(), 7u);
+  EXPECT_EQ(model["joints"][3]["name"], "panda_joint4");
+  EXPECT_EQ(model["joints"][3]["upper"], -0.0698);
+  EXPECT_EQ(model["gravity"], json({0.0, 0.0, -9.81}));
+  EXPECT_EQ(model["joints"][0]["inertia_about_origin"].size(), 3u);
+}
+
+TEST(Help, OpensWithTwoRunnableExamples) {
+  for (const std::string command : {"", "generate ", "inspect ", "derive ", "verify ", "eval "}) {
+    const Outcome outcome = run_flatdyn(command + "--help");
+    EXPECT_EQ(outcome.code, 0) << command;
+    EXPECT_THAT(outcome.out.substr(0, outcome.out.find("Usage")),
+                MatchesRegex("[^\n]+\n\n  flatdyn [a-z]+ [^\n]+\n  flatdyn [a-z]+ [^\n]+\n(.|\n)*"));
+  }
+  EXPECT_THAT(run_flatdyn("--version").out, StartsWith("flatdyn "));
+}
+
+TEST(Derive, PrintsThePlanarArmAsTheTextbookDoes) {
+  const Outcome outcome = run_flatdyn("derive -q robots/planar_2r.toml");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("b_22 = I_l2 + m_l2 l_2^2 + k_r2^2 I_m2\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("g_1 = (m_l1 l_1 + m_l2 a_1 + m_m2 a_1) g c_1 + m_l2 l_2 g c_12\n"));
+}
+
+// The example arm: b_11 = 200.01 + 50 c_2 and so on; at q = 0 everything is a sum of its constants.
+TEST(Eval, GivesAMatrixRowByRow) {
+  const Scratch scratch;
+  scratch.write("states.csv", "q_theta_1,q_theta_2\n0,0\n");
+  const std::string arguments =
+      "eval -q robots/planar_2r_example_7_2.toml --function inertia_matrix --states " + scratch.path("states.csv");
+  const std::string expected = "q_theta_1,q_theta_2,B_1_1,B_1_2,B_2_1,B_2_2\n0,0,250.01,48.5,48.5,122.5\n";
+  EXPECT_EQ(run_flatdyn(arguments).out, expected);
+  EXPECT_EQ(run_flatdyn(arguments + " --reference").out, expected);
+  EXPECT_EQ(run_flatdyn(arguments + " --digits 50").out, expected);
+  EXPECT_EQ(run_flatdyn(arguments + " -o " + scratch.path("B.csv")).out, "");
+  EXPECT_EQ(scratch.read("B.csv"), expected);
+}
+
+TEST(Eval, NamesTheColumnThatIsWrong) {
+  const Scratch scratch;
+  scratch.write("states.csv", "q1,q2\n0,zero\n");
+  const Outcome outcome = run_flatdyn("eval -q robots/planar_2r_example_7_2.toml --function gravity --states " +
+                                      scratch.path("states.csv"));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("states.csv:2:"));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
