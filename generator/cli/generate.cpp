@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "report/describe.hpp"
+#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 namespace {
@@ -44,8 +45,9 @@ ExitCode generate(const GenerateArguments& arguments) {
   const EmitOptions emit{arguments.name_space, arguments.scalar, stamp_of(arguments), model.input_hash};
   const std::filesystem::path folder = arguments.folder;
   const std::string header = header_name(model.mechanism, emit);
+  const std::vector<double> effects = snap_effects(model, options.read);
   nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
-  manifest.update(model_json(model));
+  manifest.update(model_json(model, effects));
   manifest["functions"] = functions_json(functions, symbol_names(model.mechanism));
   write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit)},
                {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
@@ -54,7 +56,7 @@ ExitCode generate(const GenerateArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}\n", manifest.dump(2));
   } else {
-    fmt::print("{}\n{}\nwrote {}\n", describe_model(model),
+    fmt::print("{}\n{}\nwrote {}\n", describe_model(model, effects),
                describe_functions(functions, symbol_names(model.mechanism)), (folder / header).string());
   }
   return ExitCode::ok;

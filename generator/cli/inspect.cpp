@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "report/describe.hpp"
+#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 namespace {
@@ -10,10 +11,11 @@ namespace {
 ExitCode inspect(const RobotArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments.quiet);
+  const std::vector<double> effects = snap_effects(model, arguments.options().read);
   if (arguments.json) {
-    fmt::print("{}\n", model_json(model).dump(2));
+    fmt::print("{}\n", model_json(model, effects).dump(2));
   } else {
-    fmt::print("{}\n{}", describe_model(model), describe_bodies(model.mechanism));
+    fmt::print("{}\n{}", describe_model(model, effects), describe_bodies(model.mechanism));
   }
   return ExitCode::ok;
 }

@@ -74,6 +74,7 @@ Number snapped_angle(const Number& angle, std::string_view written, const Spot& 
   if (GiNaC::ex_to<GiNaC::numeric>(distance) > GiNaC::ex_to<GiNaC::numeric>(context.options.snap_tolerance))
     return angle;
   if (context.options.snap_tolerance.is_zero()) return angle;
+  if (context.angles_near++ == context.options.left_unsnapped) return angle;
   const Number exact = multiple * GiNaC::Pi / 12;
   context.snaps.push_back(
       {spot.place, spot.what, std::string(written), exact, exact_decimal(to_decimal(difference, kDigitsReported))});

@@ -24,6 +24,7 @@ struct ReadContext {
   Diagnostics& diagnostics;
   SymbolTable symbols;
   std::vector<Snap> snaps;
+  std::size_t angles_near = 0;         // to a multiple of pi/12, so far
   std::vector<Reference> held_joints;  // that the options or the file want held at q = 0
 };
 

@@ -136,7 +136,7 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
                                 Diagnostics& diagnostics) {
   Diagnostics found;
-  ReadContext context{options, found, {}, {}, {}};
+  ReadContext context{options, found, {}, {}, 0, {}};
   for (const std::string& joint : options.fixed_joints) context.held_joints.push_back({joint, kCommandLine});
   Robot robot;
   robot.file = path.string();

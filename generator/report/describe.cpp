@@ -26,14 +26,15 @@ std::string range_text(const Limits& limits, const NumberText& text) {
   return "[" + limit_text(limits.lower, text) + ", " + limit_text(limits.upper, text) + "]";
 }
 
-std::string snap_text(const Snap& snap) {
-  return fmt::format("  {}:{}: {}: {} taken for {} (off by {} rad)\n", snap.place.file, snap.place.line, snap.what,
-                     snap.written, plain_number_text(snap.exact), to_decimal(snap.difference, 2));
+std::string snap_text(const Snap& snap, double torque_change) {
+  return fmt::format("  {}:{}: {}: {} taken for {}: off by {:.1e} rad, changes torques by up to {:.1e}\n",
+                     snap.place.file, snap.place.line, snap.what, snap.written, plain_number_text(snap.exact),
+                     std::stod(to_decimal(snap.difference, 3)), torque_change);
 }
 
 }  // namespace
 
-std::string describe_model(const Model& model) {
+std::string describe_model(const Model& model, const std::vector<double>& snap_effects) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText number(mechanism);
   std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name,
@@ -54,8 +55,11 @@ std::string describe_model(const Model& model) {
     for (const FreeSymbol& symbol : mechanism.symbols) text += " " + symbol.name;
     text += "\n";
   }
-  if (!model.robot.snaps.empty()) text += "\nangles taken for multiples of pi/12:\n";
-  for (const Snap& snap : model.robot.snaps) text += snap_text(snap);
+  if (!model.robot.snaps.empty())
+    text +=
+        "\nangles taken for multiples of pi/12 (--snap 0 leaves them; torques in N m, at random states within "
+        "limits):\n";
+  for (std::size_t k = 0; k < snap_effects.size(); ++k) text += snap_text(model.robot.snaps[k], snap_effects[k]);
   return text;
 }
 
@@ -142,7 +146,7 @@ std::string describe_bodies(const Mechanism& mechanism) {
   return text;
 }
 
-nlohmann::ordered_json model_json(const Model& model) {
+nlohmann::ordered_json model_json(const Model& model, const std::vector<double>& snap_effects) {
   const NumberText text(model.mechanism);
   nlohmann::ordered_json json;
   json["robot"] = model.mechanism.name;
@@ -154,12 +158,13 @@ nlohmann::ordered_json model_json(const Model& model) {
   json["merged_links"] = model.mechanism.merged;
   json["symbols"] = symbol_names(model.mechanism);
   json["snapped"] = nlohmann::ordered_json::array();
-  for (const Snap& snap : model.robot.snaps) {
-    json["snapped"].push_back({{"file", snap.place.file},
-                               {"line", snap.place.line},
+  for (std::size_t k = 0; k < snap_effects.size(); ++k) {
+    const Snap& snap = model.robot.snaps[k];
+    json["snapped"].push_back({{"line", snap.place.line},
                                {"what", snap.what},
                                {"written", snap.written},
-                               {"taken_for", plain_number_text(snap.exact)}});
+                               {"taken_for", plain_number_text(snap.exact)},
+                               {"largest_torque_change", snap_effects[k]}});
   }
   return json;
 }

@@ -8,10 +8,10 @@
 
 namespace flatdyn {
 
-// Joints, merged links, snapped angles. In JSON also frames and inertial parameters: numbers, or the text of an
-// expression in the free symbols.
-std::string describe_model(const Model& model);
-nlohmann::ordered_json model_json(const Model& model);
+// Joints, merged links, snapped angles with what each changes (verify/snap_effect.hpp). In JSON also frames and
+// inertial parameters: numbers, or the text of an expression in the free symbols.
+std::string describe_model(const Model& model, const std::vector<double>& snap_effects);
+nlohmann::ordered_json model_json(const Model& model, const std::vector<double>& snap_effects);
 
 // The canonical bodies: where their frames are, inertial parameters about the frames' origins, motors, friction.
 std::string describe_bodies(const Mechanism& mechanism);
