@@ -120,7 +120,7 @@ inline constexpr Real effort_limit[joint_count] = {
 //   qd[32]   in   joint velocities, rad/s or m/s
 //   qdd[32]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[32]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], q[13..31], qd[0..31], qdd[0..31]. Operations: 1145 mul, 868 add, 62 sin/cos.
+// Reads q[0..11], q[13..31], qd[0..31], qdd[0..31]. Operations: 1143 mul, 868 add, 62 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau) noexcept {
@@ -265,7 +265,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t52 = Scalar(0.02) * U_3_xx + s_3 * ddp_o_3_x - c_3 * ddp_o_3_z;
   const Scalar t53 = qd_3 * omega_r_3_x + s_3 * qdd_2 + c_3 * t34;
   const Scalar t54 = omega_r_3_x * omega_3_z;
-  const Scalar U_2_yy = qd_2 * qd_2 + c_2 * qd_1 * t35;
+  const Scalar U_2_yy = qd_2 * qd_2 + t35 * t35;
   const Scalar ddp_o_3_y = Scalar(0.389) * U_2_yy + c_2 * t37;
   const Scalar ddp_o_4_z = ddp_o_3_y - Scalar(0.02) * (t53 + t54);
   const Scalar ddp_4_x = s_4 * t52 + c_4 * ddp_o_4_z;
@@ -333,7 +333,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t85 = Scalar(0.02) * U_9_xx + s_9 * ddp_o_9_x - c_9 * ddp_o_9_z;
   const Scalar t86 = qd_9 * omega_r_9_x + s_9 * qdd_8 + c_9 * t67;
   const Scalar t87 = omega_r_9_x * omega_9_z;
-  const Scalar U_8_yy = qd_8 * qd_8 + c_8 * qd_7 * t68;
+  const Scalar U_8_yy = qd_8 * qd_8 + t68 * t68;
   const Scalar ddp_o_9_y = Scalar(0.389) * U_8_yy + c_8 * t70;
   const Scalar ddp_o_10_z = ddp_o_9_y - Scalar(0.02) * (t86 + t87);
   const Scalar ddp_10_x = s_10 * t85 + c_10 * ddp_o_10_z;
@@ -1999,7 +1999,7 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   q[32]   in   joint positions, rad or m
 //   qd[32]  in   joint velocities, rad/s or m/s
 //   n[32]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], q[13..31], qd[0..31]. Operations: 1123 mul, 817 add, 62 sin/cos.
+// Reads q[0..11], q[13..31], qd[0..31]. Operations: 1121 mul, 817 add, 62 sin/cos.
 template <class Scalar>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   using std::cos;
@@ -2129,7 +2129,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar domega_3_y = qd_3 * omega_r_3_x + c_3 * t32;
   const Scalar t41 = omega_r_3_x * omega_3_z;
   const Scalar U_3_zx = domega_3_y + t41;
-  const Scalar U_2_yy = qd_2 * qd_2 + c_2 * qd_1 * t28;
+  const Scalar U_2_yy = qd_2 * qd_2 + t28 * t28;
   const Scalar ddp_o_3_y = Scalar(0.389) * U_2_yy + c_2 * t36;
   const Scalar ddp_o_4_z = ddp_o_3_y - Scalar(0.02) * U_3_zx;
   const Scalar t42 = omega_3_z * omega_3_z;
@@ -2193,7 +2193,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar domega_9_y = qd_9 * omega_r_9_x + c_9 * t58;
   const Scalar t67 = omega_r_9_x * omega_9_z;
   const Scalar U_9_zx = domega_9_y + t67;
-  const Scalar U_8_yy = qd_8 * qd_8 + c_8 * qd_7 * t54;
+  const Scalar U_8_yy = qd_8 * qd_8 + t54 * t54;
   const Scalar ddp_o_9_y = Scalar(0.389) * U_8_yy + c_8 * t62;
   const Scalar ddp_o_10_z = ddp_o_9_y - Scalar(0.02) * U_9_zx;
   const Scalar t68 = omega_9_z * omega_9_z;
@@ -2740,7 +2740,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[32]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
 // number.
-// Reads q[0..11], q[13..31], qd[0..31], tau[0..31]. Operations: 2944 mul, 2240 add, 27 div, 62
+// Reads q[0..11], q[13..31], qd[0..31], tau[0..31]. Operations: 2939 mul, 2240 add, 27 div, 62
 // sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
@@ -2838,7 +2838,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t15 = Scalar(1.3725) * U_4_zx + f_u_5_t_y;
   const Scalar t16 = omega_r_3_x * omega_3_z;
   const Scalar U_3_zx = domega_3_y + t16;
-  const Scalar U_2_yy = c_2 * qd_1 * t1 + qd_2 * qd_2;
+  const Scalar U_2_yy = t1 * t1 + qd_2 * qd_2;
   const Scalar t17 = Scalar(9.81) * c_1;
   const Scalar ddp_o_3_y = Scalar(0.389) * U_2_yy + c_2 * t17;
   const Scalar ddp_o_4_z = ddp_o_3_y - Scalar(0.02) * U_3_zx;
@@ -2907,74 +2907,74 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t40 = Scalar(69.84866123397676) * mu_6_4_z;
   const Scalar y_5 = tau_5 + mu_5_z;
   const Scalar Iu_6_t_g = Scalar(0.0063) * c_6 - Scalar(0.0012) * s_6;
-  const Scalar Iu_6_t_xy = c_6 * Iu_6_t_g - Scalar(0.00315);
-  const Scalar t41 = Scalar(0.04) * hu_6_t_x + Iu_6_t_xy;
-  const Scalar t42 = s_5 * t41;
-  const Scalar t43 = s_6 * Iu_6_t_g;
-  const Scalar Ic_5_zz = t43 + Scalar(0.00940666666667);
+  const Scalar t41 = s_6 * Iu_6_t_g;
+  const Scalar Ic_5_zz = t41 + Scalar(0.00940666666667);
   const Scalar d_5 = Scalar(1.0) / Ic_5_zz;
-  const Scalar t44 = t42 * d_5;
+  const Scalar t42 = Scalar(0.04) * hu_6_t_x + c_6 * Iu_6_t_g - Scalar(0.00315);
+  const Scalar t43 = s_5 * t42;
+  const Scalar t44 = d_5 * t43;
   const Scalar y_5_4 = tau_4 + mu_4_z - y_6 * t40 + y_5 * t44;
-  const Scalar t45 = c_5 * t41;
-  const Scalar t46 = c_5 * hu_6_t_x;
-  const Scalar mu_5_4_y = Ic_5_zz + Scalar(0.357) * t46;
-  const Scalar mu_5_3_z = Scalar(0.02) * t46 - c_4 * t45 + s_4 * mu_5_4_y;
-  const Scalar t47 = mu_5_3_z * d_5;
-  const Scalar Iu_6_t_xx = t43 + Scalar(0.0012);
+  const Scalar Iu_6_t_xx = t41 + Scalar(0.0012);
   const Scalar Iu_5_t_d = Iu_6_t_xx + Scalar(0.00555);
-  const Scalar t48 = c_5 * Iu_5_t_d;
-  const Scalar t49 = t48 + t39;
-  const Scalar t50 = c_4 * s_5;
-  const Scalar Iu_4_t_yz = t49 * t50 + s_4 * t42;
-  const Scalar t51 = Scalar(0.357) * hu_6_t_y;
-  const Scalar t52 = t50 * t38 - s_5 * t51 * (s_4 + Scalar(0.056022408963585436));
-  const Scalar b_5_4_3 = Iu_4_t_yz - t52 * t40 - t42 * t47;
-  const Scalar t53 = c_5 * t48;
-  const Scalar t54 = Scalar(0.714) * t46;
-  const Scalar t55 = Scalar(0.08) * hu_6_t_y;
-  const Scalar t56 = Iu_6_t_xx - t53 - t55 - t54 - Scalar(0.44815416666667);
-  const Scalar t57 = t56 + mu_6_4_z * t40 + s_5 * t41 * t44;
-  const Scalar t58 = Scalar(1.0) / t57;
-  const Scalar t59 = b_5_4_3 * t58;
-  const Scalar t60 = Scalar(-69.84866123397676) * t52;
-  const Scalar y_4_3 = tau_3 + mu_3_z + y_6 * t60 + y_5 * t47 + t59 * y_5_4;
-  const Scalar t61 = t53 - t55 - Scalar(0.00555);
-  const Scalar Ic_4_yy = Ic_5_zz + t54 + Scalar(0.40049083333333);
-  const Scalar Ic_4_xy = t45 + t51 + Scalar(0.0549);
-  const Scalar t62 = Scalar(2.0) * c_4 * Ic_4_xy - s_4 * (t61 + Ic_4_yy);
-  const Scalar hc_4_x = t46 + Scalar(1.3725);
+  const Scalar t45 = c_5 * Iu_5_t_d;
+  const Scalar t46 = t45 + t39;
+  const Scalar t47 = c_4 * t46 + s_4 * t42;
+  const Scalar t48 = s_5 * t47;
+  const Scalar t49 = c_5 * t42;
+  const Scalar t50 = c_5 * hu_6_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz + Scalar(0.357) * t50;
+  const Scalar mu_5_3_z = Scalar(0.02) * t50 - c_4 * t49 + s_4 * mu_5_4_y;
+  const Scalar t51 = mu_5_3_z * d_5;
+  const Scalar t52 = Scalar(0.357) * hu_6_t_y;
+  const Scalar t53 = s_5 * (c_4 * t38 - t52 * (s_4 + Scalar(0.056022408963585436)));
+  const Scalar t54 = t53 * t40 + t43 * t51 - t48;
+  const Scalar t55 = c_5 * t45;
+  const Scalar t56 = Scalar(0.714) * t50;
+  const Scalar t57 = Scalar(0.08) * hu_6_t_y;
+  const Scalar t58 = Iu_6_t_xx - t55 - t57 - t56 - Scalar(0.44815416666667);
+  const Scalar t59 = t58 + mu_6_4_z * t40 + t43 * t44;
+  const Scalar t60 = Scalar(1.0) / t59;
+  const Scalar t61 = t54 * t60;
+  const Scalar t62 = Scalar(-69.84866123397676) * t53;
+  const Scalar y_4_3 = tau_3 + mu_3_z + y_6 * t62 + y_5 * t51 - t61 * y_5_4;
+  const Scalar t63 = t55 - t57 - Scalar(0.00555);
+  const Scalar Ic_4_yy = Ic_5_zz + t56 + Scalar(0.40049083333333);
+  const Scalar Ic_4_xy = t49 + t52 + Scalar(0.0549);
+  const Scalar t64 = Scalar(2.0) * c_4 * Ic_4_xy - s_4 * (t63 + Ic_4_yy);
+  const Scalar hc_4_x = t50 + Scalar(1.3725);
   const Scalar hc_4_y = hu_6_t_y + Scalar(0.22);
   const Scalar hu_4_t_y = c_4 * hc_4_x + s_4 * hc_4_y;
-  const Scalar Ic_3_xz = Ic_4_xy + Scalar(0.02) * hu_4_t_y - c_4 * t62 + Scalar(0.00507);
-  const Scalar t63 = c_4 * hc_4_y - s_4 * hc_4_x;
-  const Scalar t64 = t63 - Scalar(0.08);
-  const Scalar t65 = s_5 * hu_6_t_x;
-  const Scalar t66 = c_3 * t64 - s_3 * t65;
-  const Scalar t67 = Scalar(0.389) * t66 - c_3 * Ic_3_xz - s_3 * Iu_4_t_yz;
-  const Scalar mu_u_5_4_t_x = c_4 * mu_5_4_y + s_4 * t45;
-  const Scalar mu_5_3_y = t42 - Scalar(0.02) * hu_6_t_x * t50;
-  const Scalar t68 = s_4 * s_5;
-  const Scalar t69 = Scalar(0.389) * hu_6_t_x;
-  const Scalar t70 = (c_3 * c_5 + s_3 * t68) * t69;
-  const Scalar mu_5_2_z = c_3 * mu_u_5_4_t_x + s_3 * mu_5_3_y + t70;
-  const Scalar t71 = mu_5_2_z * d_5;
-  const Scalar t72 = Scalar(0.389) * hu_4_t_y - (t56 + Scalar(0.02) * t63);
-  const Scalar t73 = c_4 * t42 - t49 * t68;
-  const Scalar t74 = c_5 * hu_6_t_y;
-  const Scalar f_u_6_4_t_x = c_4 * hu_6_t_x + s_4 * t74;
-  const Scalar t75 = s_5 * hu_6_t_y;
-  const Scalar t76 = c_3 * t75 - s_3 * f_u_6_4_t_x;
-  const Scalar mu_6_3_y = mu_6_4_z - Scalar(0.02) * (c_4 * t74 - s_4 * hu_6_t_x);
-  const Scalar mu_u_6_4_t_x = t51 * t50 + t68 * t38;
-  const Scalar t77 = Scalar(0.389) * t76 + c_3 * mu_u_6_4_t_x - s_3 * mu_6_3_y;
-  const Scalar t78 = c_3 * t73 + t77 * t40 - t42 * t71 + s_3 * t72;
-  const Scalar t79 = t67 + t77 * t60 + mu_5_2_z * t47 - t78 * t59;
-  const Scalar t80 = s_4 * t62;
-  const Scalar t81 = Scalar(-0.04) * t63;
-  const Scalar t82 = t61 + t80 - t81 - Scalar(0.03800666666667);
-  const Scalar t83 = t82 - t52 * t60 + mu_5_3_z * t47 - b_5_4_3 * t59;
-  const Scalar t84 = Scalar(1.0) / t83;
-  const Scalar t85 = t79 * t84;
+  const Scalar Ic_3_xz = Ic_4_xy + Scalar(0.02) * hu_4_t_y - c_4 * t64 + Scalar(0.00507);
+  const Scalar t65 = s_3 * s_5;
+  const Scalar t66 = c_4 * hc_4_y - s_4 * hc_4_x;
+  const Scalar t67 = t66 - Scalar(0.08);
+  const Scalar t68 = c_3 * t67 - hu_6_t_x * t65;
+  const Scalar t69 = Scalar(0.389) * t68 - c_3 * Ic_3_xz - t47 * t65;
+  const Scalar mu_u_5_4_t_x = c_4 * mu_5_4_y + s_4 * t49;
+  const Scalar t70 = Scalar(0.02) * hu_6_t_x;
+  const Scalar t71 = t42 - c_4 * t70;
+  const Scalar t72 = Scalar(0.389) * hu_6_t_x;
+  const Scalar t73 = (c_3 * c_5 + s_4 * t65) * t72;
+  const Scalar mu_5_2_z = c_3 * mu_u_5_4_t_x + t65 * t71 + t73;
+  const Scalar t74 = mu_5_2_z * d_5;
+  const Scalar t75 = c_4 * t42 - s_4 * t46;
+  const Scalar t76 = c_3 * s_5;
+  const Scalar t77 = t58 + Scalar(0.02) * t66 - Scalar(0.389) * hu_4_t_y;
+  const Scalar t78 = c_5 * hu_6_t_y;
+  const Scalar f_u_6_4_t_x = s_4 * t78 + c_4 * hu_6_t_x;
+  const Scalar t79 = hu_6_t_y * t76 - s_3 * f_u_6_4_t_x;
+  const Scalar mu_6_3_y = mu_6_4_z - Scalar(0.02) * (c_4 * t78 - s_4 * hu_6_t_x);
+  const Scalar t80 = c_4 * t52 + s_4 * t38;
+  const Scalar t81 = Scalar(0.389) * t79 + t76 * t80 - s_3 * mu_6_3_y;
+  const Scalar t82 = t75 * t76 + t81 * t40 - t43 * t74 - s_3 * t77;
+  const Scalar t83 = Scalar(-69.84866123397676) * t81;
+  const Scalar t84 = t69 + t53 * t83 + mu_5_2_z * t51 + t82 * t61;
+  const Scalar t85 = s_4 * t64;
+  const Scalar t86 = Scalar(-0.04) * t66;
+  const Scalar t87 = t63 + t85 - t86 - Scalar(0.03800666666667);
+  const Scalar t88 = t87 - t53 * t62 + mu_5_3_z * t51 - t54 * t61;
+  const Scalar t89 = Scalar(1.0) / t88;
+  const Scalar t90 = t84 * t89;
   const Scalar f_3_y = Scalar(0.08) * U_3_yx - f_4_z;
   const Scalar f_4_x = Scalar(1.3725) * U_4_xx + Scalar(0.22) * U_4_xy + f_u_5_t_x;
   const Scalar f_4_y = Scalar(1.3725) * U_4_yx - Scalar(0.22) * U_4_yy - t37;
@@ -2982,1589 +2982,1582 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar f_u_3_t_x = c_3 * f_3_y + s_3 * f_3_x;
   const Scalar mu_3_x = Scalar(0.00507) * U_3_yx + Scalar(0.05976333333334) * t36 - c_4 * t35 +
       s_4 * mu_4_x;
-  const Scalar t86 = c_4 * f_4_x - s_4 * f_4_y;
+  const Scalar t91 = c_4 * f_4_x - s_4 * f_4_y;
   const Scalar mu_3_y = Scalar(0.08) * ddp_o_3_y + Scalar(0.02175666666667) * domega_3_y -
       Scalar(0.03800666666667) * t16 - Scalar(0.00507) * (t18 - omega_r_3_x * omega_r_3_x) -
-      mu_4_z + Scalar(0.02) * t86;
-  const Scalar t87 = t78 * t58;
-  const Scalar t88 = Scalar(-69.84866123397676) * t77;
+      mu_4_z + Scalar(0.02) * t91;
+  const Scalar t92 = t82 * t60;
   const Scalar y_3_2 = tau_2 - Scalar(1.03624716666667) * t19 - Scalar(0.389) * f_u_3_t_x -
-      c_3 * mu_3_x + s_3 * mu_3_y + y_6 * t88 - y_5 * t71 - t87 * y_5_4 + t85 * y_4_3 -
+      c_3 * mu_3_x + s_3 * mu_3_y + y_6 * t83 - y_5 * t74 - t92 * y_5_4 + t90 * y_4_3 -
       Scalar(27.463095) * c_1 * s_2;
-  const Scalar Iu_4_t_xx = Ic_4_yy + t80;
-  const Scalar t89 = t56 - t81 + Scalar(0.02175666666667);
-  const Scalar Iu_3_t_d = Iu_4_t_xx + t89;
-  const Scalar t90 = t73 - Scalar(0.02) * t65;
-  const Scalar t91 = Scalar(2.0) * c_3 * t90 - s_3 * Iu_3_t_d;
-  const Scalar t92 = c_2 * (t90 - c_3 * t91);
-  const Scalar t93 = c_3 * t65 + s_3 * t64;
-  const Scalar t94 = c_2 * (Scalar(0.389) * t93 + c_3 * Iu_4_t_yz - s_3 * Ic_3_xz);
-  const Scalar t95 = (c_3 * t68 - s_3 * c_5) * t69;
-  const Scalar t96 = c_2 * (c_3 * mu_5_3_y - s_3 * mu_u_5_4_t_x + t95) - s_2 * mu_5_3_z;
-  const Scalar t97 = t96 * d_5;
-  const Scalar t98 = c_2 * (s_3 * t73 - c_3 * t72);
-  const Scalar f_u_6_3_t_y = c_3 * f_u_6_4_t_x + s_3 * t75;
-  const Scalar mu_6_2_x = Scalar(0.389) * f_u_6_3_t_y + c_3 * mu_6_3_y + s_3 * mu_u_6_4_t_x;
-  const Scalar mu_u_6_2_t_y = c_2 * mu_6_2_x - s_2 * t52;
-  const Scalar t99 = t98 + s_2 * Iu_4_t_yz + mu_u_6_2_t_y * t40 + t42 * t97;
-  const Scalar t100 = t94 + s_2 * t82 + mu_u_6_2_t_y * t60 - t96 * t47 - t99 * t59;
-  const Scalar t101 = t92 - s_2 * t67 + mu_u_6_2_t_y * t88 + t96 * t71 + t99 * t87 + t100 * t85;
-  const Scalar t102 = s_3 * t91;
-  const Scalar t103 = Scalar(0.778) * hu_4_t_y;
-  const Scalar b_3_2_2 = Iu_4_t_xx + t102 + t103 + t77 * t88 - mu_5_2_z * t71 + t78 * t87 +
-      t79 * t85 + Scalar(1.03820716666667);
+  const Scalar Iu_4_t_xx = Ic_4_yy + t85;
+  const Scalar t93 = t58 - t86 + Scalar(0.02175666666667);
+  const Scalar Iu_3_t_d = Iu_4_t_xx + t93;
+  const Scalar t94 = s_5 * t70 - s_5 * t75;
+  const Scalar t95 = Scalar(2.0) * c_3 * t94 + s_3 * Iu_3_t_d;
+  const Scalar t96 = c_2 * (t94 - c_3 * t95);
+  const Scalar t97 = hu_6_t_x * t76 + s_3 * t67;
+  const Scalar t98 = c_2 * (Scalar(0.389) * t97 + t47 * t76 - s_3 * Ic_3_xz);
+  const Scalar t99 = (s_4 * t76 - s_3 * c_5) * t72;
+  const Scalar t100 = c_2 * (t76 * t71 - s_3 * mu_u_5_4_t_x + t99) - s_2 * mu_5_3_z;
+  const Scalar t101 = t100 * d_5;
+  const Scalar t102 = c_2 * (t75 * t65 + c_3 * t77);
+  const Scalar f_u_6_3_t_y = c_3 * f_u_6_4_t_x + hu_6_t_y * t65;
+  const Scalar mu_6_2_x = Scalar(0.389) * f_u_6_3_t_y + c_3 * mu_6_3_y + t65 * t80;
+  const Scalar mu_u_6_2_t_y = c_2 * mu_6_2_x - s_2 * t53;
+  const Scalar t103 = t102 + s_2 * t48 + mu_u_6_2_t_y * t40 + t43 * t101;
+  const Scalar t104 = Scalar(69.84866123397676) * mu_u_6_2_t_y;
+  const Scalar t105 = t98 + s_2 * t87 - t53 * t104 - t100 * t51 + t103 * t61;
+  const Scalar t106 = t96 + s_2 * t69 - mu_u_6_2_t_y * t83 - t100 * t74 - t103 * t92 - t105 * t90;
+  const Scalar t107 = s_3 * t95;
+  const Scalar t108 = Scalar(0.778) * hu_4_t_y;
+  const Scalar b_3_2_2 = Iu_4_t_xx - t107 + t108 + t81 * t83 - mu_5_2_z * t74 + t82 * t92 +
+      t84 * t90 + Scalar(1.03820716666667);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t104 = t101 * d_2;
-  const Scalar t105 = c_3 * f_3_x - s_3 * f_3_y;
+  const Scalar t109 = t106 * d_2;
+  const Scalar t110 = c_3 * f_3_x - s_3 * f_3_y;
   const Scalar mu_2_x = Scalar(27.463095) * s_1 - Scalar(2.07445433333334) * t7 -
-      Scalar(0.389) * t105 + c_3 * mu_3_y + s_3 * mu_3_x;
+      Scalar(0.389) * t110 + c_3 * mu_3_y + s_3 * mu_3_x;
   const Scalar mu_2_y = Scalar(0.00196) * t8 + mu_3_z;
-  const Scalar t106 = t100 * t84;
-  const Scalar t107 = t99 * t58;
-  const Scalar t108 = Scalar(69.84866123397676) * mu_u_6_2_t_y;
-  const Scalar y_2_1 = tau_1 - c_2 * mu_2_x - s_2 * mu_2_y - y_6 * t108 + y_5 * t97 - t107 * y_5_4 +
-      t106 * y_4_3 - t104 * y_3_2;
-  const Scalar t109 = t89 + t102 - t103;
-  const Scalar t110 = s_2 * (Scalar(2.0) * t94 + s_2 * (t82 - t109 + Scalar(1.03624716666667)));
-  const Scalar t111 = t109 + t110 + mu_u_6_2_t_y * t108 + t96 * t97 - t99 * t107 - t100 * t106 +
-      t101 * t104 - Scalar(1.04016716666667);
-  const Scalar t112 = (Scalar(1.0) / t111) * y_2_1;
-  qdd[0] = -t112;
-  const Scalar t113 = c_8 * qd_7;
-  const Scalar omega_r_9_x = c_9 * qd_8 + s_9 * t113;
-  const Scalar t114 = s_8 * qd_7;
-  const Scalar omega_9_z = qd_9 - t114;
+  const Scalar t111 = t105 * t89;
+  const Scalar t112 = t103 * t60;
+  const Scalar y_2_1 = tau_1 - c_2 * mu_2_x - s_2 * mu_2_y - y_6 * t104 + y_5 * t101 -
+      t112 * y_5_4 + t111 * y_4_3 + t109 * y_3_2;
+  const Scalar t113 = t93 - t107 - t108;
+  const Scalar t114 = s_2 * (Scalar(2.0) * t98 + s_2 * (t87 - t113 + Scalar(1.03624716666667)));
+  const Scalar t115 = t113 + t114 + mu_u_6_2_t_y * t104 + t100 * t101 - t103 * t112 - t105 * t111 +
+      t106 * t109 - Scalar(1.04016716666667);
+  const Scalar t116 = (Scalar(1.0) / t115) * y_2_1;
+  qdd[0] = -t116;
+  const Scalar t117 = c_8 * qd_7;
+  const Scalar omega_r_9_x = c_9 * qd_8 + s_9 * t117;
+  const Scalar t118 = s_8 * qd_7;
+  const Scalar omega_9_z = qd_9 - t118;
   const Scalar omega_r_10_x = c_10 * omega_9_z + s_10 * omega_r_9_x;
-  const Scalar t115 = c_9 * t113 - s_9 * qd_8;
-  const Scalar omega_10_z = qd_10 + t115;
-  const Scalar t116 = c_11 * omega_r_10_x - s_11 * omega_10_z;
-  const Scalar t117 = c_10 * omega_r_9_x - s_10 * omega_9_z;
-  const Scalar omega_11_z = qd_11 + t117;
-  const Scalar omega_r_12_x = c_12 * omega_11_z - s_12 * t116;
-  const Scalar omega_r_12_y = c_12 * t116 + s_12 * omega_11_z;
-  const Scalar t118 = omega_r_12_x * omega_r_12_y;
-  const Scalar t119 = qd_8 * t114;
-  const Scalar domega_9_x = s_9 * t119 - qd_9 * t115;
-  const Scalar t120 = qd_8 * t113;
-  const Scalar domega_10_x = c_10 * t120 + s_10 * domega_9_x - qd_10 * t117;
-  const Scalar domega_9_y = c_9 * t119 + qd_9 * omega_r_9_x;
-  const Scalar domega_11_y = c_11 * domega_9_y + s_11 * domega_10_x - qd_11 * t116;
-  const Scalar U_12_yx = domega_11_y + t118;
+  const Scalar t119 = c_9 * t117 - s_9 * qd_8;
+  const Scalar omega_10_z = qd_10 + t119;
+  const Scalar t120 = c_11 * omega_r_10_x - s_11 * omega_10_z;
+  const Scalar t121 = c_10 * omega_r_9_x - s_10 * omega_9_z;
+  const Scalar omega_11_z = qd_11 + t121;
+  const Scalar omega_r_12_x = c_12 * omega_11_z - s_12 * t120;
+  const Scalar omega_r_12_y = c_12 * t120 + s_12 * omega_11_z;
+  const Scalar t122 = omega_r_12_x * omega_r_12_y;
+  const Scalar t123 = qd_8 * t118;
+  const Scalar domega_9_x = s_9 * t123 - qd_9 * t119;
+  const Scalar t124 = qd_8 * t117;
+  const Scalar domega_10_x = c_10 * t124 + s_10 * domega_9_x - qd_10 * t121;
+  const Scalar domega_9_y = c_9 * t123 + qd_9 * omega_r_9_x;
+  const Scalar domega_11_y = c_11 * domega_9_y + s_11 * domega_10_x - qd_11 * t120;
+  const Scalar U_12_yx = domega_11_y + t122;
   const Scalar omega_r_11_y = c_11 * omega_10_z + s_11 * omega_r_10_x;
   const Scalar omega_12_z = qd_12 + omega_r_11_y;
-  const Scalar t121 = omega_12_z * omega_12_z;
-  const Scalar U_12_yy = t121 + omega_r_12_x * omega_r_12_x;
+  const Scalar t125 = omega_12_z * omega_12_z;
+  const Scalar U_12_yy = t125 + omega_r_12_x * omega_r_12_x;
   const Scalar F_12_y = Scalar(0.045) * U_12_yx + Scalar(0.105) * U_12_yy;
-  const Scalar U_12_xx = omega_r_12_y * omega_r_12_y + t121;
-  const Scalar U_12_xy = domega_11_y - t118;
+  const Scalar U_12_xx = omega_r_12_y * omega_r_12_y + t125;
+  const Scalar U_12_xy = domega_11_y - t122;
   const Scalar F_12_x = Scalar(0.045) * U_12_xx - Scalar(0.105) * U_12_xy;
   const Scalar f_u_12_t_x = c_12 * F_12_y + s_12 * F_12_x;
   const Scalar domega_11_x = c_11 * domega_10_x - s_11 * domega_9_y + qd_11 * omega_r_11_y;
-  const Scalar domega_10_y = c_10 * domega_9_x - s_10 * t120 + qd_10 * omega_r_10_x;
-  const Scalar t122 = c_12 * domega_11_x + s_12 * domega_10_y - qd_12 * omega_r_12_x;
-  const Scalar t123 = omega_r_12_x * omega_12_z;
-  const Scalar t124 = t122 - t123;
+  const Scalar domega_10_y = c_10 * domega_9_x - s_10 * t124 + qd_10 * omega_r_10_x;
+  const Scalar t126 = c_12 * domega_11_x + s_12 * domega_10_y - qd_12 * omega_r_12_x;
+  const Scalar t127 = omega_r_12_x * omega_12_z;
+  const Scalar t128 = t126 - t127;
   const Scalar U_12_zy = c_12 * domega_10_y - s_12 * domega_11_x +
       omega_r_12_y * (qd_12 + omega_12_z);
-  const Scalar t125 = Scalar(0.045) * t124 + Scalar(0.105) * U_12_zy;
-  const Scalar f_u_11_t_y = c_11 * t125 + s_11 * f_u_12_t_x;
-  const Scalar t126 = omega_r_10_x * omega_10_z;
-  const Scalar U_10_zx = domega_10_y + t126;
-  const Scalar t127 = Scalar(1.3725) * U_10_zx + f_u_11_t_y;
-  const Scalar t128 = omega_r_9_x * omega_9_z;
-  const Scalar U_9_zx = domega_9_y + t128;
-  const Scalar U_8_yy = c_8 * qd_7 * t113 + qd_8 * qd_8;
-  const Scalar t129 = Scalar(9.81) * c_7;
-  const Scalar ddp_o_9_y = Scalar(0.389) * U_8_yy + c_8 * t129;
+  const Scalar t129 = Scalar(0.045) * t128 + Scalar(0.105) * U_12_zy;
+  const Scalar f_u_11_t_y = c_11 * t129 + s_11 * f_u_12_t_x;
+  const Scalar t130 = omega_r_10_x * omega_10_z;
+  const Scalar U_10_zx = domega_10_y + t130;
+  const Scalar t131 = Scalar(1.3725) * U_10_zx + f_u_11_t_y;
+  const Scalar t132 = omega_r_9_x * omega_9_z;
+  const Scalar U_9_zx = domega_9_y + t132;
+  const Scalar U_8_yy = t117 * t117 + qd_8 * qd_8;
+  const Scalar t133 = Scalar(9.81) * c_7;
+  const Scalar ddp_o_9_y = Scalar(0.389) * U_8_yy + c_8 * t133;
   const Scalar ddp_o_10_z = ddp_o_9_y - Scalar(0.02) * U_9_zx;
-  const Scalar t130 = omega_9_z * omega_9_z;
-  const Scalar U_9_xx = t115 * t115 + t130;
-  const Scalar ddp_o_9_z = Scalar(9.81) * s_7 - Scalar(0.778) * t119;
-  const Scalar t131 = t113 * t114;
-  const Scalar ddp_o_9_x = s_8 * t129 + Scalar(0.389) * t131;
-  const Scalar t132 = Scalar(0.02) * U_9_xx - c_9 * ddp_o_9_z + s_9 * ddp_o_9_x;
-  const Scalar ddp_10_x = c_10 * ddp_o_10_z + s_10 * t132;
-  const Scalar t133 = omega_10_z * omega_10_z;
-  const Scalar U_10_xx = t117 * t117 + t133;
-  const Scalar t134 = omega_r_10_x * t117;
-  const Scalar U_10_xy = domega_9_y + t134;
+  const Scalar t134 = omega_9_z * omega_9_z;
+  const Scalar U_9_xx = t119 * t119 + t134;
+  const Scalar ddp_o_9_z = Scalar(9.81) * s_7 - Scalar(0.778) * t123;
+  const Scalar t135 = t117 * t118;
+  const Scalar ddp_o_9_x = s_8 * t133 + Scalar(0.389) * t135;
+  const Scalar t136 = Scalar(0.02) * U_9_xx - c_9 * ddp_o_9_z + s_9 * ddp_o_9_x;
+  const Scalar ddp_10_x = c_10 * ddp_o_10_z + s_10 * t136;
+  const Scalar t137 = omega_10_z * omega_10_z;
+  const Scalar U_10_xx = t121 * t121 + t137;
+  const Scalar t138 = omega_r_10_x * t121;
+  const Scalar U_10_xy = domega_9_y + t138;
   const Scalar ddp_o_11_x = ddp_10_x + Scalar(0.357) * U_10_xx + Scalar(0.04) * U_10_xy;
-  const Scalar t135 = t117 * omega_10_z;
-  const Scalar U_10_zy = domega_10_x - t135;
+  const Scalar t139 = t121 * omega_10_z;
+  const Scalar U_10_zy = domega_10_x - t139;
   const Scalar ddp_9_y = c_9 * ddp_o_9_x + s_9 * ddp_o_9_z;
-  const Scalar t136 = omega_r_9_x * t115;
-  const Scalar U_9_yx = t120 - t136;
+  const Scalar t140 = omega_r_9_x * t119;
+  const Scalar U_9_yx = t124 - t140;
   const Scalar ddp_o_10_y = ddp_9_y + Scalar(0.02) * U_9_yx;
-  const Scalar t137 = ddp_o_10_y - Scalar(0.04) * U_10_zy;
-  const Scalar t138 = Scalar(0.357) * U_10_zx - t137;
-  const Scalar t139 = c_11 * ddp_o_11_x + s_11 * t138;
-  const Scalar t140 = c_10 * t132 - s_10 * ddp_o_10_z;
-  const Scalar U_10_yx = domega_9_y - t134;
-  const Scalar U_10_yy = t133 + omega_r_10_x * omega_r_10_x;
-  const Scalar t141 = t140 + Scalar(0.357) * U_10_yx - Scalar(0.04) * U_10_yy;
-  const Scalar t142 = c_12 * t141 - s_12 * t139;
-  const Scalar t143 = c_12 * t139 + s_12 * t141;
+  const Scalar t141 = ddp_o_10_y - Scalar(0.04) * U_10_zy;
+  const Scalar t142 = Scalar(0.357) * U_10_zx - t141;
+  const Scalar t143 = c_11 * ddp_o_11_x + s_11 * t142;
+  const Scalar t144 = c_10 * t136 - s_10 * ddp_o_10_z;
+  const Scalar U_10_yx = domega_9_y - t138;
+  const Scalar U_10_yy = t137 + omega_r_10_x * omega_r_10_x;
+  const Scalar t145 = t144 + Scalar(0.357) * U_10_yx - Scalar(0.04) * U_10_yy;
+  const Scalar t146 = c_12 * t145 - s_12 * t143;
+  const Scalar t147 = c_12 * t143 + s_12 * t145;
   const Scalar U_12_xx_yy = U_12_xx - U_12_yy;
-  const Scalar N_12_z = Scalar(0.01431666666667) * domega_11_y + Scalar(0.105) * t142 +
-      Scalar(0.045) * t143 - Scalar(0.0012) * t118 - Scalar(0.00315) * U_12_xx_yy;
+  const Scalar N_12_z = Scalar(0.01431666666667) * domega_11_y + Scalar(0.105) * t146 +
+      Scalar(0.045) * t147 - Scalar(0.0012) * t122 - Scalar(0.00315) * U_12_xx_yy;
   const Scalar mu_11_y = Scalar(0.00876666666667) * domega_11_y - N_12_z +
-      Scalar(0.00940666666667) * t116 * omega_11_z;
-  const Scalar t144 = c_11 * t138 - s_11 * ddp_o_11_x;
-  const Scalar t145 = Scalar(0.045) * t144 - Scalar(0.0012) * t122 -
-      Scalar(0.01431666666667) * t123 + Scalar(0.00315) * U_12_zy;
-  const Scalar t146 = Scalar(0.105) * t144 + Scalar(0.00315) * t124 +
+      Scalar(0.00940666666667) * t120 * omega_11_z;
+  const Scalar t148 = c_11 * t142 - s_11 * ddp_o_11_x;
+  const Scalar t149 = Scalar(0.045) * t148 - Scalar(0.0012) * t126 -
+      Scalar(0.01431666666667) * t127 + Scalar(0.00315) * U_12_zy;
+  const Scalar t150 = Scalar(0.105) * t148 + Scalar(0.00315) * t128 +
       Scalar(0.01551666666667) * omega_r_12_y * omega_12_z;
-  const Scalar mu_11_x = Scalar(0.01817333333334) * omega_r_11_y * omega_11_z + c_12 * t145 -
-      s_12 * t146;
-  const Scalar mu_10_x = Scalar(0.22) * ddp_o_10_y + Scalar(0.04766333333334) * t135 -
-      Scalar(0.04) * t127 - c_11 * mu_11_x + s_11 * mu_11_y;
-  const Scalar f_10_z = Scalar(0.22) * U_10_zy + t127;
+  const Scalar mu_11_x = Scalar(0.01817333333334) * omega_r_11_y * omega_11_z + c_12 * t149 -
+      s_12 * t150;
+  const Scalar mu_10_x = Scalar(0.22) * ddp_o_10_y + Scalar(0.04766333333334) * t139 -
+      Scalar(0.04) * t131 - c_11 * mu_11_x + s_11 * mu_11_y;
+  const Scalar f_10_z = Scalar(0.22) * U_10_zy + t131;
   const Scalar mu_11_z = Scalar(0.00940666666667) * domega_10_y -
-      Scalar(0.00876666666667) * t116 * omega_r_11_y + c_12 * t146 + s_12 * t145;
-  const Scalar t147 = Scalar(0.40049083333333) * domega_10_y + Scalar(0.44815416666667) * t126 -
-      Scalar(1.3725) * t137 + mu_11_z + Scalar(0.357) * f_u_11_t_y;
-  const Scalar t148 = t115 * omega_9_z;
-  const Scalar U_9_yz = domega_9_x + t148;
-  const Scalar mu_9_z = Scalar(0.08) * ddp_9_y + Scalar(0.03800666666667) * t120 +
-      Scalar(0.02175666666667) * t136 - Scalar(0.00507) * U_9_yz - Scalar(0.02) * f_10_z -
-      c_10 * mu_10_x - s_10 * t147;
-  const Scalar f_u_11_t_x = c_11 * f_u_12_t_x - s_11 * t125;
-  const Scalar t149 = c_12 * F_12_x - s_12 * F_12_y;
+      Scalar(0.00876666666667) * t120 * omega_r_11_y + c_12 * t150 + s_12 * t149;
+  const Scalar t151 = Scalar(0.40049083333333) * domega_10_y + Scalar(0.44815416666667) * t130 -
+      Scalar(1.3725) * t141 + mu_11_z + Scalar(0.357) * f_u_11_t_y;
+  const Scalar t152 = t119 * omega_9_z;
+  const Scalar U_9_yz = domega_9_x + t152;
+  const Scalar mu_9_z = Scalar(0.08) * ddp_9_y + Scalar(0.03800666666667) * t124 +
+      Scalar(0.02175666666667) * t140 - Scalar(0.00507) * U_9_yz - Scalar(0.02) * f_10_z -
+      c_10 * mu_10_x - s_10 * t151;
+  const Scalar f_u_11_t_x = c_11 * f_u_12_t_x - s_11 * t129;
+  const Scalar t153 = c_12 * F_12_x - s_12 * F_12_y;
   const Scalar U_10_xx_yy = U_10_xx - U_10_yy;
   const Scalar mu_10_z = Scalar(0.44815416666667) * domega_9_y + Scalar(0.22) * ddp_10_x +
-      Scalar(1.3725) * t140 - Scalar(0.40049083333333) * t134 + Scalar(0.0549) * U_10_xx_yy -
-      Scalar(0.357) * t149 + Scalar(0.04) * f_u_11_t_x - c_11 * mu_11_y - s_11 * mu_11_x;
+      Scalar(1.3725) * t144 - Scalar(0.40049083333333) * t138 + Scalar(0.0549) * U_10_xx_yy -
+      Scalar(0.357) * t153 + Scalar(0.04) * f_u_11_t_x - c_11 * mu_11_y - s_11 * mu_11_x;
   const Scalar y_12 = tau_12 + N_12_z;
   const Scalar hu_12_t_y = Scalar(0.045) * c_12 - Scalar(0.105) * s_12;
-  const Scalar t150 = Scalar(0.04) * hu_12_t_y + Scalar(0.01431666666667);
+  const Scalar t154 = Scalar(0.04) * hu_12_t_y + Scalar(0.01431666666667);
   const Scalar hu_12_t_x = Scalar(0.105) * c_12 + Scalar(0.045) * s_12;
-  const Scalar t151 = Scalar(0.357) * hu_12_t_x;
-  const Scalar mu_12_10_z = t151 + c_11 * t150;
-  const Scalar t152 = Scalar(69.84866123397676) * mu_12_10_z;
+  const Scalar t155 = Scalar(0.357) * hu_12_t_x;
+  const Scalar mu_12_10_z = t155 + c_11 * t154;
+  const Scalar t156 = Scalar(69.84866123397676) * mu_12_10_z;
   const Scalar y_11 = tau_11 + mu_11_z;
   const Scalar Iu_12_t_g = Scalar(0.0063) * c_12 - Scalar(0.0012) * s_12;
-  const Scalar Iu_12_t_xy = c_12 * Iu_12_t_g - Scalar(0.00315);
-  const Scalar t153 = Scalar(0.04) * hu_12_t_x + Iu_12_t_xy;
-  const Scalar t154 = s_11 * t153;
-  const Scalar t155 = s_12 * Iu_12_t_g;
-  const Scalar Ic_11_zz = t155 + Scalar(0.00940666666667);
+  const Scalar t157 = s_12 * Iu_12_t_g;
+  const Scalar Ic_11_zz = t157 + Scalar(0.00940666666667);
   const Scalar d_11 = Scalar(1.0) / Ic_11_zz;
-  const Scalar t156 = t154 * d_11;
-  const Scalar y_11_10 = tau_10 + mu_10_z - y_12 * t152 + y_11 * t156;
-  const Scalar t157 = c_11 * t153;
-  const Scalar t158 = c_11 * hu_12_t_x;
-  const Scalar mu_11_10_y = Ic_11_zz + Scalar(0.357) * t158;
-  const Scalar mu_11_9_z = Scalar(0.02) * t158 - c_10 * t157 + s_10 * mu_11_10_y;
-  const Scalar t159 = mu_11_9_z * d_11;
-  const Scalar Iu_12_t_xx = t155 + Scalar(0.0012);
+  const Scalar t158 = Scalar(0.04) * hu_12_t_x + c_12 * Iu_12_t_g - Scalar(0.00315);
+  const Scalar t159 = s_11 * t158;
+  const Scalar t160 = d_11 * t159;
+  const Scalar y_11_10 = tau_10 + mu_10_z - y_12 * t156 + y_11 * t160;
+  const Scalar Iu_12_t_xx = t157 + Scalar(0.0012);
   const Scalar Iu_11_t_d = Iu_12_t_xx + Scalar(0.00555);
-  const Scalar t160 = c_11 * Iu_11_t_d;
-  const Scalar t161 = t160 + t151;
-  const Scalar t162 = c_10 * s_11;
-  const Scalar Iu_10_t_yz = t161 * t162 + s_10 * t154;
-  const Scalar t163 = Scalar(0.357) * hu_12_t_y;
-  const Scalar t164 = t162 * t150 - s_11 * t163 * (s_10 + Scalar(0.056022408963585436));
-  const Scalar b_11_10_9 = Iu_10_t_yz - t164 * t152 - t154 * t159;
-  const Scalar t165 = c_11 * t160;
-  const Scalar t166 = Scalar(0.714) * t158;
-  const Scalar t167 = Scalar(0.08) * hu_12_t_y;
-  const Scalar t168 = Iu_12_t_xx - t165 - t167 - t166 - Scalar(0.44815416666667);
-  const Scalar t169 = t168 + mu_12_10_z * t152 + s_11 * t153 * t156;
-  const Scalar t170 = Scalar(1.0) / t169;
-  const Scalar t171 = b_11_10_9 * t170;
-  const Scalar t172 = Scalar(-69.84866123397676) * t164;
-  const Scalar y_10_9 = tau_9 + mu_9_z + y_12 * t172 + y_11 * t159 + t171 * y_11_10;
-  const Scalar t173 = t165 - t167 - Scalar(0.00555);
-  const Scalar Ic_10_yy = Ic_11_zz + t166 + Scalar(0.40049083333333);
-  const Scalar Ic_10_xy = t157 + t163 + Scalar(0.0549);
-  const Scalar t174 = Scalar(2.0) * c_10 * Ic_10_xy - s_10 * (t173 + Ic_10_yy);
-  const Scalar hc_10_x = t158 + Scalar(1.3725);
+  const Scalar t161 = c_11 * Iu_11_t_d;
+  const Scalar t162 = t161 + t155;
+  const Scalar t163 = c_10 * t162 + s_10 * t158;
+  const Scalar t164 = s_11 * t163;
+  const Scalar t165 = c_11 * t158;
+  const Scalar t166 = c_11 * hu_12_t_x;
+  const Scalar mu_11_10_y = Ic_11_zz + Scalar(0.357) * t166;
+  const Scalar mu_11_9_z = Scalar(0.02) * t166 - c_10 * t165 + s_10 * mu_11_10_y;
+  const Scalar t167 = mu_11_9_z * d_11;
+  const Scalar t168 = Scalar(0.357) * hu_12_t_y;
+  const Scalar t169 = s_11 * (c_10 * t154 - t168 * (s_10 + Scalar(0.056022408963585436)));
+  const Scalar t170 = t169 * t156 + t159 * t167 - t164;
+  const Scalar t171 = c_11 * t161;
+  const Scalar t172 = Scalar(0.714) * t166;
+  const Scalar t173 = Scalar(0.08) * hu_12_t_y;
+  const Scalar t174 = Iu_12_t_xx - t171 - t173 - t172 - Scalar(0.44815416666667);
+  const Scalar t175 = t174 + mu_12_10_z * t156 + t159 * t160;
+  const Scalar t176 = Scalar(1.0) / t175;
+  const Scalar t177 = t170 * t176;
+  const Scalar t178 = Scalar(-69.84866123397676) * t169;
+  const Scalar y_10_9 = tau_9 + mu_9_z + y_12 * t178 + y_11 * t167 - t177 * y_11_10;
+  const Scalar t179 = t171 - t173 - Scalar(0.00555);
+  const Scalar Ic_10_yy = Ic_11_zz + t172 + Scalar(0.40049083333333);
+  const Scalar Ic_10_xy = t165 + t168 + Scalar(0.0549);
+  const Scalar t180 = Scalar(2.0) * c_10 * Ic_10_xy - s_10 * (t179 + Ic_10_yy);
+  const Scalar hc_10_x = t166 + Scalar(1.3725);
   const Scalar hc_10_y = hu_12_t_y + Scalar(0.22);
   const Scalar hu_10_t_y = c_10 * hc_10_x + s_10 * hc_10_y;
-  const Scalar Ic_9_xz = Ic_10_xy + Scalar(0.02) * hu_10_t_y - c_10 * t174 + Scalar(0.00507);
-  const Scalar t175 = c_10 * hc_10_y - s_10 * hc_10_x;
-  const Scalar t176 = t175 - Scalar(0.08);
-  const Scalar t177 = s_11 * hu_12_t_x;
-  const Scalar t178 = c_9 * t176 - s_9 * t177;
-  const Scalar t179 = Scalar(0.389) * t178 - c_9 * Ic_9_xz - s_9 * Iu_10_t_yz;
-  const Scalar mu_u_11_10_t_x = c_10 * mu_11_10_y + s_10 * t157;
-  const Scalar mu_11_9_y = t154 - Scalar(0.02) * hu_12_t_x * t162;
-  const Scalar t180 = s_10 * s_11;
-  const Scalar t181 = Scalar(0.389) * hu_12_t_x;
-  const Scalar t182 = (c_9 * c_11 + s_9 * t180) * t181;
-  const Scalar mu_11_8_z = c_9 * mu_u_11_10_t_x + s_9 * mu_11_9_y + t182;
-  const Scalar t183 = mu_11_8_z * d_11;
-  const Scalar t184 = Scalar(0.389) * hu_10_t_y - (t168 + Scalar(0.02) * t175);
-  const Scalar t185 = c_10 * t154 - t161 * t180;
-  const Scalar t186 = c_11 * hu_12_t_y;
-  const Scalar f_u_12_10_t_x = c_10 * hu_12_t_x + s_10 * t186;
-  const Scalar t187 = s_11 * hu_12_t_y;
-  const Scalar t188 = c_9 * t187 - s_9 * f_u_12_10_t_x;
-  const Scalar mu_12_9_y = mu_12_10_z - Scalar(0.02) * (c_10 * t186 - s_10 * hu_12_t_x);
-  const Scalar mu_u_12_10_t_x = t163 * t162 + t180 * t150;
-  const Scalar t189 = Scalar(0.389) * t188 + c_9 * mu_u_12_10_t_x - s_9 * mu_12_9_y;
-  const Scalar t190 = c_9 * t185 + t189 * t152 - t154 * t183 + s_9 * t184;
-  const Scalar t191 = t179 + t189 * t172 + mu_11_8_z * t159 - t190 * t171;
-  const Scalar t192 = s_10 * t174;
-  const Scalar t193 = Scalar(-0.04) * t175;
-  const Scalar t194 = t173 + t192 - t193 - Scalar(0.03800666666667);
-  const Scalar t195 = t194 - t164 * t172 + mu_11_9_z * t159 - b_11_10_9 * t171;
-  const Scalar t196 = Scalar(1.0) / t195;
-  const Scalar t197 = t191 * t196;
+  const Scalar Ic_9_xz = Ic_10_xy + Scalar(0.02) * hu_10_t_y - c_10 * t180 + Scalar(0.00507);
+  const Scalar t181 = s_9 * s_11;
+  const Scalar t182 = c_10 * hc_10_y - s_10 * hc_10_x;
+  const Scalar t183 = t182 - Scalar(0.08);
+  const Scalar t184 = c_9 * t183 - hu_12_t_x * t181;
+  const Scalar t185 = Scalar(0.389) * t184 - c_9 * Ic_9_xz - t163 * t181;
+  const Scalar mu_u_11_10_t_x = c_10 * mu_11_10_y + s_10 * t165;
+  const Scalar t186 = Scalar(0.02) * hu_12_t_x;
+  const Scalar t187 = t158 - c_10 * t186;
+  const Scalar t188 = Scalar(0.389) * hu_12_t_x;
+  const Scalar t189 = (c_9 * c_11 + s_10 * t181) * t188;
+  const Scalar mu_11_8_z = c_9 * mu_u_11_10_t_x + t181 * t187 + t189;
+  const Scalar t190 = mu_11_8_z * d_11;
+  const Scalar t191 = c_10 * t158 - s_10 * t162;
+  const Scalar t192 = c_9 * s_11;
+  const Scalar t193 = t174 + Scalar(0.02) * t182 - Scalar(0.389) * hu_10_t_y;
+  const Scalar t194 = c_11 * hu_12_t_y;
+  const Scalar f_u_12_10_t_x = s_10 * t194 + c_10 * hu_12_t_x;
+  const Scalar t195 = hu_12_t_y * t192 - s_9 * f_u_12_10_t_x;
+  const Scalar mu_12_9_y = mu_12_10_z - Scalar(0.02) * (c_10 * t194 - s_10 * hu_12_t_x);
+  const Scalar t196 = c_10 * t168 + s_10 * t154;
+  const Scalar t197 = Scalar(0.389) * t195 + t192 * t196 - s_9 * mu_12_9_y;
+  const Scalar t198 = t191 * t192 + t197 * t156 - t159 * t190 - s_9 * t193;
+  const Scalar t199 = Scalar(-69.84866123397676) * t197;
+  const Scalar t200 = t185 + t169 * t199 + mu_11_8_z * t167 + t198 * t177;
+  const Scalar t201 = s_10 * t180;
+  const Scalar t202 = Scalar(-0.04) * t182;
+  const Scalar t203 = t179 + t201 - t202 - Scalar(0.03800666666667);
+  const Scalar t204 = t203 - t169 * t178 + mu_11_9_z * t167 - t170 * t177;
+  const Scalar t205 = Scalar(1.0) / t204;
+  const Scalar t206 = t200 * t205;
   const Scalar f_9_y = Scalar(0.08) * U_9_yx - f_10_z;
   const Scalar f_10_x = Scalar(1.3725) * U_10_xx + Scalar(0.22) * U_10_xy + f_u_11_t_x;
-  const Scalar f_10_y = Scalar(1.3725) * U_10_yx - Scalar(0.22) * U_10_yy - t149;
+  const Scalar f_10_y = Scalar(1.3725) * U_10_yx - Scalar(0.22) * U_10_yy - t153;
   const Scalar f_9_x = Scalar(0.08) * U_9_xx + c_10 * f_10_y + s_10 * f_10_x;
   const Scalar f_u_9_t_x = c_9 * f_9_y + s_9 * f_9_x;
-  const Scalar mu_9_x = Scalar(0.00507) * U_9_yx + Scalar(0.05976333333334) * t148 - c_10 * t147 +
+  const Scalar mu_9_x = Scalar(0.00507) * U_9_yx + Scalar(0.05976333333334) * t152 - c_10 * t151 +
       s_10 * mu_10_x;
-  const Scalar t198 = c_10 * f_10_x - s_10 * f_10_y;
+  const Scalar t207 = c_10 * f_10_x - s_10 * f_10_y;
   const Scalar mu_9_y = Scalar(0.08) * ddp_o_9_y + Scalar(0.02175666666667) * domega_9_y -
-      Scalar(0.03800666666667) * t128 - Scalar(0.00507) * (t130 - omega_r_9_x * omega_r_9_x) -
-      mu_10_z + Scalar(0.02) * t198;
-  const Scalar t199 = t190 * t170;
-  const Scalar t200 = Scalar(-69.84866123397676) * t189;
-  const Scalar y_9_8 = tau_8 - Scalar(1.03624716666667) * t131 - Scalar(0.389) * f_u_9_t_x -
-      c_9 * mu_9_x + s_9 * mu_9_y + y_12 * t200 - y_11 * t183 - t199 * y_11_10 + t197 * y_10_9 -
+      Scalar(0.03800666666667) * t132 - Scalar(0.00507) * (t134 - omega_r_9_x * omega_r_9_x) -
+      mu_10_z + Scalar(0.02) * t207;
+  const Scalar t208 = t198 * t176;
+  const Scalar y_9_8 = tau_8 - Scalar(1.03624716666667) * t135 - Scalar(0.389) * f_u_9_t_x -
+      c_9 * mu_9_x + s_9 * mu_9_y + y_12 * t199 - y_11 * t190 - t208 * y_11_10 + t206 * y_10_9 -
       Scalar(27.463095) * c_7 * s_8;
-  const Scalar Iu_10_t_xx = Ic_10_yy + t192;
-  const Scalar t201 = t168 - t193 + Scalar(0.02175666666667);
-  const Scalar Iu_9_t_d = Iu_10_t_xx + t201;
-  const Scalar t202 = t185 - Scalar(0.02) * t177;
-  const Scalar t203 = Scalar(2.0) * c_9 * t202 - s_9 * Iu_9_t_d;
-  const Scalar t204 = c_8 * (t202 - c_9 * t203);
-  const Scalar t205 = c_9 * t177 + s_9 * t176;
-  const Scalar t206 = c_8 * (Scalar(0.389) * t205 + c_9 * Iu_10_t_yz - s_9 * Ic_9_xz);
-  const Scalar t207 = (c_9 * t180 - s_9 * c_11) * t181;
-  const Scalar t208 = c_8 * (c_9 * mu_11_9_y - s_9 * mu_u_11_10_t_x + t207) - s_8 * mu_11_9_z;
-  const Scalar t209 = t208 * d_11;
-  const Scalar t210 = c_8 * (s_9 * t185 - c_9 * t184);
-  const Scalar f_u_12_9_t_y = c_9 * f_u_12_10_t_x + s_9 * t187;
-  const Scalar mu_12_8_x = Scalar(0.389) * f_u_12_9_t_y + c_9 * mu_12_9_y + s_9 * mu_u_12_10_t_x;
-  const Scalar mu_u_12_8_t_y = c_8 * mu_12_8_x - s_8 * t164;
-  const Scalar t211 = t210 + s_8 * Iu_10_t_yz + mu_u_12_8_t_y * t152 + t154 * t209;
-  const Scalar t212 = t206 + s_8 * t194 + mu_u_12_8_t_y * t172 - t208 * t159 - t211 * t171;
-  const Scalar t213 = t204 - s_8 * t179 + mu_u_12_8_t_y * t200 + t208 * t183 + t211 * t199 +
-      t212 * t197;
-  const Scalar t214 = s_9 * t203;
-  const Scalar t215 = Scalar(0.778) * hu_10_t_y;
-  const Scalar b_9_8_8 = Iu_10_t_xx + t214 + t215 + t189 * t200 - mu_11_8_z * t183 + t190 * t199 +
-      t191 * t197 + Scalar(1.03820716666667);
-  const Scalar d_8 = Scalar(1.0) / b_9_8_8;
-  const Scalar t216 = t213 * d_8;
-  const Scalar t217 = c_9 * f_9_x - s_9 * f_9_y;
-  const Scalar mu_8_x = Scalar(27.463095) * s_7 - Scalar(2.07445433333334) * t119 -
-      Scalar(0.389) * t217 + c_9 * mu_9_y + s_9 * mu_9_x;
-  const Scalar mu_8_y = Scalar(0.00196) * t120 + mu_9_z;
-  const Scalar t218 = t212 * t196;
-  const Scalar t219 = t211 * t170;
+  const Scalar Iu_10_t_xx = Ic_10_yy + t201;
+  const Scalar t209 = t174 - t202 + Scalar(0.02175666666667);
+  const Scalar Iu_9_t_d = Iu_10_t_xx + t209;
+  const Scalar t210 = s_11 * t186 - s_11 * t191;
+  const Scalar t211 = Scalar(2.0) * c_9 * t210 + s_9 * Iu_9_t_d;
+  const Scalar t212 = c_8 * (t210 - c_9 * t211);
+  const Scalar t213 = hu_12_t_x * t192 + s_9 * t183;
+  const Scalar t214 = c_8 * (Scalar(0.389) * t213 + t163 * t192 - s_9 * Ic_9_xz);
+  const Scalar t215 = (s_10 * t192 - s_9 * c_11) * t188;
+  const Scalar t216 = c_8 * (t192 * t187 - s_9 * mu_u_11_10_t_x + t215) - s_8 * mu_11_9_z;
+  const Scalar t217 = t216 * d_11;
+  const Scalar t218 = c_8 * (t191 * t181 + c_9 * t193);
+  const Scalar f_u_12_9_t_y = c_9 * f_u_12_10_t_x + hu_12_t_y * t181;
+  const Scalar mu_12_8_x = Scalar(0.389) * f_u_12_9_t_y + c_9 * mu_12_9_y + t181 * t196;
+  const Scalar mu_u_12_8_t_y = c_8 * mu_12_8_x - s_8 * t169;
+  const Scalar t219 = t218 + s_8 * t164 + mu_u_12_8_t_y * t156 + t159 * t217;
   const Scalar t220 = Scalar(69.84866123397676) * mu_u_12_8_t_y;
-  const Scalar y_8_7 = tau_7 - c_8 * mu_8_x - s_8 * mu_8_y - y_12 * t220 + y_11 * t209 -
-      t219 * y_11_10 + t218 * y_10_9 - t216 * y_9_8;
-  const Scalar t221 = t201 + t214 - t215;
-  const Scalar t222 = s_8 * (Scalar(2.0) * t206 + s_8 * (t194 - t221 + Scalar(1.03624716666667)));
-  const Scalar t223 = t221 + t222 + mu_u_12_8_t_y * t220 + t208 * t209 - t211 * t219 - t212 * t218 +
-      t213 * t216 - Scalar(1.04016716666667);
-  const Scalar t224 = (Scalar(1.0) / t223) * y_8_7;
-  qdd[6] = -t224;
-  const Scalar qdd_2 = d_2 * (y_3_2 + t101 * t112);
+  const Scalar t221 = t214 + s_8 * t203 - t169 * t220 - t216 * t167 + t219 * t177;
+  const Scalar t222 = t212 + s_8 * t185 - mu_u_12_8_t_y * t199 - t216 * t190 - t219 * t208 -
+      t221 * t206;
+  const Scalar t223 = s_9 * t211;
+  const Scalar t224 = Scalar(0.778) * hu_10_t_y;
+  const Scalar b_9_8_8 = Iu_10_t_xx - t223 + t224 + t197 * t199 - mu_11_8_z * t190 + t198 * t208 +
+      t200 * t206 + Scalar(1.03820716666667);
+  const Scalar d_8 = Scalar(1.0) / b_9_8_8;
+  const Scalar t225 = t222 * d_8;
+  const Scalar t226 = c_9 * f_9_x - s_9 * f_9_y;
+  const Scalar mu_8_x = Scalar(27.463095) * s_7 - Scalar(2.07445433333334) * t123 -
+      Scalar(0.389) * t226 + c_9 * mu_9_y + s_9 * mu_9_x;
+  const Scalar mu_8_y = Scalar(0.00196) * t124 + mu_9_z;
+  const Scalar t227 = t221 * t205;
+  const Scalar t228 = t219 * t176;
+  const Scalar y_8_7 = tau_7 - c_8 * mu_8_x - s_8 * mu_8_y - y_12 * t220 + y_11 * t217 -
+      t228 * y_11_10 + t227 * y_10_9 + t225 * y_9_8;
+  const Scalar t229 = t209 - t223 - t224;
+  const Scalar t230 = s_8 * (Scalar(2.0) * t214 + s_8 * (t203 - t229 + Scalar(1.03624716666667)));
+  const Scalar t231 = t229 + t230 + mu_u_12_8_t_y * t220 + t216 * t217 - t219 * t228 - t221 * t227 +
+      t222 * t225 - Scalar(1.04016716666667);
+  const Scalar t232 = (Scalar(1.0) / t231) * y_8_7;
+  qdd[6] = -t232;
+  const Scalar qdd_2 = d_2 * (y_3_2 - t106 * t116);
   qdd[1] = qdd_2;
-  const Scalar qdd_8 = d_8 * (y_9_8 + t213 * t224);
+  const Scalar qdd_8 = d_8 * (y_9_8 - t222 * t232);
   qdd[7] = qdd_8;
-  const Scalar t225 = t84 * ((y_4_3 - t79 * qdd_2) + t100 * t112);
-  qdd[2] = -t225;
-  const Scalar t226 = t196 * ((y_10_9 - t191 * qdd_8) + t212 * t224);
-  qdd[8] = -t226;
-  const Scalar t227 = t58 * ((t78 * qdd_2 - t99 * t112) + (y_5_4 + b_5_4_3 * t225));
-  qdd[3] = -t227;
-  const Scalar t228 = t170 * ((t190 * qdd_8 - t211 * t224) + (y_11_10 + b_11_10_9 * t226));
-  qdd[9] = -t228;
-  const Scalar t229 = (y_6 + mu_6_4_z * t227) + mu_u_6_2_t_y * t112;
-  qdd[5] = Scalar(69.84866123397676) * t229 +
-      Scalar(69.84866123397676) * (t52 * t225 - t77 * qdd_2);
-  const Scalar t230 = (y_12 + mu_12_10_z * t228) + mu_u_12_8_t_y * t224;
-  qdd[11] = Scalar(69.84866123397676) * t230 +
-      Scalar(69.84866123397676) * (t164 * t226 - t189 * qdd_8);
-  const Scalar t231 = (y_5 - t42 * t227) - t96 * t112;
-  qdd[4] = d_5 * (t231 - (mu_5_3_z * t225 + mu_5_2_z * qdd_2));
-  const Scalar t232 = (y_11 - t154 * t228) - t208 * t224;
-  qdd[10] = d_11 * (t232 - (mu_11_9_z * t226 + mu_11_8_z * qdd_8));
-  const Scalar t233 = s_32 * s_32;
-  const Scalar t234 = Scalar(0.0005096) * t233;
-  const Scalar Iu_32_t_xx = t234 - Scalar(0.0005096);
+  const Scalar t233 = t89 * (y_4_3 - t84 * qdd_2 + t105 * t116);
+  qdd[2] = -t233;
+  const Scalar t234 = t205 * (y_10_9 - t200 * qdd_8 + t221 * t232);
+  qdd[8] = -t234;
+  const Scalar t235 = t60 * (y_5_4 + t82 * qdd_2 - t103 * t116 - t54 * t233);
+  qdd[3] = -t235;
+  const Scalar t236 = t176 * (y_11_10 + t198 * qdd_8 - t219 * t232 - t170 * t234);
+  qdd[9] = -t236;
+  const Scalar t237 = y_5 - t43 * t235 - t100 * t116 - mu_5_3_z * t233 - mu_5_2_z * qdd_2;
+  qdd[4] = d_5 * t237;
+  const Scalar t238 = y_6 + mu_6_4_z * t235 + mu_u_6_2_t_y * t116;
+  qdd[5] = Scalar(69.84866123397676) * t238 +
+      Scalar(69.84866123397676) * (t53 * t233 - t81 * qdd_2);
+  const Scalar t239 = y_11 - t159 * t236 - t216 * t232 - mu_11_9_z * t234 - mu_11_8_z * qdd_8;
+  qdd[10] = d_11 * t239;
+  const Scalar t240 = y_12 + mu_12_10_z * t236 + mu_u_12_8_t_y * t232;
+  qdd[11] = Scalar(69.84866123397676) * t240 +
+      Scalar(69.84866123397676) * (t169 * t234 - t197 * qdd_8);
+  const Scalar t241 = s_32 * s_32;
+  const Scalar t242 = Scalar(0.0005096) * t241;
+  const Scalar Iu_32_t_xx = t242 - Scalar(0.0005096);
   const Scalar Iu_31_t_d = Iu_32_t_xx - Scalar(0.0235906);
-  const Scalar t235 = s_31 * c_32;
-  const Scalar t236 = c_31 * Iu_31_t_d - Scalar(0.0014964) * t235;
-  const Scalar t237 = c_31 * t236;
-  const Scalar t238 = t237 + Scalar(0.0235906);
-  const Scalar Ic_31_zz = t234 + Scalar(0.0253235000000002);
+  const Scalar t243 = s_31 * c_32;
+  const Scalar t244 = c_31 * Iu_31_t_d - Scalar(0.0014964) * t243;
+  const Scalar t245 = c_31 * t244;
+  const Scalar t246 = t245 + Scalar(0.0235906);
+  const Scalar Ic_31_zz = t242 + Scalar(0.0253235000000002);
   const Scalar Ic_30_yy = Ic_31_zz - Scalar(0.0253235000000002);
-  const Scalar t239 = c_31 * c_32;
-  const Scalar t240 = s_31 + Scalar(0.6811013098102112) * t239;
-  const Scalar t241 = Scalar(0.0014964) * c_30 * s_32 * t240 - s_30 * (t238 + Ic_30_yy);
-  const Scalar t242 = s_30 * t241;
-  const Scalar t243 = Scalar(0.0094) * c_32;
-  const Scalar hu_31_t_y = Scalar(0.1902) * c_31 + s_31 * t243;
-  const Scalar t244 = Scalar(0.478) * hu_31_t_y;
-  const Scalar Ic_29_xx = Ic_30_yy + t242 + t244;
-  const Scalar Ic_30_zz = Iu_32_t_xx - t237 - Scalar(0.0259635000000002);
-  const Scalar hu_31_t_x = Scalar(0.1902) * s_31 - c_31 * t243;
-  const Scalar t245 = Scalar(0.0094) * s_32;
-  const Scalar t246 = c_30 * t245;
-  const Scalar t247 = t246 - s_30 * hu_31_t_x;
-  const Scalar t248 = Scalar(-0.008) * t247;
-  const Scalar Ic_29_yy = Ic_30_zz - t248 + Scalar(0.2262745000000002);
+  const Scalar t247 = c_31 * c_32;
+  const Scalar t248 = s_31 + Scalar(0.6811013098102112) * t247;
+  const Scalar t249 = Scalar(0.0014964) * c_30 * s_32 * t248 - s_30 * (t246 + Ic_30_yy);
+  const Scalar t250 = s_30 * t249;
+  const Scalar t251 = Scalar(0.0094) * c_32;
+  const Scalar hu_31_t_y = Scalar(0.1902) * c_31 + s_31 * t251;
+  const Scalar t252 = Scalar(0.478) * hu_31_t_y;
+  const Scalar Ic_29_xx = Ic_30_yy + t250 + t252;
+  const Scalar Ic_30_zz = Iu_32_t_xx - t245 - Scalar(0.0259635000000002);
+  const Scalar hu_31_t_x = Scalar(0.1902) * s_31 - c_31 * t251;
+  const Scalar t253 = Scalar(0.0094) * s_32;
+  const Scalar t254 = c_30 * t253;
+  const Scalar t255 = t254 - s_30 * hu_31_t_x;
+  const Scalar t256 = Scalar(-0.008) * t255;
+  const Scalar Ic_29_yy = Ic_30_zz - t256 + Scalar(0.2262745000000002);
   const Scalar Iu_29_t_d = Ic_29_xx + Ic_29_yy;
-  const Scalar Iu_31_t_xy = Scalar(0.0007482) * c_32 + s_31 * t236;
-  const Scalar t249 = c_31 - Scalar(0.6811013098102112) * t235;
-  const Scalar t250 = Scalar(0.0007482) * s_32;
-  const Scalar t251 = c_30 * t250;
-  const Scalar Iu_30_t_xz = t249 * t251 + s_30 * Iu_31_t_xy;
-  const Scalar t252 = Scalar(0.239) * t247 + Iu_30_t_xz;
-  const Scalar Ic_29_xy = Scalar(0.004) * hu_31_t_y - t252 + Scalar(0.0050592);
-  const Scalar t253 = c_29 * Iu_29_t_d - Scalar(2.0) * s_29 * Ic_29_xy;
-  const Scalar t254 = c_29 * t253;
-  const Scalar Iu_29_t_xx = Ic_29_yy - t254;
-  const Scalar t255 = t238 + t242 - t244 - t248 - Scalar(0.2298769000000002);
-  const Scalar t256 = t247 - Scalar(0.0328);
+  const Scalar Iu_31_t_xy = Scalar(0.0007482) * c_32 + s_31 * t244;
+  const Scalar t257 = c_31 - Scalar(0.6811013098102112) * t243;
+  const Scalar t258 = Scalar(0.0007482) * s_32;
+  const Scalar t259 = c_30 * t258;
+  const Scalar t260 = Scalar(0.239) * t255 + t257 * t259 + s_30 * Iu_31_t_xy;
+  const Scalar Ic_29_xy = Scalar(0.004) * hu_31_t_y - t260 + Scalar(0.0050592);
+  const Scalar t261 = c_29 * Iu_29_t_d - Scalar(2.0) * s_29 * Ic_29_xy;
+  const Scalar t262 = c_29 * t261;
+  const Scalar Iu_29_t_xx = Ic_29_yy - t262;
+  const Scalar t263 = t246 + t250 - t252 - t256 - Scalar(0.2298769000000002);
+  const Scalar t264 = t255 - Scalar(0.0328);
   const Scalar hc_29_y = hu_31_t_y + Scalar(0.8648);
-  const Scalar t257 = c_29 * t256 - s_29 * hc_29_y;
-  const Scalar t258 = Scalar(-0.008) * t257;
-  const Scalar t259 = t255 + t258 + Scalar(0.2282085000000002);
-  const Scalar Iu_28_t_d = Iu_29_t_xx - t259;
-  const Scalar t260 = s_30 * t245;
-  const Scalar hu_30_t_y = c_30 * hu_31_t_x + t260;
-  const Scalar t261 = Scalar(0.004) * hu_30_t_y;
-  const Scalar t262 = c_30 * t241 - t261 - t240 * t250;
-  const Scalar t263 = s_30 * t250;
-  const Scalar Ic_29_yz = Scalar(0.239) * hu_30_t_y - c_30 * Iu_31_t_xy + t249 * t263;
-  const Scalar t264 = c_29 * t262 - s_29 * Ic_29_yz;
-  const Scalar Ic_28_xy = t261 + t264;
+  const Scalar t265 = c_29 * t264 - s_29 * hc_29_y;
+  const Scalar t266 = Scalar(-0.008) * t265;
+  const Scalar t267 = t263 + t266 + Scalar(0.2282085000000002);
+  const Scalar Iu_28_t_d = Iu_29_t_xx - t267;
+  const Scalar t268 = s_30 * t253;
+  const Scalar hu_30_t_y = c_30 * hu_31_t_x + t268;
+  const Scalar t269 = Scalar(0.004) * hu_30_t_y;
+  const Scalar t270 = c_30 * t249 - t248 * t258 - t269;
+  const Scalar t271 = s_30 * t258;
+  const Scalar Ic_29_yz = Scalar(0.239) * hu_30_t_y - c_30 * Iu_31_t_xy + t257 * t271;
+  const Scalar t272 = c_29 * t270 - s_29 * Ic_29_yz;
+  const Scalar Ic_28_xy = t269 + t272;
   const Scalar Iu_28_t_g = Scalar(2.0) * c_28 * Ic_28_xy + s_28 * Iu_28_t_d;
-  const Scalar t265 = s_28 * Iu_28_t_g;
-  const Scalar t266 = c_29 * hc_29_y + s_29 * t256;
-  const Scalar t267 = Scalar(-0.61) * t266;
-  const Scalar t268 = t259 + t265 + t267;
-  const Scalar Ic_28_zz = Ic_29_xx - t254 - t258 + Scalar(0.2360429000000002);
+  const Scalar t273 = s_28 * Iu_28_t_g;
+  const Scalar t274 = c_29 * hc_29_y + s_29 * t264;
+  const Scalar t275 = Scalar(-0.61) * t274;
+  const Scalar t276 = t267 + t273 + t275;
+  const Scalar Ic_28_zz = Ic_29_xx - t262 - t266 + Scalar(0.2360429000000002);
   const Scalar Ic_27_yy = Ic_28_zz - Scalar(0.7059807000000002);
-  const Scalar t269 = Ic_29_xy - Scalar(0.004) * t266 + s_29 * t253 - Scalar(0.0023);
-  const Scalar t270 = c_29 * Ic_29_yz + s_29 * t262;
-  const Scalar t271 = t257 - Scalar(0.0032);
-  const Scalar t272 = c_28 * hu_30_t_y;
-  const Scalar t273 = t272 + s_28 * t271;
-  const Scalar t274 = Scalar(0.305) * t273 + c_28 * t270 - s_28 * t269;
-  const Scalar t275 = c_27 * t274;
-  const Scalar t276 = Scalar(2.0) * t275 - s_27 * (t268 + Ic_27_yy);
-  const Scalar t277 = s_27 * t276;
-  const Scalar Iu_27_t_xx = Ic_27_yy + t277;
-  const Scalar t278 = Iu_29_t_xx - t265 + t267 - Scalar(0.7079407000000002);
-  const Scalar t279 = t278 + Scalar(0.7079407000000002);
-  const Scalar Iu_26_t_d = Iu_27_t_xx + t279;
+  const Scalar t277 = Ic_29_xy - Scalar(0.004) * t274 + s_29 * t261 - Scalar(0.0023);
+  const Scalar t278 = c_29 * Ic_29_yz + s_29 * t270;
+  const Scalar t279 = t265 - Scalar(0.0032);
+  const Scalar t280 = c_28 * hu_30_t_y;
+  const Scalar t281 = t280 + s_28 * t279;
+  const Scalar t282 = Scalar(0.305) * t281 + c_28 * t278 - s_28 * t277;
+  const Scalar t283 = c_27 * t282;
+  const Scalar t284 = Scalar(2.0) * t283 - s_27 * (t276 + Ic_27_yy);
+  const Scalar t285 = s_27 * t284;
+  const Scalar Iu_27_t_xx = Ic_27_yy + t285;
+  const Scalar t286 = Iu_29_t_xx - t273 + t275 - Scalar(0.7079407000000002);
+  const Scalar t287 = t286 + Scalar(0.7079407000000002);
+  const Scalar Iu_26_t_d = Iu_27_t_xx + t287;
   const Scalar Iu_28_t_xy = Ic_28_xy - c_28 * Iu_28_t_g;
-  const Scalar t280 = s_28 * hu_30_t_y;
-  const Scalar t281 = c_28 * t271 - t280;
-  const Scalar t282 = Scalar(0.305) * t281 - c_28 * t269 - s_28 * t270;
-  const Scalar Iu_27_t_xz = c_27 * t282 + s_27 * Iu_28_t_xy;
-  const Scalar t283 = s_26 * Iu_27_t_xz;
-  const Scalar t284 = c_26 * Iu_26_t_d - Scalar(2.0) * t283;
-  const Scalar t285 = s_25 * s_25;
-  const Scalar t286 = Scalar(0.0005096) * t285;
-  const Scalar Iu_25_t_xx = t286 - Scalar(0.0005096);
+  const Scalar t288 = s_28 * hu_30_t_y;
+  const Scalar t289 = c_28 * t279 - t288;
+  const Scalar t290 = Scalar(0.305) * t289 - c_28 * t277 - s_28 * t278;
+  const Scalar Iu_27_t_xz = c_27 * t290 + s_27 * Iu_28_t_xy;
+  const Scalar t291 = s_26 * Iu_27_t_xz;
+  const Scalar t292 = c_26 * Iu_26_t_d - Scalar(2.0) * t291;
+  const Scalar t293 = s_25 * s_25;
+  const Scalar t294 = Scalar(0.0005096) * t293;
+  const Scalar Iu_25_t_xx = t294 - Scalar(0.0005096);
   const Scalar Iu_24_t_d = Iu_25_t_xx - Scalar(0.0235906);
-  const Scalar t287 = s_24 * c_25;
-  const Scalar Iu_24_t_g = c_24 * Iu_24_t_d + Scalar(0.0014964) * t287;
-  const Scalar t288 = c_24 * Iu_24_t_g;
-  const Scalar Iu_24_t_xx = t288 + Scalar(0.0235906);
-  const Scalar Ic_24_zz = t286 + Scalar(0.0253235000000002);
+  const Scalar t295 = s_24 * c_25;
+  const Scalar Iu_24_t_g = c_24 * Iu_24_t_d + Scalar(0.0014964) * t295;
+  const Scalar t296 = c_24 * Iu_24_t_g;
+  const Scalar Iu_24_t_xx = t296 + Scalar(0.0235906);
+  const Scalar Ic_24_zz = t294 + Scalar(0.0253235000000002);
   const Scalar Ic_23_yy = Ic_24_zz - Scalar(0.0253235000000002);
   const Scalar Iu_23_t_d = Iu_24_t_xx + Ic_23_yy;
-  const Scalar t289 = c_24 * c_25;
-  const Scalar t290 = s_24 - Scalar(0.6811013098102112) * t289;
-  const Scalar t291 = Scalar(0.0014964) * c_23 * s_25 * t290 + s_23 * Iu_23_t_d;
-  const Scalar t292 = s_23 * t291;
-  const Scalar t293 = Scalar(0.0094) * c_25;
-  const Scalar hu_24_t_y = Scalar(0.1902) * c_24 - s_24 * t293;
-  const Scalar t294 = Scalar(0.478) * hu_24_t_y;
-  const Scalar Ic_22_xx = Ic_23_yy - t292 + t294;
-  const Scalar Ic_23_zz = Iu_25_t_xx - t288 - Scalar(0.0259635000000002);
-  const Scalar hu_24_t_x = Scalar(0.1902) * s_24 + c_24 * t293;
-  const Scalar t295 = Scalar(0.0094) * s_25;
-  const Scalar t296 = c_23 * t295;
-  const Scalar hu_23_t_x = t296 + s_23 * hu_24_t_x;
-  const Scalar t297 = Scalar(0.008) * hu_23_t_x;
-  const Scalar Ic_22_yy = Ic_23_zz - t297 + Scalar(0.2262745000000002);
+  const Scalar t297 = c_24 * c_25;
+  const Scalar t298 = s_24 - Scalar(0.6811013098102112) * t297;
+  const Scalar t299 = Scalar(0.0014964) * c_23 * s_25 * t298 + s_23 * Iu_23_t_d;
+  const Scalar t300 = s_23 * t299;
+  const Scalar t301 = Scalar(0.0094) * c_25;
+  const Scalar hu_24_t_y = Scalar(0.1902) * c_24 - s_24 * t301;
+  const Scalar t302 = Scalar(0.478) * hu_24_t_y;
+  const Scalar Ic_22_xx = Ic_23_yy - t300 + t302;
+  const Scalar Ic_23_zz = Iu_25_t_xx - t296 - Scalar(0.0259635000000002);
+  const Scalar hu_24_t_x = Scalar(0.1902) * s_24 + c_24 * t301;
+  const Scalar t303 = Scalar(0.0094) * s_25;
+  const Scalar t304 = c_23 * t303;
+  const Scalar hu_23_t_x = t304 + s_23 * hu_24_t_x;
+  const Scalar t305 = Scalar(0.008) * hu_23_t_x;
+  const Scalar Ic_22_yy = Ic_23_zz - t305 + Scalar(0.2262745000000002);
   const Scalar Iu_22_t_d = Ic_22_xx + Ic_22_yy;
   const Scalar Iu_24_t_xy = Scalar(0.0007482) * c_25 - s_24 * Iu_24_t_g;
-  const Scalar t298 = c_24 + Scalar(0.6811013098102112) * t287;
-  const Scalar t299 = Scalar(0.0007482) * s_25;
-  const Scalar t300 = c_23 * t299;
-  const Scalar Iu_23_t_xz = t298 * t300 + s_23 * Iu_24_t_xy;
-  const Scalar mu_23_22_x = Scalar(0.239) * hu_23_t_x + Iu_23_t_xz;
+  const Scalar t306 = c_24 + Scalar(0.6811013098102112) * t295;
+  const Scalar t307 = Scalar(0.0007482) * s_25;
+  const Scalar t308 = c_23 * t307;
+  const Scalar mu_23_22_x = Scalar(0.239) * hu_23_t_x + t306 * t308 + s_23 * Iu_24_t_xy;
   const Scalar Ic_22_xy = Scalar(0.004) * hu_24_t_y + mu_23_22_x + Scalar(0.0050592);
-  const Scalar t301 = c_22 * Iu_22_t_d - Scalar(2.0) * s_22 * Ic_22_xy;
-  const Scalar t302 = c_22 * t301;
-  const Scalar Iu_22_t_xx = Ic_22_yy - t302;
-  const Scalar t303 = Iu_24_t_xx - t292 - t294 - t297 - Scalar(0.2298769000000002);
+  const Scalar t309 = c_22 * Iu_22_t_d - Scalar(2.0) * s_22 * Ic_22_xy;
+  const Scalar t310 = c_22 * t309;
+  const Scalar Iu_22_t_xx = Ic_22_yy - t310;
+  const Scalar t311 = Iu_24_t_xx - t300 - t302 - t305 - Scalar(0.2298769000000002);
   const Scalar hc_22_x = hu_23_t_x + Scalar(0.0328);
   const Scalar hc_22_y = hu_24_t_y + Scalar(0.8648);
   const Scalar hu_22_t_x = c_22 * hc_22_x + s_22 * hc_22_y;
-  const Scalar t304 = Scalar(0.008) * hu_22_t_x;
-  const Scalar t305 = t303 + t304 + Scalar(0.2282085000000002);
-  const Scalar Iu_21_t_d = Iu_22_t_xx - t305;
-  const Scalar t306 = s_23 * t295;
-  const Scalar t307 = c_23 * hu_24_t_x - t306;
-  const Scalar t308 = Scalar(-0.004) * t307;
-  const Scalar t309 = c_23 * t291 - t308 - t290 * t299;
-  const Scalar t310 = s_23 * t299;
-  const Scalar t311 = Scalar(0.239) * t307 + c_23 * Iu_24_t_xy - t298 * t310;
-  const Scalar t312 = c_22 * t309 + s_22 * t311;
-  const Scalar t313 = t308 + t312;
-  const Scalar t314 = Scalar(2.0) * c_21 * t313 - s_21 * Iu_21_t_d;
-  const Scalar t315 = s_21 * t314;
-  const Scalar t316 = c_22 * hc_22_y - s_22 * hc_22_x;
-  const Scalar t317 = Scalar(-0.61) * t316;
-  const Scalar t318 = t305 - t315 + t317;
-  const Scalar t319 = Ic_22_xx - t302 - t304 + Scalar(0.2360429000000002);
-  const Scalar t320 = t319 - Scalar(0.7059807000000002);
-  const Scalar t321 = Ic_22_xy - Scalar(0.004) * t316 + s_22 * t301 - Scalar(0.0023);
-  const Scalar t322 = c_22 * t311 - s_22 * t309;
+  const Scalar t312 = Scalar(0.008) * hu_22_t_x;
+  const Scalar t313 = t311 + t312 + Scalar(0.2282085000000002);
+  const Scalar Iu_21_t_d = Iu_22_t_xx - t313;
+  const Scalar t314 = s_23 * t303;
+  const Scalar t315 = c_23 * hu_24_t_x - t314;
+  const Scalar t316 = Scalar(-0.004) * t315;
+  const Scalar t317 = c_23 * t299 - t298 * t307 - t316;
+  const Scalar t318 = s_23 * t307;
+  const Scalar t319 = Scalar(0.239) * t315 + c_23 * Iu_24_t_xy - t306 * t318;
+  const Scalar t320 = c_22 * t317 + s_22 * t319;
+  const Scalar t321 = t316 + t320;
+  const Scalar t322 = Scalar(2.0) * c_21 * t321 - s_21 * Iu_21_t_d;
+  const Scalar t323 = s_21 * t322;
+  const Scalar t324 = c_22 * hc_22_y - s_22 * hc_22_x;
+  const Scalar t325 = Scalar(-0.61) * t324;
+  const Scalar t326 = t313 - t323 + t325;
+  const Scalar t327 = Ic_22_xx - t310 - t312 + Scalar(0.2360429000000002);
+  const Scalar t328 = t327 - Scalar(0.7059807000000002);
+  const Scalar t329 = Ic_22_xy - Scalar(0.004) * t324 + s_22 * t309 - Scalar(0.0023);
+  const Scalar t330 = c_22 * t319 - s_22 * t317;
   const Scalar hc_21_x = hu_22_t_x + Scalar(0.0032);
-  const Scalar t323 = c_21 * t307;
-  const Scalar t324 = t323 - s_21 * hc_21_x;
-  const Scalar t325 = Scalar(0.305) * t324 + c_21 * t322 - s_21 * t321;
-  const Scalar t326 = c_20 * t325;
-  const Scalar t327 = Scalar(2.0) * t326 - s_20 * (t318 + t320);
-  const Scalar t328 = s_20 * t327;
-  const Scalar t329 = t320 + t328;
-  const Scalar t330 = Iu_22_t_xx + t315 + t317 - Scalar(0.7079407000000002);
-  const Scalar t331 = t330 + Scalar(0.7079407000000002);
-  const Scalar t332 = t313 - c_21 * t314;
-  const Scalar t333 = s_21 * t307;
-  const Scalar t334 = c_21 * hc_21_x + t333;
-  const Scalar t335 = Scalar(0.305) * t334 + c_21 * t321 + s_21 * t322;
-  const Scalar t336 = c_20 * t335 + s_20 * t332;
-  const Scalar t337 = s_19 * t336;
-  const Scalar t338 = c_19 * (t329 + t331) + Scalar(2.0) * t337;
-  const Scalar t339 = c_26 * t284 + c_19 * t338;
-  const Scalar t340 = t266 + Scalar(1.661);
-  const Scalar t341 = c_27 * t273 + s_27 * t340;
-  const Scalar t342 = t316 + Scalar(1.661);
-  const Scalar t343 = c_20 * t324 + s_20 * t342;
-  const Scalar t344 = Scalar(-0.48) * (t341 - t343);
+  const Scalar t331 = c_21 * t315;
+  const Scalar t332 = t331 - s_21 * hc_21_x;
+  const Scalar t333 = Scalar(0.305) * t332 + c_21 * t330 - s_21 * t329;
+  const Scalar t334 = c_20 * t333;
+  const Scalar t335 = Scalar(2.0) * t334 - s_20 * (t326 + t328);
+  const Scalar t336 = s_20 * t335;
+  const Scalar t337 = t328 + t336;
+  const Scalar t338 = Iu_22_t_xx + t323 + t325 - Scalar(0.7079407000000002);
+  const Scalar t339 = t338 + Scalar(0.7079407000000002);
+  const Scalar t340 = t321 - c_21 * t322;
+  const Scalar t341 = s_21 * t315;
+  const Scalar t342 = c_21 * hc_21_x + t341;
+  const Scalar t343 = Scalar(0.305) * t342 + c_21 * t329 + s_21 * t330;
+  const Scalar t344 = c_20 * t343 + s_20 * t340;
+  const Scalar t345 = s_19 * t344;
+  const Scalar t346 = c_19 * (t337 + t339) + Scalar(2.0) * t345;
+  const Scalar t347 = c_26 * t292 + c_19 * t346;
+  const Scalar t348 = t274 + Scalar(1.661);
+  const Scalar t349 = c_27 * t281 + s_27 * t348;
+  const Scalar t350 = t324 + Scalar(1.661);
+  const Scalar t351 = c_20 * t332 + s_20 * t350;
+  const Scalar t352 = Scalar(-0.48) * (t349 - t351);
   const Scalar Iu_18_t_g = Scalar(0.0044) * c_18 + Scalar(0.024) * s_18;
-  const Scalar t345 = s_18 * Iu_18_t_g;
-  const Scalar Iu_18_t_xx = t345 - Scalar(0.024);
+  const Scalar t353 = s_18 * Iu_18_t_g;
+  const Scalar Iu_18_t_xx = t353 - Scalar(0.024);
   const Scalar Iu_17_t_d = Iu_18_t_xx - Scalar(0.0002);
-  const Scalar t346 = s_17 * s_17;
-  const Scalar t347 = Iu_17_t_d * t346;
-  const Scalar Ic_16_zz = Iu_18_t_xx - t347 + Scalar(0.035005);
+  const Scalar t354 = s_17 * s_17;
+  const Scalar t355 = Iu_17_t_d * t354;
+  const Scalar Ic_16_zz = Iu_18_t_xx - t355 + Scalar(0.035005);
   const Scalar hu_18_t_y = Scalar(0.02) * c_18 + Scalar(0.22) * s_18;
   const Scalar hu_18_t_x = Scalar(0.22) * c_18 - Scalar(0.02) * s_18;
-  const Scalar t348 = s_16 * s_17;
-  const Scalar hu_16_t_y = c_16 * hu_18_t_y + hu_18_t_x * t348;
-  const Scalar t349 = Scalar(0.006) * hu_16_t_y;
-  const Scalar t350 = t279 + t331 - Ic_16_zz - t339 + t344 + t349;
-  const Scalar t351 = t268 + t277 - Scalar(0.7099007000000002);
-  const Scalar t352 = t318 + t328 - Scalar(0.7099007000000002);
-  const Scalar hu_27_t_x = c_27 * t340 - s_27 * t273;
-  const Scalar t353 = s_26 * t281;
-  const Scalar t354 = c_26 * hu_27_t_x + t353;
-  const Scalar t355 = c_17 * hu_18_t_x;
-  const Scalar hu_20_t_x = c_20 * t342 - s_20 * t324;
-  const Scalar t356 = s_19 * t334;
-  const Scalar hu_19_t_x = c_19 * hu_20_t_x - t356;
-  const Scalar t357 = Scalar(0.66) * hu_19_t_x + (Scalar(0.66) * t354 - Scalar(0.906) * t355);
-  const Scalar Iu_17_t_xx = t347 + Scalar(0.0002);
-  const Scalar Iu_16_t_d = t345 + Iu_17_t_xx;
+  const Scalar t356 = s_16 * s_17;
+  const Scalar hu_16_t_y = c_16 * hu_18_t_y + hu_18_t_x * t356;
+  const Scalar t357 = Scalar(0.006) * hu_16_t_y;
+  const Scalar t358 = t287 + t339 - Ic_16_zz - t347 + t352 + t357;
+  const Scalar t359 = t276 + t285 - Scalar(0.7099007000000002);
+  const Scalar t360 = t326 + t336 - Scalar(0.7099007000000002);
+  const Scalar hu_27_t_x = c_27 * t348 - s_27 * t281;
+  const Scalar t361 = s_26 * t289;
+  const Scalar t362 = c_26 * hu_27_t_x + t361;
+  const Scalar hu_20_t_x = c_20 * t350 - s_20 * t332;
+  const Scalar t363 = s_19 * t342;
+  const Scalar hu_19_t_x = c_19 * hu_20_t_x - t363;
+  const Scalar t364 = c_17 * hu_18_t_x;
+  const Scalar t365 = Scalar(0.66) * (t362 + hu_19_t_x) - Scalar(0.906) * t364;
+  const Scalar Iu_17_t_xx = t355 + Scalar(0.0002);
+  const Scalar Iu_16_t_d = t353 + Iu_17_t_xx;
   const Scalar Iu_18_t_xy = c_18 * Iu_18_t_g - Scalar(0.0022);
-  const Scalar t358 = Iu_18_t_xy * t348;
-  const Scalar Iu_16_t_g = c_16 * Iu_16_t_d + Scalar(2.0) * t358;
-  const Scalar t359 = c_16 * Iu_16_t_g;
-  const Scalar t360 = t351 + t352 + t345 + t349 + t357 - t359 - Scalar(0.5912714333326666);
-  const Scalar t361 = t325 - c_20 * t327;
-  const Scalar t362 = c_20 * t332 - s_20 * t335;
-  const Scalar t363 = Scalar(0.24) * hu_19_t_x + (c_19 * t361 - s_19 * t362);
-  const Scalar t364 = t274 - c_27 * t276;
-  const Scalar Iu_27_t_yz = c_27 * Iu_28_t_xy - s_27 * t282;
-  const Scalar Iu_26_t_xz = c_26 * t364 + s_26 * Iu_27_t_yz;
-  const Scalar t365 = Scalar(0.24) * t354 - Iu_26_t_xz;
-  const Scalar t366 = c_16 * s_17;
-  const Scalar t367 = hu_18_t_x * t366 - s_16 * hu_18_t_y;
-  const Scalar t368 = Scalar(0.453) * t367 - c_17 * (Iu_17_t_d * t366 + s_16 * Iu_18_t_xy);
-  const Scalar t369 = Scalar(0.33) * (t341 + t343) - t368 + t363 - t365;
-  const Scalar t370 = c_15 * (t350 - t360) + Scalar(2.0) * s_15 * t369;
-  const Scalar t371 = c_15 * t370;
-  const Scalar t372 = t360 + t371;
-  const Scalar t373 = Iu_27_t_xx + t329 + Iu_17_t_xx - t339 - t344 - t357 - t359 +
+  const Scalar t366 = Iu_18_t_xy * t356;
+  const Scalar Iu_16_t_g = c_16 * Iu_16_t_d + Scalar(2.0) * t366;
+  const Scalar t367 = c_16 * Iu_16_t_g;
+  const Scalar t368 = t359 + t360 + t353 + t357 + t365 - t367 - Scalar(0.5912714333326666);
+  const Scalar t369 = t333 - c_20 * t335;
+  const Scalar t370 = c_20 * t340 - s_20 * t343;
+  const Scalar t371 = Scalar(0.24) * hu_19_t_x + c_19 * t369 - s_19 * t370;
+  const Scalar t372 = t282 - c_27 * t284;
+  const Scalar Iu_27_t_yz = c_27 * Iu_28_t_xy - s_27 * t290;
+  const Scalar t373 = Scalar(0.24) * t362 - c_26 * t372 - s_26 * Iu_27_t_yz;
+  const Scalar t374 = c_16 * s_17;
+  const Scalar t375 = hu_18_t_x * t374 - s_16 * hu_18_t_y;
+  const Scalar t376 = Scalar(0.453) * t375 - c_17 * (Iu_17_t_d * t374 + s_16 * Iu_18_t_xy);
+  const Scalar t377 = Scalar(0.33) * (t349 + t351) - t376 + t371 - t373;
+  const Scalar t378 = c_15 * (t358 - t368) + Scalar(2.0) * s_15 * t377;
+  const Scalar t379 = c_15 * t378;
+  const Scalar t380 = t368 + t379;
+  const Scalar t381 = Iu_27_t_xx + t337 + Iu_17_t_xx - t347 - t352 - t365 - t367 +
       Scalar(5.512820899999667);
-  const Scalar t374 = c_26 * t281;
-  const Scalar t375 = t374 - s_26 * hu_27_t_x;
-  const Scalar t376 = c_19 * t334;
-  const Scalar hu_19_t_y = t376 + s_19 * hu_20_t_x;
-  const Scalar t377 = c_16 * Iu_18_t_xy;
-  const Scalar t378 = Scalar(0.453) * hu_16_t_y + c_17 * (t377 - Iu_17_t_d * t348);
-  const Scalar t379 = Scalar(0.003) * hu_18_t_x;
-  const Scalar t380 = Iu_27_t_xz - t336 - Scalar(0.33) * (t375 - hu_19_t_y) - t378 + s_26 * t284 +
-      s_19 * t338 + c_17 * t379 - Scalar(0.043998);
-  const Scalar t381 = Scalar(0.24) * hu_19_t_y + (c_19 * t362 + s_19 * t361);
-  const Scalar Iu_26_t_yz = c_26 * Iu_27_t_yz - s_26 * t364;
-  const Scalar t382 = Scalar(0.24) * t375 - Iu_26_t_yz;
-  const Scalar t383 = Scalar(0.003) * t367 + t381 + t382 - s_17 * Iu_18_t_xy + s_16 * Iu_16_t_g;
-  const Scalar t384 = c_14 * (c_15 * t380 - s_15 * t383);
-  const Scalar t385 = s_14 * (Scalar(2.0) * t384 -
-      s_14 * (t373 + t372 - Scalar(2.5051100666670005)));
-  const Scalar t386 = c_14 * (t369 - s_15 * t370);
-  const Scalar t387 = t351 + Scalar(0.33) * t354;
-  const Scalar t388 = c_14 * (c_15 * t365 - s_15 * t387);
-  const Scalar t389 = t278 - Scalar(0.24) * t341;
-  const Scalar t390 = c_26 * Iu_27_t_xz + s_26 * t389;
-  const Scalar mu_27_15_y = Iu_27_t_yz + Scalar(0.33) * s_26 * t341;
-  const Scalar t391 = c_14 * (c_15 * t390 + s_15 * mu_27_15_y);
-  const Scalar t392 = c_27 * Ic_28_zz + s_27 * t274;
-  const Scalar f_u_28_26_t_y = c_26 * t273 - s_27 * t353;
-  const Scalar mu_28_15_x = Scalar(0.24) * f_u_28_26_t_y + c_26 * t392 - s_26 * t282;
-  const Scalar t393 = t275 - s_27 * Ic_28_zz;
-  const Scalar t394 = t393 - Scalar(0.33) * f_u_28_26_t_y;
-  const Scalar t395 = c_14 * (c_15 * mu_28_15_x + s_15 * t394);
-  const Scalar t396 = Scalar(0.305) * t266 - (t255 - Scalar(0.004) * t257);
-  const Scalar t397 = s_28 * t264 - c_28 * t396;
-  const Scalar t398 = c_27 * t270 - s_27 * t397;
-  const Scalar t399 = c_28 * t264 + s_28 * t396;
-  const Scalar t400 = s_28 * t266;
-  const Scalar t401 = c_27 * t257 + s_27 * t400;
-  const Scalar t402 = c_28 * t266;
-  const Scalar t403 = c_26 * t402 + s_26 * t401;
-  const Scalar t404 = Scalar(0.24) * t403 + c_26 * t398 + s_26 * t399;
-  const Scalar t405 = c_27 * t397 + s_27 * t270;
-  const Scalar t406 = t405 + Scalar(0.33) * t403;
-  const Scalar mu_u_29_15_t_x = c_15 * t404 - s_15 * t406;
-  const Scalar t407 = Scalar(-0.004) * t247;
-  const Scalar mu_30_29_y = Ic_30_zz - t407;
-  const Scalar t408 = c_29 * t252 - s_29 * mu_30_29_y;
-  const Scalar t409 = s_29 * hu_30_t_y;
-  const Scalar mu_30_28_y = Ic_29_yz - Scalar(0.004) * t409;
-  const Scalar t410 = c_29 * t272 + s_28 * t247;
-  const Scalar t411 = Scalar(0.305) * t410 + c_28 * mu_30_28_y + s_28 * t408;
-  const Scalar t412 = t407 + c_29 * mu_30_29_y + s_29 * t252;
-  const Scalar t413 = c_27 * t412 - s_27 * t411;
-  const Scalar t414 = c_28 * t247 - c_29 * t280;
-  const Scalar t415 = Scalar(0.305) * t414 + c_28 * t408 - s_28 * mu_30_28_y;
-  const Scalar t416 = c_27 * t409 + s_27 * t414;
-  const Scalar f_u_30_26_t_y = c_26 * t410 - s_26 * t416;
-  const Scalar mu_30_15_x = Scalar(0.24) * f_u_30_26_t_y - c_26 * t413 - s_26 * t415;
-  const Scalar t417 = c_27 * t411 + s_27 * t412;
-  const Scalar t418 = t417 - Scalar(0.33) * f_u_30_26_t_y;
-  const Scalar t419 = c_14 * (c_15 * mu_30_15_x + s_15 * t418);
-  const Scalar f_u_32_30_t_y = c_31 * t246 + s_30 * t243;
-  const Scalar t420 = Scalar(0.004) * f_u_32_30_t_y;
-  const Scalar mu_u_32_31_t_y = Scalar(0.0014129000000002) * c_31 - Scalar(0.0007482) * t235;
-  const Scalar mu_32_29_y = mu_u_32_31_t_y - t420;
-  const Scalar mu_u_32_31_t_x = Scalar(0.0014129000000002) * s_31 + Scalar(0.0007482) * t239;
-  const Scalar mu_32_29_x = t251 + Scalar(0.239) * f_u_32_30_t_y + s_30 * mu_u_32_31_t_x;
+  const Scalar t382 = c_26 * t289;
+  const Scalar t383 = t382 - s_26 * hu_27_t_x;
+  const Scalar t384 = c_19 * t342;
+  const Scalar hu_19_t_y = t384 + s_19 * hu_20_t_x;
+  const Scalar t385 = c_16 * Iu_18_t_xy;
+  const Scalar t386 = Scalar(0.453) * hu_16_t_y + c_17 * (t385 - Iu_17_t_d * t356);
+  const Scalar t387 = Scalar(0.003) * hu_18_t_x;
+  const Scalar t388 = Iu_27_t_xz - t344 - Scalar(0.33) * (t383 - hu_19_t_y) - t386 + s_26 * t292 +
+      s_19 * t346 + c_17 * t387 - Scalar(0.043998);
+  const Scalar t389 = Scalar(0.24) * hu_19_t_y + c_19 * t370 + s_19 * t369;
+  const Scalar t390 = Scalar(0.24) * t383 - c_26 * Iu_27_t_yz + s_26 * t372;
+  const Scalar t391 = Scalar(0.003) * t375 + t389 + t390 - s_17 * Iu_18_t_xy + s_16 * Iu_16_t_g;
+  const Scalar t392 = c_14 * (c_15 * t388 - s_15 * t391);
+  const Scalar t393 = s_14 * (Scalar(2.0) * t392 -
+      s_14 * (t381 + t380 - Scalar(2.5051100666670005)));
+  const Scalar t394 = c_14 * (t377 - s_15 * t378);
+  const Scalar t395 = t359 + Scalar(0.33) * t362;
+  const Scalar t396 = c_14 * (c_15 * t373 - s_15 * t395);
+  const Scalar t397 = t286 - Scalar(0.24) * t349;
+  const Scalar t398 = c_26 * Iu_27_t_xz + s_26 * t397;
+  const Scalar mu_27_15_y = Iu_27_t_yz + Scalar(0.33) * s_26 * t349;
+  const Scalar t399 = c_14 * (c_15 * t398 + s_15 * mu_27_15_y);
+  const Scalar t400 = c_27 * Ic_28_zz + s_27 * t282;
+  const Scalar f_u_28_26_t_y = c_26 * t281 - s_27 * t361;
+  const Scalar mu_28_15_x = Scalar(0.24) * f_u_28_26_t_y + c_26 * t400 - s_26 * t290;
+  const Scalar t401 = t283 - s_27 * Ic_28_zz;
+  const Scalar t402 = t401 - Scalar(0.33) * f_u_28_26_t_y;
+  const Scalar t403 = c_14 * (c_15 * mu_28_15_x + s_15 * t402);
+  const Scalar t404 = t263 - Scalar(0.004) * t265 - Scalar(0.305) * t274;
+  const Scalar t405 = s_28 * t272 + c_28 * t404;
+  const Scalar t406 = c_27 * t278 - s_27 * t405;
+  const Scalar t407 = c_28 * t272 - s_28 * t404;
+  const Scalar t408 = s_28 * t274;
+  const Scalar t409 = c_27 * t265 + s_27 * t408;
+  const Scalar t410 = c_28 * t274;
+  const Scalar t411 = c_26 * t410 + s_26 * t409;
+  const Scalar t412 = Scalar(0.24) * t411 + c_26 * t406 + s_26 * t407;
+  const Scalar t413 = c_27 * t405 + s_27 * t278;
+  const Scalar t414 = t413 + Scalar(0.33) * t411;
+  const Scalar mu_u_29_15_t_x = c_15 * t412 - s_15 * t414;
+  const Scalar t415 = Scalar(-0.004) * t255;
+  const Scalar mu_30_29_y = Ic_30_zz - t415;
+  const Scalar t416 = c_29 * t260 - s_29 * mu_30_29_y;
+  const Scalar t417 = s_29 * hu_30_t_y;
+  const Scalar mu_30_28_y = Ic_29_yz - Scalar(0.004) * t417;
+  const Scalar t418 = c_29 * t280 + s_28 * t255;
+  const Scalar t419 = Scalar(0.305) * t418 + c_28 * mu_30_28_y + s_28 * t416;
+  const Scalar t420 = t415 + c_29 * mu_30_29_y + s_29 * t260;
+  const Scalar t421 = c_27 * t420 - s_27 * t419;
+  const Scalar t422 = c_28 * t255 - c_29 * t288;
+  const Scalar t423 = Scalar(0.305) * t422 + c_28 * t416 - s_28 * mu_30_28_y;
+  const Scalar t424 = c_27 * t417 + s_27 * t422;
+  const Scalar f_u_30_26_t_y = c_26 * t418 - s_26 * t424;
+  const Scalar mu_30_15_x = Scalar(0.24) * f_u_30_26_t_y - c_26 * t421 - s_26 * t423;
+  const Scalar t425 = c_27 * t419 + s_27 * t420;
+  const Scalar t426 = t425 - Scalar(0.33) * f_u_30_26_t_y;
+  const Scalar t427 = c_14 * (c_15 * mu_30_15_x + s_15 * t426);
+  const Scalar f_u_32_30_t_y = c_31 * t254 + s_30 * t251;
+  const Scalar t428 = Scalar(0.004) * f_u_32_30_t_y;
+  const Scalar mu_u_32_31_t_y = Scalar(0.0014129000000002) * c_31 - Scalar(0.0007482) * t243;
+  const Scalar mu_32_29_y = mu_u_32_31_t_y - t428;
+  const Scalar mu_u_32_31_t_x = Scalar(0.0014129000000002) * s_31 + Scalar(0.0007482) * t247;
+  const Scalar mu_32_29_x = t259 + Scalar(0.239) * f_u_32_30_t_y + s_30 * mu_u_32_31_t_x;
   const Scalar mu_u_32_29_t_x = c_29 * mu_32_29_x + s_29 * mu_32_29_y;
-  const Scalar t421 = c_30 * t243 - c_31 * t260;
-  const Scalar t422 = s_31 * t245;
-  const Scalar f_u_32_29_t_x = c_29 * t421 + s_29 * t422;
-  const Scalar t423 = c_28 * f_u_32_29_t_x - s_28 * f_u_32_30_t_y;
-  const Scalar f_u_32_29_t_y = c_29 * t422 - s_29 * t421;
-  const Scalar mu_32_29_z = t263 - Scalar(0.239) * t421 + Scalar(0.0000376) * s_31 * s_32 -
+  const Scalar t429 = c_30 * t251 - c_31 * t268;
+  const Scalar t430 = s_31 * t253;
+  const Scalar f_u_32_29_t_x = c_29 * t429 + s_29 * t430;
+  const Scalar t431 = c_28 * f_u_32_29_t_x - s_28 * f_u_32_30_t_y;
+  const Scalar f_u_32_29_t_y = c_29 * t430 - s_29 * t429;
+  const Scalar mu_32_29_z = t271 - Scalar(0.239) * t429 + Scalar(0.0000376) * s_31 * s_32 -
       c_30 * mu_u_32_31_t_x;
   const Scalar mu_32_28_y = mu_32_29_z - Scalar(0.004) * f_u_32_29_t_y;
-  const Scalar t424 = Scalar(0.305) * t423 - c_28 * mu_32_28_y - s_28 * mu_u_32_29_t_x;
-  const Scalar mu_32_28_z = t420 + c_29 * mu_32_29_y - s_29 * mu_32_29_x;
-  const Scalar mu_u_32_27_t_x = c_27 * mu_32_28_z - s_27 * t424;
+  const Scalar t432 = Scalar(0.305) * t431 - c_28 * mu_32_28_y - s_28 * mu_u_32_29_t_x;
+  const Scalar mu_32_28_z = t428 + c_29 * mu_32_29_y - s_29 * mu_32_29_x;
+  const Scalar mu_u_32_27_t_x = c_27 * mu_32_28_z - s_27 * t432;
   const Scalar f_u_32_28_t_x = c_28 * f_u_32_30_t_y + s_28 * f_u_32_29_t_x;
   const Scalar f_u_32_27_t_x = c_27 * f_u_32_29_t_y + s_27 * f_u_32_28_t_x;
-  const Scalar f_u_32_26_t_y = c_26 * t423 + s_26 * f_u_32_27_t_x;
+  const Scalar f_u_32_26_t_y = c_26 * t431 + s_26 * f_u_32_27_t_x;
   const Scalar mu_32_27_z = Scalar(0.305) * f_u_32_28_t_x + c_28 * mu_u_32_29_t_x -
       s_28 * mu_32_28_y;
   const Scalar mu_32_15_x = Scalar(0.24) * f_u_32_26_t_y - c_26 * mu_u_32_27_t_x +
       s_26 * mu_32_27_z;
-  const Scalar mu_u_32_27_t_y = c_27 * t424 + s_27 * mu_32_28_z;
+  const Scalar mu_u_32_27_t_y = c_27 * t432 + s_27 * mu_32_28_z;
   const Scalar mu_32_15_y = mu_u_32_27_t_y - Scalar(0.33) * f_u_32_26_t_y;
   const Scalar mu_u_32_15_t_x = c_15 * mu_32_15_x + s_15 * mu_32_15_y;
-  const Scalar f_u_32_26_t_x = c_26 * f_u_32_27_t_x - s_26 * t423;
-  const Scalar t425 = c_27 * f_u_32_28_t_x - s_27 * f_u_32_29_t_y;
-  const Scalar t426 = Scalar(0.33) * t425 - Scalar(0.24) * f_u_32_26_t_x - c_26 * mu_32_27_z -
+  const Scalar f_u_32_26_t_x = c_26 * f_u_32_27_t_x - s_26 * t431;
+  const Scalar t433 = c_27 * f_u_32_28_t_x - s_27 * f_u_32_29_t_y;
+  const Scalar t434 = Scalar(0.33) * t433 - Scalar(0.24) * f_u_32_26_t_x - c_26 * mu_32_27_z -
       s_26 * mu_u_32_27_t_x;
-  const Scalar mu_u_32_14_t_y = c_14 * mu_u_32_15_t_x - s_14 * t426;
-  const Scalar t427 = Scalar(0.5295491542217383) * s_32;
-  const Scalar t428 = Ic_31_zz + Scalar(0.239) * hu_31_t_y;
-  const Scalar mu_31_29_x = t240 * t263 + c_30 * t428;
-  const Scalar t429 = c_30 * hu_31_t_y;
-  const Scalar t430 = Scalar(0.004) * t429;
-  const Scalar t431 = t249 * t250;
-  const Scalar t432 = t430 - t431;
-  const Scalar t433 = c_29 * mu_31_29_x - s_29 * t432;
-  const Scalar t434 = s_30 * hu_31_t_y;
-  const Scalar t435 = c_29 * t434 - s_29 * hu_31_t_x;
-  const Scalar f_u_31_28_t_y = c_28 * t435 + s_28 * t429;
-  const Scalar mu_31_29_z = Scalar(0.004) * hu_31_t_x + s_30 * t428 - t240 * t251;
-  const Scalar f_u_31_29_t_y = c_29 * hu_31_t_x + s_29 * t434;
+  const Scalar mu_u_32_14_t_y = c_14 * mu_u_32_15_t_x - s_14 * t434;
+  const Scalar t435 = Scalar(0.5295491542217383) * s_32;
+  const Scalar t436 = Ic_31_zz + Scalar(0.239) * hu_31_t_y;
+  const Scalar mu_31_29_x = t248 * t271 + c_30 * t436;
+  const Scalar t437 = c_30 * hu_31_t_y;
+  const Scalar t438 = Scalar(0.004) * t437;
+  const Scalar t439 = t257 * t258;
+  const Scalar t440 = t438 - t439;
+  const Scalar t441 = c_29 * mu_31_29_x - s_29 * t440;
+  const Scalar t442 = s_30 * hu_31_t_y;
+  const Scalar t443 = c_29 * t442 - s_29 * hu_31_t_x;
+  const Scalar f_u_31_28_t_y = c_28 * t443 + s_28 * t437;
+  const Scalar mu_31_29_z = Scalar(0.004) * hu_31_t_x + s_30 * t436 - t248 * t259;
+  const Scalar f_u_31_29_t_y = c_29 * hu_31_t_x + s_29 * t442;
   const Scalar mu_31_28_y = mu_31_29_z - Scalar(0.004) * f_u_31_29_t_y;
-  const Scalar mu_31_27_x = Scalar(0.305) * f_u_31_28_t_y + c_28 * mu_31_28_y + s_28 * t433;
-  const Scalar mu_31_28_z = t430 - c_29 * t432 - s_29 * mu_31_29_x;
+  const Scalar mu_31_27_x = Scalar(0.305) * f_u_31_28_t_y + c_28 * mu_31_28_y + s_28 * t441;
+  const Scalar mu_31_28_z = t438 - c_29 * t440 - s_29 * mu_31_29_x;
   const Scalar mu_u_31_27_t_x = c_27 * mu_31_28_z + s_27 * mu_31_27_x;
-  const Scalar f_u_31_28_t_x = c_28 * t429 - s_28 * t435;
+  const Scalar f_u_31_28_t_x = c_28 * t437 - s_28 * t443;
   const Scalar f_u_31_27_t_x = c_27 * f_u_31_29_t_y + s_27 * f_u_31_28_t_x;
-  const Scalar t436 = c_26 * f_u_31_28_t_y - s_26 * f_u_31_27_t_x;
-  const Scalar mu_31_27_z = Scalar(0.305) * f_u_31_28_t_x + c_28 * t433 - s_28 * mu_31_28_y;
-  const Scalar t437 = Scalar(0.24) * t436 + c_26 * mu_u_31_27_t_x - s_26 * mu_31_27_z;
-  const Scalar t438 = c_27 * mu_31_27_x - s_27 * mu_31_28_z;
-  const Scalar t439 = t438 - Scalar(0.33) * t436;
-  const Scalar t440 = c_14 * (c_15 * t437 + s_15 * t439);
+  const Scalar t444 = c_26 * f_u_31_28_t_y - s_26 * f_u_31_27_t_x;
+  const Scalar mu_31_27_z = Scalar(0.305) * f_u_31_28_t_x + c_28 * t441 - s_28 * mu_31_28_y;
+  const Scalar t445 = Scalar(0.24) * t444 + c_26 * mu_u_31_27_t_x - s_26 * mu_31_27_z;
+  const Scalar t446 = c_27 * mu_31_27_x - s_27 * mu_31_28_z;
+  const Scalar t447 = t446 - Scalar(0.33) * t444;
+  const Scalar t448 = c_14 * (c_15 * t445 + s_15 * t447);
   const Scalar f_u_31_26_t_x = c_26 * f_u_31_27_t_x + s_26 * f_u_31_28_t_y;
-  const Scalar t441 = c_27 * f_u_31_28_t_x - s_27 * f_u_31_29_t_y;
-  const Scalar t442 = Scalar(0.33) * t441 - Scalar(0.24) * f_u_31_26_t_x - c_26 * mu_31_27_z -
+  const Scalar t449 = c_27 * f_u_31_28_t_x - s_27 * f_u_31_29_t_y;
+  const Scalar t450 = Scalar(0.33) * t449 - Scalar(0.24) * f_u_31_26_t_x - c_26 * mu_31_27_z -
       s_26 * mu_u_31_27_t_x;
-  const Scalar b_32_31_13 = t440 + s_14 * t442 + mu_u_32_14_t_y * t427;
-  const Scalar t443 = Scalar(0.00039620867718870463) * t233 - Ic_31_zz;
-  const Scalar t444 = Scalar(1.0) / t443;
-  const Scalar t445 = t431 - mu_u_32_31_t_y * t427;
-  const Scalar t446 = t445 * t444;
-  const Scalar t447 = c_26 * t416 + s_26 * t410;
-  const Scalar t448 = c_27 * t414 - s_27 * t409;
-  const Scalar t449 = Scalar(0.33) * t448 - Scalar(0.24) * t447 - c_26 * t415 + s_26 * t413;
-  const Scalar t450 = Scalar(707.7641729774637) * mu_u_32_31_t_y;
-  const Scalar t451 = t419 + s_14 * t449 + mu_u_32_14_t_y * t450 + b_32_31_13 * t446;
-  const Scalar b_32_31_29 = mu_31_29_z - mu_32_29_z * t427;
-  const Scalar b_31_30_29 = Ic_29_yz - mu_32_29_z * t450 + b_32_31_29 * t446;
-  const Scalar b_31_30_30 = Ic_30_zz + mu_u_32_31_t_y * t450 - t445 * t446;
+  const Scalar b_32_31_13 = t448 + s_14 * t450 + mu_u_32_14_t_y * t435;
+  const Scalar t451 = Scalar(0.00039620867718870463) * t241 - Ic_31_zz;
+  const Scalar t452 = Scalar(1.0) / t451;
+  const Scalar t453 = t439 - mu_u_32_31_t_y * t435;
+  const Scalar t454 = t453 * t452;
+  const Scalar t455 = c_26 * t424 + s_26 * t418;
+  const Scalar t456 = c_27 * t422 - s_27 * t417;
+  const Scalar t457 = Scalar(0.33) * t456 - Scalar(0.24) * t455 - c_26 * t423 + s_26 * t421;
+  const Scalar t458 = Scalar(707.7641729774637) * mu_u_32_31_t_y;
+  const Scalar t459 = t427 + s_14 * t457 + mu_u_32_14_t_y * t458 + b_32_31_13 * t454;
+  const Scalar b_32_31_29 = mu_31_29_z - mu_32_29_z * t435;
+  const Scalar b_31_30_29 = Ic_29_yz - mu_32_29_z * t458 + b_32_31_29 * t454;
+  const Scalar b_31_30_30 = Ic_30_zz + mu_u_32_31_t_y * t458 - t453 * t454;
   const Scalar d_30 = Scalar(1.0) / b_31_30_30;
-  const Scalar t452 = b_31_30_29 * d_30;
-  const Scalar f_u_29_26_t_x = c_26 * t401 - s_26 * t402;
-  const Scalar f_u_29_27_t_y = c_27 * t400 - s_27 * t257;
+  const Scalar t460 = b_31_30_29 * d_30;
+  const Scalar f_u_29_26_t_x = c_26 * t409 - s_26 * t410;
+  const Scalar f_u_29_27_t_y = c_27 * t408 - s_27 * t265;
   const Scalar mu_29_15_z = Scalar(0.33) * f_u_29_27_t_y - Scalar(0.24) * f_u_29_26_t_x -
-      c_26 * t399 + s_26 * t398;
-  const Scalar t453 = b_32_31_29 * t444;
-  const Scalar t454 = Scalar(707.7641729774637) * mu_32_29_z;
-  const Scalar t455 = c_14 * mu_u_29_15_t_x - s_14 * mu_29_15_z + mu_u_32_14_t_y * t454 +
-      b_32_31_13 * t453 + t451 * t452;
-  const Scalar b_32_31_28 = mu_31_28_z - mu_32_28_z * t427;
-  const Scalar t456 = t412 + mu_32_28_z * t450 - b_32_31_28 * t446;
-  const Scalar t457 = t270 - mu_32_28_z * t454 + b_32_31_28 * t453 - t456 * t452;
-  const Scalar t458 = t255 + mu_32_29_z * t454 - b_32_31_29 * t453 - b_31_30_29 * t452;
-  const Scalar t459 = Scalar(1.0) / t458;
-  const Scalar t460 = t457 * t459;
-  const Scalar t461 = s_27 * t374 + s_26 * t273;
-  const Scalar t462 = Scalar(0.24) * t461 - Scalar(0.33) * c_27 * t281 + c_26 * t282 + s_26 * t392;
-  const Scalar t463 = t456 * d_30;
-  const Scalar t464 = b_32_31_28 * t444;
-  const Scalar t465 = Scalar(707.7641729774637) * mu_32_28_z;
-  const Scalar t466 = t395 - s_14 * t462 + mu_u_32_14_t_y * t465 + b_32_31_13 * t464 - t451 * t463 +
-      t455 * t460;
-  const Scalar b_32_31_27 = mu_31_27_z - mu_32_27_z * t427;
-  const Scalar t467 = t415 - mu_32_27_z * t450 + b_32_31_27 * t446;
-  const Scalar t468 = t399 + mu_32_27_z * t454 - b_32_31_27 * t453 - t467 * t452;
-  const Scalar t469 = t282 - mu_32_27_z * t465 + b_32_31_27 * t464 - t467 * t463 - t468 * t460;
-  const Scalar b_29_28_28 = Ic_28_zz - mu_32_28_z * t465 + b_32_31_28 * t464 + t456 * t463 +
-      t457 * t460;
+      c_26 * t407 + s_26 * t406;
+  const Scalar t461 = b_32_31_29 * t452;
+  const Scalar t462 = Scalar(707.7641729774637) * mu_32_29_z;
+  const Scalar t463 = c_14 * mu_u_29_15_t_x - s_14 * mu_29_15_z + mu_u_32_14_t_y * t462 +
+      b_32_31_13 * t461 + t459 * t460;
+  const Scalar b_32_31_28 = mu_31_28_z - mu_32_28_z * t435;
+  const Scalar t464 = t420 + mu_32_28_z * t458 - b_32_31_28 * t454;
+  const Scalar t465 = t278 - mu_32_28_z * t462 + b_32_31_28 * t461 - t464 * t460;
+  const Scalar t466 = t263 + mu_32_29_z * t462 - b_32_31_29 * t461 - b_31_30_29 * t460;
+  const Scalar t467 = Scalar(1.0) / t466;
+  const Scalar t468 = t465 * t467;
+  const Scalar t469 = s_27 * t382 + s_26 * t281;
+  const Scalar t470 = Scalar(0.24) * t469 - Scalar(0.33) * c_27 * t289 + c_26 * t290 + s_26 * t400;
+  const Scalar t471 = t464 * d_30;
+  const Scalar t472 = b_32_31_28 * t452;
+  const Scalar t473 = Scalar(707.7641729774637) * mu_32_28_z;
+  const Scalar t474 = t403 - s_14 * t470 + mu_u_32_14_t_y * t473 + b_32_31_13 * t472 - t459 * t471 +
+      t463 * t468;
+  const Scalar b_32_31_27 = mu_31_27_z - mu_32_27_z * t435;
+  const Scalar t475 = t423 - mu_32_27_z * t458 + b_32_31_27 * t454;
+  const Scalar t476 = t407 + mu_32_27_z * t462 - b_32_31_27 * t461 - t475 * t460;
+  const Scalar t477 = t290 - mu_32_27_z * t473 + b_32_31_27 * t472 - t475 * t471 - t476 * t468;
+  const Scalar b_29_28_28 = Ic_28_zz - mu_32_28_z * t473 + b_32_31_28 * t472 + t464 * t471 +
+      t465 * t468;
   const Scalar d_28 = Scalar(1.0) / b_29_28_28;
-  const Scalar t470 = t469 * d_28;
-  const Scalar mu_27_15_z = Scalar(0.33) * hu_27_t_x - t283 + c_26 * t389;
-  const Scalar t471 = t468 * t459;
-  const Scalar t472 = t467 * d_30;
-  const Scalar t473 = b_32_31_27 * t444;
-  const Scalar t474 = Scalar(707.7641729774637) * mu_32_27_z;
-  const Scalar t475 = t391 + s_14 * mu_27_15_z + mu_u_32_14_t_y * t474 + b_32_31_13 * t473 +
-      t451 * t472 - t455 * t471 - t466 * t470;
-  const Scalar t476 = t438 + mu_u_32_27_t_y * t427;
-  const Scalar t477 = t417 + mu_u_32_27_t_y * t450 + t476 * t446;
-  const Scalar t478 = t405 - mu_u_32_27_t_y * t454 - t476 * t453 - t477 * t452;
-  const Scalar t479 = t393 + mu_u_32_27_t_y * t465 + t476 * t464 - t477 * t463 - t478 * t460;
-  const Scalar b_28_27_26 = Iu_27_t_yz + mu_u_32_27_t_y * t474 + t476 * t473 + t477 * t472 +
-      t478 * t471 - t479 * t470;
-  const Scalar t480 = t278 + mu_32_27_z * t474 - b_32_31_27 * t473 - t467 * t472 - t468 * t471 +
-      t469 * t470;
-  const Scalar t481 = Scalar(1.0) / t480;
-  const Scalar t482 = b_28_27_26 * t481;
-  const Scalar t483 = t479 * d_28;
-  const Scalar t484 = t478 * t459;
-  const Scalar t485 = t477 * d_30;
-  const Scalar t486 = t476 * t444;
-  const Scalar t487 = Scalar(707.7641729774637) * mu_u_32_27_t_y;
-  const Scalar t488 = t388 + s_14 * t382 - mu_u_32_14_t_y * t487 + b_32_31_13 * t486 + t451 * t485 -
-      t455 * t484 - t466 * t483 + t475 * t482;
-  const Scalar t489 = t442 - t426 * t427;
-  const Scalar t490 = t449 - t426 * t450 + t489 * t446;
-  const Scalar b_30_29_15 = mu_29_15_z + t426 * t454 - t489 * t453 - t490 * t452;
-  const Scalar t491 = t462 + t426 * t465 - t489 * t464 + t490 * t463 + b_30_29_15 * t460;
-  const Scalar b_28_27_15 = mu_27_15_z - t426 * t474 + t489 * t473 + t490 * t472 +
-      b_30_29_15 * t471 + t491 * t470;
-  const Scalar t492 = t382 + t426 * t487 + t489 * t486 + t490 * t485 + b_30_29_15 * t484 +
-      t491 * t483 + b_28_27_15 * t482;
-  const Scalar t493 = t351 + mu_u_32_27_t_y * t487 - t476 * t486 - t477 * t485 - t478 * t484 +
-      t479 * t483 - b_28_27_26 * t482;
-  const Scalar t494 = Scalar(1.0) / t493;
-  const Scalar t495 = t492 * t494;
-  const Scalar t496 = t352 + Scalar(0.33) * hu_19_t_x;
-  const Scalar mu_u_19_15_t_x = c_15 * t363 + s_15 * t496;
-  const Scalar t497 = t330 + Scalar(0.24) * t343;
-  const Scalar t498 = c_19 * t336 - s_19 * t497;
-  const Scalar t499 = t362 - Scalar(0.33) * s_19 * t343;
-  const Scalar t500 = c_14 * (c_15 * t498 + s_15 * t499);
-  const Scalar t501 = c_20 * t319 + s_20 * t325;
-  const Scalar t502 = c_19 * t324 + s_20 * t356;
-  const Scalar t503 = Scalar(0.24) * t502 - c_19 * t501 - s_19 * t335;
-  const Scalar t504 = t326 - s_20 * t319;
-  const Scalar t505 = t504 - Scalar(0.33) * t502;
-  const Scalar mu_u_21_15_t_x = c_15 * t503 - s_15 * t505;
-  const Scalar t506 = Scalar(0.305) * t316 - (t303 + Scalar(0.004) * hu_22_t_x);
-  const Scalar t507 = s_21 * t312 + c_21 * t506;
-  const Scalar t508 = c_20 * t322 + s_20 * t507;
-  const Scalar t509 = c_21 * t312 - s_21 * t506;
-  const Scalar t510 = s_21 * t316;
-  const Scalar f_u_22_20_t_x = c_20 * hu_22_t_x - s_20 * t510;
-  const Scalar t511 = c_21 * t316;
-  const Scalar t512 = c_19 * t511 - s_19 * f_u_22_20_t_x;
-  const Scalar t513 = Scalar(0.24) * t512 - c_19 * t508 + s_19 * t509;
-  const Scalar t514 = c_20 * t507 - s_20 * t322;
-  const Scalar t515 = t514 - Scalar(0.33) * t512;
-  const Scalar t516 = c_14 * (c_15 * t513 - s_15 * t515);
-  const Scalar t517 = Scalar(0.004) * hu_23_t_x;
-  const Scalar mu_23_22_y = Ic_23_zz - t517;
+  const Scalar t478 = t477 * d_28;
+  const Scalar mu_27_15_z = Scalar(0.33) * hu_27_t_x - t291 + c_26 * t397;
+  const Scalar t479 = t476 * t467;
+  const Scalar t480 = t475 * d_30;
+  const Scalar t481 = b_32_31_27 * t452;
+  const Scalar t482 = Scalar(707.7641729774637) * mu_32_27_z;
+  const Scalar t483 = t399 + s_14 * mu_27_15_z + mu_u_32_14_t_y * t482 + b_32_31_13 * t481 +
+      t459 * t480 - t463 * t479 - t474 * t478;
+  const Scalar t484 = t446 + mu_u_32_27_t_y * t435;
+  const Scalar t485 = t425 + mu_u_32_27_t_y * t458 + t484 * t454;
+  const Scalar t486 = t413 - mu_u_32_27_t_y * t462 - t484 * t461 - t485 * t460;
+  const Scalar t487 = t401 + mu_u_32_27_t_y * t473 + t484 * t472 - t485 * t471 - t486 * t468;
+  const Scalar b_28_27_26 = Iu_27_t_yz + mu_u_32_27_t_y * t482 + t484 * t481 + t485 * t480 +
+      t486 * t479 - t487 * t478;
+  const Scalar t488 = t286 + mu_32_27_z * t482 - b_32_31_27 * t481 - t475 * t480 - t476 * t479 +
+      t477 * t478;
+  const Scalar t489 = Scalar(1.0) / t488;
+  const Scalar t490 = b_28_27_26 * t489;
+  const Scalar t491 = t487 * d_28;
+  const Scalar t492 = t486 * t467;
+  const Scalar t493 = t485 * d_30;
+  const Scalar t494 = t484 * t452;
+  const Scalar t495 = Scalar(707.7641729774637) * mu_u_32_27_t_y;
+  const Scalar t496 = t396 + s_14 * t390 - mu_u_32_14_t_y * t495 + b_32_31_13 * t494 + t459 * t493 -
+      t463 * t492 - t474 * t491 + t483 * t490;
+  const Scalar t497 = t450 - t434 * t435;
+  const Scalar t498 = t457 - t434 * t458 + t497 * t454;
+  const Scalar b_30_29_15 = mu_29_15_z + t434 * t462 - t497 * t461 - t498 * t460;
+  const Scalar t499 = t470 + t434 * t473 - t497 * t472 + t498 * t471 + b_30_29_15 * t468;
+  const Scalar b_28_27_15 = mu_27_15_z - t434 * t482 + t497 * t481 + t498 * t480 +
+      b_30_29_15 * t479 + t499 * t478;
+  const Scalar t500 = t390 + t434 * t495 + t497 * t494 + t498 * t493 + b_30_29_15 * t492 +
+      t499 * t491 + b_28_27_15 * t490;
+  const Scalar t501 = t359 + mu_u_32_27_t_y * t495 - t484 * t494 - t485 * t493 - t486 * t492 +
+      t487 * t491 - b_28_27_26 * t490;
+  const Scalar t502 = Scalar(1.0) / t501;
+  const Scalar t503 = t500 * t502;
+  const Scalar t504 = t360 + Scalar(0.33) * hu_19_t_x;
+  const Scalar mu_u_19_15_t_x = c_15 * t371 + s_15 * t504;
+  const Scalar t505 = t338 + Scalar(0.24) * t351;
+  const Scalar t506 = c_19 * t344 - s_19 * t505;
+  const Scalar t507 = t370 - Scalar(0.33) * s_19 * t351;
+  const Scalar t508 = c_14 * (c_15 * t506 + s_15 * t507);
+  const Scalar t509 = c_20 * t327 + s_20 * t333;
+  const Scalar t510 = c_19 * t332 + s_20 * t363;
+  const Scalar t511 = Scalar(0.24) * t510 - c_19 * t509 - s_19 * t343;
+  const Scalar t512 = t334 - s_20 * t327;
+  const Scalar t513 = t512 - Scalar(0.33) * t510;
+  const Scalar mu_u_21_15_t_x = c_15 * t511 - s_15 * t513;
+  const Scalar t514 = t311 + Scalar(0.004) * hu_22_t_x - Scalar(0.305) * t324;
+  const Scalar t515 = s_21 * t320 - c_21 * t514;
+  const Scalar t516 = c_20 * t330 + s_20 * t515;
+  const Scalar t517 = c_21 * t320 + s_21 * t514;
+  const Scalar t518 = s_21 * t324;
+  const Scalar f_u_22_20_t_x = c_20 * hu_22_t_x - s_20 * t518;
+  const Scalar t519 = c_21 * t324;
+  const Scalar t520 = c_19 * t519 - s_19 * f_u_22_20_t_x;
+  const Scalar t521 = Scalar(0.24) * t520 - c_19 * t516 + s_19 * t517;
+  const Scalar t522 = c_20 * t515 - s_20 * t330;
+  const Scalar t523 = t522 - Scalar(0.33) * t520;
+  const Scalar t524 = c_14 * (c_15 * t521 - s_15 * t523);
+  const Scalar t525 = Scalar(0.004) * hu_23_t_x;
+  const Scalar mu_23_22_y = Ic_23_zz - t525;
   const Scalar mu_u_23_22_t_x = c_22 * mu_23_22_x + s_22 * mu_23_22_y;
-  const Scalar t518 = s_22 * t307;
-  const Scalar t519 = t311 - Scalar(0.004) * t518;
-  const Scalar t520 = c_22 * t323 - s_21 * hu_23_t_x;
-  const Scalar t521 = Scalar(0.305) * t520 + c_21 * t519 - s_21 * mu_u_23_22_t_x;
-  const Scalar mu_23_21_z = t517 + c_22 * mu_23_22_y - s_22 * mu_23_22_x;
-  const Scalar mu_u_23_20_t_x = c_20 * mu_23_21_z - s_20 * t521;
-  const Scalar t522 = c_21 * hu_23_t_x + c_22 * t333;
-  const Scalar t523 = Scalar(0.305) * t522 + c_21 * mu_u_23_22_t_x + s_21 * t519;
-  const Scalar f_u_23_20_t_x = c_20 * t518 - s_20 * t522;
-  const Scalar t524 = c_19 * t520 - s_19 * f_u_23_20_t_x;
-  const Scalar t525 = Scalar(0.24) * t524 + c_19 * mu_u_23_20_t_x - s_19 * t523;
-  const Scalar mu_u_23_20_t_y = c_20 * t521 + s_20 * mu_23_21_z;
-  const Scalar mu_23_15_y = mu_u_23_20_t_y - Scalar(0.33) * t524;
-  const Scalar t526 = c_14 * (c_15 * t525 - s_15 * mu_23_15_y);
-  const Scalar f_u_25_23_t_y = c_24 * t296 + s_23 * t293;
-  const Scalar t527 = Scalar(0.004) * f_u_25_23_t_y;
-  const Scalar mu_u_25_24_t_y = Scalar(0.0014129000000002) * c_24 + Scalar(0.0007482) * t287;
-  const Scalar mu_25_22_y = mu_u_25_24_t_y + t527;
-  const Scalar mu_u_25_24_t_x = Scalar(0.0014129000000002) * s_24 - Scalar(0.0007482) * t289;
-  const Scalar mu_25_22_x = t300 + Scalar(0.239) * f_u_25_23_t_y - s_23 * mu_u_25_24_t_x;
-  const Scalar t528 = c_22 * mu_25_22_x - s_22 * mu_25_22_y;
-  const Scalar t529 = c_23 * t293 - c_24 * t306;
-  const Scalar t530 = s_24 * t295;
-  const Scalar f_u_25_22_t_x = c_22 * t529 + s_22 * t530;
-  const Scalar t531 = c_21 * f_u_25_22_t_x - s_21 * f_u_25_23_t_y;
-  const Scalar f_u_25_22_t_y = c_22 * t530 - s_22 * t529;
-  const Scalar mu_25_22_z = t310 - Scalar(0.239) * t529 + Scalar(0.0000376) * s_24 * s_25 +
+  const Scalar t526 = s_22 * t315;
+  const Scalar t527 = t319 - Scalar(0.004) * t526;
+  const Scalar t528 = c_22 * t331 - s_21 * hu_23_t_x;
+  const Scalar t529 = Scalar(0.305) * t528 + c_21 * t527 - s_21 * mu_u_23_22_t_x;
+  const Scalar mu_23_21_z = t525 + c_22 * mu_23_22_y - s_22 * mu_23_22_x;
+  const Scalar mu_u_23_20_t_x = c_20 * mu_23_21_z - s_20 * t529;
+  const Scalar t530 = c_21 * hu_23_t_x + c_22 * t341;
+  const Scalar t531 = Scalar(0.305) * t530 + c_21 * mu_u_23_22_t_x + s_21 * t527;
+  const Scalar f_u_23_20_t_x = c_20 * t526 - s_20 * t530;
+  const Scalar t532 = c_19 * t528 - s_19 * f_u_23_20_t_x;
+  const Scalar t533 = Scalar(0.24) * t532 + c_19 * mu_u_23_20_t_x - s_19 * t531;
+  const Scalar mu_u_23_20_t_y = c_20 * t529 + s_20 * mu_23_21_z;
+  const Scalar mu_23_15_y = mu_u_23_20_t_y - Scalar(0.33) * t532;
+  const Scalar t534 = c_14 * (c_15 * t533 - s_15 * mu_23_15_y);
+  const Scalar f_u_25_23_t_y = c_24 * t304 + s_23 * t301;
+  const Scalar t535 = Scalar(0.004) * f_u_25_23_t_y;
+  const Scalar mu_u_25_24_t_y = Scalar(0.0014129000000002) * c_24 + Scalar(0.0007482) * t295;
+  const Scalar mu_25_22_y = mu_u_25_24_t_y + t535;
+  const Scalar mu_u_25_24_t_x = Scalar(0.0014129000000002) * s_24 - Scalar(0.0007482) * t297;
+  const Scalar mu_25_22_x = t308 + Scalar(0.239) * f_u_25_23_t_y - s_23 * mu_u_25_24_t_x;
+  const Scalar t536 = c_22 * mu_25_22_x - s_22 * mu_25_22_y;
+  const Scalar t537 = c_23 * t301 - c_24 * t314;
+  const Scalar t538 = s_24 * t303;
+  const Scalar f_u_25_22_t_x = c_22 * t537 + s_22 * t538;
+  const Scalar t539 = c_21 * f_u_25_22_t_x - s_21 * f_u_25_23_t_y;
+  const Scalar f_u_25_22_t_y = c_22 * t538 - s_22 * t537;
+  const Scalar mu_25_22_z = t318 - Scalar(0.239) * t537 + Scalar(0.0000376) * s_24 * s_25 +
       c_23 * mu_u_25_24_t_x;
   const Scalar mu_25_21_y = mu_25_22_z - Scalar(0.004) * f_u_25_22_t_y;
-  const Scalar t532 = Scalar(0.305) * t531 - c_21 * mu_25_21_y - s_21 * t528;
-  const Scalar mu_25_21_z = t527 - c_22 * mu_25_22_y - s_22 * mu_25_22_x;
-  const Scalar mu_u_25_20_t_x = c_20 * mu_25_21_z - s_20 * t532;
+  const Scalar t540 = Scalar(0.305) * t539 - c_21 * mu_25_21_y - s_21 * t536;
+  const Scalar mu_25_21_z = t535 - c_22 * mu_25_22_y - s_22 * mu_25_22_x;
+  const Scalar mu_u_25_20_t_x = c_20 * mu_25_21_z - s_20 * t540;
   const Scalar f_u_25_21_t_x = c_21 * f_u_25_23_t_y + s_21 * f_u_25_22_t_x;
   const Scalar f_u_25_20_t_x = c_20 * f_u_25_22_t_y + s_20 * f_u_25_21_t_x;
-  const Scalar f_u_25_19_t_y = c_19 * t531 + s_19 * f_u_25_20_t_x;
-  const Scalar mu_25_20_z = Scalar(0.305) * f_u_25_21_t_x + c_21 * t528 - s_21 * mu_25_21_y;
+  const Scalar f_u_25_19_t_y = c_19 * t539 + s_19 * f_u_25_20_t_x;
+  const Scalar mu_25_20_z = Scalar(0.305) * f_u_25_21_t_x + c_21 * t536 - s_21 * mu_25_21_y;
   const Scalar mu_25_15_x = Scalar(0.24) * f_u_25_19_t_y + c_19 * mu_u_25_20_t_x -
       s_19 * mu_25_20_z;
-  const Scalar mu_u_25_20_t_y = c_20 * t532 + s_20 * mu_25_21_z;
+  const Scalar mu_u_25_20_t_y = c_20 * t540 + s_20 * mu_25_21_z;
   const Scalar mu_25_15_y = mu_u_25_20_t_y - Scalar(0.33) * f_u_25_19_t_y;
-  const Scalar f_u_25_19_t_x = c_19 * f_u_25_20_t_x - s_19 * t531;
-  const Scalar t533 = c_20 * f_u_25_21_t_x - s_20 * f_u_25_22_t_y;
-  const Scalar t534 = Scalar(0.33) * t533 + Scalar(0.24) * f_u_25_19_t_x - c_19 * mu_25_20_z -
+  const Scalar f_u_25_19_t_x = c_19 * f_u_25_20_t_x - s_19 * t539;
+  const Scalar t541 = c_20 * f_u_25_21_t_x - s_20 * f_u_25_22_t_y;
+  const Scalar t542 = Scalar(0.33) * t541 + Scalar(0.24) * f_u_25_19_t_x - c_19 * mu_25_20_z -
       s_19 * mu_u_25_20_t_x;
-  const Scalar t535 = c_14 * (c_15 * mu_25_15_x - s_15 * mu_25_15_y) + s_14 * t534;
-  const Scalar t536 = Scalar(0.5295491542217383) * s_25;
-  const Scalar t537 = Ic_24_zz + Scalar(0.239) * hu_24_t_y;
-  const Scalar t538 = t290 * t310 - c_23 * t537;
-  const Scalar t539 = c_23 * hu_24_t_y;
-  const Scalar t540 = Scalar(0.004) * t539;
-  const Scalar t541 = t298 * t299;
-  const Scalar mu_24_22_y = t540 + t541;
-  const Scalar t542 = c_22 * t538 + s_22 * mu_24_22_y;
-  const Scalar t543 = s_23 * hu_24_t_y;
-  const Scalar t544 = c_22 * t543 - s_22 * hu_24_t_x;
-  const Scalar f_u_24_21_t_y = c_21 * t544 + s_21 * t539;
-  const Scalar mu_24_22_z = Scalar(0.004) * hu_24_t_x + s_23 * t537 + t290 * t300;
-  const Scalar f_u_24_22_t_y = c_22 * hu_24_t_x + s_22 * t543;
+  const Scalar t543 = c_14 * (c_15 * mu_25_15_x - s_15 * mu_25_15_y) + s_14 * t542;
+  const Scalar t544 = Scalar(0.5295491542217383) * s_25;
+  const Scalar t545 = Ic_24_zz + Scalar(0.239) * hu_24_t_y;
+  const Scalar t546 = t298 * t318 - c_23 * t545;
+  const Scalar t547 = c_23 * hu_24_t_y;
+  const Scalar t548 = Scalar(0.004) * t547;
+  const Scalar t549 = t306 * t307;
+  const Scalar mu_24_22_y = t548 + t549;
+  const Scalar t550 = c_22 * t546 + s_22 * mu_24_22_y;
+  const Scalar t551 = s_23 * hu_24_t_y;
+  const Scalar t552 = c_22 * t551 - s_22 * hu_24_t_x;
+  const Scalar f_u_24_21_t_y = c_21 * t552 + s_21 * t547;
+  const Scalar mu_24_22_z = Scalar(0.004) * hu_24_t_x + s_23 * t545 + t298 * t308;
+  const Scalar f_u_24_22_t_y = c_22 * hu_24_t_x + s_22 * t551;
   const Scalar mu_24_21_y = mu_24_22_z - Scalar(0.004) * f_u_24_22_t_y;
-  const Scalar mu_24_20_x = Scalar(0.305) * f_u_24_21_t_y + c_21 * mu_24_21_y - s_21 * t542;
-  const Scalar mu_24_21_z = t540 - c_22 * mu_24_22_y + s_22 * t538;
+  const Scalar mu_24_20_x = Scalar(0.305) * f_u_24_21_t_y + c_21 * mu_24_21_y - s_21 * t550;
+  const Scalar mu_24_21_z = t548 - c_22 * mu_24_22_y + s_22 * t546;
   const Scalar mu_u_24_20_t_x = c_20 * mu_24_21_z + s_20 * mu_24_20_x;
-  const Scalar f_u_24_21_t_x = c_21 * t539 - s_21 * t544;
+  const Scalar f_u_24_21_t_x = c_21 * t547 - s_21 * t552;
   const Scalar f_u_24_20_t_x = c_20 * f_u_24_22_t_y + s_20 * f_u_24_21_t_x;
-  const Scalar t545 = c_19 * f_u_24_21_t_y - s_19 * f_u_24_20_t_x;
-  const Scalar mu_24_20_z = Scalar(0.305) * f_u_24_21_t_x - c_21 * t542 - s_21 * mu_24_21_y;
-  const Scalar t546 = Scalar(0.24) * t545 - c_19 * mu_u_24_20_t_x + s_19 * mu_24_20_z;
-  const Scalar t547 = c_20 * mu_24_20_x - s_20 * mu_24_21_z;
-  const Scalar t548 = t547 - Scalar(0.33) * t545;
-  const Scalar mu_u_24_15_t_x = c_15 * t546 - s_15 * t548;
+  const Scalar t553 = c_19 * f_u_24_21_t_y - s_19 * f_u_24_20_t_x;
+  const Scalar mu_24_20_z = Scalar(0.305) * f_u_24_21_t_x - c_21 * t550 - s_21 * mu_24_21_y;
+  const Scalar t554 = Scalar(0.24) * t553 - c_19 * mu_u_24_20_t_x + s_19 * mu_24_20_z;
+  const Scalar t555 = c_20 * mu_24_20_x - s_20 * mu_24_21_z;
+  const Scalar t556 = t555 - Scalar(0.33) * t553;
+  const Scalar mu_u_24_15_t_x = c_15 * t554 - s_15 * t556;
   const Scalar f_u_24_19_t_x = c_19 * f_u_24_20_t_x + s_19 * f_u_24_21_t_y;
-  const Scalar t549 = c_20 * f_u_24_21_t_x - s_20 * f_u_24_22_t_y;
-  const Scalar t550 = Scalar(0.33) * t549 + Scalar(0.24) * f_u_24_19_t_x - c_19 * mu_24_20_z -
+  const Scalar t557 = c_20 * f_u_24_21_t_x - s_20 * f_u_24_22_t_y;
+  const Scalar t558 = Scalar(0.33) * t557 + Scalar(0.24) * f_u_24_19_t_x - c_19 * mu_24_20_z -
       s_19 * mu_u_24_20_t_x;
-  const Scalar t551 = c_14 * mu_u_24_15_t_x - s_14 * t550 + t535 * t536;
-  const Scalar t552 = Scalar(0.00039620867718870463) * t285 - Ic_24_zz;
-  const Scalar t553 = Scalar(1.0) / t552;
-  const Scalar b_25_24_23 = t541 - mu_u_25_24_t_y * t536;
-  const Scalar t554 = b_25_24_23 * t553;
-  const Scalar t555 = c_19 * f_u_23_20_t_x + s_19 * t520;
-  const Scalar t556 = c_20 * t522 + s_20 * t518;
-  const Scalar t557 = Scalar(0.33) * t556 - Scalar(0.24) * t555 - c_19 * t523 -
+  const Scalar t559 = c_14 * mu_u_24_15_t_x - s_14 * t558 + t543 * t544;
+  const Scalar t560 = Scalar(0.00039620867718870463) * t293 - Ic_24_zz;
+  const Scalar t561 = Scalar(1.0) / t560;
+  const Scalar b_25_24_23 = t549 - mu_u_25_24_t_y * t544;
+  const Scalar t562 = b_25_24_23 * t561;
+  const Scalar t563 = c_19 * f_u_23_20_t_x + s_19 * t528;
+  const Scalar t564 = c_20 * t530 + s_20 * t526;
+  const Scalar t565 = Scalar(0.33) * t564 - Scalar(0.24) * t563 - c_19 * t531 -
       s_19 * mu_u_23_20_t_x;
-  const Scalar t558 = Scalar(707.7641729774637) * mu_u_25_24_t_y;
-  const Scalar t559 = t526 + s_14 * t557 - t535 * t558 - t551 * t554;
-  const Scalar b_25_24_22 = mu_24_22_z - mu_25_22_z * t536;
-  const Scalar t560 = t311 + mu_25_22_z * t558 - b_25_24_22 * t554;
-  const Scalar b_24_23_23 = Ic_23_zz + mu_u_25_24_t_y * t558 - b_25_24_23 * t554;
+  const Scalar t566 = Scalar(707.7641729774637) * mu_u_25_24_t_y;
+  const Scalar t567 = t534 + s_14 * t565 - t543 * t566 - t559 * t562;
+  const Scalar b_25_24_22 = mu_24_22_z - mu_25_22_z * t544;
+  const Scalar t568 = t319 + mu_25_22_z * t566 - b_25_24_22 * t562;
+  const Scalar b_24_23_23 = Ic_23_zz + mu_u_25_24_t_y * t566 - b_25_24_23 * t562;
   const Scalar d_23 = Scalar(1.0) / b_24_23_23;
-  const Scalar t561 = t560 * d_23;
-  const Scalar t562 = c_19 * f_u_22_20_t_x + s_19 * t511;
-  const Scalar f_u_22_20_t_y = c_20 * t510 + s_20 * hu_22_t_x;
-  const Scalar mu_22_15_z = Scalar(0.33) * f_u_22_20_t_y - Scalar(0.24) * t562 + c_19 * t509 +
-      s_19 * t508;
-  const Scalar t563 = b_25_24_22 * t553;
-  const Scalar t564 = Scalar(707.7641729774637) * mu_25_22_z;
-  const Scalar t565 = t516 + s_14 * mu_22_15_z + t535 * t564 + t551 * t563 + t559 * t561;
-  const Scalar b_25_24_21 = mu_24_21_z - mu_25_21_z * t536;
-  const Scalar b_24_23_21 = mu_23_21_z - mu_25_21_z * t558 + b_25_24_21 * t554;
-  const Scalar t566 = t322 - mu_25_21_z * t564 + b_25_24_21 * t563 - b_24_23_21 * t561;
-  const Scalar t567 = t303 + mu_25_22_z * t564 - b_25_24_22 * t563 - t560 * t561;
-  const Scalar t568 = Scalar(1.0) / t567;
-  const Scalar t569 = t566 * t568;
-  const Scalar f_u_21_19_t_x = s_20 * t376 - s_19 * t324;
-  const Scalar mu_21_15_z = Scalar(0.24) * f_u_21_19_t_x + Scalar(0.33) * c_20 * t334 -
-      c_19 * t335 + s_19 * t501;
-  const Scalar t570 = b_24_23_21 * d_23;
-  const Scalar t571 = b_25_24_21 * t553;
-  const Scalar t572 = Scalar(707.7641729774637) * mu_25_21_z;
-  const Scalar t573 = c_14 * mu_u_21_15_t_x + s_14 * mu_21_15_z + t535 * t572 + t551 * t571 -
-      t559 * t570 + t565 * t569;
-  const Scalar b_25_24_20 = mu_24_20_z - mu_25_20_z * t536;
-  const Scalar t574 = t523 - mu_25_20_z * t558 + b_25_24_20 * t554;
-  const Scalar t575 = t509 - mu_25_20_z * t564 + b_25_24_20 * t563 - t574 * t561;
-  const Scalar t576 = t335 + mu_25_20_z * t572 - b_25_24_20 * t571 - t574 * t570 - t575 * t569;
-  const Scalar t577 = t319 - mu_25_21_z * t572 + b_25_24_21 * t571 + b_24_23_21 * t570 +
-      t566 * t569;
-  const Scalar t578 = Scalar(1.0) / t577;
-  const Scalar t579 = t576 * t578;
-  const Scalar mu_20_15_z = Scalar(0.33) * hu_20_t_x + t337 + c_19 * t497;
-  const Scalar t580 = t575 * t568;
-  const Scalar t581 = t574 * d_23;
-  const Scalar t582 = b_25_24_20 * t553;
-  const Scalar t583 = Scalar(707.7641729774637) * mu_25_20_z;
-  const Scalar t584 = t500 - s_14 * mu_20_15_z + t535 * t583 + t551 * t582 - t559 * t581 +
-      t565 * t580 + t573 * t579;
-  const Scalar t585 = t547 + mu_u_25_20_t_y * t536;
-  const Scalar b_24_23_19 = mu_u_23_20_t_y - mu_u_25_20_t_y * t558 - t585 * t554;
-  const Scalar t586 = t514 + mu_u_25_20_t_y * t564 + t585 * t563 + b_24_23_19 * t561;
-  const Scalar t587 = t504 + mu_u_25_20_t_y * t572 + t585 * t571 - b_24_23_19 * t570 + t586 * t569;
-  const Scalar t588 = t362 - mu_u_25_20_t_y * t583 - t585 * t582 + b_24_23_19 * t581 - t586 * t580 -
-      t587 * t579;
-  const Scalar t589 = t330 + mu_25_20_z * t583 - b_25_24_20 * t582 - t574 * t581 - t575 * t580 +
-      t576 * t579;
-  const Scalar t590 = Scalar(1.0) / t589;
-  const Scalar t591 = t588 * t590;
-  const Scalar t592 = t587 * t578;
-  const Scalar t593 = t586 * t568;
-  const Scalar t594 = b_24_23_19 * d_23;
-  const Scalar t595 = t585 * t553;
-  const Scalar t596 = Scalar(707.7641729774637) * mu_u_25_20_t_y;
-  const Scalar t597 = c_14 * mu_u_19_15_t_x - s_14 * t381 - t535 * t596 + t551 * t595 +
-      t559 * t594 + t565 * t593 - t573 * t592 - t584 * t591;
-  const Scalar t598 = t550 - t534 * t536;
-  const Scalar t599 = t557 - t534 * t558 + t598 * t554;
-  const Scalar b_23_22_15 = mu_22_15_z + t534 * t564 - t598 * t563 + t599 * t561;
-  const Scalar b_22_21_15 = mu_21_15_z + t534 * t572 - t598 * t571 - t599 * t570 +
-      b_23_22_15 * t569;
-  const Scalar b_21_20_15 = mu_20_15_z - t534 * t583 + t598 * t582 + t599 * t581 -
-      b_23_22_15 * t580 - b_22_21_15 * t579;
-  const Scalar t600 = t381 + t534 * t596 + t598 * t595 - t599 * t594 - b_23_22_15 * t593 +
-      b_22_21_15 * t592 - b_21_20_15 * t591;
-  const Scalar t601 = t352 + mu_u_25_20_t_y * t596 - t585 * t595 - b_24_23_19 * t594 - t586 * t593 +
-      t587 * t592 - t588 * t591;
-  const Scalar t602 = Scalar(1.0) / t601;
-  const Scalar t603 = t600 * t602;
-  const Scalar t604 = b_28_27_15 * t481;
-  const Scalar t605 = b_21_20_15 * t590;
-  const Scalar t606 = t491 * d_28;
-  const Scalar t607 = b_22_21_15 * t578;
-  const Scalar t608 = b_30_29_15 * t459;
-  const Scalar t609 = b_23_22_15 * t568;
-  const Scalar t610 = t490 * d_30;
-  const Scalar t611 = t599 * d_23;
-  const Scalar t612 = t489 * t444;
-  const Scalar t613 = t598 * t553;
-  const Scalar t614 = t426 * mu_u_32_14_t_y - t534 * t535;
-  const Scalar Ic_17_zz = t345 - Scalar(0.03438);
-  const Scalar t615 = Ic_17_zz - Scalar(0.453) * t355;
-  const Scalar mu_17_15_y = s_16 * t615 - s_17 * (t377 - t379);
-  const Scalar t616 = c_17 * (Iu_18_t_xy - c_16 * t379);
-  const Scalar t617 = t358 + c_16 * t615;
-  const Scalar t618 = c_14 * (c_15 * t616 + s_15 * mu_17_15_y) - s_14 * t617;
+  const Scalar t569 = t568 * d_23;
+  const Scalar t570 = c_19 * f_u_22_20_t_x + s_19 * t519;
+  const Scalar f_u_22_20_t_y = c_20 * t518 + s_20 * hu_22_t_x;
+  const Scalar mu_22_15_z = Scalar(0.33) * f_u_22_20_t_y - Scalar(0.24) * t570 + c_19 * t517 +
+      s_19 * t516;
+  const Scalar t571 = b_25_24_22 * t561;
+  const Scalar t572 = Scalar(707.7641729774637) * mu_25_22_z;
+  const Scalar t573 = t524 + s_14 * mu_22_15_z + t543 * t572 + t559 * t571 + t567 * t569;
+  const Scalar b_25_24_21 = mu_24_21_z - mu_25_21_z * t544;
+  const Scalar b_24_23_21 = mu_23_21_z - mu_25_21_z * t566 + b_25_24_21 * t562;
+  const Scalar t574 = t330 - mu_25_21_z * t572 + b_25_24_21 * t571 - b_24_23_21 * t569;
+  const Scalar t575 = t311 + mu_25_22_z * t572 - b_25_24_22 * t571 - t568 * t569;
+  const Scalar t576 = Scalar(1.0) / t575;
+  const Scalar t577 = t574 * t576;
+  const Scalar f_u_21_19_t_x = s_20 * t384 - s_19 * t332;
+  const Scalar mu_21_15_z = Scalar(0.24) * f_u_21_19_t_x + Scalar(0.33) * c_20 * t342 -
+      c_19 * t343 + s_19 * t509;
+  const Scalar t578 = b_24_23_21 * d_23;
+  const Scalar t579 = b_25_24_21 * t561;
+  const Scalar t580 = Scalar(707.7641729774637) * mu_25_21_z;
+  const Scalar t581 = c_14 * mu_u_21_15_t_x + s_14 * mu_21_15_z + t543 * t580 + t559 * t579 -
+      t567 * t578 + t573 * t577;
+  const Scalar b_25_24_20 = mu_24_20_z - mu_25_20_z * t544;
+  const Scalar t582 = t531 - mu_25_20_z * t566 + b_25_24_20 * t562;
+  const Scalar t583 = t517 - mu_25_20_z * t572 + b_25_24_20 * t571 - t582 * t569;
+  const Scalar t584 = t343 + mu_25_20_z * t580 - b_25_24_20 * t579 - t582 * t578 - t583 * t577;
+  const Scalar t585 = t327 - mu_25_21_z * t580 + b_25_24_21 * t579 + b_24_23_21 * t578 +
+      t574 * t577;
+  const Scalar t586 = Scalar(1.0) / t585;
+  const Scalar t587 = t584 * t586;
+  const Scalar mu_20_15_z = Scalar(0.33) * hu_20_t_x + t345 + c_19 * t505;
+  const Scalar t588 = t583 * t576;
+  const Scalar t589 = t582 * d_23;
+  const Scalar t590 = b_25_24_20 * t561;
+  const Scalar t591 = Scalar(707.7641729774637) * mu_25_20_z;
+  const Scalar t592 = t508 - s_14 * mu_20_15_z + t543 * t591 + t559 * t590 - t567 * t589 +
+      t573 * t588 + t581 * t587;
+  const Scalar t593 = t555 + mu_u_25_20_t_y * t544;
+  const Scalar b_24_23_19 = mu_u_23_20_t_y - mu_u_25_20_t_y * t566 - t593 * t562;
+  const Scalar t594 = t522 + mu_u_25_20_t_y * t572 + t593 * t571 + b_24_23_19 * t569;
+  const Scalar t595 = t512 + mu_u_25_20_t_y * t580 + t593 * t579 - b_24_23_19 * t578 + t594 * t577;
+  const Scalar t596 = t370 - mu_u_25_20_t_y * t591 - t593 * t590 + b_24_23_19 * t589 - t594 * t588 -
+      t595 * t587;
+  const Scalar t597 = t338 + mu_25_20_z * t591 - b_25_24_20 * t590 - t582 * t589 - t583 * t588 +
+      t584 * t587;
+  const Scalar t598 = Scalar(1.0) / t597;
+  const Scalar t599 = t596 * t598;
+  const Scalar t600 = t595 * t586;
+  const Scalar t601 = t594 * t576;
+  const Scalar t602 = b_24_23_19 * d_23;
+  const Scalar t603 = t593 * t561;
+  const Scalar t604 = Scalar(707.7641729774637) * mu_u_25_20_t_y;
+  const Scalar t605 = c_14 * mu_u_19_15_t_x - s_14 * t389 - t543 * t604 + t559 * t603 +
+      t567 * t602 + t573 * t601 - t581 * t600 - t592 * t599;
+  const Scalar t606 = t558 - t542 * t544;
+  const Scalar t607 = t565 - t542 * t566 + t606 * t562;
+  const Scalar b_23_22_15 = mu_22_15_z + t542 * t572 - t606 * t571 + t607 * t569;
+  const Scalar b_22_21_15 = mu_21_15_z + t542 * t580 - t606 * t579 - t607 * t578 +
+      b_23_22_15 * t577;
+  const Scalar b_21_20_15 = mu_20_15_z - t542 * t591 + t606 * t590 + t607 * t589 -
+      b_23_22_15 * t588 - b_22_21_15 * t587;
+  const Scalar t608 = t389 + t542 * t604 + t606 * t603 - t607 * t602 - b_23_22_15 * t601 +
+      b_22_21_15 * t600 - b_21_20_15 * t599;
+  const Scalar t609 = t360 + mu_u_25_20_t_y * t604 - t593 * t603 - b_24_23_19 * t602 - t594 * t601 +
+      t595 * t600 - t596 * t599;
+  const Scalar t610 = Scalar(1.0) / t609;
+  const Scalar t611 = t608 * t610;
+  const Scalar t612 = b_28_27_15 * t489;
+  const Scalar t613 = b_21_20_15 * t598;
+  const Scalar t614 = t499 * d_28;
+  const Scalar t615 = b_22_21_15 * t586;
+  const Scalar t616 = b_30_29_15 * t467;
+  const Scalar t617 = b_23_22_15 * t576;
+  const Scalar t618 = t498 * d_30;
+  const Scalar t619 = t607 * d_23;
+  const Scalar t620 = t497 * t452;
+  const Scalar t621 = t606 * t561;
+  const Scalar t622 = t434 * mu_u_32_14_t_y - t542 * t543;
+  const Scalar Ic_17_zz = t353 - Scalar(0.03438);
+  const Scalar t623 = Ic_17_zz - Scalar(0.453) * t364;
+  const Scalar mu_17_15_y = s_16 * t623 - s_17 * (t385 - t387);
+  const Scalar t624 = c_17 * (Iu_18_t_xy - c_16 * t387);
+  const Scalar t625 = t366 + c_16 * t623;
+  const Scalar t626 = c_14 * (c_15 * t624 + s_15 * mu_17_15_y) - s_14 * t625;
   const Scalar d_17 = Scalar(1.0) / Ic_17_zz;
-  const Scalar t619 = Iu_18_t_xy * d_17;
-  const Scalar t620 = c_17 * t619;
+  const Scalar t627 = Iu_18_t_xy * d_17;
+  const Scalar t628 = c_17 * t627;
   const Scalar mu_16_15_x = Ic_16_zz - Scalar(0.003) * hu_16_t_y;
-  const Scalar t621 = c_14 * (c_15 * mu_16_15_x + s_15 * t368);
-  const Scalar f_u_18_16_t_x = hu_18_t_y * t366 + s_16 * hu_18_t_x;
+  const Scalar t629 = c_14 * (c_15 * mu_16_15_x + s_15 * t376);
+  const Scalar f_u_18_16_t_x = hu_18_t_y * t374 + s_16 * hu_18_t_x;
   const Scalar mu_18_15_x = Scalar(0.03408) * s_17 - Scalar(0.003) * f_u_18_16_t_x;
-  const Scalar t622 = hu_18_t_y * t348 - c_16 * hu_18_t_x;
-  const Scalar t623 = Scalar(0.03408) * c_17;
-  const Scalar t624 = Scalar(0.453) * t622 - (c_16 - Scalar(0.0880281690140845) * hu_18_t_y) * t623;
-  const Scalar mu_18_15_z = Scalar(0.453) * f_u_18_16_t_x + s_16 * t623;
-  const Scalar mu_u_18_14_t_y = c_14 * (c_15 * mu_18_15_x - s_15 * t624) + s_14 * mu_18_15_z;
-  const Scalar t625 = t621 + s_14 * t378 - s_17 * mu_u_18_14_t_y + t618 * t620;
-  const Scalar t626 = Iu_18_t_xy * t619;
-  const Scalar b_17_16_16 = Ic_16_zz + t626 - t346 * (t626 + Scalar(0.03408));
-  const Scalar t627 = Scalar(1.0) / b_17_16_16;
-  const Scalar t628 = t378 - s_17 * mu_18_15_z - t617 * t620;
-  const Scalar t629 = t628 * t627;
-  const Scalar t630 = t617 * d_17;
-  const Scalar t631 = Scalar(29.342723004694836) * mu_18_15_z;
-  const Scalar t632 = t384 - Scalar(707.7641729774637) * t614 - s_14 * t373 - b_32_31_13 * t612 -
-      t451 * t610 + t455 * t608 - t466 * t606 - t475 * t604 - t488 * t495 + t551 * t613 -
-      t559 * t611 - t565 * t609 + t573 * t607 + t584 * t605 + t597 * t603 + mu_u_18_14_t_y * t631 +
-      t618 * t630 + t625 * t629;
-  const Scalar Iu_15_t_yz = c_15 * t383 + s_15 * t380;
-  const Scalar t633 = c_15 * mu_32_15_y - s_15 * mu_32_15_x;
-  const Scalar t634 = c_15 * t439 - s_15 * t437 + t633 * t427;
-  const Scalar t635 = c_15 * t418 - s_15 * mu_30_15_x + t633 * t450 + t634 * t446;
-  const Scalar t636 = c_15 * t406 + s_15 * t404 - t633 * t454 - t634 * t453 - t635 * t452;
-  const Scalar t637 = c_15 * t394 - s_15 * mu_28_15_x + t633 * t465 + t634 * t464 - t635 * t463 -
-      t636 * t460;
-  const Scalar t638 = c_15 * mu_27_15_y - s_15 * t390 + t633 * t474 + t634 * t473 + t635 * t472 +
-      t636 * t471 - t637 * t470;
-  const Scalar t639 = c_15 * t387 + s_15 * t365 + t633 * t487 - t634 * t486 - t635 * t485 -
-      t636 * t484 + t637 * t483 - t638 * t482;
+  const Scalar t630 = hu_18_t_y * t356 - c_16 * hu_18_t_x;
+  const Scalar t631 = Scalar(0.03408) * c_17;
+  const Scalar t632 = Scalar(0.453) * t630 - (c_16 - Scalar(0.0880281690140845) * hu_18_t_y) * t631;
+  const Scalar mu_18_15_z = Scalar(0.453) * f_u_18_16_t_x + s_16 * t631;
+  const Scalar mu_u_18_14_t_y = c_14 * (c_15 * mu_18_15_x - s_15 * t632) + s_14 * mu_18_15_z;
+  const Scalar t633 = t629 + s_14 * t386 - s_17 * mu_u_18_14_t_y + t626 * t628;
+  const Scalar t634 = Iu_18_t_xy * t627;
+  const Scalar b_17_16_16 = Ic_16_zz + t634 - t354 * (t634 + Scalar(0.03408));
+  const Scalar t635 = Scalar(1.0) / b_17_16_16;
+  const Scalar t636 = t386 - s_17 * mu_18_15_z - t625 * t628;
+  const Scalar t637 = t636 * t635;
+  const Scalar t638 = t625 * d_17;
+  const Scalar t639 = Scalar(29.342723004694836) * mu_18_15_z;
+  const Scalar t640 = t392 - Scalar(707.7641729774637) * t622 - s_14 * t381 - b_32_31_13 * t620 -
+      t459 * t618 + t463 * t616 - t474 * t614 - t483 * t612 - t496 * t503 + t559 * t621 -
+      t567 * t619 - t573 * t617 + t581 * t615 + t592 * t613 + t605 * t611 + mu_u_18_14_t_y * t639 +
+      t626 * t638 + t633 * t637;
+  const Scalar Iu_15_t_yz = c_15 * t391 + s_15 * t388;
+  const Scalar t641 = c_15 * mu_32_15_y - s_15 * mu_32_15_x;
+  const Scalar t642 = c_15 * t447 - s_15 * t445 + t641 * t435;
+  const Scalar t643 = c_15 * t426 - s_15 * mu_30_15_x + t641 * t458 + t642 * t454;
+  const Scalar t644 = c_15 * t414 + s_15 * t412 - t641 * t462 - t642 * t461 - t643 * t460;
+  const Scalar t645 = c_15 * t402 - s_15 * mu_28_15_x + t641 * t473 + t642 * t472 - t643 * t471 -
+      t644 * t468;
+  const Scalar t646 = c_15 * mu_27_15_y - s_15 * t398 + t641 * t482 + t642 * t481 + t643 * t480 +
+      t644 * t479 - t645 * t478;
+  const Scalar t647 = c_15 * t395 + s_15 * t373 + t641 * t495 - t642 * t494 - t643 * t493 -
+      t644 * t492 + t645 * t491 - t646 * t490;
   const Scalar mu_u_25_15_t_y = c_15 * mu_25_15_y + s_15 * mu_25_15_x;
-  const Scalar b_25_24_14 = c_15 * t548 + s_15 * t546 + mu_u_25_15_t_y * t536;
-  const Scalar t640 = c_15 * mu_23_15_y + s_15 * t525 - mu_u_25_15_t_y * t558 - b_25_24_14 * t554;
-  const Scalar t641 = c_15 * t515 + s_15 * t513 + mu_u_25_15_t_y * t564 + b_25_24_14 * t563 +
-      t640 * t561;
-  const Scalar t642 = c_15 * t505 + s_15 * t503 + mu_u_25_15_t_y * t572 + b_25_24_14 * t571 -
-      t640 * t570 + t641 * t569;
-  const Scalar t643 = c_15 * t499 - s_15 * t498 - mu_u_25_15_t_y * t583 - b_25_24_14 * t582 +
-      t640 * t581 - t641 * t580 - t642 * t579;
-  const Scalar t644 = c_15 * t496 - s_15 * t363 + mu_u_25_15_t_y * t596 - b_25_24_14 * t595 -
-      t640 * t594 - t641 * t593 + t642 * t592 - t643 * t591;
-  const Scalar t645 = t426 * t633 + t534 * mu_u_25_15_t_y;
-  const Scalar t646 = c_15 * mu_17_15_y - s_15 * t616;
-  const Scalar t647 = c_15 * t624 + s_15 * mu_18_15_x;
-  const Scalar t648 = c_15 * t368 - s_15 * mu_16_15_x + s_17 * t647 + t646 * t620;
-  const Scalar b_16_15_14 = Iu_15_t_yz + Scalar(707.7641729774637) * t645 + t634 * t612 +
-      t635 * t610 + t636 * t608 + t637 * t606 + t638 * t604 - t639 * t495 + b_25_24_14 * t613 -
-      t640 * t611 - t641 * t609 + t642 * t607 - t643 * t605 - t644 * t603 + t647 * t631 -
-      t646 * t630 - t648 * t629;
-  const Scalar t649 = t426 * t426 + t534 * t534;
-  const Scalar b_16_15_15 = t373 - Scalar(707.7641729774637) * t649 + t489 * t612 + t490 * t610 +
-      b_30_29_15 * t608 - t491 * t606 + b_28_27_15 * t604 + t492 * t495 + t598 * t613 +
-      t599 * t611 + b_23_22_15 * t609 - b_22_21_15 * t607 + b_21_20_15 * t605 + t600 * t603 -
-      mu_18_15_z * t631 + t617 * t630 - t628 * t629;
-  const Scalar t650 = Scalar(1.0) / b_16_15_15;
-  const Scalar t651 = b_16_15_14 * t650;
-  const Scalar t652 = t639 * t494;
-  const Scalar t653 = t644 * t602;
-  const Scalar t654 = t638 * t481;
-  const Scalar t655 = t643 * t590;
-  const Scalar t656 = t637 * d_28;
-  const Scalar t657 = t642 * t578;
-  const Scalar t658 = t636 * t459;
-  const Scalar t659 = t641 * t568;
-  const Scalar t660 = t635 * d_30;
-  const Scalar t661 = t640 * d_23;
-  const Scalar t662 = t634 * t444;
-  const Scalar t663 = b_25_24_14 * t553;
-  const Scalar t664 = t633 * mu_u_32_14_t_y - mu_u_25_15_t_y * t535;
-  const Scalar t665 = t648 * t627;
-  const Scalar t666 = t646 * d_17;
-  const Scalar t667 = Scalar(29.342723004694836) * t647;
-  const Scalar t668 = Scalar(707.7641729774637) * t664 + t386 - s_14 * Iu_15_t_yz -
-      b_32_31_13 * t662 - t451 * t660 + t455 * t658 + t466 * t656 - t475 * t654 + t488 * t652 +
-      t551 * t663 + t559 * t661 + t565 * t659 - t573 * t657 - t584 * t655 - t597 * t653 -
-      mu_u_18_14_t_y * t667 - t618 * t666 + t625 * t665 - t632 * t651;
-  const Scalar t669 = t633 * t633 + mu_u_25_15_t_y * mu_u_25_15_t_y;
-  const Scalar t670 = t350 - t371 + Scalar(707.7641729774637) * t669 - t634 * t662 - t635 * t660 -
-      t636 * t658 + t637 * t656 - t638 * t654 - t639 * t652 - b_25_24_14 * t663 - t640 * t661 -
-      t641 * t659 + t642 * t657 - t643 * t655 - t644 * t653 + t647 * t667 - t646 * t666 +
-      t648 * t665 + b_16_15_14 * t651 - Scalar(2.5075600666670006);
-  const Scalar t671 = Scalar(1.0) / t670;
-  const Scalar t672 = t668 * t671;
-  const Scalar t673 = t632 * t650;
-  const Scalar t674 = t488 * t494;
-  const Scalar t675 = t597 * t602;
-  const Scalar t676 = t475 * t481;
-  const Scalar t677 = t584 * t590;
-  const Scalar t678 = t466 * d_28;
-  const Scalar t679 = t573 * t578;
-  const Scalar t680 = t455 * t459;
-  const Scalar t681 = t565 * t568;
-  const Scalar t682 = t451 * d_30;
-  const Scalar t683 = t559 * d_23;
-  const Scalar t684 = b_32_31_13 * t444;
-  const Scalar t685 = t551 * t553;
-  const Scalar t686 = mu_u_32_14_t_y * mu_u_32_14_t_y + t535 * t535;
-  const Scalar t687 = t625 * t627;
-  const Scalar t688 = t618 * d_17;
-  const Scalar t689 = Scalar(29.342723004694836) * mu_u_18_14_t_y;
-  const Scalar t690 = t372 + Scalar(707.7641729774637) * t686 + t385 - b_32_31_13 * t684 -
-      t451 * t682 - t455 * t680 + t466 * t678 - t475 * t676 - t488 * t674 - t551 * t685 -
-      t559 * t683 - t565 * t681 + t573 * t679 - t584 * t677 - t597 * t675 + mu_u_18_14_t_y * t689 -
-      t618 * t688 + t625 * t687 + t632 * t673 - t668 * t672 - Scalar(2.5107600666670002);
-  const Scalar t691 = c_14 * c_15;
-  const Scalar t692 = qd_13 * t691 - s_15 * qd_14;
-  const Scalar t693 = qd_13 * qd_14;
-  const Scalar t694 = s_14 * t693;
-  const Scalar domega_15_y = s_15 * t694 - qd_15 * t692;
-  const Scalar t695 = s_14 * qd_13;
-  const Scalar omega_15_z = qd_15 - t695;
-  const Scalar t696 = t692 * omega_15_z;
-  const Scalar U_15_zx = domega_15_y - t696;
-  const Scalar t697 = Scalar(9.81) * s_14;
-  const Scalar t698 = Scalar(0.33) * U_15_zx + t697;
-  const Scalar t699 = c_14 * s_15;
-  const Scalar omega_r_15_y = c_15 * qd_14 + qd_13 * t699;
-  const Scalar domega_15_x = c_15 * t694 + qd_15 * omega_r_15_y;
-  const Scalar t700 = omega_r_15_y * omega_15_z;
-  const Scalar U_15_zy = domega_15_x + t700;
-  const Scalar t701 = Scalar(0.24) * U_15_zy;
-  const Scalar t702 = t698 - t701;
-  const Scalar t703 = omega_r_15_y * omega_r_15_y;
-  const Scalar t704 = omega_15_z * omega_15_z;
-  const Scalar U_15_xx = t703 + t704;
-  const Scalar t705 = Scalar(9.81) * t691;
-  const Scalar t706 = Scalar(0.33) * U_15_xx - t705;
-  const Scalar t707 = t692 * omega_r_15_y;
-  const Scalar t708 = c_14 * t693;
-  const Scalar U_15_xy = t708 - t707;
-  const Scalar t709 = Scalar(0.24) * U_15_xy;
-  const Scalar t710 = t706 + t709;
-  const Scalar t711 = c_26 * t710 + s_26 * t702;
-  const Scalar t712 = t708 + t707;
+  const Scalar b_25_24_14 = c_15 * t556 + s_15 * t554 + mu_u_25_15_t_y * t544;
+  const Scalar t648 = c_15 * mu_23_15_y + s_15 * t533 - mu_u_25_15_t_y * t566 - b_25_24_14 * t562;
+  const Scalar t649 = c_15 * t523 + s_15 * t521 + mu_u_25_15_t_y * t572 + b_25_24_14 * t571 +
+      t648 * t569;
+  const Scalar t650 = c_15 * t513 + s_15 * t511 + mu_u_25_15_t_y * t580 + b_25_24_14 * t579 -
+      t648 * t578 + t649 * t577;
+  const Scalar t651 = c_15 * t507 - s_15 * t506 - mu_u_25_15_t_y * t591 - b_25_24_14 * t590 +
+      t648 * t589 - t649 * t588 - t650 * t587;
+  const Scalar t652 = c_15 * t504 - s_15 * t371 + mu_u_25_15_t_y * t604 - b_25_24_14 * t603 -
+      t648 * t602 - t649 * t601 + t650 * t600 - t651 * t599;
+  const Scalar t653 = t434 * t641 + t542 * mu_u_25_15_t_y;
+  const Scalar t654 = c_15 * mu_17_15_y - s_15 * t624;
+  const Scalar t655 = c_15 * t632 + s_15 * mu_18_15_x;
+  const Scalar t656 = c_15 * t376 - s_15 * mu_16_15_x + s_17 * t655 + t654 * t628;
+  const Scalar b_16_15_14 = Iu_15_t_yz + Scalar(707.7641729774637) * t653 + t642 * t620 +
+      t643 * t618 + t644 * t616 + t645 * t614 + t646 * t612 - t647 * t503 + b_25_24_14 * t621 -
+      t648 * t619 - t649 * t617 + t650 * t615 - t651 * t613 - t652 * t611 + t655 * t639 -
+      t654 * t638 - t656 * t637;
+  const Scalar t657 = t434 * t434 + t542 * t542;
+  const Scalar b_16_15_15 = t381 - Scalar(707.7641729774637) * t657 + t497 * t620 + t498 * t618 +
+      b_30_29_15 * t616 - t499 * t614 + b_28_27_15 * t612 + t500 * t503 + t606 * t621 +
+      t607 * t619 + b_23_22_15 * t617 - b_22_21_15 * t615 + b_21_20_15 * t613 + t608 * t611 -
+      mu_18_15_z * t639 + t625 * t638 - t636 * t637;
+  const Scalar t658 = Scalar(1.0) / b_16_15_15;
+  const Scalar t659 = b_16_15_14 * t658;
+  const Scalar t660 = t647 * t502;
+  const Scalar t661 = t652 * t610;
+  const Scalar t662 = t646 * t489;
+  const Scalar t663 = t651 * t598;
+  const Scalar t664 = t645 * d_28;
+  const Scalar t665 = t650 * t586;
+  const Scalar t666 = t644 * t467;
+  const Scalar t667 = t649 * t576;
+  const Scalar t668 = t643 * d_30;
+  const Scalar t669 = t648 * d_23;
+  const Scalar t670 = t642 * t452;
+  const Scalar t671 = b_25_24_14 * t561;
+  const Scalar t672 = t641 * mu_u_32_14_t_y - mu_u_25_15_t_y * t543;
+  const Scalar t673 = t656 * t635;
+  const Scalar t674 = t654 * d_17;
+  const Scalar t675 = Scalar(29.342723004694836) * t655;
+  const Scalar t676 = Scalar(707.7641729774637) * t672 + t394 - s_14 * Iu_15_t_yz -
+      b_32_31_13 * t670 - t459 * t668 + t463 * t666 + t474 * t664 - t483 * t662 + t496 * t660 +
+      t559 * t671 + t567 * t669 + t573 * t667 - t581 * t665 - t592 * t663 - t605 * t661 -
+      mu_u_18_14_t_y * t675 - t626 * t674 + t633 * t673 - t640 * t659;
+  const Scalar t677 = t641 * t641 + mu_u_25_15_t_y * mu_u_25_15_t_y;
+  const Scalar t678 = t358 - t379 + Scalar(707.7641729774637) * t677 - t642 * t670 - t643 * t668 -
+      t644 * t666 + t645 * t664 - t646 * t662 - t647 * t660 - b_25_24_14 * t671 - t648 * t669 -
+      t649 * t667 + t650 * t665 - t651 * t663 - t652 * t661 + t655 * t675 - t654 * t674 +
+      t656 * t673 + b_16_15_14 * t659 - Scalar(2.5075600666670006);
+  const Scalar t679 = Scalar(1.0) / t678;
+  const Scalar t680 = t676 * t679;
+  const Scalar t681 = t640 * t658;
+  const Scalar t682 = t496 * t502;
+  const Scalar t683 = t605 * t610;
+  const Scalar t684 = t483 * t489;
+  const Scalar t685 = t592 * t598;
+  const Scalar t686 = t474 * d_28;
+  const Scalar t687 = t581 * t586;
+  const Scalar t688 = t463 * t467;
+  const Scalar t689 = t573 * t576;
+  const Scalar t690 = t459 * d_30;
+  const Scalar t691 = t567 * d_23;
+  const Scalar t692 = b_32_31_13 * t452;
+  const Scalar t693 = t559 * t561;
+  const Scalar t694 = mu_u_32_14_t_y * mu_u_32_14_t_y + t543 * t543;
+  const Scalar t695 = t633 * t635;
+  const Scalar t696 = t626 * d_17;
+  const Scalar t697 = Scalar(29.342723004694836) * mu_u_18_14_t_y;
+  const Scalar t698 = t380 + Scalar(707.7641729774637) * t694 + t393 - b_32_31_13 * t692 -
+      t459 * t690 - t463 * t688 + t474 * t686 - t483 * t684 - t496 * t682 - t559 * t693 -
+      t567 * t691 - t573 * t689 + t581 * t687 - t592 * t685 - t605 * t683 + mu_u_18_14_t_y * t697 -
+      t626 * t696 + t633 * t695 + t640 * t681 - t676 * t680 - Scalar(2.5107600666670002);
+  const Scalar t699 = c_14 * c_15;
+  const Scalar t700 = qd_13 * t699 - s_15 * qd_14;
+  const Scalar t701 = qd_13 * qd_14;
+  const Scalar t702 = s_14 * t701;
+  const Scalar domega_15_y = s_15 * t702 - qd_15 * t700;
+  const Scalar t703 = s_14 * qd_13;
+  const Scalar omega_15_z = qd_15 - t703;
+  const Scalar t704 = t700 * omega_15_z;
+  const Scalar U_15_zx = domega_15_y - t704;
+  const Scalar t705 = Scalar(9.81) * s_14;
+  const Scalar t706 = Scalar(0.33) * U_15_zx + t705;
+  const Scalar t707 = c_14 * s_15;
+  const Scalar omega_r_15_y = c_15 * qd_14 + qd_13 * t707;
+  const Scalar domega_15_x = c_15 * t702 + qd_15 * omega_r_15_y;
+  const Scalar t708 = omega_r_15_y * omega_15_z;
+  const Scalar U_15_zy = domega_15_x + t708;
+  const Scalar t709 = Scalar(0.24) * U_15_zy;
+  const Scalar t710 = t706 - t709;
+  const Scalar t711 = omega_r_15_y * omega_r_15_y;
+  const Scalar t712 = omega_15_z * omega_15_z;
+  const Scalar U_15_xx = t711 + t712;
   const Scalar t713 = Scalar(9.81) * t699;
-  const Scalar t714 = Scalar(0.33) * t712 + t713;
-  const Scalar t715 = t692 * t692;
-  const Scalar U_15_yy = t704 + t715;
-  const Scalar t716 = Scalar(0.24) * U_15_yy;
-  const Scalar t717 = t714 - t716;
-  const Scalar t718 = c_27 * t717 - s_27 * t711;
-  const Scalar omega_r_26_x = c_26 * t692 + s_26 * omega_15_z;
+  const Scalar t714 = Scalar(0.33) * U_15_xx - t713;
+  const Scalar t715 = t700 * omega_r_15_y;
+  const Scalar t716 = c_14 * t701;
+  const Scalar U_15_xy = t716 - t715;
+  const Scalar t717 = Scalar(0.24) * U_15_xy;
+  const Scalar t718 = t714 + t717;
+  const Scalar t719 = c_26 * t718 + s_26 * t710;
+  const Scalar t720 = t716 + t715;
+  const Scalar t721 = Scalar(9.81) * t707;
+  const Scalar t722 = Scalar(0.33) * t720 + t721;
+  const Scalar t723 = t700 * t700;
+  const Scalar U_15_yy = t712 + t723;
+  const Scalar t724 = Scalar(0.24) * U_15_yy;
+  const Scalar t725 = t722 - t724;
+  const Scalar t726 = c_27 * t725 - s_27 * t719;
+  const Scalar omega_r_26_x = c_26 * t700 + s_26 * omega_15_z;
   const Scalar omega_26_z = qd_26 + omega_r_15_y;
   const Scalar omega_r_27_x = c_27 * omega_26_z + s_27 * omega_r_26_x;
-  const Scalar t719 = c_27 * omega_r_26_x - s_27 * omega_26_z;
-  const Scalar t720 = omega_r_27_x * t719;
-  const Scalar domega_26_y = c_26 * t708 - s_26 * domega_15_x + qd_26 * omega_r_26_x;
-  const Scalar U_27_xy = domega_26_y + t720;
-  const Scalar t721 = t718 - Scalar(0.305) * U_27_xy;
-  const Scalar t722 = c_26 * t702 - s_26 * t710;
-  const Scalar omega_r_26_y = c_26 * omega_15_z - s_26 * t692;
-  const Scalar t723 = c_26 * domega_15_x + s_26 * t708 - qd_26 * omega_r_26_y;
-  const Scalar domega_27_x = c_27 * domega_15_y + s_27 * t723 - qd_27 * t719;
+  const Scalar t727 = c_27 * omega_r_26_x - s_27 * omega_26_z;
+  const Scalar t728 = omega_r_27_x * t727;
+  const Scalar domega_26_y = c_26 * t716 - s_26 * domega_15_x + qd_26 * omega_r_26_x;
+  const Scalar U_27_xy = domega_26_y + t728;
+  const Scalar t729 = t726 - Scalar(0.305) * U_27_xy;
+  const Scalar t730 = c_26 * t710 - s_26 * t718;
+  const Scalar omega_r_26_y = c_26 * omega_15_z - s_26 * t700;
+  const Scalar t731 = c_26 * domega_15_x + s_26 * t716 - qd_26 * omega_r_26_y;
+  const Scalar domega_27_x = c_27 * domega_15_y + s_27 * t731 - qd_27 * t727;
   const Scalar omega_27_z = qd_27 + omega_r_26_y;
-  const Scalar t724 = t719 * omega_27_z;
-  const Scalar U_27_zy = domega_27_x - t724;
-  const Scalar t725 = t722 - Scalar(0.305) * U_27_zy;
-  const Scalar t726 = c_28 * omega_r_27_x - s_28 * omega_27_z;
-  const Scalar omega_28_z = qd_28 + t719;
-  const Scalar t727 = omega_28_z * omega_28_z;
-  const Scalar U_28_xx = t726 * t726 + t727;
-  const Scalar ddp_o_29_x = Scalar(0.004) * U_28_xx + c_28 * t725 - s_28 * t721;
+  const Scalar t732 = t727 * omega_27_z;
+  const Scalar U_27_zy = domega_27_x - t732;
+  const Scalar t733 = t730 - Scalar(0.305) * U_27_zy;
+  const Scalar t734 = c_28 * omega_r_27_x - s_28 * omega_27_z;
+  const Scalar omega_28_z = qd_28 + t727;
+  const Scalar t735 = omega_28_z * omega_28_z;
+  const Scalar U_28_xx = t734 * t734 + t735;
+  const Scalar ddp_o_29_x = Scalar(0.004) * U_28_xx + c_28 * t733 - s_28 * t729;
   const Scalar U_27_yy = omega_r_27_x * omega_r_27_x + omega_27_z * omega_27_z;
-  const Scalar ddp_o_28_y = Scalar(0.305) * U_27_yy - c_27 * t711 - s_27 * t717;
+  const Scalar ddp_o_28_y = Scalar(0.305) * U_27_yy - c_27 * t719 - s_27 * t725;
   const Scalar omega_r_28_x = c_28 * omega_27_z + s_28 * omega_r_27_x;
   const Scalar domega_28_y = c_28 * domega_27_x - s_28 * domega_26_y + qd_28 * omega_r_28_x;
-  const Scalar t728 = omega_r_28_x * omega_28_z;
-  const Scalar U_28_zx = domega_28_y + t728;
+  const Scalar t736 = omega_r_28_x * omega_28_z;
+  const Scalar U_28_zx = domega_28_y + t736;
   const Scalar ddp_o_29_z = ddp_o_28_y + Scalar(0.004) * U_28_zx;
   const Scalar ddp_29_x = c_29 * ddp_o_29_x + s_29 * ddp_o_29_z;
   const Scalar omega_r_29_y = c_29 * omega_28_z + s_29 * omega_r_28_x;
-  const Scalar omega_29_z = qd_29 + t726;
-  const Scalar t729 = omega_29_z * omega_29_z;
-  const Scalar U_29_xx = omega_r_29_y * omega_r_29_y + t729;
-  const Scalar t730 = c_29 * omega_r_28_x - s_29 * omega_28_z;
-  const Scalar t731 = t730 * omega_r_29_y;
-  const Scalar U_29_xy = domega_28_y - t731;
+  const Scalar omega_29_z = qd_29 + t734;
+  const Scalar t737 = omega_29_z * omega_29_z;
+  const Scalar U_29_xx = omega_r_29_y * omega_r_29_y + t737;
+  const Scalar t738 = c_29 * omega_r_28_x - s_29 * omega_28_z;
+  const Scalar t739 = t738 * omega_r_29_y;
+  const Scalar U_29_xy = domega_28_y - t739;
   const Scalar ddp_o_30_x = ddp_29_x - Scalar(0.004) * U_29_xx - Scalar(0.239) * U_29_xy;
-  const Scalar t732 = c_28 * t721 + s_28 * t725;
-  const Scalar t733 = omega_r_28_x * t726;
-  const Scalar domega_27_y = c_27 * t723 - s_27 * domega_15_y + qd_27 * omega_r_27_x;
-  const Scalar U_28_yx = domega_27_y - t733;
-  const Scalar t734 = t732 - Scalar(0.004) * U_28_yx;
-  const Scalar domega_28_x = c_28 * domega_26_y + s_28 * domega_27_x - qd_28 * t726;
-  const Scalar domega_29_y = c_29 * domega_27_y + s_29 * domega_28_x - qd_29 * t730;
-  const Scalar t735 = t730 * omega_29_z;
-  const Scalar U_29_zx = domega_29_y - t735;
+  const Scalar t740 = c_28 * t729 + s_28 * t733;
+  const Scalar t741 = omega_r_28_x * t734;
+  const Scalar domega_27_y = c_27 * t731 - s_27 * domega_15_y + qd_27 * omega_r_27_x;
+  const Scalar U_28_yx = domega_27_y - t741;
+  const Scalar t742 = t740 - Scalar(0.004) * U_28_yx;
+  const Scalar domega_28_x = c_28 * domega_26_y + s_28 * domega_27_x - qd_28 * t734;
+  const Scalar domega_29_y = c_29 * domega_27_y + s_29 * domega_28_x - qd_29 * t738;
+  const Scalar t743 = t738 * omega_29_z;
+  const Scalar U_29_zx = domega_29_y - t743;
   const Scalar domega_29_x = c_29 * domega_28_x - s_29 * domega_27_y + qd_29 * omega_r_29_y;
-  const Scalar t736 = omega_r_29_y * omega_29_z;
-  const Scalar U_29_zy = domega_29_x + t736;
-  const Scalar t737 = t734 + Scalar(0.004) * U_29_zx - Scalar(0.239) * U_29_zy;
-  const Scalar ddp_30_x = c_30 * t737 + s_30 * ddp_o_30_x;
-  const Scalar t738 = c_29 * ddp_o_29_z - s_29 * ddp_o_29_x;
-  const Scalar U_29_yx = domega_28_y + t731;
-  const Scalar U_29_yy = t729 + t730 * t730;
-  const Scalar t739 = t738 - Scalar(0.004) * U_29_yx + Scalar(0.239) * U_29_yy;
-  const Scalar t740 = c_31 * ddp_30_x + s_31 * t739;
-  const Scalar t741 = c_30 * ddp_o_30_x - s_30 * t737;
-  const Scalar ddp_32_x = c_32 * t741 - s_32 * t740;
-  const Scalar omega_r_30_y = c_30 * t730 + s_30 * omega_29_z;
+  const Scalar t744 = omega_r_29_y * omega_29_z;
+  const Scalar U_29_zy = domega_29_x + t744;
+  const Scalar t745 = t742 + Scalar(0.004) * U_29_zx - Scalar(0.239) * U_29_zy;
+  const Scalar t746 = c_30 * t745 + s_30 * ddp_o_30_x;
+  const Scalar t747 = c_29 * ddp_o_29_z - s_29 * ddp_o_29_x;
+  const Scalar U_29_yx = domega_28_y + t739;
+  const Scalar U_29_yy = t737 + t738 * t738;
+  const Scalar t748 = t747 - Scalar(0.004) * U_29_yx + Scalar(0.239) * U_29_yy;
+  const Scalar t749 = c_31 * t746 + s_31 * t748;
+  const Scalar t750 = c_30 * ddp_o_30_x - s_30 * t745;
+  const Scalar ddp_32_x = c_32 * t750 - s_32 * t749;
+  const Scalar omega_r_30_y = c_30 * t738 + s_30 * omega_29_z;
   const Scalar domega_30_x = c_30 * domega_28_y - s_30 * domega_29_x + qd_30 * omega_r_30_y;
-  const Scalar omega_r_30_x = c_30 * omega_29_z - s_30 * t730;
+  const Scalar omega_r_30_x = c_30 * omega_29_z - s_30 * t738;
   const Scalar omega_30_z = qd_30 + omega_r_29_y;
-  const Scalar t742 = c_31 * omega_30_z - s_31 * omega_r_30_x;
-  const Scalar domega_31_x = c_31 * domega_30_x + s_31 * domega_29_y - qd_31 * t742;
+  const Scalar t751 = c_31 * omega_30_z - s_31 * omega_r_30_x;
+  const Scalar domega_31_x = c_31 * domega_30_x + s_31 * domega_29_y - qd_31 * t751;
   const Scalar omega_r_31_x = c_31 * omega_r_30_x + s_31 * omega_30_z;
   const Scalar omega_31_z = qd_31 + omega_r_30_y;
   const Scalar omega_r_32_x = c_32 * omega_31_z + s_32 * omega_r_31_x;
-  const Scalar t743 = c_30 * domega_29_x + s_30 * domega_28_y - qd_30 * omega_r_30_x;
-  const Scalar domega_32_y = c_32 * domega_31_x - s_32 * t743 + qd_32 * omega_r_32_x;
-  const Scalar omega_32_z = qd_32 + t742;
-  const Scalar t744 = omega_r_32_x * omega_32_z;
-  const Scalar U_32_xz = domega_32_y - t744;
-  const Scalar t745 = c_32 * omega_r_31_x - s_32 * omega_31_z;
-  const Scalar t746 = omega_r_32_x * t745;
+  const Scalar t752 = c_30 * domega_29_x + s_30 * domega_28_y - qd_30 * omega_r_30_x;
+  const Scalar domega_32_y = c_32 * domega_31_x - s_32 * t752 + qd_32 * omega_r_32_x;
+  const Scalar omega_32_z = qd_32 + t751;
+  const Scalar t753 = omega_r_32_x * omega_32_z;
+  const Scalar U_32_xz = domega_32_y - t753;
+  const Scalar t754 = c_32 * omega_r_31_x - s_32 * omega_31_z;
+  const Scalar t755 = omega_r_32_x * t754;
   const Scalar domega_31_y = c_31 * domega_29_y - s_31 * domega_30_x + qd_31 * omega_r_31_x;
   const Scalar N_32_z = Scalar(0.0014129000000002) * domega_31_y + Scalar(0.0094) * ddp_32_x -
-      Scalar(0.0005096) * t746 - Scalar(0.0007482) * U_32_xz;
+      Scalar(0.0005096) * t755 - Scalar(0.0007482) * U_32_xz;
   const Scalar y_32 = tau_32 + N_32_z;
-  const Scalar t747 = c_31 * t739 - s_31 * ddp_30_x;
-  const Scalar t748 = omega_32_z * omega_32_z;
-  const Scalar t749 = Scalar(0.0094) * t747 - Scalar(0.0007482) * (t748 - t745 * t745) -
-      Scalar(0.0009033000000002) * t745 * omega_32_z;
-  const Scalar U_32_xy = domega_31_y + t746;
+  const Scalar t756 = c_31 * t748 - s_31 * t746;
+  const Scalar t757 = omega_32_z * omega_32_z;
+  const Scalar t758 = Scalar(0.0094) * t756 - Scalar(0.0007482) * (t757 - t754 * t754) -
+      Scalar(0.0009033000000002) * t754 * omega_32_z;
+  const Scalar U_32_xy = domega_31_y + t755;
   const Scalar N_32_y = Scalar(0.0005096) * domega_32_y - Scalar(0.0007482) * U_32_xy +
-      Scalar(0.0014129000000002) * t744;
-  const Scalar t750 = omega_r_31_x * t742;
-  const Scalar t751 = Scalar(-0.0253235000000002) * t743;
-  const Scalar t752 = Scalar(0.1902) * t740 - Scalar(0.0250035000000002) * t750 - c_32 * t749 +
-      s_32 * N_32_y + t751;
-  const Scalar y_32_31 = tau_31 - t752 - y_32 * t427;
+      Scalar(0.0014129000000002) * t753;
+  const Scalar t759 = omega_r_31_x * t751;
+  const Scalar t760 = Scalar(-0.0253235000000002) * t752;
+  const Scalar t761 = Scalar(0.1902) * t749 - Scalar(0.0250035000000002) * t759 - c_32 * t758 +
+      s_32 * N_32_y + t760;
+  const Scalar y_32_31 = tau_31 - t761 - y_32 * t435;
   const Scalar mu_31_y = Scalar(0.0250035000000002) * domega_31_y - N_32_z -
       Scalar(0.0253235000000002) * omega_r_31_x * omega_31_z;
-  const Scalar t753 = t742 * omega_31_z;
-  const Scalar t754 = Scalar(0.1902) * t741 + Scalar(0.0503270000000004) * t753 - c_32 * N_32_y -
-      s_32 * t749;
+  const Scalar t762 = t751 * omega_31_z;
+  const Scalar t763 = Scalar(0.1902) * t750 + Scalar(0.0503270000000004) * t762 - c_32 * N_32_y -
+      s_32 * t758;
   const Scalar mu_30_z = Scalar(0.0259635000000002) * domega_29_y -
-      Scalar(0.0253235000000002) * omega_r_30_x * omega_r_30_y - c_31 * mu_31_y - s_31 * t754;
-  const Scalar y_31_30 = tau_30 + mu_30_z - y_32 * t450 + t446 * y_32_31;
-  const Scalar mu_30_x = Scalar(0.0512870000000004) * omega_r_30_y * omega_30_z - c_31 * t754 +
+      Scalar(0.0253235000000002) * omega_r_30_x * omega_r_30_y - c_31 * mu_31_y - s_31 * t763;
+  const Scalar y_31_30 = tau_30 + mu_30_z - y_32 * t458 + t454 * y_32_31;
+  const Scalar mu_30_x = Scalar(0.0512870000000004) * omega_r_30_y * omega_30_z - c_31 * t763 +
       s_31 * mu_31_y;
-  const Scalar t755 = t751 - t752 - Scalar(0.0259635000000002) * omega_r_30_x * omega_30_z;
-  const Scalar U_32_yy = omega_r_32_x * omega_r_32_x + t748;
-  const Scalar t756 = Scalar(0.1902) * (t743 + t750) -
+  const Scalar t764 = t760 - t761 - Scalar(0.0259635000000002) * omega_r_30_x * omega_30_z;
+  const Scalar U_32_yy = omega_r_32_x * omega_r_32_x + t757;
+  const Scalar t765 = Scalar(0.1902) * (t752 + t759) -
       Scalar(0.0094) * (c_32 * U_32_yy - s_32 * U_32_xy);
-  const Scalar U_32_zy = c_32 * t743 + s_32 * domega_31_x - t745 * (qd_32 + omega_32_z);
+  const Scalar U_32_zy = c_32 * t752 + s_32 * domega_31_x - t754 * (qd_32 + omega_32_z);
   const Scalar U_31_yy = omega_r_31_x * omega_r_31_x + omega_31_z * omega_31_z;
   const Scalar f_31_y = Scalar(0.1902) * U_31_yy + Scalar(0.0094) * U_32_zy;
-  const Scalar f_u_31_t_x = c_31 * t756 + s_31 * f_31_y;
-  const Scalar U_31_zy = domega_31_x - t753;
+  const Scalar f_u_31_t_x = c_31 * t765 + s_31 * f_31_y;
+  const Scalar U_31_zy = domega_31_x - t762;
   const Scalar f_31_z = Scalar(0.1902) * U_31_zy -
       Scalar(0.0094) * (c_32 * U_32_xy + s_32 * U_32_yy);
   const Scalar f_u_30_t_x = c_30 * f_31_z + s_30 * f_u_31_t_x;
-  const Scalar f_u_31_t_y = c_31 * f_31_y - s_31 * t756;
+  const Scalar f_u_31_t_y = c_31 * f_31_y - s_31 * t765;
   const Scalar U_29_xx_yy = U_29_xx - U_29_yy;
   const Scalar mu_29_z = Scalar(0.2298769000000002) * domega_28_y - Scalar(0.8648) * ddp_29_x -
-      Scalar(0.0328) * t738 - Scalar(0.2262745000000002) * t731 + Scalar(0.0050592) * U_29_xx_yy -
-      Scalar(0.004) * f_u_31_t_y + Scalar(0.239) * f_u_30_t_x + c_30 * mu_30_x + s_30 * t755;
-  const Scalar y_30_29 = tau_29 + mu_29_z - y_32 * t454 + t453 * y_32_31 + t452 * y_31_30;
-  const Scalar t757 = c_30 * f_u_31_t_x - s_30 * f_31_z;
-  const Scalar t758 = Scalar(0.8648) * t734 + Scalar(0.0050592) * U_29_zx -
-      Scalar(0.4561514000000004) * t736 - Scalar(0.239) * t757 - c_30 * t755 + s_30 * mu_30_x;
-  const Scalar t759 = Scalar(0.0328) * t734 - Scalar(0.2262745000000002) * domega_29_y -
-      Scalar(0.2298769000000002) * t735 - Scalar(0.0050592) * U_29_zy + mu_30_z -
-      Scalar(0.004) * t757;
-  const Scalar f_29_z = Scalar(0.0328) * U_29_zx - Scalar(0.8648) * U_29_zy - t757;
-  const Scalar t760 = t726 * omega_28_z;
-  const Scalar U_28_yz = domega_28_x + t760;
-  const Scalar mu_28_z = Scalar(0.2360429000000002) * domega_27_y + Scalar(0.0032) * t732 +
-      Scalar(0.2282085000000002) * t733 + Scalar(0.0023) * U_28_yz - Scalar(0.004) * f_29_z +
-      c_29 * t759 + s_29 * t758;
-  const Scalar y_29_28 = tau_28 + mu_28_z - y_32 * t465 + t464 * y_32_31 - t463 * y_31_30 +
-      t460 * y_30_29;
-  const Scalar t761 = Scalar(0.0023) * U_28_yx - Scalar(0.4642514000000004) * t760 - c_29 * t758 +
-      s_29 * t759;
+      Scalar(0.0328) * t747 - Scalar(0.2262745000000002) * t739 + Scalar(0.0050592) * U_29_xx_yy -
+      Scalar(0.004) * f_u_31_t_y + Scalar(0.239) * f_u_30_t_x + c_30 * mu_30_x + s_30 * t764;
+  const Scalar y_30_29 = tau_29 + mu_29_z - y_32 * t462 + t461 * y_32_31 + t460 * y_31_30;
+  const Scalar t766 = c_30 * f_u_31_t_x - s_30 * f_31_z;
+  const Scalar t767 = Scalar(0.8648) * t742 + Scalar(0.0050592) * U_29_zx -
+      Scalar(0.4561514000000004) * t744 - Scalar(0.239) * t766 - c_30 * t764 + s_30 * mu_30_x;
+  const Scalar t768 = Scalar(0.0328) * t742 - Scalar(0.2262745000000002) * domega_29_y -
+      Scalar(0.2298769000000002) * t743 - Scalar(0.0050592) * U_29_zy + mu_30_z -
+      Scalar(0.004) * t766;
+  const Scalar f_29_z = Scalar(0.0328) * U_29_zx - Scalar(0.8648) * U_29_zy - t766;
+  const Scalar t769 = t734 * omega_28_z;
+  const Scalar U_28_yz = domega_28_x + t769;
+  const Scalar mu_28_z = Scalar(0.2360429000000002) * domega_27_y + Scalar(0.0032) * t740 +
+      Scalar(0.2282085000000002) * t741 + Scalar(0.0023) * U_28_yz - Scalar(0.004) * f_29_z +
+      c_29 * t768 + s_29 * t767;
+  const Scalar y_29_28 = tau_28 + mu_28_z - y_32 * t473 + t472 * y_32_31 - t471 * y_31_30 +
+      t468 * y_30_29;
+  const Scalar t770 = Scalar(0.0023) * U_28_yx - Scalar(0.4642514000000004) * t769 - c_29 * t767 +
+      s_29 * t768;
   const Scalar f_29_x = Scalar(0.0328) * U_29_xx + Scalar(0.8648) * U_29_xy + f_u_30_t_x;
   const Scalar f_29_y = Scalar(0.0328) * U_29_yx - Scalar(0.8648) * U_29_yy - f_u_31_t_y;
   const Scalar f_u_29_t_y = c_29 * f_29_y + s_29 * f_29_x;
   const Scalar mu_28_y = Scalar(0.0032) * ddp_o_28_y + Scalar(0.2282085000000002) * domega_28_y -
-      Scalar(0.2360429000000002) * t728 + Scalar(0.0023) * (t727 - omega_r_28_x * omega_r_28_x) -
+      Scalar(0.2360429000000002) * t736 + Scalar(0.0023) * (t735 - omega_r_28_x * omega_r_28_x) -
       mu_29_z + Scalar(0.004) * f_u_29_t_y;
   const Scalar f_28_x = Scalar(0.0032) * U_28_xx + c_29 * f_29_x - s_29 * f_29_y;
   const Scalar f_28_y = Scalar(0.0032) * U_28_yx + f_29_z;
   const Scalar f_u_28_t_x = c_28 * f_28_y + s_28 * f_28_x;
-  const Scalar t762 = Scalar(0.7079407000000002) * domega_26_y;
-  const Scalar t763 = Scalar(1.661) * t718 - Scalar(0.7059807000000002) * t720 +
-      Scalar(0.305) * f_u_28_t_x - c_28 * t761 - s_28 * mu_28_y - t762;
-  const Scalar y_28_27 = tau_27 - t763 - y_32 * t474 + t473 * y_32_31 + t472 * y_31_30 -
-      t471 * y_30_29 - t470 * y_29_28;
-  const Scalar t764 = c_28 * f_28_x - s_28 * f_28_y;
-  const Scalar t765 = Scalar(1.661) * t722 + Scalar(1.4139214000000004) * t724 -
-      Scalar(0.305) * t764 + c_28 * mu_28_y - s_28 * t761;
+  const Scalar t771 = Scalar(0.7079407000000002) * domega_26_y;
+  const Scalar t772 = Scalar(1.661) * t726 - Scalar(0.7059807000000002) * t728 +
+      Scalar(0.305) * f_u_28_t_x - c_28 * t770 - s_28 * mu_28_y - t771;
+  const Scalar y_28_27 = tau_27 - t772 - y_32 * t482 + t481 * y_32_31 + t480 * y_31_30 -
+      t479 * y_30_29 - t478 * y_29_28;
+  const Scalar t773 = c_28 * f_28_x - s_28 * f_28_y;
+  const Scalar t774 = Scalar(1.661) * t730 + Scalar(1.4139214000000004) * t732 -
+      Scalar(0.305) * t773 + c_28 * mu_28_y - s_28 * t770;
   const Scalar mu_27_y = Scalar(0.7059807000000002) * domega_27_y - mu_28_z -
       Scalar(0.7079407000000002) * omega_r_27_x * omega_27_z;
-  const Scalar t766 = Scalar(0.7099007000000002) * domega_15_y;
-  const Scalar mu_26_z = Scalar(0.7079407000000002) * omega_r_26_x * omega_r_26_y - c_27 * t765 +
-      s_27 * mu_27_y + t766;
-  const Scalar y_27_26 = tau_26 + mu_26_z + y_32 * t487 + t486 * y_32_31 + t485 * y_31_30 -
-      t484 * y_30_29 - t483 * y_29_28 + t482 * y_28_27;
-  const Scalar ddp_o_19_z = t698 + t701;
-  const Scalar t767 = t706 - t709;
-  const Scalar t768 = c_19 * t767 + s_19 * ddp_o_19_z;
-  const Scalar t769 = t714 + t716;
-  const Scalar t770 = c_20 * t769 - s_20 * t768;
-  const Scalar omega_r_19_x = c_19 * t692 + s_19 * omega_15_z;
+  const Scalar t775 = Scalar(0.7099007000000002) * domega_15_y;
+  const Scalar mu_26_z = Scalar(0.7079407000000002) * omega_r_26_x * omega_r_26_y - c_27 * t774 +
+      s_27 * mu_27_y + t775;
+  const Scalar y_27_26 = tau_26 + mu_26_z + y_32 * t495 + t494 * y_32_31 + t493 * y_31_30 -
+      t492 * y_30_29 - t491 * y_29_28 + t490 * y_28_27;
+  const Scalar ddp_o_19_z = t706 + t709;
+  const Scalar t776 = t714 - t717;
+  const Scalar t777 = c_19 * t776 + s_19 * ddp_o_19_z;
+  const Scalar t778 = t722 + t724;
+  const Scalar t779 = c_20 * t778 - s_20 * t777;
+  const Scalar omega_r_19_x = c_19 * t700 + s_19 * omega_15_z;
   const Scalar omega_19_z = qd_19 + omega_r_15_y;
   const Scalar omega_r_20_x = c_20 * omega_19_z + s_20 * omega_r_19_x;
-  const Scalar t771 = c_20 * omega_r_19_x - s_20 * omega_19_z;
-  const Scalar t772 = omega_r_20_x * t771;
-  const Scalar domega_19_y = c_19 * t708 - s_19 * domega_15_x + qd_19 * omega_r_19_x;
-  const Scalar U_20_xy = domega_19_y + t772;
-  const Scalar t773 = t770 - Scalar(0.305) * U_20_xy;
-  const Scalar t774 = c_19 * ddp_o_19_z - s_19 * t767;
-  const Scalar omega_r_19_y = c_19 * omega_15_z - s_19 * t692;
-  const Scalar t775 = c_19 * domega_15_x + s_19 * t708 - qd_19 * omega_r_19_y;
-  const Scalar domega_20_x = c_20 * domega_15_y + s_20 * t775 - qd_20 * t771;
+  const Scalar t780 = c_20 * omega_r_19_x - s_20 * omega_19_z;
+  const Scalar t781 = omega_r_20_x * t780;
+  const Scalar domega_19_y = c_19 * t716 - s_19 * domega_15_x + qd_19 * omega_r_19_x;
+  const Scalar U_20_xy = domega_19_y + t781;
+  const Scalar t782 = t779 - Scalar(0.305) * U_20_xy;
+  const Scalar t783 = c_19 * ddp_o_19_z - s_19 * t776;
+  const Scalar omega_r_19_y = c_19 * omega_15_z - s_19 * t700;
+  const Scalar t784 = c_19 * domega_15_x + s_19 * t716 - qd_19 * omega_r_19_y;
+  const Scalar domega_20_x = c_20 * domega_15_y + s_20 * t784 - qd_20 * t780;
   const Scalar omega_20_z = qd_20 + omega_r_19_y;
-  const Scalar t776 = t771 * omega_20_z;
-  const Scalar U_20_zy = domega_20_x - t776;
-  const Scalar t777 = t774 - Scalar(0.305) * U_20_zy;
-  const Scalar t778 = c_21 * omega_r_20_x - s_21 * omega_20_z;
-  const Scalar omega_21_z = qd_21 + t771;
-  const Scalar t779 = omega_21_z * omega_21_z;
-  const Scalar U_21_xx = t778 * t778 + t779;
-  const Scalar ddp_o_22_x = Scalar(0.004) * U_21_xx + c_21 * t777 - s_21 * t773;
+  const Scalar t785 = t780 * omega_20_z;
+  const Scalar U_20_zy = domega_20_x - t785;
+  const Scalar t786 = t783 - Scalar(0.305) * U_20_zy;
+  const Scalar t787 = c_21 * omega_r_20_x - s_21 * omega_20_z;
+  const Scalar omega_21_z = qd_21 + t780;
+  const Scalar t788 = omega_21_z * omega_21_z;
+  const Scalar U_21_xx = t787 * t787 + t788;
+  const Scalar ddp_o_22_x = Scalar(0.004) * U_21_xx + c_21 * t786 - s_21 * t782;
   const Scalar U_20_yy = omega_r_20_x * omega_r_20_x + omega_20_z * omega_20_z;
-  const Scalar ddp_o_21_y = Scalar(0.305) * U_20_yy - c_20 * t768 - s_20 * t769;
+  const Scalar ddp_o_21_y = Scalar(0.305) * U_20_yy - c_20 * t777 - s_20 * t778;
   const Scalar omega_r_21_x = c_21 * omega_20_z + s_21 * omega_r_20_x;
   const Scalar domega_21_y = c_21 * domega_20_x - s_21 * domega_19_y + qd_21 * omega_r_21_x;
-  const Scalar t780 = omega_r_21_x * omega_21_z;
-  const Scalar U_21_zx = domega_21_y + t780;
+  const Scalar t789 = omega_r_21_x * omega_21_z;
+  const Scalar U_21_zx = domega_21_y + t789;
   const Scalar ddp_o_22_z = ddp_o_21_y + Scalar(0.004) * U_21_zx;
   const Scalar ddp_22_x = c_22 * ddp_o_22_x + s_22 * ddp_o_22_z;
   const Scalar omega_r_22_y = c_22 * omega_21_z + s_22 * omega_r_21_x;
-  const Scalar omega_22_z = qd_22 + t778;
-  const Scalar t781 = omega_22_z * omega_22_z;
-  const Scalar U_22_xx = omega_r_22_y * omega_r_22_y + t781;
-  const Scalar t782 = c_22 * omega_r_21_x - s_22 * omega_21_z;
-  const Scalar t783 = t782 * omega_r_22_y;
-  const Scalar U_22_xy = domega_21_y - t783;
+  const Scalar omega_22_z = qd_22 + t787;
+  const Scalar t790 = omega_22_z * omega_22_z;
+  const Scalar U_22_xx = omega_r_22_y * omega_r_22_y + t790;
+  const Scalar t791 = c_22 * omega_r_21_x - s_22 * omega_21_z;
+  const Scalar t792 = t791 * omega_r_22_y;
+  const Scalar U_22_xy = domega_21_y - t792;
   const Scalar ddp_o_23_x = ddp_22_x - Scalar(0.004) * U_22_xx - Scalar(0.239) * U_22_xy;
-  const Scalar t784 = c_21 * t773 + s_21 * t777;
-  const Scalar t785 = omega_r_21_x * t778;
-  const Scalar domega_20_y = c_20 * t775 - s_20 * domega_15_y + qd_20 * omega_r_20_x;
-  const Scalar U_21_yx = domega_20_y - t785;
-  const Scalar t786 = t784 - Scalar(0.004) * U_21_yx;
-  const Scalar domega_21_x = c_21 * domega_19_y + s_21 * domega_20_x - qd_21 * t778;
-  const Scalar domega_22_y = c_22 * domega_20_y + s_22 * domega_21_x - qd_22 * t782;
-  const Scalar t787 = t782 * omega_22_z;
-  const Scalar U_22_zx = domega_22_y - t787;
+  const Scalar t793 = c_21 * t782 + s_21 * t786;
+  const Scalar t794 = omega_r_21_x * t787;
+  const Scalar domega_20_y = c_20 * t784 - s_20 * domega_15_y + qd_20 * omega_r_20_x;
+  const Scalar U_21_yx = domega_20_y - t794;
+  const Scalar t795 = t793 - Scalar(0.004) * U_21_yx;
+  const Scalar domega_21_x = c_21 * domega_19_y + s_21 * domega_20_x - qd_21 * t787;
+  const Scalar domega_22_y = c_22 * domega_20_y + s_22 * domega_21_x - qd_22 * t791;
+  const Scalar t796 = t791 * omega_22_z;
+  const Scalar U_22_zx = domega_22_y - t796;
   const Scalar domega_22_x = c_22 * domega_21_x - s_22 * domega_20_y + qd_22 * omega_r_22_y;
-  const Scalar t788 = omega_r_22_y * omega_22_z;
-  const Scalar U_22_zy = domega_22_x + t788;
-  const Scalar t789 = t786 + Scalar(0.004) * U_22_zx - Scalar(0.239) * U_22_zy;
-  const Scalar ddp_23_x = c_23 * t789 + s_23 * ddp_o_23_x;
-  const Scalar t790 = c_22 * ddp_o_22_z - s_22 * ddp_o_22_x;
-  const Scalar U_22_yx = domega_21_y + t783;
-  const Scalar U_22_yy = t781 + t782 * t782;
-  const Scalar t791 = t790 - Scalar(0.004) * U_22_yx + Scalar(0.239) * U_22_yy;
-  const Scalar t792 = c_24 * ddp_23_x + s_24 * t791;
-  const Scalar t793 = c_23 * ddp_o_23_x - s_23 * t789;
-  const Scalar ddp_25_x = c_25 * t793 - s_25 * t792;
-  const Scalar omega_r_23_y = c_23 * t782 + s_23 * omega_22_z;
+  const Scalar t797 = omega_r_22_y * omega_22_z;
+  const Scalar U_22_zy = domega_22_x + t797;
+  const Scalar t798 = t795 + Scalar(0.004) * U_22_zx - Scalar(0.239) * U_22_zy;
+  const Scalar ddp_23_x = c_23 * t798 + s_23 * ddp_o_23_x;
+  const Scalar t799 = c_22 * ddp_o_22_z - s_22 * ddp_o_22_x;
+  const Scalar U_22_yx = domega_21_y + t792;
+  const Scalar U_22_yy = t790 + t791 * t791;
+  const Scalar t800 = t799 - Scalar(0.004) * U_22_yx + Scalar(0.239) * U_22_yy;
+  const Scalar t801 = c_24 * ddp_23_x + s_24 * t800;
+  const Scalar t802 = c_23 * ddp_o_23_x - s_23 * t798;
+  const Scalar ddp_25_x = c_25 * t802 - s_25 * t801;
+  const Scalar omega_r_23_y = c_23 * t791 + s_23 * omega_22_z;
   const Scalar domega_23_x = c_23 * domega_21_y - s_23 * domega_22_x + qd_23 * omega_r_23_y;
-  const Scalar omega_r_23_x = c_23 * omega_22_z - s_23 * t782;
+  const Scalar omega_r_23_x = c_23 * omega_22_z - s_23 * t791;
   const Scalar omega_23_z = qd_23 + omega_r_22_y;
-  const Scalar t794 = c_24 * omega_23_z - s_24 * omega_r_23_x;
-  const Scalar domega_24_x = c_24 * domega_23_x + s_24 * domega_22_y - qd_24 * t794;
+  const Scalar t803 = c_24 * omega_23_z - s_24 * omega_r_23_x;
+  const Scalar domega_24_x = c_24 * domega_23_x + s_24 * domega_22_y - qd_24 * t803;
   const Scalar omega_r_24_x = c_24 * omega_r_23_x + s_24 * omega_23_z;
   const Scalar omega_24_z = qd_24 + omega_r_23_y;
   const Scalar omega_r_25_x = c_25 * omega_24_z + s_25 * omega_r_24_x;
-  const Scalar t795 = c_23 * domega_22_x + s_23 * domega_21_y - qd_23 * omega_r_23_x;
-  const Scalar domega_25_y = c_25 * domega_24_x - s_25 * t795 + qd_25 * omega_r_25_x;
-  const Scalar omega_25_z = qd_25 + t794;
-  const Scalar t796 = omega_r_25_x * omega_25_z;
-  const Scalar U_25_xz = domega_25_y - t796;
-  const Scalar t797 = c_25 * omega_r_24_x - s_25 * omega_24_z;
-  const Scalar t798 = omega_r_25_x * t797;
+  const Scalar t804 = c_23 * domega_22_x + s_23 * domega_21_y - qd_23 * omega_r_23_x;
+  const Scalar domega_25_y = c_25 * domega_24_x - s_25 * t804 + qd_25 * omega_r_25_x;
+  const Scalar omega_25_z = qd_25 + t803;
+  const Scalar t805 = omega_r_25_x * omega_25_z;
+  const Scalar U_25_xz = domega_25_y - t805;
+  const Scalar t806 = c_25 * omega_r_24_x - s_25 * omega_24_z;
+  const Scalar t807 = omega_r_25_x * t806;
   const Scalar domega_24_y = c_24 * domega_22_y - s_24 * domega_23_x + qd_24 * omega_r_24_x;
   const Scalar N_25_z = Scalar(0.0014129000000002) * domega_24_y - Scalar(0.0094) * ddp_25_x -
-      Scalar(0.0005096) * t798 + Scalar(0.0007482) * U_25_xz;
+      Scalar(0.0005096) * t807 + Scalar(0.0007482) * U_25_xz;
   const Scalar y_25 = tau_25 + N_25_z;
-  const Scalar t799 = c_24 * t791 - s_24 * ddp_23_x;
-  const Scalar t800 = omega_25_z * omega_25_z;
-  const Scalar t801 = Scalar(0.0094) * t799 - Scalar(0.0007482) * (t800 - t797 * t797) +
-      Scalar(0.0009033000000002) * t797 * omega_25_z;
-  const Scalar U_25_xy = domega_24_y + t798;
+  const Scalar t808 = c_24 * t800 - s_24 * ddp_23_x;
+  const Scalar t809 = omega_25_z * omega_25_z;
+  const Scalar t810 = Scalar(0.0094) * t808 - Scalar(0.0007482) * (t809 - t806 * t806) +
+      Scalar(0.0009033000000002) * t806 * omega_25_z;
+  const Scalar U_25_xy = domega_24_y + t807;
   const Scalar N_25_y = Scalar(0.0005096) * domega_25_y + Scalar(0.0007482) * U_25_xy +
-      Scalar(0.0014129000000002) * t796;
-  const Scalar t802 = omega_r_24_x * t794;
-  const Scalar t803 = Scalar(-0.0253235000000002) * t795;
-  const Scalar t804 = Scalar(0.1902) * t792 - Scalar(0.0250035000000002) * t802 + c_25 * t801 +
-      s_25 * N_25_y + t803;
-  const Scalar y_25_24 = tau_24 - t804 + y_25 * t536;
+      Scalar(0.0014129000000002) * t805;
+  const Scalar t811 = omega_r_24_x * t803;
+  const Scalar t812 = Scalar(-0.0253235000000002) * t804;
+  const Scalar t813 = Scalar(0.1902) * t801 - Scalar(0.0250035000000002) * t811 + c_25 * t810 +
+      s_25 * N_25_y + t812;
+  const Scalar y_25_24 = tau_24 - t813 + y_25 * t544;
   const Scalar mu_24_y = Scalar(0.0250035000000002) * domega_24_y - N_25_z -
       Scalar(0.0253235000000002) * omega_r_24_x * omega_24_z;
-  const Scalar t805 = t794 * omega_24_z;
-  const Scalar t806 = Scalar(0.1902) * t793 + Scalar(0.0503270000000004) * t805 - c_25 * N_25_y +
-      s_25 * t801;
+  const Scalar t814 = t803 * omega_24_z;
+  const Scalar t815 = Scalar(0.1902) * t802 + Scalar(0.0503270000000004) * t814 - c_25 * N_25_y +
+      s_25 * t810;
   const Scalar mu_23_z = Scalar(0.0259635000000002) * domega_22_y -
-      Scalar(0.0253235000000002) * omega_r_23_x * omega_r_23_y - c_24 * mu_24_y - s_24 * t806;
-  const Scalar y_24_23 = tau_23 + mu_23_z - y_25 * t558 - t554 * y_25_24;
-  const Scalar mu_23_x = Scalar(0.0512870000000004) * omega_r_23_y * omega_23_z - c_24 * t806 +
+      Scalar(0.0253235000000002) * omega_r_23_x * omega_r_23_y - c_24 * mu_24_y - s_24 * t815;
+  const Scalar y_24_23 = tau_23 + mu_23_z - y_25 * t566 - t562 * y_25_24;
+  const Scalar mu_23_x = Scalar(0.0512870000000004) * omega_r_23_y * omega_23_z - c_24 * t815 +
       s_24 * mu_24_y;
-  const Scalar t807 = t803 - t804 - Scalar(0.0259635000000002) * omega_r_23_x * omega_23_z;
-  const Scalar U_25_yy = omega_r_25_x * omega_r_25_x + t800;
-  const Scalar t808 = Scalar(0.1902) * (t795 + t802) +
+  const Scalar t816 = t812 - t813 - Scalar(0.0259635000000002) * omega_r_23_x * omega_23_z;
+  const Scalar U_25_yy = omega_r_25_x * omega_r_25_x + t809;
+  const Scalar t817 = Scalar(0.1902) * (t804 + t811) +
       Scalar(0.0094) * (c_25 * U_25_yy - s_25 * U_25_xy);
-  const Scalar U_25_zy = c_25 * t795 + s_25 * domega_24_x - t797 * (qd_25 + omega_25_z);
+  const Scalar U_25_zy = c_25 * t804 + s_25 * domega_24_x - t806 * (qd_25 + omega_25_z);
   const Scalar U_24_yy = omega_r_24_x * omega_r_24_x + omega_24_z * omega_24_z;
   const Scalar f_24_y = Scalar(0.1902) * U_24_yy - Scalar(0.0094) * U_25_zy;
-  const Scalar f_u_24_t_x = c_24 * t808 + s_24 * f_24_y;
-  const Scalar U_24_zy = domega_24_x - t805;
+  const Scalar f_u_24_t_x = c_24 * t817 + s_24 * f_24_y;
+  const Scalar U_24_zy = domega_24_x - t814;
   const Scalar f_24_z = Scalar(0.1902) * U_24_zy +
       Scalar(0.0094) * (c_25 * U_25_xy + s_25 * U_25_yy);
   const Scalar f_u_23_t_x = c_23 * f_24_z + s_23 * f_u_24_t_x;
-  const Scalar f_u_24_t_y = c_24 * f_24_y - s_24 * t808;
+  const Scalar f_u_24_t_y = c_24 * f_24_y - s_24 * t817;
   const Scalar U_22_xx_yy = U_22_xx - U_22_yy;
   const Scalar mu_22_z = Scalar(0.2298769000000002) * domega_21_y - Scalar(0.8648) * ddp_22_x -
-      Scalar(0.0328) * t790 - Scalar(0.2262745000000002) * t783 + Scalar(0.0050592) * U_22_xx_yy -
-      Scalar(0.004) * f_u_24_t_y + Scalar(0.239) * f_u_23_t_x + c_23 * mu_23_x + s_23 * t807;
-  const Scalar y_23_22 = tau_22 + mu_22_z + y_25 * t564 + t563 * y_25_24 + t561 * y_24_23;
-  const Scalar t809 = c_23 * f_u_24_t_x - s_23 * f_24_z;
-  const Scalar t810 = Scalar(0.8648) * t786 + Scalar(0.0050592) * U_22_zx -
-      Scalar(0.4561514000000004) * t788 - Scalar(0.239) * t809 - c_23 * t807 + s_23 * mu_23_x;
-  const Scalar t811 = Scalar(0.0328) * t786 - Scalar(0.2262745000000002) * domega_22_y -
-      Scalar(0.2298769000000002) * t787 - Scalar(0.0050592) * U_22_zy + mu_23_z -
-      Scalar(0.004) * t809;
-  const Scalar f_22_z = Scalar(0.0328) * U_22_zx - Scalar(0.8648) * U_22_zy - t809;
-  const Scalar t812 = t778 * omega_21_z;
-  const Scalar U_21_yz = domega_21_x + t812;
-  const Scalar mu_21_z = Scalar(0.2360429000000002) * domega_20_y + Scalar(0.0032) * t784 +
-      Scalar(0.2282085000000002) * t785 + Scalar(0.0023) * U_21_yz - Scalar(0.004) * f_22_z +
-      c_22 * t811 + s_22 * t810;
-  const Scalar y_22_21 = tau_21 + mu_21_z + y_25 * t572 + t571 * y_25_24 - t570 * y_24_23 +
-      t569 * y_23_22;
-  const Scalar t813 = Scalar(0.0023) * U_21_yx - Scalar(0.4642514000000004) * t812 - c_22 * t810 +
-      s_22 * t811;
+      Scalar(0.0328) * t799 - Scalar(0.2262745000000002) * t792 + Scalar(0.0050592) * U_22_xx_yy -
+      Scalar(0.004) * f_u_24_t_y + Scalar(0.239) * f_u_23_t_x + c_23 * mu_23_x + s_23 * t816;
+  const Scalar y_23_22 = tau_22 + mu_22_z + y_25 * t572 + t571 * y_25_24 + t569 * y_24_23;
+  const Scalar t818 = c_23 * f_u_24_t_x - s_23 * f_24_z;
+  const Scalar t819 = Scalar(0.8648) * t795 + Scalar(0.0050592) * U_22_zx -
+      Scalar(0.4561514000000004) * t797 - Scalar(0.239) * t818 - c_23 * t816 + s_23 * mu_23_x;
+  const Scalar t820 = Scalar(0.0328) * t795 - Scalar(0.2262745000000002) * domega_22_y -
+      Scalar(0.2298769000000002) * t796 - Scalar(0.0050592) * U_22_zy + mu_23_z -
+      Scalar(0.004) * t818;
+  const Scalar f_22_z = Scalar(0.0328) * U_22_zx - Scalar(0.8648) * U_22_zy - t818;
+  const Scalar t821 = t787 * omega_21_z;
+  const Scalar U_21_yz = domega_21_x + t821;
+  const Scalar mu_21_z = Scalar(0.2360429000000002) * domega_20_y + Scalar(0.0032) * t793 +
+      Scalar(0.2282085000000002) * t794 + Scalar(0.0023) * U_21_yz - Scalar(0.004) * f_22_z +
+      c_22 * t820 + s_22 * t819;
+  const Scalar y_22_21 = tau_21 + mu_21_z + y_25 * t580 + t579 * y_25_24 - t578 * y_24_23 +
+      t577 * y_23_22;
+  const Scalar t822 = Scalar(0.0023) * U_21_yx - Scalar(0.4642514000000004) * t821 - c_22 * t819 +
+      s_22 * t820;
   const Scalar f_22_x = Scalar(0.0328) * U_22_xx + Scalar(0.8648) * U_22_xy + f_u_23_t_x;
   const Scalar f_22_y = Scalar(0.0328) * U_22_yx - Scalar(0.8648) * U_22_yy - f_u_24_t_y;
   const Scalar f_u_22_t_y = c_22 * f_22_y + s_22 * f_22_x;
   const Scalar mu_21_y = Scalar(0.0032) * ddp_o_21_y + Scalar(0.2282085000000002) * domega_21_y -
-      Scalar(0.2360429000000002) * t780 + Scalar(0.0023) * (t779 - omega_r_21_x * omega_r_21_x) -
+      Scalar(0.2360429000000002) * t789 + Scalar(0.0023) * (t788 - omega_r_21_x * omega_r_21_x) -
       mu_22_z + Scalar(0.004) * f_u_22_t_y;
   const Scalar f_21_x = Scalar(0.0032) * U_21_xx + c_22 * f_22_x - s_22 * f_22_y;
   const Scalar f_21_y = Scalar(0.0032) * U_21_yx + f_22_z;
   const Scalar f_u_21_t_x = c_21 * f_21_y + s_21 * f_21_x;
-  const Scalar t814 = Scalar(0.7079407000000002) * domega_19_y;
-  const Scalar t815 = Scalar(1.661) * t770 - Scalar(0.7059807000000002) * t772 +
-      Scalar(0.305) * f_u_21_t_x - c_21 * t813 - s_21 * mu_21_y - t814;
-  const Scalar y_21_20 = tau_20 - t815 + y_25 * t583 + t582 * y_25_24 - t581 * y_24_23 +
-      t580 * y_23_22 + t579 * y_22_21;
-  const Scalar t816 = c_21 * f_21_x - s_21 * f_21_y;
-  const Scalar t817 = Scalar(1.661) * t774 + Scalar(1.4139214000000004) * t776 -
-      Scalar(0.305) * t816 + c_21 * mu_21_y - s_21 * t813;
+  const Scalar t823 = Scalar(0.7079407000000002) * domega_19_y;
+  const Scalar t824 = Scalar(1.661) * t779 - Scalar(0.7059807000000002) * t781 +
+      Scalar(0.305) * f_u_21_t_x - c_21 * t822 - s_21 * mu_21_y - t823;
+  const Scalar y_21_20 = tau_20 - t824 + y_25 * t591 + t590 * y_25_24 - t589 * y_24_23 +
+      t588 * y_23_22 + t587 * y_22_21;
+  const Scalar t825 = c_21 * f_21_x - s_21 * f_21_y;
+  const Scalar t826 = Scalar(1.661) * t783 + Scalar(1.4139214000000004) * t785 -
+      Scalar(0.305) * t825 + c_21 * mu_21_y - s_21 * t822;
   const Scalar mu_20_y = Scalar(0.7059807000000002) * domega_20_y - mu_21_z -
       Scalar(0.7079407000000002) * omega_r_20_x * omega_20_z;
-  const Scalar mu_19_z = t766 + Scalar(0.7079407000000002) * omega_r_19_x * omega_r_19_y -
-      c_20 * t817 + s_20 * mu_20_y;
-  const Scalar y_20_19 = tau_19 + mu_19_z - y_25 * t596 + t595 * y_25_24 + t594 * y_24_23 +
-      t593 * y_23_22 - t592 * y_22_21 - t591 * y_21_20;
+  const Scalar mu_19_z = t775 + Scalar(0.7079407000000002) * omega_r_19_x * omega_r_19_y -
+      c_20 * t826 + s_20 * mu_20_y;
+  const Scalar y_20_19 = tau_19 + mu_19_z - y_25 * t604 + t603 * y_25_24 + t602 * y_24_23 +
+      t601 * y_23_22 - t600 * y_22_21 - t599 * y_21_20;
+  const Scalar t827 = Scalar(1.4178414000000004) * omega_r_26_y * omega_26_z + c_27 * mu_27_y +
+      s_27 * t774;
+  const Scalar t828 = Scalar(1.4178414000000004) * omega_r_19_y * omega_19_z + c_20 * mu_20_y +
+      s_20 * t826;
   const Scalar f_27_x = Scalar(1.661) * U_27_xy - f_u_28_t_x;
   const Scalar f_27_y = Scalar(1.661) * U_27_yy - Scalar(0.0032) * U_28_zx - f_u_29_t_y;
-  const Scalar t818 = c_27 * f_27_y - s_27 * f_27_x;
-  const Scalar f_27_z = Scalar(1.661) * U_27_zy + t764;
+  const Scalar t829 = c_27 * f_27_y - s_27 * f_27_x;
   const Scalar f_20_x = Scalar(1.661) * U_20_xy - f_u_21_t_x;
   const Scalar f_20_y = Scalar(1.661) * U_20_yy - Scalar(0.0032) * U_21_zx - f_u_22_t_y;
-  const Scalar t819 = c_20 * f_20_y - s_20 * f_20_x;
-  const Scalar f_20_z = Scalar(1.661) * U_20_zy + t816;
-  const Scalar t820 = (c_26 * t818 - s_26 * f_27_z) - (c_19 * t819 - s_19 * f_20_z);
-  const Scalar t821 = Scalar(1.4178414000000004) * omega_r_26_y * omega_26_z + c_27 * mu_27_y +
-      s_27 * t765;
-  const Scalar t822 = Scalar(1.4178414000000004) * omega_r_19_y * omega_19_z + c_20 * mu_20_y +
-      s_20 * t817;
-  const Scalar mu_26_y = t762 + t763 - Scalar(0.7099007000000002) * omega_r_26_x * omega_26_z;
-  const Scalar mu_19_y = t814 + t815 - Scalar(0.7099007000000002) * omega_r_19_x * omega_19_z;
-  const Scalar f_u_27_t_y = c_27 * f_27_x + s_27 * f_27_y;
-  const Scalar f_u_20_t_y = c_20 * f_20_x + s_20 * f_20_y;
-  const Scalar t823 = c_16 * omega_r_15_y - s_16 * omega_15_z;
-  const Scalar omega_16_z = qd_16 + t692;
-  const Scalar omega_r_17_x = c_17 * omega_16_z - s_17 * t823;
+  const Scalar t830 = c_20 * f_20_y - s_20 * f_20_x;
+  const Scalar f_27_z = Scalar(1.661) * U_27_zy + t773;
+  const Scalar f_20_z = Scalar(1.661) * U_20_zy + t825;
+  const Scalar t831 = c_26 * t829 - s_26 * f_27_z - c_19 * t830 + s_19 * f_20_z;
+  const Scalar mu_26_y = t771 + t772 - Scalar(0.7099007000000002) * omega_r_26_x * omega_26_z;
+  const Scalar mu_19_y = t823 + t824 - Scalar(0.7099007000000002) * omega_r_19_x * omega_19_z;
+  const Scalar t832 = c_27 * f_27_x + s_27 * f_27_y + c_20 * f_20_x + s_20 * f_20_y;
+  const Scalar t833 = c_16 * omega_r_15_y - s_16 * omega_15_z;
+  const Scalar omega_16_z = qd_16 + t700;
+  const Scalar omega_r_17_x = c_17 * omega_16_z - s_17 * t833;
   const Scalar omega_r_16_y = c_16 * omega_15_z + s_16 * omega_r_15_y;
   const Scalar omega_17_z = qd_17 + omega_r_16_y;
-  const Scalar t824 = c_18 * omega_17_z - s_18 * omega_r_17_x;
+  const Scalar t834 = c_18 * omega_17_z - s_18 * omega_r_17_x;
   const Scalar omega_r_18_y = c_18 * omega_r_17_x + s_18 * omega_17_z;
-  const Scalar t825 = t824 * omega_r_18_y;
-  const Scalar domega_16_x = c_16 * domega_15_y - s_16 * t708 + qd_16 * omega_r_16_y;
-  const Scalar t826 = c_17 * domega_16_x + s_17 * domega_15_x - qd_17 * omega_r_17_x;
-  const Scalar omega_r_17_y = c_17 * t823 + s_17 * omega_16_z;
+  const Scalar t835 = t834 * omega_r_18_y;
+  const Scalar domega_16_x = c_16 * domega_15_y - s_16 * t716 + qd_16 * omega_r_16_y;
+  const Scalar t836 = c_17 * domega_16_x + s_17 * domega_15_x - qd_17 * omega_r_17_x;
+  const Scalar omega_r_17_y = c_17 * t833 + s_17 * omega_16_z;
   const Scalar omega_18_z = qd_18 + omega_r_17_y;
-  const Scalar t827 = omega_18_z * omega_18_z;
-  const Scalar U_18_yy = t827 + t824 * t824;
-  const Scalar t828 = Scalar(0.02) * (t826 + t825) - Scalar(0.22) * U_18_yy;
-  const Scalar U_18_xx = omega_r_18_y * omega_r_18_y + t827;
-  const Scalar F_18_x = Scalar(0.02) * U_18_xx + Scalar(0.22) * (t826 - t825);
-  const Scalar f_u_18_t_x = c_18 * t828 + s_18 * F_18_x;
+  const Scalar t837 = omega_18_z * omega_18_z;
+  const Scalar U_18_yy = t837 + t834 * t834;
+  const Scalar t838 = Scalar(0.02) * (t836 + t835) - Scalar(0.22) * U_18_yy;
+  const Scalar U_18_xx = omega_r_18_y * omega_r_18_y + t837;
+  const Scalar F_18_x = Scalar(0.02) * U_18_xx + Scalar(0.22) * (t836 - t835);
+  const Scalar f_u_18_t_x = c_18 * t838 + s_18 * F_18_x;
   const Scalar domega_17_x = c_17 * domega_15_x - s_17 * domega_16_x + qd_17 * omega_r_17_y;
-  const Scalar domega_16_y = c_16 * t708 + s_16 * domega_15_y - qd_16 * t823;
-  const Scalar domega_18_y = c_18 * domega_17_x + s_18 * domega_16_y - qd_18 * t824;
-  const Scalar t829 = t824 * omega_18_z;
-  const Scalar U_18_zx = domega_18_y - t829;
+  const Scalar domega_16_y = c_16 * t716 + s_16 * domega_15_y - qd_16 * t833;
+  const Scalar domega_18_y = c_18 * domega_17_x + s_18 * domega_16_y - qd_18 * t834;
+  const Scalar t839 = t834 * omega_18_z;
+  const Scalar U_18_zx = domega_18_y - t839;
   const Scalar U_18_zy = c_18 * domega_16_y - s_18 * domega_17_x +
       omega_r_18_y * (qd_18 + omega_18_z);
   const Scalar F_18_z = Scalar(0.02) * U_18_zx - Scalar(0.22) * U_18_zy;
   const Scalar f_u_17_t_x = c_17 * F_18_z + s_17 * f_u_18_t_x;
-  const Scalar f_u_18_t_y = c_18 * F_18_x - s_18 * t828;
+  const Scalar f_u_18_t_y = c_18 * F_18_x - s_18 * t838;
   const Scalar f_u_16_t_x = c_16 * f_u_17_t_x + s_16 * f_u_18_t_y;
-  const Scalar U_15_yz = domega_15_x - t700;
-  const Scalar t830 = Scalar(0.453) * t712 + Scalar(0.003) * U_15_yz + t713;
-  const Scalar U_15_zz = t703 + t715;
-  const Scalar ddp_o_16_z = Scalar(0.453) * U_15_zx - Scalar(0.003) * U_15_zz + t697;
-  const Scalar ddp_16_x = c_16 * t830 + s_16 * ddp_o_16_z;
-  const Scalar U_15_xz = domega_15_y + t696;
-  const Scalar t831 = Scalar(0.453) * U_15_xx + Scalar(0.003) * U_15_xz - t705;
-  const Scalar t832 = c_17 * t831 + s_17 * ddp_16_x;
-  const Scalar ddp_16_y = c_16 * ddp_o_16_z - s_16 * t830;
-  const Scalar t833 = c_18 * ddp_16_y - s_18 * t832;
-  const Scalar t834 = c_18 * t832 + s_18 * ddp_16_y;
+  const Scalar U_15_yz = domega_15_x - t708;
+  const Scalar t840 = Scalar(0.453) * t720 + Scalar(0.003) * U_15_yz + t721;
+  const Scalar U_15_zz = t711 + t723;
+  const Scalar ddp_o_16_z = Scalar(0.453) * U_15_zx - Scalar(0.003) * U_15_zz + t705;
+  const Scalar ddp_16_x = c_16 * t840 + s_16 * ddp_o_16_z;
+  const Scalar U_15_xz = domega_15_y + t704;
+  const Scalar t841 = Scalar(0.453) * U_15_xx + Scalar(0.003) * U_15_xz - t713;
+  const Scalar t842 = c_17 * t841 + s_17 * ddp_16_x;
+  const Scalar ddp_16_y = c_16 * ddp_o_16_z - s_16 * t840;
+  const Scalar t843 = c_18 * ddp_16_y - s_18 * t842;
+  const Scalar t844 = c_18 * t842 + s_18 * ddp_16_y;
   const Scalar U_18_xx_yy = U_18_xx - U_18_yy;
-  const Scalar t835 = Scalar(0.03408) * t826 + Scalar(0.22) * t833 - Scalar(0.02) * t834 -
-      Scalar(0.024) * t825 + Scalar(0.0022) * U_18_xx_yy;
-  const Scalar t836 = Scalar(0.03388) * t826 - t835 + Scalar(0.03438) * omega_r_17_x * omega_17_z;
-  const Scalar t837 = c_17 * ddp_16_x - s_17 * t831;
-  const Scalar t838 = Scalar(0.22) * t837 - Scalar(0.0022) * U_18_zx +
+  const Scalar t845 = Scalar(0.03408) * t836 + Scalar(0.22) * t843 - Scalar(0.02) * t844 -
+      Scalar(0.024) * t835 + Scalar(0.0022) * U_18_xx_yy;
+  const Scalar t846 = Scalar(0.03388) * t836 - t845 + Scalar(0.03438) * omega_r_17_x * omega_17_z;
+  const Scalar t847 = c_17 * ddp_16_x - s_17 * t841;
+  const Scalar t848 = Scalar(0.22) * t847 - Scalar(0.0022) * U_18_zx +
       Scalar(0.05808) * omega_r_18_y * omega_18_z;
-  const Scalar t839 = Scalar(0.02) * t837 + Scalar(0.024) * domega_18_y + Scalar(0.03408) * t829 +
+  const Scalar t849 = Scalar(0.02) * t847 + Scalar(0.024) * domega_18_y + Scalar(0.03408) * t839 +
       Scalar(0.0022) * U_18_zy;
-  const Scalar mu_17_x = Scalar(0.06826) * omega_r_17_y * omega_17_z - c_18 * t839 - s_18 * t838;
-  const Scalar t840 = Scalar(0.069385) * omega_r_16_y * omega_16_z - c_17 * t836 - s_17 * mu_17_x;
-  const Scalar t841 = Scalar(0.03438) * domega_16_y;
-  const Scalar t842 = Scalar(0.03388) * omega_r_17_x * omega_r_17_y - c_18 * t838 + s_18 * t839 -
-      t841;
-  const Scalar mu_16_y = t841 + t842 + Scalar(0.035005) * t823 * omega_16_z;
-  const Scalar t843 = Scalar(89.72226) * t699 + Scalar(5.512820899999667) * t708 +
-      Scalar(0.5912714333326666) * t707 - Scalar(0.043998) * U_15_yz - Scalar(0.453) * f_u_16_t_x -
-      Scalar(0.24) * t820 - Scalar(0.33) * (f_u_27_t_y + f_u_20_t_y) - c_26 * mu_26_y -
-      s_26 * t821 - c_19 * mu_19_y - s_19 * t822 - c_16 * mu_16_y - s_16 * t840;
-  const Scalar t844 = y_32 * t426 - y_25 * t534;
-  const Scalar mu_16_z = Scalar(0.035005) * domega_15_x - Scalar(0.03438) * t823 * omega_r_16_y +
-      c_17 * mu_17_x - s_17 * t836;
-  const Scalar y_17 = tau_17 - t842;
-  const Scalar y_18 = tau_18 + t835;
-  const Scalar y_17_16 = tau_16 + mu_16_z - s_17 * y_18 - y_17 * t620;
-  const Scalar y_16_15 = tau_15 + t843 + Scalar(707.7641729774637) * t844 - t612 * y_32_31 -
-      t610 * y_31_30 + t608 * y_30_29 - t606 * y_29_28 - t604 * y_28_27 - t495 * y_27_26 -
-      t613 * y_25_24 + t611 * y_24_23 + t609 * y_23_22 - t607 * y_22_21 - t605 * y_21_20 -
-      t603 * y_20_19 + y_18 * t631 - y_17 * t630 + t629 * y_17_16;
-  const Scalar t845 = c_26 * f_27_z + s_26 * t818;
-  const Scalar t846 = c_19 * f_20_z + s_19 * t819;
-  const Scalar t847 = c_16 * f_u_18_t_y - s_16 * f_u_17_t_x;
-  const Scalar t848 = c_17 * f_u_18_t_x - s_17 * F_18_z;
+  const Scalar mu_17_x = Scalar(0.06826) * omega_r_17_y * omega_17_z - c_18 * t849 - s_18 * t848;
+  const Scalar t850 = Scalar(0.069385) * omega_r_16_y * omega_16_z - c_17 * t846 - s_17 * mu_17_x;
+  const Scalar t851 = Scalar(0.03438) * domega_16_y;
+  const Scalar t852 = Scalar(0.03388) * omega_r_17_x * omega_r_17_y - c_18 * t848 + s_18 * t849 -
+      t851;
+  const Scalar mu_16_y = t851 + t852 + Scalar(0.035005) * t833 * omega_16_z;
+  const Scalar t853 = Scalar(89.72226) * t707 + Scalar(5.512820899999667) * t716 +
+      Scalar(0.5912714333326666) * t715 - Scalar(0.043998) * U_15_yz - Scalar(0.453) * f_u_16_t_x -
+      Scalar(0.24) * t831 - Scalar(0.33) * t832 - c_26 * mu_26_y - s_26 * t827 - c_19 * mu_19_y -
+      s_19 * t828 - c_16 * mu_16_y - s_16 * t850;
+  const Scalar t854 = y_32 * t434 - y_25 * t542;
+  const Scalar mu_16_z = Scalar(0.035005) * domega_15_x - Scalar(0.03438) * t833 * omega_r_16_y +
+      c_17 * mu_17_x - s_17 * t846;
+  const Scalar y_17 = tau_17 - t852;
+  const Scalar y_18 = tau_18 + t845;
+  const Scalar y_17_16 = tau_16 + mu_16_z - s_17 * y_18 - y_17 * t628;
+  const Scalar y_16_15 = tau_15 + t853 + Scalar(707.7641729774637) * t854 - t620 * y_32_31 -
+      t618 * y_31_30 + t616 * y_30_29 - t614 * y_29_28 - t612 * y_28_27 - t503 * y_27_26 -
+      t621 * y_25_24 + t619 * y_24_23 + t617 * y_23_22 - t615 * y_22_21 - t613 * y_21_20 -
+      t611 * y_20_19 + y_18 * t639 - y_17 * t638 + t637 * y_17_16;
+  const Scalar t855 = c_26 * f_27_z + s_26 * t829;
+  const Scalar t856 = c_19 * f_20_z + s_19 * t830;
+  const Scalar t857 = c_16 * f_u_18_t_y - s_16 * f_u_17_t_x;
+  const Scalar t858 = c_17 * f_u_18_t_x - s_17 * F_18_z;
   const Scalar U_15_zz_xx = U_15_xx - U_15_zz;
   const Scalar mu_15_y = Scalar(89.72226) * s_14 + Scalar(0.5912714333326666) * domega_15_y -
-      Scalar(5.512820899999667) * t696 - Scalar(0.043998) * U_15_zz_xx + mu_26_z + mu_19_z -
-      Scalar(0.003) * t848 + Scalar(0.453) * t847 - Scalar(0.33) * (t845 + t846) + c_16 * t840 -
+      Scalar(5.512820899999667) * t704 - Scalar(0.043998) * U_15_zz_xx + mu_26_z + mu_19_z -
+      Scalar(0.003) * t858 + Scalar(0.453) * t857 - Scalar(0.33) * (t855 + t856) + c_16 * t850 -
       s_16 * mu_16_y;
-  const Scalar t849 = Scalar(0.043998) * t712 - Scalar(4.921549466667001) * t700 - mu_16_z +
-      Scalar(0.003) * f_u_16_t_x - Scalar(0.24) * (t845 - t846) + c_26 * t821 - s_26 * mu_26_y +
-      c_19 * t822 - s_19 * mu_19_y;
-  const Scalar t850 = y_32 * t633 - y_25 * mu_u_25_15_t_y;
-  const Scalar t851 = c_14 * (qd_13 * t695 - Scalar(0.7479551597079861));
-  const Scalar y_15_14 = tau_14 + Scalar(707.7641729774637) * t850 + c_15 * mu_15_y + s_15 * t849 +
-      t662 * y_32_31 + t660 * y_31_30 - t658 * y_30_29 - t656 * y_29_28 + t654 * y_28_27 -
-      t652 * y_27_26 + t663 * y_25_24 + t661 * y_24_23 + t659 * y_23_22 - t657 * y_22_21 -
-      t655 * y_21_20 - t653 * y_20_19 + y_18 * t667 - y_17 * t666 - t665 * y_17_16 +
-      t651 * y_16_15 - Scalar(2.5051100666670005) * t851;
-  const Scalar t852 = c_14 * (Scalar(5.012670133334001) * t694 - c_15 * t849 + s_15 * mu_15_y);
-  const Scalar mu_14_y = Scalar(0.00245) * t708 + t843;
-  const Scalar t853 = y_32 * mu_u_32_14_t_y + y_25 * t535;
-  const Scalar y_14_13 = tau_13 + Scalar(707.7641729774637) * t853 + t852 - s_14 * mu_14_y +
-      t684 * y_32_31 + t682 * y_31_30 + t680 * y_30_29 - t678 * y_29_28 + t676 * y_28_27 +
-      t674 * y_27_26 - t685 * y_25_24 - t683 * y_24_23 - t681 * y_23_22 + t679 * y_22_21 -
-      t677 * y_21_20 - t675 * y_20_19 - y_18 * t689 - y_17 * t688 - t687 * y_17_16 -
-      t673 * y_16_15 - t672 * y_15_14;
-  const Scalar t854 = (Scalar(1.0) / t690) * y_14_13;
-  qdd[12] = -t854;
-  const Scalar t855 = t671 * (y_15_14 - t668 * t854);
-  qdd[13] = -t855;
-  const Scalar qdd_15 = t650 * ((y_16_15 - b_16_15_14 * t855) + t632 * t854);
+  const Scalar t859 = Scalar(0.043998) * t720 - Scalar(4.921549466667001) * t708 - mu_16_z +
+      Scalar(0.003) * f_u_16_t_x - Scalar(0.24) * (t855 - t856) + c_26 * t827 - s_26 * mu_26_y +
+      c_19 * t828 - s_19 * mu_19_y;
+  const Scalar t860 = y_32 * t641 - y_25 * mu_u_25_15_t_y;
+  const Scalar t861 = c_14 * (qd_13 * t703 - Scalar(0.7479551597079861));
+  const Scalar y_15_14 = tau_14 + Scalar(707.7641729774637) * t860 + c_15 * mu_15_y + s_15 * t859 +
+      t670 * y_32_31 + t668 * y_31_30 - t666 * y_30_29 - t664 * y_29_28 + t662 * y_28_27 -
+      t660 * y_27_26 + t671 * y_25_24 + t669 * y_24_23 + t667 * y_23_22 - t665 * y_22_21 -
+      t663 * y_21_20 - t661 * y_20_19 + y_18 * t675 - y_17 * t674 - t673 * y_17_16 +
+      t659 * y_16_15 - Scalar(2.5051100666670005) * t861;
+  const Scalar t862 = c_14 * (Scalar(5.012670133334001) * t702 - c_15 * t859 + s_15 * mu_15_y);
+  const Scalar mu_14_y = Scalar(0.00245) * t716 + t853;
+  const Scalar t863 = y_32 * mu_u_32_14_t_y + y_25 * t543;
+  const Scalar y_14_13 = tau_13 + Scalar(707.7641729774637) * t863 + t862 - s_14 * mu_14_y +
+      t692 * y_32_31 + t690 * y_31_30 + t688 * y_30_29 - t686 * y_29_28 + t684 * y_28_27 +
+      t682 * y_27_26 - t693 * y_25_24 - t691 * y_24_23 - t689 * y_23_22 + t687 * y_22_21 -
+      t685 * y_21_20 - t683 * y_20_19 - y_18 * t697 - y_17 * t696 - t695 * y_17_16 -
+      t681 * y_16_15 - t680 * y_15_14;
+  const Scalar t864 = (Scalar(1.0) / t698) * y_14_13;
+  qdd[12] = -t864;
+  const Scalar t865 = t679 * (y_15_14 - t676 * t864);
+  qdd[13] = -t865;
+  const Scalar qdd_15 = t658 * (y_16_15 - b_16_15_14 * t865 + t640 * t864);
   qdd[14] = qdd_15;
-  const Scalar qdd_16 = t627 * ((t648 * t855 + t625 * t854) + (y_17_16 + t628 * qdd_15));
+  const Scalar qdd_16 = t635 * (y_17_16 + t656 * t865 + t633 * t864 + t636 * qdd_15);
   qdd[15] = qdd_16;
-  const Scalar qdd_19 = t602 * ((t644 * t855 + t597 * t854) - (y_20_19 + t600 * qdd_15));
-  qdd[18] = qdd_19;
-  const Scalar qdd_26 = t494 * ((t639 * t855 - t488 * t854) - (y_27_26 + t492 * qdd_15));
-  qdd[25] = qdd_26;
-  const Scalar t856 = (t647 * t855 - mu_u_18_14_t_y * t854) - (y_18 + mu_18_15_z * qdd_15);
-  qdd[17] = Scalar(-29.342723004694836) * t856 - s_17 * qdd_16;
-  const Scalar t857 = (y_17 + c_17 * Iu_18_t_xy * qdd_16) - t618 * t854;
-  qdd[16] = -d_17 * (t857 + (t617 * qdd_15 - t646 * t855));
-  const Scalar t858 = (y_21_20 + t588 * qdd_19) - t584 * t854;
-  const Scalar t859 = t590 * (t858 + (b_21_20_15 * qdd_15 - t643 * t855));
-  qdd[19] = -t859;
-  const Scalar t860 = (y_28_27 - b_28_27_26 * qdd_26) + t475 * t854;
-  const Scalar t861 = t481 * (t860 + (b_28_27_15 * qdd_15 + t638 * t855));
-  qdd[26] = -t861;
-  const Scalar t862 = (t587 * qdd_19 + b_22_21_15 * qdd_15) - (y_22_21 - t576 * t859);
-  const Scalar t863 = t578 * (t862 - (t642 * t855 - t573 * t854));
-  qdd[20] = -t863;
-  const Scalar t864 = (t479 * qdd_26 + t491 * qdd_15) - (y_29_28 + t469 * t861);
-  const Scalar t865 = d_28 * (t864 - (t637 * t855 + t466 * t854));
-  qdd[27] = -t865;
-  const Scalar t866 = (b_23_22_15 * qdd_15 - t641 * t855) - (t575 * t859 - t586 * qdd_19);
-  const Scalar qdd_22 = t568 * (t866 - ((y_23_22 + t566 * t863) - t565 * t854));
-  qdd[21] = qdd_22;
-  const Scalar t867 = (b_30_29_15 * qdd_15 + t636 * t855) + (t468 * t861 - t478 * qdd_26);
-  const Scalar qdd_29 = t459 * (t867 - ((y_30_29 + t457 * t865) + t455 * t854));
-  qdd[28] = qdd_29;
-  const Scalar t868 = (t640 * t855 - t559 * t854) - (b_24_23_19 * qdd_19 + t599 * qdd_15);
-  const Scalar t869 = t868 - ((b_24_23_21 * t863 + t574 * t859) - (y_24_23 - t560 * qdd_22));
-  const Scalar t870 = d_23 * t869;
-  qdd[22] = -t870;
-  const Scalar t871 = (t635 * t855 + t451 * t854) - (t477 * qdd_26 - t490 * qdd_15);
-  const Scalar t872 = t871 - ((t456 * t865 - t467 * t861) - (y_31_30 - b_31_30_29 * qdd_29));
-  const Scalar t873 = d_30 * t872;
-  qdd[29] = -t873;
-  const Scalar t874 = (y_25_24 - b_25_24_23 * t870) - t551 * t854;
-  const Scalar t875 = (b_25_24_20 * t859 - t585 * qdd_19) -
-      (b_25_24_22 * qdd_22 - b_25_24_21 * t863);
-  const Scalar t876 = t553 * ((t874 + (t598 * qdd_15 + b_25_24_14 * t855)) + t875);
-  qdd[23] = -t876;
-  const Scalar t877 = (y_32_31 + t445 * t873) + b_32_31_13 * t854;
-  const Scalar t878 = (b_32_31_27 * t861 - t476 * qdd_26) -
-      (b_32_31_29 * qdd_29 - b_32_31_28 * t865);
-  const Scalar t879 = t444 * ((t877 + (t489 * qdd_15 + t634 * t855)) + t878);
-  qdd[30] = -t879;
-  const Scalar t880 = (y_25 + mu_u_25_24_t_y * t870) - t535 * t854;
-  const Scalar t881 = (mu_25_20_z * t859 + mu_u_25_20_t_y * qdd_19) -
-      (mu_25_22_z * qdd_22 - mu_25_21_z * t863);
-  const Scalar t882 = (t880 - (t534 * qdd_15 - mu_u_25_15_t_y * t855)) - t881;
-  qdd[24] = Scalar(707.7641729774637) * t882 - t536 * t876;
-  const Scalar t883 = (y_32 + mu_u_32_31_t_y * t873) - mu_u_32_14_t_y * t854;
-  const Scalar t884 = (mu_32_27_z * t861 + mu_u_32_27_t_y * qdd_26) -
-      (mu_32_29_z * qdd_29 - mu_32_28_z * t865);
-  const Scalar t885 = (t883 + (t426 * qdd_15 - t633 * t855)) + t884;
-  qdd[31] = Scalar(707.7641729774637) * t885 + t427 * t879;
-  bool positive = -t111 > Scalar(0.0);
+  const Scalar t866 = t610 * (y_20_19 - t652 * t865 - t605 * t864 + t608 * qdd_15);
+  qdd[18] = -t866;
+  const Scalar t867 = t502 * (y_27_26 - t647 * t865 + t496 * t864 + t500 * qdd_15);
+  qdd[25] = -t867;
+  const Scalar t868 = y_18 - t655 * t865 + mu_u_18_14_t_y * t864 + mu_18_15_z * qdd_15;
+  qdd[17] = Scalar(29.342723004694836) * t868 - s_17 * qdd_16;
+  const Scalar t869 = y_17 + c_17 * Iu_18_t_xy * qdd_16 - t626 * t864 + t625 * qdd_15 - t654 * t865;
+  qdd[16] = -d_17 * t869;
+  const Scalar t870 = y_21_20 - t596 * t866 - t592 * t864 + b_21_20_15 * qdd_15 - t651 * t865;
+  const Scalar t871 = t598 * t870;
+  qdd[19] = -t871;
+  const Scalar t872 = y_28_27 + b_28_27_26 * t867 + t483 * t864 + b_28_27_15 * qdd_15 + t646 * t865;
+  const Scalar t873 = t489 * t872;
+  qdd[26] = -t873;
+  const Scalar t874 = y_22_21 + t595 * t866 - b_22_21_15 * qdd_15 - t584 * t871 + t650 * t865 -
+      t581 * t864;
+  const Scalar qdd_21 = t586 * t874;
+  qdd[20] = qdd_21;
+  const Scalar t875 = y_29_28 + t487 * t867 - t499 * qdd_15 + t477 * t873 + t645 * t865 +
+      t474 * t864;
+  const Scalar qdd_28 = d_28 * t875;
+  qdd[27] = qdd_28;
+  const Scalar t876 = y_23_22 - b_23_22_15 * qdd_15 + t649 * t865 + t583 * t871 + t594 * t866 -
+      t574 * qdd_21 - t573 * t864;
+  const Scalar t877 = t576 * t876;
+  qdd[21] = -t877;
+  const Scalar t878 = y_30_29 - b_30_29_15 * qdd_15 - t644 * t865 - t476 * t873 - t486 * t867 -
+      t465 * qdd_28 + t463 * t864;
+  const Scalar t879 = t467 * t878;
+  qdd[28] = -t879;
+  const Scalar t880 = y_24_23 + t648 * t865 - t567 * t864 + b_24_23_19 * t866 - t607 * qdd_15 +
+      b_24_23_21 * qdd_21 - t582 * t871 + t568 * t877;
+  const Scalar t881 = d_23 * t880;
+  qdd[22] = -t881;
+  const Scalar t882 = y_31_30 + t643 * t865 + t459 * t864 + t485 * t867 + t498 * qdd_15 +
+      t464 * qdd_28 + t475 * t873 + b_31_30_29 * t879;
+  const Scalar t883 = d_30 * t882;
+  qdd[29] = -t883;
+  const Scalar t884 = y_25_24 - b_25_24_23 * t881 - t559 * t864 + t606 * qdd_15 +
+      b_25_24_14 * t865 + b_25_24_20 * t871 + t593 * t866 + b_25_24_22 * t877 - b_25_24_21 * qdd_21;
+  const Scalar t885 = t561 * t884;
+  qdd[23] = -t885;
+  const Scalar t886 = y_32_31 + t453 * t883 + b_32_31_13 * t864 + t497 * qdd_15 + t642 * t865 +
+      b_32_31_27 * t873 + t484 * t867 + b_32_31_29 * t879 - b_32_31_28 * qdd_28;
+  const Scalar t887 = t452 * t886;
+  qdd[30] = -t887;
+  const Scalar t888 = y_25 + mu_u_25_24_t_y * t881 - t543 * t864 - t542 * qdd_15 +
+      mu_u_25_15_t_y * t865 - mu_25_20_z * t871 + mu_u_25_20_t_y * t866 - mu_25_22_z * t877 +
+      mu_25_21_z * qdd_21;
+  qdd[24] = Scalar(707.7641729774637) * t888 - t544 * t885;
+  const Scalar t889 = y_32 + mu_u_32_31_t_y * t883 - mu_u_32_14_t_y * t864 + t434 * qdd_15 -
+      t641 * t865 + mu_32_27_z * t873 - mu_u_32_27_t_y * t867 + mu_32_29_z * t879 -
+      mu_32_28_z * qdd_28;
+  qdd[31] = Scalar(707.7641729774637) * t889 + t435 * t887;
+  bool positive = -t115 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
-  positive &= -t83 > Scalar(0.0);
-  positive &= -t57 > Scalar(0.0);
+  positive &= -t88 > Scalar(0.0);
+  positive &= -t59 > Scalar(0.0);
   positive &= Ic_5_zz > Scalar(0.0);
-  positive &= -t223 > Scalar(0.0);
+  positive &= -t231 > Scalar(0.0);
   positive &= b_9_8_8 > Scalar(0.0);
-  positive &= -t195 > Scalar(0.0);
-  positive &= -t169 > Scalar(0.0);
+  positive &= -t204 > Scalar(0.0);
+  positive &= -t175 > Scalar(0.0);
   positive &= Ic_11_zz > Scalar(0.0);
-  positive &= -t690 > Scalar(0.0);
-  positive &= -t670 > Scalar(0.0);
+  positive &= -t698 > Scalar(0.0);
+  positive &= -t678 > Scalar(0.0);
   positive &= b_16_15_15 > Scalar(0.0);
   positive &= b_17_16_16 > Scalar(0.0);
   positive &= -Ic_17_zz > Scalar(0.0);
-  positive &= -t601 > Scalar(0.0);
-  positive &= -t589 > Scalar(0.0);
-  positive &= t577 > Scalar(0.0);
-  positive &= -t567 > Scalar(0.0);
+  positive &= -t609 > Scalar(0.0);
+  positive &= -t597 > Scalar(0.0);
+  positive &= t585 > Scalar(0.0);
+  positive &= -t575 > Scalar(0.0);
   positive &= -b_24_23_23 > Scalar(0.0);
-  positive &= -t552 > Scalar(0.0);
-  positive &= -t493 > Scalar(0.0);
-  positive &= -t480 > Scalar(0.0);
+  positive &= -t560 > Scalar(0.0);
+  positive &= -t501 > Scalar(0.0);
+  positive &= -t488 > Scalar(0.0);
   positive &= b_29_28_28 > Scalar(0.0);
-  positive &= -t458 > Scalar(0.0);
+  positive &= -t466 > Scalar(0.0);
   positive &= -b_31_30_30 > Scalar(0.0);
-  positive &= -t443 > Scalar(0.0);
+  positive &= -t451 > Scalar(0.0);
   return positive;
 }
 

@@ -73,7 +73,7 @@ inline constexpr Real effort_limit[joint_count] = {
 //   qd[7]   in   joint velocities, rad/s or m/s
 //   qdd[7]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..6], qd[0..6], qdd[0..6]. Operations: 309 mul, 290 add, 12 sin/cos.
+// Reads q[1..6], qd[0..6], qdd[0..6]. Operations: 308 mul, 290 add, 12 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau) noexcept {
@@ -93,252 +93,254 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = qd_2 * t1;
   const Scalar t3 = s_2 * qdd_1;
-  const Scalar domega_2_x = t3 + t2;
+  const Scalar domega_2_x = t2 + t3;
   const Scalar U_2_zy = t2 + domega_2_x;
   const Scalar t4 = Scalar(0.316) * U_2_zy;
   const Scalar t5 = s_2 * qd_1;
   const Scalar t6 = t1 * t5;
   const Scalar U_2_xy = qdd_2 - t6;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 - Scalar(0.316) * U_2_xy;
-  const Scalar t7 = c_3 * ddp_o_3_x - s_3 * t4;
-  const Scalar omega_r_3_y = c_3 * qd_2 + s_3 * t5;
+  const Scalar t7 = s_3 * t4 - c_3 * ddp_o_3_x;
+  const Scalar omega_r_3_y = s_3 * t5 + c_3 * qd_2;
   const Scalar t8 = omega_r_3_y * omega_r_3_y;
   const Scalar omega_3_z = qd_3 + t1;
   const Scalar t9 = omega_3_z * omega_3_z;
-  const Scalar U_3_xx = t8 + t9;
-  const Scalar t10 = t7 + Scalar(0.0825) * U_3_xx;
-  const Scalar t11 = c_3 * t5 - s_3 * qd_2;
-  const Scalar t12 = c_3 * qdd_2 + s_3 * domega_2_x + qd_3 * t11;
+  const Scalar U_3_xx = t9 + t8;
+  const Scalar t10 = t7 - Scalar(0.0825) * U_3_xx;
+  const Scalar t11 = s_3 * qd_2 - c_3 * t5;
+  const Scalar t12 = qd_3 * t11 - s_3 * domega_2_x - c_3 * qdd_2;
   const Scalar t13 = t11 * omega_3_z;
   const Scalar t14 = t12 + t13;
-  const Scalar t15 = c_2 * qd_1 * t1;
+  const Scalar t15 = t5 * t5;
   const Scalar t16 = qd_2 * qd_2;
-  const Scalar t17 = qd_1 * qd_1;
-  const Scalar t18 = t15 - t16 - t17;
-  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.316) * t18;
-  const Scalar ddp_o_4_z = ddp_o_3_y - Scalar(0.0825) * t14;
-  const Scalar t19 = c_4 * t10 - s_4 * ddp_o_4_z;
-  const Scalar t20 = c_4 * omega_3_z + s_4 * t11;
-  const Scalar t21 = t20 * t20;
+  const Scalar U_2_yy = t16 + t15;
+  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 - Scalar(0.316) * U_2_yy;
+  const Scalar ddp_o_4_z = ddp_o_3_y + Scalar(0.0825) * t14;
+  const Scalar t17 = s_4 * ddp_o_4_z + c_4 * t10;
+  const Scalar t18 = s_4 * t11 - c_4 * omega_3_z;
+  const Scalar t19 = t18 * t18;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t22 = omega_4_z * omega_4_z;
-  const Scalar U_4_xx = t21 + t22;
-  const Scalar domega_4_z = qdd_4 - t12;
-  const Scalar t23 = c_4 * t11 - s_4 * omega_3_z;
-  const Scalar t24 = t23 * t20;
-  const Scalar U_4_xy = domega_4_z + t24;
-  const Scalar t25 = t19 - Scalar(0.0825) * U_4_xx + Scalar(0.384) * U_4_xy;
-  const Scalar ddp_3_y = c_3 * t4 + s_3 * ddp_o_3_x;
-  const Scalar t26 = qd_2 * t5;
-  const Scalar t27 = c_2 * qdd_1;
-  const Scalar t28 = t27 - t26;
-  const Scalar domega_3_z = qdd_3 + t28;
-  const Scalar t29 = t11 * omega_r_3_y;
-  const Scalar U_3_yx = domega_3_z - t29;
+  const Scalar t20 = omega_4_z * omega_4_z;
+  const Scalar U_4_xx = t20 + t19;
+  const Scalar domega_4_z = qdd_4 + t12;
+  const Scalar t21 = s_4 * omega_3_z + c_4 * t11;
+  const Scalar t22 = t21 * t18;
+  const Scalar U_4_xy = domega_4_z + t22;
+  const Scalar t23 = t17 + Scalar(0.0825) * U_4_xx - Scalar(0.384) * U_4_xy;
+  const Scalar ddp_3_y = s_3 * ddp_o_3_x + c_3 * t4;
+  const Scalar t24 = qd_2 * t5;
+  const Scalar t25 = c_2 * qdd_1;
+  const Scalar t26 = t24 - t25;
+  const Scalar domega_3_z = qdd_3 - t26;
+  const Scalar t27 = t11 * omega_r_3_y;
+  const Scalar U_3_yx = domega_3_z + t27;
   const Scalar ddp_o_4_y = ddp_3_y + Scalar(0.0825) * U_3_yx;
-  const Scalar t30 = c_3 * domega_2_x - s_3 * qdd_2 - qd_3 * omega_r_3_y;
-  const Scalar t31 = c_4 * domega_3_z + s_4 * t30 + qd_4 * t23;
-  const Scalar t32 = t23 * omega_4_z;
-  const Scalar t33 = t31 + t32;
-  const Scalar domega_4_x = c_4 * t30 - s_4 * domega_3_z - qd_4 * t20;
-  const Scalar t34 = t20 * omega_4_z;
-  const Scalar U_4_zy = domega_4_x - t34;
-  const Scalar ddp_o_5_z = ddp_o_4_y - Scalar(0.0825) * t33 + Scalar(0.384) * U_4_zy;
-  const Scalar t35 = c_5 * t25 - s_5 * ddp_o_5_z;
-  const Scalar t36 = c_4 * ddp_o_4_z + s_4 * t10;
-  const Scalar U_4_yx = domega_4_z - t24;
-  const Scalar t37 = t23 * t23;
-  const Scalar U_4_yy = t22 + t37;
-  const Scalar t38 = t36 - Scalar(0.0825) * U_4_yx - Scalar(0.384) * U_4_yy;
-  const Scalar ddp_6_x = c_6 * t35 - s_6 * t38;
-  const Scalar omega_r_5_x = c_5 * t23 + s_5 * omega_4_z;
-  const Scalar omega_5_z = qd_5 + t20;
-  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar t39 = omega_r_6_y * omega_r_6_y;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t23;
+  const Scalar t28 = qd_3 * omega_r_3_y + s_3 * qdd_2 - c_3 * domega_2_x;
+  const Scalar t29 = qd_4 * t21 + s_4 * t28 - c_4 * domega_3_z;
+  const Scalar t30 = t21 * omega_4_z;
+  const Scalar t31 = t29 + t30;
+  const Scalar domega_4_x = qd_4 * t18 - s_4 * domega_3_z - c_4 * t28;
+  const Scalar t32 = t18 * omega_4_z;
+  const Scalar U_4_zy = domega_4_x + t32;
+  const Scalar ddp_o_5_z = ddp_o_4_y + Scalar(0.0825) * t31 + Scalar(0.384) * U_4_zy;
+  const Scalar t33 = s_5 * ddp_o_5_z + c_5 * t23;
+  const Scalar t34 = s_4 * t10 - c_4 * ddp_o_4_z;
+  const Scalar U_4_yx = domega_4_z - t22;
+  const Scalar t35 = t21 * t21;
+  const Scalar U_4_yy = t20 + t35;
+  const Scalar t36 = t34 + Scalar(0.0825) * U_4_yx + Scalar(0.384) * U_4_yy;
+  const Scalar ddp_6_x = s_6 * t36 - c_6 * t33;
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t21;
+  const Scalar omega_5_z = qd_5 - t18;
+  const Scalar omega_r_6_y = s_6 * omega_r_5_x + c_6 * omega_5_z;
+  const Scalar t37 = omega_r_6_y * omega_r_6_y;
+  const Scalar omega_r_5_y = s_5 * t21 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t40 = omega_6_z * omega_6_z;
-  const Scalar U_6_xx = t39 + t40;
+  const Scalar t38 = omega_6_z * omega_6_z;
+  const Scalar U_6_xx = t38 + t37;
   const Scalar ddp_o_7_x = ddp_6_x + Scalar(0.088) * U_6_xx;
-  const Scalar t41 = c_5 * ddp_o_5_z + s_5 * t25;
-  const Scalar domega_5_x = c_5 * domega_4_x + s_5 * domega_4_z + qd_5 * omega_r_5_y;
-  const Scalar t42 = c_6 * omega_r_5_x - s_6 * omega_5_z;
-  const Scalar domega_5_z = qdd_5 + t31;
-  const Scalar t43 = c_6 * domega_5_z + s_6 * domega_5_x + qd_6 * t42;
-  const Scalar t44 = t42 * omega_6_z;
-  const Scalar t45 = t43 + t44;
-  const Scalar t46 = t41 + Scalar(0.088) * t45;
-  const Scalar t47 = c_7 * ddp_o_7_x + s_7 * t46;
-  const Scalar t48 = c_7 * t46 - s_7 * ddp_o_7_x;
-  const Scalar t49 = c_6 * domega_5_x - s_6 * domega_5_z - qd_6 * omega_r_6_y;
-  const Scalar t50 = c_7 * t42 - s_7 * omega_6_z;
-  const Scalar t51 = c_5 * domega_4_z - s_5 * domega_4_x - qd_5 * omega_r_5_x;
-  const Scalar domega_6_z = qdd_6 + t51;
-  const Scalar t52 = c_7 * domega_6_z + s_7 * t49 + qd_7 * t50;
+  const Scalar t39 = s_5 * t23 - c_5 * ddp_o_5_z;
+  const Scalar t40 = s_6 * omega_5_z - c_6 * omega_r_5_x;
+  const Scalar domega_5_x = qd_5 * omega_r_5_y + s_5 * domega_4_z + c_5 * domega_4_x;
+  const Scalar domega_5_z = qdd_5 - t29;
+  const Scalar t41 = qd_6 * t40 - s_6 * domega_5_x - c_6 * domega_5_z;
+  const Scalar t42 = t40 * omega_6_z;
+  const Scalar t43 = t41 + t42;
+  const Scalar t44 = t39 + Scalar(0.088) * t43;
+  const Scalar t45 = s_7 * t44 - c_7 * ddp_o_7_x;
+  const Scalar t46 = s_7 * ddp_o_7_x + c_7 * t44;
+  const Scalar t47 = s_7 * omega_6_z + c_7 * t40;
+  const Scalar t48 = qd_6 * omega_r_6_y + s_6 * domega_5_z - c_6 * domega_5_x;
+  const Scalar t49 = qd_5 * omega_r_5_x + s_5 * domega_4_x - c_5 * domega_4_z;
+  const Scalar domega_6_z = qdd_6 - t49;
+  const Scalar t50 = qd_7 * t47 + s_7 * t48 - c_7 * domega_6_z;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t53 = t50 * omega_7_z;
-  const Scalar t54 = c_7 * omega_6_z + s_7 * t42;
-  const Scalar domega_7_x = c_7 * t49 - s_7 * domega_6_z - qd_7 * t54;
-  const Scalar t55 = t54 * omega_7_z;
-  const Scalar U_7_yz = domega_7_x + t55;
-  const Scalar t56 = t54 * t54;
-  const Scalar t57 = omega_7_z * omega_7_z;
-  const Scalar U_7_xx = t56 + t57;
-  const Scalar t58 = t50 * t50;
-  const Scalar U_7_yy = t57 + t58;
+  const Scalar t51 = t47 * omega_7_z;
+  const Scalar t52 = s_7 * t40 - c_7 * omega_6_z;
+  const Scalar domega_7_x = qd_7 * t52 - s_7 * domega_6_z - c_7 * t48;
+  const Scalar t53 = t52 * omega_7_z;
+  const Scalar U_7_yz = domega_7_x - t53;
+  const Scalar t54 = t52 * t52;
+  const Scalar t55 = omega_7_z * omega_7_z;
+  const Scalar U_7_xx = t55 + t54;
+  const Scalar t56 = t47 * t47;
+  const Scalar U_7_yy = t55 + t56;
   const Scalar U_7_xx_yy = U_7_xx - U_7_yy;
-  const Scalar domega_7_z = qdd_7 - t43;
-  const Scalar t59 = t50 * t54;
-  const Scalar U_7_xy = domega_7_z + t59;
-  const Scalar U_7_yx = domega_7_z - t59;
-  const Scalar N_7_z = Scalar(0.002034439958661797) * t47 - Scalar(0.002573605371338203) * t48 +
-      Scalar(0.004552547872941088) * U_7_xy - Scalar(0.0012555365982728983) * (t52 - t53) +
-      Scalar(0.002131604094419858) * U_7_yx + Scalar(0.0009653051699191118) * U_7_yz -
+  const Scalar domega_7_z = qdd_7 + t41;
+  const Scalar t57 = t47 * t52;
+  const Scalar U_7_xy = domega_7_z + t57;
+  const Scalar U_7_yx = domega_7_z - t57;
+  const Scalar t58 = Scalar(0.002034439958661797) * t45 - Scalar(0.002573605371338203) * t46 -
+      Scalar(0.004552547872941088) * U_7_xy - Scalar(0.0012555365982728983) * (t50 - t51) -
+      Scalar(0.002131604094419858) * U_7_yx - Scalar(0.0009653051699191118) * U_7_yz +
       Scalar(0.000391391281684248) * U_7_xx_yy;
-  tau[6] = N_7_z;
-  const Scalar t60 = c_6 * t38 + s_6 * t35;
-  const Scalar t61 = t42 * omega_r_6_y;
-  const Scalar U_6_yx = domega_6_z - t61;
-  const Scalar t62 = t60 + Scalar(0.088) * U_6_yx;
-  const Scalar t63 = t52 + t53;
-  const Scalar U_7_zy = domega_7_x - t55;
-  const Scalar U_7_zz = t56 + t58;
-  const Scalar U_7_zz_xx = U_7_xx - U_7_zz;
-  const Scalar t64 = Scalar(0.002573605371338203) * t62 - Scalar(0.0012555365982728983) * U_7_xy +
-      Scalar(0.002131604094419858) * t63 - Scalar(0.000391391281684248) * U_7_zy -
-      Scalar(0.0009653051699191118) * U_7_zz_xx;
+  tau[6] = -t58;
+  const Scalar t59 = s_6 * t33 + c_6 * t36;
+  const Scalar t60 = t40 * omega_r_6_y;
+  const Scalar U_6_yx = domega_6_z + t60;
+  const Scalar t61 = t59 - Scalar(0.088) * U_6_yx;
+  const Scalar t62 = t50 + t51;
+  const Scalar U_7_zy = domega_7_x + t53;
+  const Scalar U_7_zz = t54 + t56;
   const Scalar U_7_yy_zz = U_7_yy - U_7_zz;
-  const Scalar t65 = Scalar(0.002034439958661797) * t62 + Scalar(0.0009653051699191118) * U_7_yx -
-      Scalar(0.000391391281684248) * t63 + Scalar(0.004552547872941088) * U_7_zy -
+  const Scalar t63 = Scalar(0.002034439958661797) * t61 - Scalar(0.0009653051699191118) * U_7_yx -
+      Scalar(0.000391391281684248) * t62 - Scalar(0.004552547872941088) * U_7_zy +
       Scalar(0.0012555365982728983) * U_7_yy_zz;
-  const Scalar t66 = Scalar(0.002573605371338203) * t63 + Scalar(0.002034439958661797) * U_7_zy;
-  const Scalar t67 = omega_r_6_y * omega_6_z;
-  const Scalar t68 = t42 * t42;
-  const Scalar U_6_yy = t40 + t68;
+  const Scalar U_7_zz_xx = U_7_xx - U_7_zz;
+  const Scalar t64 = Scalar(0.002573605371338203) * t61 + Scalar(0.0012555365982728983) * U_7_xy +
+      Scalar(0.002131604094419858) * t62 + Scalar(0.000391391281684248) * U_7_zy +
+      Scalar(0.0009653051699191118) * U_7_zz_xx;
+  const Scalar t65 = Scalar(0.002573605371338203) * t62 - Scalar(0.002034439958661797) * U_7_zy;
+  const Scalar t66 = omega_r_6_y * omega_6_z;
+  const Scalar t67 = t40 * t40;
+  const Scalar U_6_yy = t38 + t67;
   const Scalar U_6_xx_yy = U_6_xx - U_6_yy;
-  const Scalar U_6_xy = domega_6_z + t61;
-  const Scalar mu_6_z = Scalar(0.173804705569) * ddp_6_x - Scalar(0.231847552695) * t60 -
-      Scalar(0.028934422545659894) * U_6_xy - Scalar(0.000093569097314605) * (t43 - t44) -
-      Scalar(0.021522255370587554) * U_6_yx - Scalar(0.000103758917218685) * (t49 + t67) +
-      Scalar(0.014748570382675316) * U_6_xx_yy - Scalar(0.088) * t66 - c_7 * t64 + s_7 * t65;
+  const Scalar U_6_xy = domega_6_z - t60;
+  const Scalar mu_6_z = Scalar(0.173804705569) * ddp_6_x + Scalar(0.231847552695) * t59 -
+      Scalar(0.028934422545659894) * U_6_xy + Scalar(0.000093569097314605) * (t41 - t42) -
+      Scalar(0.021522255370587554) * U_6_yx + Scalar(0.000103758917218685) * (t48 - t66) +
+      Scalar(0.014748570382675316) * U_6_xx_yy + Scalar(0.088) * t65 - s_7 * t63 + c_7 * t64;
   tau[5] = -mu_6_z;
-  const Scalar F_7_y = Scalar(0.002573605371338203) * U_7_yx -
-      Scalar(0.002034439958661797) * U_7_yy;
   const Scalar F_7_x = Scalar(0.002573605371338203) * U_7_xx +
       Scalar(0.002034439958661797) * U_7_xy;
-  const Scalar t69 = c_7 * F_7_y - s_7 * F_7_x;
-  const Scalar t70 = t49 - t67;
-  const Scalar U_6_zz = t39 + t68;
+  const Scalar F_7_y = Scalar(0.002573605371338203) * U_7_yx -
+      Scalar(0.002034439958661797) * U_7_yy;
+  const Scalar t68 = s_7 * F_7_x - c_7 * F_7_y;
+  const Scalar t69 = t48 + t66;
+  const Scalar U_6_zz = t37 + t67;
   const Scalar U_6_zz_xx = U_6_xx - U_6_zz;
-  const Scalar t71 = Scalar(0.231847552695) * t41 + Scalar(0.000093569097314605) * U_6_xy +
-      Scalar(0.021522255370587554) * t45 - Scalar(0.014748570382675316) * t70 -
-      Scalar(0.000103758917218685) * U_6_zz_xx - N_7_z - Scalar(0.088) * t69;
+  const Scalar t70 = Scalar(0.231847552695) * t39 - Scalar(0.000093569097314605) * U_6_xy +
+      Scalar(0.021522255370587554) * t43 - Scalar(0.014748570382675316) * t69 +
+      Scalar(0.000103758917218685) * U_6_zz_xx - t58 - Scalar(0.088) * t68;
   const Scalar U_6_yy_zz = U_6_yy - U_6_zz;
-  const Scalar t72 = Scalar(0.173804705569) * t41 - Scalar(0.000103758917218685) * U_6_yx +
-      Scalar(0.014748570382675316) * t45 - Scalar(0.028934422545659894) * t70 -
-      Scalar(0.000093569097314605) * U_6_yy_zz - c_7 * t65 - s_7 * t64;
-  const Scalar t73 = omega_r_5_x * omega_5_z;
-  const Scalar t74 = omega_r_5_y * omega_5_z;
-  const Scalar U_5_yz = domega_5_x - t74;
-  const Scalar t75 = omega_r_5_y * omega_r_5_y;
-  const Scalar t76 = omega_5_z * omega_5_z;
-  const Scalar U_5_xx = t75 + t76;
-  const Scalar t77 = omega_r_5_x * omega_r_5_x;
-  const Scalar U_5_yy = t76 + t77;
+  const Scalar t71 = Scalar(0.173804705569) * t39 + Scalar(0.000103758917218685) * U_6_yx +
+      Scalar(0.014748570382675316) * t43 - Scalar(0.028934422545659894) * t69 +
+      Scalar(0.000093569097314605) * U_6_yy_zz - s_7 * t64 - c_7 * t63;
+  const Scalar t72 = omega_r_5_x * omega_5_z;
+  const Scalar t73 = omega_r_5_y * omega_5_z;
+  const Scalar U_5_yz = domega_5_x - t73;
+  const Scalar t74 = omega_r_5_y * omega_r_5_y;
+  const Scalar t75 = omega_5_z * omega_5_z;
+  const Scalar U_5_xx = t75 + t74;
+  const Scalar t76 = omega_r_5_x * omega_r_5_x;
+  const Scalar U_5_yy = t75 + t76;
   const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar t78 = omega_r_5_x * omega_r_5_y;
-  const Scalar U_5_xy = domega_5_z - t78;
-  const Scalar U_5_yx = domega_5_z + t78;
-  const Scalar mu_5_z = Scalar(0.067870631425) * t35 - Scalar(0.014653732538) * t41 +
-      Scalar(0.010045187828321245) * U_5_xy - Scalar(0.00216405205209813) * (t51 + t73) +
-      Scalar(0.001451156065026714) * U_5_yx + Scalar(0.004600245517563106) * U_5_yz +
-      Scalar(0.00151524447332703) * U_5_xx_yy + c_6 * t71 + s_6 * t72;
-  tau[4] = mu_5_z;
-  const Scalar t79 = t51 - t73;
-  const Scalar U_5_zy = domega_5_x + t74;
-  const Scalar U_5_zz = t75 + t77;
+  const Scalar t77 = omega_r_5_x * omega_r_5_y;
+  const Scalar U_5_xy = domega_5_z - t77;
+  const Scalar U_5_yx = domega_5_z + t77;
+  const Scalar t78 = Scalar(0.067870631425) * t33 - Scalar(0.014653732538) * t39 -
+      Scalar(0.010045187828321245) * U_5_xy - Scalar(0.00216405205209813) * (t49 - t72) -
+      Scalar(0.001451156065026714) * U_5_yx - Scalar(0.004600245517563106) * U_5_yz -
+      Scalar(0.00151524447332703) * U_5_xx_yy + s_6 * t71 + c_6 * t70;
+  tau[4] = -t78;
+  const Scalar t79 = t49 + t72;
+  const Scalar U_5_zy = domega_5_x + t73;
+  const Scalar U_5_zz = t74 + t76;
   const Scalar U_5_yy_zz = U_5_yy - U_5_zz;
-  const Scalar t80 = Scalar(0.067870631425) * t38 - Scalar(0.004600245517563106) * U_5_yx +
-      Scalar(0.00151524447332703) * t79 - Scalar(0.010045187828321245) * U_5_zy -
-      Scalar(0.00216405205209813) * U_5_yy_zz + c_6 * t72 - s_6 * t71;
+  const Scalar t80 = Scalar(0.067870631425) * t36 + Scalar(0.004600245517563106) * U_5_yx +
+      Scalar(0.00151524447332703) * t79 + Scalar(0.010045187828321245) * U_5_zy +
+      Scalar(0.00216405205209813) * U_5_yy_zz - s_6 * t70 + c_6 * t71;
   const Scalar U_5_zz_xx = U_5_xx - U_5_zz;
-  const Scalar t81 = Scalar(0.014653732538) * t38 + Scalar(0.00216405205209813) * U_5_xy -
-      Scalar(0.001451156065026714) * t79 + Scalar(0.00151524447332703) * U_5_zy -
-      Scalar(0.004600245517563106) * U_5_zz_xx + mu_6_z;
+  const Scalar t81 = Scalar(0.014653732538) * t36 - Scalar(0.00216405205209813) * U_5_xy -
+      Scalar(0.001451156065026714) * t79 - Scalar(0.00151524447332703) * U_5_zy +
+      Scalar(0.004600245517563106) * U_5_zz_xx - mu_6_z;
+  const Scalar f_6_y = Scalar(0.231847552695) * U_6_yx + Scalar(0.173804705569) * U_6_yy - t65;
   const Scalar f_6_x = Scalar(0.231847552695) * U_6_xx - Scalar(0.173804705569) * U_6_xy +
-      c_7 * F_7_x + s_7 * F_7_y;
-  const Scalar f_6_y = Scalar(0.231847552695) * U_6_yx + Scalar(0.173804705569) * U_6_yy + t66;
+      s_7 * F_7_y + c_7 * F_7_x;
   const Scalar f_5_x = Scalar(0.014653732538) * U_5_xx - Scalar(0.067870631425) * U_5_xy -
-      c_6 * f_6_x - s_6 * f_6_y;
-  const Scalar f_5_y = Scalar(0.014653732538) * U_5_yx + Scalar(0.067870631425) * U_5_yy -
-      Scalar(0.231847552695) * t45 + Scalar(0.173804705569) * t70 + t69;
-  const Scalar f_u_5_t_x = c_5 * f_5_x + s_5 * f_5_y;
-  const Scalar t82 = Scalar(0.014653732538) * t79 + Scalar(0.067870631425) * U_5_zy - c_6 * f_6_y +
-      s_6 * f_6_x;
-  const Scalar U_4_yz = domega_4_x + t34;
+      s_6 * f_6_y - c_6 * f_6_x;
+  const Scalar f_5_y = Scalar(0.014653732538) * U_5_yx + Scalar(0.067870631425) * U_5_yy +
+      Scalar(0.231847552695) * t43 - Scalar(0.173804705569) * t69 - t68;
+  const Scalar f_u_5_t_x = s_5 * f_5_y + c_5 * f_5_x;
+  const Scalar t82 = Scalar(0.014653732538) * t79 - Scalar(0.067870631425) * U_5_zy - s_6 * f_6_x +
+      c_6 * f_6_y;
+  const Scalar U_4_yz = domega_4_x - t32;
   const Scalar U_4_xx_yy = U_4_xx - U_4_yy;
-  const Scalar mu_4_z = Scalar(2.012523553603) * t19 - Scalar(0.55278027465) * t36 +
-      Scalar(0.6972920750309718) * U_4_xy - Scalar(0.00164448757736927) * (t31 - t32) +
-      Scalar(0.0510201361568155) * U_4_yx - Scalar(0.0039053550262761) * U_4_yz -
-      Scalar(0.16284087268546085) * U_4_xx_yy + Scalar(0.0825) * t82 - Scalar(0.384) * f_u_5_t_x -
-      c_5 * t81 - s_5 * t80;
-  tau[3] = mu_4_z;
-  const Scalar t83 = c_5 * f_5_y - s_5 * f_5_x;
-  const Scalar U_4_zz = t21 + t37;
+  const Scalar t83 = Scalar(2.012523553603) * t17 - Scalar(0.55278027465) * t34 -
+      Scalar(0.6972920750309718) * U_4_xy - Scalar(0.00164448757736927) * (t29 - t30) -
+      Scalar(0.0510201361568155) * U_4_yx + Scalar(0.0039053550262761) * U_4_yz +
+      Scalar(0.16284087268546085) * U_4_xx_yy + Scalar(0.0825) * t82 + Scalar(0.384) * f_u_5_t_x -
+      s_5 * t80 - c_5 * t81;
+  tau[3] = -t83;
+  const Scalar t84 = s_5 * f_5_x - c_5 * f_5_y;
+  const Scalar U_4_zz = t19 + t35;
   const Scalar U_4_yy_zz = U_4_yy - U_4_zz;
-  const Scalar mu_4_x = Scalar(2.012523553603) * ddp_o_4_y - Scalar(0.0039053550262761) * U_4_yx -
-      Scalar(0.16284087268546085) * t33 + Scalar(0.6972920750309718) * U_4_zy -
-      Scalar(0.00164448757736927) * U_4_yy_zz - Scalar(0.384) * t83 - c_5 * t80 + s_5 * t81;
+  const Scalar mu_4_x = Scalar(2.012523553603) * ddp_o_4_y - Scalar(0.0039053550262761) * U_4_yx +
+      Scalar(0.16284087268546085) * t31 + Scalar(0.6972920750309718) * U_4_zy -
+      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.384) * t84 - s_5 * t81 + c_5 * t80;
   const Scalar U_4_zz_xx = U_4_xx - U_4_zz;
-  const Scalar mu_4_y = Scalar(0.55278027465) * ddp_o_4_y + Scalar(0.00164448757736927) * U_4_xy -
-      Scalar(0.0510201361568155) * t33 + Scalar(0.16284087268546085) * U_4_zy -
-      Scalar(0.0039053550262761) * U_4_zz_xx - mu_5_z - Scalar(0.0825) * t83;
-  const Scalar t84 = Scalar(0.55278027465) * t33 - Scalar(2.012523553603) * U_4_zy + t83;
-  const Scalar t85 = omega_r_3_y * omega_3_z;
-  const Scalar t86 = t11 * t11;
-  const Scalar U_3_yy = t9 + t86;
+  const Scalar mu_4_y = Scalar(0.55278027465) * ddp_o_4_y + Scalar(0.00164448757736927) * U_4_xy +
+      Scalar(0.0510201361568155) * t31 + Scalar(0.16284087268546085) * U_4_zy -
+      Scalar(0.0039053550262761) * U_4_zz_xx + t78 + Scalar(0.0825) * t84;
+  const Scalar t85 = Scalar(0.55278027465) * t31 + Scalar(2.012523553603) * U_4_zy + t84;
+  const Scalar t86 = omega_r_3_y * omega_3_z;
+  const Scalar t87 = t11 * t11;
+  const Scalar U_3_yy = t9 + t87;
   const Scalar U_3_xx_yy = U_3_xx - U_3_yy;
-  const Scalar U_3_xy = domega_3_z + t29;
-  const Scalar mu_3_z = Scalar(0.028227094878) * t7 + Scalar(0.746857959872) * ddp_3_y +
-      Scalar(0.022178148964878235) * U_3_xy - Scalar(0.004377257121839584) * (t12 - t13) +
-      Scalar(0.061602421026527694) * U_3_yx + Scalar(0.005487648106562256) * (t30 + t85) +
-      Scalar(0.000121912420950744) * U_3_xx_yy - Scalar(0.0825) * t84 - c_4 * mu_4_y - s_4 * mu_4_x;
-  tau[2] = mu_3_z;
-  const Scalar t87 = t30 - t85;
-  const Scalar U_3_zz = t8 + t86;
+  const Scalar U_3_xy = domega_3_z - t27;
+  const Scalar t88 = Scalar(0.028227094878) * t7 - Scalar(0.746857959872) * ddp_3_y -
+      Scalar(0.022178148964878235) * U_3_xy - Scalar(0.004377257121839584) * (t12 - t13) -
+      Scalar(0.061602421026527694) * U_3_yx + Scalar(0.005487648106562256) * (t28 - t86) -
+      Scalar(0.000121912420950744) * U_3_xx_yy - Scalar(0.0825) * t85 + s_4 * mu_4_x + c_4 * mu_4_y;
+  tau[2] = -t88;
+  const Scalar t89 = t28 + t86;
+  const Scalar U_3_zz = t8 + t87;
   const Scalar U_3_yy_zz = U_3_yy - U_3_zz;
-  const Scalar mu_3_x = Scalar(0.028227094878) * ddp_o_3_y - Scalar(0.005487648106562256) * U_3_yx -
-      Scalar(0.000121912420950744) * t14 - Scalar(0.022178148964878235) * t87 +
-      Scalar(0.004377257121839584) * U_3_yy_zz - c_4 * mu_4_x + s_4 * mu_4_y;
+  const Scalar mu_3_x = Scalar(0.028227094878) * ddp_o_3_y - Scalar(0.005487648106562256) * U_3_yx +
+      Scalar(0.000121912420950744) * t14 + Scalar(0.022178148964878235) * t89 +
+      Scalar(0.004377257121839584) * U_3_yy_zz + s_4 * mu_4_y - c_4 * mu_4_x;
   const Scalar f_4_x = Scalar(0.55278027465) * U_4_xx - Scalar(2.012523553603) * U_4_xy + f_u_5_t_x;
-  const Scalar f_4_y = Scalar(0.55278027465) * U_4_yx + Scalar(2.012523553603) * U_4_yy + t82;
-  const Scalar t88 = c_4 * f_4_y - s_4 * f_4_x;
+  const Scalar f_4_y = Scalar(0.55278027465) * U_4_yx + Scalar(2.012523553603) * U_4_yy - t82;
+  const Scalar t90 = s_4 * f_4_x - c_4 * f_4_y;
   const Scalar U_3_zz_xx = U_3_xx - U_3_zz;
-  const Scalar mu_3_y = Scalar(0.746857959872) * ddp_o_3_y + Scalar(0.004377257121839584) * U_3_xy -
-      Scalar(0.061602421026527694) * t14 - Scalar(0.000121912420950744) * t87 +
-      Scalar(0.005487648106562256) * U_3_zz_xx + mu_4_z - Scalar(0.0825) * t88;
+  const Scalar mu_3_y = Scalar(0.746857959872) * ddp_o_3_y + Scalar(0.004377257121839584) * U_3_xy +
+      Scalar(0.061602421026527694) * t14 + Scalar(0.000121912420950744) * t89 +
+      Scalar(0.005487648106562256) * U_3_zz_xx - t83 + Scalar(0.0825) * t90;
   const Scalar f_3_x = Scalar(0.746857959872) * U_3_xx + Scalar(0.028227094878) * U_3_xy -
-      c_4 * f_4_x - s_4 * f_4_y;
-  const Scalar f_3_y = Scalar(0.746857959872) * U_3_yx - Scalar(0.028227094878) * U_3_yy - t84;
-  const Scalar f_u_3_t_x = c_3 * f_3_x + s_3 * f_3_y;
-  const Scalar U_2_xx = t15 + t16;
-  const Scalar U_2_xx_yy = U_2_xx + t18;
+      s_4 * f_4_y - c_4 * f_4_x;
+  const Scalar f_3_y = Scalar(0.746857959872) * U_3_yx - Scalar(0.028227094878) * U_3_yy + t85;
+  const Scalar f_u_3_t_x = s_3 * f_3_y + c_3 * f_3_x;
+  const Scalar t91 = t1 * t1;
+  const Scalar U_2_xx = t16 + t91;
+  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
   const Scalar U_2_yx = qdd_2 + t6;
   tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(32.80954542685272) * s_2 -
-      Scalar(0.01026110182100817) * t3 - Scalar(0.0007689361029464) * t27 +
+      Scalar(0.01026110182100817) * t3 - Scalar(0.0007689361029464) * t25 +
       Scalar(1.032162061231881) * U_2_xy + Scalar(0.023077882494931805) * U_2_yx +
-      Scalar(0.00398335888393552) * U_2_xx_yy - Scalar(0.316) * f_u_3_t_x - c_3 * mu_3_y +
-      s_3 * mu_3_x;
-  const Scalar t89 = c_3 * f_3_y - s_3 * f_3_x;
-  const Scalar U_2_zx = t26 - t28;
+      Scalar(0.00398335888393552) * U_2_xx_yy - Scalar(0.316) * f_u_3_t_x + s_3 * mu_3_x -
+      c_3 * mu_3_y;
+  const Scalar t92 = s_3 * f_3_x - c_3 * f_3_y;
+  const Scalar U_2_zx = t24 + t26;
+  const Scalar U_2_zz = t91 + t15;
+  const Scalar U_2_yy_zz = U_2_yy - U_2_zz;
   const Scalar mu_2_x = Scalar(0.01026110182100817) * U_2_yx -
-      Scalar(0.00398335888393552) * U_2_zx - Scalar(1.032162061231881) * U_2_zy +
-      Scalar(0.0007689361029464) * (t17 + t18) - Scalar(0.316) * t89 + c_3 * mu_3_x + s_3 * mu_3_y;
-  const Scalar U_2_zz_xx = U_2_xx - t17;
+      Scalar(0.00398335888393552) * U_2_zx - Scalar(1.032162061231881) * U_2_zy -
+      Scalar(0.0007689361029464) * U_2_yy_zz + Scalar(0.316) * t92 + s_3 * mu_3_y + c_3 * mu_3_x;
+  const Scalar U_2_zz_xx = U_2_xx - U_2_zz;
   const Scalar mu_2_y = Scalar(0.0007689361029464) * U_2_xy +
       Scalar(0.023077882494931805) * U_2_zx + Scalar(0.00398335888393552) * U_2_zy +
-      Scalar(0.01026110182100817) * U_2_zz_xx - mu_3_z;
-  tau[0] = Scalar(0.014259565994474374) * qdd_1 - c_2 * mu_2_y - s_2 * mu_2_x;
+      Scalar(0.01026110182100817) * U_2_zz_xx + t88;
+  tau[0] = Scalar(0.014259565994474374) * qdd_1 - s_2 * mu_2_x - c_2 * mu_2_y;
 }
 
 // inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -347,7 +349,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[7]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..6], qd[0..6], qdd[0..6], h_e[0..5]. Operations: 367 mul, 326 add, 14 sin/cos.
+// Reads q[0..6], qd[0..6], qdd[0..6], h_e[0..5]. Operations: 366 mul, 326 add, 14 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau) noexcept {
@@ -370,279 +372,281 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = qd_2 * t1;
   const Scalar t3 = s_2 * qdd_1;
-  const Scalar domega_2_x = t3 + t2;
+  const Scalar domega_2_x = t2 + t3;
   const Scalar U_2_zy = t2 + domega_2_x;
   const Scalar t4 = Scalar(0.316) * U_2_zy;
   const Scalar t5 = s_2 * qd_1;
   const Scalar t6 = t1 * t5;
   const Scalar U_2_xy = qdd_2 - t6;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 - Scalar(0.316) * U_2_xy;
-  const Scalar t7 = c_3 * ddp_o_3_x - s_3 * t4;
-  const Scalar omega_r_3_y = c_3 * qd_2 + s_3 * t5;
+  const Scalar t7 = s_3 * t4 - c_3 * ddp_o_3_x;
+  const Scalar omega_r_3_y = s_3 * t5 + c_3 * qd_2;
   const Scalar t8 = omega_r_3_y * omega_r_3_y;
   const Scalar omega_3_z = qd_3 + t1;
   const Scalar t9 = omega_3_z * omega_3_z;
-  const Scalar U_3_xx = t8 + t9;
-  const Scalar t10 = t7 + Scalar(0.0825) * U_3_xx;
-  const Scalar t11 = c_3 * t5 - s_3 * qd_2;
-  const Scalar t12 = c_3 * qdd_2 + s_3 * domega_2_x + qd_3 * t11;
+  const Scalar U_3_xx = t9 + t8;
+  const Scalar t10 = t7 - Scalar(0.0825) * U_3_xx;
+  const Scalar t11 = s_3 * qd_2 - c_3 * t5;
+  const Scalar t12 = qd_3 * t11 - s_3 * domega_2_x - c_3 * qdd_2;
   const Scalar t13 = t11 * omega_3_z;
   const Scalar t14 = t12 + t13;
-  const Scalar t15 = c_2 * qd_1 * t1;
+  const Scalar t15 = t5 * t5;
   const Scalar t16 = qd_2 * qd_2;
-  const Scalar t17 = qd_1 * qd_1;
-  const Scalar t18 = t15 - t16 - t17;
-  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.316) * t18;
-  const Scalar ddp_o_4_z = ddp_o_3_y - Scalar(0.0825) * t14;
-  const Scalar t19 = c_4 * t10 - s_4 * ddp_o_4_z;
-  const Scalar t20 = c_4 * omega_3_z + s_4 * t11;
-  const Scalar t21 = t20 * t20;
+  const Scalar U_2_yy = t16 + t15;
+  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 - Scalar(0.316) * U_2_yy;
+  const Scalar ddp_o_4_z = ddp_o_3_y + Scalar(0.0825) * t14;
+  const Scalar t17 = s_4 * ddp_o_4_z + c_4 * t10;
+  const Scalar t18 = s_4 * t11 - c_4 * omega_3_z;
+  const Scalar t19 = t18 * t18;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t22 = omega_4_z * omega_4_z;
-  const Scalar U_4_xx = t21 + t22;
-  const Scalar domega_4_z = qdd_4 - t12;
-  const Scalar t23 = c_4 * t11 - s_4 * omega_3_z;
-  const Scalar t24 = t23 * t20;
-  const Scalar U_4_xy = domega_4_z + t24;
-  const Scalar t25 = t19 - Scalar(0.0825) * U_4_xx + Scalar(0.384) * U_4_xy;
-  const Scalar ddp_3_y = c_3 * t4 + s_3 * ddp_o_3_x;
-  const Scalar t26 = qd_2 * t5;
-  const Scalar t27 = c_2 * qdd_1;
-  const Scalar t28 = t27 - t26;
-  const Scalar domega_3_z = qdd_3 + t28;
-  const Scalar t29 = t11 * omega_r_3_y;
-  const Scalar U_3_yx = domega_3_z - t29;
+  const Scalar t20 = omega_4_z * omega_4_z;
+  const Scalar U_4_xx = t20 + t19;
+  const Scalar domega_4_z = qdd_4 + t12;
+  const Scalar t21 = s_4 * omega_3_z + c_4 * t11;
+  const Scalar t22 = t21 * t18;
+  const Scalar U_4_xy = domega_4_z + t22;
+  const Scalar t23 = t17 + Scalar(0.0825) * U_4_xx - Scalar(0.384) * U_4_xy;
+  const Scalar ddp_3_y = s_3 * ddp_o_3_x + c_3 * t4;
+  const Scalar t24 = qd_2 * t5;
+  const Scalar t25 = c_2 * qdd_1;
+  const Scalar t26 = t24 - t25;
+  const Scalar domega_3_z = qdd_3 - t26;
+  const Scalar t27 = t11 * omega_r_3_y;
+  const Scalar U_3_yx = domega_3_z + t27;
   const Scalar ddp_o_4_y = ddp_3_y + Scalar(0.0825) * U_3_yx;
-  const Scalar t30 = c_3 * domega_2_x - s_3 * qdd_2 - qd_3 * omega_r_3_y;
-  const Scalar t31 = c_4 * domega_3_z + s_4 * t30 + qd_4 * t23;
-  const Scalar t32 = t23 * omega_4_z;
-  const Scalar t33 = t31 + t32;
-  const Scalar domega_4_x = c_4 * t30 - s_4 * domega_3_z - qd_4 * t20;
-  const Scalar t34 = t20 * omega_4_z;
-  const Scalar U_4_zy = domega_4_x - t34;
-  const Scalar ddp_o_5_z = ddp_o_4_y - Scalar(0.0825) * t33 + Scalar(0.384) * U_4_zy;
-  const Scalar t35 = c_5 * t25 - s_5 * ddp_o_5_z;
-  const Scalar t36 = c_4 * ddp_o_4_z + s_4 * t10;
-  const Scalar U_4_yx = domega_4_z - t24;
-  const Scalar t37 = t23 * t23;
-  const Scalar U_4_yy = t22 + t37;
-  const Scalar t38 = t36 - Scalar(0.0825) * U_4_yx - Scalar(0.384) * U_4_yy;
-  const Scalar ddp_6_x = c_6 * t35 - s_6 * t38;
-  const Scalar omega_r_5_x = c_5 * t23 + s_5 * omega_4_z;
-  const Scalar omega_5_z = qd_5 + t20;
-  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar t39 = omega_r_6_y * omega_r_6_y;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t23;
+  const Scalar t28 = qd_3 * omega_r_3_y + s_3 * qdd_2 - c_3 * domega_2_x;
+  const Scalar t29 = qd_4 * t21 + s_4 * t28 - c_4 * domega_3_z;
+  const Scalar t30 = t21 * omega_4_z;
+  const Scalar t31 = t29 + t30;
+  const Scalar domega_4_x = qd_4 * t18 - s_4 * domega_3_z - c_4 * t28;
+  const Scalar t32 = t18 * omega_4_z;
+  const Scalar U_4_zy = domega_4_x + t32;
+  const Scalar ddp_o_5_z = ddp_o_4_y + Scalar(0.0825) * t31 + Scalar(0.384) * U_4_zy;
+  const Scalar t33 = s_5 * ddp_o_5_z + c_5 * t23;
+  const Scalar t34 = s_4 * t10 - c_4 * ddp_o_4_z;
+  const Scalar U_4_yx = domega_4_z - t22;
+  const Scalar t35 = t21 * t21;
+  const Scalar U_4_yy = t20 + t35;
+  const Scalar t36 = t34 + Scalar(0.0825) * U_4_yx + Scalar(0.384) * U_4_yy;
+  const Scalar ddp_6_x = s_6 * t36 - c_6 * t33;
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t21;
+  const Scalar omega_5_z = qd_5 - t18;
+  const Scalar omega_r_6_y = s_6 * omega_r_5_x + c_6 * omega_5_z;
+  const Scalar t37 = omega_r_6_y * omega_r_6_y;
+  const Scalar omega_r_5_y = s_5 * t21 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t40 = omega_6_z * omega_6_z;
-  const Scalar U_6_xx = t39 + t40;
+  const Scalar t38 = omega_6_z * omega_6_z;
+  const Scalar U_6_xx = t38 + t37;
   const Scalar ddp_o_7_x = ddp_6_x + Scalar(0.088) * U_6_xx;
-  const Scalar t41 = c_5 * ddp_o_5_z + s_5 * t25;
-  const Scalar domega_5_x = c_5 * domega_4_x + s_5 * domega_4_z + qd_5 * omega_r_5_y;
-  const Scalar t42 = c_6 * omega_r_5_x - s_6 * omega_5_z;
-  const Scalar domega_5_z = qdd_5 + t31;
-  const Scalar t43 = c_6 * domega_5_z + s_6 * domega_5_x + qd_6 * t42;
-  const Scalar t44 = t42 * omega_6_z;
-  const Scalar t45 = t43 + t44;
-  const Scalar t46 = t41 + Scalar(0.088) * t45;
-  const Scalar t47 = c_7 * ddp_o_7_x + s_7 * t46;
-  const Scalar t48 = c_7 * t46 - s_7 * ddp_o_7_x;
-  const Scalar t49 = c_6 * domega_5_x - s_6 * domega_5_z - qd_6 * omega_r_6_y;
-  const Scalar t50 = c_7 * t42 - s_7 * omega_6_z;
-  const Scalar t51 = c_5 * domega_4_z - s_5 * domega_4_x - qd_5 * omega_r_5_x;
-  const Scalar domega_6_z = qdd_6 + t51;
-  const Scalar t52 = c_7 * domega_6_z + s_7 * t49 + qd_7 * t50;
+  const Scalar t39 = s_5 * t23 - c_5 * ddp_o_5_z;
+  const Scalar t40 = s_6 * omega_5_z - c_6 * omega_r_5_x;
+  const Scalar domega_5_x = qd_5 * omega_r_5_y + s_5 * domega_4_z + c_5 * domega_4_x;
+  const Scalar domega_5_z = qdd_5 - t29;
+  const Scalar t41 = qd_6 * t40 - s_6 * domega_5_x - c_6 * domega_5_z;
+  const Scalar t42 = t40 * omega_6_z;
+  const Scalar t43 = t41 + t42;
+  const Scalar t44 = t39 + Scalar(0.088) * t43;
+  const Scalar t45 = s_7 * t44 - c_7 * ddp_o_7_x;
+  const Scalar t46 = s_7 * ddp_o_7_x + c_7 * t44;
+  const Scalar t47 = s_7 * omega_6_z + c_7 * t40;
+  const Scalar t48 = qd_6 * omega_r_6_y + s_6 * domega_5_z - c_6 * domega_5_x;
+  const Scalar t49 = qd_5 * omega_r_5_x + s_5 * domega_4_x - c_5 * domega_4_z;
+  const Scalar domega_6_z = qdd_6 - t49;
+  const Scalar t50 = qd_7 * t47 + s_7 * t48 - c_7 * domega_6_z;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t53 = t50 * omega_7_z;
-  const Scalar t54 = c_7 * omega_6_z + s_7 * t42;
-  const Scalar domega_7_x = c_7 * t49 - s_7 * domega_6_z - qd_7 * t54;
-  const Scalar t55 = t54 * omega_7_z;
-  const Scalar U_7_yz = domega_7_x + t55;
-  const Scalar t56 = t54 * t54;
-  const Scalar t57 = omega_7_z * omega_7_z;
-  const Scalar U_7_xx = t56 + t57;
-  const Scalar t58 = t50 * t50;
-  const Scalar U_7_yy = t57 + t58;
+  const Scalar t51 = t47 * omega_7_z;
+  const Scalar t52 = s_7 * t40 - c_7 * omega_6_z;
+  const Scalar domega_7_x = qd_7 * t52 - s_7 * domega_6_z - c_7 * t48;
+  const Scalar t53 = t52 * omega_7_z;
+  const Scalar U_7_yz = domega_7_x - t53;
+  const Scalar t54 = t52 * t52;
+  const Scalar t55 = omega_7_z * omega_7_z;
+  const Scalar U_7_xx = t55 + t54;
+  const Scalar t56 = t47 * t47;
+  const Scalar U_7_yy = t55 + t56;
   const Scalar U_7_xx_yy = U_7_xx - U_7_yy;
-  const Scalar domega_7_z = qdd_7 - t43;
-  const Scalar t59 = t50 * t54;
-  const Scalar U_7_xy = domega_7_z + t59;
-  const Scalar U_7_yx = domega_7_z - t59;
-  const Scalar mu_e1_x = c_1 * h_e_4 + s_1 * h_e_5;
-  const Scalar t60 = c_2 * mu_e1_x - s_2 * h_e_6;
-  const Scalar t61 = c_1 * h_e_5 - s_1 * h_e_4;
-  const Scalar t62 = c_3 * t60 + s_3 * t61;
-  const Scalar mu_e2_y = c_2 * h_e_6 + s_2 * mu_e1_x;
-  const Scalar mu_e4_x = c_4 * t62 + s_4 * mu_e2_y;
-  const Scalar mu_e3_y = c_3 * t61 - s_3 * t60;
-  const Scalar mu_e5_x = c_5 * mu_e4_x + s_5 * mu_e3_y;
-  const Scalar mu_e4_y = c_4 * mu_e2_y - s_4 * t62;
-  const Scalar tau_7 = Scalar(0.002034439958661797) * t47 - Scalar(0.002573605371338203) * t48 +
-      Scalar(0.004552547872941088) * U_7_xy - Scalar(0.0012555365982728983) * (t52 - t53) +
-      Scalar(0.002131604094419858) * U_7_yx + Scalar(0.0009653051699191118) * U_7_yz -
-      Scalar(0.000391391281684248) * U_7_xx_yy - c_6 * mu_e4_y + s_6 * mu_e5_x;
-  tau[6] = tau_7;
-  const Scalar t63 = c_6 * t38 + s_6 * t35;
-  const Scalar t64 = t42 * omega_r_6_y;
-  const Scalar U_6_yx = domega_6_z - t64;
-  const Scalar t65 = t63 + Scalar(0.088) * U_6_yx;
-  const Scalar f_e1_x = c_1 * h_e_1 + s_1 * h_e_2;
-  const Scalar t66 = c_2 * f_e1_x - s_2 * h_e_3;
-  const Scalar t67 = c_1 * h_e_2 - s_1 * h_e_1;
-  const Scalar t68 = c_3 * t66 + s_3 * t67;
-  const Scalar f_e2_y = c_2 * h_e_3 + s_2 * f_e1_x;
-  const Scalar f_e4_x = c_4 * t68 + s_4 * f_e2_y;
-  const Scalar f_e3_y = c_3 * t67 - s_3 * t66;
-  const Scalar f_e5_x = c_5 * f_e4_x + s_5 * f_e3_y;
-  const Scalar f_e4_y = c_4 * f_e2_y - s_4 * t68;
-  const Scalar f_e6_x = c_6 * f_e5_x + s_6 * f_e4_y;
-  const Scalar t69 = c_5 * f_e3_y - s_5 * f_e4_x;
-  const Scalar f_e7_x = c_7 * f_e6_x - s_7 * t69;
-  const Scalar t70 = t52 + t53;
-  const Scalar U_7_zy = domega_7_x - t55;
-  const Scalar U_7_zz = t56 + t58;
-  const Scalar U_7_zz_xx = U_7_xx - U_7_zz;
-  const Scalar mu_e6_x = c_6 * mu_e5_x + s_6 * mu_e4_y;
-  const Scalar t71 = c_5 * mu_e3_y - s_5 * mu_e4_x;
-  const Scalar mu_7_y = Scalar(0.2104) * f_e7_x + Scalar(0.002573605371338203) * t65 -
-      Scalar(0.0012555365982728983) * U_7_xy + Scalar(0.002131604094419858) * t70 -
-      Scalar(0.000391391281684248) * U_7_zy - Scalar(0.0009653051699191118) * U_7_zz_xx -
-      c_7 * t71 - s_7 * mu_e6_x;
-  const Scalar f_e7_y = c_7 * t69 + s_7 * f_e6_x;
+  const Scalar domega_7_z = qdd_7 + t41;
+  const Scalar t57 = t47 * t52;
+  const Scalar U_7_xy = domega_7_z + t57;
+  const Scalar U_7_yx = domega_7_z - t57;
+  const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
+  const Scalar t58 = s_2 * h_e_6 - c_2 * mu_e1_x;
+  const Scalar t59 = s_1 * h_e_4 - c_1 * h_e_5;
+  const Scalar t60 = s_3 * t59 + c_3 * t58;
+  const Scalar mu_e2_y = s_2 * mu_e1_x + c_2 * h_e_6;
+  const Scalar mu_e4_x = s_4 * mu_e2_y - c_4 * t60;
+  const Scalar mu_e3_y = s_3 * t58 - c_3 * t59;
+  const Scalar mu_e5_x = s_5 * mu_e3_y + c_5 * mu_e4_x;
+  const Scalar mu_e4_y = s_4 * t60 + c_4 * mu_e2_y;
+  const Scalar mu_7_z = Scalar(0.002034439958661797) * t45 - Scalar(0.002573605371338203) * t46 -
+      Scalar(0.004552547872941088) * U_7_xy - Scalar(0.0012555365982728983) * (t50 - t51) -
+      Scalar(0.002131604094419858) * U_7_yx - Scalar(0.0009653051699191118) * U_7_yz +
+      Scalar(0.000391391281684248) * U_7_xx_yy - s_6 * mu_e5_x + c_6 * mu_e4_y;
+  tau[6] = -mu_7_z;
+  const Scalar t61 = s_6 * t33 + c_6 * t36;
+  const Scalar t62 = t40 * omega_r_6_y;
+  const Scalar U_6_yx = domega_6_z + t62;
+  const Scalar t63 = t61 - Scalar(0.088) * U_6_yx;
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
+  const Scalar t64 = s_2 * h_e_3 - c_2 * f_e1_x;
+  const Scalar t65 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar t66 = s_3 * t65 + c_3 * t64;
+  const Scalar f_e2_y = s_2 * f_e1_x + c_2 * h_e_3;
+  const Scalar f_e4_x = s_4 * f_e2_y - c_4 * t66;
+  const Scalar f_e3_y = s_3 * t64 - c_3 * t65;
+  const Scalar f_e5_x = s_5 * f_e3_y + c_5 * f_e4_x;
+  const Scalar f_e4_y = s_4 * t66 + c_4 * f_e2_y;
+  const Scalar f_e6_x = s_6 * f_e4_y + c_6 * f_e5_x;
+  const Scalar t67 = s_5 * f_e4_x - c_5 * f_e3_y;
+  const Scalar f_e7_y = s_7 * f_e6_x - c_7 * t67;
+  const Scalar t68 = t50 + t51;
+  const Scalar U_7_zy = domega_7_x + t53;
+  const Scalar U_7_zz = t54 + t56;
   const Scalar U_7_yy_zz = U_7_yy - U_7_zz;
-  const Scalar mu_7_x = Scalar(0.2104) * f_e7_y - Scalar(0.002034439958661797) * t65 -
-      Scalar(0.0009653051699191118) * U_7_yx + Scalar(0.000391391281684248) * t70 -
+  const Scalar mu_e6_x = s_6 * mu_e4_y + c_6 * mu_e5_x;
+  const Scalar t69 = s_5 * mu_e4_x - c_5 * mu_e3_y;
+  const Scalar mu_7_x = Scalar(0.2104) * f_e7_y + Scalar(0.002034439958661797) * t63 -
+      Scalar(0.0009653051699191118) * U_7_yx - Scalar(0.000391391281684248) * t68 -
       Scalar(0.004552547872941088) * U_7_zy + Scalar(0.0012555365982728983) * U_7_yy_zz +
-      c_7 * mu_e6_x - s_7 * t71;
-  const Scalar t72 = Scalar(0.002573605371338203) * t70 + Scalar(0.002034439958661797) * U_7_zy +
-      c_6 * f_e4_y - s_6 * f_e5_x;
-  const Scalar t73 = omega_r_6_y * omega_6_z;
-  const Scalar t74 = t42 * t42;
-  const Scalar U_6_yy = t40 + t74;
+      s_7 * t69 + c_7 * mu_e6_x;
+  const Scalar f_e7_x = s_7 * t67 + c_7 * f_e6_x;
+  const Scalar U_7_zz_xx = U_7_xx - U_7_zz;
+  const Scalar mu_7_y = Scalar(0.2104) * f_e7_x - Scalar(0.002573605371338203) * t63 -
+      Scalar(0.0012555365982728983) * U_7_xy - Scalar(0.002131604094419858) * t68 -
+      Scalar(0.000391391281684248) * U_7_zy - Scalar(0.0009653051699191118) * U_7_zz_xx -
+      s_7 * mu_e6_x + c_7 * t69;
+  const Scalar t70 = Scalar(0.002573605371338203) * t68 - Scalar(0.002034439958661797) * U_7_zy +
+      s_6 * f_e5_x - c_6 * f_e4_y;
+  const Scalar t71 = omega_r_6_y * omega_6_z;
+  const Scalar t72 = t40 * t40;
+  const Scalar U_6_yy = t38 + t72;
   const Scalar U_6_xx_yy = U_6_xx - U_6_yy;
-  const Scalar U_6_xy = domega_6_z + t64;
-  const Scalar mu_6_z = Scalar(0.173804705569) * ddp_6_x - Scalar(0.231847552695) * t63 -
-      Scalar(0.028934422545659894) * U_6_xy - Scalar(0.000093569097314605) * (t43 - t44) -
-      Scalar(0.021522255370587554) * U_6_yx - Scalar(0.000103758917218685) * (t49 + t73) +
-      Scalar(0.014748570382675316) * U_6_xx_yy - Scalar(0.088) * t72 - c_7 * mu_7_y - s_7 * mu_7_x;
+  const Scalar U_6_xy = domega_6_z - t62;
+  const Scalar mu_6_z = Scalar(0.173804705569) * ddp_6_x + Scalar(0.231847552695) * t61 -
+      Scalar(0.028934422545659894) * U_6_xy + Scalar(0.000093569097314605) * (t41 - t42) -
+      Scalar(0.021522255370587554) * U_6_yx + Scalar(0.000103758917218685) * (t48 - t71) +
+      Scalar(0.014748570382675316) * U_6_xx_yy + Scalar(0.088) * t70 - s_7 * mu_7_x - c_7 * mu_7_y;
   tau[5] = -mu_6_z;
-  const Scalar f_7_y = f_e7_y - Scalar(0.002573605371338203) * U_7_yx +
-      Scalar(0.002034439958661797) * U_7_yy;
   const Scalar f_7_x = f_e7_x - Scalar(0.002573605371338203) * U_7_xx -
       Scalar(0.002034439958661797) * U_7_xy;
-  const Scalar t75 = c_7 * f_7_y - s_7 * f_7_x;
-  const Scalar t76 = t49 - t73;
-  const Scalar U_6_zz = t39 + t74;
+  const Scalar f_7_y = f_e7_y - Scalar(0.002573605371338203) * U_7_yx +
+      Scalar(0.002034439958661797) * U_7_yy;
+  const Scalar t73 = s_7 * f_7_x - c_7 * f_7_y;
+  const Scalar t74 = t48 + t71;
+  const Scalar U_6_zz = t37 + t72;
   const Scalar U_6_zz_xx = U_6_xx - U_6_zz;
-  const Scalar t77 = Scalar(0.231847552695) * t41 + Scalar(0.000093569097314605) * U_6_xy +
-      Scalar(0.021522255370587554) * t45 - Scalar(0.014748570382675316) * t76 -
-      Scalar(0.000103758917218685) * U_6_zz_xx - tau_7 + Scalar(0.088) * t75;
+  const Scalar t75 = Scalar(0.231847552695) * t39 - Scalar(0.000093569097314605) * U_6_xy +
+      Scalar(0.021522255370587554) * t43 - Scalar(0.014748570382675316) * t74 +
+      Scalar(0.000103758917218685) * U_6_zz_xx - mu_7_z + Scalar(0.088) * t73;
   const Scalar U_6_yy_zz = U_6_yy - U_6_zz;
-  const Scalar t78 = Scalar(0.173804705569) * t41 - Scalar(0.000103758917218685) * U_6_yx +
-      Scalar(0.014748570382675316) * t45 - Scalar(0.028934422545659894) * t76 -
-      Scalar(0.000093569097314605) * U_6_yy_zz + c_7 * mu_7_x - s_7 * mu_7_y;
-  const Scalar t79 = omega_r_5_x * omega_5_z;
-  const Scalar t80 = omega_r_5_y * omega_5_z;
-  const Scalar U_5_yz = domega_5_x - t80;
-  const Scalar t81 = omega_r_5_y * omega_r_5_y;
-  const Scalar t82 = omega_5_z * omega_5_z;
-  const Scalar U_5_xx = t81 + t82;
-  const Scalar t83 = omega_r_5_x * omega_r_5_x;
-  const Scalar U_5_yy = t82 + t83;
+  const Scalar t76 = Scalar(0.173804705569) * t39 + Scalar(0.000103758917218685) * U_6_yx +
+      Scalar(0.014748570382675316) * t43 - Scalar(0.028934422545659894) * t74 +
+      Scalar(0.000093569097314605) * U_6_yy_zz + s_7 * mu_7_y - c_7 * mu_7_x;
+  const Scalar t77 = omega_r_5_x * omega_5_z;
+  const Scalar t78 = omega_r_5_y * omega_5_z;
+  const Scalar U_5_yz = domega_5_x - t78;
+  const Scalar t79 = omega_r_5_y * omega_r_5_y;
+  const Scalar t80 = omega_5_z * omega_5_z;
+  const Scalar U_5_xx = t80 + t79;
+  const Scalar t81 = omega_r_5_x * omega_r_5_x;
+  const Scalar U_5_yy = t80 + t81;
   const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar t84 = omega_r_5_x * omega_r_5_y;
-  const Scalar U_5_xy = domega_5_z - t84;
-  const Scalar U_5_yx = domega_5_z + t84;
-  const Scalar mu_5_z = Scalar(0.067870631425) * t35 - Scalar(0.014653732538) * t41 +
-      Scalar(0.010045187828321245) * U_5_xy - Scalar(0.00216405205209813) * (t51 + t79) +
-      Scalar(0.001451156065026714) * U_5_yx + Scalar(0.004600245517563106) * U_5_yz +
-      Scalar(0.00151524447332703) * U_5_xx_yy + c_6 * t77 + s_6 * t78;
-  tau[4] = mu_5_z;
-  const Scalar t85 = t51 - t79;
-  const Scalar U_5_zy = domega_5_x + t80;
-  const Scalar U_5_zz = t81 + t83;
+  const Scalar t82 = omega_r_5_x * omega_r_5_y;
+  const Scalar U_5_xy = domega_5_z - t82;
+  const Scalar U_5_yx = domega_5_z + t82;
+  const Scalar t83 = Scalar(0.067870631425) * t33 - Scalar(0.014653732538) * t39 -
+      Scalar(0.010045187828321245) * U_5_xy - Scalar(0.00216405205209813) * (t49 - t77) -
+      Scalar(0.001451156065026714) * U_5_yx - Scalar(0.004600245517563106) * U_5_yz -
+      Scalar(0.00151524447332703) * U_5_xx_yy + s_6 * t76 + c_6 * t75;
+  tau[4] = -t83;
+  const Scalar t84 = t49 + t77;
+  const Scalar U_5_zy = domega_5_x + t78;
+  const Scalar U_5_zz = t79 + t81;
   const Scalar U_5_yy_zz = U_5_yy - U_5_zz;
-  const Scalar t86 = Scalar(0.067870631425) * t38 - Scalar(0.004600245517563106) * U_5_yx +
-      Scalar(0.00151524447332703) * t85 - Scalar(0.010045187828321245) * U_5_zy -
-      Scalar(0.00216405205209813) * U_5_yy_zz + c_6 * t78 - s_6 * t77;
+  const Scalar t85 = Scalar(0.067870631425) * t36 + Scalar(0.004600245517563106) * U_5_yx +
+      Scalar(0.00151524447332703) * t84 + Scalar(0.010045187828321245) * U_5_zy +
+      Scalar(0.00216405205209813) * U_5_yy_zz - s_6 * t75 + c_6 * t76;
   const Scalar f_6_x = Scalar(0.231847552695) * U_6_xx - Scalar(0.173804705569) * U_6_xy -
-      c_7 * f_7_x - s_7 * f_7_y;
-  const Scalar f_6_y = Scalar(0.231847552695) * U_6_yx + Scalar(0.173804705569) * U_6_yy + t72;
+      s_7 * f_7_y - c_7 * f_7_x;
+  const Scalar f_6_y = Scalar(0.231847552695) * U_6_yx + Scalar(0.173804705569) * U_6_yy - t70;
   const Scalar f_5_x = Scalar(0.014653732538) * U_5_xx - Scalar(0.067870631425) * U_5_xy -
-      c_6 * f_6_x - s_6 * f_6_y;
-  const Scalar f_5_y = Scalar(0.014653732538) * U_5_yx + Scalar(0.067870631425) * U_5_yy -
-      Scalar(0.231847552695) * t45 + Scalar(0.173804705569) * t76 - t75;
-  const Scalar f_u_5_t_x = c_5 * f_5_x + s_5 * f_5_y;
+      s_6 * f_6_y - c_6 * f_6_x;
+  const Scalar f_5_y = Scalar(0.014653732538) * U_5_yx + Scalar(0.067870631425) * U_5_yy +
+      Scalar(0.231847552695) * t43 - Scalar(0.173804705569) * t74 + t73;
+  const Scalar f_u_5_t_x = s_5 * f_5_y + c_5 * f_5_x;
   const Scalar U_5_zz_xx = U_5_xx - U_5_zz;
-  const Scalar t87 = Scalar(0.014653732538) * t38 + Scalar(0.00216405205209813) * U_5_xy -
-      Scalar(0.001451156065026714) * t85 + Scalar(0.00151524447332703) * U_5_zy -
-      Scalar(0.004600245517563106) * U_5_zz_xx + mu_6_z;
-  const Scalar t88 = Scalar(0.014653732538) * t85 + Scalar(0.067870631425) * U_5_zy - c_6 * f_6_y +
-      s_6 * f_6_x;
-  const Scalar U_4_yz = domega_4_x + t34;
+  const Scalar t86 = Scalar(0.014653732538) * t36 - Scalar(0.00216405205209813) * U_5_xy -
+      Scalar(0.001451156065026714) * t84 - Scalar(0.00151524447332703) * U_5_zy +
+      Scalar(0.004600245517563106) * U_5_zz_xx - mu_6_z;
+  const Scalar t87 = Scalar(0.014653732538) * t84 - Scalar(0.067870631425) * U_5_zy - s_6 * f_6_x +
+      c_6 * f_6_y;
+  const Scalar U_4_yz = domega_4_x - t32;
   const Scalar U_4_xx_yy = U_4_xx - U_4_yy;
-  const Scalar mu_4_z = Scalar(2.012523553603) * t19 - Scalar(0.55278027465) * t36 +
-      Scalar(0.6972920750309718) * U_4_xy - Scalar(0.00164448757736927) * (t31 - t32) +
-      Scalar(0.0510201361568155) * U_4_yx - Scalar(0.0039053550262761) * U_4_yz -
-      Scalar(0.16284087268546085) * U_4_xx_yy + Scalar(0.0825) * t88 - Scalar(0.384) * f_u_5_t_x -
-      c_5 * t87 - s_5 * t86;
-  tau[3] = mu_4_z;
-  const Scalar t89 = c_5 * f_5_y - s_5 * f_5_x;
-  const Scalar U_4_zz = t21 + t37;
+  const Scalar t88 = Scalar(2.012523553603) * t17 - Scalar(0.55278027465) * t34 -
+      Scalar(0.6972920750309718) * U_4_xy - Scalar(0.00164448757736927) * (t29 - t30) -
+      Scalar(0.0510201361568155) * U_4_yx + Scalar(0.0039053550262761) * U_4_yz +
+      Scalar(0.16284087268546085) * U_4_xx_yy + Scalar(0.0825) * t87 + Scalar(0.384) * f_u_5_t_x -
+      s_5 * t85 - c_5 * t86;
+  tau[3] = -t88;
+  const Scalar t89 = s_5 * f_5_x - c_5 * f_5_y;
+  const Scalar U_4_zz = t19 + t35;
   const Scalar U_4_yy_zz = U_4_yy - U_4_zz;
-  const Scalar mu_4_x = Scalar(2.012523553603) * ddp_o_4_y - Scalar(0.0039053550262761) * U_4_yx -
-      Scalar(0.16284087268546085) * t33 + Scalar(0.6972920750309718) * U_4_zy -
-      Scalar(0.00164448757736927) * U_4_yy_zz - Scalar(0.384) * t89 - c_5 * t86 + s_5 * t87;
+  const Scalar mu_4_x = Scalar(2.012523553603) * ddp_o_4_y - Scalar(0.0039053550262761) * U_4_yx +
+      Scalar(0.16284087268546085) * t31 + Scalar(0.6972920750309718) * U_4_zy -
+      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.384) * t89 - s_5 * t86 + c_5 * t85;
   const Scalar U_4_zz_xx = U_4_xx - U_4_zz;
-  const Scalar mu_4_y = Scalar(0.55278027465) * ddp_o_4_y + Scalar(0.00164448757736927) * U_4_xy -
-      Scalar(0.0510201361568155) * t33 + Scalar(0.16284087268546085) * U_4_zy -
-      Scalar(0.0039053550262761) * U_4_zz_xx - mu_5_z - Scalar(0.0825) * t89;
-  const Scalar t90 = Scalar(0.55278027465) * t33 - Scalar(2.012523553603) * U_4_zy + t89;
+  const Scalar mu_4_y = Scalar(0.55278027465) * ddp_o_4_y + Scalar(0.00164448757736927) * U_4_xy +
+      Scalar(0.0510201361568155) * t31 + Scalar(0.16284087268546085) * U_4_zy -
+      Scalar(0.0039053550262761) * U_4_zz_xx + t83 + Scalar(0.0825) * t89;
+  const Scalar t90 = Scalar(0.55278027465) * t31 + Scalar(2.012523553603) * U_4_zy + t89;
   const Scalar t91 = omega_r_3_y * omega_3_z;
   const Scalar t92 = t11 * t11;
   const Scalar U_3_yy = t9 + t92;
   const Scalar U_3_xx_yy = U_3_xx - U_3_yy;
-  const Scalar U_3_xy = domega_3_z + t29;
-  const Scalar mu_3_z = Scalar(0.028227094878) * t7 + Scalar(0.746857959872) * ddp_3_y +
-      Scalar(0.022178148964878235) * U_3_xy - Scalar(0.004377257121839584) * (t12 - t13) +
-      Scalar(0.061602421026527694) * U_3_yx + Scalar(0.005487648106562256) * (t30 + t91) +
-      Scalar(0.000121912420950744) * U_3_xx_yy - Scalar(0.0825) * t90 - c_4 * mu_4_y - s_4 * mu_4_x;
-  tau[2] = mu_3_z;
-  const Scalar t93 = t30 - t91;
+  const Scalar U_3_xy = domega_3_z - t27;
+  const Scalar t93 = Scalar(0.028227094878) * t7 - Scalar(0.746857959872) * ddp_3_y -
+      Scalar(0.022178148964878235) * U_3_xy - Scalar(0.004377257121839584) * (t12 - t13) -
+      Scalar(0.061602421026527694) * U_3_yx + Scalar(0.005487648106562256) * (t28 - t91) -
+      Scalar(0.000121912420950744) * U_3_xx_yy - Scalar(0.0825) * t90 + s_4 * mu_4_x + c_4 * mu_4_y;
+  tau[2] = -t93;
+  const Scalar t94 = t28 + t91;
   const Scalar U_3_zz = t8 + t92;
   const Scalar U_3_yy_zz = U_3_yy - U_3_zz;
-  const Scalar mu_3_x = Scalar(0.028227094878) * ddp_o_3_y - Scalar(0.005487648106562256) * U_3_yx -
-      Scalar(0.000121912420950744) * t14 - Scalar(0.022178148964878235) * t93 +
-      Scalar(0.004377257121839584) * U_3_yy_zz - c_4 * mu_4_x + s_4 * mu_4_y;
+  const Scalar mu_3_x = Scalar(0.028227094878) * ddp_o_3_y - Scalar(0.005487648106562256) * U_3_yx +
+      Scalar(0.000121912420950744) * t14 + Scalar(0.022178148964878235) * t94 +
+      Scalar(0.004377257121839584) * U_3_yy_zz + s_4 * mu_4_y - c_4 * mu_4_x;
   const Scalar f_4_x = Scalar(0.55278027465) * U_4_xx - Scalar(2.012523553603) * U_4_xy + f_u_5_t_x;
-  const Scalar f_4_y = Scalar(0.55278027465) * U_4_yx + Scalar(2.012523553603) * U_4_yy + t88;
+  const Scalar f_4_y = Scalar(0.55278027465) * U_4_yx + Scalar(2.012523553603) * U_4_yy - t87;
   const Scalar f_3_x = Scalar(0.746857959872) * U_3_xx + Scalar(0.028227094878) * U_3_xy -
-      c_4 * f_4_x - s_4 * f_4_y;
-  const Scalar f_3_y = Scalar(0.746857959872) * U_3_yx - Scalar(0.028227094878) * U_3_yy - t90;
-  const Scalar f_u_3_t_x = c_3 * f_3_x + s_3 * f_3_y;
-  const Scalar t94 = c_4 * f_4_y - s_4 * f_4_x;
+      s_4 * f_4_y - c_4 * f_4_x;
+  const Scalar f_3_y = Scalar(0.746857959872) * U_3_yx - Scalar(0.028227094878) * U_3_yy + t90;
+  const Scalar f_u_3_t_x = s_3 * f_3_y + c_3 * f_3_x;
+  const Scalar t95 = s_4 * f_4_x - c_4 * f_4_y;
   const Scalar U_3_zz_xx = U_3_xx - U_3_zz;
-  const Scalar mu_3_y = Scalar(0.746857959872) * ddp_o_3_y + Scalar(0.004377257121839584) * U_3_xy -
-      Scalar(0.061602421026527694) * t14 - Scalar(0.000121912420950744) * t93 +
-      Scalar(0.005487648106562256) * U_3_zz_xx + mu_4_z - Scalar(0.0825) * t94;
-  const Scalar U_2_xx = t15 + t16;
-  const Scalar U_2_xx_yy = U_2_xx + t18;
+  const Scalar mu_3_y = Scalar(0.746857959872) * ddp_o_3_y + Scalar(0.004377257121839584) * U_3_xy +
+      Scalar(0.061602421026527694) * t14 + Scalar(0.000121912420950744) * t94 +
+      Scalar(0.005487648106562256) * U_3_zz_xx - t88 + Scalar(0.0825) * t95;
+  const Scalar t96 = t1 * t1;
+  const Scalar U_2_xx = t16 + t96;
+  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
   const Scalar U_2_yx = qdd_2 + t6;
   tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(32.80954542685272) * s_2 -
-      Scalar(0.01026110182100817) * t3 - Scalar(0.0007689361029464) * t27 +
+      Scalar(0.01026110182100817) * t3 - Scalar(0.0007689361029464) * t25 +
       Scalar(1.032162061231881) * U_2_xy + Scalar(0.023077882494931805) * U_2_yx +
-      Scalar(0.00398335888393552) * U_2_xx_yy - Scalar(0.316) * f_u_3_t_x - c_3 * mu_3_y +
-      s_3 * mu_3_x;
-  const Scalar t95 = c_3 * f_3_y - s_3 * f_3_x;
-  const Scalar U_2_zx = t26 - t28;
+      Scalar(0.00398335888393552) * U_2_xx_yy - Scalar(0.316) * f_u_3_t_x + s_3 * mu_3_x -
+      c_3 * mu_3_y;
+  const Scalar t97 = s_3 * f_3_x - c_3 * f_3_y;
+  const Scalar U_2_zx = t24 + t26;
+  const Scalar U_2_zz = t96 + t15;
+  const Scalar U_2_yy_zz = U_2_yy - U_2_zz;
   const Scalar mu_2_x = Scalar(0.01026110182100817) * U_2_yx -
-      Scalar(0.00398335888393552) * U_2_zx - Scalar(1.032162061231881) * U_2_zy +
-      Scalar(0.0007689361029464) * (t17 + t18) - Scalar(0.316) * t95 + c_3 * mu_3_x + s_3 * mu_3_y;
-  const Scalar U_2_zz_xx = U_2_xx - t17;
+      Scalar(0.00398335888393552) * U_2_zx - Scalar(1.032162061231881) * U_2_zy -
+      Scalar(0.0007689361029464) * U_2_yy_zz + Scalar(0.316) * t97 + s_3 * mu_3_y + c_3 * mu_3_x;
+  const Scalar U_2_zz_xx = U_2_xx - U_2_zz;
   const Scalar mu_2_y = Scalar(0.0007689361029464) * U_2_xy +
       Scalar(0.023077882494931805) * U_2_zx + Scalar(0.00398335888393552) * U_2_zy +
-      Scalar(0.01026110182100817) * U_2_zz_xx - mu_3_z;
-  tau[0] = Scalar(0.014259565994474374) * qdd_1 - c_2 * mu_2_y - s_2 * mu_2_x;
+      Scalar(0.01026110182100817) * U_2_zz_xx + t93;
+  tau[0] = Scalar(0.014259565994474374) * qdd_1 - s_2 * mu_2_x - c_2 * mu_2_y;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -2154,7 +2158,7 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   q[7]   in   joint positions, rad or m
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   n[7]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..6], qd[0..6]. Operations: 301 mul, 273 add, 12 sin/cos.
+// Reads q[1..6], qd[0..6]. Operations: 300 mul, 273 add, 12 sin/cos.
 template <class Scalar>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   using std::cos;
@@ -2169,241 +2173,247 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
   const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
   const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = c_3 * t1 - s_3 * qd_2;
+  const Scalar t2 = s_3 * qd_2 - c_3 * t1;
   const Scalar t3 = c_2 * qd_1;
   const Scalar t4 = qd_2 * t3;
-  const Scalar t5 = qd_3 * t2 + s_3 * t4;
+  const Scalar t5 = qd_3 * t2 - s_3 * t4;
   const Scalar omega_3_z = qd_3 + t3;
   const Scalar t6 = t2 * omega_3_z;
   const Scalar t7 = t5 + t6;
-  const Scalar t8 = c_2 * qd_1 * t3;
+  const Scalar t8 = t1 * t1;
   const Scalar t9 = qd_2 * qd_2;
-  const Scalar t10 = qd_1 * qd_1;
-  const Scalar t11 = t8 - t9 - t10;
-  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.316) * t11;
-  const Scalar ddp_o_4_z = ddp_o_3_y - Scalar(0.0825) * t7;
-  const Scalar t12 = Scalar(0.632) * t4;
-  const Scalar t13 = t3 * t1;
-  const Scalar ddp_o_3_x = Scalar(9.81) * s_2 + Scalar(0.316) * t13;
-  const Scalar t14 = s_3 * t12 - c_3 * ddp_o_3_x;
-  const Scalar omega_r_3_y = c_3 * qd_2 + s_3 * t1;
-  const Scalar t15 = omega_r_3_y * omega_r_3_y;
-  const Scalar t16 = omega_3_z * omega_3_z;
-  const Scalar U_3_xx = t15 + t16;
-  const Scalar t17 = t14 - Scalar(0.0825) * U_3_xx;
-  const Scalar ddp_4_x = c_4 * t17 + s_4 * ddp_o_4_z;
-  const Scalar t18 = c_4 * omega_3_z + s_4 * t2;
-  const Scalar t19 = t18 * t18;
+  const Scalar U_2_yy = t9 + t8;
+  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 - Scalar(0.316) * U_2_yy;
+  const Scalar ddp_o_4_z = ddp_o_3_y + Scalar(0.0825) * t7;
+  const Scalar t10 = t3 * t1;
+  const Scalar ddp_o_3_x = Scalar(9.81) * s_2 + Scalar(0.316) * t10;
+  const Scalar t11 = Scalar(0.632) * t4;
+  const Scalar t12 = c_3 * ddp_o_3_x - s_3 * t11;
+  const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
+  const Scalar t13 = omega_r_3_y * omega_r_3_y;
+  const Scalar t14 = omega_3_z * omega_3_z;
+  const Scalar U_3_xx = t14 + t13;
+  const Scalar t15 = t12 + Scalar(0.0825) * U_3_xx;
+  const Scalar ddp_4_x = s_4 * ddp_o_4_z - c_4 * t15;
+  const Scalar t16 = s_4 * t2 - c_4 * omega_3_z;
+  const Scalar t17 = t16 * t16;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t20 = omega_4_z * omega_4_z;
-  const Scalar U_4_xx = t19 + t20;
-  const Scalar t21 = c_4 * t2 - s_4 * omega_3_z;
-  const Scalar t22 = t21 * t18;
-  const Scalar t23 = t5 - t22;
-  const Scalar ddp_o_5_x = ddp_4_x + Scalar(0.0825) * U_4_xx + Scalar(0.384) * t23;
-  const Scalar t24 = qd_3 * omega_r_3_y - c_3 * t4;
-  const Scalar t25 = qd_2 * t1;
-  const Scalar domega_4_y = c_4 * t25 + s_4 * t24 - qd_4 * t21;
-  const Scalar t26 = t21 * omega_4_z;
-  const Scalar U_4_zx = domega_4_y - t26;
-  const Scalar t27 = c_4 * t24 - s_4 * t25 + qd_4 * t18;
-  const Scalar t28 = t18 * omega_4_z;
-  const Scalar t29 = t27 + t28;
-  const Scalar ddp_3_y = c_3 * t12 + s_3 * ddp_o_3_x;
-  const Scalar t30 = t2 * omega_r_3_y;
-  const Scalar t31 = t25 + t30;
-  const Scalar ddp_o_4_y = ddp_3_y - Scalar(0.0825) * t31;
-  const Scalar ddp_o_5_z = ddp_o_4_y + Scalar(0.0825) * U_4_zx - Scalar(0.384) * t29;
-  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * ddp_o_5_z;
-  const Scalar ddp_4_y = c_4 * ddp_o_4_z - s_4 * t17;
-  const Scalar t32 = t5 + t22;
-  const Scalar t33 = t21 * t21;
-  const Scalar U_4_yy = t20 + t33;
-  const Scalar ddp_o_5_y = ddp_4_y + Scalar(0.0825) * t32 - Scalar(0.384) * U_4_yy;
-  const Scalar t34 = c_6 * ddp_o_5_y - s_6 * ddp_5_x;
-  const Scalar omega_r_5_x = c_5 * t21 + s_5 * omega_4_z;
-  const Scalar omega_5_z = qd_5 + t18;
-  const Scalar t35 = c_6 * omega_r_5_x - s_6 * omega_5_z;
-  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar t36 = t35 * omega_r_6_y;
-  const Scalar domega_5_y = c_5 * t5 - s_5 * t27 + qd_5 * omega_r_5_x;
-  const Scalar U_6_yx = domega_5_y + t36;
-  const Scalar t37 = t34 - Scalar(0.088) * U_6_yx;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t21;
-  const Scalar t38 = c_5 * t27 + s_5 * t5 - qd_5 * omega_r_5_y;
-  const Scalar t39 = c_6 * t38 - s_6 * domega_4_y + qd_6 * omega_r_6_y;
+  const Scalar t18 = omega_4_z * omega_4_z;
+  const Scalar U_4_xx = t18 + t17;
+  const Scalar t19 = s_4 * omega_3_z + c_4 * t2;
+  const Scalar t20 = t19 * t16;
+  const Scalar t21 = t5 + t20;
+  const Scalar ddp_o_5_x = ddp_4_x + Scalar(0.0825) * U_4_xx - Scalar(0.384) * t21;
+  const Scalar t22 = qd_3 * omega_r_3_y - c_3 * t4;
+  const Scalar t23 = qd_2 * t1;
+  const Scalar domega_4_y = qd_4 * t19 + s_4 * t22 + c_4 * t23;
+  const Scalar t24 = t19 * omega_4_z;
+  const Scalar U_4_zx = domega_4_y + t24;
+  const Scalar domega_4_x = qd_4 * t16 + s_4 * t23 - c_4 * t22;
+  const Scalar t25 = t16 * omega_4_z;
+  const Scalar U_4_zy = domega_4_x + t25;
+  const Scalar ddp_3_y = s_3 * ddp_o_3_x + c_3 * t11;
+  const Scalar t26 = t2 * omega_r_3_y;
+  const Scalar t27 = t26 - t23;
+  const Scalar ddp_o_4_y = ddp_3_y + Scalar(0.0825) * t27;
+  const Scalar ddp_o_5_z = ddp_o_4_y + Scalar(0.0825) * U_4_zx + Scalar(0.384) * U_4_zy;
+  const Scalar ddp_5_x = s_5 * ddp_o_5_z + c_5 * ddp_o_5_x;
+  const Scalar ddp_4_y = s_4 * t15 + c_4 * ddp_o_4_z;
+  const Scalar t28 = t5 - t20;
+  const Scalar t29 = t19 * t19;
+  const Scalar U_4_yy = t18 + t29;
+  const Scalar ddp_o_5_y = ddp_4_y - Scalar(0.0825) * t28 - Scalar(0.384) * U_4_yy;
+  const Scalar t30 = s_6 * ddp_5_x - c_6 * ddp_o_5_y;
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t19;
+  const Scalar omega_5_z = qd_5 - t16;
+  const Scalar t31 = s_6 * omega_5_z - c_6 * omega_r_5_x;
+  const Scalar omega_r_6_y = s_6 * omega_r_5_x + c_6 * omega_5_z;
+  const Scalar t32 = t31 * omega_r_6_y;
+  const Scalar domega_5_y = qd_5 * omega_r_5_x + s_5 * domega_4_x - c_5 * t5;
+  const Scalar U_6_yx = domega_5_y - t32;
+  const Scalar t33 = t30 + Scalar(0.088) * U_6_yx;
+  const Scalar omega_r_5_y = s_5 * t19 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t40 = c_7 * t35 - s_7 * omega_6_z;
-  const Scalar domega_7_y = c_7 * domega_5_y + s_7 * t39 - qd_7 * t40;
+  const Scalar t34 = s_7 * omega_6_z + c_7 * t31;
+  const Scalar domega_5_x = qd_5 * omega_r_5_y + s_5 * t5 + c_5 * domega_4_x;
+  const Scalar t35 = qd_6 * omega_r_6_y - s_6 * domega_4_y - c_6 * domega_5_x;
+  const Scalar domega_7_y = qd_7 * t34 + s_7 * t35 + c_7 * domega_5_y;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t41 = t40 * omega_7_z;
-  const Scalar U_7_zx = domega_7_y - t41;
-  const Scalar t42 = c_7 * omega_6_z + s_7 * t35;
-  const Scalar t43 = c_7 * t39 - s_7 * domega_5_y + qd_7 * t42;
-  const Scalar t44 = t42 * omega_7_z;
-  const Scalar t45 = t43 + t44;
-  const Scalar t46 = t42 * t42;
-  const Scalar t47 = omega_7_z * omega_7_z;
-  const Scalar U_7_xx = t46 + t47;
-  const Scalar t48 = t40 * t40;
-  const Scalar U_7_zz = t46 + t48;
-  const Scalar U_7_zz_xx = U_7_xx - U_7_zz;
-  const Scalar t49 = t40 * t42;
-  const Scalar domega_6_y = c_6 * domega_4_y + s_6 * t38 - qd_6 * t35;
-  const Scalar U_7_xy = domega_6_y + t49;
-  const Scalar t50 = Scalar(0.002573605371338203) * t37 - Scalar(0.0012555365982728983) * U_7_xy -
-      Scalar(0.002131604094419858) * U_7_zx + Scalar(0.000391391281684248) * t45 -
-      Scalar(0.0009653051699191118) * U_7_zz_xx;
-  const Scalar U_7_yy = t47 + t48;
+  const Scalar t36 = t34 * omega_7_z;
+  const Scalar U_7_zx = domega_7_y + t36;
+  const Scalar t37 = s_7 * t31 - c_7 * omega_6_z;
+  const Scalar domega_7_x = qd_7 * t37 + s_7 * domega_5_y - c_7 * t35;
+  const Scalar t38 = t37 * omega_7_z;
+  const Scalar U_7_zy = domega_7_x + t38;
+  const Scalar t39 = t34 * t34;
+  const Scalar t40 = omega_7_z * omega_7_z;
+  const Scalar U_7_yy = t40 + t39;
+  const Scalar t41 = t37 * t37;
+  const Scalar U_7_zz = t41 + t39;
   const Scalar U_7_yy_zz = U_7_yy - U_7_zz;
-  const Scalar U_7_yx = domega_6_y - t49;
-  const Scalar t51 = Scalar(0.002034439958661797) * t37 + Scalar(0.0009653051699191118) * U_7_yx +
-      Scalar(0.000391391281684248) * U_7_zx - Scalar(0.004552547872941088) * t45 -
+  const Scalar t42 = t34 * t37;
+  const Scalar domega_6_y = qd_6 * t31 - s_6 * domega_5_x + c_6 * domega_4_y;
+  const Scalar U_7_yx = domega_6_y - t42;
+  const Scalar t43 = Scalar(0.002034439958661797) * t33 - Scalar(0.0009653051699191118) * U_7_yx -
+      Scalar(0.000391391281684248) * U_7_zx - Scalar(0.004552547872941088) * U_7_zy +
       Scalar(0.0012555365982728983) * U_7_yy_zz;
-  const Scalar F_7_z = Scalar(0.002573605371338203) * U_7_zx + Scalar(0.002034439958661797) * t45;
-  const Scalar ddp_6_x = c_6 * ddp_5_x + s_6 * ddp_o_5_y;
-  const Scalar t52 = t35 * omega_6_z;
-  const Scalar U_6_xz = domega_6_y + t52;
-  const Scalar t53 = omega_r_6_y * omega_6_z;
-  const Scalar t54 = omega_r_6_y * omega_r_6_y;
-  const Scalar t55 = omega_6_z * omega_6_z;
-  const Scalar U_6_xx = t54 + t55;
-  const Scalar t56 = t35 * t35;
-  const Scalar U_6_yy = t55 + t56;
+  const Scalar U_7_xx = t40 + t41;
+  const Scalar U_7_zz_xx = U_7_xx - U_7_zz;
+  const Scalar U_7_xy = domega_6_y + t42;
+  const Scalar t44 = Scalar(0.002573605371338203) * t33 + Scalar(0.0012555365982728983) * U_7_xy +
+      Scalar(0.002131604094419858) * U_7_zx + Scalar(0.000391391281684248) * U_7_zy +
+      Scalar(0.0009653051699191118) * U_7_zz_xx;
+  const Scalar F_7_z = Scalar(0.002573605371338203) * U_7_zx -
+      Scalar(0.002034439958661797) * U_7_zy;
+  const Scalar ddp_6_x = s_6 * ddp_o_5_y + c_6 * ddp_5_x;
+  const Scalar t45 = t31 * omega_6_z;
+  const Scalar U_6_xz = domega_6_y - t45;
+  const Scalar t46 = omega_r_6_y * omega_6_z;
+  const Scalar t47 = omega_r_6_y * omega_r_6_y;
+  const Scalar t48 = omega_6_z * omega_6_z;
+  const Scalar U_6_xx = t48 + t47;
+  const Scalar t49 = t31 * t31;
+  const Scalar U_6_yy = t48 + t49;
   const Scalar U_6_xx_yy = U_6_xx - U_6_yy;
-  const Scalar U_6_xy = domega_5_y - t36;
-  const Scalar mu_6_z = Scalar(0.173804705569) * ddp_6_x + Scalar(0.231847552695) * t34 -
+  const Scalar U_6_xy = domega_5_y + t32;
+  const Scalar mu_6_z = Scalar(0.173804705569) * ddp_6_x - Scalar(0.231847552695) * t30 -
       Scalar(0.028934422545659894) * U_6_xy - Scalar(0.000093569097314605) * U_6_xz -
-      Scalar(0.021522255370587554) * U_6_yx - Scalar(0.000103758917218685) * (t39 - t53) -
-      Scalar(0.014748570382675316) * U_6_xx_yy - Scalar(0.088) * F_7_z + c_7 * t50 - s_7 * t51;
+      Scalar(0.021522255370587554) * U_6_yx - Scalar(0.000103758917218685) * (t35 - t46) -
+      Scalar(0.014748570382675316) * U_6_xx_yy - Scalar(0.088) * F_7_z + s_7 * t43 - c_7 * t44;
   n[5] = mu_6_z;
   const Scalar ddp_o_7_x = ddp_6_x - Scalar(0.088) * U_6_xx;
-  const Scalar t57 = c_5 * ddp_o_5_z - s_5 * ddp_o_5_x;
-  const Scalar U_6_zx = domega_6_y - t52;
-  const Scalar t58 = t57 - Scalar(0.088) * U_6_zx;
-  const Scalar ddp_7_x = c_7 * ddp_o_7_x - s_7 * t58;
-  const Scalar ddp_7_y = c_7 * t58 + s_7 * ddp_o_7_x;
-  const Scalar U_7_xz = domega_7_y + t41;
+  const Scalar t50 = s_5 * ddp_o_5_x - c_5 * ddp_o_5_z;
+  const Scalar U_6_zx = domega_6_y + t45;
+  const Scalar t51 = t50 + Scalar(0.088) * U_6_zx;
+  const Scalar ddp_7_x = s_7 * t51 + c_7 * ddp_o_7_x;
+  const Scalar ddp_7_y = s_7 * ddp_o_7_x - c_7 * t51;
+  const Scalar U_7_xz = domega_7_y - t36;
+  const Scalar U_7_yz = domega_7_x - t38;
   const Scalar U_7_xx_yy = U_7_xx - U_7_yy;
   const Scalar N_7_z = Scalar(0.002034439958661797) * ddp_7_x +
       Scalar(0.002573605371338203) * ddp_7_y - Scalar(0.004552547872941088) * U_7_xy -
-      Scalar(0.0012555365982728983) * U_7_xz - Scalar(0.002131604094419858) * U_7_yx +
-      Scalar(0.0009653051699191118) * (t43 - t44) + Scalar(0.000391391281684248) * U_7_xx_yy;
+      Scalar(0.0012555365982728983) * U_7_xz - Scalar(0.002131604094419858) * U_7_yx -
+      Scalar(0.0009653051699191118) * U_7_yz + Scalar(0.000391391281684248) * U_7_xx_yy;
   n[6] = -N_7_z;
-  const Scalar F_7_y = Scalar(0.002573605371338203) * U_7_yx -
-      Scalar(0.002034439958661797) * U_7_yy;
   const Scalar F_7_x = Scalar(0.002573605371338203) * U_7_xx +
       Scalar(0.002034439958661797) * U_7_xy;
-  const Scalar t59 = c_7 * F_7_y - s_7 * F_7_x;
-  const Scalar t60 = t39 + t53;
-  const Scalar U_6_zz = t54 + t56;
+  const Scalar F_7_y = Scalar(0.002573605371338203) * U_7_yx -
+      Scalar(0.002034439958661797) * U_7_yy;
+  const Scalar t52 = s_7 * F_7_x - c_7 * F_7_y;
+  const Scalar t53 = t35 + t46;
+  const Scalar U_6_zz = t47 + t49;
   const Scalar U_6_zz_xx = U_6_xx - U_6_zz;
-  const Scalar t61 = Scalar(0.231847552695) * t57 - Scalar(0.000093569097314605) * U_6_xy -
-      Scalar(0.021522255370587554) * U_6_zx + Scalar(0.014748570382675316) * t60 -
-      Scalar(0.000103758917218685) * U_6_zz_xx + N_7_z - Scalar(0.088) * t59;
+  const Scalar t54 = Scalar(0.231847552695) * t50 + Scalar(0.000093569097314605) * U_6_xy +
+      Scalar(0.021522255370587554) * U_6_zx - Scalar(0.014748570382675316) * t53 +
+      Scalar(0.000103758917218685) * U_6_zz_xx - N_7_z - Scalar(0.088) * t52;
   const Scalar U_6_yy_zz = U_6_yy - U_6_zz;
-  const Scalar t62 = Scalar(0.173804705569) * t57 + Scalar(0.000103758917218685) * U_6_yx -
-      Scalar(0.014748570382675316) * U_6_zx + Scalar(0.028934422545659894) * t60 -
-      Scalar(0.000093569097314605) * U_6_yy_zz - c_7 * t51 - s_7 * t50;
-  const Scalar t63 = omega_r_5_x * omega_5_z;
-  const Scalar U_5_xz = domega_5_y - t63;
-  const Scalar t64 = omega_r_5_y * omega_5_z;
-  const Scalar t65 = omega_r_5_y * omega_r_5_y;
-  const Scalar t66 = omega_5_z * omega_5_z;
-  const Scalar U_5_xx = t65 + t66;
-  const Scalar t67 = omega_r_5_x * omega_r_5_x;
-  const Scalar U_5_yy = t66 + t67;
+  const Scalar t55 = Scalar(0.173804705569) * t50 - Scalar(0.000103758917218685) * U_6_yx +
+      Scalar(0.014748570382675316) * U_6_zx - Scalar(0.028934422545659894) * t53 +
+      Scalar(0.000093569097314605) * U_6_yy_zz - s_7 * t44 - c_7 * t43;
+  const Scalar t56 = omega_r_5_x * omega_5_z;
+  const Scalar U_5_xz = domega_5_y - t56;
+  const Scalar t57 = omega_r_5_y * omega_5_z;
+  const Scalar U_5_yz = domega_5_x - t57;
+  const Scalar t58 = omega_r_5_y * omega_r_5_y;
+  const Scalar t59 = omega_5_z * omega_5_z;
+  const Scalar U_5_xx = t59 + t58;
+  const Scalar t60 = omega_r_5_x * omega_r_5_x;
+  const Scalar U_5_yy = t59 + t60;
   const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar t68 = omega_r_5_x * omega_r_5_y;
-  const Scalar U_5_xy = domega_4_y + t68;
-  const Scalar U_5_yx = domega_4_y - t68;
-  const Scalar mu_5_z = Scalar(0.067870631425) * ddp_5_x + Scalar(0.014653732538) * t57 +
+  const Scalar t61 = omega_r_5_x * omega_r_5_y;
+  const Scalar U_5_xy = domega_4_y + t61;
+  const Scalar U_5_yx = domega_4_y - t61;
+  const Scalar mu_5_z = Scalar(0.067870631425) * ddp_5_x - Scalar(0.014653732538) * t50 +
       Scalar(0.010045187828321245) * U_5_xy - Scalar(0.00216405205209813) * U_5_xz +
-      Scalar(0.001451156065026714) * U_5_yx + Scalar(0.004600245517563106) * (t38 + t64) -
-      Scalar(0.00151524447332703) * U_5_xx_yy - c_6 * t61 - s_6 * t62;
+      Scalar(0.001451156065026714) * U_5_yx - Scalar(0.004600245517563106) * U_5_yz -
+      Scalar(0.00151524447332703) * U_5_xx_yy + s_6 * t55 + c_6 * t54;
   n[4] = -mu_5_z;
-  const Scalar U_5_zx = domega_5_y + t63;
-  const Scalar t69 = t38 - t64;
-  const Scalar U_5_zz = t65 + t67;
+  const Scalar U_5_zx = domega_5_y + t56;
+  const Scalar U_5_zy = domega_5_x + t57;
+  const Scalar U_5_zz = t58 + t60;
   const Scalar U_5_yy_zz = U_5_yy - U_5_zz;
   const Scalar mu_5_x = Scalar(0.067870631425) * ddp_o_5_y + Scalar(0.004600245517563106) * U_5_yx -
-      Scalar(0.00151524447332703) * U_5_zx + Scalar(0.010045187828321245) * t69 -
-      Scalar(0.00216405205209813) * U_5_yy_zz + c_6 * t62 - s_6 * t61;
-  const Scalar f_6_x = Scalar(0.231847552695) * U_6_xx + Scalar(0.173804705569) * U_6_xy +
-      c_7 * F_7_x + s_7 * F_7_y;
+      Scalar(0.00151524447332703) * U_5_zx - Scalar(0.010045187828321245) * U_5_zy -
+      Scalar(0.00216405205209813) * U_5_yy_zz + s_6 * t54 - c_6 * t55;
   const Scalar f_6_y = Scalar(0.231847552695) * U_6_yx - Scalar(0.173804705569) * U_6_yy + F_7_z;
-  const Scalar f_5_x = Scalar(0.014653732538) * U_5_xx + Scalar(0.067870631425) * U_5_xy -
-      c_6 * f_6_x + s_6 * f_6_y;
+  const Scalar f_6_x = Scalar(0.231847552695) * U_6_xx + Scalar(0.173804705569) * U_6_xy +
+      s_7 * F_7_y + c_7 * F_7_x;
+  const Scalar f_5_x = Scalar(0.014653732538) * U_5_xx + Scalar(0.067870631425) * U_5_xy +
+      s_6 * f_6_y - c_6 * f_6_x;
   const Scalar f_5_y = Scalar(0.014653732538) * U_5_yx - Scalar(0.067870631425) * U_5_yy -
-      Scalar(0.231847552695) * U_6_zx + Scalar(0.173804705569) * t60 - t59;
-  const Scalar t70 = c_5 * f_5_x - s_5 * f_5_y;
+      Scalar(0.231847552695) * U_6_zx + Scalar(0.173804705569) * t53 + t52;
+  const Scalar t62 = s_5 * f_5_y - c_5 * f_5_x;
   const Scalar U_5_zz_xx = U_5_xx - U_5_zz;
   const Scalar mu_5_y = Scalar(0.014653732538) * ddp_o_5_y - Scalar(0.00216405205209813) * U_5_xy +
-      Scalar(0.001451156065026714) * U_5_zx - Scalar(0.00151524447332703) * t69 -
+      Scalar(0.001451156065026714) * U_5_zx + Scalar(0.00151524447332703) * U_5_zy -
       Scalar(0.004600245517563106) * U_5_zz_xx - mu_6_z;
-  const Scalar f_5_z = Scalar(0.014653732538) * U_5_zx + Scalar(0.067870631425) * t69 -
-      c_6 * f_6_y - s_6 * f_6_x;
-  const Scalar U_4_xz = domega_4_y + t26;
+  const Scalar f_5_z = Scalar(0.014653732538) * U_5_zx - Scalar(0.067870631425) * U_5_zy -
+      s_6 * f_6_x - c_6 * f_6_y;
+  const Scalar U_4_xz = domega_4_y - t24;
+  const Scalar U_4_yz = domega_4_x - t25;
   const Scalar U_4_xx_yy = U_4_xx - U_4_yy;
-  const Scalar mu_4_z = Scalar(2.012523553603) * ddp_4_x + Scalar(0.55278027465) * ddp_4_y +
-      Scalar(0.6972920750309718) * t23 - Scalar(0.00164448757736927) * U_4_xz +
-      Scalar(0.0510201361568155) * t32 - Scalar(0.0039053550262761) * (t27 - t28) +
-      Scalar(0.16284087268546085) * U_4_xx_yy + Scalar(0.0825) * f_5_z + Scalar(0.384) * t70 +
-      c_5 * mu_5_y + s_5 * mu_5_x;
+  const Scalar mu_4_z = Scalar(2.012523553603) * ddp_4_x + Scalar(0.55278027465) * ddp_4_y -
+      Scalar(0.6972920750309718) * t21 - Scalar(0.00164448757736927) * U_4_xz -
+      Scalar(0.0510201361568155) * t28 + Scalar(0.0039053550262761) * U_4_yz +
+      Scalar(0.16284087268546085) * U_4_xx_yy + Scalar(0.0825) * f_5_z - Scalar(0.384) * t62 +
+      s_5 * mu_5_x + c_5 * mu_5_y;
   n[3] = -mu_4_z;
-  const Scalar f_u_5_t_y = c_5 * f_5_y + s_5 * f_5_x;
-  const Scalar U_4_zz = t19 + t33;
+  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * f_5_y;
+  const Scalar U_4_zz = t17 + t29;
   const Scalar U_4_yy_zz = U_4_yy - U_4_zz;
-  const Scalar mu_4_x = Scalar(2.012523553603) * ddp_o_4_y + Scalar(0.0039053550262761) * t32 +
-      Scalar(0.16284087268546085) * U_4_zx - Scalar(0.6972920750309718) * t29 -
-      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.384) * f_u_5_t_y - c_5 * mu_5_x +
-      s_5 * mu_5_y;
+  const Scalar mu_4_x = Scalar(2.012523553603) * ddp_o_4_y - Scalar(0.0039053550262761) * t28 +
+      Scalar(0.16284087268546085) * U_4_zx + Scalar(0.6972920750309718) * U_4_zy -
+      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.384) * f_u_5_t_y + s_5 * mu_5_y -
+      c_5 * mu_5_x;
   const Scalar U_4_zz_xx = U_4_xx - U_4_zz;
-  const Scalar mu_4_y = Scalar(0.55278027465) * ddp_o_4_y - Scalar(0.00164448757736927) * t23 +
-      Scalar(0.0510201361568155) * U_4_zx - Scalar(0.16284087268546085) * t29 -
+  const Scalar mu_4_y = Scalar(0.55278027465) * ddp_o_4_y + Scalar(0.00164448757736927) * t21 +
+      Scalar(0.0510201361568155) * U_4_zx + Scalar(0.16284087268546085) * U_4_zy -
       Scalar(0.0039053550262761) * U_4_zz_xx + mu_5_z + Scalar(0.0825) * f_u_5_t_y;
-  const Scalar f_4_z = Scalar(0.55278027465) * U_4_zx - Scalar(2.012523553603) * t29 + f_u_5_t_y;
-  const Scalar t71 = omega_r_3_y * omega_3_z;
-  const Scalar t72 = t2 * t2;
-  const Scalar U_3_yy = t16 + t72;
+  const Scalar f_4_z = Scalar(0.55278027465) * U_4_zx + Scalar(2.012523553603) * U_4_zy + f_u_5_t_y;
+  const Scalar t63 = omega_r_3_y * omega_3_z;
+  const Scalar t64 = t2 * t2;
+  const Scalar U_3_yy = t14 + t64;
   const Scalar U_3_xx_yy = U_3_xx - U_3_yy;
-  const Scalar U_3_xy = t25 - t30;
-  const Scalar t73 = Scalar(0.028227094878) * t14 - Scalar(0.746857959872) * ddp_3_y +
+  const Scalar U_3_xy = t26 + t23;
+  const Scalar n_3 = Scalar(0.028227094878) * t12 + Scalar(0.746857959872) * ddp_3_y -
       Scalar(0.022178148964878235) * U_3_xy + Scalar(0.004377257121839584) * (t5 - t6) +
-      Scalar(0.061602421026527694) * t31 + Scalar(0.005487648106562256) * (t24 - t71) -
-      Scalar(0.000121912420950744) * U_3_xx_yy - Scalar(0.0825) * f_4_z + c_4 * mu_4_y +
-      s_4 * mu_4_x;
-  n[2] = -t73;
-  const Scalar t74 = t24 + t71;
-  const Scalar U_3_zz = t15 + t72;
+      Scalar(0.061602421026527694) * t27 - Scalar(0.005487648106562256) * (t22 - t63) +
+      Scalar(0.000121912420950744) * U_3_xx_yy + Scalar(0.0825) * f_4_z - s_4 * mu_4_x -
+      c_4 * mu_4_y;
+  n[2] = n_3;
+  const Scalar t65 = t22 + t63;
+  const Scalar U_3_zz = t13 + t64;
   const Scalar U_3_yy_zz = U_3_yy - U_3_zz;
-  const Scalar mu_3_x = Scalar(0.028227094878) * ddp_o_3_y + Scalar(0.005487648106562256) * t31 -
-      Scalar(0.000121912420950744) * t7 + Scalar(0.022178148964878235) * t74 +
-      Scalar(0.004377257121839584) * U_3_yy_zz - c_4 * mu_4_x + s_4 * mu_4_y;
-  const Scalar f_4_x = Scalar(0.55278027465) * U_4_xx + Scalar(2.012523553603) * t23 + t70;
-  const Scalar t75 = Scalar(0.55278027465) * t32 - Scalar(2.012523553603) * U_4_yy + f_5_z;
+  const Scalar mu_3_x = Scalar(0.028227094878) * ddp_o_3_y - Scalar(0.005487648106562256) * t27 +
+      Scalar(0.000121912420950744) * t7 + Scalar(0.022178148964878235) * t65 +
+      Scalar(0.004377257121839584) * U_3_yy_zz + s_4 * mu_4_y - c_4 * mu_4_x;
+  const Scalar f_4_x = Scalar(0.55278027465) * U_4_xx - Scalar(2.012523553603) * t21 - t62;
+  const Scalar t66 = Scalar(0.55278027465) * t28 + Scalar(2.012523553603) * U_4_yy - f_5_z;
   const Scalar f_3_x = Scalar(0.746857959872) * U_3_xx - Scalar(0.028227094878) * U_3_xy -
-      c_4 * f_4_x + s_4 * t75;
-  const Scalar t76 = Scalar(0.746857959872) * t31 + Scalar(0.028227094878) * U_3_yy - f_4_z;
-  const Scalar f_u_3_t_x = c_3 * f_3_x - s_3 * t76;
-  const Scalar f_u_4_t_y = c_4 * t75 + s_4 * f_4_x;
+      s_4 * t66 - c_4 * f_4_x;
+  const Scalar t67 = Scalar(0.746857959872) * t27 - Scalar(0.028227094878) * U_3_yy + f_4_z;
+  const Scalar f_u_3_t_x = s_3 * t67 + c_3 * f_3_x;
+  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t66;
   const Scalar U_3_zz_xx = U_3_xx - U_3_zz;
-  const Scalar mu_3_y = Scalar(0.746857959872) * ddp_o_3_y - Scalar(0.004377257121839584) * U_3_xy -
-      Scalar(0.061602421026527694) * t7 + Scalar(0.000121912420950744) * t74 +
+  const Scalar mu_3_y = Scalar(0.746857959872) * ddp_o_3_y - Scalar(0.004377257121839584) * U_3_xy +
+      Scalar(0.061602421026527694) * t7 + Scalar(0.000121912420950744) * t65 +
       Scalar(0.005487648106562256) * U_3_zz_xx - mu_4_z + Scalar(0.0825) * f_u_4_t_y;
-  const Scalar U_2_xx = t8 + t9;
-  const Scalar U_2_xx_yy = U_2_xx + t11;
+  const Scalar t68 = t3 * t3;
+  const Scalar U_2_xx = t9 + t68;
+  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
   n[1] = Scalar(0.01993386669246) * c_2 - Scalar(32.80954542685272) * s_2 -
-      Scalar(1.0090841787369491) * t13 + Scalar(0.00398335888393552) * U_2_xx_yy -
-      Scalar(0.316) * f_u_3_t_x - c_3 * mu_3_y + s_3 * mu_3_x;
-  const Scalar f_u_3_t_y = c_3 * t76 + s_3 * f_3_x;
-  const Scalar t77 = Scalar(0.01026110182100817) * t13 - Scalar(2.064324122463762) * t4 -
-      Scalar(0.00796671776787104) * t25 + Scalar(0.0007689361029464) * (t10 + t11) +
-      Scalar(0.316) * f_u_3_t_y + c_3 * mu_3_x + s_3 * mu_3_y;
-  const Scalar U_2_zz_xx = U_2_xx - t10;
-  const Scalar t78 = Scalar(0.0007689361029464) * t13 - Scalar(0.00796671776787104) * t4 -
-      Scalar(0.04615576498986361) * t25 - Scalar(0.01026110182100817) * U_2_zz_xx - t73;
-  n[0] = c_2 * t78 - s_2 * t77;
+      Scalar(1.0090841787369491) * t10 + Scalar(0.00398335888393552) * U_2_xx_yy -
+      Scalar(0.316) * f_u_3_t_x + s_3 * mu_3_x - c_3 * mu_3_y;
+  const Scalar f_u_3_t_y = s_3 * f_3_x - c_3 * t67;
+  const Scalar U_2_zz = t68 + t8;
+  const Scalar U_2_yy_zz = U_2_yy - U_2_zz;
+  const Scalar t69 = Scalar(0.01026110182100817) * t10 - Scalar(2.064324122463762) * t4 -
+      Scalar(0.00796671776787104) * t23 - Scalar(0.0007689361029464) * U_2_yy_zz +
+      Scalar(0.316) * f_u_3_t_y + s_3 * mu_3_y + c_3 * mu_3_x;
+  const Scalar U_2_zz_xx = U_2_xx - U_2_zz;
+  const Scalar t70 = Scalar(0.0007689361029464) * t10 - Scalar(0.00796671776787104) * t4 -
+      Scalar(0.04615576498986361) * t23 - Scalar(0.01026110182100817) * U_2_zz_xx + n_3;
+  n[0] = c_2 * t70 - s_2 * t69;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -2413,7 +2423,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[7]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
 // number.
-// Reads q[1..6], qd[0..6], tau[0..6]. Operations: 610 mul, 539 add, 6 div, 12 sin/cos.
+// Reads q[1..6], qd[0..6], tau[0..6]. Operations: 610 mul, 538 add, 6 div, 12 sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
     Scalar* qdd) noexcept {
@@ -2438,434 +2448,434 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar omega_3_z = qd_3 + t3;
   const Scalar t6 = t2 * omega_3_z;
   const Scalar t7 = t5 + t6;
-  const Scalar t8 = c_2 * qd_1 * t3;
-  const Scalar t9 = qd_2 * qd_2;
-  const Scalar t10 = qd_1 * qd_1;
-  const Scalar t11 = t8 - t9 - t10;
-  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.316) * t11;
+  const Scalar t8 = qd_2 * qd_2;
+  const Scalar U_2_yy = t8 + t1 * t1;
+  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 - Scalar(0.316) * U_2_yy;
   const Scalar ddp_o_4_z = ddp_o_3_y - Scalar(0.0825) * t7;
-  const Scalar t12 = Scalar(0.632) * t4;
-  const Scalar t13 = t3 * t1;
-  const Scalar ddp_o_3_x = Scalar(9.81) * s_2 + Scalar(0.316) * t13;
-  const Scalar t14 = s_3 * t12 - c_3 * ddp_o_3_x;
+  const Scalar t9 = Scalar(0.632) * t4;
+  const Scalar t10 = t3 * t1;
+  const Scalar ddp_o_3_x = Scalar(9.81) * s_2 + Scalar(0.316) * t10;
+  const Scalar t11 = s_3 * t9 - c_3 * ddp_o_3_x;
   const Scalar omega_r_3_y = c_3 * qd_2 + s_3 * t1;
-  const Scalar t15 = omega_r_3_y * omega_r_3_y;
-  const Scalar t16 = omega_3_z * omega_3_z;
-  const Scalar U_3_xx = t15 + t16;
-  const Scalar t17 = t14 - Scalar(0.0825) * U_3_xx;
-  const Scalar ddp_4_x = c_4 * t17 + s_4 * ddp_o_4_z;
-  const Scalar t18 = c_4 * omega_3_z + s_4 * t2;
-  const Scalar t19 = t18 * t18;
+  const Scalar t12 = omega_r_3_y * omega_r_3_y;
+  const Scalar t13 = omega_3_z * omega_3_z;
+  const Scalar U_3_xx = t12 + t13;
+  const Scalar t14 = t11 - Scalar(0.0825) * U_3_xx;
+  const Scalar ddp_4_x = c_4 * t14 + s_4 * ddp_o_4_z;
+  const Scalar t15 = c_4 * omega_3_z + s_4 * t2;
+  const Scalar t16 = t15 * t15;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t20 = omega_4_z * omega_4_z;
-  const Scalar U_4_xx = t19 + t20;
-  const Scalar t21 = c_4 * t2 - s_4 * omega_3_z;
-  const Scalar t22 = t21 * t18;
-  const Scalar t23 = t5 - t22;
-  const Scalar ddp_o_5_x = ddp_4_x + Scalar(0.0825) * U_4_xx + Scalar(0.384) * t23;
-  const Scalar t24 = qd_3 * omega_r_3_y - c_3 * t4;
-  const Scalar t25 = qd_2 * t1;
-  const Scalar domega_4_y = c_4 * t25 + s_4 * t24 - qd_4 * t21;
-  const Scalar t26 = t21 * omega_4_z;
-  const Scalar U_4_zx = domega_4_y - t26;
-  const Scalar t27 = c_4 * t24 - s_4 * t25 + qd_4 * t18;
-  const Scalar t28 = t18 * omega_4_z;
-  const Scalar t29 = t27 + t28;
-  const Scalar ddp_3_y = c_3 * t12 + s_3 * ddp_o_3_x;
-  const Scalar t30 = t2 * omega_r_3_y;
-  const Scalar t31 = t25 + t30;
-  const Scalar ddp_o_4_y = ddp_3_y - Scalar(0.0825) * t31;
-  const Scalar ddp_o_5_z = ddp_o_4_y + Scalar(0.0825) * U_4_zx - Scalar(0.384) * t29;
+  const Scalar t17 = omega_4_z * omega_4_z;
+  const Scalar U_4_xx = t16 + t17;
+  const Scalar t18 = c_4 * t2 - s_4 * omega_3_z;
+  const Scalar t19 = t18 * t15;
+  const Scalar t20 = t5 - t19;
+  const Scalar ddp_o_5_x = ddp_4_x + Scalar(0.0825) * U_4_xx + Scalar(0.384) * t20;
+  const Scalar t21 = qd_3 * omega_r_3_y - c_3 * t4;
+  const Scalar t22 = qd_2 * t1;
+  const Scalar domega_4_y = c_4 * t22 + s_4 * t21 - qd_4 * t18;
+  const Scalar t23 = t18 * omega_4_z;
+  const Scalar U_4_zx = domega_4_y - t23;
+  const Scalar t24 = c_4 * t21 - s_4 * t22 + qd_4 * t15;
+  const Scalar t25 = t15 * omega_4_z;
+  const Scalar t26 = t24 + t25;
+  const Scalar ddp_3_y = c_3 * t9 + s_3 * ddp_o_3_x;
+  const Scalar t27 = t2 * omega_r_3_y;
+  const Scalar t28 = t22 + t27;
+  const Scalar ddp_o_4_y = ddp_3_y - Scalar(0.0825) * t28;
+  const Scalar ddp_o_5_z = ddp_o_4_y + Scalar(0.0825) * U_4_zx - Scalar(0.384) * t26;
   const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * ddp_o_5_z;
-  const Scalar ddp_4_y = c_4 * ddp_o_4_z - s_4 * t17;
-  const Scalar t32 = t5 + t22;
-  const Scalar t33 = t21 * t21;
-  const Scalar U_4_yy = t20 + t33;
-  const Scalar ddp_o_5_y = ddp_4_y + Scalar(0.0825) * t32 - Scalar(0.384) * U_4_yy;
+  const Scalar ddp_4_y = c_4 * ddp_o_4_z - s_4 * t14;
+  const Scalar t29 = t5 + t19;
+  const Scalar t30 = t18 * t18;
+  const Scalar U_4_yy = t17 + t30;
+  const Scalar ddp_o_5_y = ddp_4_y + Scalar(0.0825) * t29 - Scalar(0.384) * U_4_yy;
   const Scalar ddp_6_x = c_6 * ddp_5_x + s_6 * ddp_o_5_y;
-  const Scalar omega_r_5_x = c_5 * t21 + s_5 * omega_4_z;
-  const Scalar omega_5_z = qd_5 + t18;
+  const Scalar omega_r_5_x = c_5 * t18 + s_5 * omega_4_z;
+  const Scalar omega_5_z = qd_5 + t15;
   const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar t34 = omega_r_6_y * omega_r_6_y;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t21;
+  const Scalar t31 = omega_r_6_y * omega_r_6_y;
+  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t18;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t35 = omega_6_z * omega_6_z;
-  const Scalar U_6_xx = t34 + t35;
+  const Scalar t32 = omega_6_z * omega_6_z;
+  const Scalar U_6_xx = t31 + t32;
   const Scalar ddp_o_7_x = ddp_6_x - Scalar(0.088) * U_6_xx;
-  const Scalar t36 = c_5 * ddp_o_5_z - s_5 * ddp_o_5_x;
-  const Scalar t37 = c_5 * t27 + s_5 * t5 - qd_5 * omega_r_5_y;
-  const Scalar t38 = c_6 * omega_r_5_x - s_6 * omega_5_z;
-  const Scalar domega_6_y = c_6 * domega_4_y + s_6 * t37 - qd_6 * t38;
-  const Scalar t39 = t38 * omega_6_z;
-  const Scalar U_6_zx = domega_6_y - t39;
-  const Scalar t40 = t36 - Scalar(0.088) * U_6_zx;
-  const Scalar ddp_7_x = c_7 * ddp_o_7_x - s_7 * t40;
-  const Scalar ddp_7_y = c_7 * t40 + s_7 * ddp_o_7_x;
-  const Scalar t41 = c_6 * t37 - s_6 * domega_4_y + qd_6 * omega_r_6_y;
-  const Scalar t42 = c_7 * t38 - s_7 * omega_6_z;
-  const Scalar domega_5_y = c_5 * t5 - s_5 * t27 + qd_5 * omega_r_5_x;
-  const Scalar domega_7_y = c_7 * domega_5_y + s_7 * t41 - qd_7 * t42;
+  const Scalar t33 = c_5 * ddp_o_5_z - s_5 * ddp_o_5_x;
+  const Scalar t34 = c_5 * t24 + s_5 * t5 - qd_5 * omega_r_5_y;
+  const Scalar t35 = c_6 * omega_r_5_x - s_6 * omega_5_z;
+  const Scalar domega_6_y = c_6 * domega_4_y + s_6 * t34 - qd_6 * t35;
+  const Scalar t36 = t35 * omega_6_z;
+  const Scalar U_6_zx = domega_6_y - t36;
+  const Scalar t37 = t33 - Scalar(0.088) * U_6_zx;
+  const Scalar ddp_7_x = c_7 * ddp_o_7_x - s_7 * t37;
+  const Scalar ddp_7_y = c_7 * t37 + s_7 * ddp_o_7_x;
+  const Scalar t38 = c_6 * t34 - s_6 * domega_4_y + qd_6 * omega_r_6_y;
+  const Scalar t39 = c_7 * t35 - s_7 * omega_6_z;
+  const Scalar domega_5_y = c_5 * t5 - s_5 * t24 + qd_5 * omega_r_5_x;
+  const Scalar domega_7_y = c_7 * domega_5_y + s_7 * t38 - qd_7 * t39;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t43 = t42 * omega_7_z;
-  const Scalar U_7_xz = domega_7_y + t43;
-  const Scalar t44 = c_7 * omega_6_z + s_7 * t38;
-  const Scalar t45 = c_7 * t41 - s_7 * domega_5_y + qd_7 * t44;
-  const Scalar t46 = t44 * omega_7_z;
-  const Scalar t47 = t44 * t44;
-  const Scalar t48 = omega_7_z * omega_7_z;
-  const Scalar U_7_xx = t47 + t48;
-  const Scalar t49 = t42 * t42;
-  const Scalar U_7_yy = t48 + t49;
+  const Scalar t40 = t39 * omega_7_z;
+  const Scalar U_7_xz = domega_7_y + t40;
+  const Scalar t41 = c_7 * omega_6_z + s_7 * t35;
+  const Scalar t42 = c_7 * t38 - s_7 * domega_5_y + qd_7 * t41;
+  const Scalar t43 = t41 * omega_7_z;
+  const Scalar t44 = t41 * t41;
+  const Scalar t45 = omega_7_z * omega_7_z;
+  const Scalar U_7_xx = t44 + t45;
+  const Scalar t46 = t39 * t39;
+  const Scalar U_7_yy = t45 + t46;
   const Scalar U_7_xx_yy = U_7_xx - U_7_yy;
-  const Scalar t50 = t42 * t44;
-  const Scalar U_7_xy = domega_6_y + t50;
-  const Scalar U_7_yx = domega_6_y - t50;
+  const Scalar t47 = t39 * t41;
+  const Scalar U_7_xy = domega_6_y + t47;
+  const Scalar U_7_yx = domega_6_y - t47;
   const Scalar N_7_z = Scalar(0.002034439958661797) * ddp_7_x +
       Scalar(0.002573605371338203) * ddp_7_y - Scalar(0.004552547872941088) * U_7_xy -
       Scalar(0.0012555365982728983) * U_7_xz - Scalar(0.002131604094419858) * U_7_yx +
-      Scalar(0.0009653051699191118) * (t45 - t46) + Scalar(0.000391391281684248) * U_7_xx_yy;
+      Scalar(0.0009653051699191118) * (t42 - t43) + Scalar(0.000391391281684248) * U_7_xx_yy;
   const Scalar y_7 = tau_7 + N_7_z;
   const Scalar Iu_7_t_yz = Scalar(0.0012555365982728983) * c_7 +
       Scalar(0.0009653051699191118) * s_7;
-  const Scalar t51 = Scalar(149.60760989322966) * Iu_7_t_yz;
-  const Scalar t52 = c_6 * ddp_o_5_y - s_6 * ddp_5_x;
-  const Scalar t53 = t38 * omega_r_6_y;
-  const Scalar U_6_yx = domega_5_y + t53;
-  const Scalar t54 = t52 - Scalar(0.088) * U_6_yx;
-  const Scalar U_7_zx = domega_7_y - t43;
-  const Scalar t55 = t45 + t46;
-  const Scalar U_7_zz = t47 + t49;
+  const Scalar t48 = Scalar(149.60760989322966) * Iu_7_t_yz;
+  const Scalar t49 = c_6 * ddp_o_5_y - s_6 * ddp_5_x;
+  const Scalar t50 = t35 * omega_r_6_y;
+  const Scalar U_6_yx = domega_5_y + t50;
+  const Scalar t51 = t49 - Scalar(0.088) * U_6_yx;
+  const Scalar U_7_zx = domega_7_y - t40;
+  const Scalar t52 = t42 + t43;
+  const Scalar U_7_zz = t44 + t46;
   const Scalar U_7_zz_xx = U_7_xx - U_7_zz;
-  const Scalar t56 = Scalar(0.002573605371338203) * t54 - Scalar(0.0012555365982728983) * U_7_xy -
-      Scalar(0.002131604094419858) * U_7_zx + Scalar(0.000391391281684248) * t55 -
+  const Scalar t53 = Scalar(0.002573605371338203) * t51 - Scalar(0.0012555365982728983) * U_7_xy -
+      Scalar(0.002131604094419858) * U_7_zx + Scalar(0.000391391281684248) * t52 -
       Scalar(0.0009653051699191118) * U_7_zz_xx;
   const Scalar U_7_yy_zz = U_7_yy - U_7_zz;
-  const Scalar t57 = Scalar(0.002034439958661797) * t54 + Scalar(0.0009653051699191118) * U_7_yx +
-      Scalar(0.000391391281684248) * U_7_zx - Scalar(0.004552547872941088) * t55 -
+  const Scalar t54 = Scalar(0.002034439958661797) * t51 + Scalar(0.0009653051699191118) * U_7_yx +
+      Scalar(0.000391391281684248) * U_7_zx - Scalar(0.004552547872941088) * t52 -
       Scalar(0.0012555365982728983) * U_7_yy_zz;
-  const Scalar F_7_z = Scalar(0.002573605371338203) * U_7_zx + Scalar(0.002034439958661797) * t55;
-  const Scalar U_6_xz = domega_6_y + t39;
-  const Scalar t58 = omega_r_6_y * omega_6_z;
-  const Scalar t59 = t38 * t38;
-  const Scalar U_6_yy = t35 + t59;
+  const Scalar F_7_z = Scalar(0.002573605371338203) * U_7_zx + Scalar(0.002034439958661797) * t52;
+  const Scalar U_6_xz = domega_6_y + t36;
+  const Scalar t55 = omega_r_6_y * omega_6_z;
+  const Scalar t56 = t35 * t35;
+  const Scalar U_6_yy = t32 + t56;
   const Scalar U_6_xx_yy = U_6_xx - U_6_yy;
-  const Scalar U_6_xy = domega_5_y - t53;
-  const Scalar mu_6_z = Scalar(0.173804705569) * ddp_6_x + Scalar(0.231847552695) * t52 -
+  const Scalar U_6_xy = domega_5_y - t50;
+  const Scalar mu_6_z = Scalar(0.173804705569) * ddp_6_x + Scalar(0.231847552695) * t49 -
       Scalar(0.028934422545659894) * U_6_xy - Scalar(0.000093569097314605) * U_6_xz -
-      Scalar(0.021522255370587554) * U_6_yx - Scalar(0.000103758917218685) * (t41 - t58) -
-      Scalar(0.014748570382675316) * U_6_xx_yy - Scalar(0.088) * F_7_z + c_7 * t56 - s_7 * t57;
-  const Scalar y_7_6 = tau_6 - mu_6_z + y_7 * t51;
+      Scalar(0.021522255370587554) * U_6_yx - Scalar(0.000103758917218685) * (t38 - t55) -
+      Scalar(0.014748570382675316) * U_6_xx_yy - Scalar(0.088) * F_7_z + c_7 * t53 - s_7 * t54;
+  const Scalar y_7_6 = tau_6 - mu_6_z + y_7 * t48;
   const Scalar Iu_7_t_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar hu_7_t_y = Scalar(0.002034439958661797) * c_7 + Scalar(0.002573605371338203) * s_7;
   const Scalar Ic_6_xz = Scalar(0.088) * hu_7_t_y - s_7 * Iu_7_t_g - Scalar(0.000287632364465563);
   const Scalar Ic_6_yz = Iu_7_t_yz + Scalar(0.000093569097314605);
-  const Scalar t60 = c_6 * Ic_6_yz - s_6 * Ic_6_xz;
+  const Scalar t57 = c_6 * Ic_6_yz - s_6 * Ic_6_xz;
   const Scalar hu_7_t_x = Scalar(0.002573605371338203) * c_7 - Scalar(0.002034439958661797) * s_7;
   const Scalar mu_7_6_y = Scalar(0.088) * hu_7_t_x + Scalar(0.006684151967360946);
   const Scalar Iu_7_t_xz = Scalar(0.0009653051699191118) * c_7 -
       Scalar(0.0012555365982728983) * s_7;
   const Scalar mu_u_7_6_t_y = c_6 * mu_7_6_y + s_6 * Iu_7_t_xz;
-  const Scalar t61 = t60 - mu_u_7_6_t_y * t51;
-  const Scalar t62 = c_7 * Iu_7_t_g;
-  const Scalar t63 = Scalar(0.176) * hu_7_t_x;
-  const Scalar t64 = t62 - t63 - Scalar(0.055009225789188536);
-  const Scalar t65 = t64 + Iu_7_t_yz * t51;
-  const Scalar t66 = Scalar(1.0) / t65;
-  const Scalar t67 = t61 * t66;
+  const Scalar t58 = t57 - mu_u_7_6_t_y * t48;
+  const Scalar t59 = c_7 * Iu_7_t_g;
+  const Scalar t60 = Scalar(0.176) * hu_7_t_x;
+  const Scalar t61 = t59 - t60 - Scalar(0.055009225789188536);
+  const Scalar t62 = t61 + Iu_7_t_yz * t48;
+  const Scalar t63 = Scalar(1.0) / t62;
+  const Scalar t64 = t58 * t63;
   const Scalar F_7_y = Scalar(0.002573605371338203) * U_7_yx -
       Scalar(0.002034439958661797) * U_7_yy;
   const Scalar F_7_x = Scalar(0.002573605371338203) * U_7_xx +
       Scalar(0.002034439958661797) * U_7_xy;
-  const Scalar t68 = c_7 * F_7_y - s_7 * F_7_x;
-  const Scalar t69 = t41 + t58;
-  const Scalar U_6_zz = t34 + t59;
+  const Scalar t65 = c_7 * F_7_y - s_7 * F_7_x;
+  const Scalar t66 = t38 + t55;
+  const Scalar U_6_zz = t31 + t56;
   const Scalar U_6_zz_xx = U_6_xx - U_6_zz;
-  const Scalar t70 = Scalar(0.231847552695) * t36 - Scalar(0.000093569097314605) * U_6_xy -
-      Scalar(0.021522255370587554) * U_6_zx + Scalar(0.014748570382675316) * t69 -
-      Scalar(0.000103758917218685) * U_6_zz_xx + N_7_z - Scalar(0.088) * t68;
+  const Scalar t67 = Scalar(0.231847552695) * t33 - Scalar(0.000093569097314605) * U_6_xy -
+      Scalar(0.021522255370587554) * U_6_zx + Scalar(0.014748570382675316) * t66 -
+      Scalar(0.000103758917218685) * U_6_zz_xx + N_7_z - Scalar(0.088) * t65;
   const Scalar U_6_yy_zz = U_6_yy - U_6_zz;
-  const Scalar t71 = Scalar(0.173804705569) * t36 + Scalar(0.000103758917218685) * U_6_yx -
-      Scalar(0.014748570382675316) * U_6_zx + Scalar(0.028934422545659894) * t69 -
-      Scalar(0.000093569097314605) * U_6_yy_zz - c_7 * t57 - s_7 * t56;
-  const Scalar t72 = omega_r_5_x * omega_5_z;
-  const Scalar U_5_xz = domega_5_y - t72;
-  const Scalar t73 = omega_r_5_y * omega_5_z;
-  const Scalar t74 = omega_r_5_y * omega_r_5_y;
-  const Scalar t75 = omega_5_z * omega_5_z;
-  const Scalar U_5_xx = t74 + t75;
-  const Scalar t76 = omega_r_5_x * omega_r_5_x;
-  const Scalar U_5_yy = t75 + t76;
+  const Scalar t68 = Scalar(0.173804705569) * t33 + Scalar(0.000103758917218685) * U_6_yx -
+      Scalar(0.014748570382675316) * U_6_zx + Scalar(0.028934422545659894) * t66 -
+      Scalar(0.000093569097314605) * U_6_yy_zz - c_7 * t54 - s_7 * t53;
+  const Scalar t69 = omega_r_5_x * omega_5_z;
+  const Scalar U_5_xz = domega_5_y - t69;
+  const Scalar t70 = omega_r_5_y * omega_5_z;
+  const Scalar t71 = omega_r_5_y * omega_r_5_y;
+  const Scalar t72 = omega_5_z * omega_5_z;
+  const Scalar U_5_xx = t71 + t72;
+  const Scalar t73 = omega_r_5_x * omega_r_5_x;
+  const Scalar U_5_yy = t72 + t73;
   const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar t77 = omega_r_5_x * omega_r_5_y;
-  const Scalar U_5_xy = domega_4_y + t77;
-  const Scalar U_5_yx = domega_4_y - t77;
-  const Scalar mu_5_z = Scalar(0.067870631425) * ddp_5_x + Scalar(0.014653732538) * t36 +
+  const Scalar t74 = omega_r_5_x * omega_r_5_y;
+  const Scalar U_5_xy = domega_4_y + t74;
+  const Scalar U_5_yx = domega_4_y - t74;
+  const Scalar mu_5_z = Scalar(0.067870631425) * ddp_5_x + Scalar(0.014653732538) * t33 +
       Scalar(0.010045187828321245) * U_5_xy - Scalar(0.00216405205209813) * U_5_xz +
-      Scalar(0.001451156065026714) * U_5_yx + Scalar(0.004600245517563106) * (t37 + t73) -
-      Scalar(0.00151524447332703) * U_5_xx_yy - c_6 * t70 - s_6 * t71;
-  const Scalar t78 = Scalar(149.60760989322966) * mu_u_7_6_t_y;
-  const Scalar y_6_5 = tau_5 + mu_5_z + y_7 * t78 + t67 * y_7_6;
-  const Scalar Ic_6_xx = t62 + Scalar(0.03106602664007975);
-  const Scalar Ic_6_yy = t63 + Scalar(0.028206407337948502);
+      Scalar(0.001451156065026714) * U_5_yx + Scalar(0.004600245517563106) * (t34 + t70) -
+      Scalar(0.00151524447332703) * U_5_xx_yy - c_6 * t67 - s_6 * t68;
+  const Scalar t75 = Scalar(149.60760989322966) * mu_u_7_6_t_y;
+  const Scalar y_6_5 = tau_5 + mu_5_z + y_7 * t75 + t64 * y_7_6;
+  const Scalar Ic_6_xx = t59 + Scalar(0.03106602664007975);
+  const Scalar Ic_6_yy = t60 + Scalar(0.028206407337948502);
   const Scalar Iu_6_t_d = Ic_6_xx - Ic_6_yy;
   const Scalar Ic_6_xy = Iu_7_t_xz + Scalar(0.014748570382675316);
-  const Scalar t79 = c_6 * Iu_6_t_d - Scalar(2.0) * s_6 * Ic_6_xy;
-  const Scalar Ic_5_xz = Ic_6_xy + s_6 * t79 - Scalar(0.004600245517563106);
-  const Scalar t80 = t60 - Scalar(0.00216405205209813);
+  const Scalar t76 = c_6 * Iu_6_t_d - Scalar(2.0) * s_6 * Ic_6_xy;
+  const Scalar Ic_5_xz = Ic_6_xy + s_6 * t76 - Scalar(0.004600245517563106);
+  const Scalar t77 = t57 - Scalar(0.00216405205209813);
   const Scalar hc_6_x = hu_7_t_x + Scalar(0.231847552695);
   const Scalar hu_6_t_x = Scalar(0.173804705569) * s_6 + c_6 * hc_6_x;
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.014653732538);
   const Scalar hc_5_y = hu_7_t_y - Scalar(0.067870631425);
-  const Scalar t81 = c_5 * hc_5_y - s_5 * hc_5_x;
-  const Scalar t82 = Scalar(0.384) * t81 - (c_5 * t80 - s_5 * Ic_5_xz);
+  const Scalar t78 = c_5 * hc_5_y - s_5 * hc_5_x;
+  const Scalar t79 = Scalar(0.384) * t78 - (c_5 * t77 - s_5 * Ic_5_xz);
   const Scalar Iu_6_t_xz = c_6 * Ic_6_xz + s_6 * Ic_6_yz;
   const Scalar hu_6_t_y = Scalar(0.173804705569) * c_6 - s_6 * hc_6_x;
-  const Scalar t83 = t64 + Scalar(0.384) * hu_6_t_y;
-  const Scalar mu_6_4_z = Scalar(0.0825) * hu_6_t_x - s_5 * Iu_6_t_xz + c_5 * t83;
-  const Scalar t84 = c_6 * Iu_7_t_xz - s_6 * mu_7_6_y;
-  const Scalar t85 = c_6 * hu_7_t_y;
-  const Scalar t86 = c_5 * t85 - s_5 * hu_7_t_x;
-  const Scalar t87 = s_6 * hu_7_t_y;
-  const Scalar t88 = Scalar(0.384) * t86 + Scalar(0.0825) * t87 - c_5 * Iu_7_t_yz + s_5 * t84;
-  const Scalar b_7_6_4 = mu_6_4_z - t88 * t51;
-  const Scalar t89 = t82 - t88 * t78 + b_7_6_4 * t67;
-  const Scalar t90 = c_6 * t79;
-  const Scalar Ic_5_zz = Ic_6_xx - t90 + Scalar(0.011496343893347959);
-  const Scalar b_6_5_5 = Ic_5_zz - mu_u_7_6_t_y * t78 + t61 * t67;
+  const Scalar t80 = t61 + Scalar(0.384) * hu_6_t_y;
+  const Scalar mu_6_4_z = Scalar(0.0825) * hu_6_t_x - s_5 * Iu_6_t_xz + c_5 * t80;
+  const Scalar t81 = c_6 * Iu_7_t_xz - s_6 * mu_7_6_y;
+  const Scalar t82 = c_6 * hu_7_t_y;
+  const Scalar t83 = c_5 * t82 - s_5 * hu_7_t_x;
+  const Scalar t84 = s_6 * hu_7_t_y;
+  const Scalar t85 = Scalar(0.384) * t83 + Scalar(0.0825) * t84 - c_5 * Iu_7_t_yz + s_5 * t81;
+  const Scalar b_7_6_4 = mu_6_4_z - t85 * t48;
+  const Scalar t86 = t79 - t85 * t75 + b_7_6_4 * t64;
+  const Scalar t87 = c_6 * t76;
+  const Scalar Ic_5_zz = Ic_6_xx - t87 + Scalar(0.011496343893347959);
+  const Scalar b_6_5_5 = Ic_5_zz - mu_u_7_6_t_y * t75 + t58 * t64;
   const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t91 = t89 * d_5;
-  const Scalar U_5_zx = domega_5_y + t72;
-  const Scalar t92 = t37 - t73;
-  const Scalar U_5_zz = t74 + t76;
+  const Scalar t88 = t86 * d_5;
+  const Scalar U_5_zx = domega_5_y + t69;
+  const Scalar t89 = t34 - t70;
+  const Scalar U_5_zz = t71 + t73;
   const Scalar U_5_yy_zz = U_5_yy - U_5_zz;
   const Scalar mu_5_x = Scalar(0.067870631425) * ddp_o_5_y + Scalar(0.004600245517563106) * U_5_yx -
-      Scalar(0.00151524447332703) * U_5_zx + Scalar(0.010045187828321245) * t92 -
-      Scalar(0.00216405205209813) * U_5_yy_zz + c_6 * t71 - s_6 * t70;
+      Scalar(0.00151524447332703) * U_5_zx + Scalar(0.010045187828321245) * t89 -
+      Scalar(0.00216405205209813) * U_5_yy_zz + c_6 * t68 - s_6 * t67;
   const Scalar f_6_x = Scalar(0.231847552695) * U_6_xx + Scalar(0.173804705569) * U_6_xy +
       c_7 * F_7_x + s_7 * F_7_y;
   const Scalar f_6_y = Scalar(0.231847552695) * U_6_yx - Scalar(0.173804705569) * U_6_yy + F_7_z;
   const Scalar f_5_x = Scalar(0.014653732538) * U_5_xx + Scalar(0.067870631425) * U_5_xy -
       c_6 * f_6_x + s_6 * f_6_y;
   const Scalar f_5_y = Scalar(0.014653732538) * U_5_yx - Scalar(0.067870631425) * U_5_yy -
-      Scalar(0.231847552695) * U_6_zx + Scalar(0.173804705569) * t69 - t68;
-  const Scalar t93 = c_5 * f_5_x - s_5 * f_5_y;
+      Scalar(0.231847552695) * U_6_zx + Scalar(0.173804705569) * t66 - t65;
+  const Scalar t90 = c_5 * f_5_x - s_5 * f_5_y;
   const Scalar U_5_zz_xx = U_5_xx - U_5_zz;
   const Scalar mu_5_y = Scalar(0.014653732538) * ddp_o_5_y - Scalar(0.00216405205209813) * U_5_xy +
-      Scalar(0.001451156065026714) * U_5_zx - Scalar(0.00151524447332703) * t92 -
+      Scalar(0.001451156065026714) * U_5_zx - Scalar(0.00151524447332703) * t89 -
       Scalar(0.004600245517563106) * U_5_zz_xx - mu_6_z;
-  const Scalar f_5_z = Scalar(0.014653732538) * U_5_zx + Scalar(0.067870631425) * t92 -
+  const Scalar f_5_z = Scalar(0.014653732538) * U_5_zx + Scalar(0.067870631425) * t89 -
       c_6 * f_6_y - s_6 * f_6_x;
-  const Scalar U_4_xz = domega_4_y + t26;
+  const Scalar U_4_xz = domega_4_y + t23;
   const Scalar U_4_xx_yy = U_4_xx - U_4_yy;
   const Scalar mu_4_z = Scalar(2.012523553603) * ddp_4_x + Scalar(0.55278027465) * ddp_4_y +
-      Scalar(0.6972920750309718) * t23 - Scalar(0.00164448757736927) * U_4_xz +
-      Scalar(0.0510201361568155) * t32 - Scalar(0.0039053550262761) * (t27 - t28) +
-      Scalar(0.16284087268546085) * U_4_xx_yy + Scalar(0.0825) * f_5_z + Scalar(0.384) * t93 +
+      Scalar(0.6972920750309718) * t20 - Scalar(0.00164448757736927) * U_4_xz +
+      Scalar(0.0510201361568155) * t29 - Scalar(0.0039053550262761) * (t24 - t25) +
+      Scalar(0.16284087268546085) * U_4_xx_yy + Scalar(0.0825) * f_5_z + Scalar(0.384) * t90 +
       c_5 * mu_5_y + s_5 * mu_5_x;
-  const Scalar t94 = b_7_6_4 * t66;
-  const Scalar t95 = Scalar(-149.60760989322966) * t88;
-  const Scalar y_5_4 = tau_4 + mu_4_z + y_7 * t95 - t94 * y_7_6 + t91 * y_6_5;
-  const Scalar Ic_5_xx = Ic_6_yy + t90 + Scalar(0.010045187828321245);
-  const Scalar t96 = t64 - Scalar(0.001451156065026714);
-  const Scalar Iu_5_t_d = Ic_5_xx + t96;
+  const Scalar t91 = b_7_6_4 * t63;
+  const Scalar t92 = Scalar(-149.60760989322966) * t85;
+  const Scalar y_5_4 = tau_4 + mu_4_z + y_7 * t92 - t91 * y_7_6 + t88 * y_6_5;
+  const Scalar Ic_5_xx = Ic_6_yy + t87 + Scalar(0.010045187828321245);
+  const Scalar t93 = t61 - Scalar(0.001451156065026714);
+  const Scalar Iu_5_t_d = Ic_5_xx + t93;
   const Scalar Ic_5_xy = Iu_6_t_xz - Scalar(0.00151524447332703);
-  const Scalar t97 = c_5 * Iu_5_t_d - Scalar(2.0) * s_5 * Ic_5_xy;
-  const Scalar t98 = Scalar(-0.0825) * t81;
-  const Scalar t99 = Ic_5_xy + s_5 * t97 + t98 - Scalar(0.0039053550262761);
-  const Scalar t100 = t82 + Scalar(0.00164448757736927);
-  const Scalar Iu_4_t_yz = c_4 * t100 + s_4 * t99;
+  const Scalar t94 = c_5 * Iu_5_t_d - Scalar(2.0) * s_5 * Ic_5_xy;
+  const Scalar t95 = Scalar(-0.0825) * t78;
+  const Scalar t96 = Ic_5_xy + s_5 * t94 + t95 - Scalar(0.0039053550262761);
+  const Scalar t97 = t79 + Scalar(0.00164448757736927);
+  const Scalar Iu_4_t_yz = c_4 * t97 + s_4 * t96;
   const Scalar hu_5_t_x = c_5 * hc_5_x + s_5 * hc_5_y;
-  const Scalar mu_5_4_x = Scalar(0.384) * hu_5_t_x - (c_5 * Ic_5_xz + s_5 * t80);
-  const Scalar t101 = Scalar(0.0825) * hu_5_t_x;
-  const Scalar mu_5_4_y = Ic_5_zz - t101;
-  const Scalar mu_5_3_z = t101 + c_4 * mu_5_4_y - s_4 * mu_5_4_x;
-  const Scalar t102 = s_5 * hu_6_t_y;
-  const Scalar t103 = Scalar(0.0825) * t102;
-  const Scalar t104 = t60 - t103;
-  const Scalar t105 = c_5 * Iu_6_t_xz + s_5 * t83;
-  const Scalar mu_6_3_z = t103 + c_4 * t104 - s_4 * t105;
-  const Scalar f_u_7_5_t_y = c_5 * hu_7_t_x + s_5 * t85;
-  const Scalar t106 = Scalar(0.0825) * f_u_7_5_t_y;
-  const Scalar mu_7_4_y = mu_u_7_6_t_y - t106;
-  const Scalar mu_7_4_x = Scalar(0.384) * f_u_7_5_t_y - c_5 * t84 - s_5 * Iu_7_t_yz;
-  const Scalar mu_7_3_z = t106 + c_4 * mu_7_4_y - s_4 * mu_7_4_x;
-  const Scalar b_7_6_3 = mu_6_3_z - mu_7_3_z * t51;
-  const Scalar b_6_5_3 = mu_5_3_z - mu_7_3_z * t78 + b_7_6_3 * t67;
-  const Scalar b_5_4_3 = Iu_4_t_yz + mu_7_3_z * t95 + b_7_6_3 * t94 - b_6_5_3 * t91;
-  const Scalar t107 = c_5 * t97;
-  const Scalar t108 = Scalar(0.165) * hu_5_t_x;
-  const Scalar t109 = Scalar(0.768) * hu_6_t_y;
-  const Scalar t110 = Ic_5_xx - t107 - t109 - t108 + Scalar(0.7483122111877872);
-  const Scalar t111 = t110 + t88 * t95 + b_7_6_4 * t94 - t89 * t91;
-  const Scalar t112 = Scalar(1.0) / t111;
-  const Scalar t113 = b_5_4_3 * t112;
+  const Scalar mu_5_4_x = Scalar(0.384) * hu_5_t_x - (c_5 * Ic_5_xz + s_5 * t77);
+  const Scalar t98 = Scalar(0.0825) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t98;
+  const Scalar mu_5_3_z = t98 + c_4 * mu_5_4_y - s_4 * mu_5_4_x;
+  const Scalar t99 = s_5 * hu_6_t_y;
+  const Scalar t100 = Scalar(0.0825) * t99;
+  const Scalar t101 = t57 - t100;
+  const Scalar t102 = c_5 * Iu_6_t_xz + s_5 * t80;
+  const Scalar mu_6_3_z = t100 + c_4 * t101 - s_4 * t102;
+  const Scalar f_u_7_5_t_y = c_5 * hu_7_t_x + s_5 * t82;
+  const Scalar t103 = Scalar(0.0825) * f_u_7_5_t_y;
+  const Scalar mu_7_4_y = mu_u_7_6_t_y - t103;
+  const Scalar mu_7_4_x = Scalar(0.384) * f_u_7_5_t_y - c_5 * t81 - s_5 * Iu_7_t_yz;
+  const Scalar mu_7_3_z = t103 + c_4 * mu_7_4_y - s_4 * mu_7_4_x;
+  const Scalar b_7_6_3 = mu_6_3_z - mu_7_3_z * t48;
+  const Scalar b_6_5_3 = mu_5_3_z - mu_7_3_z * t75 + b_7_6_3 * t64;
+  const Scalar b_5_4_3 = Iu_4_t_yz + mu_7_3_z * t92 + b_7_6_3 * t91 - b_6_5_3 * t88;
+  const Scalar t104 = c_5 * t94;
+  const Scalar t105 = Scalar(0.165) * hu_5_t_x;
+  const Scalar t106 = Scalar(0.768) * hu_6_t_y;
+  const Scalar t107 = Ic_5_xx - t104 - t106 - t105 + Scalar(0.7483122111877872);
+  const Scalar t108 = t107 + t85 * t92 + b_7_6_4 * t91 - t86 * t88;
+  const Scalar t109 = Scalar(1.0) / t108;
+  const Scalar t110 = b_5_4_3 * t109;
   const Scalar f_u_5_t_y = c_5 * f_5_y + s_5 * f_5_x;
-  const Scalar U_4_zz = t19 + t33;
+  const Scalar U_4_zz = t16 + t30;
   const Scalar U_4_yy_zz = U_4_yy - U_4_zz;
-  const Scalar mu_4_x = Scalar(2.012523553603) * ddp_o_4_y + Scalar(0.0039053550262761) * t32 +
-      Scalar(0.16284087268546085) * U_4_zx - Scalar(0.6972920750309718) * t29 -
+  const Scalar mu_4_x = Scalar(2.012523553603) * ddp_o_4_y + Scalar(0.0039053550262761) * t29 +
+      Scalar(0.16284087268546085) * U_4_zx - Scalar(0.6972920750309718) * t26 -
       Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.384) * f_u_5_t_y - c_5 * mu_5_x +
       s_5 * mu_5_y;
   const Scalar U_4_zz_xx = U_4_xx - U_4_zz;
-  const Scalar mu_4_y = Scalar(0.55278027465) * ddp_o_4_y - Scalar(0.00164448757736927) * t23 +
-      Scalar(0.0510201361568155) * U_4_zx - Scalar(0.16284087268546085) * t29 -
+  const Scalar mu_4_y = Scalar(0.55278027465) * ddp_o_4_y - Scalar(0.00164448757736927) * t20 +
+      Scalar(0.0510201361568155) * U_4_zx - Scalar(0.16284087268546085) * t26 -
       Scalar(0.0039053550262761) * U_4_zz_xx + mu_5_z + Scalar(0.0825) * f_u_5_t_y;
-  const Scalar f_4_z = Scalar(0.55278027465) * U_4_zx - Scalar(2.012523553603) * t29 + f_u_5_t_y;
-  const Scalar t114 = omega_r_3_y * omega_3_z;
-  const Scalar t115 = t2 * t2;
-  const Scalar U_3_yy = t16 + t115;
+  const Scalar f_4_z = Scalar(0.55278027465) * U_4_zx - Scalar(2.012523553603) * t26 + f_u_5_t_y;
+  const Scalar t111 = omega_r_3_y * omega_3_z;
+  const Scalar t112 = t2 * t2;
+  const Scalar U_3_yy = t13 + t112;
   const Scalar U_3_xx_yy = U_3_xx - U_3_yy;
-  const Scalar U_3_xy = t25 - t30;
-  const Scalar t116 = Scalar(0.028227094878) * t14 - Scalar(0.746857959872) * ddp_3_y +
+  const Scalar U_3_xy = t22 - t27;
+  const Scalar t113 = Scalar(0.028227094878) * t11 - Scalar(0.746857959872) * ddp_3_y +
       Scalar(0.022178148964878235) * U_3_xy + Scalar(0.004377257121839584) * (t5 - t6) +
-      Scalar(0.061602421026527694) * t31 + Scalar(0.005487648106562256) * (t24 - t114) -
+      Scalar(0.061602421026527694) * t28 + Scalar(0.005487648106562256) * (t21 - t111) -
       Scalar(0.000121912420950744) * U_3_xx_yy - Scalar(0.0825) * f_4_z + c_4 * mu_4_y +
       s_4 * mu_4_x;
-  const Scalar t117 = b_6_5_3 * d_5;
-  const Scalar t118 = b_7_6_3 * t66;
-  const Scalar t119 = Scalar(149.60760989322966) * mu_7_3_z;
-  const Scalar y_4_3 = tau_3 + t116 + y_7 * t119 + t118 * y_7_6 - t117 * y_6_5 + t113 * y_5_4;
-  const Scalar Ic_4_xx = t96 - t107 + t109 - Scalar(0.6972920750309718);
-  const Scalar Ic_4_yy = Ic_5_zz - t108 + Scalar(0.0510201361568155);
+  const Scalar t114 = b_6_5_3 * d_5;
+  const Scalar t115 = b_7_6_3 * t63;
+  const Scalar t116 = Scalar(149.60760989322966) * mu_7_3_z;
+  const Scalar y_4_3 = tau_3 + t113 + y_7 * t116 + t115 * y_7_6 - t114 * y_6_5 + t110 * y_5_4;
+  const Scalar Ic_4_xx = t93 - t104 + t106 - Scalar(0.6972920750309718);
+  const Scalar Ic_4_yy = Ic_5_zz - t105 + Scalar(0.0510201361568155);
   const Scalar Iu_4_t_d = Ic_4_xx + Ic_4_yy;
   const Scalar Ic_4_xy = Scalar(0.0825) * hu_6_t_y + mu_5_4_x - Scalar(0.16284087268546085);
-  const Scalar t120 = c_4 * Iu_4_t_d - Scalar(2.0) * s_4 * Ic_4_xy;
+  const Scalar t117 = c_4 * Iu_4_t_d - Scalar(2.0) * s_4 * Ic_4_xy;
   const Scalar hc_4_x = hu_5_t_x - Scalar(0.55278027465);
   const Scalar hc_4_y = hu_6_t_y - Scalar(2.012523553603);
-  const Scalar t121 = c_4 * hc_4_y - s_4 * hc_4_x;
-  const Scalar t122 = Ic_4_xy - Scalar(0.0825) * t121 + s_4 * t120 + Scalar(0.005487648106562256);
+  const Scalar t118 = c_4 * hc_4_y - s_4 * hc_4_x;
+  const Scalar t119 = Ic_4_xy - Scalar(0.0825) * t118 + s_4 * t117 + Scalar(0.005487648106562256);
   const Scalar Ic_3_yz = Iu_4_t_yz - Scalar(0.004377257121839584);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * hc_4_y;
   const Scalar hc_3_x = hu_4_t_x + Scalar(0.746857959872);
-  const Scalar t123 = t81 - Scalar(0.028227094878);
-  const Scalar t124 = c_3 * t123 - s_3 * hc_3_x;
-  const Scalar t125 = Scalar(0.316) * t124 + (c_3 * Ic_3_yz - s_3 * t122);
-  const Scalar t126 = c_4 * t99 - s_4 * t100;
+  const Scalar t120 = t78 - Scalar(0.028227094878);
+  const Scalar t121 = c_3 * t120 - s_3 * hc_3_x;
+  const Scalar t122 = Scalar(0.316) * t121 + (c_3 * Ic_3_yz - s_3 * t119);
+  const Scalar t123 = c_4 * t96 - s_4 * t97;
   const Scalar mu_u_5_4_t_x = c_4 * mu_5_4_x + s_4 * mu_5_4_y;
-  const Scalar t127 = t82 + s_4 * t98;
+  const Scalar t124 = t79 + s_4 * t95;
   const Scalar mu_u_7_4_t_x = c_4 * mu_7_4_x + s_4 * mu_7_4_y;
-  const Scalar t128 = c_4 * t86 - s_4 * t87;
-  const Scalar t129 = c_3 * t128 - s_3 * f_u_7_5_t_y;
-  const Scalar t130 = t88 - Scalar(0.0825) * (c_4 * t87 + s_4 * t86);
-  const Scalar t131 = Scalar(0.316) * t129 + c_3 * t130 - s_3 * mu_u_7_4_t_x;
-  const Scalar t132 = c_4 * t105 + s_4 * t104;
-  const Scalar t133 = c_5 * hu_6_t_y;
-  const Scalar t134 = c_4 * t133 - s_4 * hu_6_t_x;
-  const Scalar t135 = c_3 * t134 - s_3 * t102;
-  const Scalar f_u_6_4_t_y = c_4 * hu_6_t_x + s_4 * t133;
+  const Scalar t125 = c_4 * t83 - s_4 * t84;
+  const Scalar t126 = c_3 * t125 - s_3 * f_u_7_5_t_y;
+  const Scalar t127 = t85 - Scalar(0.0825) * (c_4 * t84 + s_4 * t83);
+  const Scalar t128 = Scalar(0.316) * t126 + c_3 * t127 - s_3 * mu_u_7_4_t_x;
+  const Scalar t129 = c_4 * t102 + s_4 * t101;
+  const Scalar t130 = c_5 * hu_6_t_y;
+  const Scalar t131 = c_4 * t130 - s_4 * hu_6_t_x;
+  const Scalar t132 = c_3 * t131 - s_3 * t99;
+  const Scalar f_u_6_4_t_y = c_4 * hu_6_t_x + s_4 * t130;
   const Scalar mu_6_3_y = mu_6_4_z - Scalar(0.0825) * f_u_6_4_t_y;
-  const Scalar t136 = Scalar(0.316) * t135 + c_3 * mu_6_3_y - s_3 * t132 - t131 * t51;
-  const Scalar t137 = c_4 * t81;
-  const Scalar t138 = c_3 * t137 - s_3 * hu_5_t_x;
-  const Scalar t139 = Scalar(0.316) * t138 + c_3 * t127 - s_3 * mu_u_5_4_t_x - t131 * t78 +
-      t136 * t67;
-  const Scalar t140 = Scalar(0.316) * t121 - (t110 + Scalar(0.0825) * hu_4_t_x);
-  const Scalar t141 = s_3 * t126 + t131 * t95 + t136 * t94 - t139 * t91 - c_3 * t140;
-  const Scalar t142 = t125 - t131 * t119 + t136 * t118 - t139 * t117 - t141 * t113;
-  const Scalar t143 = c_4 * t120;
-  const Scalar t144 = Scalar(0.165) * hu_4_t_x;
-  const Scalar t145 = Ic_4_xx - t143 - t144 - Scalar(0.08378056999140593);
-  const Scalar t146 = t145 + mu_7_3_z * t119 - b_7_6_3 * t118 + b_6_5_3 * t117 + b_5_4_3 * t113;
-  const Scalar t147 = Scalar(1.0) / t146;
-  const Scalar t148 = t142 * t147;
-  const Scalar t149 = t24 + t114;
-  const Scalar U_3_zz = t15 + t115;
+  const Scalar t133 = Scalar(0.316) * t132 + c_3 * mu_6_3_y - s_3 * t129 - t128 * t48;
+  const Scalar t134 = c_4 * t78;
+  const Scalar t135 = c_3 * t134 - s_3 * hu_5_t_x;
+  const Scalar t136 = Scalar(0.316) * t135 + c_3 * t124 - s_3 * mu_u_5_4_t_x - t128 * t75 +
+      t133 * t64;
+  const Scalar t137 = Scalar(0.316) * t118 - (t107 + Scalar(0.0825) * hu_4_t_x);
+  const Scalar t138 = s_3 * t123 + t128 * t92 + t133 * t91 - t136 * t88 - c_3 * t137;
+  const Scalar t139 = t122 - t128 * t116 + t133 * t115 - t136 * t114 - t138 * t110;
+  const Scalar t140 = c_4 * t117;
+  const Scalar t141 = Scalar(0.165) * hu_4_t_x;
+  const Scalar t142 = Ic_4_xx - t140 - t141 - Scalar(0.08378056999140593);
+  const Scalar t143 = t142 + mu_7_3_z * t116 - b_7_6_3 * t115 + b_6_5_3 * t114 + b_5_4_3 * t110;
+  const Scalar t144 = Scalar(1.0) / t143;
+  const Scalar t145 = t139 * t144;
+  const Scalar t146 = t21 + t111;
+  const Scalar U_3_zz = t12 + t112;
   const Scalar U_3_yy_zz = U_3_yy - U_3_zz;
-  const Scalar mu_3_x = Scalar(0.028227094878) * ddp_o_3_y + Scalar(0.005487648106562256) * t31 -
-      Scalar(0.000121912420950744) * t7 + Scalar(0.022178148964878235) * t149 +
+  const Scalar mu_3_x = Scalar(0.028227094878) * ddp_o_3_y + Scalar(0.005487648106562256) * t28 -
+      Scalar(0.000121912420950744) * t7 + Scalar(0.022178148964878235) * t146 +
       Scalar(0.004377257121839584) * U_3_yy_zz - c_4 * mu_4_x + s_4 * mu_4_y;
-  const Scalar t150 = t141 * t112;
-  const Scalar f_4_x = Scalar(0.55278027465) * U_4_xx + Scalar(2.012523553603) * t23 + t93;
-  const Scalar t151 = Scalar(0.55278027465) * t32 - Scalar(2.012523553603) * U_4_yy + f_5_z;
+  const Scalar t147 = t138 * t109;
+  const Scalar f_4_x = Scalar(0.55278027465) * U_4_xx + Scalar(2.012523553603) * t20 + t90;
+  const Scalar t148 = Scalar(0.55278027465) * t29 - Scalar(2.012523553603) * U_4_yy + f_5_z;
   const Scalar f_3_x = Scalar(0.746857959872) * U_3_xx - Scalar(0.028227094878) * U_3_xy -
-      c_4 * f_4_x + s_4 * t151;
-  const Scalar t152 = Scalar(0.746857959872) * t31 + Scalar(0.028227094878) * U_3_yy - f_4_z;
-  const Scalar f_u_3_t_x = c_3 * f_3_x - s_3 * t152;
-  const Scalar f_u_4_t_y = c_4 * t151 + s_4 * f_4_x;
+      c_4 * f_4_x + s_4 * t148;
+  const Scalar t149 = Scalar(0.746857959872) * t28 + Scalar(0.028227094878) * U_3_yy - f_4_z;
+  const Scalar f_u_3_t_x = c_3 * f_3_x - s_3 * t149;
+  const Scalar f_u_4_t_y = c_4 * t148 + s_4 * f_4_x;
   const Scalar U_3_zz_xx = U_3_xx - U_3_zz;
   const Scalar mu_3_y = Scalar(0.746857959872) * ddp_o_3_y - Scalar(0.004377257121839584) * U_3_xy -
-      Scalar(0.061602421026527694) * t7 + Scalar(0.000121912420950744) * t149 +
+      Scalar(0.061602421026527694) * t7 + Scalar(0.000121912420950744) * t146 +
       Scalar(0.005487648106562256) * U_3_zz_xx - mu_4_z + Scalar(0.0825) * f_u_4_t_y;
-  const Scalar t153 = t139 * d_5;
-  const Scalar t154 = t136 * t66;
-  const Scalar t155 = Scalar(-149.60760989322966) * t131;
-  const Scalar U_2_xx = t8 + t9;
-  const Scalar U_2_xx_yy = U_2_xx + t11;
-  const Scalar t156 = Scalar(0.01993386669246) * c_2 - Scalar(32.80954542685272) * s_2 - tau_2 -
-      Scalar(1.0090841787369491) * t13 + Scalar(0.00398335888393552) * U_2_xx_yy -
-      Scalar(0.316) * f_u_3_t_x - c_3 * mu_3_y + s_3 * mu_3_x + y_7 * t155 - t154 * y_7_6 +
-      t153 * y_6_5 - t150 * y_5_4 - t148 * y_4_3;
-  const Scalar Ic_3_xx = Ic_4_yy - t143 + Scalar(0.022178148964878235);
-  const Scalar t157 = t110 + t144 + Scalar(0.061602421026527694);
-  const Scalar Iu_3_t_d = Ic_3_xx - t157;
-  const Scalar t158 = t98 - t126 + Scalar(0.000121912420950744);
-  const Scalar t159 = c_3 * Iu_3_t_d + Scalar(2.0) * s_3 * t158;
-  const Scalar t160 = c_3 * t159;
-  const Scalar t161 = Scalar(-0.632) * t121;
-  const Scalar t162 = Ic_3_xx - t160 + t161 + t131 * t155 + t136 * t154 - t139 * t153 -
-      t141 * t150 + t142 * t148 + Scalar(1.0552399437268125);
-  const Scalar t163 = Scalar(1.0) / t162;
-  const Scalar t164 = s_2 * (t158 - s_3 * t159 - Scalar(0.01026110182100817));
-  const Scalar t165 = c_3 * hc_3_x + s_3 * t123;
-  const Scalar t166 = Scalar(0.316) * t165 + (c_3 * t122 + s_3 * Ic_3_yz);
-  const Scalar t167 = s_2 * (c_3 * t126 + s_3 * t140);
-  const Scalar t168 = c_3 * hu_5_t_x + s_3 * t137;
-  const Scalar t169 = s_2 * (Scalar(0.316) * t168 + c_3 * mu_u_5_4_t_x + s_3 * t127);
-  const Scalar t170 = c_3 * f_u_7_5_t_y + s_3 * t128;
-  const Scalar t171 = s_2 * (Scalar(0.316) * t170 + c_3 * mu_u_7_4_t_x + s_3 * t130);
-  const Scalar t172 = c_2 * mu_7_3_z + t171;
-  const Scalar t173 = c_3 * t102 + s_3 * t134;
-  const Scalar t174 = s_2 * (Scalar(0.316) * t173 + c_3 * t132 + s_3 * mu_6_3_y);
-  const Scalar b_7_6_1 = c_2 * mu_6_3_z + t174 - t172 * t51;
-  const Scalar t175 = c_2 * mu_5_3_z + t169 - t172 * t78 + b_7_6_1 * t67;
-  const Scalar b_5_4_1 = c_2 * Iu_4_t_yz - t167 + t172 * t95 + b_7_6_1 * t94 - t175 * t91;
-  const Scalar t176 = c_2 * t145 - s_2 * t166 + t172 * t119 - b_7_6_1 * t118 + t175 * t117 +
-      b_5_4_1 * t113;
-  const Scalar t177 = c_2 * (t125 - Scalar(0.0007689361029464)) + t164 + t172 * t155 +
-      b_7_6_1 * t154 - t175 * t153 - b_5_4_1 * t150 - t176 * t148;
-  const Scalar t178 = t177 * t163;
-  const Scalar f_u_3_t_y = c_3 * t152 + s_3 * f_3_x;
-  const Scalar t179 = Scalar(0.01026110182100817) * t13 - Scalar(2.064324122463762) * t4 -
-      Scalar(0.00796671776787104) * t25 + Scalar(0.0007689361029464) * (t10 + t11) +
+  const Scalar t150 = t136 * d_5;
+  const Scalar t151 = t133 * t63;
+  const Scalar t152 = Scalar(-149.60760989322966) * t128;
+  const Scalar U_2_xx = t3 * t3 + t8;
+  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
+  const Scalar t153 = Scalar(0.01993386669246) * c_2 - Scalar(32.80954542685272) * s_2 - tau_2 -
+      Scalar(1.0090841787369491) * t10 + Scalar(0.00398335888393552) * U_2_xx_yy -
+      Scalar(0.316) * f_u_3_t_x - c_3 * mu_3_y + s_3 * mu_3_x + y_7 * t152 - t151 * y_7_6 +
+      t150 * y_6_5 - t147 * y_5_4 - t145 * y_4_3;
+  const Scalar Ic_3_xx = Ic_4_yy - t140 + Scalar(0.022178148964878235);
+  const Scalar t154 = t107 + t141 + Scalar(0.061602421026527694);
+  const Scalar Iu_3_t_d = Ic_3_xx - t154;
+  const Scalar t155 = t95 - t123 + Scalar(0.000121912420950744);
+  const Scalar t156 = c_3 * Iu_3_t_d + Scalar(2.0) * s_3 * t155;
+  const Scalar t157 = c_3 * t156;
+  const Scalar t158 = Scalar(-0.632) * t118;
+  const Scalar t159 = Ic_3_xx - t157 + t158 + t128 * t152 + t133 * t151 - t136 * t150 -
+      t138 * t147 + t139 * t145 + Scalar(1.0552399437268125);
+  const Scalar t160 = Scalar(1.0) / t159;
+  const Scalar t161 = s_2 * (t155 - s_3 * t156 - Scalar(0.01026110182100817));
+  const Scalar t162 = c_3 * hc_3_x + s_3 * t120;
+  const Scalar t163 = Scalar(0.316) * t162 + (c_3 * t119 + s_3 * Ic_3_yz);
+  const Scalar t164 = s_2 * (c_3 * t123 + s_3 * t137);
+  const Scalar t165 = c_3 * hu_5_t_x + s_3 * t134;
+  const Scalar t166 = s_2 * (Scalar(0.316) * t165 + c_3 * mu_u_5_4_t_x + s_3 * t124);
+  const Scalar t167 = c_3 * f_u_7_5_t_y + s_3 * t125;
+  const Scalar t168 = s_2 * (Scalar(0.316) * t167 + c_3 * mu_u_7_4_t_x + s_3 * t127);
+  const Scalar t169 = c_2 * mu_7_3_z + t168;
+  const Scalar t170 = c_3 * t99 + s_3 * t131;
+  const Scalar t171 = s_2 * (Scalar(0.316) * t170 + c_3 * t129 + s_3 * mu_6_3_y);
+  const Scalar b_7_6_1 = c_2 * mu_6_3_z + t171 - t169 * t48;
+  const Scalar t172 = c_2 * mu_5_3_z + t166 - t169 * t75 + b_7_6_1 * t64;
+  const Scalar b_5_4_1 = c_2 * Iu_4_t_yz - t164 + t169 * t92 + b_7_6_1 * t91 - t172 * t88;
+  const Scalar t173 = c_2 * t142 - s_2 * t163 + t169 * t116 - b_7_6_1 * t115 + t172 * t114 +
+      b_5_4_1 * t110;
+  const Scalar t174 = c_2 * (t122 - Scalar(0.0007689361029464)) + t161 + t169 * t152 +
+      b_7_6_1 * t151 - t172 * t150 - b_5_4_1 * t147 - t173 * t145;
+  const Scalar t175 = t174 * t160;
+  const Scalar f_u_3_t_y = c_3 * t149 + s_3 * f_3_x;
+  const Scalar t176 = qd_1 * qd_1;
+  const Scalar U_2_yy_zz = U_2_yy - t176;
+  const Scalar t177 = Scalar(0.01026110182100817) * t10 - Scalar(2.064324122463762) * t4 -
+      Scalar(0.00796671776787104) * t22 - Scalar(0.0007689361029464) * U_2_yy_zz +
       Scalar(0.316) * f_u_3_t_y + c_3 * mu_3_x + s_3 * mu_3_y;
-  const Scalar t180 = t176 * t147;
-  const Scalar U_2_zz_xx = U_2_xx - t10;
-  const Scalar t181 = Scalar(0.0007689361029464) * t13 - Scalar(0.00796671776787104) * t4 -
-      Scalar(0.04615576498986361) * t25 - Scalar(0.01026110182100817) * U_2_zz_xx - t116;
-  const Scalar t182 = b_5_4_1 * t112;
-  const Scalar t183 = t175 * d_5;
-  const Scalar t184 = b_7_6_1 * t66;
-  const Scalar t185 = Scalar(-149.60760989322966) * t172;
-  const Scalar y_2_1 = tau_1 - c_2 * t181 + s_2 * t179 - y_7 * t185 + t184 * y_7_6 - t183 * y_6_5 +
-      t182 * y_5_4 - t180 * y_4_3 + t178 * t156;
-  const Scalar t186 = t157 + t160 + t161 + Scalar(1.032162061231881);
-  const Scalar t187 = c_2 * (t145 + t186 - Scalar(0.023077882494931805)) -
-      Scalar(2.0) * s_2 * (t166 - Scalar(0.00398335888393552));
-  const Scalar t188 = t186 - c_2 * t187 + t172 * t185 + b_7_6_1 * t184 - t175 * t183 -
-      b_5_4_1 * t182 + t176 * t180 - t177 * t178 + Scalar(0.014259565994474374);
-  const Scalar qdd_1 = (Scalar(1.0) / t188) * y_2_1;
+  const Scalar t178 = t173 * t144;
+  const Scalar U_2_zz_xx = U_2_xx - t176;
+  const Scalar t179 = Scalar(0.0007689361029464) * t10 - Scalar(0.00796671776787104) * t4 -
+      Scalar(0.04615576498986361) * t22 - Scalar(0.01026110182100817) * U_2_zz_xx - t113;
+  const Scalar t180 = b_5_4_1 * t109;
+  const Scalar t181 = t172 * d_5;
+  const Scalar t182 = b_7_6_1 * t63;
+  const Scalar t183 = Scalar(-149.60760989322966) * t169;
+  const Scalar y_2_1 = tau_1 - c_2 * t179 + s_2 * t177 - y_7 * t183 + t182 * y_7_6 - t181 * y_6_5 +
+      t180 * y_5_4 - t178 * y_4_3 + t175 * t153;
+  const Scalar t184 = t154 + t157 + t158 + Scalar(1.032162061231881);
+  const Scalar t185 = c_2 * (t142 + t184 - Scalar(0.023077882494931805)) -
+      Scalar(2.0) * s_2 * (t163 - Scalar(0.00398335888393552));
+  const Scalar t186 = t184 - c_2 * t185 + t169 * t183 + b_7_6_1 * t182 - t172 * t181 -
+      b_5_4_1 * t180 + t173 * t178 - t174 * t175 + Scalar(0.014259565994474374);
+  const Scalar qdd_1 = (Scalar(1.0) / t186) * y_2_1;
   qdd[0] = qdd_1;
-  const Scalar t189 = t163 * (t156 + t177 * qdd_1);
-  qdd[1] = -t189;
-  const Scalar t190 = t147 * ((y_4_3 + t142 * t189) + t176 * qdd_1);
-  qdd[2] = -t190;
-  const Scalar t191 = t112 * ((t141 * t189 - b_5_4_1 * qdd_1) - (y_5_4 - b_5_4_3 * t190));
-  qdd[3] = -t191;
-  const Scalar t192 = (y_6_5 - t89 * t191) - t175 * qdd_1;
-  const Scalar qdd_5 = d_5 * (t192 + (b_6_5_3 * t190 + t139 * t189));
+  const Scalar t187 = t160 * (t153 + t174 * qdd_1);
+  qdd[1] = -t187;
+  const Scalar t188 = t144 * ((y_4_3 + t139 * t187) + t173 * qdd_1);
+  qdd[2] = -t188;
+  const Scalar t189 = t109 * ((t138 * t187 - b_5_4_1 * qdd_1) - (y_5_4 - b_5_4_3 * t188));
+  qdd[3] = -t189;
+  const Scalar t190 = (y_6_5 - t86 * t189) - t172 * qdd_1;
+  const Scalar qdd_5 = d_5 * (t190 + (b_6_5_3 * t188 + t136 * t187));
   qdd[4] = qdd_5;
-  const Scalar t193 = (b_7_6_4 * t191 - b_7_6_3 * t190) - (y_7_6 - t61 * qdd_5);
-  const Scalar qdd_6 = t66 * (t193 - (t136 * t189 - b_7_6_1 * qdd_1));
+  const Scalar t191 = (b_7_6_4 * t189 - b_7_6_3 * t188) - (y_7_6 - t58 * qdd_5);
+  const Scalar qdd_6 = t63 * (t191 - (t133 * t187 - b_7_6_1 * qdd_1));
   qdd[5] = qdd_6;
-  const Scalar t194 = (mu_7_3_z * t190 + t131 * t189) - (mu_u_7_6_t_y * qdd_5 + t88 * t191);
-  qdd[6] = Scalar(149.60760989322966) * ((y_7 + Iu_7_t_yz * qdd_6) + t172 * qdd_1) -
-      Scalar(149.60760989322966) * t194;
-  bool positive = t188 > Scalar(0.0);
-  positive &= t162 > Scalar(0.0);
-  positive &= -t146 > Scalar(0.0);
-  positive &= t111 > Scalar(0.0);
+  const Scalar t192 = (mu_7_3_z * t188 + t128 * t187) - (mu_u_7_6_t_y * qdd_5 + t85 * t189);
+  qdd[6] = Scalar(149.60760989322966) * ((y_7 + Iu_7_t_yz * qdd_6) + t169 * qdd_1) -
+      Scalar(149.60760989322966) * t192;
+  bool positive = t186 > Scalar(0.0);
+  positive &= t159 > Scalar(0.0);
+  positive &= -t143 > Scalar(0.0);
+  positive &= t108 > Scalar(0.0);
   positive &= b_6_5_5 > Scalar(0.0);
-  positive &= -t65 > Scalar(0.0);
+  positive &= -t62 > Scalar(0.0);
   return positive;
 }
 
@@ -3200,7 +3210,7 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
 //   q[7]   in   joint positions, rad or m
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Reads q[0..6], qd[0..6]. Operations: 165 mul, 102 add, 14 sin/cos.
+// Reads q[0..6], qd[0..6]. Operations: 164 mul, 102 add, 14 sin/cos.
 template <class Scalar>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
   using std::cos;
@@ -3264,7 +3274,7 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexce
   const Scalar U_4_zy = domega_4_x + t9 * omega_4_z;
   const Scalar t22 = t5 * (t7 + Scalar(2.0) * t8);
   const Scalar ddp_o_5_z = Scalar(0.384) * U_4_zy + Scalar(0.0825) * t21 + Scalar(0.316) * t22;
-  const Scalar U_2_yy = qd_2 * qd_2 + s_2 * qd_1 * t1;
+  const Scalar U_2_yy = qd_2 * qd_2 + t1 * t1;
   const Scalar ddp_o_4_z = Scalar(0.316) * U_2_yy - Scalar(0.0825) * (t14 + t4 * omega_3_z);
   const Scalar t23 = omega_4_z * omega_4_z;
   const Scalar U_4_xx = t23 + t9 * t9;

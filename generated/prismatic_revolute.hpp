@@ -233,7 +233,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // number.
 // Reads q[1], qd[1], tau[0..1], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
 // parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2,
-// parameters.k_r2. Operations: 19 mul, 10 add, 2 div, 2 sin/cos.
+// parameters.k_r2. Operations: 17 mul, 10 add, 2 div, 2 sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd) noexcept {
@@ -249,16 +249,16 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t1 = m_l2 * l_2;
   const Scalar b_2_2 = I_l2 + I_m2 * k_r2 * k_r2 + l_2 * t1;
   const Scalar d_2 = Scalar(1.0) / b_2_2;
-  const Scalar t2 = t1 * s_2 * d_2;
-  const Scalar t3 = m_l2 * l_2 * s_2 * t2;
-  const Scalar b_2_1_1 = m_l1 + m_l2 + m_m2 - t3 + I_m1 * k_r1 * k_r1;
+  const Scalar t2 = s_2 * t1;
+  const Scalar t3 = d_2 * t2;
+  const Scalar b_2_1_1 = m_l1 + m_l2 + m_m2 - t2 * t3 + I_m1 * k_r1 * k_r1;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t4 = c_2 * t1;
   const Scalar y_2 = tau_2 - g * t4;
-  const Scalar y_2_1 = tau_1 + y_2 * t2 + qd_2 * qd_2 * t4;
+  const Scalar y_2_1 = tau_1 + y_2 * t3 + qd_2 * qd_2 * t4;
   const Scalar qdd_1 = d_1 * y_2_1;
   qdd[0] = qdd_1;
-  qdd[1] = t2 * qdd_1 + y_2 * d_2;
+  qdd[1] = t3 * qdd_1 + y_2 * d_2;
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_2_2 > Scalar(0.0);
   return positive;

@@ -67,7 +67,7 @@ inline Scalar sign(const Scalar& x) noexcept {
 //   qd[6]   in   joint velocities, rad/s or m/s
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..5], qd[0..5], qdd[0..5]. Operations: 195 mul, 157 add, 10 sin/cos.
+// Reads q[1..5], qd[0..5], qdd[0..5]. Operations: 193 mul, 157 add, 10 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau) noexcept {
@@ -111,8 +111,8 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t16 = t4 * omega_3_z;
   const Scalar t17 = t10 + t16;
   const Scalar U_2_zx = t5 + t7;
-  const Scalar t18 = c_2 * qd_1 * t1;
-  const Scalar t19 = s_2 * qd_1 * t2;
+  const Scalar t18 = t1 * t1;
+  const Scalar t19 = t2 * t2;
   const Scalar U_2_zz = t18 + t19;
   const Scalar ddp_o_3_z = Scalar(0.4318) * U_2_zx + Scalar(0.1501) * U_2_zz;
   const Scalar ddp_o_4_z = ddp_o_3_z - Scalar(0.0203) * t15 + Scalar(0.4331) * t17;
@@ -216,7 +216,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 247 mul, 189 add, 12 sin/cos.
+// Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 245 mul, 189 add, 12 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau) noexcept {
@@ -280,8 +280,8 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t23 = t4 * omega_3_z;
   const Scalar t24 = t10 + t23;
   const Scalar U_2_zx = t5 + t7;
-  const Scalar t25 = c_2 * qd_1 * t1;
-  const Scalar t26 = s_2 * qd_1 * t2;
+  const Scalar t25 = t1 * t1;
+  const Scalar t26 = t2 * t2;
   const Scalar U_2_zz = t25 + t26;
   const Scalar ddp_o_3_z = Scalar(0.4318) * U_2_zx + Scalar(0.1501) * U_2_zz;
   const Scalar ddp_o_4_z = ddp_o_3_z - Scalar(0.0203) * t22 + Scalar(0.4331) * t24;
@@ -967,7 +967,7 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   q[6]   in   joint positions, rad or m
 //   qd[6]  in   joint velocities, rad/s or m/s
 //   n[6]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..5], qd[0..5]. Operations: 174 mul, 122 add, 10 sin/cos.
+// Reads q[1..5], qd[0..5]. Operations: 172 mul, 121 add, 10 sin/cos.
 template <class Scalar>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   using std::cos;
@@ -979,106 +979,103 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar t1 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t2 = qd_1 * t1;
+  const Scalar t1 = qd_1 * (s_2 * c_3 + c_2 * s_3);
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t2;
-  const Scalar t3 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t4 = qd_1 * t3;
-  const Scalar t5 = omega_3_z * t4;
-  const Scalar t6 = c_4 * t5 - qd_4 * omega_r_4_y;
-  const Scalar t7 = c_4 * t2 - s_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 + t4;
-  const Scalar omega_r_5_x = c_5 * t7 + s_5 * omega_4_z;
-  const Scalar t8 = omega_3_z * t2;
-  const Scalar domega_5_y = c_5 * t8 + s_5 * t6 + qd_5 * omega_r_5_x;
-  const Scalar t9 = Scalar(0.00004) * domega_5_y;
-  n[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) - t9;
+  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t1;
+  const Scalar t2 = qd_1 * (c_2 * c_3 - s_2 * s_3);
+  const Scalar t3 = omega_3_z * t2;
+  const Scalar t4 = c_4 * t3 - qd_4 * omega_r_4_y;
+  const Scalar t5 = c_4 * t1 - s_4 * omega_3_z;
+  const Scalar omega_4_z = qd_4 + t2;
+  const Scalar omega_r_5_x = c_5 * t5 + s_5 * omega_4_z;
+  const Scalar t6 = omega_3_z * t1;
+  const Scalar domega_5_y = c_5 * t6 + s_5 * t4 + qd_5 * omega_r_5_x;
+  const Scalar t7 = Scalar(0.00004) * domega_5_y;
+  n[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) - t7;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t10 = c_6 * omega_r_5_x - s_6 * omega_5_z;
+  const Scalar t8 = c_6 * omega_r_5_x - s_6 * omega_5_z;
   const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t7;
+  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t5;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t11 = Scalar(0.00004) * omega_6_z;
-  const Scalar t12 = t11 * (c_6 * t10 + s_6 * omega_r_6_y);
-  const Scalar t13 = c_2 * qd_1;
-  const Scalar t14 = c_2 * qd_1 * t13;
-  const Scalar t15 = qd_2 * qd_2;
-  const Scalar U_2_xx = t14 + t15;
+  const Scalar t9 = Scalar(0.00004) * omega_6_z;
+  const Scalar t10 = t9 * (c_6 * t8 + s_6 * omega_r_6_y);
+  const Scalar t11 = c_2 * qd_1;
+  const Scalar t12 = qd_2 * qd_2;
+  const Scalar U_2_xx = t11 * t11 + t12;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 + Scalar(0.4318) * U_2_xx;
-  const Scalar t16 = s_2 * qd_1;
-  const Scalar t17 = t13 * t16;
-  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 - Scalar(0.4318) * t17;
+  const Scalar t13 = s_2 * qd_1;
+  const Scalar t14 = t11 * t13;
+  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 - Scalar(0.4318) * t14;
   const Scalar ddp_3_x = c_3 * ddp_o_3_x + s_3 * ddp_o_3_y;
-  const Scalar t18 = qd_1 * t3 * t4;
-  const Scalar t19 = omega_3_z * omega_3_z;
-  const Scalar U_3_xx = t18 + t19;
-  const Scalar t20 = t4 * t2;
-  const Scalar ddp_o_4_x = ddp_3_x - Scalar(0.0203) * U_3_xx + Scalar(0.4331) * t20;
-  const Scalar t21 = qd_2 * t16;
-  const Scalar t22 = qd_1 * qd_1;
-  const Scalar ddp_o_3_z = Scalar(0.1501) * t22 + Scalar(0.8636) * t21;
-  const Scalar ddp_o_4_z = ddp_o_3_z - Scalar(0.0406) * t8 - Scalar(0.8662) * t5;
+  const Scalar t15 = t2 * t2;
+  const Scalar t16 = omega_3_z * omega_3_z;
+  const Scalar U_3_xx = t15 + t16;
+  const Scalar t17 = t2 * t1;
+  const Scalar ddp_o_4_x = ddp_3_x - Scalar(0.0203) * U_3_xx + Scalar(0.4331) * t17;
+  const Scalar t18 = qd_2 * t13;
+  const Scalar t19 = qd_1 * qd_1;
+  const Scalar ddp_o_3_z = Scalar(0.1501) * t19 + Scalar(0.8636) * t18;
+  const Scalar ddp_o_4_z = ddp_o_3_z - Scalar(0.0406) * t6 - Scalar(0.8662) * t3;
   const Scalar ddp_4_x = c_4 * ddp_o_4_x + s_4 * ddp_o_4_z;
-  const Scalar t23 = c_3 * ddp_o_3_y - s_3 * ddp_o_3_x;
-  const Scalar U_3_yy = t19 + qd_1 * t1 * t2;
-  const Scalar t24 = c_5 * ddp_4_x + s_5 * (t23 - Scalar(0.4331) * U_3_yy + Scalar(0.0203) * t20);
-  const Scalar t25 = omega_r_5_x * omega_r_5_y;
-  const Scalar t26 = s_4 * t5 + qd_4 * t7;
-  const Scalar t27 = Scalar(0.00064216) * t26 - Scalar(0.00288) * t24 - Scalar(0.00024216) * t25 +
-      t12;
-  n[4] = Scalar(0.4272830209354) * qd_5 + t27 + Scalar(0.85444524) * detail::sign(qd_5);
-  const Scalar t28 = (c_6 * omega_r_6_y - s_6 * t10) * t11;
-  const Scalar t29 = c_4 * ddp_o_4_z - s_4 * ddp_o_4_x;
-  const Scalar domega_5_x = c_5 * t6 - s_5 * t8 + qd_5 * omega_r_5_y;
-  const Scalar t30 = omega_r_5_y * omega_5_z;
-  const Scalar t31 = Scalar(0.00288) * t29 - Scalar(0.00024216) * domega_5_x -
-      Scalar(0.00064216) * t30 + t28;
-  const Scalar mu_5_y = t9 + Scalar(0.0004) * omega_r_5_x * omega_5_z;
-  const Scalar mu_4_z = Scalar(0.0016) * t8 - Scalar(0.0003) * t7 * omega_r_4_y + c_5 * mu_5_y +
-      s_5 * t31;
+  const Scalar t20 = c_3 * ddp_o_3_y - s_3 * ddp_o_3_x;
+  const Scalar U_3_yy = t16 + t1 * t1;
+  const Scalar t21 = c_5 * ddp_4_x + s_5 * (t20 - Scalar(0.4331) * U_3_yy + Scalar(0.0203) * t17);
+  const Scalar t22 = omega_r_5_x * omega_r_5_y;
+  const Scalar t23 = s_4 * t3 + qd_4 * t5;
+  const Scalar t24 = Scalar(0.00064216) * t23 - Scalar(0.00288) * t21 - Scalar(0.00024216) * t22 +
+      t10;
+  n[4] = Scalar(0.4272830209354) * qd_5 + t24 + Scalar(0.85444524) * detail::sign(qd_5);
+  const Scalar t25 = (c_6 * omega_r_6_y - s_6 * t8) * t9;
+  const Scalar t26 = c_4 * ddp_o_4_z - s_4 * ddp_o_4_x;
+  const Scalar domega_5_x = c_5 * t4 - s_5 * t6 + qd_5 * omega_r_5_y;
+  const Scalar t27 = omega_r_5_y * omega_5_z;
+  const Scalar t28 = Scalar(0.00288) * t26 - Scalar(0.00024216) * domega_5_x -
+      Scalar(0.00064216) * t27 + t25;
+  const Scalar mu_5_y = t7 + Scalar(0.0004) * omega_r_5_x * omega_5_z;
+  const Scalar mu_4_z = Scalar(0.0016) * t6 - Scalar(0.0003) * t5 * omega_r_4_y + c_5 * mu_5_y +
+      s_5 * t28;
   n[3] = Scalar(0.411645229697152) * qd_4 - mu_4_z + Scalar(1.06831142) * detail::sign(qd_4);
-  const Scalar t32 = Scalar(0.0003) * t6 - Scalar(0.0016) * omega_r_4_y * omega_4_z - c_5 * t31 +
+  const Scalar t29 = Scalar(0.0003) * t4 - Scalar(0.0016) * omega_r_4_y * omega_4_z - c_5 * t28 +
       s_5 * mu_5_y;
-  const Scalar t33 = t27 + Scalar(0.0013) * t7 * omega_4_z;
-  const Scalar t34 = t26 - t25;
-  const Scalar t35 = Scalar(0.00288) * c_5;
+  const Scalar t30 = t24 + Scalar(0.0013) * t5 * omega_4_z;
+  const Scalar t31 = t23 - t22;
+  const Scalar t32 = Scalar(0.00288) * c_5;
   const Scalar U_5_yy = omega_r_5_x * omega_r_5_x + omega_5_z * omega_5_z;
-  const Scalar t36 = Scalar(0.00288) * s_5;
-  const Scalar t37 = t34 * t35 - U_5_yy * t36;
-  const Scalar U_5_zy = domega_5_x + t30;
-  const Scalar t38 = Scalar(0.00288) * U_5_zy;
-  const Scalar t39 = c_4 * t37 - s_4 * t38;
-  const Scalar t40 = U_5_yy * t35 + t34 * t36;
+  const Scalar t33 = Scalar(0.00288) * s_5;
+  const Scalar t34 = t31 * t32 - U_5_yy * t33;
+  const Scalar U_5_zy = domega_5_x + t27;
+  const Scalar t35 = Scalar(0.00288) * U_5_zy;
+  const Scalar t36 = c_4 * t34 - s_4 * t35;
+  const Scalar t37 = U_5_yy * t32 + t31 * t33;
   const Scalar U_3_xx_yy = U_3_xx - U_3_yy;
-  const Scalar mu_3_z = Scalar(0.861795) * ddp_3_x - Scalar(0.025375) * t23 +
-      Scalar(0.299575024) * t20 - Scalar(0.0106736385) * U_3_xx_yy + Scalar(0.0203) * t40 -
-      Scalar(0.4331) * t39 - c_4 * t33 + s_4 * t32;
+  const Scalar mu_3_z = Scalar(0.861795) * ddp_3_x - Scalar(0.025375) * t20 +
+      Scalar(0.299575024) * t17 - Scalar(0.0106736385) * U_3_xx_yy + Scalar(0.0203) * t37 -
+      Scalar(0.4331) * t36 - c_4 * t30 + s_4 * t29;
   n[2] = Scalar(3.9804259903722) * qd_3 - mu_3_z + Scalar(6.36419655) * detail::sign(qd_3);
-  const Scalar t41 = Scalar(0.025375) * U_3_xx - Scalar(0.861795) * t20 + t39;
-  const Scalar t42 = Scalar(0.861795) * U_3_yy - Scalar(0.025375) * t20 + t40;
-  const Scalar t43 = c_3 * t42 + s_3 * t41;
-  const Scalar t44 = t14 - t15 - t22;
-  const Scalar U_2_xx_yy = U_2_xx + t44;
-  const Scalar t45 = Scalar(37.2347379) * c_2 - Scalar(1.024164) * s_2 -
-      Scalar(9.496868641825) * qd_2 - Scalar(1.601861202) * t17 - Scalar(0.0070992) * U_2_xx_yy +
-      mu_3_z - Scalar(0.4318) * t43 - Scalar(10.6197775) * detail::sign(qd_2);
-  n[1] = -t45;
-  const Scalar t46 = c_4 * t38 + s_4 * t37;
-  const Scalar mu_3_x = Scalar(0.861795) * ddp_o_3_z - Scalar(0.021347277) * t8 -
-      Scalar(0.612680273) * t5 + Scalar(0.004704) * (t18 - t19) - Scalar(0.4331) * t46 - c_4 * t32 -
-      s_4 * t33;
-  const Scalar mu_3_y = Scalar(0.025375) * ddp_o_3_z + Scalar(0.004704) * t20 -
-      Scalar(0.013530225) * t8 - Scalar(0.021347277) * t5 - mu_4_z - Scalar(0.0203) * t46;
-  const Scalar t47 = c_3 * t41 - s_3 * t42;
-  const Scalar t48 = qd_2 * t13;
-  const Scalar mu_2_y = Scalar(0.023751) * t17 + Scalar(3.349975204) * t21 -
-      Scalar(0.02191385) * t8 - Scalar(0.744246162) * t5 - Scalar(0.690314699) * (U_2_xx - t22) -
-      Scalar(0.4318) * t46 + Scalar(0.1501) * t47 + Scalar(0.0141984) * t48 - c_3 * mu_3_y +
+  const Scalar t38 = Scalar(0.025375) * U_3_xx - Scalar(0.861795) * t17 + t36;
+  const Scalar t39 = Scalar(0.861795) * U_3_yy - Scalar(0.025375) * t17 + t37;
+  const Scalar t40 = c_3 * t39 + s_3 * t38;
+  const Scalar U_2_yy = t12 + t13 * t13;
+  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
+  const Scalar t41 = Scalar(37.2347379) * c_2 - Scalar(1.024164) * s_2 -
+      Scalar(9.496868641825) * qd_2 - Scalar(1.601861202) * t14 - Scalar(0.0070992) * U_2_xx_yy +
+      mu_3_z - Scalar(0.4318) * t40 - Scalar(10.6197775) * detail::sign(qd_2);
+  n[1] = -t41;
+  const Scalar t42 = c_4 * t35 + s_4 * t34;
+  const Scalar mu_3_x = Scalar(0.861795) * ddp_o_3_z - Scalar(0.021347277) * t6 -
+      Scalar(0.612680273) * t3 + Scalar(0.004704) * (t15 - t16) - Scalar(0.4331) * t42 - c_4 * t29 -
+      s_4 * t30;
+  const Scalar mu_3_y = Scalar(0.025375) * ddp_o_3_z + Scalar(0.004704) * t17 -
+      Scalar(0.013530225) * t6 - Scalar(0.021347277) * t3 - mu_4_z - Scalar(0.0203) * t42;
+  const Scalar t43 = c_3 * t38 - s_3 * t39;
+  const Scalar t44 = qd_2 * t11;
+  const Scalar mu_2_y = Scalar(0.023751) * t14 + Scalar(3.349975204) * t18 -
+      Scalar(0.02191385) * t6 - Scalar(0.744246162) * t3 - Scalar(0.690314699) * (U_2_xx - t19) -
+      Scalar(0.4318) * t42 + Scalar(0.1501) * t43 + Scalar(0.0141984) * t44 - c_3 * mu_3_y +
       s_3 * mu_3_x;
-  const Scalar mu_2_x = Scalar(0.690314699) * t17 + Scalar(0.0141984) * t21 +
-      Scalar(0.023751) * (t22 + t44) + Scalar(0.1501) * t43 - c_3 * mu_3_x - s_3 * mu_3_y +
-      Scalar(0.1462528) * t48;
+  const Scalar mu_2_x = Scalar(0.690314699) * t14 + Scalar(0.0141984) * t18 -
+      Scalar(0.023751) * (U_2_yy - t19) + Scalar(0.1501) * t40 - c_3 * mu_3_x - s_3 * mu_3_y +
+      Scalar(0.1462528) * t44;
   n[0] = Scalar(5.8018217679508) * qd_1 + Scalar(25.9836065) * detail::sign(qd_1) - c_2 * mu_2_y +
       s_2 * mu_2_x;
 }
@@ -1090,7 +1087,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
 // number.
-// Reads q[1..5], qd[0..5], tau[0..5]. Operations: 325 mul, 242 add, 4 div, 10 sin/cos.
+// Reads q[1..5], qd[0..5], tau[0..5]. Operations: 322 mul, 241 add, 4 div, 10 sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
     Scalar* qdd) noexcept {
@@ -1105,202 +1102,199 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar t1 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t2 = qd_1 * t1;
+  const Scalar t1 = qd_1 * (s_2 * c_3 + c_2 * s_3);
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t3 = c_4 * t2 - s_4 * omega_3_z;
-  const Scalar t4 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t5 = qd_1 * t4;
-  const Scalar omega_4_z = qd_4 + t5;
-  const Scalar omega_r_5_x = c_5 * t3 + s_5 * omega_4_z;
-  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t2;
+  const Scalar t2 = c_4 * t1 - s_4 * omega_3_z;
+  const Scalar t3 = qd_1 * (c_2 * c_3 - s_2 * s_3);
+  const Scalar omega_4_z = qd_4 + t3;
+  const Scalar omega_r_5_x = c_5 * t2 + s_5 * omega_4_z;
+  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t1;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
   const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar t6 = c_6 * omega_r_5_x - s_6 * omega_5_z;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t3;
+  const Scalar t4 = c_6 * omega_r_5_x - s_6 * omega_5_z;
+  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t2;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t7 = Scalar(0.00004) * omega_6_z;
-  const Scalar t8 = (c_6 * omega_r_6_y - s_6 * t6) * t7;
-  const Scalar t9 = c_2 * qd_1;
-  const Scalar t10 = c_2 * qd_1 * t9;
-  const Scalar t11 = qd_2 * qd_2;
-  const Scalar U_2_xx = t10 + t11;
+  const Scalar t5 = Scalar(0.00004) * omega_6_z;
+  const Scalar t6 = (c_6 * omega_r_6_y - s_6 * t4) * t5;
+  const Scalar t7 = c_2 * qd_1;
+  const Scalar t8 = qd_2 * qd_2;
+  const Scalar U_2_xx = t7 * t7 + t8;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 + Scalar(0.4318) * U_2_xx;
-  const Scalar t12 = s_2 * qd_1;
-  const Scalar t13 = t9 * t12;
-  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 - Scalar(0.4318) * t13;
+  const Scalar t9 = s_2 * qd_1;
+  const Scalar t10 = t7 * t9;
+  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 - Scalar(0.4318) * t10;
   const Scalar ddp_3_x = c_3 * ddp_o_3_x + s_3 * ddp_o_3_y;
-  const Scalar t14 = qd_1 * t4 * t5;
-  const Scalar t15 = omega_3_z * omega_3_z;
-  const Scalar U_3_xx = t14 + t15;
-  const Scalar t16 = t5 * t2;
-  const Scalar ddp_o_4_x = ddp_3_x - Scalar(0.0203) * U_3_xx + Scalar(0.4331) * t16;
-  const Scalar t17 = omega_3_z * t2;
-  const Scalar t18 = omega_3_z * t5;
-  const Scalar t19 = qd_2 * t12;
-  const Scalar t20 = qd_1 * qd_1;
-  const Scalar ddp_o_3_z = Scalar(0.1501) * t20 + Scalar(0.8636) * t19;
-  const Scalar ddp_o_4_z = ddp_o_3_z - Scalar(0.0406) * t17 - Scalar(0.8662) * t18;
-  const Scalar t21 = c_4 * ddp_o_4_z - s_4 * ddp_o_4_x;
-  const Scalar t22 = Scalar(0.00288) * t21 - Scalar(0.00088432) * omega_r_5_y * omega_5_z + t8;
-  const Scalar t23 = c_4 * t18 - qd_4 * omega_r_4_y;
-  const Scalar domega_5_y = c_5 * t17 + s_5 * t23 + qd_5 * omega_r_5_x;
-  const Scalar t24 = Scalar(0.00020216) * domega_5_y - Scalar(0.00064216) * omega_r_5_x * omega_5_z;
-  const Scalar mu_4_x = Scalar(0.00238432) * omega_r_4_y * omega_4_z + c_5 * t22 + s_5 * t24;
+  const Scalar t11 = t3 * t3;
+  const Scalar t12 = omega_3_z * omega_3_z;
+  const Scalar U_3_xx = t11 + t12;
+  const Scalar t13 = t3 * t1;
+  const Scalar ddp_o_4_x = ddp_3_x - Scalar(0.0203) * U_3_xx + Scalar(0.4331) * t13;
+  const Scalar t14 = omega_3_z * t1;
+  const Scalar t15 = omega_3_z * t3;
+  const Scalar t16 = qd_2 * t9;
+  const Scalar t17 = qd_1 * qd_1;
+  const Scalar ddp_o_3_z = Scalar(0.1501) * t17 + Scalar(0.8636) * t16;
+  const Scalar ddp_o_4_z = ddp_o_3_z - Scalar(0.0406) * t14 - Scalar(0.8662) * t15;
+  const Scalar t18 = c_4 * ddp_o_4_z - s_4 * ddp_o_4_x;
+  const Scalar t19 = Scalar(0.00288) * t18 - Scalar(0.00088432) * omega_r_5_y * omega_5_z + t6;
+  const Scalar t20 = c_4 * t15 - qd_4 * omega_r_4_y;
+  const Scalar domega_5_y = c_5 * t14 + s_5 * t20 + qd_5 * omega_r_5_x;
+  const Scalar t21 = Scalar(0.00020216) * domega_5_y - Scalar(0.00064216) * omega_r_5_x * omega_5_z;
+  const Scalar mu_4_x = Scalar(0.00238432) * omega_r_4_y * omega_4_z + c_5 * t19 + s_5 * t21;
   const Scalar y_6 = tau_6 - Scalar(0.2158232532732) * qd_6 + Scalar(0.00004) * domega_5_y -
       Scalar(0.55443978) * detail::sign(qd_6);
-  const Scalar t25 = s_4 * (mu_4_x + Scalar(0.00019430115597482132) * s_5 * y_6);
-  const Scalar t26 = t7 * (c_6 * t6 + s_6 * omega_r_6_y);
+  const Scalar t22 = s_4 * (mu_4_x + Scalar(0.00019430115597482132) * s_5 * y_6);
+  const Scalar t23 = t5 * (c_6 * t4 + s_6 * omega_r_6_y);
   const Scalar ddp_4_x = c_4 * ddp_o_4_x + s_4 * ddp_o_4_z;
-  const Scalar t27 = c_3 * ddp_o_3_y - s_3 * ddp_o_3_x;
-  const Scalar U_3_yy = t15 + qd_1 * t1 * t2;
-  const Scalar t28 = c_5 * ddp_4_x + s_5 * (t27 - Scalar(0.4331) * U_3_yy + Scalar(0.0203) * t16);
-  const Scalar t29 = omega_r_5_x * omega_r_5_y;
-  const Scalar t30 = s_4 * t18 + qd_4 * t3;
-  const Scalar t31 = Scalar(0.00064216) * t30 - Scalar(0.00288) * t28 - Scalar(0.00024216) * t29 +
-      t26;
-  const Scalar t32 = Scalar(0.00054216) * t30 - t31 - Scalar(0.00184216) * t3 * omega_4_z;
-  const Scalar t33 = t30 - t29;
-  const Scalar t34 = Scalar(0.00288) * c_5;
+  const Scalar t24 = c_3 * ddp_o_3_y - s_3 * ddp_o_3_x;
+  const Scalar U_3_yy = t12 + t1 * t1;
+  const Scalar t25 = c_5 * ddp_4_x + s_5 * (t24 - Scalar(0.4331) * U_3_yy + Scalar(0.0203) * t13);
+  const Scalar t26 = omega_r_5_x * omega_r_5_y;
+  const Scalar t27 = s_4 * t15 + qd_4 * t2;
+  const Scalar t28 = Scalar(0.00064216) * t27 - Scalar(0.00288) * t25 - Scalar(0.00024216) * t26 +
+      t23;
+  const Scalar t29 = Scalar(0.00054216) * t27 - t28 - Scalar(0.00184216) * t2 * omega_4_z;
+  const Scalar t30 = t27 - t26;
+  const Scalar t31 = Scalar(0.00288) * c_5;
   const Scalar U_5_yy = omega_r_5_x * omega_r_5_x + omega_5_z * omega_5_z;
-  const Scalar t35 = Scalar(0.00288) * s_5;
-  const Scalar t36 = t33 * t34 - U_5_yy * t35;
-  const Scalar U_5_zy = c_5 * t23 - s_5 * t17 + omega_r_5_y * (qd_5 + omega_5_z);
-  const Scalar t37 = Scalar(0.00288) * U_5_zy;
-  const Scalar t38 = c_4 * t36 - s_4 * t37;
-  const Scalar t39 = U_5_yy * t34 + t33 * t35;
+  const Scalar t32 = Scalar(0.00288) * s_5;
+  const Scalar t33 = t30 * t31 - U_5_yy * t32;
+  const Scalar U_5_zy = c_5 * t20 - s_5 * t14 + omega_r_5_y * (qd_5 + omega_5_z);
+  const Scalar t34 = Scalar(0.00288) * U_5_zy;
+  const Scalar t35 = c_4 * t33 - s_4 * t34;
+  const Scalar t36 = U_5_yy * t31 + t30 * t32;
   const Scalar U_3_xx_yy = U_3_xx - U_3_yy;
-  const Scalar t40 = Scalar(0.861795) * ddp_3_x - Scalar(0.025375) * t27 +
-      Scalar(0.300117184) * t16 - Scalar(0.0106736385) * U_3_xx_yy + Scalar(0.0203) * t39 -
-      Scalar(0.4331) * t38 + c_4 * t32 - t25;
-  const Scalar mu_4_z = Scalar(0.00184216) * t17 - Scalar(0.00054216) * t3 * omega_r_4_y -
-      c_5 * t24 + s_5 * t22;
-  const Scalar t41 = Scalar(0.00019430115597482132) * c_5;
+  const Scalar t37 = Scalar(0.861795) * ddp_3_x - Scalar(0.025375) * t24 +
+      Scalar(0.300117184) * t13 - Scalar(0.0106736385) * U_3_xx_yy + Scalar(0.0203) * t36 -
+      Scalar(0.4331) * t35 + c_4 * t29 - t22;
+  const Scalar mu_4_z = Scalar(0.00184216) * t14 - Scalar(0.00054216) * t2 * omega_r_4_y -
+      c_5 * t21 + s_5 * t19;
+  const Scalar t38 = Scalar(0.00019430115597482132) * c_5;
   const Scalar y_6_4 = tau_4 - Scalar(0.411645229697152) * qd_4 + mu_4_z -
-      Scalar(1.06831142) * detail::sign(qd_4) - y_6 * t41;
-  const Scalar t42 = Scalar(0.00020216) * c_5;
-  const Scalar t43 = t42 + Scalar(0.001247328);
-  const Scalar t44 = s_4 * s_5;
-  const Scalar t45 = t43 * t44;
-  const Scalar t46 = Scalar(7.772046238992852e-09) * t44;
-  const Scalar b_6_4_3 = t45 + c_5 * t46;
+      Scalar(1.06831142) * detail::sign(qd_4) - y_6 * t38;
+  const Scalar t39 = Scalar(0.00020216) * c_5;
+  const Scalar t40 = t39 + Scalar(0.001247328);
+  const Scalar t41 = s_4 * s_5;
+  const Scalar t42 = t40 * t41;
+  const Scalar t43 = Scalar(7.772046238992852e-09) * t41;
+  const Scalar b_6_4_3 = t42 + c_5 * t43;
   const Scalar b_6_4_4 = Scalar(0.00020216777204623898) * c_5 * c_5 - Scalar(0.2041958543736);
   const Scalar d_4 = Scalar(1.0) / b_6_4_4;
-  const Scalar t47 = b_6_4_3 * d_4;
-  const Scalar y_5 = tau_5 - Scalar(0.4272830209354) * qd_5 - t31 -
+  const Scalar t44 = b_6_4_3 * d_4;
+  const Scalar y_5 = tau_5 - Scalar(0.4272830209354) * qd_5 - t28 -
       Scalar(0.85444524) * detail::sign(qd_5);
-  const Scalar t48 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
-  const Scalar t49 = Scalar(0.000058464) * s_5;
-  const Scalar t50 = t49 - c_4 * t48;
-  const Scalar t51 = Scalar(5.5037503582353615) * t50;
+  const Scalar t45 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
+  const Scalar t46 = Scalar(0.000058464) * s_5;
+  const Scalar t47 = t46 - c_4 * t45;
+  const Scalar t48 = Scalar(5.5037503582353615) * t47;
   const Scalar y_4_3 = tau_3 - Scalar(3.9804259903722) * qd_3 -
-      Scalar(6.36419655) * detail::sign(qd_3) + t40 + y_5 * t51 - t47 * y_6_4;
-  const Scalar t52 = c_5 * t42;
-  const Scalar Iu_5_t_xx = t52 - Scalar(0.00020216);
+      Scalar(6.36419655) * detail::sign(qd_3) + t37 + y_5 * t48 - t44 * y_6_4;
+  const Scalar t49 = c_5 * t39;
+  const Scalar Iu_5_t_xx = t49 - Scalar(0.00020216);
   const Scalar Iu_4_t_d = Iu_5_t_xx - Scalar(0.0001);
-  const Scalar t53 = c_4 * Iu_4_t_d;
-  const Scalar t54 = c_4 * t53;
-  const Scalar t55 = c_4 * s_5;
-  const Scalar t56 = Scalar(0.000116928) * t55;
-  const Scalar t57 = Scalar(0.002494656) * c_5;
-  const Scalar t58 = Iu_5_t_xx - t56 - t54 + t57 - s_4 * s_5 * t46 + Scalar(0.313647409);
-  const Scalar b_4_3_3 = t58 - t50 * t51 + b_6_4_3 * t47 + Scalar(0.86242563124731);
+  const Scalar t50 = c_4 * Iu_4_t_d;
+  const Scalar t51 = c_4 * t50;
+  const Scalar t52 = c_4 * s_5;
+  const Scalar t53 = Scalar(0.000116928) * t52;
+  const Scalar t54 = Scalar(0.002494656) * c_5;
+  const Scalar t55 = Iu_5_t_xx - t53 - t51 + t54 - t41 * t43 + Scalar(0.313647409);
+  const Scalar b_4_3_3 = t55 - t47 * t48 + b_6_4_3 * t44 + Scalar(0.86242563124731);
   const Scalar d_3 = Scalar(1.0) / b_4_3_3;
-  const Scalar t59 = Scalar(0.001243584) * t44;
-  const Scalar b_6_4_2 = b_6_4_3 + s_3 * t59;
-  const Scalar f_u_5_3_t_y = c_3 * t35 + s_3 * c_4 * t34;
-  const Scalar t60 = t50 - Scalar(0.4318) * f_u_5_3_t_y;
-  const Scalar hc_3_x = Scalar(0.00288) * t55 - Scalar(0.025375);
-  const Scalar hc_3_y = t34 + Scalar(0.861795);
+  const Scalar t56 = Scalar(0.001243584) * t41;
+  const Scalar b_6_4_2 = b_6_4_3 + s_3 * t56;
+  const Scalar f_u_5_3_t_y = c_3 * t32 + s_3 * c_4 * t31;
+  const Scalar t57 = t47 - Scalar(0.4318) * f_u_5_3_t_y;
+  const Scalar hc_3_x = Scalar(0.00288) * t52 - Scalar(0.025375);
+  const Scalar hc_3_y = t31 + Scalar(0.861795);
   const Scalar hu_3_t_x = c_3 * hc_3_x + s_3 * hc_3_y;
-  const Scalar b_4_3_2 = Scalar(0.4318) * hu_3_t_x + t58 - t60 * t51 + b_6_4_2 * t47;
-  const Scalar t61 = b_4_3_2 * d_3;
-  const Scalar t62 = b_6_4_2 * d_4;
-  const Scalar t63 = Scalar(0.025375) * U_3_xx - Scalar(0.861795) * t16 + t38;
-  const Scalar t64 = Scalar(0.861795) * U_3_yy - Scalar(0.025375) * t16 + t39;
-  const Scalar t65 = c_3 * t64 + s_3 * t63;
-  const Scalar t66 = Scalar(5.5037503582353615) * t60;
-  const Scalar t67 = t10 - t11 - t20;
-  const Scalar U_2_xx_yy = U_2_xx + t67;
+  const Scalar b_4_3_2 = Scalar(0.4318) * hu_3_t_x + t55 - t57 * t48 + b_6_4_2 * t44;
+  const Scalar t58 = b_4_3_2 * d_3;
+  const Scalar t59 = b_6_4_2 * d_4;
+  const Scalar t60 = Scalar(0.025375) * U_3_xx - Scalar(0.861795) * t13 + t35;
+  const Scalar t61 = Scalar(0.861795) * U_3_yy - Scalar(0.025375) * t13 + t36;
+  const Scalar t62 = c_3 * t61 + s_3 * t60;
+  const Scalar t63 = Scalar(5.5037503582353615) * t57;
+  const Scalar U_2_yy = t8 + t9 * t9;
+  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
   const Scalar y_3_2 = Scalar(37.2347379) * c_2 - Scalar(1.024164) * s_2 -
-      Scalar(9.496868641825) * qd_2 + tau_2 - Scalar(1.601861202) * t13 -
-      Scalar(0.0070992) * U_2_xx_yy - Scalar(0.4318) * t65 -
-      Scalar(10.6197775) * detail::sign(qd_2) + t40 + y_5 * t66 - t62 * y_6_4 - t61 * y_4_3;
-  const Scalar t68 = s_4 * (t53 + t49);
-  const Scalar Ic_3_yz = t45 + Scalar(0.004704);
-  const Scalar t69 = c_3 * hc_3_y - s_3 * hc_3_x;
-  const Scalar t70 = Scalar(0.1501) * t69 + c_3 * Ic_3_yz + s_3 * t68;
-  const Scalar mu_3_2_x = Scalar(0.1501) * hu_3_t_x - c_3 * t68 + s_3 * Ic_3_yz;
-  const Scalar Ic_4_zz = t52 - Scalar(0.00184216);
-  const Scalar t71 = Ic_4_zz + Scalar(0.000058464) * t55 - Scalar(0.000432288) * t44;
-  const Scalar t72 = c_2 * (c_3 * t71 - t55 * (s_3 * t43 + Scalar(0.001243584)));
-  const Scalar t73 = t55 * t43;
-  const Scalar t74 = Scalar(0.00004) * c_3;
-  const Scalar t75 = Scalar(0.00004) * s_3;
-  const Scalar mu_u_6_3_t_x = t55 * t74 + c_5 * t75;
-  const Scalar t76 = c_2 * (c_5 * t74 - t55 * t75) - s_2 * mu_u_6_3_t_x;
-  const Scalar t77 = t72 - s_2 * (c_3 * t73 + s_3 * t71) + t76 * t41;
-  const Scalar t78 = c_5 * (s_4 - Scalar(0.04701250578971746) * c_3 *
+      Scalar(9.496868641825) * qd_2 + tau_2 - Scalar(1.601861202) * t10 -
+      Scalar(0.0070992) * U_2_xx_yy - Scalar(0.4318) * t62 -
+      Scalar(10.6197775) * detail::sign(qd_2) + t37 + y_5 * t63 - t59 * y_6_4 - t58 * y_4_3;
+  const Scalar t64 = s_4 * (t50 + t46);
+  const Scalar Ic_3_yz = t42 + Scalar(0.004704);
+  const Scalar t65 = c_3 * hc_3_y - s_3 * hc_3_x;
+  const Scalar t66 = Scalar(0.1501) * t65 + c_3 * Ic_3_yz + s_3 * t64;
+  const Scalar mu_3_2_x = Scalar(0.1501) * hu_3_t_x - c_3 * t64 + s_3 * Ic_3_yz;
+  const Scalar Ic_4_zz = t49 - Scalar(0.00184216);
+  const Scalar t67 = Ic_4_zz + Scalar(0.000058464) * t52 - Scalar(0.000432288) * t41;
+  const Scalar t68 = c_2 * (c_3 * t67 - t52 * (s_3 * t40 + Scalar(0.001243584)));
+  const Scalar t69 = t52 * t40;
+  const Scalar t70 = Scalar(0.00004) * c_3;
+  const Scalar t71 = Scalar(0.00004) * s_3;
+  const Scalar mu_u_6_3_t_x = t52 * t70 + c_5 * t71;
+  const Scalar t72 = c_2 * (c_5 * t70 - t52 * t71) - s_2 * mu_u_6_3_t_x;
+  const Scalar t73 = t68 - s_2 * (c_3 * t69 + s_3 * t67) + t72 * t38;
+  const Scalar t74 = c_5 * (s_4 - Scalar(0.04701250578971746) * c_3 *
       (Scalar(7.394088669950739) * c_4 + s_4));
-  const Scalar mu_5_2_y = s_3 * (Scalar(0.000432288) * s_5 + s_4 * t48) + Scalar(0.001243584) * t78;
-  const Scalar t79 = Scalar(0.000058464) * c_5;
-  const Scalar mu_5_2_x = Scalar(0.1501) * f_u_5_3_t_y + s_4 * (s_3 * t79 + c_3 * t48);
+  const Scalar mu_5_2_y = s_3 * (Scalar(0.000432288) * s_5 + s_4 * t45) + Scalar(0.001243584) * t74;
+  const Scalar t75 = Scalar(0.000058464) * c_5;
+  const Scalar mu_5_2_x = Scalar(0.1501) * f_u_5_3_t_y + s_4 * (s_3 * t75 + c_3 * t45);
   const Scalar mu_u_5_2_t_y = c_2 * mu_5_2_y + s_2 * mu_5_2_x;
-  const Scalar t80 = Scalar(-0.00019430115597482132) * t44 * t76;
-  const Scalar b_4_3_1 = c_2 * t70 - s_2 * mu_3_2_x - t80 - mu_u_5_2_t_y * t51 - t77 * t47;
-  const Scalar Ic_2_xz = mu_3_2_x + t59 + Scalar(0.690314699);
-  const Scalar t81 = t80 - c_2 * (t70 - Scalar(0.023751)) + s_2 * Ic_2_xz + mu_u_5_2_t_y * t66 +
-      t77 * t62 + b_4_3_1 * t61;
-  const Scalar t82 = Scalar(0.8636) * hu_3_t_x;
-  const Scalar b_3_2_2 = t82 + t58 - t60 * t66 + b_6_4_2 * t62 - b_4_3_2 * t61 +
+  const Scalar t76 = Scalar(-0.00019430115597482132) * t41 * t72;
+  const Scalar b_4_3_1 = c_2 * t66 - s_2 * mu_3_2_x - t76 - mu_u_5_2_t_y * t48 - t73 * t44;
+  const Scalar Ic_2_xz = mu_3_2_x + t56 + Scalar(0.690314699);
+  const Scalar t77 = t76 - c_2 * (t66 - Scalar(0.023751)) + s_2 * Ic_2_xz + mu_u_5_2_t_y * t63 +
+      t73 * t59 + b_4_3_1 * t58;
+  const Scalar t78 = Scalar(0.8636) * hu_3_t_x;
+  const Scalar b_3_2_2 = t78 + t55 - t57 * t63 + b_6_4_2 * t59 - b_4_3_2 * t58 +
       Scalar(6.502360360025);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t83 = t81 * d_2;
-  const Scalar t84 = c_4 * t37 + s_4 * t36;
-  const Scalar mu_3_x = Scalar(0.861795) * ddp_o_3_z - Scalar(0.021347277) * t17 -
-      Scalar(0.613764593) * t18 + Scalar(0.004704) * (t14 - t15) - Scalar(0.4331) * t84 +
-      c_4 * mu_4_x + s_4 * t32;
-  const Scalar mu_3_y = Scalar(0.025375) * ddp_o_3_z + Scalar(0.004704) * t16 -
-      Scalar(0.013530225) * t17 - Scalar(0.021347277) * t18 - mu_4_z - Scalar(0.0203) * t84;
-  const Scalar t85 = c_3 * t63 - s_3 * t64;
-  const Scalar t86 = qd_2 * t9;
-  const Scalar mu_2_y = Scalar(0.023751) * t13 + Scalar(3.349975204) * t19 -
-      Scalar(0.02191385) * t17 - Scalar(0.744246162) * t18 - Scalar(0.690314699) * (U_2_xx - t20) -
-      Scalar(0.4318) * t84 + Scalar(0.1501) * t85 + Scalar(0.0141984) * t86 - c_3 * mu_3_y +
+  const Scalar t79 = t77 * d_2;
+  const Scalar t80 = c_4 * t34 + s_4 * t33;
+  const Scalar mu_3_x = Scalar(0.861795) * ddp_o_3_z - Scalar(0.021347277) * t14 -
+      Scalar(0.613764593) * t15 + Scalar(0.004704) * (t11 - t12) - Scalar(0.4331) * t80 +
+      c_4 * mu_4_x + s_4 * t29;
+  const Scalar mu_3_y = Scalar(0.025375) * ddp_o_3_z + Scalar(0.004704) * t13 -
+      Scalar(0.013530225) * t14 - Scalar(0.021347277) * t15 - mu_4_z - Scalar(0.0203) * t80;
+  const Scalar t81 = c_3 * t60 - s_3 * t61;
+  const Scalar t82 = qd_2 * t7;
+  const Scalar mu_2_y = Scalar(0.023751) * t10 + Scalar(3.349975204) * t16 -
+      Scalar(0.02191385) * t14 - Scalar(0.744246162) * t15 - Scalar(0.690314699) * (U_2_xx - t17) -
+      Scalar(0.4318) * t80 + Scalar(0.1501) * t81 + Scalar(0.0141984) * t82 - c_3 * mu_3_y +
       s_3 * mu_3_x;
-  const Scalar mu_2_x = Scalar(0.690314699) * t13 + Scalar(0.0141984) * t19 +
-      Scalar(0.023751) * (t20 + t67) + Scalar(0.1501) * t65 - c_3 * mu_3_x - s_3 * mu_3_y +
-      Scalar(0.1462528) * t86;
-  const Scalar t87 = b_4_3_1 * d_3;
-  const Scalar t88 = t77 * d_4;
-  const Scalar t89 = Scalar(5.5037503582353615) * mu_u_5_2_t_y;
-  const Scalar t90 = Scalar(-4.857528899370533) * t76;
+  const Scalar mu_2_x = Scalar(0.690314699) * t10 + Scalar(0.0141984) * t16 -
+      Scalar(0.023751) * (U_2_yy - t17) + Scalar(0.1501) * t62 - c_3 * mu_3_x - s_3 * mu_3_y +
+      Scalar(0.1462528) * t82;
+  const Scalar t83 = b_4_3_1 * d_3;
+  const Scalar t84 = t73 * d_4;
+  const Scalar t85 = Scalar(5.5037503582353615) * mu_u_5_2_t_y;
+  const Scalar t86 = Scalar(-4.857528899370533) * t72;
   const Scalar y_2_1 = tau_1 - Scalar(5.8018217679508) * qd_1 -
-      Scalar(25.9836065) * detail::sign(qd_1) + c_2 * mu_2_y - s_2 * mu_2_x + y_6 * t90 -
-      y_5 * t89 - t88 * y_6_4 + t87 * y_4_3 - t83 * y_3_2;
-  const Scalar Ic_3_yy = Ic_4_zz + t56 + Scalar(0.300117184);
-  const Scalar Iu_3_t_d = Ic_3_yy + t54 + t57 + Scalar(0.0001);
-  const Scalar t91 = t73 - t79 - Scalar(0.0106736385);
-  const Scalar Iu_3_t_g = c_3 * Iu_3_t_d - Scalar(2.0) * s_3 * t91;
-  const Scalar t92 = c_3 * Iu_3_t_g;
-  const Scalar t93 = s_2 * (t91 + Scalar(0.4318) * t69 + s_3 * Iu_3_t_g - Scalar(0.0070992));
-  const Scalar t94 = c_2 * (Iu_3_t_d - Scalar(2.0) * t92 + t82 + Scalar(1.601861202)) +
-      Scalar(2.0) * t93;
-  const Scalar t95 = Ic_3_yy - Scalar(0.000864576) * t44 - t92 - c_2 * t94 - t76 * t90 +
-      mu_u_5_2_t_y * t89 - t77 * t88 + b_4_3_1 * t87 + t81 * t83 - Scalar(2.99250185137411);
-  const Scalar t96 = (Scalar(1.0) / t95) * y_2_1;
-  qdd[0] = -t96;
-  const Scalar qdd_2 = d_2 * (y_3_2 + t81 * t96);
+      Scalar(25.9836065) * detail::sign(qd_1) + c_2 * mu_2_y - s_2 * mu_2_x + y_6 * t86 -
+      y_5 * t85 - t84 * y_6_4 + t83 * y_4_3 - t79 * y_3_2;
+  const Scalar Ic_3_yy = Ic_4_zz + t53 + Scalar(0.300117184);
+  const Scalar Iu_3_t_d = Ic_3_yy + t51 + t54 + Scalar(0.0001);
+  const Scalar t87 = t69 - t75 - Scalar(0.0106736385);
+  const Scalar Iu_3_t_g = c_3 * Iu_3_t_d - Scalar(2.0) * s_3 * t87;
+  const Scalar t88 = c_3 * Iu_3_t_g;
+  const Scalar t89 = s_2 * (t87 + Scalar(0.4318) * t65 + s_3 * Iu_3_t_g - Scalar(0.0070992));
+  const Scalar t90 = c_2 * (Iu_3_t_d - Scalar(2.0) * t88 + t78 + Scalar(1.601861202)) +
+      Scalar(2.0) * t89;
+  const Scalar t91 = Ic_3_yy - Scalar(0.000864576) * t41 - t88 - c_2 * t90 - t72 * t86 +
+      mu_u_5_2_t_y * t85 - t73 * t84 + b_4_3_1 * t83 + t77 * t79 - Scalar(2.99250185137411);
+  const Scalar t92 = (Scalar(1.0) / t91) * y_2_1;
+  qdd[0] = -t92;
+  const Scalar qdd_2 = d_2 * (y_3_2 + t77 * t92);
   qdd[1] = qdd_2;
-  const Scalar qdd_3 = d_3 * (y_4_3 - b_4_3_2 * qdd_2 - b_4_3_1 * t96);
+  const Scalar qdd_3 = d_3 * (y_4_3 - b_4_3_2 * qdd_2 - b_4_3_1 * t92);
   qdd[2] = qdd_3;
-  const Scalar t97 = t60 * qdd_2 + mu_u_5_2_t_y * t96;
-  qdd[4] = Scalar(5.5037503582353615) * t97 + Scalar(5.5037503582353615) * (y_5 + t50 * qdd_3);
-  const Scalar t98 = d_4 * (y_6_4 + b_6_4_2 * qdd_2 - t77 * t96 + b_6_4_3 * qdd_3);
-  qdd[3] = -t98;
-  const Scalar t99 = c_5 * t98 - t44 * (qdd_2 + qdd_3);
-  qdd[5] = Scalar(0.00019430115597482132) * t99 + Scalar(4.857528899370533) * (y_6 + t76 * t96);
-  bool positive = -t95 > Scalar(0.0);
+  const Scalar t93 = t57 * qdd_2 + mu_u_5_2_t_y * t92;
+  qdd[4] = Scalar(5.5037503582353615) * t93 + Scalar(5.5037503582353615) * (y_5 + t47 * qdd_3);
+  const Scalar t94 = d_4 * (y_6_4 + b_6_4_2 * qdd_2 - t73 * t92 + b_6_4_3 * qdd_3);
+  qdd[3] = -t94;
+  const Scalar t95 = c_5 * t94 - t41 * (qdd_2 + qdd_3);
+  qdd[5] = Scalar(0.00019430115597482132) * t95 + Scalar(4.857528899370533) * (y_6 + t72 * t92);
+  bool positive = -t91 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_4_3_3 > Scalar(0.0);
   positive &= -b_6_4_4 > Scalar(0.0);
@@ -1532,7 +1526,7 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
 //   q[6]   in   joint positions, rad or m
 //   qd[6]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Reads q[0..5], qd[0..5]. Operations: 122 mul, 63 add, 12 sin/cos.
+// Reads q[0..5], qd[0..5]. Operations: 120 mul, 63 add, 12 sin/cos.
 template <class Scalar>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
   using std::cos;
@@ -1546,70 +1540,69 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexce
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
   const Scalar t1 = s_2 * c_3;
-  const Scalar t2 = t1 + c_2 * s_3;
-  const Scalar t3 = qd_1 * t2;
+  const Scalar t2 = qd_1 * (t1 + c_2 * s_3);
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t3;
-  const Scalar t4 = s_2 * s_3;
-  const Scalar t5 = c_2 * c_3 - t4;
-  const Scalar t6 = qd_1 * t5;
-  const Scalar t7 = omega_3_z * t6;
-  const Scalar t8 = c_4 * t7 - qd_4 * omega_r_4_y;
-  const Scalar t9 = c_4 * t3 - s_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 + t6;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t9;
-  const Scalar t10 = omega_3_z * t3;
-  const Scalar domega_5_x = c_5 * t8 - s_5 * t10 + qd_5 * omega_r_5_y;
-  const Scalar omega_r_5_x = c_5 * t9 + s_5 * omega_4_z;
+  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t2;
+  const Scalar t3 = s_2 * s_3;
+  const Scalar t4 = qd_1 * (c_2 * c_3 - t3);
+  const Scalar t5 = omega_3_z * t4;
+  const Scalar t6 = c_4 * t5 - qd_4 * omega_r_4_y;
+  const Scalar t7 = c_4 * t2 - s_4 * omega_3_z;
+  const Scalar omega_4_z = qd_4 + t4;
+  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t7;
+  const Scalar t8 = omega_3_z * t2;
+  const Scalar domega_5_x = c_5 * t6 - s_5 * t8 + qd_5 * omega_r_5_y;
+  const Scalar omega_r_5_x = c_5 * t7 + s_5 * omega_4_z;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
   const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar t11 = s_4 * t7 + qd_4 * t9;
-  const Scalar t12 = c_6 * domega_5_x - s_6 * t11 - qd_6 * omega_r_6_y;
-  const Scalar t13 = qd_6 * (c_6 * omega_r_5_x - s_6 * omega_5_z);
-  const Scalar t14 = c_6 * t11 + s_6 * domega_5_x + t13;
-  const Scalar t15 = c_6 * t12 + s_6 * t14;
-  const Scalar domega_5_y = c_5 * t10 + s_5 * t8 + qd_5 * omega_r_5_x;
-  const Scalar domega_e_5_t_x = c_5 * t15 + s_5 * domega_5_y;
-  const Scalar domega_e_6_t_y = c_6 * t14 - s_6 * t12;
+  const Scalar t9 = s_4 * t5 + qd_4 * t7;
+  const Scalar t10 = c_6 * domega_5_x - s_6 * t9 - qd_6 * omega_r_6_y;
+  const Scalar t11 = qd_6 * (c_6 * omega_r_5_x - s_6 * omega_5_z);
+  const Scalar t12 = c_6 * t9 + s_6 * domega_5_x + t11;
+  const Scalar t13 = c_6 * t10 + s_6 * t12;
+  const Scalar domega_5_y = c_5 * t8 + s_5 * t6 + qd_5 * omega_r_5_x;
+  const Scalar domega_e_5_t_x = c_5 * t13 + s_5 * domega_5_y;
+  const Scalar domega_e_6_t_y = c_6 * t12 - s_6 * t10;
   const Scalar domega_e_4_t_x = c_4 * domega_e_5_t_x + s_4 * domega_e_6_t_y;
-  const Scalar domega_e_5_t_y = c_5 * domega_5_y - s_5 * t15;
-  const Scalar t16 = c_3 * domega_e_5_t_y - s_3 * domega_e_4_t_x;
+  const Scalar domega_e_5_t_y = c_5 * domega_5_y - s_5 * t13;
+  const Scalar t14 = c_3 * domega_e_5_t_y - s_3 * domega_e_4_t_x;
   const Scalar domega_e_3_t_x = c_3 * domega_e_4_t_x + s_3 * domega_e_5_t_y;
-  a[5] = s_2 * domega_e_3_t_x - c_2 * t16;
-  const Scalar t17 = c_2 * domega_e_3_t_x + s_2 * t16;
-  const Scalar t18 = c_4 * domega_e_6_t_y - s_4 * domega_e_5_t_x;
-  a[4] = c_1 * t18 - s_1 * t17;
-  const Scalar t19 = qd_1 * c_2 * qd_1;
-  const Scalar U_2_xx = c_2 * t19 + qd_2 * qd_2;
-  const Scalar t20 = c_3 * U_2_xx - t19 * t4;
-  const Scalar t21 = omega_3_z * omega_3_z;
-  const Scalar U_3_xx = qd_1 * t5 * t6 + t21;
-  const Scalar t22 = t6 * t3;
-  const Scalar t23 = Scalar(0.0203) * U_3_xx - Scalar(0.4318) * t20 - Scalar(0.4331) * t22;
-  const Scalar t24 = qd_1 * (qd_1 + Scalar(5.753497668221186) * s_2 * qd_2);
-  const Scalar t25 = Scalar(0.1501) * t24 - Scalar(0.0406) * t10 - Scalar(0.8662) * t7;
-  const Scalar t26 = c_4 * t23 - s_4 * t25;
-  const Scalar t27 = t19 * t1 + s_3 * U_2_xx;
-  const Scalar U_3_yy = t21 + qd_1 * t2 * t3;
-  const Scalar ddp_o_4_y = Scalar(0.4331) * U_3_yy - Scalar(0.0203) * t22 + Scalar(0.4318) * t27;
-  const Scalar t28 = c_5 * t26 + s_5 * ddp_o_4_y;
-  const Scalar t29 = c_4 * t25 + s_4 * t23;
-  const Scalar t30 = c_6 * t28 - s_6 * t29;
-  const Scalar t31 = c_6 * t29 + s_6 * t28;
-  const Scalar t32 = c_6 * t30 + s_6 * t31;
-  const Scalar t33 = c_5 * ddp_o_4_y - s_5 * t26;
-  const Scalar t34 = c_5 * t32 - s_5 * t33;
-  const Scalar t35 = c_6 * t31 - s_6 * t30;
-  const Scalar t36 = c_4 * t34 + s_4 * t35;
-  const Scalar a_5_t_y = c_5 * t33 + s_5 * t32;
-  const Scalar a_3_t_y = c_3 * a_5_t_y + s_3 * t36;
-  const Scalar t37 = c_3 * t36 - s_3 * a_5_t_y;
-  a[2] = -c_2 * a_3_t_y - s_2 * t37;
-  a[3] = -c_1 * t17 - s_1 * t18;
-  const Scalar t38 = c_2 * t37 - s_2 * a_3_t_y;
-  const Scalar t39 = c_4 * t35 - s_4 * t34;
-  a[0] = c_1 * t38 + s_1 * t39;
-  a[1] = s_1 * t38 - c_1 * t39;
+  a[5] = s_2 * domega_e_3_t_x - c_2 * t14;
+  const Scalar t15 = omega_3_z * omega_3_z;
+  const Scalar U_3_xx = t4 * t4 + t15;
+  const Scalar t16 = c_2 * qd_1;
+  const Scalar U_2_xx = t16 * t16 + qd_2 * qd_2;
+  const Scalar t17 = qd_1 * t16;
+  const Scalar t18 = c_3 * U_2_xx - t3 * t17;
+  const Scalar t19 = t4 * t2;
+  const Scalar t20 = Scalar(0.0203) * U_3_xx - Scalar(0.4318) * t18 - Scalar(0.4331) * t19;
+  const Scalar t21 = qd_1 * (qd_1 + Scalar(5.753497668221186) * s_2 * qd_2);
+  const Scalar t22 = Scalar(0.1501) * t21 - Scalar(0.0406) * t8 - Scalar(0.8662) * t5;
+  const Scalar t23 = c_4 * t20 - s_4 * t22;
+  const Scalar U_3_yy = t15 + t2 * t2;
+  const Scalar t24 = t1 * t17 + s_3 * U_2_xx;
+  const Scalar ddp_o_4_y = Scalar(0.4331) * U_3_yy - Scalar(0.0203) * t19 + Scalar(0.4318) * t24;
+  const Scalar t25 = c_5 * t23 + s_5 * ddp_o_4_y;
+  const Scalar t26 = c_4 * t22 + s_4 * t20;
+  const Scalar t27 = c_6 * t25 - s_6 * t26;
+  const Scalar t28 = c_6 * t26 + s_6 * t25;
+  const Scalar t29 = c_6 * t27 + s_6 * t28;
+  const Scalar t30 = c_5 * ddp_o_4_y - s_5 * t23;
+  const Scalar t31 = c_5 * t29 - s_5 * t30;
+  const Scalar t32 = c_6 * t28 - s_6 * t27;
+  const Scalar t33 = c_4 * t31 + s_4 * t32;
+  const Scalar a_5_t_y = c_5 * t30 + s_5 * t29;
+  const Scalar a_3_t_y = c_3 * a_5_t_y + s_3 * t33;
+  const Scalar t34 = c_3 * t33 - s_3 * a_5_t_y;
+  a[2] = -c_2 * a_3_t_y - s_2 * t34;
+  const Scalar t35 = c_2 * domega_e_3_t_x + s_2 * t14;
+  const Scalar t36 = c_4 * domega_e_6_t_y - s_4 * domega_e_5_t_x;
+  a[4] = c_1 * t36 - s_1 * t35;
+  const Scalar t37 = c_2 * t34 - s_2 * a_3_t_y;
+  const Scalar t38 = c_4 * t32 - s_4 * t31;
+  a[0] = c_1 * t37 + s_1 * t38;
+  a[3] = -c_1 * t35 - s_1 * t36;
+  a[1] = s_1 * t37 - c_1 * t38;
 }
 
 }  // namespace puma560

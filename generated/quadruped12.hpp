@@ -75,7 +75,7 @@ inline constexpr Real effort_limit[joint_count] = {
 //   qd[12]   in   joint velocities, rad/s or m/s
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11], qdd[0..11]. Operations: 308 mul, 248 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11], qdd[0..11]. Operations: 300 mul, 248 add, 24 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau) noexcept {
@@ -101,7 +101,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
   const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
   const Scalar t1 = c_2 * qd_1;
-  const Scalar t2 = c_2 * qd_1 * t1;
+  const Scalar t2 = t1 * t1;
   const Scalar t3 = qd_2 * qd_2;
   const Scalar U_2_yy = t3 + t2;
   const Scalar t4 = Scalar(9.81) * c_1;
@@ -131,7 +131,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
       Scalar(1.505e-06) * U_3_yx;
   tau[2] = N_3_z;
   const Scalar t16 = c_5 * qd_4;
-  const Scalar t17 = c_5 * qd_4 * t16;
+  const Scalar t17 = t16 * t16;
   const Scalar t18 = qd_5 * qd_5;
   const Scalar U_5_yy = t18 + t17;
   const Scalar t19 = Scalar(9.81) * c_4;
@@ -161,7 +161,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
       Scalar(1.505e-06) * U_6_yx;
   tau[5] = N_6_z;
   const Scalar t31 = c_8 * qd_7;
-  const Scalar t32 = c_8 * qd_7 * t31;
+  const Scalar t32 = t31 * t31;
   const Scalar t33 = qd_8 * qd_8;
   const Scalar U_8_yy = t33 + t32;
   const Scalar t34 = Scalar(9.81) * c_7;
@@ -191,7 +191,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
       Scalar(1.505e-06) * U_9_yx;
   tau[8] = N_9_z;
   const Scalar t46 = c_11 * qd_10;
-  const Scalar t47 = c_11 * qd_10 * t46;
+  const Scalar t47 = t46 * t46;
   const Scalar t48 = qd_11 * qd_11;
   const Scalar U_11_yy = t48 + t47;
   const Scalar t49 = Scalar(9.81) * c_10;
@@ -222,7 +222,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   tau[11] = N_12_z;
   const Scalar t61 = omega_12_z * omega_12_z;
   const Scalar U_12_yy = t61 + t52 * t52;
-  const Scalar t62 = s_11 * qd_10 * t50;
+  const Scalar t62 = t50 * t50;
   const Scalar U_11_xx = t48 + t62;
   const Scalar U_11_xx_yy = U_11_xx - U_11_yy;
   const Scalar U_11_yx = qdd_11 - t51;
@@ -235,7 +235,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   tau[10] = -t63;
   const Scalar t64 = omega_9_z * omega_9_z;
   const Scalar U_9_yy = t64 + t37 * t37;
-  const Scalar t65 = s_8 * qd_7 * t35;
+  const Scalar t65 = t35 * t35;
   const Scalar U_8_xx = t33 + t65;
   const Scalar U_8_xx_yy = U_8_xx - U_8_yy;
   const Scalar U_8_yx = qdd_8 - t36;
@@ -247,7 +247,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   tau[7] = -t66;
   const Scalar t67 = omega_6_z * omega_6_z;
   const Scalar U_6_yy = t67 + t22 * t22;
-  const Scalar t68 = s_5 * qd_4 * t20;
+  const Scalar t68 = t20 * t20;
   const Scalar U_5_xx = t18 + t68;
   const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
   const Scalar U_5_yx = qdd_5 - t21;
@@ -259,7 +259,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   tau[4] = -t69;
   const Scalar t70 = omega_3_z * omega_3_z;
   const Scalar U_3_yy = t70 + t7 * t7;
-  const Scalar t71 = s_2 * qd_1 * t5;
+  const Scalar t71 = t5 * t5;
   const Scalar U_2_xx = t3 + t71;
   const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
   const Scalar U_2_yx = qdd_2 - t6;
@@ -358,7 +358,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]   in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 337 mul, 270 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 329 mul, 270 add, 24 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau) noexcept {
@@ -386,7 +386,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
   const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
   const Scalar t1 = c_2 * qd_1;
-  const Scalar t2 = c_2 * qd_1 * t1;
+  const Scalar t2 = t1 * t1;
   const Scalar t3 = qd_2 * qd_2;
   const Scalar U_2_yy = t3 + t2;
   const Scalar t4 = Scalar(9.81) * c_1;
@@ -416,7 +416,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
       Scalar(1.505e-06) * U_3_yx;
   tau[2] = N_3_z;
   const Scalar t16 = c_5 * qd_4;
-  const Scalar t17 = c_5 * qd_4 * t16;
+  const Scalar t17 = t16 * t16;
   const Scalar t18 = qd_5 * qd_5;
   const Scalar U_5_yy = t18 + t17;
   const Scalar t19 = Scalar(9.81) * c_4;
@@ -446,7 +446,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
       Scalar(1.505e-06) * U_6_yx;
   tau[5] = N_6_z;
   const Scalar t31 = c_8 * qd_7;
-  const Scalar t32 = c_8 * qd_7 * t31;
+  const Scalar t32 = t31 * t31;
   const Scalar t33 = qd_8 * qd_8;
   const Scalar U_8_yy = t33 + t32;
   const Scalar t34 = Scalar(9.81) * c_7;
@@ -480,7 +480,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar f_e11_x = s_11 * t46 + c_11 * h_e_1;
   const Scalar t47 = s_12 * f_e11_y - c_12 * f_e11_x;
   const Scalar t48 = c_11 * qd_10;
-  const Scalar t49 = c_11 * qd_10 * t48;
+  const Scalar t49 = t48 * t48;
   const Scalar t50 = qd_11 * qd_11;
   const Scalar U_11_yy = t50 + t49;
   const Scalar t51 = Scalar(9.81) * c_10;
@@ -511,7 +511,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   tau[11] = mu_12_z;
   const Scalar t63 = omega_9_z * omega_9_z;
   const Scalar U_9_yy = t63 + t37 * t37;
-  const Scalar t64 = s_8 * qd_7 * t35;
+  const Scalar t64 = t35 * t35;
   const Scalar U_8_xx = t33 + t64;
   const Scalar U_8_xx_yy = U_8_xx - U_8_yy;
   const Scalar U_8_yx = qdd_8 - t36;
@@ -523,7 +523,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   tau[7] = -t65;
   const Scalar t66 = omega_6_z * omega_6_z;
   const Scalar U_6_yy = t66 + t22 * t22;
-  const Scalar t67 = s_5 * qd_4 * t20;
+  const Scalar t67 = t20 * t20;
   const Scalar U_5_xx = t18 + t67;
   const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
   const Scalar U_5_yx = qdd_5 - t21;
@@ -535,7 +535,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   tau[4] = -t68;
   const Scalar t69 = omega_3_z * omega_3_z;
   const Scalar U_3_yy = t69 + t7 * t7;
-  const Scalar t70 = s_2 * qd_1 * t5;
+  const Scalar t70 = t5 * t5;
   const Scalar U_2_xx = t3 + t70;
   const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
   const Scalar U_2_yx = qdd_2 - t6;
@@ -550,7 +550,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar U_12_yy = t72 + t54 * t54;
   const Scalar f_12_y = f_e12_y + Scalar(0.0038482516772413) * U_12_yy;
   const Scalar f_u_12_t_x = s_12 * f_12_y - c_12 * (t47 + Scalar(0.0038482516772413) * U_12_xy);
-  const Scalar t73 = s_11 * qd_10 * t52;
+  const Scalar t73 = t52 * t52;
   const Scalar U_11_xx = t50 + t73;
   const Scalar U_11_xx_yy = U_11_xx - U_11_yy;
   const Scalar U_11_yx = qdd_11 - t53;

@@ -47,7 +47,7 @@ inline constexpr const char* joint_names[joint_count] = {
 //   qd[6]   in   joint velocities, rad/s or m/s
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..5], qd[0..5], qdd[0..5]. Operations: 243 mul, 227 add, 10 sin/cos.
+// Reads q[1..5], qd[0..5], qdd[0..5]. Operations: 241 mul, 227 add, 10 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau) noexcept {
@@ -80,7 +80,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t12 = t2 * t1;
   const Scalar U_2_yx = qdd_2 + t12;
   const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.45) * U_2_yx;
-  const Scalar t13 = c_2 * qd_1 * t2;
+  const Scalar t13 = t2 * t2;
   const Scalar t14 = qd_2 * qd_2;
   const Scalar U_2_xx = t14 + t13;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 - Scalar(0.45) * U_2_xx;
@@ -219,7 +219,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar f_3_y = Scalar(0.2745) * U_3_yx - Scalar(3.8308) * U_3_yy + Scalar(0.1164) * t53 -
       Scalar(0.2145) * t54 - s_5 * f_5_x + c_5 * f_5_y;
   const Scalar t59 = s_3 * f_3_x - c_3 * f_3_y;
-  const Scalar t60 = s_2 * qd_1 * t1;
+  const Scalar t60 = t1 * t1;
   const Scalar U_2_yy = t14 + t60;
   const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
   const Scalar U_2_xy = qdd_2 - t12;
@@ -254,7 +254,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 291 mul, 257 add, 12 sin/cos.
+// Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 289 mul, 257 add, 12 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau) noexcept {
@@ -290,7 +290,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t12 = t2 * t1;
   const Scalar U_2_yx = qdd_2 + t12;
   const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.45) * U_2_yx;
-  const Scalar t13 = c_2 * qd_1 * t2;
+  const Scalar t13 = t2 * t2;
   const Scalar t14 = qd_2 * qd_2;
   const Scalar U_2_xx = t14 + t13;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 - Scalar(0.45) * U_2_xx;
@@ -448,7 +448,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar f_3_y = Scalar(0.2745) * U_3_yx - Scalar(3.8308) * U_3_yy + Scalar(0.1164) * t66 -
       Scalar(0.2145) * t67 - s_5 * f_5_x + c_5 * f_5_y;
   const Scalar t72 = s_3 * f_3_x - c_3 * f_3_y;
-  const Scalar t73 = s_2 * qd_1 * t1;
+  const Scalar t73 = t1 * t1;
   const Scalar U_2_yy = t14 + t73;
   const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
   const Scalar U_2_xy = qdd_2 - t12;
@@ -1354,7 +1354,7 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   q[6]   in   joint positions, rad or m
 //   qd[6]  in   joint velocities, rad/s or m/s
 //   n[6]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..5], qd[0..5]. Operations: 229 mul, 198 add, 10 sin/cos.
+// Reads q[1..5], qd[0..5]. Operations: 227 mul, 197 add, 10 sin/cos.
 template <class Scalar>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   using std::cos;
@@ -1367,165 +1367,162 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
   const Scalar t1 = c_2 * qd_1;
-  const Scalar t2 = c_2 * qd_1 * t1;
-  const Scalar t3 = qd_2 * qd_2;
-  const Scalar U_2_xx = t2 + t3;
+  const Scalar t2 = qd_2 * qd_2;
+  const Scalar U_2_xx = t1 * t1 + t2;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 - Scalar(0.45) * U_2_xx;
-  const Scalar t4 = s_2 * qd_1;
-  const Scalar t5 = t1 * t4;
-  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.45) * t5;
+  const Scalar t3 = s_2 * qd_1;
+  const Scalar t4 = t1 * t3;
+  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.45) * t4;
   const Scalar ddp_3_x = c_3 * ddp_o_3_x + s_3 * ddp_o_3_y;
-  const Scalar t6 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t7 = qd_1 * t6;
-  const Scalar t8 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t9 = qd_1 * t8;
-  const Scalar t10 = t7 * t9;
-  const Scalar ddp_o_4_x = ddp_3_x + Scalar(0.45) * t10;
+  const Scalar t5 = qd_1 * (c_2 * c_3 - s_2 * s_3);
+  const Scalar t6 = qd_1 * (s_2 * c_3 + c_2 * s_3);
+  const Scalar t7 = t5 * t6;
+  const Scalar ddp_o_4_x = ddp_3_x + Scalar(0.45) * t7;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t11 = omega_3_z * t7;
-  const Scalar t12 = qd_2 * t4;
-  const Scalar t13 = Scalar(0.9) * t12 + Scalar(0.9) * t11;
-  const Scalar t14 = c_4 * ddp_o_4_x - s_4 * t13;
-  const Scalar t15 = c_3 * ddp_o_3_y - s_3 * ddp_o_3_x;
-  const Scalar t16 = qd_1 * t8 * t9;
-  const Scalar t17 = omega_3_z * omega_3_z;
-  const Scalar U_3_yy = t17 + t16;
-  const Scalar t18 = t15 - Scalar(0.45) * U_3_yy;
-  const Scalar t19 = c_5 * t14 + s_5 * t18;
-  const Scalar ddp_4_y = c_4 * t13 + s_4 * ddp_o_4_x;
-  const Scalar t20 = c_6 * t19 - s_6 * ddp_4_y;
-  const Scalar t21 = c_6 * ddp_4_y + s_6 * t19;
-  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t9;
-  const Scalar t22 = c_4 * t11 - qd_4 * omega_r_4_y;
-  const Scalar t23 = c_4 * t9 - s_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 + t7;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t23;
-  const Scalar t24 = omega_3_z * t9;
-  const Scalar domega_5_x = c_5 * t22 - s_5 * t24 + qd_5 * omega_r_5_y;
-  const Scalar omega_r_5_x = c_5 * t23 + s_5 * omega_4_z;
+  const Scalar t8 = omega_3_z * t5;
+  const Scalar t9 = qd_2 * t3;
+  const Scalar t10 = Scalar(0.9) * t9 + Scalar(0.9) * t8;
+  const Scalar t11 = c_4 * ddp_o_4_x - s_4 * t10;
+  const Scalar t12 = c_3 * ddp_o_3_y - s_3 * ddp_o_3_x;
+  const Scalar t13 = t6 * t6;
+  const Scalar t14 = omega_3_z * omega_3_z;
+  const Scalar U_3_yy = t14 + t13;
+  const Scalar t15 = t12 - Scalar(0.45) * U_3_yy;
+  const Scalar t16 = c_5 * t11 + s_5 * t15;
+  const Scalar ddp_4_y = c_4 * t10 + s_4 * ddp_o_4_x;
+  const Scalar t17 = c_6 * t16 - s_6 * ddp_4_y;
+  const Scalar t18 = c_6 * ddp_4_y + s_6 * t16;
+  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t6;
+  const Scalar t19 = c_4 * t8 - qd_4 * omega_r_4_y;
+  const Scalar t20 = c_4 * t6 - s_4 * omega_3_z;
+  const Scalar omega_4_z = qd_4 + t5;
+  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t20;
+  const Scalar t21 = omega_3_z * t6;
+  const Scalar domega_5_x = c_5 * t19 - s_5 * t21 + qd_5 * omega_r_5_y;
+  const Scalar omega_r_5_x = c_5 * t20 + s_5 * omega_4_z;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t25 = c_6 * omega_r_5_x - s_6 * omega_5_z;
-  const Scalar t26 = s_4 * t11 + qd_4 * t23;
-  const Scalar t27 = c_6 * t26 + s_6 * domega_5_x + qd_6 * t25;
+  const Scalar t22 = c_6 * omega_r_5_x - s_6 * omega_5_z;
+  const Scalar t23 = s_4 * t8 + qd_4 * t20;
+  const Scalar t24 = c_6 * t23 + s_6 * domega_5_x + qd_6 * t22;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t28 = t25 * omega_6_z;
+  const Scalar t25 = t22 * omega_6_z;
   const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar t29 = c_6 * domega_5_x - s_6 * t26 - qd_6 * omega_r_6_y;
-  const Scalar t30 = omega_r_6_y * omega_6_z;
-  const Scalar t31 = omega_r_6_y * omega_r_6_y;
-  const Scalar t32 = omega_6_z * omega_6_z;
-  const Scalar U_6_xx = t31 + t32;
-  const Scalar t33 = t25 * t25;
-  const Scalar U_6_yy = t32 + t33;
+  const Scalar t26 = c_6 * domega_5_x - s_6 * t23 - qd_6 * omega_r_6_y;
+  const Scalar t27 = omega_r_6_y * omega_6_z;
+  const Scalar t28 = omega_r_6_y * omega_r_6_y;
+  const Scalar t29 = omega_6_z * omega_6_z;
+  const Scalar U_6_xx = t28 + t29;
+  const Scalar t30 = t22 * t22;
+  const Scalar U_6_yy = t29 + t30;
   const Scalar U_6_xx_yy = U_6_xx - U_6_yy;
-  const Scalar t34 = t25 * omega_r_6_y;
-  const Scalar domega_5_y = c_5 * t24 + s_5 * t22 + qd_5 * omega_r_5_x;
-  const Scalar U_6_xy = domega_5_y - t34;
-  const Scalar U_6_yx = domega_5_y + t34;
-  const Scalar t35 = Scalar(0.0112) * t20 - Scalar(0.007) * t21 + Scalar(0.0007896) * U_6_xy -
-      Scalar(0.0009944) * (t27 - t28) + Scalar(0.000535) * U_6_yx - Scalar(0.000534) * (t29 + t30) +
+  const Scalar t31 = t22 * omega_r_6_y;
+  const Scalar domega_5_y = c_5 * t21 + s_5 * t19 + qd_5 * omega_r_5_x;
+  const Scalar U_6_xy = domega_5_y - t31;
+  const Scalar U_6_yx = domega_5_y + t31;
+  const Scalar t32 = Scalar(0.0112) * t17 - Scalar(0.007) * t18 + Scalar(0.0007896) * U_6_xy -
+      Scalar(0.0009944) * (t24 - t25) + Scalar(0.000535) * U_6_yx - Scalar(0.000534) * (t26 + t27) +
       Scalar(0.000256) * U_6_xx_yy;
-  n[5] = -t35;
-  const Scalar t36 = t27 + t28;
-  const Scalar t37 = t29 - t30;
-  const Scalar U_6_zz = t31 + t33;
+  n[5] = -t32;
+  const Scalar t33 = t24 + t25;
+  const Scalar t34 = t26 - t27;
+  const Scalar U_6_zz = t28 + t30;
   const Scalar U_6_zz_xx = U_6_xx - U_6_zz;
-  const Scalar t38 = c_5 * t18 - s_5 * t14;
-  const Scalar t39 = Scalar(0.007) * t38 + Scalar(0.0009944) * U_6_xy - Scalar(0.000535) * t36 +
-      Scalar(0.000256) * t37 + Scalar(0.000534) * U_6_zz_xx;
+  const Scalar t35 = c_5 * t15 - s_5 * t11;
+  const Scalar t36 = Scalar(0.007) * t35 + Scalar(0.0009944) * U_6_xy - Scalar(0.000535) * t33 +
+      Scalar(0.000256) * t34 + Scalar(0.000534) * U_6_zz_xx;
   const Scalar U_6_yy_zz = U_6_yy - U_6_zz;
-  const Scalar t40 = Scalar(0.0112) * t38 - Scalar(0.000534) * U_6_yx - Scalar(0.000256) * t36 +
-      Scalar(0.0007896) * t37 + Scalar(0.0009944) * U_6_yy_zz;
-  const Scalar t41 = omega_r_5_x * omega_5_z;
-  const Scalar U_5_xz = domega_5_y - t41;
-  const Scalar t42 = omega_r_5_y * omega_5_z;
-  const Scalar U_5_yz = domega_5_x - t42;
-  const Scalar t43 = omega_r_5_y * omega_r_5_y;
-  const Scalar t44 = omega_5_z * omega_5_z;
-  const Scalar U_5_xx = t43 + t44;
-  const Scalar t45 = omega_r_5_x * omega_r_5_x;
-  const Scalar U_5_yy = t44 + t45;
+  const Scalar t37 = Scalar(0.0112) * t35 - Scalar(0.000534) * U_6_yx - Scalar(0.000256) * t33 +
+      Scalar(0.0007896) * t34 + Scalar(0.0009944) * U_6_yy_zz;
+  const Scalar t38 = omega_r_5_x * omega_5_z;
+  const Scalar U_5_xz = domega_5_y - t38;
+  const Scalar t39 = omega_r_5_y * omega_5_z;
+  const Scalar U_5_yz = domega_5_x - t39;
+  const Scalar t40 = omega_r_5_y * omega_r_5_y;
+  const Scalar t41 = omega_5_z * omega_5_z;
+  const Scalar U_5_xx = t40 + t41;
+  const Scalar t42 = omega_r_5_x * omega_r_5_x;
+  const Scalar U_5_yy = t41 + t42;
   const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar t46 = omega_r_5_x * omega_r_5_y;
-  const Scalar t47 = t26 - t46;
-  const Scalar t48 = t26 + t46;
-  const Scalar t49 = Scalar(0.0317) * t19 - Scalar(0.0203) * t38 - Scalar(0.0123285) * t47 +
-      Scalar(0.0016163) * U_5_xz - Scalar(0.0029421) * t48 + Scalar(0.0007639) * U_5_yz +
-      Scalar(0.0010857) * U_5_xx_yy + c_6 * t39 + s_6 * t40;
-  n[4] = -t49;
-  const Scalar U_5_zx = domega_5_y + t41;
-  const Scalar U_5_zy = domega_5_x + t42;
-  const Scalar U_5_zz = t43 + t45;
+  const Scalar t43 = omega_r_5_x * omega_r_5_y;
+  const Scalar t44 = t23 - t43;
+  const Scalar t45 = t23 + t43;
+  const Scalar t46 = Scalar(0.0317) * t16 - Scalar(0.0203) * t35 - Scalar(0.0123285) * t44 +
+      Scalar(0.0016163) * U_5_xz - Scalar(0.0029421) * t45 + Scalar(0.0007639) * U_5_yz +
+      Scalar(0.0010857) * U_5_xx_yy + c_6 * t36 + s_6 * t37;
+  n[4] = -t46;
+  const Scalar U_5_zx = domega_5_y + t38;
+  const Scalar U_5_zy = domega_5_x + t39;
+  const Scalar U_5_zz = t40 + t42;
   const Scalar U_5_zz_xx = U_5_xx - U_5_zz;
-  const Scalar mu_5_y = Scalar(0.0203) * ddp_4_y - Scalar(0.0016163) * t47 +
-      Scalar(0.0029421) * U_5_zx - Scalar(0.0010857) * U_5_zy + Scalar(0.0007639) * U_5_zz_xx + t35;
+  const Scalar mu_5_y = Scalar(0.0203) * ddp_4_y - Scalar(0.0016163) * t44 +
+      Scalar(0.0029421) * U_5_zx - Scalar(0.0010857) * U_5_zy + Scalar(0.0007639) * U_5_zz_xx + t32;
   const Scalar U_5_yy_zz = U_5_yy - U_5_zz;
-  const Scalar mu_5_x = Scalar(0.0317) * ddp_4_y - Scalar(0.0007639) * t48 -
+  const Scalar mu_5_x = Scalar(0.0317) * ddp_4_y - Scalar(0.0007639) * t45 -
       Scalar(0.0010857) * U_5_zx + Scalar(0.0123285) * U_5_zy - Scalar(0.0016163) * U_5_yy_zz +
-      c_6 * t40 - s_6 * t39;
-  const Scalar t50 = t23 * omega_4_z;
-  const Scalar t51 = omega_r_4_y * omega_4_z;
-  const Scalar t52 = omega_r_4_y * omega_r_4_y;
-  const Scalar t53 = omega_4_z * omega_4_z;
-  const Scalar U_4_xx = t52 + t53;
-  const Scalar t54 = t23 * t23;
-  const Scalar U_4_yy = t53 + t54;
+      c_6 * t37 - s_6 * t36;
+  const Scalar t47 = t20 * omega_4_z;
+  const Scalar t48 = omega_r_4_y * omega_4_z;
+  const Scalar t49 = omega_r_4_y * omega_r_4_y;
+  const Scalar t50 = omega_4_z * omega_4_z;
+  const Scalar U_4_xx = t49 + t50;
+  const Scalar t51 = t20 * t20;
+  const Scalar U_4_yy = t50 + t51;
   const Scalar U_4_xx_yy = U_4_xx - U_4_yy;
-  const Scalar t55 = t23 * omega_r_4_y;
-  const Scalar t56 = t55 - t24;
-  const Scalar U_4_yx = t55 + t24;
-  const Scalar t57 = Scalar(0.2145) * t14 - Scalar(0.1164) * ddp_4_y - Scalar(0.0316473) * t56 +
-      Scalar(0.0523608) * (t26 - t50) + Scalar(0.0123968) * U_4_yx +
-      Scalar(0.0110896) * (t22 + t51) - Scalar(0.0009736) * U_4_xx_yy + c_5 * mu_5_y - s_5 * mu_5_x;
-  n[3] = -t57;
+  const Scalar t52 = t20 * omega_r_4_y;
+  const Scalar t53 = t52 - t21;
+  const Scalar U_4_yx = t52 + t21;
+  const Scalar t54 = Scalar(0.2145) * t11 - Scalar(0.1164) * ddp_4_y - Scalar(0.0316473) * t53 +
+      Scalar(0.0523608) * (t23 - t47) + Scalar(0.0123968) * U_4_yx +
+      Scalar(0.0110896) * (t19 + t48) - Scalar(0.0009736) * U_4_xx_yy + c_5 * mu_5_y - s_5 * mu_5_x;
+  n[3] = -t54;
   const Scalar F_6_x = Scalar(0.007) * U_6_xx + Scalar(0.0112) * U_6_xy;
   const Scalar F_6_y = Scalar(0.007) * U_6_yx - Scalar(0.0112) * U_6_yy;
-  const Scalar f_5_x = Scalar(0.0203) * U_5_xx + Scalar(0.0317) * t47 - c_6 * F_6_x + s_6 * F_6_y;
-  const Scalar t58 = Scalar(0.0203) * t48 - Scalar(0.0317) * U_5_yy - Scalar(0.007) * t36 +
-      Scalar(0.0112) * t37;
-  const Scalar f_4_x = Scalar(0.1164) * U_4_xx - Scalar(0.2145) * t56 - c_5 * f_5_x - s_5 * t58;
+  const Scalar f_5_x = Scalar(0.0203) * U_5_xx + Scalar(0.0317) * t44 - c_6 * F_6_x + s_6 * F_6_y;
+  const Scalar t55 = Scalar(0.0203) * t45 - Scalar(0.0317) * U_5_yy - Scalar(0.007) * t33 +
+      Scalar(0.0112) * t34;
+  const Scalar f_4_x = Scalar(0.1164) * U_4_xx - Scalar(0.2145) * t53 - c_5 * f_5_x - s_5 * t55;
   const Scalar f_4_y = Scalar(0.1164) * U_4_yx - Scalar(0.2145) * U_4_yy - Scalar(0.0203) * U_5_zx -
       Scalar(0.0317) * U_5_zy + c_6 * F_6_y + s_6 * F_6_x;
-  const Scalar t59 = c_4 * f_4_x - s_4 * f_4_y;
-  const Scalar t60 = t26 + t50;
-  const Scalar t61 = t22 - t51;
-  const Scalar U_4_zz = t52 + t54;
+  const Scalar t56 = c_4 * f_4_x - s_4 * f_4_y;
+  const Scalar t57 = t23 + t47;
+  const Scalar t58 = t19 - t48;
+  const Scalar U_4_zz = t49 + t51;
   const Scalar U_4_yy_zz = U_4_yy - U_4_zz;
-  const Scalar t62 = Scalar(0.2145) * t18 + Scalar(0.0110896) * U_4_yx + Scalar(0.0009736) * t60 +
-      Scalar(0.0316473) * t61 - Scalar(0.0523608) * U_4_yy_zz + c_5 * mu_5_x + s_5 * mu_5_y;
+  const Scalar t59 = Scalar(0.2145) * t15 + Scalar(0.0110896) * U_4_yx + Scalar(0.0009736) * t57 +
+      Scalar(0.0316473) * t58 - Scalar(0.0523608) * U_4_yy_zz + c_5 * mu_5_x + s_5 * mu_5_y;
   const Scalar U_4_zz_xx = U_4_xx - U_4_zz;
-  const Scalar t63 = Scalar(0.1164) * t18 + Scalar(0.0523608) * t56 - Scalar(0.0123968) * t60 -
-      Scalar(0.0009736) * t61 - Scalar(0.0110896) * U_4_zz_xx + t49;
-  const Scalar t64 = qd_1 * t6 * t7;
-  const Scalar U_3_xx = t64 + t17;
+  const Scalar t60 = Scalar(0.1164) * t15 + Scalar(0.0523608) * t53 - Scalar(0.0123968) * t57 -
+      Scalar(0.0009736) * t58 - Scalar(0.0110896) * U_4_zz_xx + t46;
+  const Scalar t61 = t5 * t5;
+  const Scalar U_3_xx = t61 + t14;
   const Scalar U_3_xx_yy = U_3_xx - U_3_yy;
-  const Scalar mu_3_z = Scalar(3.8308) * ddp_3_x - Scalar(0.2745) * t15 + Scalar(1.8912169) * t10 +
-      Scalar(0.026176) * U_3_xx_yy + Scalar(0.45) * t59 + c_4 * t63 + s_4 * t62;
+  const Scalar mu_3_z = Scalar(3.8308) * ddp_3_x - Scalar(0.2745) * t12 + Scalar(1.8912169) * t7 +
+      Scalar(0.026176) * U_3_xx_yy + Scalar(0.45) * t56 + c_4 * t60 + s_4 * t59;
   n[2] = -mu_3_z;
-  const Scalar t65 = Scalar(3.8308) * U_3_yy - Scalar(0.2745) * t10 + Scalar(0.1164) * t60 -
-      Scalar(0.2145) * t61 - c_5 * t58 + s_5 * f_5_x;
-  const Scalar t66 = c_3 * t65 + s_3 * (Scalar(0.2745) * U_3_xx - Scalar(3.8308) * t10 - t59);
-  const Scalar t67 = qd_1 * qd_1;
-  const Scalar t68 = t2 - t3 - t67;
-  const Scalar U_2_xx_yy = U_2_xx + t68;
-  n[1] = Scalar(194.232114) * c_2 + Scalar(4.102542) * s_2 + Scalar(8.4002222) * t5 -
-      Scalar(0.0684948) * U_2_xx_yy - mu_3_z - Scalar(0.45) * t66;
+  const Scalar t62 = Scalar(3.8308) * U_3_yy - Scalar(0.2745) * t7 + Scalar(0.1164) * t57 -
+      Scalar(0.2145) * t58 - c_5 * t55 + s_5 * f_5_x;
+  const Scalar t63 = c_3 * t62 + s_3 * (Scalar(0.2745) * U_3_xx - Scalar(3.8308) * t7 - t56);
+  const Scalar U_2_yy = t2 + t3 * t3;
+  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
+  n[1] = Scalar(194.232114) * c_2 + Scalar(4.102542) * s_2 + Scalar(8.4002222) * t4 -
+      Scalar(0.0684948) * U_2_xx_yy - mu_3_z - Scalar(0.45) * t63;
   const Scalar f_u_4_t_y = c_4 * f_4_y + s_4 * f_4_x;
-  const Scalar t69 = Scalar(0.45) * f_u_4_t_y;
-  const Scalar U_3_zz = t64 + t16;
+  const Scalar t64 = Scalar(0.45) * f_u_4_t_y;
+  const Scalar U_3_zz = t61 + t13;
   const Scalar U_3_yy_zz = U_3_yy - U_3_zz;
-  const Scalar t70 = Scalar(0.016137) * t10 + Scalar(3.44772) * t12 + Scalar(3.9306688) * t11 -
-      Scalar(0.052352) * t24 + Scalar(0.0408384) * U_3_yy_zz + c_4 * t62 - s_4 * t63 - t69;
+  const Scalar t65 = Scalar(0.016137) * t7 + Scalar(3.44772) * t9 + Scalar(3.9306688) * t8 -
+      Scalar(0.052352) * t21 + Scalar(0.0408384) * U_3_yy_zz + c_4 * t59 - s_4 * t60 - t64;
   const Scalar U_3_zz_xx = U_3_xx - U_3_zz;
-  const Scalar t71 = Scalar(0.0408384) * t10 - Scalar(0.24705) * t12 + Scalar(0.052352) * t11 -
-      Scalar(0.148235) * t24 + Scalar(0.016137) * U_3_zz_xx - t57;
-  const Scalar t72 = qd_2 * t1;
-  const Scalar t73 = Scalar(0.0444376) * t5 + Scalar(16.9546632) * t12 + Scalar(3.44772) * t11 +
-      Scalar(0.24705) * t24 + Scalar(0.1098692) * (U_2_xx - t67) - t69 - Scalar(0.1369896) * t72 -
-      c_3 * t71 - s_3 * t70;
-  const Scalar t74 = Scalar(0.1098692) * t5 + Scalar(0.1369896) * t12 -
-      Scalar(0.0444376) * (t67 + t68) - c_3 * t70 + s_3 * t71 - Scalar(0.1542188) * t72;
-  n[0] = -c_2 * t73 - s_2 * t74;
+  const Scalar t66 = Scalar(0.0408384) * t7 - Scalar(0.24705) * t9 + Scalar(0.052352) * t8 -
+      Scalar(0.148235) * t21 + Scalar(0.016137) * U_3_zz_xx - t54;
+  const Scalar t67 = qd_1 * qd_1;
+  const Scalar t68 = qd_2 * t1;
+  const Scalar t69 = Scalar(0.0444376) * t4 + Scalar(16.9546632) * t9 + Scalar(3.44772) * t8 +
+      Scalar(0.24705) * t21 + Scalar(0.1098692) * (U_2_xx - t67) - t64 - Scalar(0.1369896) * t68 -
+      c_3 * t66 - s_3 * t65;
+  const Scalar t70 = Scalar(0.1098692) * t4 + Scalar(0.1369896) * t9 +
+      Scalar(0.0444376) * (U_2_yy - t67) - c_3 * t65 + s_3 * t66 - Scalar(0.1542188) * t68;
+  n[0] = -c_2 * t69 - s_2 * t70;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -1535,7 +1532,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
 // number.
-// Reads q[1..5], qd[0..5], tau[0..5]. Operations: 429 mul, 371 add, 5 div, 10 sin/cos.
+// Reads q[1..5], qd[0..5], tau[0..5]. Operations: 427 mul, 370 add, 5 div, 10 sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
     Scalar* qdd) noexcept {
@@ -1551,293 +1548,290 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
   const Scalar t1 = c_2 * qd_1;
-  const Scalar t2 = c_2 * qd_1 * t1;
-  const Scalar t3 = qd_2 * qd_2;
-  const Scalar U_2_xx = t2 + t3;
+  const Scalar t2 = qd_2 * qd_2;
+  const Scalar U_2_xx = t1 * t1 + t2;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 - Scalar(0.45) * U_2_xx;
-  const Scalar t4 = s_2 * qd_1;
-  const Scalar t5 = t1 * t4;
-  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.45) * t5;
+  const Scalar t3 = s_2 * qd_1;
+  const Scalar t4 = t1 * t3;
+  const Scalar ddp_o_3_y = Scalar(9.81) * c_2 + Scalar(0.45) * t4;
   const Scalar ddp_3_x = c_3 * ddp_o_3_x + s_3 * ddp_o_3_y;
-  const Scalar t6 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t7 = qd_1 * t6;
-  const Scalar t8 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t9 = qd_1 * t8;
-  const Scalar t10 = t7 * t9;
-  const Scalar ddp_o_4_x = ddp_3_x + Scalar(0.45) * t10;
+  const Scalar t5 = qd_1 * (c_2 * c_3 - s_2 * s_3);
+  const Scalar t6 = qd_1 * (s_2 * c_3 + c_2 * s_3);
+  const Scalar t7 = t5 * t6;
+  const Scalar ddp_o_4_x = ddp_3_x + Scalar(0.45) * t7;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t11 = omega_3_z * t7;
-  const Scalar t12 = qd_2 * t4;
-  const Scalar t13 = Scalar(0.9) * t12 + Scalar(0.9) * t11;
-  const Scalar t14 = c_4 * ddp_o_4_x - s_4 * t13;
-  const Scalar t15 = c_3 * ddp_o_3_y - s_3 * ddp_o_3_x;
-  const Scalar t16 = qd_1 * t8 * t9;
-  const Scalar t17 = omega_3_z * omega_3_z;
-  const Scalar U_3_yy = t17 + t16;
-  const Scalar t18 = t15 - Scalar(0.45) * U_3_yy;
-  const Scalar t19 = c_5 * t14 + s_5 * t18;
-  const Scalar ddp_4_y = c_4 * t13 + s_4 * ddp_o_4_x;
-  const Scalar t20 = c_6 * t19 - s_6 * ddp_4_y;
-  const Scalar t21 = c_6 * ddp_4_y + s_6 * t19;
-  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t9;
-  const Scalar t22 = c_4 * t11 - qd_4 * omega_r_4_y;
-  const Scalar t23 = c_4 * t9 - s_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 + t7;
-  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t23;
-  const Scalar t24 = omega_3_z * t9;
-  const Scalar domega_5_x = c_5 * t22 - s_5 * t24 + qd_5 * omega_r_5_y;
-  const Scalar omega_r_5_x = c_5 * t23 + s_5 * omega_4_z;
+  const Scalar t8 = omega_3_z * t5;
+  const Scalar t9 = qd_2 * t3;
+  const Scalar t10 = Scalar(0.9) * t9 + Scalar(0.9) * t8;
+  const Scalar t11 = c_4 * ddp_o_4_x - s_4 * t10;
+  const Scalar t12 = c_3 * ddp_o_3_y - s_3 * ddp_o_3_x;
+  const Scalar t13 = t6 * t6;
+  const Scalar t14 = omega_3_z * omega_3_z;
+  const Scalar U_3_yy = t14 + t13;
+  const Scalar t15 = t12 - Scalar(0.45) * U_3_yy;
+  const Scalar t16 = c_5 * t11 + s_5 * t15;
+  const Scalar ddp_4_y = c_4 * t10 + s_4 * ddp_o_4_x;
+  const Scalar t17 = c_6 * t16 - s_6 * ddp_4_y;
+  const Scalar t18 = c_6 * ddp_4_y + s_6 * t16;
+  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t6;
+  const Scalar t19 = c_4 * t8 - qd_4 * omega_r_4_y;
+  const Scalar t20 = c_4 * t6 - s_4 * omega_3_z;
+  const Scalar omega_4_z = qd_4 + t5;
+  const Scalar omega_r_5_y = c_5 * omega_4_z - s_5 * t20;
+  const Scalar t21 = omega_3_z * t6;
+  const Scalar domega_5_x = c_5 * t19 - s_5 * t21 + qd_5 * omega_r_5_y;
+  const Scalar omega_r_5_x = c_5 * t20 + s_5 * omega_4_z;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t25 = c_6 * omega_r_5_x - s_6 * omega_5_z;
-  const Scalar t26 = s_4 * t11 + qd_4 * t23;
-  const Scalar t27 = c_6 * t26 + s_6 * domega_5_x + qd_6 * t25;
+  const Scalar t22 = c_6 * omega_r_5_x - s_6 * omega_5_z;
+  const Scalar t23 = s_4 * t8 + qd_4 * t20;
+  const Scalar t24 = c_6 * t23 + s_6 * domega_5_x + qd_6 * t22;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t28 = t25 * omega_6_z;
+  const Scalar t25 = t22 * omega_6_z;
   const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * omega_r_5_x;
-  const Scalar t29 = c_6 * domega_5_x - s_6 * t26 - qd_6 * omega_r_6_y;
-  const Scalar t30 = omega_r_6_y * omega_6_z;
-  const Scalar t31 = omega_r_6_y * omega_r_6_y;
-  const Scalar t32 = omega_6_z * omega_6_z;
-  const Scalar U_6_xx = t31 + t32;
-  const Scalar t33 = t25 * t25;
-  const Scalar U_6_yy = t32 + t33;
+  const Scalar t26 = c_6 * domega_5_x - s_6 * t23 - qd_6 * omega_r_6_y;
+  const Scalar t27 = omega_r_6_y * omega_6_z;
+  const Scalar t28 = omega_r_6_y * omega_r_6_y;
+  const Scalar t29 = omega_6_z * omega_6_z;
+  const Scalar U_6_xx = t28 + t29;
+  const Scalar t30 = t22 * t22;
+  const Scalar U_6_yy = t29 + t30;
   const Scalar U_6_xx_yy = U_6_xx - U_6_yy;
-  const Scalar t34 = t25 * omega_r_6_y;
-  const Scalar domega_5_y = c_5 * t24 + s_5 * t22 + qd_5 * omega_r_5_x;
-  const Scalar U_6_xy = domega_5_y - t34;
-  const Scalar U_6_yx = domega_5_y + t34;
-  const Scalar t35 = Scalar(0.0112) * t20 - Scalar(0.007) * t21 + Scalar(0.0007896) * U_6_xy -
-      Scalar(0.0009944) * (t27 - t28) + Scalar(0.000535) * U_6_yx - Scalar(0.000534) * (t29 + t30) +
+  const Scalar t31 = t22 * omega_r_6_y;
+  const Scalar domega_5_y = c_5 * t21 + s_5 * t19 + qd_5 * omega_r_5_x;
+  const Scalar U_6_xy = domega_5_y - t31;
+  const Scalar U_6_yx = domega_5_y + t31;
+  const Scalar t32 = Scalar(0.0112) * t17 - Scalar(0.007) * t18 + Scalar(0.0007896) * U_6_xy -
+      Scalar(0.0009944) * (t24 - t25) + Scalar(0.000535) * U_6_yx - Scalar(0.000534) * (t26 + t27) +
       Scalar(0.000256) * U_6_xx_yy;
-  const Scalar y_6 = tau_6 + t35;
+  const Scalar y_6 = tau_6 + t32;
   const Scalar Iu_6_t_yz = Scalar(0.0009944) * c_6 - Scalar(0.000534) * s_6;
-  const Scalar t36 = Scalar(754.9448890231013) * Iu_6_t_yz;
-  const Scalar t37 = t27 + t28;
-  const Scalar t38 = t29 - t30;
-  const Scalar U_6_zz = t31 + t33;
+  const Scalar t33 = Scalar(754.9448890231013) * Iu_6_t_yz;
+  const Scalar t34 = t24 + t25;
+  const Scalar t35 = t26 - t27;
+  const Scalar U_6_zz = t28 + t30;
   const Scalar U_6_zz_xx = U_6_xx - U_6_zz;
-  const Scalar t39 = c_5 * t18 - s_5 * t14;
-  const Scalar t40 = Scalar(0.007) * t39 + Scalar(0.0009944) * U_6_xy - Scalar(0.000535) * t37 +
-      Scalar(0.000256) * t38 + Scalar(0.000534) * U_6_zz_xx;
+  const Scalar t36 = c_5 * t15 - s_5 * t11;
+  const Scalar t37 = Scalar(0.007) * t36 + Scalar(0.0009944) * U_6_xy - Scalar(0.000535) * t34 +
+      Scalar(0.000256) * t35 + Scalar(0.000534) * U_6_zz_xx;
   const Scalar U_6_yy_zz = U_6_yy - U_6_zz;
-  const Scalar t41 = Scalar(0.0112) * t39 - Scalar(0.000534) * U_6_yx - Scalar(0.000256) * t37 +
-      Scalar(0.0007896) * t38 + Scalar(0.0009944) * U_6_yy_zz;
-  const Scalar t42 = omega_r_5_x * omega_5_z;
-  const Scalar U_5_xz = domega_5_y - t42;
-  const Scalar t43 = omega_r_5_y * omega_5_z;
-  const Scalar U_5_yz = domega_5_x - t43;
-  const Scalar t44 = omega_r_5_y * omega_r_5_y;
-  const Scalar t45 = omega_5_z * omega_5_z;
-  const Scalar U_5_xx = t44 + t45;
-  const Scalar t46 = omega_r_5_x * omega_r_5_x;
-  const Scalar U_5_yy = t45 + t46;
+  const Scalar t38 = Scalar(0.0112) * t36 - Scalar(0.000534) * U_6_yx - Scalar(0.000256) * t34 +
+      Scalar(0.0007896) * t35 + Scalar(0.0009944) * U_6_yy_zz;
+  const Scalar t39 = omega_r_5_x * omega_5_z;
+  const Scalar U_5_xz = domega_5_y - t39;
+  const Scalar t40 = omega_r_5_y * omega_5_z;
+  const Scalar U_5_yz = domega_5_x - t40;
+  const Scalar t41 = omega_r_5_y * omega_r_5_y;
+  const Scalar t42 = omega_5_z * omega_5_z;
+  const Scalar U_5_xx = t41 + t42;
+  const Scalar t43 = omega_r_5_x * omega_r_5_x;
+  const Scalar U_5_yy = t42 + t43;
   const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar t47 = omega_r_5_x * omega_r_5_y;
-  const Scalar t48 = t26 - t47;
-  const Scalar t49 = t26 + t47;
-  const Scalar t50 = Scalar(0.0317) * t19 - Scalar(0.0203) * t39 - Scalar(0.0123285) * t48 +
-      Scalar(0.0016163) * U_5_xz - Scalar(0.0029421) * t49 + Scalar(0.0007639) * U_5_yz +
-      Scalar(0.0010857) * U_5_xx_yy + c_6 * t40 + s_6 * t41;
-  const Scalar y_6_5 = tau_5 + t50 - y_6 * t36;
+  const Scalar t44 = omega_r_5_x * omega_r_5_y;
+  const Scalar t45 = t23 - t44;
+  const Scalar t46 = t23 + t44;
+  const Scalar t47 = Scalar(0.0317) * t16 - Scalar(0.0203) * t36 - Scalar(0.0123285) * t45 +
+      Scalar(0.0016163) * U_5_xz - Scalar(0.0029421) * t46 + Scalar(0.0007639) * U_5_yz +
+      Scalar(0.0010857) * U_5_xx_yy + c_6 * t37 + s_6 * t38;
+  const Scalar y_6_5 = tau_5 + t47 - y_6 * t33;
   const Scalar Iu_6_t_g = Scalar(0.0002546) * c_6 - Scalar(0.000512) * s_6;
   const Scalar Ic_5_xz = s_6 * Iu_6_t_g + Scalar(0.0010199);
   const Scalar Ic_5_yz = Iu_6_t_yz + Scalar(0.0016163);
-  const Scalar t51 = c_5 * Ic_5_yz - s_5 * Ic_5_xz;
+  const Scalar t48 = c_5 * Ic_5_yz - s_5 * Ic_5_xz;
   const Scalar Iu_6_t_xz = Scalar(0.000534) * c_6 + Scalar(0.0009944) * s_6;
   const Scalar mu_u_6_5_t_y = Scalar(0.0013246) * c_5 + s_5 * Iu_6_t_xz;
-  const Scalar t52 = t51 - mu_u_6_5_t_y * t36;
-  const Scalar t53 = c_6 * Iu_6_t_g;
-  const Scalar Ic_5_zz = t53 - Scalar(0.0160602);
-  const Scalar b_6_5_5 = Ic_5_zz + Iu_6_t_yz * t36;
+  const Scalar t49 = t48 - mu_u_6_5_t_y * t33;
+  const Scalar t50 = c_6 * Iu_6_t_g;
+  const Scalar Ic_5_zz = t50 - Scalar(0.0160602);
+  const Scalar b_6_5_5 = Ic_5_zz + Iu_6_t_yz * t33;
   const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t54 = t52 * d_5;
-  const Scalar U_5_zx = domega_5_y + t42;
-  const Scalar U_5_zy = domega_5_x + t43;
-  const Scalar U_5_zz = t44 + t46;
+  const Scalar t51 = t49 * d_5;
+  const Scalar U_5_zx = domega_5_y + t39;
+  const Scalar U_5_zy = domega_5_x + t40;
+  const Scalar U_5_zz = t41 + t43;
   const Scalar U_5_zz_xx = U_5_xx - U_5_zz;
-  const Scalar mu_5_y = Scalar(0.0203) * ddp_4_y - Scalar(0.0016163) * t48 +
-      Scalar(0.0029421) * U_5_zx - Scalar(0.0010857) * U_5_zy + Scalar(0.0007639) * U_5_zz_xx + t35;
+  const Scalar mu_5_y = Scalar(0.0203) * ddp_4_y - Scalar(0.0016163) * t45 +
+      Scalar(0.0029421) * U_5_zx - Scalar(0.0010857) * U_5_zy + Scalar(0.0007639) * U_5_zz_xx + t32;
   const Scalar U_5_yy_zz = U_5_yy - U_5_zz;
-  const Scalar mu_5_x = Scalar(0.0317) * ddp_4_y - Scalar(0.0007639) * t49 -
+  const Scalar mu_5_x = Scalar(0.0317) * ddp_4_y - Scalar(0.0007639) * t46 -
       Scalar(0.0010857) * U_5_zx + Scalar(0.0123285) * U_5_zy - Scalar(0.0016163) * U_5_yy_zz +
-      c_6 * t41 - s_6 * t40;
-  const Scalar t55 = t23 * omega_4_z;
-  const Scalar t56 = omega_r_4_y * omega_4_z;
-  const Scalar t57 = omega_r_4_y * omega_r_4_y;
-  const Scalar t58 = omega_4_z * omega_4_z;
-  const Scalar U_4_xx = t57 + t58;
-  const Scalar t59 = t23 * t23;
-  const Scalar U_4_yy = t58 + t59;
+      c_6 * t38 - s_6 * t37;
+  const Scalar t52 = t20 * omega_4_z;
+  const Scalar t53 = omega_r_4_y * omega_4_z;
+  const Scalar t54 = omega_r_4_y * omega_r_4_y;
+  const Scalar t55 = omega_4_z * omega_4_z;
+  const Scalar U_4_xx = t54 + t55;
+  const Scalar t56 = t20 * t20;
+  const Scalar U_4_yy = t55 + t56;
   const Scalar U_4_xx_yy = U_4_xx - U_4_yy;
-  const Scalar t60 = t23 * omega_r_4_y;
-  const Scalar t61 = t60 - t24;
-  const Scalar U_4_yx = t60 + t24;
-  const Scalar t62 = Scalar(0.2145) * t14 - Scalar(0.1164) * ddp_4_y - Scalar(0.0316473) * t61 +
-      Scalar(0.0523608) * (t26 - t55) + Scalar(0.0123968) * U_4_yx +
-      Scalar(0.0110896) * (t22 + t56) - Scalar(0.0009736) * U_4_xx_yy + c_5 * mu_5_y - s_5 * mu_5_x;
-  const Scalar t63 = Scalar(754.9448890231013) * mu_u_6_5_t_y;
-  const Scalar y_5_4 = tau_4 + t62 - y_6 * t63 + t54 * y_6_5;
-  const Scalar Ic_5_xx = t53 + Scalar(0.0128635);
+  const Scalar t57 = t20 * omega_r_4_y;
+  const Scalar t58 = t57 - t21;
+  const Scalar U_4_yx = t57 + t21;
+  const Scalar t59 = Scalar(0.2145) * t11 - Scalar(0.1164) * ddp_4_y - Scalar(0.0316473) * t58 +
+      Scalar(0.0523608) * (t23 - t52) + Scalar(0.0123968) * U_4_yx +
+      Scalar(0.0110896) * (t19 + t53) - Scalar(0.0009736) * U_4_xx_yy + c_5 * mu_5_y - s_5 * mu_5_x;
+  const Scalar t60 = Scalar(754.9448890231013) * mu_u_6_5_t_y;
+  const Scalar y_5_4 = tau_4 + t59 - y_6 * t60 + t51 * y_6_5;
+  const Scalar Ic_5_xx = t50 + Scalar(0.0128635);
   const Scalar Iu_5_t_d = Ic_5_xx - Scalar(0.0042667);
   const Scalar Ic_5_xy = Iu_6_t_xz + Scalar(0.0010857);
-  const Scalar t64 = c_5 * Iu_5_t_d - Scalar(2.0) * s_5 * Ic_5_xy;
-  const Scalar Ic_4_xz = Ic_5_xy + s_5 * t64 - Scalar(0.0110896);
+  const Scalar t61 = c_5 * Iu_5_t_d - Scalar(2.0) * s_5 * Ic_5_xy;
+  const Scalar Ic_4_xz = Ic_5_xy + s_5 * t61 - Scalar(0.0110896);
   const Scalar hu_6_t_x = Scalar(0.007) * c_6 + Scalar(0.0112) * s_6;
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.0203);
   const Scalar hu_5_t_x = Scalar(0.0317) * s_5 + c_5 * hc_5_x;
   const Scalar hc_4_x = hu_5_t_x + Scalar(0.1164);
   const Scalar hu_6_t_y = Scalar(0.0112) * c_6 - Scalar(0.007) * s_6;
   const Scalar hc_4_y = hu_6_t_y + Scalar(0.2145);
-  const Scalar t65 = Scalar(-0.45) * (c_4 * hc_4_y - s_4 * hc_4_x);
-  const Scalar t66 = t51 - Scalar(0.0523608);
-  const Scalar t67 = c_4 * t66 - s_4 * Ic_4_xz - t65;
+  const Scalar t62 = Scalar(-0.45) * (c_4 * hc_4_y - s_4 * hc_4_x);
+  const Scalar t63 = t48 - Scalar(0.0523608);
+  const Scalar t64 = c_4 * t63 - s_4 * Ic_4_xz - t62;
   const Scalar hu_5_t_y = Scalar(0.0317) * c_5 - s_5 * hc_5_x;
-  const Scalar t68 = Scalar(0.45) * hu_5_t_y;
-  const Scalar t69 = Ic_5_zz - t68;
+  const Scalar t65 = Scalar(0.45) * hu_5_t_y;
+  const Scalar t66 = Ic_5_zz - t65;
   const Scalar Iu_5_t_xz = c_5 * Ic_5_xz + s_5 * Ic_5_yz;
-  const Scalar t70 = s_4 * Iu_5_t_xz - c_4 * t69;
-  const Scalar t71 = c_5 * hu_6_t_y;
-  const Scalar t72 = c_4 * t71 - s_4 * hu_6_t_x;
+  const Scalar t67 = s_4 * Iu_5_t_xz - c_4 * t66;
+  const Scalar t68 = c_5 * hu_6_t_y;
+  const Scalar t69 = c_4 * t68 - s_4 * hu_6_t_x;
   const Scalar mu_u_6_5_t_x = Scalar(0.0013246) * s_5 - c_5 * Iu_6_t_xz;
-  const Scalar t73 = Scalar(0.45) * t72 + c_4 * Iu_6_t_yz + s_4 * mu_u_6_5_t_x;
-  const Scalar t74 = t70 - t73 * t36;
-  const Scalar t75 = t67 - t73 * t63 + t74 * t54;
-  const Scalar t76 = c_5 * t64;
-  const Scalar Ic_4_zz = Ic_5_xx - t76 + Scalar(0.0440441);
-  const Scalar b_5_4_4 = Ic_4_zz - mu_u_6_5_t_y * t63 + t52 * t54;
+  const Scalar t70 = Scalar(0.45) * t69 + c_4 * Iu_6_t_yz + s_4 * mu_u_6_5_t_x;
+  const Scalar t71 = t67 - t70 * t33;
+  const Scalar t72 = t64 - t70 * t60 + t71 * t51;
+  const Scalar t73 = c_5 * t61;
+  const Scalar Ic_4_zz = Ic_5_xx - t73 + Scalar(0.0440441);
+  const Scalar b_5_4_4 = Ic_4_zz - mu_u_6_5_t_y * t60 + t49 * t51;
   const Scalar d_4 = Scalar(1.0) / b_5_4_4;
-  const Scalar t77 = t75 * d_4;
+  const Scalar t74 = t72 * d_4;
   const Scalar F_6_x = Scalar(0.007) * U_6_xx + Scalar(0.0112) * U_6_xy;
   const Scalar F_6_y = Scalar(0.007) * U_6_yx - Scalar(0.0112) * U_6_yy;
-  const Scalar f_5_x = Scalar(0.0203) * U_5_xx + Scalar(0.0317) * t48 - c_6 * F_6_x + s_6 * F_6_y;
-  const Scalar t78 = Scalar(0.0203) * t49 - Scalar(0.0317) * U_5_yy - Scalar(0.007) * t37 +
-      Scalar(0.0112) * t38;
-  const Scalar f_4_x = Scalar(0.1164) * U_4_xx - Scalar(0.2145) * t61 - c_5 * f_5_x - s_5 * t78;
+  const Scalar f_5_x = Scalar(0.0203) * U_5_xx + Scalar(0.0317) * t45 - c_6 * F_6_x + s_6 * F_6_y;
+  const Scalar t75 = Scalar(0.0203) * t46 - Scalar(0.0317) * U_5_yy - Scalar(0.007) * t34 +
+      Scalar(0.0112) * t35;
+  const Scalar f_4_x = Scalar(0.1164) * U_4_xx - Scalar(0.2145) * t58 - c_5 * f_5_x - s_5 * t75;
   const Scalar f_4_y = Scalar(0.1164) * U_4_yx - Scalar(0.2145) * U_4_yy - Scalar(0.0203) * U_5_zx -
       Scalar(0.0317) * U_5_zy + c_6 * F_6_y + s_6 * F_6_x;
-  const Scalar t79 = c_4 * f_4_x - s_4 * f_4_y;
-  const Scalar t80 = t26 + t55;
-  const Scalar t81 = t22 - t56;
-  const Scalar U_4_zz = t57 + t59;
+  const Scalar t76 = c_4 * f_4_x - s_4 * f_4_y;
+  const Scalar t77 = t23 + t52;
+  const Scalar t78 = t19 - t53;
+  const Scalar U_4_zz = t54 + t56;
   const Scalar U_4_yy_zz = U_4_yy - U_4_zz;
-  const Scalar t82 = Scalar(0.2145) * t18 + Scalar(0.0110896) * U_4_yx + Scalar(0.0009736) * t80 +
-      Scalar(0.0316473) * t81 - Scalar(0.0523608) * U_4_yy_zz + c_5 * mu_5_x + s_5 * mu_5_y;
+  const Scalar t79 = Scalar(0.2145) * t15 + Scalar(0.0110896) * U_4_yx + Scalar(0.0009736) * t77 +
+      Scalar(0.0316473) * t78 - Scalar(0.0523608) * U_4_yy_zz + c_5 * mu_5_x + s_5 * mu_5_y;
   const Scalar U_4_zz_xx = U_4_xx - U_4_zz;
-  const Scalar t83 = Scalar(0.1164) * t18 + Scalar(0.0523608) * t61 - Scalar(0.0123968) * t80 -
-      Scalar(0.0009736) * t81 - Scalar(0.0110896) * U_4_zz_xx + t50;
-  const Scalar t84 = qd_1 * t6 * t7;
-  const Scalar U_3_xx = t84 + t17;
+  const Scalar t80 = Scalar(0.1164) * t15 + Scalar(0.0523608) * t58 - Scalar(0.0123968) * t77 -
+      Scalar(0.0009736) * t78 - Scalar(0.0110896) * U_4_zz_xx + t47;
+  const Scalar t81 = t5 * t5;
+  const Scalar U_3_xx = t81 + t14;
   const Scalar U_3_xx_yy = U_3_xx - U_3_yy;
-  const Scalar mu_3_z = Scalar(3.8308) * ddp_3_x - Scalar(0.2745) * t15 + Scalar(1.8912169) * t10 +
-      Scalar(0.026176) * U_3_xx_yy + Scalar(0.45) * t79 + c_4 * t83 + s_4 * t82;
-  const Scalar t85 = t74 * d_5;
-  const Scalar t86 = Scalar(-754.9448890231013) * t73;
-  const Scalar y_4_3 = tau_3 + mu_3_z + y_6 * t86 + t85 * y_6_5 - t77 * y_5_4;
-  const Scalar t87 = t76 + Scalar(0.035914);
+  const Scalar mu_3_z = Scalar(3.8308) * ddp_3_x - Scalar(0.2745) * t12 + Scalar(1.8912169) * t7 +
+      Scalar(0.026176) * U_3_xx_yy + Scalar(0.45) * t76 + c_4 * t80 + s_4 * t79;
+  const Scalar t82 = t71 * d_5;
+  const Scalar t83 = Scalar(-754.9448890231013) * t70;
+  const Scalar y_4_3 = tau_3 + mu_3_z + y_6 * t83 + t82 * y_6_5 - t74 * y_5_4;
+  const Scalar t84 = t73 + Scalar(0.035914);
   const Scalar Ic_4_yy = Ic_5_zz - Scalar(0.0123968);
   const Scalar Ic_4_xy = Iu_5_t_xz - Scalar(0.0009736);
-  const Scalar t88 = c_4 * (t87 + Ic_4_yy) - Scalar(2.0) * s_4 * Ic_4_xy;
-  const Scalar t89 = c_4 * t88;
-  const Scalar t90 = Scalar(0.9) * hu_5_t_y;
-  const Scalar t91 = t87 - t89 + t90 + Scalar(2.0394519);
-  const Scalar b_4_3_3 = t91 + t73 * t86 + t74 * t85 - t75 * t77;
-  const Scalar t92 = Scalar(1.0) / b_4_3_3;
-  const Scalar t93 = t73 - Scalar(0.45) * (c_3 * s_5 * hu_6_t_y + s_3 * t72);
+  const Scalar t85 = c_4 * (t84 + Ic_4_yy) - Scalar(2.0) * s_4 * Ic_4_xy;
+  const Scalar t86 = c_4 * t85;
+  const Scalar t87 = Scalar(0.9) * hu_5_t_y;
+  const Scalar t88 = t84 - t86 + t87 + Scalar(2.0394519);
+  const Scalar b_4_3_3 = t88 + t70 * t83 + t71 * t82 - t72 * t74;
+  const Scalar t89 = Scalar(1.0) / b_4_3_3;
+  const Scalar t90 = t70 - Scalar(0.45) * (c_3 * s_5 * hu_6_t_y + s_3 * t69);
   const Scalar f_u_5_3_t_y = c_3 * hu_5_t_x + s_3 * c_4 * hu_5_t_y;
-  const Scalar t94 = t70 - Scalar(0.45) * f_u_5_3_t_y - t93 * t36;
-  const Scalar t95 = t67 + s_3 * t65 - t93 * t63 + t94 * t54;
+  const Scalar t91 = t67 - Scalar(0.45) * f_u_5_3_t_y - t90 * t33;
+  const Scalar t92 = t64 + s_3 * t62 - t90 * t60 + t91 * t51;
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * hc_4_y;
   const Scalar hc_3_x = hu_4_t_x - Scalar(0.2745);
   const Scalar hc_3_y = hu_5_t_y + Scalar(3.8308);
   const Scalar hu_3_t_x = c_3 * hc_3_x + s_3 * hc_3_y;
-  const Scalar t96 = t91 - Scalar(0.45) * hu_3_t_x + t93 * t86 + t94 * t85 - t95 * t77;
-  const Scalar t97 = t96 * t92;
-  const Scalar t98 = Scalar(3.8308) * U_3_yy - Scalar(0.2745) * t10 + Scalar(0.1164) * t80 -
-      Scalar(0.2145) * t81 - c_5 * t78 + s_5 * f_5_x;
-  const Scalar t99 = c_3 * t98 + s_3 * (Scalar(0.2745) * U_3_xx - Scalar(3.8308) * t10 - t79);
-  const Scalar t100 = t95 * d_4;
-  const Scalar t101 = t94 * d_5;
-  const Scalar t102 = Scalar(-754.9448890231013) * t93;
-  const Scalar t103 = qd_1 * qd_1;
-  const Scalar t104 = t2 - t3 - t103;
-  const Scalar U_2_xx_yy = U_2_xx + t104;
-  const Scalar t105 = Scalar(194.232114) * c_2 + Scalar(4.102542) * s_2 - tau_2 +
-      Scalar(8.4002222) * t5 - Scalar(0.0684948) * U_2_xx_yy - mu_3_z - Scalar(0.45) * t99 -
-      y_6 * t102 - t101 * y_6_5 + t100 * y_5_4 + t97 * y_4_3;
-  const Scalar Ic_3_xz = Ic_4_xy + s_4 * t88 - Scalar(0.016137);
-  const Scalar t106 = t67 - Scalar(0.0408384);
-  const Scalar t107 = c_3 * t106 - s_3 * Ic_3_xz;
-  const Scalar t108 = c_3 * Ic_3_xz + s_3 * t106;
-  const Scalar t109 = Scalar(0.45) * hu_4_t_x;
-  const Scalar t110 = c_4 * Ic_4_xz + s_4 * t66 + t109;
-  const Scalar mu_4_2_y = t109 - c_3 * Ic_4_zz - s_3 * t110;
-  const Scalar t111 = s_2 * (c_3 * t110 - s_3 * Ic_4_zz);
-  const Scalar t112 = c_4 * Iu_5_t_xz + s_4 * t69;
-  const Scalar mu_5_2_y = s_4 * t68 - c_3 * t51 + s_3 * t112;
-  const Scalar t113 = s_2 * (c_3 * t112 + s_3 * t51);
-  const Scalar f_u_6_4_t_y = c_4 * hu_6_t_x + s_4 * t71;
-  const Scalar t114 = Scalar(0.45) * f_u_6_4_t_y;
-  const Scalar t115 = c_4 * mu_u_6_5_t_x - s_4 * Iu_6_t_yz - t114;
-  const Scalar mu_6_2_y = t114 - c_3 * mu_u_6_5_t_y + s_3 * t115;
-  const Scalar mu_u_6_2_t_y = c_2 * mu_6_2_y + s_2 * (c_3 * t115 + s_3 * mu_u_6_5_t_y);
-  const Scalar t116 = c_2 * mu_5_2_y + t113 - mu_u_6_2_t_y * t36;
-  const Scalar b_5_4_1 = c_2 * mu_4_2_y - t111 - mu_u_6_2_t_y * t63 + t116 * t54;
-  const Scalar t117 = c_2 * t107 - s_2 * t108 - mu_u_6_2_t_y * t86 - t116 * t85 + b_5_4_1 * t77;
-  const Scalar t118 = s_2 * (t65 + t108 + Scalar(0.1098692));
-  const Scalar b_3_2_1 = c_2 * (t107 + Scalar(0.0444376)) - t118 - mu_u_6_2_t_y * t102 -
-      t116 * t101 + b_5_4_1 * t100 - t117 * t97;
-  const Scalar t119 = Scalar(0.9) * hu_3_t_x;
-  const Scalar b_3_2_2 = t91 - t119 + t93 * t102 + t94 * t101 - t95 * t100 - t96 * t97 +
+  const Scalar t93 = t88 - Scalar(0.45) * hu_3_t_x + t90 * t83 + t91 * t82 - t92 * t74;
+  const Scalar t94 = t93 * t89;
+  const Scalar t95 = Scalar(3.8308) * U_3_yy - Scalar(0.2745) * t7 + Scalar(0.1164) * t77 -
+      Scalar(0.2145) * t78 - c_5 * t75 + s_5 * f_5_x;
+  const Scalar t96 = c_3 * t95 + s_3 * (Scalar(0.2745) * U_3_xx - Scalar(3.8308) * t7 - t76);
+  const Scalar t97 = t92 * d_4;
+  const Scalar t98 = t91 * d_5;
+  const Scalar t99 = Scalar(-754.9448890231013) * t90;
+  const Scalar U_2_yy = t2 + t3 * t3;
+  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
+  const Scalar t100 = Scalar(194.232114) * c_2 + Scalar(4.102542) * s_2 - tau_2 +
+      Scalar(8.4002222) * t4 - Scalar(0.0684948) * U_2_xx_yy - mu_3_z - Scalar(0.45) * t96 -
+      y_6 * t99 - t98 * y_6_5 + t97 * y_5_4 + t94 * y_4_3;
+  const Scalar Ic_3_xz = Ic_4_xy + s_4 * t85 - Scalar(0.016137);
+  const Scalar t101 = t64 - Scalar(0.0408384);
+  const Scalar t102 = c_3 * t101 - s_3 * Ic_3_xz;
+  const Scalar t103 = c_3 * Ic_3_xz + s_3 * t101;
+  const Scalar t104 = Scalar(0.45) * hu_4_t_x;
+  const Scalar t105 = c_4 * Ic_4_xz + s_4 * t63 + t104;
+  const Scalar mu_4_2_y = t104 - c_3 * Ic_4_zz - s_3 * t105;
+  const Scalar t106 = s_2 * (c_3 * t105 - s_3 * Ic_4_zz);
+  const Scalar t107 = c_4 * Iu_5_t_xz + s_4 * t66;
+  const Scalar mu_5_2_y = s_4 * t65 - c_3 * t48 + s_3 * t107;
+  const Scalar t108 = s_2 * (c_3 * t107 + s_3 * t48);
+  const Scalar f_u_6_4_t_y = c_4 * hu_6_t_x + s_4 * t68;
+  const Scalar t109 = Scalar(0.45) * f_u_6_4_t_y;
+  const Scalar t110 = c_4 * mu_u_6_5_t_x - s_4 * Iu_6_t_yz - t109;
+  const Scalar mu_6_2_y = t109 - c_3 * mu_u_6_5_t_y + s_3 * t110;
+  const Scalar mu_u_6_2_t_y = c_2 * mu_6_2_y + s_2 * (c_3 * t110 + s_3 * mu_u_6_5_t_y);
+  const Scalar t111 = c_2 * mu_5_2_y + t108 - mu_u_6_2_t_y * t33;
+  const Scalar b_5_4_1 = c_2 * mu_4_2_y - t106 - mu_u_6_2_t_y * t60 + t111 * t51;
+  const Scalar t112 = c_2 * t102 - s_2 * t103 - mu_u_6_2_t_y * t83 - t111 * t82 + b_5_4_1 * t74;
+  const Scalar t113 = s_2 * (t62 + t103 + Scalar(0.1098692));
+  const Scalar b_3_2_1 = c_2 * (t102 + Scalar(0.0444376)) - t113 - mu_u_6_2_t_y * t99 - t111 * t98 +
+      b_5_4_1 * t97 - t112 * t94;
+  const Scalar t114 = Scalar(0.9) * hu_3_t_x;
+  const Scalar b_3_2_2 = t88 - t114 + t90 * t99 + t91 * t98 - t92 * t97 - t93 * t94 +
       Scalar(8.554441);
-  const Scalar t120 = Scalar(1.0) / b_3_2_2;
-  const Scalar t121 = b_3_2_1 * t120;
+  const Scalar t115 = Scalar(1.0) / b_3_2_2;
+  const Scalar t116 = b_3_2_1 * t115;
   const Scalar f_u_4_t_y = c_4 * f_4_y + s_4 * f_4_x;
-  const Scalar t122 = Scalar(0.45) * f_u_4_t_y;
-  const Scalar U_3_zz = t84 + t16;
+  const Scalar t117 = Scalar(0.45) * f_u_4_t_y;
+  const Scalar U_3_zz = t81 + t13;
   const Scalar U_3_yy_zz = U_3_yy - U_3_zz;
-  const Scalar t123 = Scalar(0.016137) * t10 + Scalar(3.44772) * t12 + Scalar(3.9306688) * t11 -
-      Scalar(0.052352) * t24 + Scalar(0.0408384) * U_3_yy_zz + c_4 * t82 - s_4 * t83 - t122;
+  const Scalar t118 = Scalar(0.016137) * t7 + Scalar(3.44772) * t9 + Scalar(3.9306688) * t8 -
+      Scalar(0.052352) * t21 + Scalar(0.0408384) * U_3_yy_zz + c_4 * t79 - s_4 * t80 - t117;
   const Scalar U_3_zz_xx = U_3_xx - U_3_zz;
-  const Scalar t124 = Scalar(0.0408384) * t10 - Scalar(0.24705) * t12 + Scalar(0.052352) * t11 -
-      Scalar(0.148235) * t24 + Scalar(0.016137) * U_3_zz_xx - t62;
-  const Scalar t125 = qd_2 * t1;
-  const Scalar t126 = Scalar(0.0444376) * t5 + Scalar(16.9546632) * t12 + Scalar(3.44772) * t11 +
-      Scalar(0.24705) * t24 + Scalar(0.1098692) * (U_2_xx - t103) - t122 -
-      Scalar(0.1369896) * t125 - c_3 * t124 - s_3 * t123;
-  const Scalar t127 = Scalar(0.1098692) * t5 + Scalar(0.1369896) * t12 -
-      Scalar(0.0444376) * (t103 + t104) - c_3 * t123 + s_3 * t124 - Scalar(0.1542188) * t125;
-  const Scalar t128 = t117 * t92;
-  const Scalar t129 = b_5_4_1 * d_4;
-  const Scalar t130 = t116 * d_5;
-  const Scalar t131 = Scalar(754.9448890231013) * mu_u_6_2_t_y;
-  const Scalar y_2_1 = tau_1 + c_2 * t126 + s_2 * t127 + y_6 * t131 - t130 * y_6_5 + t129 * y_5_4 -
-      t128 * y_4_3 + t121 * t105;
-  const Scalar t132 = Ic_4_yy - t89 - t90 - Scalar(1.9653344);
+  const Scalar t119 = Scalar(0.0408384) * t7 - Scalar(0.24705) * t9 + Scalar(0.052352) * t8 -
+      Scalar(0.148235) * t21 + Scalar(0.016137) * U_3_zz_xx - t59;
+  const Scalar t120 = qd_1 * qd_1;
+  const Scalar t121 = qd_2 * t1;
+  const Scalar t122 = Scalar(0.0444376) * t4 + Scalar(16.9546632) * t9 + Scalar(3.44772) * t8 +
+      Scalar(0.24705) * t21 + Scalar(0.1098692) * (U_2_xx - t120) - t117 -
+      Scalar(0.1369896) * t121 - c_3 * t119 - s_3 * t118;
+  const Scalar t123 = Scalar(0.1098692) * t4 + Scalar(0.1369896) * t9 +
+      Scalar(0.0444376) * (U_2_yy - t120) - c_3 * t118 + s_3 * t119 - Scalar(0.1542188) * t121;
+  const Scalar t124 = t112 * t89;
+  const Scalar t125 = b_5_4_1 * d_4;
+  const Scalar t126 = t111 * d_5;
+  const Scalar t127 = Scalar(754.9448890231013) * mu_u_6_2_t_y;
+  const Scalar y_2_1 = tau_1 + c_2 * t122 + s_2 * t123 + y_6 * t127 - t126 * y_6_5 + t125 * y_5_4 -
+      t124 * y_4_3 + t116 * t100;
+  const Scalar t128 = Ic_4_yy - t86 - t87 - Scalar(1.9653344);
   const Scalar Ic_3_yy = Ic_4_zz + Scalar(0.0741175);
-  const Scalar t133 = t110 + Scalar(0.026176);
-  const Scalar t134 = c_3 * (t132 + Ic_3_yy) + Scalar(2.0) * s_3 * t133;
-  const Scalar t135 = c_3 * t134;
-  const Scalar Ic_2_xx = Ic_3_yy - t135 + Scalar(0.0771094);
-  const Scalar t136 = c_3 * hc_3_y - s_3 * hc_3_x;
-  const Scalar t137 = s_2 * (t133 - Scalar(0.45) * t136 - s_3 * t134 + Scalar(0.0684948));
-  const Scalar t138 = c_2 * (t132 - t135 + Ic_2_xx + t119 - Scalar(8.4773316)) - Scalar(2.0) * t137;
-  const Scalar b_2_1_1 = Ic_2_xx - c_2 * t138 - mu_u_6_2_t_y * t131 + t116 * t130 - b_5_4_1 * t129 -
-      t117 * t128 - b_3_2_1 * t121 + Scalar(0.8059476);
+  const Scalar t129 = t105 + Scalar(0.026176);
+  const Scalar t130 = c_3 * (t128 + Ic_3_yy) + Scalar(2.0) * s_3 * t129;
+  const Scalar t131 = c_3 * t130;
+  const Scalar Ic_2_xx = Ic_3_yy - t131 + Scalar(0.0771094);
+  const Scalar t132 = c_3 * hc_3_y - s_3 * hc_3_x;
+  const Scalar t133 = s_2 * (t129 - Scalar(0.45) * t132 - s_3 * t130 + Scalar(0.0684948));
+  const Scalar t134 = c_2 * (t128 - t131 + Ic_2_xx + t114 - Scalar(8.4773316)) - Scalar(2.0) * t133;
+  const Scalar b_2_1_1 = Ic_2_xx - c_2 * t134 - mu_u_6_2_t_y * t127 + t111 * t126 - b_5_4_1 * t125 -
+      t112 * t124 - b_3_2_1 * t116 + Scalar(0.8059476);
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar qdd_1 = d_1 * y_2_1;
   qdd[0] = qdd_1;
-  const Scalar t139 = t120 * (t105 + b_3_2_1 * qdd_1);
-  qdd[1] = -t139;
-  const Scalar qdd_3 = t92 * (y_4_3 + t96 * t139 - t117 * qdd_1);
+  const Scalar t135 = t115 * (t100 + b_3_2_1 * qdd_1);
+  qdd[1] = -t135;
+  const Scalar qdd_3 = t89 * (y_4_3 + t93 * t135 - t112 * qdd_1);
   qdd[2] = qdd_3;
-  const Scalar qdd_4 = d_4 * (y_5_4 + t95 * t139 + b_5_4_1 * qdd_1 - t75 * qdd_3);
+  const Scalar qdd_4 = d_4 * (y_5_4 + t92 * t135 + b_5_4_1 * qdd_1 - t72 * qdd_3);
   qdd[3] = qdd_4;
-  const Scalar t140 = y_6_5 - t52 * qdd_4 + t116 * qdd_1 - t74 * qdd_3 + t94 * t139;
-  const Scalar t141 = d_5 * t140;
-  qdd[4] = -t141;
-  const Scalar t142 = y_6 - mu_u_6_5_t_y * qdd_4 - t73 * qdd_3 + Iu_6_t_yz * t141;
-  qdd[5] = Scalar(754.9448890231013) * t142 +
-      Scalar(754.9448890231013) * (t93 * t139 + mu_u_6_2_t_y * qdd_1);
+  const Scalar t136 = y_6_5 - t49 * qdd_4 + t111 * qdd_1 - t71 * qdd_3 + t91 * t135;
+  const Scalar t137 = d_5 * t136;
+  qdd[4] = -t137;
+  const Scalar t138 = y_6 - mu_u_6_5_t_y * qdd_4 - t70 * qdd_3 + Iu_6_t_yz * t137;
+  qdd[5] = Scalar(754.9448890231013) * t138 +
+      Scalar(754.9448890231013) * (t90 * t135 + mu_u_6_2_t_y * qdd_1);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_4_3_3 > Scalar(0.0);
@@ -2096,7 +2090,7 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
 //   q[6]   in   joint positions, rad or m
 //   qd[6]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Reads q[0..5], qd[0..5]. Operations: 117 mul, 58 add, 12 sin/cos.
+// Reads q[0..5], qd[0..5]. Operations: 116 mul, 58 add, 12 sin/cos.
 template <class Scalar>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
   using std::cos;
@@ -2140,15 +2134,15 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexce
   const Scalar domega_e_3_t_x = s_3 * domega_e_5_t_y + c_3 * domega_e_4_t_x;
   const Scalar t16 = s_3 * domega_e_4_t_x - c_3 * domega_e_5_t_y;
   a[5] = s_2 * domega_e_3_t_x + c_2 * t16;
-  const Scalar t17 = qd_1 * qd_1;
-  const Scalar t18 = t17 * (t3 * t6 - s_2 * t1);
-  const Scalar t19 = c_2 * t17;
-  const Scalar U_2_xx = qd_2 * qd_2 + c_2 * t19;
-  const Scalar t20 = Scalar(0.45) * c_3 * U_2_xx + Scalar(0.45) * t18;
+  const Scalar t17 = Scalar(0.45) * qd_1;
+  const Scalar t18 = qd_1 * (t3 * t6 - s_2 * t1) * t17;
+  const Scalar t19 = c_2 * qd_1;
+  const Scalar U_2_xx = qd_2 * qd_2 + t19 * t19;
+  const Scalar t20 = Scalar(0.45) * c_3 * U_2_xx + t18;
   const Scalar t21 = Scalar(0.9) * s_2 * qd_1 * qd_2 - Scalar(0.9) * t9;
   const Scalar t22 = s_4 * t21 + c_4 * t20;
-  const Scalar t23 = omega_3_z * omega_3_z + qd_1 * t3 * t4 - s_3 * U_2_xx;
-  const Scalar t24 = Scalar(0.45) * t23 - Scalar(0.45) * t19 * t2;
+  const Scalar t23 = omega_3_z * omega_3_z + t4 * t4 - s_3 * U_2_xx;
+  const Scalar t24 = Scalar(0.45) * t23 - t19 * t2 * t17;
   const Scalar t25 = s_5 * t24 + c_5 * t22;
   const Scalar t26 = s_4 * t20 - c_4 * t21;
   const Scalar t27 = s_6 * t25 + c_6 * t26;

@@ -366,7 +366,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2,
 // parameters.m_l3, parameters.I_l3, parameters.m_m3, parameters.I_m3, parameters.k_r3,
 // parameters.m_l4, parameters.I_l4, parameters.m_m4, parameters.I_m4, parameters.k_r4. Operations:
-// 42 mul, 39 add, 4 div, 2 sin/cos.
+// 41 mul, 39 add, 4 div, 2 sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd) noexcept {
@@ -383,21 +383,21 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       k_r3 = parameters.k_r3, m_l4 = parameters.m_l4, I_l4 = parameters.I_l4,
       m_m4 = parameters.m_m4, I_m4 = parameters.I_m4, k_r4 = parameters.k_r4;
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar t1 = I_m4 * k_r4;
-  const Scalar b_4_4 = I_l4 + k_r4 * t1;
-  const Scalar d_4 = Scalar(1.0) / b_4_4;
-  const Scalar mu_4_3_z = I_l4 + t1;
-  const Scalar t2 = mu_4_3_z * d_4;
-  const Scalar t3 = I_m3 * k_r3;
-  const Scalar t4 = k_r3 * t3;
+  const Scalar t1 = I_m3 * k_r3;
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
-  const Scalar b_3_3 = m_3 + t4;
+  const Scalar b_3_3 = m_3 + k_r3 * t1;
   const Scalar d_3 = Scalar(1.0) / b_3_3;
+  const Scalar t2 = t1 * d_3;
+  const Scalar t3 = I_m4 * k_r4;
+  const Scalar b_4_4 = I_l4 + k_r4 * t3;
+  const Scalar d_4 = Scalar(1.0) / b_4_4;
+  const Scalar mu_4_3_z = I_l4 + t3;
+  const Scalar t4 = mu_4_3_z * d_4;
   const Scalar t5 = m_m3 + m_3;
   const Scalar t6 = a_2 * t5;
   const Scalar t7 = m_l2 * l_2;
-  const Scalar t8 = I_l2 + I_l3 + I_m3 + I_l4 + I_m4 + l_2 * t7 + a_2 * t6 - I_m3 * t4 * d_3 -
-      mu_4_3_z * t2;
+  const Scalar t8 = I_l2 + I_l3 + I_m3 + I_l4 + I_m4 + l_2 * t7 + a_2 * t6 - t1 * t2 -
+      mu_4_3_z * t4;
   const Scalar t9 = I_m2 * k_r2;
   const Scalar b_3_2_2 = t8 + k_r2 * t9;
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
@@ -412,7 +412,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t14 = s_2 * t10;
   const Scalar y_3 = tau_3 - g * m_3;
-  const Scalar t15 = y_3 * t3 * d_3 + tau_4 * t2 + qd_1 * qd_1 * t14;
+  const Scalar t15 = y_3 * t2 + tau_4 * t4 + qd_1 * qd_1 * t14;
   const Scalar y_3_2 = tau_2 - t15;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar y_2_1 = tau_1 - t15 - t12 * y_3_2 + omega_2_z * omega_2_z * t14;
@@ -421,7 +421,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar qdd_2 = d_2 * (y_3_2 - b_3_2_1 * qdd_1);
   qdd[1] = qdd_2;
   const Scalar t16 = qdd_1 + qdd_2;
-  qdd[2] = d_3 * (y_3 - t3 * t16);
+  qdd[2] = d_3 * (y_3 - t1 * t16);
   qdd[3] = d_4 * (tau_4 - mu_4_3_z * t16);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
@@ -438,7 +438,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // parameters.I_m1, parameters.k_r1, parameters.a_2, parameters.m_l2, parameters.l_2,
 // parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2, parameters.m_l3,
 // parameters.I_l3, parameters.m_m3, parameters.I_m3, parameters.k_r3, parameters.m_l4,
-// parameters.I_l4, parameters.m_m4, parameters.I_m4, parameters.k_r4. Operations: 34 mul, 28 add, 1
+// parameters.I_l4, parameters.m_m4, parameters.I_m4, parameters.k_r4. Operations: 35 mul, 28 add, 1
 // sin/cos.
 template <class Scalar>
 inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
@@ -459,22 +459,21 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t2 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + I_l3 + I_m3 + I_m4 + a_2 * t1 + l_2 * t2;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t3 = Scalar(2.0) * qd_1;
-  const Scalar t4 = omega_2_z * (a_1 * c_2 * t3 * (t1 + t2) + omega_2_z * I_2_zz);
-  const Scalar t5 = a_1 * a_1;
-  const Scalar t6 = (m_l2 + m_m2 + m_m3) * t5;
-  const Scalar t7 = I_l1 + I_m2 + I_m1 * k_r1 * k_r1 + t6 + m_l1 * l_1 * l_1;
-  const Scalar t8 = qd_1 * qd_1;
-  const Scalar t9 = Scalar(2.0) * omega_2_z;
-  const Scalar t10 = k_r4 * qd_4;
-  const Scalar t11 = I_m4 * t10 * (t9 + t10);
-  const Scalar t12 = k_r3 * qd_3;
-  const Scalar t13 = I_m3 * t12 * (t12 + t9);
-  const Scalar v_v_3 = qd_3 * qd_3 + t8 * t5;
+  const Scalar t3 = a_1 * qd_1;
+  const Scalar t4 = omega_2_z * (Scalar(2.0) * c_2 * t3 * (t1 + t2) + omega_2_z * I_2_zz);
+  const Scalar t5 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
+  const Scalar t6 = I_l1 + I_m2 + I_m1 * k_r1 * k_r1 + t5 + m_l1 * l_1 * l_1;
+  const Scalar t7 = Scalar(2.0) * omega_2_z;
+  const Scalar t8 = k_r4 * qd_4;
+  const Scalar t9 = I_m4 * t8 * (t7 + t8);
+  const Scalar t10 = k_r3 * qd_3;
+  const Scalar t11 = I_m3 * t10 * (t10 + t7);
+  const Scalar v_v_3 = qd_3 * qd_3 + t3 * t3;
   const Scalar omega_4_z = omega_2_z + qd_4;
-  const Scalar t14 = k_r2 * qd_2;
-  const Scalar t15 = I_m2 * t14 * (t14 + t3);
-  const Scalar T_2 = t4 + t8 * t7 + t11 + I_l4 * omega_4_z * omega_4_z + t13 + m_3 * v_v_3 + t15;
+  const Scalar t12 = k_r2 * qd_2;
+  const Scalar t13 = I_m2 * t12 * (Scalar(2.0) * qd_1 + t12);
+  const Scalar T_2 = t4 + qd_1 * qd_1 * t6 + t9 + I_l4 * omega_4_z * omega_4_z + t11 + m_3 * v_v_3 +
+      t13;
   return Scalar(0.5) * T_2;
 }
 

@@ -67,7 +67,7 @@ inline constexpr Real effort_limit[joint_count] = {
 //   qd[6]   in   joint velocities, rad/s or m/s
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..5], qd[0..5], qdd[0..5]. Operations: 177 mul, 135 add, 10 sin/cos.
+// Reads q[1..5], qd[0..5], qdd[0..5]. Operations: 175 mul, 135 add, 10 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau) noexcept {
@@ -106,7 +106,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar N_6_z = Scalar(0.0001321171875) * domega_6_z;
   tau[5] = N_6_z;
   const Scalar t14 = qd_2 * qd_2;
-  const Scalar U_2_xx = t14 + c_2 * qd_1 * t2;
+  const Scalar U_2_xx = t14 + t2 * t2;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 + Scalar(0.425) * U_2_xx;
   const Scalar t15 = t2 * t1;
   const Scalar U_2_yx = qdd_2 + t15;
@@ -200,9 +200,8 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
       Scalar(0.57197413724375) * t17 - Scalar(0.10915) * f_u_4_t_y + s_4 * mu_4_y + c_4 * mu_4_x;
   const Scalar mu_2_x = Scalar(1.40804167915) * t6 - Scalar(1.39293427915) * domega_2_x +
       Scalar(0.349300285625) * U_2_yx + s_3 * mu_3_y + c_3 * t48;
-  const Scalar t49 = t14 - s_2 * qd_1 * t1;
   const Scalar mu_2_y = Scalar(2.8009759583) * t8 + Scalar(0.677642004375) * t27 -
-      Scalar(0.349300285625) * t49 - Scalar(0.425) * t47 - s_3 * t48 + c_3 * mu_3_y;
+      Scalar(0.349300285625) * (t14 - t1 * t1) - Scalar(0.425) * t47 - s_3 * t48 + c_3 * mu_3_y;
   tau[0] = Scalar(2.1327493394493) * qdd_1 + s_2 * mu_2_x - c_2 * mu_2_y;
 }
 
@@ -212,7 +211,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 231 mul, 169 add, 12 sin/cos.
+// Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 229 mul, 169 add, 12 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau) noexcept {
@@ -282,7 +281,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t27 = (s_6 * omega_5_z - c_6 * omega_r_5_x) * t25;
   const Scalar mu_6_y = Scalar(0.0823) * f_e6_x + t27 - s_6 * mu_e5_x + c_6 * mu_e4_y;
   const Scalar t28 = qd_2 * qd_2;
-  const Scalar U_2_xx = t28 + c_2 * qd_1 * t2;
+  const Scalar U_2_xx = t28 + t2 * t2;
   const Scalar ddp_o_3_x = Scalar(9.81) * s_2 + Scalar(0.425) * U_2_xx;
   const Scalar t29 = t2 * t1;
   const Scalar U_2_yx = qdd_2 + t29;
@@ -369,9 +368,8 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
       Scalar(0.57197413724375) * t31 - Scalar(0.10915) * f_u_4_t_y + s_4 * mu_4_y + c_4 * mu_4_x;
   const Scalar mu_2_x = Scalar(1.40804167915) * t6 - Scalar(1.39293427915) * domega_2_x +
       Scalar(0.349300285625) * U_2_yx + s_3 * mu_3_y + c_3 * t56;
-  const Scalar t57 = t28 - s_2 * qd_1 * t1;
   const Scalar mu_2_y = Scalar(2.8009759583) * t8 + Scalar(0.677642004375) * t41 -
-      Scalar(0.349300285625) * t57 - Scalar(0.425) * t55 - s_3 * t56 + c_3 * mu_3_y;
+      Scalar(0.349300285625) * (t28 - t1 * t1) - Scalar(0.425) * t55 - s_3 * t56 + c_3 * mu_3_y;
   tau[0] = Scalar(2.1327493394493) * qdd_1 + s_2 * mu_2_x - c_2 * mu_2_y;
 }
 
@@ -1035,7 +1033,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
 // number.
-// Reads q[1..5], qd[0..5], tau[0..5]. Operations: 304 mul, 219 add, 4 div, 10 sin/cos.
+// Reads q[1..5], qd[0..5], tau[0..5]. Operations: 303 mul, 219 add, 4 div, 10 sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
     Scalar* qdd) noexcept {
@@ -1167,83 +1165,82 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar mu_5_3_x = Scalar(0.003292500193635) * t41 + s_4 * t62;
   const Scalar mu_5_2_y = Scalar(0.0149450629075) * s_5 - s_3 * mu_5_3_x - c_3 * t63;
   const Scalar t64 = s_2 * (s_3 * t63 - c_3 * mu_5_3_x) + c_2 * mu_5_2_y;
-  const Scalar t65 = s_2 * (s_3 * s_4 - c_3 * c_4) - c_2 * t53;
-  const Scalar t66 = s_5 * t65;
-  const Scalar t67 = Scalar(-0.0001321171875) * t66;
-  const Scalar t68 = c_5 * t67;
-  const Scalar t69 = Scalar(0.0015110828546699) * c_5;
+  const Scalar t65 = s_5 * (s_2 * (s_3 * s_4 - c_3 * c_4) - c_2 * t53);
+  const Scalar t66 = Scalar(-0.0001321171875) * t65;
+  const Scalar t67 = c_5 * t66;
+  const Scalar t68 = Scalar(0.0015110828546699) * c_5;
   const Scalar Ic_4_yz = Scalar(0.003292500193635) * c_5 - Scalar(0.000035853228);
-  const Scalar Ic_3_yz = Scalar(0.10915) * hu_4_t_y + t51 * t69 + c_4 * Ic_4_yz;
-  const Scalar t70 = s_3 * Ic_3_yz;
-  const Scalar mu_4_3_x = Scalar(0.10915) * hu_4_t_x + s_4 * Ic_4_yz - t41 * t69;
-  const Scalar mu_u_4_3_t_x = t70 + c_3 * mu_4_3_x;
-  const Scalar t71 = c_3 * Ic_3_yz;
-  const Scalar mu_u_4_3_t_y = t71 - s_3 * mu_4_3_x;
-  const Scalar t72 = t64 * t38 - t68 + s_2 * mu_u_4_3_t_x - c_2 * mu_u_4_3_t_y;
-  const Scalar t73 = Scalar(0.013793413942275) * c_5 - mu_4_3_x + Scalar(0.12652256366625);
-  const Scalar Iu_3_t_yz = s_3 * t73 + t71;
-  const Scalar t74 = t68 + c_2 * Iu_3_t_yz;
-  const Scalar t75 = t70 - c_3 * t73;
-  const Scalar t76 = t74 + t72 * t45 + t64 * t48 - s_2 * t75;
-  const Scalar t77 = Scalar(0.0149450629075) * c_5;
-  const Scalar t78 = s_2 * (t75 - t77 - Scalar(0.349300285625));
-  const Scalar t79 = t74 - t76 * t57 + t72 * t59 + t64 * t60 - t78;
-  const Scalar t80 = Scalar(0.85) * hu_3_t_x;
-  const Scalar b_3_2_2 = t80 + t50 - b_4_3_2 * t57 - b_5_4_2 * t59 +
+  const Scalar Ic_3_yz = Scalar(0.10915) * hu_4_t_y + t51 * t68 + c_4 * Ic_4_yz;
+  const Scalar t69 = s_3 * Ic_3_yz;
+  const Scalar mu_4_3_x = Scalar(0.10915) * hu_4_t_x + s_4 * Ic_4_yz - t41 * t68;
+  const Scalar mu_u_4_3_t_x = t69 + c_3 * mu_4_3_x;
+  const Scalar t70 = c_3 * Ic_3_yz;
+  const Scalar mu_u_4_3_t_y = t70 - s_3 * mu_4_3_x;
+  const Scalar t71 = t64 * t38 - t67 + s_2 * mu_u_4_3_t_x - c_2 * mu_u_4_3_t_y;
+  const Scalar t72 = Scalar(0.013793413942275) * c_5 - mu_4_3_x + Scalar(0.12652256366625);
+  const Scalar Iu_3_t_yz = s_3 * t72 + t70;
+  const Scalar t73 = t67 + c_2 * Iu_3_t_yz;
+  const Scalar t74 = t69 - c_3 * t72;
+  const Scalar t75 = t73 + t71 * t45 + t64 * t48 - s_2 * t74;
+  const Scalar t76 = Scalar(0.0149450629075) * c_5;
+  const Scalar t77 = s_2 * (t74 - t76 - Scalar(0.349300285625));
+  const Scalar t78 = t73 - t75 * t57 + t71 * t59 + t64 * t60 - t77;
+  const Scalar t79 = Scalar(0.85) * hu_3_t_x;
+  const Scalar b_3_2_2 = t79 + t50 - b_4_3_2 * t57 - b_5_4_2 * t59 +
       Scalar(0.058204748750363244) * t55 * t56 - Scalar(1.40804167915);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t81 = t79 * d_2;
-  const Scalar t82 = s_5 * t23 - c_5 * U_5_yy;
-  const Scalar t83 = t17 - t9 * t5 * t5;
+  const Scalar t80 = t78 * d_2;
+  const Scalar t81 = s_5 * t23 - c_5 * U_5_yy;
+  const Scalar t82 = t17 - t9 * t5 * t5;
   const Scalar mu_4_x = Scalar(0.150887345) * ddp_o_4_z - Scalar(0.0341785615476398) * t20 +
-      Scalar(0.000035853228) * t83 - Scalar(0.003328353421635) * t82 - s_5 * t25 - c_5 * mu_5_x;
-  const Scalar t84 = Scalar(0.000035853228) * t28 + Scalar(0.0021942) * t22 - t37;
-  const Scalar t85 = t20 + Scalar(0.11652684955123307) * t82;
+      Scalar(0.000035853228) * t82 - Scalar(0.003328353421635) * t81 - s_5 * t25 - c_5 * mu_5_x;
+  const Scalar t83 = Scalar(0.000035853228) * t28 + Scalar(0.0021942) * t22 - t37;
+  const Scalar t84 = t20 + Scalar(0.11652684955123307) * t81;
   const Scalar U_3_zz_xx = U_3_xx - t30;
   const Scalar mu_3_y = Scalar(1.1398532744875) * t32 + Scalar(1.35528400875) * t34 -
-      Scalar(0.12652256366625) * U_3_zz_xx - Scalar(0.1183711221525) * t85 +
-      Scalar(0.10915) * f_u_4_t_x - s_4 * mu_4_x - c_4 * t84;
-  const Scalar t86 = Scalar(0.12652256366625) * t14 - Scalar(0.10915) * t46 + s_4 * t84 -
+      Scalar(0.12652256366625) * U_3_zz_xx - Scalar(0.1183711221525) * t84 +
+      Scalar(0.10915) * f_u_4_t_x - s_4 * mu_4_x - c_4 * t83;
+  const Scalar t85 = Scalar(0.12652256366625) * t14 - Scalar(0.10915) * t46 + s_4 * t83 -
       c_4 * mu_4_x + Scalar(0.004095) * t1 * t31;
   const Scalar mu_2_x = Scalar(0.349300285625) * t11 + Scalar(0.0151074) * c_2 * t33 +
-      s_3 * mu_3_y - c_3 * t86;
+      s_3 * mu_3_y - c_3 * t85;
   const Scalar mu_2_y = Scalar(1.35528400875) * t32 + Scalar(2.8009759583) * t34 +
-      Scalar(0.349300285625) * (t9 - U_2_xx) - Scalar(0.12825424325) * t85 + s_3 * t86 +
+      Scalar(0.349300285625) * (t9 - U_2_xx) - Scalar(0.12825424325) * t84 + s_3 * t85 +
       c_3 * mu_3_y;
-  const Scalar t87 = t76 * d_3;
-  const Scalar t88 = t72 * d_4;
-  const Scalar t89 = Scalar(260.5931070544678) * t64;
-  const Scalar y_2_1 = tau_1 + t81 * y_3_2 + t87 * y_4_3 - t88 * y_5_4 + y_5 * t89 - y_6 * t66 -
+  const Scalar t86 = t75 * d_3;
+  const Scalar t87 = t71 * d_4;
+  const Scalar t88 = Scalar(260.5931070544678) * t64;
+  const Scalar y_2_1 = tau_1 + t80 * y_3_2 + t86 * y_4_3 - t87 * y_5_4 + y_5 * t88 - y_6 * t65 -
       s_2 * mu_2_x + c_2 * mu_2_y;
   const Scalar Iu_5_t_xx = t40 - Scalar(0.0015110828546699);
   const Scalar Iu_4_t_d = Iu_5_t_xx + Scalar(0.01215478073165);
   const Scalar Iu_4_t_g = Scalar(0.00658500038727) * t51 + c_4 * Iu_4_t_d;
-  const Scalar t90 = c_4 * Iu_4_t_g;
-  const Scalar t91 = Scalar(0.00767648760637) * c_5;
-  const Scalar Ic_3_xx = t90 + t91 - Scalar(0.01215478073165);
-  const Scalar Ic_3_yy = Iu_5_t_xx - t90 + t91 - t49 + Scalar(0.56787913724375);
+  const Scalar t89 = c_4 * Iu_4_t_g;
+  const Scalar t90 = Scalar(0.00767648760637) * c_5;
+  const Scalar Ic_3_xx = t89 + t90 - Scalar(0.01215478073165);
+  const Scalar Ic_3_yy = Iu_5_t_xx - t89 + t90 - t49 + Scalar(0.56787913724375);
   const Scalar Iu_3_t_d = Ic_3_xx - Ic_3_yy;
   const Scalar Ic_3_xy = Scalar(0.39225) * hu_4_t_y - s_4 * Iu_4_t_g + t61;
   const Scalar Iu_3_t_g = Scalar(2.0) * s_3 * Ic_3_xy + c_3 * Iu_3_t_d;
-  const Scalar t92 = c_3 * Iu_3_t_g;
-  const Scalar Iu_3_t_xx = Ic_3_yy + t92;
-  const Scalar t93 = c_2 * (Ic_3_xx - t92 - Iu_3_t_xx - t80 + Scalar(1.39293427915));
+  const Scalar t91 = c_3 * Iu_3_t_g;
+  const Scalar Iu_3_t_xx = Ic_3_yy + t91;
+  const Scalar t92 = c_2 * (Ic_3_xx - t91 - Iu_3_t_xx - t79 + Scalar(1.39293427915));
   const Scalar Ic_2_xy = Ic_3_xy - Scalar(0.425) * (s_3 * hc_3_x - c_3 * hu_4_t_y) - s_3 * Iu_3_t_g;
-  const Scalar t94 = c_2 * (Scalar(2.0) * s_2 * Ic_2_xy - t93);
-  const Scalar b_2_1_1 = Iu_3_t_xx + t79 * t81 + t76 * t87 + t72 * t88 - t64 * t89 +
-      s_5 * t65 * t67 - t94 + Scalar(0.1879281038293699);
+  const Scalar t93 = c_2 * (Scalar(2.0) * s_2 * Ic_2_xy - t92);
+  const Scalar b_2_1_1 = Iu_3_t_xx + t78 * t80 + t75 * t86 + t71 * t87 - t64 * t88 + t65 * t66 -
+      t93 + Scalar(0.1879281038293699);
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar qdd_1 = d_1 * y_2_1;
   qdd[0] = qdd_1;
-  const Scalar t95 = d_2 * (y_3_2 - t79 * qdd_1);
-  qdd[1] = -t95;
-  const Scalar t96 = d_3 * (y_4_3 - t76 * qdd_1 - b_4_3_2 * t95);
-  qdd[2] = -t96;
-  const Scalar t97 = d_4 * (y_5_4 - b_5_4_3 * t96 + t72 * qdd_1 - b_5_4_2 * t95);
-  qdd[3] = -t97;
-  const Scalar t98 = y_5 + t77 * (t54 * t96 + t55 * t95) + t64 * qdd_1;
-  qdd[4] = Scalar(260.5931070544678) * t98 - t38 * t97;
-  qdd[5] = Scalar(7569.03790432263) * y_6 + c_5 * (t95 + t96 + t97) - t66 * qdd_1;
+  const Scalar t94 = d_2 * (y_3_2 - t78 * qdd_1);
+  qdd[1] = -t94;
+  const Scalar t95 = d_3 * (y_4_3 - t75 * qdd_1 - b_4_3_2 * t94);
+  qdd[2] = -t95;
+  const Scalar t96 = d_4 * (y_5_4 - b_5_4_3 * t95 + t71 * qdd_1 - b_5_4_2 * t94);
+  qdd[3] = -t96;
+  const Scalar t97 = y_5 + t76 * (t54 * t95 + t55 * t94) + t64 * qdd_1;
+  qdd[4] = Scalar(260.5931070544678) * t97 - t38 * t96;
+  qdd[5] = Scalar(7569.03790432263) * y_6 + c_5 * (t94 + t95 + t96) - t65 * qdd_1;
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= -b_3_2_2 > Scalar(0.0);
   positive &= -b_4_3_3 > Scalar(0.0);

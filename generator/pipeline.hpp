@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/progress.hpp"
+#include "report/progress.hpp"
 #include "emit/emit.hpp"
 #include "input/reader.hpp"
 #include "passes/passes.hpp"

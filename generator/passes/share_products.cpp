@@ -44,6 +44,7 @@ class Sharing {
   struct Pair {
     Factor a, b;             // a <= b
     std::vector<int> where;  // monomials that had the pair when they were looked at
+    NodeId node = -1;        // of the product, once it is there
   };
   struct Use {  // a sum's term, or (term -1) a node that is itself the product
     NodeId node;
@@ -105,7 +106,7 @@ class Sharing {
     const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) |
                               static_cast<std::uint64_t>(static_cast<std::uint32_t>(b));
     const auto [it, is_new] = pair_ids_.emplace(key, static_cast<int>(pairs_.size()));
-    if (is_new) pairs_.push_back({a, b, {}});
+    if (is_new) pairs_.push_back({a, b, {}, -1});
     pairs_[at(it->second)].where.push_back(monomial);
     touched_.push_back(it->second);
   }
@@ -117,19 +118,28 @@ class Sharing {
     }
   }
 
-  bool has_pair(const Factors& factors, Factor a, Factor b) const {
-    const auto range = std::equal_range(factors.begin(), factors.end(), a);
-    if (a == b) return range.second - range.first >= 2;
-    return range.first != range.second && std::binary_search(factors.begin(), factors.end(), b);
+  // How often a product has the pair: x²y² has (x, y) twice.
+  static int multiplicity(const Factors& factors, const Pair& pair) {
+    const auto count = [&factors](Factor factor) {
+      const auto range = std::equal_range(factors.begin(), factors.end(), factor);
+      return static_cast<int>(range.second - range.first);
+    };
+    return pair.a == pair.b ? count(pair.a) / 2 : std::min(count(pair.a), count(pair.b));
   }
 
-  // Multiplications that go away when the pair becomes a node: one per product that has it, less the node's own.
+  // Multiplications that go away when the pair becomes a node: one each time that a product has it, less the node's
+  // own.
   int savings(Pair& pair) {
     auto& where = pair.where;
     std::sort(where.begin(), where.end());
     where.erase(std::unique(where.begin(), where.end()), where.end());
-    std::erase_if(where, [&](int m) { return !has_pair(monomials_[at(m)].factors, pair.a, pair.b); });
-    return static_cast<int>(where.size()) - 1;
+    int saved = pair.node < 0 ? -1 : 0;
+    std::erase_if(where, [&](int m) {
+      const int times = multiplicity(monomials_[at(m)].factors, pair);
+      saved += times;
+      return times == 0;
+    });
+    return saved;
   }
 
   void push(int pair) {
@@ -149,14 +159,17 @@ class Sharing {
   }
 
   void extract(int index) {
+    if (pairs_[at(index)].node < 0) pairs_[at(index)].node = make_pair_node(pairs_[at(index)].a, pairs_[at(index)].b);
     const Pair pair = pairs_[at(index)];
-    const NodeId shared = make_pair_node(pair.a, pair.b);
+    const NodeId shared = pair.node;
     touched_.clear();
     for (const int m : pair.where) {
       Factors& factors = monomials_[at(m)].factors;
-      factors.erase(std::find(factors.begin(), factors.end(), pair.a));
-      factors.erase(std::find(factors.begin(), factors.end(), pair.b));
-      factors.push_back(shared);
+      for (int times = multiplicity(factors, pair); times > 0; --times) {
+        factors.erase(std::find(factors.begin(), factors.end(), pair.a));
+        factors.erase(std::find(factors.begin(), factors.end(), pair.b));
+        factors.push_back(shared);
+      }
       std::sort(factors.begin(), factors.end());
       const Factors now = factors;
       for (const Factor factor : now) {
@@ -167,7 +180,6 @@ class Sharing {
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     for (const int touched : touched_) push(touched);
-    push(index);  // x·x·x·x has the pair twice
   }
 
   NodeId make_pair_node(Factor a, Factor b) {

@@ -29,8 +29,8 @@ std::string canonical_text(const Number& e) {
     head << e;
     return head.str();
   }
-  head << (GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name()
-                                           : typeid(GiNaC::ex_to<GiNaC::basic>(e)).name());
+  const GiNaC::basic& object = GiNaC::ex_to<GiNaC::basic>(e);
+  head << (GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name() : typeid(object).name());
   std::vector<std::string> operands;
   for (const Number& operand : e) operands.push_back(canonical_text(operand));
   if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) std::sort(operands.begin(), operands.end());

@@ -38,8 +38,8 @@ TEST_F(UrdfReader, ReadsDecimalsExactly) {
   EXPECT_EQ(inertial.frame.displacements[1].kind, Kind::rotation_z);
   EXPECT_TRUE(inertial.frame.displacements[1].angle.is_equal(Number(3) / 10));
   EXPECT_TRUE(robot.gravity[2].is_equal(Number(-981) / 100));
-  EXPECT_EQ(robot.links[robot.root].name, "base");
-  EXPECT_EQ(robot.links[robot.tip].name, "arm");
+  EXPECT_EQ(robot.links.at(static_cast<std::size_t>(robot.root)).name, "base");
+  EXPECT_EQ(robot.links.at(static_cast<std::size_t>(robot.tip)).name, "arm");
 }
 
 TEST_F(UrdfReader, TakesRpyAsRzRyRx) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "cli/progress.hpp"
+#include "report/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
