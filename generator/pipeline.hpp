@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/progress.hpp"
+#include "diagnostics/progress.hpp"
 #include "emit/emit.hpp"
 #include "input/reader.hpp"
 #include "passes/passes.hpp"

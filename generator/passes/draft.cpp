@@ -174,7 +174,7 @@ int cost(const Function& function) {
   return count.arithmetic() + kDivision * count.divisions + kTrigonometric * count.trigonometric;
 }
 
-Function cheaper(const Function& original, Function candidate) {
+Function cheaper(const Function& original, const Function& candidate) {
   const OperationCount before = count_operations(original), after = count_operations(candidate);
   const bool worse = after.divisions > before.divisions || after.trigonometric > before.trigonometric;
   return worse || cost(candidate) >= cost(original) ? original : candidate;

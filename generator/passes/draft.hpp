@@ -40,6 +40,6 @@ int cost(const Function& function);
 bool is_worth_repeating(int cost_before, int cost_after);
 
 // `candidate` if it costs less than `original` and has no more sin, cos or divisions; else `original`.
-Function cheaper(const Function& original, Function candidate);
+Function cheaper(const Function& original, const Function& candidate);
 
 }  // namespace flatdyn

@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
-#include "report/progress.hpp"
 
 namespace flatdyn {
 

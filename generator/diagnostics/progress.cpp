@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "report/progress.hpp"
+#include "diagnostics/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
