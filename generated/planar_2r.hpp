@@ -236,20 +236,18 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
 //   q[2]  in   joint positions, rad or m
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
-// parameters.l_2, parameters.m_m2. Operations: 9 mul, 4 add, 4 sin/cos.
+// parameters.l_2, parameters.m_m2. Operations: 7 mul, 4 add, 2 sin/cos.
 template <class Scalar>
 inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g) noexcept {
   using std::cos;
-  using std::sin;
   const Scalar q_1 = q[0], q_2 = q[1];
   const Scalar g_2 = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1,
       l_1 = parameters.l_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar t1 = g_2 * m_l2 * l_2 * (s_1 * s_2 - c_1 * c_2);
-  g[1] = -t1;
-  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
-  g[0] = g_2 * c_1 * mr_1_x - t1;
+  const Scalar c_1 = cos(q_1);
+  const Scalar c_12 = cos(q_1 + q_2);
+  const Scalar g_2_2 = g_2 * m_l2 * l_2 * c_12;
+  g[1] = g_2_2;
+  g[0] = g_2_2 + g_2 * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
@@ -257,7 +255,7 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1,
-// parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 15 mul, 7 add, 4 sin/cos.
+// parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 14 mul, 7 add, 3 sin/cos.
 template <class Scalar>
 inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     Scalar* n) noexcept {
@@ -267,16 +265,15 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar t1 = g * c_1;
-  const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * t1;
-  const Scalar t2 = m_l2 * l_2;
-  const Scalar N_2_z = ddp_2_y * t2;
-  n[1] = N_2_z;
-  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
-  const Scalar omega_2_z = qd_1 + qd_2;
-  n[0] = N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2 + t1 * mr_1_x;
+  const Scalar c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2);
+  const Scalar c_12 = cos(q_1 + q_2);
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar t2 = t1 * a_1 * s_2;
+  const Scalar t3 = g * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
+  const Scalar t4 = g * c_12 * t1;
+  n[0] = t4 - qd_2 * (Scalar(2.0) * qd_1 + qd_2) * t2 + t3;
+  n[1] = t4 + qd_1 * qd_1 * t2;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).

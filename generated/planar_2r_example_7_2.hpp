@@ -42,7 +42,7 @@ inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..1], qd[0..1], qdd[0..1]. Operations: 14 mul, 13 add, 4 sin/cos.
+// Reads q[0..1], qd[0..1], qdd[0..1]. Operations: 14 mul, 11 add, 4 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau) noexcept {
@@ -51,16 +51,16 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar q_1 = q[0], q_2 = q[1];
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar c_1 = cos(q_1);
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
-  const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
-  const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar t1 = Scalar(25.0) * (s_2 * ddp_o_2_x - c_2 * ddp_o_2_y) - Scalar(22.5) * domega_2_z;
-  tau[1] = qdd_1 + Scalar(100.0) * qdd_2 - t1;
-  const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t2 = s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z;
-  tau[0] = Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1 + qdd_2 - t1 - Scalar(25.0) * t2;
+  const Scalar c_12 = cos(q_1 + q_2);
+  const Scalar b_2_1 = Scalar(25.0) * c_2 + Scalar(23.5);
+  const Scalar b_1_1 = Scalar(50.0) * c_2 + Scalar(200.01);
+  const Scalar t1 = Scalar(25.0) * s_2;
+  const Scalar t2 = qd_2 * (Scalar(2.0) * qd_1 + qd_2) * t1;
+  const Scalar t3 = Scalar(245.25) * c_12;
+  tau[0] = Scalar(784.8) * c_1 + qdd_2 * b_2_1 + qdd_1 * b_1_1 - t2 + t3;
+  tau[1] = Scalar(122.5) * qdd_2 + t3 + qdd_1 * b_2_1 + qd_1 * qd_1 * t1;
 }
 
 // inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -165,38 +165,36 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 // gravity torques g(q) (7.39).
 //   q[2]  in   joint positions, rad or m
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..1]. Operations: 4 mul, 2 add, 4 sin/cos.
+// Reads q[0..1]. Operations: 2 mul, 2 add, 2 sin/cos.
 template <class Scalar>
 inline void gravity(const Scalar* q, Scalar* g) noexcept {
   using std::cos;
-  using std::sin;
   const Scalar q_1 = q[0], q_2 = q[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar N_2_z = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
-  g[1] = N_2_z;
-  g[0] = Scalar(784.8) * c_1 + N_2_z;
+  const Scalar c_1 = cos(q_1);
+  const Scalar c_12 = cos(q_1 + q_2);
+  const Scalar g_2 = Scalar(245.25) * c_12;
+  g[1] = g_2;
+  g[0] = Scalar(784.8) * c_1 + g_2;
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
 //   q[2]   in   joint positions, rad or m
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..1], qd[0..1]. Operations: 9 mul, 5 add, 4 sin/cos.
+// Reads q[0..1], qd[0..1]. Operations: 8 mul, 5 add, 3 sin/cos.
 template <class Scalar>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   using std::cos;
   using std::sin;
   const Scalar q_1 = q[0], q_2 = q[1];
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
+  const Scalar c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2);
+  const Scalar c_12 = cos(q_1 + q_2);
   const Scalar t1 = Scalar(25.0) * s_2;
-  const Scalar N_2_z = Scalar(245.25) * c_1 * c_2 - ddp_o_2_x * t1;
-  n[1] = N_2_z;
-  const Scalar omega_2_z = qd_1 + qd_2;
-  n[0] = Scalar(784.8) * c_1 + N_2_z - t1 * omega_2_z * omega_2_z;
+  const Scalar t2 = Scalar(245.25) * c_12;
+  n[0] = Scalar(784.8) * c_1 - qd_2 * (Scalar(2.0) * qd_1 + qd_2) * t1 + t2;
+  n[1] = t2 + qd_1 * qd_1 * t1;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -238,18 +236,17 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   q[2]   in  joint positions, rad or m
 //   qd[2]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
-// Reads q[1], qd[0..1]. Operations: 10 mul, 5 add, 1 sin/cos.
+// Reads q[1], qd[0..1]. Operations: 7 mul, 4 add, 1 sin/cos.
 template <class Scalar>
 inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
   using std::cos;
   const Scalar q_2 = q[1];
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar c_2 = cos(q_2);
-  const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar L_2_z = Scalar(50.0) * c_2 * qd_1 + Scalar(22.5) * omega_2_z;
-  const Scalar L_m2 = Scalar(2.0) * qd_1 + Scalar(100.0) * qd_2;
-  const Scalar T_2 = Scalar(177.51) * qd_1 * qd_1 + omega_2_z * L_2_z + qd_2 * L_m2;
-  return Scalar(0.5) * T_2;
+  const Scalar b_2_1 = Scalar(25.0) * c_2 + Scalar(23.5);
+  const Scalar b_1_1 = c_2 + Scalar(4.0002);
+  const Scalar t1 = qd_1 * (qd_2 * b_2_1 + Scalar(25.0) * qd_1 * b_1_1);
+  return t1 + Scalar(61.25) * qd_2 * qd_2;
 }
 
 // potential energy of links and rotors (7.36).

@@ -8,6 +8,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "passes/draft.hpp"
+#include "symbolic/closed_functions.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -38,13 +41,24 @@ void check_names(const Mechanism& mechanism, const std::vector<std::string>& nam
   }
 }
 
+OptimisedFunction optimised(const Function& derived) {
+  OptimisedFunction result{{}, count_operations(derived), {}};
+  result.function = run_passes(derived, &result.passes);
+  return result;
+}
+
+// By the recursive route, or from the closed form where that costs less.
 OptimisedFunction make_function(const Mechanism& mechanism, const std::string& name, Progress& progress) {
   progress.step("deriving " + name);
-  Function derived = derive_function(mechanism, name);
-  OptimisedFunction optimised{{}, count_operations(derived), {}};
+  const Function recursive = derive_function(mechanism, name);
+  const std::optional<Function> closed = closed_variant(mechanism, recursive);
   progress.step("optimising " + name);
-  optimised.function = run_passes(std::move(derived), &optimised.passes);
-  return optimised;
+  OptimisedFunction best = optimised(recursive);
+  if (closed) {
+    OptimisedFunction candidate = optimised(*closed);
+    if (cost(candidate.function) < cost(best.function)) best = std::move(candidate);
+  }
+  return best;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
-#include "report/table.hpp"
+#include "diagnostics/table.hpp"
 
 namespace flatdyn {
 namespace {

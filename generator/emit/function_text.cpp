@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "emit/expression.hpp"
 #include "emit/names.hpp"
@@ -124,7 +125,7 @@ class FunctionWriter {
       const std::string layout = layout_text(renamed);
       if (!layout.empty()) rows.push_back({"", "", layout});
     }
-    return table_lines(rows);
+    return aligned_lines(rows);
   }
 
   std::string result_text() const {

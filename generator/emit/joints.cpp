@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "diagnostics/table.hpp"
 #include "emit/literals.hpp"
 #include "emit/writer.hpp"
 
@@ -83,7 +84,7 @@ std::vector<std::string> joint_table(const Mechanism& mechanism) {
     }
     rows.push_back(row);
   }
-  return table_lines(rows);
+  return aligned_lines(rows);
 }
 
 }  // namespace flatdyn

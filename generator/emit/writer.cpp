@@ -92,24 +92,6 @@ std::vector<std::string> wrapped_words(const std::string& text, std::size_t widt
   return lines;
 }
 
-std::vector<std::string> table_lines(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()), 0);
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
-  }
-  std::vector<std::string> lines;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      line += row[k];
-      if (k + 1 < row.size()) line.append(widths[k] + 2 - row[k].size(), ' ');
-    }
-    lines.push_back(line);
-  }
-  return lines;
-}
-
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (char c : text) {

@@ -21,9 +21,6 @@ std::string list_line(const std::string& begin, const std::vector<std::string>& 
 // The words of `text` in lines of at most `width` characters.
 std::vector<std::string> wrapped_words(const std::string& text, std::size_t width);
 
-// Rows of cells → lines with the cells in columns.
-std::vector<std::string> table_lines(const std::vector<std::vector<std::string>>& rows);
-
 // "…" as a C++ string constant, whatever the bytes of `text`.
 std::string quoted(const std::string& text);
 

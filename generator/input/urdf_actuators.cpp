@@ -96,11 +96,24 @@ Number gear_ratio_of(const Reflected& reflected, const UrdfValues& values, const
   return values.number_of_text(*reflected.reduction, what + ", mechanicalReduction");
 }
 
+// A gear alone moves nothing: people expect the motor's inertia to count, and it does only if it is given.
+void note_idle_reduction(const Reflected& reflected, const UrdfValues& values, const std::string& what) {
+  if (reflected.reduction == nullptr || reflected.reduction->GetText() == nullptr) return;
+  const std::string ratio = reflected.reduction->GetText();
+  if (ratio == "1" || ratio == "1.0") return;
+  values.context().diagnostics.note(values.place(*reflected.reduction),
+                                    what + ": mechanicalReduction " + ratio + " has no effect without a rotor inertia",
+                                    "give one: <drake:rotor_inertia value=...>, or <dynamics armature=...>");
+}
+
 void set_armature(Joint& joint, const Reflected& reflected, const UrdfValues& values) {
   Diagnostics& diagnostics = values.context().diagnostics;
   const std::string what = "joint \"" + joint.name + "\"";
   if (reflected.armature) joint.armature = *reflected.armature;
-  if (!reflected.rotor_inertia) return;
+  if (!reflected.rotor_inertia) {
+    if (!reflected.armature) note_idle_reduction(reflected, values, what);
+    return;
+  }
   const Place& place = reflected.rotor_inertia->place;
   if (reflected.coupled) {
     diagnostics.unsupported(place,

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
-#include "report/table.hpp"
 #include "symbolic/number_text.hpp"
 
 namespace flatdyn {

@@ -39,6 +39,9 @@ class Names {
   // Throws Failure(unsupported) for an expression that is no polynomial in the factors known.
   ReadableSum readable(const Number& expression) const;
   const std::string& name(const Factor& factor) const { return entries_[static_cast<std::size_t>(factor.index)].name; }
+  const Number& expression(const Factor& factor) const {
+    return entries_[static_cast<std::size_t>(factor.index)].expression;
+  }
   const std::vector<std::string>& all() const { return names_; }
 
  private:

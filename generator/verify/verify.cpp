@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "report/table.hpp"
+#include "diagnostics/table.hpp"
 #include "verify/compiled.hpp"
 #include "verify/exact.hpp"
 #include "verify/properties.hpp"

@@ -108,10 +108,12 @@ TEST_F(UrdfReader, ReadsDrakesRotorInTheActuator) {
   EXPECT_TRUE(joint("revolute", rotor, kTransmission + end).armature.number.is_equal(1));
 }
 
-TEST_F(UrdfReader, AReductionWithoutRotorChangesNothing) {
+TEST_F(UrdfReader, AReductionWithoutRotorChangesNothingAndSaysSo) {
   EXPECT_TRUE(
       joint("revolute", "", std::string(kTransmission) + "</actuator></transmission>").armature.number.is_zero());
-  EXPECT_TRUE(diagnostics_.all().empty());
+  ASSERT_EQ(diagnostics_.all().size(), 1U);
+  EXPECT_EQ(diagnostics_.all()[0].severity, Severity::note);
+  EXPECT_NE(diagnostics_.all()[0].message.find("has no effect without a rotor inertia"), std::string::npos);
 }
 
 TEST_F(UrdfReader, IgnoresWhatDoesNotMove) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "report/table.hpp"
+#include "diagnostics/table.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace flatdyn {
 namespace {
@@ -13,13 +14,13 @@ std::size_t width(const std::string& text) {
 
 }  // namespace
 
-std::string aligned_table(const std::vector<std::vector<std::string>>& rows) {
+std::vector<std::string> aligned_lines(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()), 0);
     for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], width(row[k]));
   }
-  std::string text;
+  std::vector<std::string> lines;
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t k = 0; k < row.size(); ++k) {
@@ -27,8 +28,14 @@ std::string aligned_table(const std::vector<std::vector<std::string>>& rows) {
       if (k + 1 < row.size()) line.append(widths[k] - width(row[k]) + 2, ' ');
     }
     line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
+    lines.push_back(std::move(line));
   }
+  return lines;
+}
+
+std::string aligned_table(const std::vector<std::vector<std::string>>& rows) {
+  std::string text;
+  for (const std::string& line : aligned_lines(rows)) text += line + "\n";
   return text;
 }
 

@@ -7,6 +7,9 @@
 namespace flatdyn {
 
 // Rows of text with aligned columns, two blanks between them; the first row is the heading.
+std::vector<std::string> aligned_lines(const std::vector<std::vector<std::string>>& rows);
+
+// The same as one text, each line ended.
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace flatdyn

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/closed_functions.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "symbolic/closed_form.hpp"
+#include "symbolic/derivation.hpp"
+#include "symbolic/readable_sum.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kMostJoints = 3;
+constexpr std::size_t kMostTerms = 200;
+constexpr const char* kNames[] = {"inverse_dynamics", "inertia_matrix", "christoffel",   "coriolis_matrix",
+                                  "gravity",          "bias",           "kinetic_energy"};
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism) {
+  std::vector<GiNaC::symbol> result;
+  result.reserve(mechanism.symbols.size());
+  for (const FreeSymbol& symbol : mechanism.symbols) result.push_back(symbol.symbol);
+  return result;
+}
+
+// B, c_ijk and g as scalars of a derivation under way.
+class ClosedModel {
+ public:
+  explicit ClosedModel(const Mechanism& mechanism)
+      : mechanism_(mechanism),
+        form_(closed_form(mechanism)),
+        names_(mechanism, form_),
+        angles_(mechanism),
+        derivation_(parameters(mechanism)) {}
+
+  bool is_short() const { return terms_ <= kMostTerms; }
+  Graph& graph() { return derivation_.graph(); }
+
+  std::vector<NodeId> entries(const std::string& function) {
+    std::vector<Number> values;
+    if (function == "inertia_matrix") return nodes(matrix([this](int i, int j) { return b(i, j); }));
+    if (function == "christoffel") return nodes(christoffel_symbols());
+    if (function == "coriolis_matrix") return nodes(matrix([this](int i, int j) { return coriolis(i, j); }));
+    if (function == "kinetic_energy") return nodes({kinetic_energy()});
+    for (int i = 0; i < n(); ++i) {
+      Number torque = gravity(i);
+      if (function != "gravity") torque += velocity_torque(i);
+      if (function == "inverse_dynamics") torque += inertial_torque(i);
+      values.push_back(torque);
+    }
+    return nodes(values);
+  }
+
+ private:
+  int n() const { return mechanism_.size(); }
+
+  std::vector<NodeId> nodes(const std::vector<Number>& values) {
+    std::vector<NodeId> result;
+    for (const Number& value : values) result.push_back(derivation_.node(value));
+    return result;
+  }
+
+  template <class Entry>
+  std::vector<Number> matrix(const Entry& entry) {
+    std::vector<Number> values;
+    for (int i = 0; i < n(); ++i) {
+      for (int j = 0; j < n(); ++j) values.push_back(entry(i, j));
+    }
+    return values;
+  }
+
+  // In sines and cosines of sums of angles, as one scalar.
+  Number scalar(const Number& expression, const std::string& name) {
+    const ReadableSum sum = angles_.rewritten(names_.readable(expression));
+    terms_ += sum.size();
+    Number result = 0;
+    for (const auto& [monomial, coefficient] : sum) {
+      Number term = GiNaC::numeric(coefficient.str().c_str());
+      for (const auto& [factor, exponent] : monomial) term *= GiNaC::pow(number(factor), exponent);
+      result += term;
+    }
+    return derivation_.named(result, name);
+  }
+
+  Number number(const Factor& factor) {
+    if (factor.kind == FactorKind::coordinate) return derivation_.input(InputKind::q, factor.index);
+    if (!factor.is_trigonometric()) return names_.expression(factor);
+    Number angle = 0;
+    std::string joints;
+    for (int i = 0; i < n(); ++i) {
+      angle += factor.angle[at(i)] * derivation_.input(InputKind::q, i);
+      if (factor.angle[at(i)] != 0) joints += std::to_string(i + 1);
+    }
+    return factor.kind == FactorKind::cosine ? derivation_.cos(angle, "c_" + joints)
+                                             : derivation_.sin(angle, "s_" + joints);
+  }
+
+  static std::string label(std::initializer_list<int> indices) {
+    std::string text;
+    for (const int i : indices) text += "_" + std::to_string(i + 1);
+    return text;
+  }
+
+  Number b(int i, int j) { return scalar(form_.B[at(i)][at(j)], "b" + label({std::max(i, j), std::min(i, j)})); }
+  Number c(int i, int j, int k) { return scalar(form_.christoffel(i, j, k), "c" + label({i, j, k})); }
+  Number gravity(int i) { return scalar(form_.g[at(i)], "g" + label({i})); }
+  Number qd(int i) { return derivation_.input(InputKind::qd, i); }
+
+  // At [i][k (k + 1) / 2 + j], j <= k.
+  std::vector<Number> christoffel_symbols() {
+    std::vector<Number> values;
+    for (int i = 0; i < n(); ++i) {
+      for (int k = 0; k < n(); ++k) {
+        for (int j = 0; j <= k; ++j) values.push_back(c(i, j, k));
+      }
+    }
+    return values;
+  }
+
+  Number coriolis(int i, int j) {
+    Number sum = 0;
+    for (int k = 0; k < n(); ++k) sum += c(i, j, k) * qd(k);
+    return sum;
+  }
+
+  Number inertial_torque(int i) {
+    Number sum = 0;
+    for (int j = 0; j < n(); ++j) sum += b(i, j) * derivation_.input(InputKind::qdd, j);
+    return sum;
+  }
+
+  // C q̇ and friction.
+  Number velocity_torque(int i) {
+    const Body& body = mechanism_.bodies[at(i)];
+    Number sum = body.viscous * qd(i);
+    if (!vanishes(body.coulomb)) sum += body.coulomb * derivation_.sign(qd(i), "sgn" + label({i}));
+    for (int k = 0; k < n(); ++k) {
+      for (int j = 0; j <= k; ++j) sum += (j == k ? 1 : 2) * c(i, j, k) * qd(j) * qd(k);
+    }
+    return sum;
+  }
+
+  Number kinetic_energy() {
+    Number sum = 0;
+    for (int i = 0; i < n(); ++i) {
+      for (int j = 0; j <= i; ++j) sum += (i == j ? Number(1) / 2 : Number(1)) * b(i, j) * qd(i) * qd(j);
+    }
+    return sum;
+  }
+
+  const Mechanism& mechanism_;
+  ClosedForm form_;
+  Names names_;
+  AngleRewriter angles_;
+  Derivation derivation_;
+  std::size_t terms_ = 0;
+};
+
+}  // namespace
+
+std::optional<Function> closed_variant(const Mechanism& mechanism, const Function& recursive) {
+  const bool has_it = std::find(std::begin(kNames), std::end(kNames), recursive.name) != std::end(kNames);
+  if (!has_it || mechanism.size() > kMostJoints) return std::nullopt;
+  ClosedModel model(mechanism);
+  Function closed = recursive;
+  closed.outputs.at(0).entries = model.entries(recursive.name);
+  if (!model.is_short()) return std::nullopt;
+  closed.graph = std::move(model.graph());
+  return closed;
+}
+
+}  // namespace flatdyn

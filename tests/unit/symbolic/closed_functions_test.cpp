@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/closed_functions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "graph/count.hpp"
+#include "pipeline.hpp"
+#include "verify/exact.hpp"
+
+namespace flatdyn {
+namespace {
+
+Mechanism mechanism_of(const std::string& robot) {
+  return read_model(FLATDYN_SOURCE_DIR "/robots/" + robot, {}).mechanism;
+}
+
+constexpr const char* kFunctions[] = {"inverse_dynamics", "inertia_matrix", "christoffel",   "coriolis_matrix",
+                                      "gravity",          "bias",           "kinetic_energy"};
+
+class ClosedVariant : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ClosedVariant, IsTheLagrangianAndTheRecursion) {
+  const Mechanism mechanism = mechanism_of(GetParam());
+  for (const char* name : kFunctions) {
+    const Function recursive = derive_function(mechanism, name);
+    const std::optional<Function> closed = closed_variant(mechanism, recursive);
+    ASSERT_TRUE(closed.has_value()) << name;
+    EXPECT_TRUE(prove_exactly(mechanism, *closed).equal) << name;
+    EXPECT_TRUE(prove_equal(*closed, recursive).equal) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, ClosedVariant,
+                         ::testing::Values("pendulum_motor.toml", "cartesian_2.toml", "planar_2r.toml",
+                                           "planar_2r_example_7_2.toml", "prismatic_revolute.toml"),
+                         [](const auto& test) {
+                           const std::string name = test.param;
+                           return name.substr(0, name.find('.'));
+                         });
+
+TEST(ClosedVariants, IsNotTriedWhereItWouldBeLong) {
+  const Mechanism scara = mechanism_of("scara.toml");
+  EXPECT_FALSE(closed_variant(scara, derive_function(scara, "gravity")).has_value());
+  const Mechanism arm = mechanism_of("planar_2r.toml");
+  EXPECT_FALSE(closed_variant(arm, derive_function(arm, "jacobian")).has_value());
+}
+
+// g_1 and g_2 of (7.82) need cos q_1 and cos(q_1 + q_2) and no sine; the recursion needs all four.
+TEST(ClosedVariants, IsWhatThePlanarArmsGravityIsEmittedFrom) {
+  const Model model = read_model(FLATDYN_SOURCE_DIR "/robots/planar_2r.toml", {});
+  PipelineOptions options;
+  options.functions = {"gravity"};
+  Progress quiet(true);
+  Diagnostics left_out;
+  EXPECT_EQ(count_operations(make_functions(model, options, quiet, left_out).at(0).function).trigonometric, 2);
+}
+
+}  // namespace
+}  // namespace flatdyn
