@@ -24,6 +24,14 @@ std::string hash_of(const std::filesystem::path& path) {
   return text;
 }
 
+std::vector<std::string> names_of_functions(bool on_request) {
+  std::vector<std::string> names;
+  for (const FunctionEntry& entry : function_table()) {
+    if (entry.on_request == on_request) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 Model read_model(const std::filesystem::path& path, const PipelineOptions& options) {
@@ -38,15 +46,12 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   return {std::move(*robot), std::move(mechanism), std::move(diagnostics), hash_of(path)};
 }
 
-std::vector<std::string> all_function_names() {
-  std::vector<std::string> names;
-  for (const FunctionEntry& entry : function_table()) names.emplace_back(entry.name);
-  return names;
-}
+std::vector<std::string> default_function_names() { return names_of_functions(false); }
+std::vector<std::string> requested_function_names() { return names_of_functions(true); }
 
 std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress) {
   std::vector<OptimisedFunction> result;
-  for (const std::string& name : options.functions.empty() ? all_function_names() : options.functions) {
+  for (const std::string& name : options.functions.empty() ? default_function_names() : options.functions) {
     progress.step("deriving " + name);
     Function derived = derive_function(model.mechanism, name);
     OptimisedFunction optimised{{}, count_operations(derived), {}};

@@ -71,9 +71,9 @@ Run add_generate(CLI::App& app) {
   command->add_option("-o,--output", arguments->folder, "folder to write to; made if it is not there")->required();
   command
       ->add_option("--functions", arguments->functions,
-                   fmt::format("what to compute, separated by commas; default: all of {}. forward_kinematics:LINK, "
-                               "jacobian:LINK and jacobian_dot_qd:LINK for a named link",
-                               fmt::join(all_function_names(), ", ")))
+                   fmt::format("what to compute, separated by commas; default: {}. On request: {}; "
+                               "forward_kinematics:LINK, jacobian:LINK and jacobian_dot_qd:LINK for a named link",
+                               fmt::join(default_function_names(), ", "), fmt::join(requested_function_names(), ", ")))
       ->delimiter(',');
   command->add_option("--scalar", arguments->scalar, "scalar of the constants")
       ->check(CLI::IsMember({"double", "float"}))

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The functions of the table that are linear in the dynamic parameters. Columns of Y_b and entries of π_b are those of
+// base_parameters(mechanism).
+#pragma once
+
+#include "graph/function.hpp"
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+Function regressor_function(const Mechanism& mechanism);
+Function base_regressor_function(const Mechanism& mechanism);
+Function inverse_dynamics_base_function(const Mechanism& mechanism);
+Function adaptive_regressor_function(const Mechanism& mechanism);
+
+// Whether the function takes or multiplies π_b: then its header says what π_b is.
+bool uses_base_parameters(const Function& function);
+
+}  // namespace flatdyn
