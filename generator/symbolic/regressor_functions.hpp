@@ -13,7 +13,4 @@ Function base_regressor_function(const Mechanism& mechanism);
 Function inverse_dynamics_base_function(const Mechanism& mechanism);
 Function adaptive_regressor_function(const Mechanism& mechanism);
 
-// Whether the function takes or multiplies π_b: then its header says what π_b is.
-bool uses_base_parameters(const Function& function);
-
 }  // namespace flatdyn
