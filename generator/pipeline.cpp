@@ -61,6 +61,14 @@ OptimisedFunction make_function(const Mechanism& mechanism, const std::string& n
   return best;
 }
 
+std::vector<std::string> names_of_functions(bool on_request) {
+  std::vector<std::string> names;
+  for (const FunctionEntry& entry : function_table()) {
+    if (entry.on_request == on_request) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 Model read_model(const std::filesystem::path& path, const PipelineOptions& options) {
@@ -76,16 +84,13 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   return {std::move(*robot), std::move(mechanism), std::move(diagnostics), std::move(hash)};
 }
 
-std::vector<std::string> all_function_names() {
-  std::vector<std::string> names;
-  for (const FunctionEntry& entry : function_table()) names.emplace_back(entry.name);
-  return names;
-}
+std::vector<std::string> default_function_names() { return names_of_functions(false); }
+std::vector<std::string> requested_function_names() { return names_of_functions(true); }
 
 std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress,
                                               Diagnostics& findings) {
   const bool asked = !options.functions.empty();
-  const std::vector<std::string> names = asked ? options.functions : all_function_names();
+  const std::vector<std::string> names = asked ? options.functions : default_function_names();
   check_names(model.mechanism, names);
   std::vector<OptimisedFunction> result;
   for (const std::string& name : names) {

@@ -17,7 +17,7 @@ namespace flatdyn {
 struct PipelineOptions {
   ReadOptions read;
   bool warnings_are_errors = false;
-  std::vector<std::string> functions;  // empty: all of function_table()
+  std::vector<std::string> functions;  // empty: default_function_names()
 };
 
 // A robot as read, and as made canonical. Diagnostics (warnings, notes) are kept for whoever reports.
@@ -51,7 +51,8 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
 
 std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised);
 
-// Names of all functions in the order of the table.
-std::vector<std::string> all_function_names();
+// Names of the functions of the table, in its order: those that are made unless others are asked for, and the rest.
+std::vector<std::string> default_function_names();
+std::vector<std::string> requested_function_names();
 
 }  // namespace flatdyn

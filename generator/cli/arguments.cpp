@@ -52,12 +52,19 @@ void RobotArguments::add_to(CLI::App& command) {
 }
 
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {
-  command.add_option("--functions", functions, "what to compute, separated by commas; default: all of those below")
+  command
+      .add_option("--functions", functions,
+                  "what to compute, separated by commas; default: all below down to the blank line")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
   std::vector<std::vector<std::string>> rows;
-  for (const FunctionEntry& entry : function_table()) rows.push_back({"", entry.name, entry.summary});
+  for (const bool on_request : {false, true}) {
+    if (on_request) rows.emplace_back();
+    for (const FunctionEntry& entry : function_table()) {
+      if (entry.on_request == on_request) rows.push_back({"", entry.name, entry.summary});
+    }
+  }
   command.footer("Functions:\n" + aligned_table(rows) +
                  "forward_kinematics, jacobian and jacobian_dot_qd also take a link: jacobian:LINK.");
 }

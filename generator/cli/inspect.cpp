@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <map>
+
 #include "cli/commands.hpp"
+#include "report/base_report.hpp"
 #include "report/describe.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 namespace {
 
-ExitCode inspect(const RobotArguments& arguments) {
+const std::map<std::string, ParameterSet> kParameterSets = {{"inertial", ParameterSet::inertial},
+                                                            {"given", ParameterSet::given},
+                                                            {"full", ParameterSet::full},
+                                                            {"nonzero", ParameterSet::nonzero}};
+
+struct InspectArguments : RobotArguments {
+  bool base = false;
+  std::string parameters = "given";
+};
+
+ExitCode inspect(const InspectArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments.quiet);
+  const ParameterSet set = kParameterSets.at(arguments.parameters);
   const std::vector<double> effects = snap_effects(model, arguments.options().read);
   if (arguments.json) {
-    fmt::print("{}\n", model_json(model, effects).dump(2));
+    nlohmann::ordered_json json = model_json(model, effects);
+    if (arguments.base) json.update(base_json(model.mechanism, set));
+    fmt::print("{}\n", json.dump(2));
+  } else if (arguments.base) {
+    fmt::print("{}\n{}", describe_model(model, effects), describe_base(model.mechanism, set));
   } else {
     fmt::print("{}\n{}", describe_model(model, effects), describe_bodies(model.mechanism));
   }
@@ -27,9 +45,17 @@ Run add_inspect(CLI::App& app) {
       app.add_subcommand("inspect",
                          "Print the robot as understood: joints in the order of q, frames, inertias, motors.\n\n"
                          "  flatdyn inspect robots/panda.urdf\n"
-                         "  flatdyn inspect robots/planar_2r.toml --json");
-  const auto arguments = std::make_shared<RobotArguments>();
+                         "  flatdyn inspect robots/planar_2r.toml --base --parameters nonzero");
+  const auto arguments = std::make_shared<InspectArguments>();
   arguments->add_to(*command);
+  command->add_flag("--base", arguments->base,
+                    "print the fewest parameters that the torques depend on, and those that they do not depend on");
+  command
+      ->add_option("--parameters", arguments->parameters,
+                   "for --base: ten of every link (inertial), and rotors and friction that the file gives (given), all "
+                   "thirteen (full), or those that are not zero (nonzero)")
+      ->check(CLI::IsMember({"inertial", "given", "full", "nonzero"}))
+      ->capture_default_str();
   return [arguments] { return inspect(*arguments); };
 }
 

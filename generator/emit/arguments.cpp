@@ -7,7 +7,7 @@
 
 namespace flatdyn {
 
-InputArgument input_argument(InputKind kind, int joints) {
+InputArgument input_argument(InputKind kind, int joints, int base_parameters) {
   constexpr int kWrench = 6;
   switch (kind) {
     case InputKind::q:
@@ -20,6 +20,12 @@ InputArgument input_argument(InputKind kind, int joints) {
       return {"tau", joints, "joint torques or forces, N m or N"};
     case InputKind::h_e:
       return {"h_e", kWrench, "force (N), then moment (N m), that the tip exerts on its environment, base frame"};
+    case InputKind::qd_r:
+      return {"qd_r", joints, "reference velocities, rad/s or m/s"};
+    case InputKind::qdd_r:
+      return {"qdd_r", joints, "reference accelerations, rad/s^2 or m/s^2"};
+    case InputKind::pi_b:
+      return {"pi_b", base_parameters, "base parameters, SI units; which they are is said above"};
     case InputKind::parameter:
       break;
   }

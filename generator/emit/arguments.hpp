@@ -15,8 +15,8 @@ struct InputArgument {
   std::string meaning;  // "joint velocities, rad/s or m/s"
 };
 
-// `joints`: length of q. Not for InputKind::parameter: those arrive in one struct.
-InputArgument input_argument(InputKind kind, int joints);
+// `joints`: length of q; `base_parameters`: of pi_b. Not for InputKind::parameter: those arrive in one struct.
+InputArgument input_argument(InputKind kind, int joints, int base_parameters = 0);
 
 // The local variable that an input is read into: "qd_2" of qd[1]; a parameter's is its member's name.
 std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters);

@@ -8,9 +8,11 @@
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
+#include "emit/base_constants.hpp"
 #include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
 #include "emit/joints.hpp"
+#include "emit/name_space.hpp"
 #include "emit/names.hpp"
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
@@ -49,42 +51,13 @@ std::string squeezed(const std::string& text) {
   return result;
 }
 
-// "a::b" → {"a", "b"}
-std::vector<std::string> parts_of_namespace(const std::string& name) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end; (end = name.find("::", begin)) != std::string::npos; begin = end + 2) {
-    parts.push_back(name.substr(begin, end - begin));
-  }
-  parts.push_back(name.substr(begin));
-  return parts;
-}
-
-std::string namespace_of(const Mechanism& mechanism, const EmitOptions& options) {
-  if (options.name_space.empty()) return cpp_identifier(mechanism.name);
-  for (const std::string& part : parts_of_namespace(options.name_space)) {
-    if (part.empty() || cpp_identifier(part) != part || part == "std") {
-      throw Failure(ExitCode::usage, fmt::format("\"{}\" is no namespace for the generated code", options.name_space),
-                    "use C++ identifiers joined by ::, such as \"arm\" or \"acme::arm\"");
-    }
-  }
-  return options.name_space;
-}
-
-std::string guard_of(const std::string& name_space) {
-  std::string guard = "FLATDYN";
-  for (const std::string& part : parts_of_namespace(name_space)) guard += "_" + part;
-  for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  return guard + "_HPP";
-}
-
 class HeaderWriter {
  public:
   HeaderWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options)
       : mechanism_(mechanism),
         functions_(functions),
         options_(options),
-        namespace_(namespace_of(mechanism, options)),
+        namespace_(namespace_of(mechanism.name, options.name_space)),
         names_({"Scalar", "Real", "Parameters", "detail", "std", "sin", "cos", "joint_count", "joint_names"}) {
     if (options.scalar != "double" && options.scalar != "float") {
       throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
@@ -109,6 +82,9 @@ class HeaderWriter {
   // All names at namespace scope, before any function is written: its variables must differ from them.
   void take_names() {
     for (const LimitKind& kind : limits_given(mechanism_)) names_.unique(kind.constant);
+    if (std::any_of(functions_.begin(), functions_.end(), uses_base_parameters)) {
+      for (const char* name : kBaseConstants) base_names_.push_back(names_.unique(name));
+    }
     for (const Function& function : functions_) function_names_.push_back(names_.unique(function.name));
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       for (const Output& output : functions_[k].outputs) {
@@ -163,6 +139,12 @@ class HeaderWriter {
       constants << constant(kind.meaning, "Real", kind.constant, entries);
     }
     header["constants"] = data(constants);
+    header["base?"] = !base_names_.empty();
+    if (!base_names_.empty()) {
+      const BaseConstants base = base_constants(mechanism_, base_names_);
+      header["base_comment"] = list_of(base.comment);
+      header["base_declarations"] = without_newline(base.declarations);
+    }
     header["parameters?"] = !scope_.parameters.empty();
     header["parameters"] = list_of(scope_.parameters);
   }
@@ -290,6 +272,7 @@ class HeaderWriter {
   NameTable names_;
   std::vector<std::string> function_names_;
   std::vector<std::string> nonzero_names_;  // of all outputs of all functions, in order
+  std::vector<std::string> base_names_;     // of kBaseConstants; empty where no function needs them
   HeaderScope scope_;
 };
 

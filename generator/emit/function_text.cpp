@@ -96,7 +96,7 @@ class FunctionWriter {
   std::vector<ArrayArgument> input_arrays() const {
     std::vector<ArrayArgument> arrays;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, scope_.joints);
+      const InputArgument argument = input_argument(kind, scope_.joints, function_.base_parameters);
       arrays.push_back({argument.name, static_cast<std::size_t>(argument.length)});
     }
     return arrays;
@@ -114,7 +114,7 @@ class FunctionWriter {
   std::vector<std::string> argument_lines() const {
     std::vector<std::vector<std::string>> rows;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, scope_.joints);
+      const InputArgument argument = input_argument(kind, scope_.joints, function_.base_parameters);
       rows.push_back({fmt::format("{}[{}]", argument.name, argument.length), "in", argument.meaning});
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_); ++k) {

@@ -30,6 +30,7 @@ struct Function {
   std::string summary;            // one line for people
   std::string equation;           // "(7.42)"
   std::vector<InputKind> inputs;  // the arguments in order, whether or not every entry is read
+  int base_parameters = 0;        // length of pi_b, where it is one of them
   Graph graph;
   std::vector<Output> outputs;
   // Values that must all be positive for the result to mean anything (pivots of B); then the function returns bool.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/composite.hpp"
 
+#include "symbolic/twists.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -111,40 +113,6 @@ std::vector<std::vector<Number>> inertia_matrix(Frames& frames) {
 
 namespace {
 
-// The unit motion of joint i seen in frame k behind it: angular velocity and velocity of frame k's origin.
-struct Twist {
-  Vec3 omega = zero_vector(), v = zero_vector();
-};
-
-Twist unit_twist(Frames& frames, int i) {
-  if (body_of(frames, i).prismatic) return {zero_vector(), {0, 0, 1}};
-  return {{0, 0, 1}, zero_vector()};
-}
-
-Twist to_child(Frames& frames, int k, const Twist& parent, const std::string& name) {
-  Derivation& d = frames.derivation();
-  const Vec3 v = d.named(parent.v + cross(parent.omega, frames.p(k)), "v_o_" + name);
-  const Vec3 omega = frames.down(k, parent.omega, "w_" + name);
-  const Vec3 turned = frames.down(k, v, "v_" + name);
-  const Number q = frames.slide(k);
-  return {omega, d.named(turned + Vec3{q * omega[1], -q * omega[0], 0}, "v_s_" + name)};
-}
-
-// unit_twists[k][i]: joint i's unit motion in frame k, for every i from the base to k; absent for others.
-std::vector<std::map<int, Twist>> unit_twists(Frames& frames) {
-  std::vector<std::map<int, Twist>> twists(static_cast<std::size_t>(frames.mechanism().size()));
-  for (int k = 0; k < frames.mechanism().size(); ++k) {
-    auto& here = twists[static_cast<std::size_t>(k)];
-    if (parent_of(frames, k) >= 0) {
-      for (const auto& [i, twist] : twists[static_cast<std::size_t>(parent_of(frames, k))]) {
-        here[i] = to_child(frames, k, twist, label(i) + "_" + label(k));
-      }
-    }
-    here[k] = unit_twist(frames, k);
-  }
-  return twists;
-}
-
 // dI/dq_k of composite body k, which turns or slides with joint k under a fixed observer.
 InertialParameters rate_of(Derivation& d, const Body& body, const InertialParameters& composite, const std::string& n) {
   const Vec3& h = composite.first_moment;
@@ -167,8 +135,6 @@ InertialParameters rate_of(Derivation& d, const Body& body, const InertialParame
 Wrench applied(const InertialParameters& rate, const Twist& twist) {
   return {cross(twist.omega, rate.first_moment), rate.inertia * twist.omega + cross(rate.first_moment, twist.v)};
 }
-
-Number power(const Twist& twist, const Wrench& wrench) { return dot(twist.v, wrench.f) + dot(twist.omega, wrench.mu); }
 
 // S_k ×* wrench: how a wrench that moves with joint k changes, in frame k.
 Wrench swept_by(const Body& body, const Wrench& wrench) {

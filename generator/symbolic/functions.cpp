@@ -13,60 +13,12 @@
 #include "symbolic/energy.hpp"
 #include "symbolic/factorisation.hpp"
 #include "symbolic/kinematics.hpp"
+#include "symbolic/regressor_functions.hpp"
 #include "symbolic/regroup.hpp"
+#include "symbolic/workbench.hpp"
 
 namespace flatdyn {
 namespace {
-
-// One derivation under way: what every function starts from.
-struct Workbench {
-  explicit Workbench(const Mechanism& m) : mechanism(m), derivation(parameters(m)), frames(mechanism, derivation) {}
-
-  static std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism) {
-    std::vector<GiNaC::symbol> result;
-    for (const FreeSymbol& symbol : mechanism.symbols) result.push_back(symbol.symbol);
-    return result;
-  }
-
-  int size() const { return mechanism.size(); }
-  std::vector<Number> all(InputKind kind) { return inputs(derivation, kind, size()); }
-  std::vector<Number> none() const { return std::vector<Number>(static_cast<std::size_t>(size()), 0); }
-
-  NodeId node(const Number& value) { return derivation.node(value); }
-  std::vector<NodeId> nodes(const std::vector<Number>& values) {
-    std::vector<NodeId> result;
-    for (const Number& value : values) result.push_back(node(value));
-    return result;
-  }
-
-  const Mechanism& mechanism;
-  Derivation derivation;
-  Frames frames;
-};
-
-Output vector_output(const std::string& name, std::vector<NodeId> entries, const std::string& meaning) {
-  const int rows = static_cast<int>(entries.size());
-  return {name, Layout::vector, rows, 1, std::move(entries), meaning};
-}
-
-Output matrix_output(const std::string& name, int rows, int cols, std::vector<NodeId> entries,
-                     const std::string& meaning) {
-  return {name, Layout::matrix, rows, cols, std::move(entries), meaning};
-}
-
-Output scalar_output(const std::string& name, NodeId entry, const std::string& meaning) {
-  return {name, Layout::scalar, 1, 1, {entry}, meaning};
-}
-
-Function finished(Workbench& bench, std::vector<InputKind> inputs, std::vector<Output> outputs,
-                  std::vector<NodeId> positive = {}) {
-  Function function;
-  function.inputs = std::move(inputs);
-  function.graph = std::move(bench.derivation.graph());
-  function.outputs = std::move(outputs);
-  function.positive = std::move(positive);
-  return function;
-}
 
 // The same function from every grouping of the parameters; the cheapest counts. The first of equals is kept.
 Function cheapest(const Mechanism& mechanism, const std::function<Function(const Mechanism&)>& derive) {
@@ -79,8 +31,6 @@ Function cheapest(const Mechanism& mechanism, const std::function<Function(const
   }
   return *best;
 }
-
-constexpr const char* kTorqueMeaning = "joint torques, N m (forces, N, for prismatic joints)";
 
 Function inverse_dynamics(const Mechanism& mechanism) {
   return cheapest(mechanism, [](const Mechanism& m) {
@@ -312,6 +262,13 @@ const std::vector<FunctionEntry>& function_table() {
       {"forward_kinematics", "pose of the tip", "(2.50)", forward_kinematics_tip},
       {"jacobian", "geometric Jacobian of the tip", "(7.14), (7.15)", jacobian_tip},
       {"jacobian_dot_qd", "(dJ/dt) qd of the tip", "", jacobian_dot_qd_tip},
+      {"regressor", "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint", "(7.81)", regressor_function, true},
+      {"base_regressor", "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters", "(7.81)",
+       base_regressor_function, true},
+      {"inverse_dynamics_base", "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
+       "(7.42)", inverse_dynamics_base_function, true},
+      {"adaptive_regressor", "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
+       "(7.81)", adaptive_regressor_function, true},
   };
   return table;
 }

@@ -16,11 +16,14 @@ struct FunctionEntry {
   const char* summary;
   const char* equation;
   Function (*derive)(const Mechanism&);
+  // Left out unless asked for by name: the regressors serve identification and adaptive control, and are larger than
+  // all other functions of a controller together.
+  bool on_request = false;
 };
 
 // In the order in which they are emitted: inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel,
 // coriolis_matrix, gravity, bias, forward_dynamics, kinetic_energy, potential_energy, forward_kinematics, jacobian,
-// jacobian_dot_qd.
+// jacobian_dot_qd; then regressor, base_regressor, inverse_dynamics_base, adaptive_regressor on request.
 const std::vector<FunctionEntry>& function_table();
 
 // Throws Failure(usage) for the name of no function, and for no link of the robot.

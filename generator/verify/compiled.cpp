@@ -24,24 +24,20 @@ namespace {
 
 constexpr const char* kNamespace = "robot_under_test";
 
-// One plain C entry per function: all inputs as arrays, all outputs one after the other in `out`; false where a
-// condition of the function does not hold.
-using Entry = bool (*)(const double* q, const double* qd, const double* qdd, const double* tau, const double* h_e,
-                       const double* parameters, double* out);
-
-const char* argument_of(InputKind kind) {
-  static const char* const kNames[] = {"q", "qd", "qdd", "tau", "h_e"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
+// One plain C entry per function: the function's inputs as arrays, in order, behind them the parameters; all outputs
+// one after the other in `out`; false where a condition of the function does not hold.
+using Entry = bool (*)(const double* const* in, double* out);
 
 std::string call_text(const Mechanism& mechanism, const Function& function) {
   std::vector<std::string> arguments;
   if (!mechanism.symbols.empty()) {
     std::vector<std::string> members;
-    for (std::size_t k = 0; k < mechanism.symbols.size(); ++k) members.push_back(fmt::format("parameters[{}]", k));
+    for (std::size_t k = 0; k < mechanism.symbols.size(); ++k) {
+      members.push_back(fmt::format("in[{}][{}]", function.inputs.size(), k));
+    }
     arguments.push_back(fmt::format("{}::Parameters<double>{{{}}}", kNamespace, fmt::join(members, ", ")));
   }
-  for (const InputKind kind : function.inputs) arguments.emplace_back(argument_of(kind));
+  for (std::size_t k = 0; k < function.inputs.size(); ++k) arguments.push_back(fmt::format("in[{}]", k));
   std::size_t offset = 0;
   for (const Output& output : function.outputs) {
     if (returns_value(function)) break;
@@ -56,11 +52,8 @@ std::string entry_text(const Mechanism& mechanism, const Function& function, std
   const std::string body = returns_value(function)     ? "out[0] = " + call + ";\n  return true;"
                            : function.positive.empty() ? call + ";\n  return true;"
                                                        : "return " + call + ";";
-  std::string inputs;
-  for (const char* name : {"q", "qd", "qdd", "tau", "h_e", "parameters"}) {
-    inputs += fmt::format("[[maybe_unused]] const double* {}, ", name);
-  }
-  return fmt::format("extern \"C\" bool entry_{}({}double* out) {{\n  {}\n}}\n", index, inputs, body);
+  return fmt::format("extern \"C\" bool entry_{}([[maybe_unused]] const double* const* in, double* out) {{\n  {}\n}}\n",
+                     index, body);
 }
 
 void write(const fs::path& path, const std::string& text) {
@@ -153,8 +146,10 @@ std::vector<double> CompiledFunctions::call(std::size_t index, const State& stat
   std::size_t length = 0;
   for (const Output& output : functions_[index].outputs) length += output.entries.size();
   std::vector<double> out(length);
-  const bool holds = library_->entry(index)(state.q.data(), state.qd.data(), state.qdd.data(), state.tau.data(),
-                                            state.h_e.data(), state.parameters.data(), out.data());
+  std::vector<const double*> in;
+  for (const InputKind kind : functions_[index].inputs) in.push_back(state.of(kind).data());
+  in.push_back(state.parameters.data());
+  const bool holds = library_->entry(index)(in.data(), out.data());
   if (!holds) std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
   return out;
 }

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "graph/evaluate.hpp"
-#include "verify/lagrangian.hpp"
+#include "symbolic/base_parameters.hpp"
+#include "verify/lagrangian_regressor.hpp"
 
 namespace flatdyn {
 
@@ -143,6 +144,24 @@ MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
     for (const Degree& entry : lagrangian.jacobian_dot_qd(link, rates)) largest += entry;
   }
   return {largest.value(), arithmetic.reciprocals};
+}
+
+MechanismDegrees regressor_degrees(const Mechanism& mechanism) {
+  DegreeArithmetic arithmetic;
+  const FieldMechanism<Degree> field = field_mechanism(mechanism, arithmetic);
+  const Degree drawn = Degree::of(1);
+  const auto n = static_cast<std::size_t>(mechanism.size());
+  const LagrangianRegressor<Degree> lagrangian(field, std::vector<JointPoint<Degree>>(n, {drawn, drawn, drawn}));
+  const std::vector<Degree> rates(n, drawn);
+  Degree largest, factor = drawn;
+  const Matrix<Degree> Y = lagrangian.adaptive(rates, rates, rates, rates);
+  for (const Degree& entry : Y.entries()) largest += entry;
+  const NumberMap<DegreeArithmetic> number(mechanism.symbols, arithmetic);
+  const BaseParameters base = base_parameters(mechanism);
+  for (const ParameterForm& form : base.combination) {
+    for (const auto& [index, coefficient] : form) factor += number(coefficient);
+  }
+  return {(largest * factor).value(), arithmetic.reciprocals};
 }
 
 FunctionDegrees function_degrees(const Function& function) {

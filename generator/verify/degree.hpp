@@ -45,6 +45,9 @@ struct MechanismDegrees {
 };
 MechanismDegrees lagrangian_degrees(const Mechanism& mechanism);
 
+// The same for the regressors, whatever their name, and for what they are multiplied by to be compared: π_b and K.
+MechanismDegrees regressor_degrees(const Mechanism& mechanism);
+
 // Of the values of all roots over their common denominator.
 struct FunctionDegrees {
   double numerator = 0, denominator = 0;

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "emit/arguments.hpp"
+#include "verify/regressor_outputs.hpp"
+#include "verify/regressor_reference.hpp"
 #include "verify/values.hpp"
 
 namespace flatdyn {
@@ -24,6 +26,7 @@ class Columns {
     if (input.kind == InputKind::parameter) return {mechanism_.symbols[k].name};
     const std::string stem = input_argument(input.kind, mechanism_.size()).name;
     std::vector<std::string> names = {stem + std::to_string(input.index + 1)};
+    if (input.kind == InputKind::pi_b) return names;
     static constexpr const char* kForceNames[] = {"fx", "fy", "fz", "mx", "my", "mz"};
     names.push_back(input.kind == InputKind::h_e ? kForceNames[k] : stem + "_" + mechanism_.bodies[k].joint);
     return names;
@@ -65,7 +68,7 @@ std::vector<Input> inputs_of(const Mechanism& mechanism, const Function& functio
   std::vector<Input> inputs;
   for (const InputKind kind : function.inputs) {
     if (kind == InputKind::parameter) continue;  // all of them below
-    const int length = input_argument(kind, mechanism.size()).length;
+    const int length = input_argument(kind, mechanism.size(), function.base_parameters).length;
     for (int i = 0; i < length; ++i) inputs.push_back({kind, i});
   }
   for (std::size_t k = 0; k < mechanism.symbols.size(); ++k)
@@ -102,13 +105,15 @@ class Evaluation {
   StateOf<S> state_of(const Columns& columns, const std::vector<Input>& inputs,
                       const std::vector<std::string>& entries) {
     const std::vector<S> zero(static_cast<std::size_t>(mechanism_.size()), S(0));
-    StateOf<S> state{zero, zero, zero, zero, std::vector<S>(6, S(0)), std::vector<S>(mechanism_.symbols.size(), S(0))};
-    std::vector<S>* const members[] = {&state.q, &state.qd, &state.qdd, &state.tau, &state.h_e, &state.parameters};
+    StateOf<S> state;
+    state.q = state.qd = state.qdd = state.tau = state.qd_r = state.qdd_r = zero;
+    state.parameters.assign(mechanism_.symbols.size(), S(0));
+    state.pi_b.assign(static_cast<std::size_t>(function_.base_parameters), S(0));
     symbols_.assign(mechanism_.symbols.size(), 0);
     for (const Input& input : inputs) {
       const Number value = exact_decimal(entries[*columns.find(input)]);
       const auto index = static_cast<std::size_t>(input.index);
-      (*members[static_cast<std::size_t>(input.kind)])[index] = to_scalar<S>(value, {});
+      state.of(input.kind)[index] = to_scalar<S>(value, {});
       if (input.kind == InputKind::parameter) symbols_[index] = value;
     }
     return state;
@@ -118,8 +123,9 @@ class Evaluation {
     // The robot's numbers change with its symbols only.
     if (!reference_ || !symbols_.empty()) {
       reference_ = seen_by(function_, robot_, reference_robot<S>(robot_, symbols_));
+      if (is_regressor(function_.name)) regressor_.emplace(mechanism_, *reference_, symbols_, function_.name);
     }
-    return reference_values(function_, *reference_, state);
+    return regressor_ ? regressor_->values(state) : reference_values(function_, *reference_, state);
   }
 
   const Robot& robot_;
@@ -129,6 +135,7 @@ class Evaluation {
   GraphEvaluator<S> graph_;
   SymbolValues symbols_;
   std::optional<reference::Robot<S>> reference_;
+  std::optional<RegressorReference<S>> regressor_;
 };
 
 template <class S>

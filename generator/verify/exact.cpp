@@ -108,7 +108,8 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
     }
   };
   const std::set<MismatchKey> mismatches = at_all_points(options, compare);
-  const MechanismDegrees lagrangian = lagrangian_degrees(mechanism);
+  const MechanismDegrees lagrangian =
+      is_regressor(function.name) ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
   const FunctionDegrees own = function_degrees(function);
   const double degree = in_drawn_values(lagrangian.degree + own.numerator + own.denominator,
                                         drawn_angles(function, mechanism), lagrangian.reciprocals);

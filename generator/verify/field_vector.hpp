@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,7 @@ template <class F>
 using Matrix3 = std::array<Vector3<F>, 3>;  // row-major
 
 template <class A, class B>
-using Product = decltype(std::declval<A>() * std::declval<B>());
+using Product = std::remove_cv_t<decltype(std::declval<A>() * std::declval<B>())>;
 
 template <class F>
 Vector3<F> plus(const Vector3<F>& a, const Vector3<F>& b) {

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "graph/function.hpp"
-#include "verify/lagrangian.hpp"
+#include "verify/regressor_outputs.hpp"
 
 namespace flatdyn {
 
@@ -24,17 +25,22 @@ class LagrangianOutputs {
         values_(values),
         stem_(function.name.substr(0, function.name.find(':'))),
         link_(function.name == stem_ ? "" : function.name.substr(stem_.size() + 1)),
-        lagrangian_(field_mechanism(mechanism, arithmetic), joint_points()) {}
+        lagrangian_(field_mechanism(mechanism, arithmetic), joint_points()) {
+    if (is_regressor(stem_)) regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, joint_points());
+  }
 
-  // The function's own values, brought to a form that has no denominators: for forward_dynamics, B times them.
+  // The function's own values, brought to a form that can be compared: for forward_dynamics, B times them, which has no
+  // denominators; for a base regressor, all columns of Y made of them.
   Values found(const Output& output) {
     Values result;
     for (const NodeId entry : output.entries) result.push_back(values_[static_cast<std::size_t>(entry)]);
+    if (regressor_) return regressor_->found(result);
     return stem_ == "forward_dynamics" ? times(lagrangian_.inertia(), result) : result;
   }
 
   // What found() has to be.
   Values entries(const Output& output) {
+    if (regressor_) return regressor_->entries();
     if (stem_ == "inverse_dynamics") return inverse_dynamics();
     if (stem_ == "inverse_dynamics_tip_force") return added(inverse_dynamics(), lagrangian_.tip_torques(tip_force()));
     if (stem_ == "inertia_matrix") return lagrangian_.inertia().entries();
@@ -135,6 +141,7 @@ class LagrangianOutputs {
   const Values& values_;
   std::string stem_, link_;
   Lagrangian<F> lagrangian_;
+  std::optional<RegressorOutputs<Arithmetic>> regressor_;
 };
 
 }  // namespace flatdyn

@@ -54,7 +54,7 @@ class Functions {
           return state.tau[input.index];
         case InputKind::parameter:
           return Real50(state.parameters[static_cast<std::size_t>(input.index)]);
-        case InputKind::h_e:
+        default:  // not read by the functions that have identities here
           break;
       }
       return Real50(0);

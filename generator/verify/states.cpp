@@ -8,6 +8,8 @@ namespace flatdyn {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
+// Streams of their own, so that what the other functions are given does not depend on them.
+constexpr unsigned kReferenceSeed = 0x7265666e, kBaseSeed = 0x62617365;
 
 // std::uniform_real_distribution differs between libraries; this does not.
 class Uniform {
@@ -44,7 +46,7 @@ double bound(const std::optional<Value>& limit, double otherwise) {
 }  // namespace
 
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed) {
-  Uniform uniform(seed);
+  Uniform uniform(seed), reference(seed + kReferenceSeed);
   std::vector<State> states;
   for (int k = 0; k < count; ++k) {
     State state;
@@ -55,11 +57,21 @@ std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned
       state.qd.push_back(symmetric(bound(body.limits.velocity, body.prismatic ? 1 : 5)));
       state.qdd.push_back(symmetric(bound(body.limits.acceleration, body.prismatic ? 10 : 20)));
       state.tau.push_back(symmetric(bound(body.limits.effort, 100)));
+      state.qd_r.push_back(reference(-5, 5));
+      state.qdd_r.push_back(reference(-20, 20));
     }
     for (double& h : state.h_e) h = uniform(-50, 50);
     states.push_back(std::move(state));
   }
   return states;
+}
+
+void draw_base_parameters(std::vector<State>& states, int count, unsigned seed) {
+  Uniform uniform(seed + kBaseSeed);
+  for (State& state : states) {
+    state.pi_b.clear();
+    for (int k = 0; k < count; ++k) state.pi_b.push_back(uniform(-1, 1));
+  }
 }
 
 std::vector<State> edge_states(const Mechanism& mechanism) {
@@ -72,6 +84,8 @@ std::vector<State> edge_states(const Mechanism& mechanism) {
       state.qd.assign(n, qd);
       state.qdd.assign(n, qd == 1.0 ? -2.0 : 0.0);
       state.tau.assign(n, 1.0);
+      state.qd_r.assign(n, -qd);
+      state.qdd_r.assign(n, 1.0);
       states.push_back(std::move(state));
     }
   }

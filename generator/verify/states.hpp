@@ -2,6 +2,7 @@
 // States of motion at which functions are compared.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "graph/graph.hpp"
@@ -15,11 +16,15 @@ struct StateOf {
   std::vector<S> q, qd, qdd, tau;
   std::vector<S> h_e = std::vector<S>(6, S(0));  // tip force and moment
   std::vector<S> parameters;                     // values of the free symbols
+  std::vector<S> qd_r, qdd_r;                    // reference rates and accelerations
+  std::vector<S> pi_b;                           // base parameters
 
   const std::vector<S>& of(InputKind kind) const {
-    const std::vector<S>* const members[] = {&q, &qd, &qdd, &tau, &h_e, &parameters};  // in the order of InputKind
+    const std::vector<S>* const members[] = {&q,          &qd,   &qdd,   &tau, &h_e,
+                                             &parameters, &qd_r, &qdd_r, &pi_b};  // in the order of InputKind
     return *members[static_cast<std::size_t>(kind)];
   }
+  std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }
 };
 
 // Doubles: what the compiled code gets is exactly what the reference gets.
@@ -29,12 +34,16 @@ using State = StateOf<double>;
 template <class S>
 StateOf<S> widened(const State& state) {
   const auto wide = [](const std::vector<double>& v) { return std::vector<S>(v.begin(), v.end()); };
-  return {wide(state.q), wide(state.qd), wide(state.qdd), wide(state.tau), wide(state.h_e), wide(state.parameters)};
+  return {wide(state.q),          wide(state.qd),   wide(state.qdd),   wide(state.tau), wide(state.h_e),
+          wide(state.parameters), wide(state.qd_r), wide(state.qdd_r), wide(state.pi_b)};
 }
 
 // Uniform within the limits; where there are none: a turn, 1 m, 5 rad/s, 1 m/s, 20 rad/s^2, 10 m/s^2. The same on every
-// machine for the same seed.
+// machine for the same seed. Base parameters are none.
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed);
+
+// As many base parameters, between -1 and 1, in each of the states.
+void draw_base_parameters(std::vector<State>& states, int count, unsigned seed);
 
 // Joint positions at 0, ±pi/2, ±pi and a thousand turns, speeds zero and large, accelerations zero.
 std::vector<State> edge_states(const Mechanism& mechanism);

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "diagnostics/table.hpp"
 #include "verify/compiled.hpp"
 #include "verify/exact.hpp"
 #include "verify/properties.hpp"
+#include "verify/regressor_outputs.hpp"
+#include "verify/regressor_reference.hpp"
 #include "verify/values.hpp"
 
 namespace flatdyn {
@@ -32,6 +35,12 @@ struct Subject {
   std::size_t index;
 };
 
+// What a function is compared with, at a state.
+struct Expected {
+  std::function<std::vector<Real50>(const State&)> exact;
+  std::function<std::vector<double>(const State&)> rounded, scale;
+};
+
 class Comparison {
  public:
   Comparison(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
@@ -41,14 +50,20 @@ class Comparison {
         exact_(reference_robot<Real50>(robot, symbols_)),
         rounded_(reference_robot<double>(robot, symbols_)),
         compiled_(mechanism, functions),
+        mechanism_(mechanism),
         options_(options),
         random_(with_parameters(random_states(mechanism, options.states, options.seed), symbols_)),
-        edge_(with_parameters(edge_states(mechanism), symbols_)) {}
+        edge_(with_parameters(edge_states(mechanism), symbols_)) {
+    for (const Function& function : functions) {
+      if (function.base_parameters == 0) continue;
+      draw_base_parameters(random_, function.base_parameters, options.seed);
+      draw_base_parameters(edge_, function.base_parameters, options.seed);
+    }
+  }
 
   void compare(const Subject& subject, FunctionReport& report) const {
     const Function& function = subject.function;
-    const auto exact = seen_by(function, robot_, exact_);
-    const auto rounded = seen_by(function, robot_, rounded_);
+    const Expected expected = is_regressor(function.name) ? regressor_of(function) : torques_and_poses(function);
     GraphEvaluator<Real50> graph(function);
     std::vector<double> generated, generated_at_edges, reference;
     const std::size_t count = states_for(function);
@@ -58,8 +73,8 @@ class Comparison {
     for (std::size_t k = 0; k < count + (edge_.size() + stride - 1) / stride; ++k) {
       const bool is_edge = k >= count;
       const State& state = is_edge ? edge_[(k - count) * stride] : random_[k];
-      const std::vector<Real50> truth = reference_values<Real50>(function, exact, widened<Real50>(state));
-      const std::vector<double> scale = magnitudes(function, rounded, state);
+      const std::vector<Real50> truth = expected.exact(state);
+      const std::vector<double> scale = expected.scale(state);
       const auto from_graph = graph(widened<Real50>(state));
       report.graph_error =
           std::max(report.graph_error, from_graph ? relative_difference(*from_graph, truth, scale) : kInfinity);
@@ -68,7 +83,7 @@ class Comparison {
         generated_at_edges.push_back(error / angle_rounding(state));
       } else {
         generated.push_back(error);
-        reference.push_back(scaled_error(reference_values<double>(function, rounded, state), truth, scale));
+        reference.push_back(scaled_error(expected.rounded(state), truth, scale));
       }
     }
     report.generated = summary(generated);
@@ -79,12 +94,31 @@ class Comparison {
   const std::vector<State>& random() const { return random_; }
 
  private:
-  // Symbols by polarisation cost n² recursions in 50 digits each: fewer states where n is large.
+  Expected torques_and_poses(const Function& function) const {
+    const auto exact = seen_by(function, robot_, exact_);
+    const auto rounded = seen_by(function, robot_, rounded_);
+    return {
+        [&function, exact](const State& s) { return reference_values<Real50>(function, exact, widened<Real50>(s)); },
+        [&function, rounded](const State& s) { return reference_values<double>(function, rounded, s); },
+        [&function, rounded](const State& s) { return magnitudes(function, rounded, s); }};
+  }
+
+  Expected regressor_of(const Function& function) const {
+    const RegressorReference<Real50> exact(mechanism_, exact_, symbols_, function.name);
+    const RegressorReference<double> rounded(mechanism_, rounded_, symbols_, function.name);
+    return {[exact](const State& s) { return exact.values(widened<Real50>(s)); },
+            [rounded](const State& s) { return rounded.values(s); },
+            [rounded](const State& s) { return rounded.magnitudes(s); }};
+  }
+
+  // Symbols by polarisation cost n² recursions in 50 digits each, regressors one per column: fewer states where n is
+  // large.
   std::size_t states_for(const Function& function) const {
-    const bool symbols = function.name == "christoffel" || function.name == "coriolis_matrix";
+    const bool many =
+        function.name == "christoffel" || function.name == "coriolis_matrix" || is_regressor(function.name);
     const std::size_t n = random_.empty() ? 1 : random_[0].q.size();
     const std::size_t affordable =
-        symbols ? std::max<std::size_t>(2, 1500 / (n * n)) : std::max<std::size_t>(10, 2000 / n);
+        many ? std::max<std::size_t>(2, 1500 / (n * n)) : std::max<std::size_t>(10, 2000 / n);
     return std::min(random_.size(), affordable);
   }
 
@@ -132,6 +166,7 @@ class Comparison {
   reference::Robot<Real50> exact_;
   reference::Robot<double> rounded_;
   CompiledFunctions compiled_;
+  const Mechanism& mechanism_;
   VerifyOptions options_;
   std::vector<State> random_, edge_;
 };

@@ -25,11 +25,9 @@ double value_of_input(const Input& input) {
       return 0.2 + input.index;
     case InputKind::tau:
       return 1.5 - input.index;
-    case InputKind::h_e:
-    case InputKind::parameter:
+    default:
       return 1.25;
   }
-  return 0;
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The C++ namespace of a header, and its include guard.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flatdyn {
+
+// "a::b" → {"a", "b"}
+std::vector<std::string> parts_of_namespace(const std::string& name);
+
+// What is wanted, or a name made of the robot's. Throws Failure(usage) for what is no namespace.
+std::string namespace_of(const std::string& robot, const std::string& wanted);
+
+// "a::b" → "FLATDYN_A_B_HPP"
+std::string guard_of(const std::string& name_space);
+
+}  // namespace flatdyn

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Base parameters for people and for programs: each combination, its value, and what cannot be identified.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "symbolic/base_parameters.hpp"
+
+namespace flatdyn {
+
+std::string describe_base(const Mechanism& mechanism, ParameterSet set);
+nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set);
+
+}  // namespace flatdyn

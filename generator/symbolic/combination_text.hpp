@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Base parameters as people write them: "I1zz + k_r1^2 Im1 + a_1^2 m2".
+#pragma once
+
+#include <string>
+
+#include "symbolic/base_parameters.hpp"
+
+namespace flatdyn {
+
+// A coefficient in an order of its own, whatever GiNaC's: "a_1^2", "(2 a_1 + a_2)", "0.0999"; numbers to `digits`
+// significant digits.
+std::string coefficient_text(const Number& coefficient, int digits);
+
+// Base parameter k: the one that is kept first, the others in the order of π.
+std::string combination_text(const BaseParameters& base, int k, int digits = 6);
+
+}  // namespace flatdyn

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The dynamic parameters that the model is linear in, (7.77): thirteen per joint, joint after joint in the order of q.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+// Of body i, the augmented link i (rotors it carries included), in its canonical frame, about that frame's origin; I_m
+// of the rotor that drives joint i, whoever carries it, and the friction of joint i. Where the file gives an armature
+// instead of a motor, I_m is the armature, a rotor with k_r = 1 whose spin does not couple with its carrier.
+enum class Parameter : std::uint8_t { m, mlx, mly, mlz, Ixx, Ixy, Ixz, Iyy, Iyz, Izz, Im, Fv, Fs };
+inline constexpr int kInertialPerBody = 10;
+inline constexpr int kParametersPerJoint = 13;
+
+// Position in π of a parameter of joint i.
+constexpr int index_of(int i, Parameter parameter) { return kParametersPerJoint * i + static_cast<int>(parameter); }
+constexpr int joint_of(int index) { return index / kParametersPerJoint; }
+constexpr Parameter parameter_of(int index) { return static_cast<Parameter>(index % kParametersPerJoint); }
+
+// "m2", "m2lx", "I2xy", "Im2", "Fv2", "Fs2": joints are counted from 1.
+std::string parameter_name(int index);
+
+// A body with one parameter 1 and the others 0; `parameter` is one of the first ten.
+InertialParameters unit_parameter(Parameter parameter);
+// The first ten of (7.77).
+std::vector<Number> entries_of(const InertialParameters& body);
+
+// π of the mechanism, 13n numbers. Throws Failure(unsupported) for a joint with both a motor and an armature: their
+// effects differ, and π has one place for them.
+std::vector<Number> dynamic_parameters(const Mechanism& mechanism);
+
+// Which of the 13n are parameters of the model at all.
+enum class ParameterSet : std::uint8_t {
+  inertial,  // ten of every link
+  given,     // and I_m, F_v, F_s of the joints for which the file gives them
+  full,      // all
+  nonzero,   // those that are not zero in the file
+};
+std::vector<bool> parameters_in(const Mechanism& mechanism, ParameterSet set);
+
+}  // namespace flatdyn

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/regressor_functions.hpp"
+
+#include <numeric>
+
+#include "symbolic/base_parameters.hpp"
+#include "symbolic/regressor.hpp"
+#include "symbolic/workbench.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr const char* kColumnMeaning = "column k is the torque for base parameter k = 1, the others 0";
+
+Function regressor_of(const Mechanism& mechanism, const std::vector<int>& columns, const std::string& name,
+                      const std::string& meaning) {
+  Workbench bench(mechanism);
+  const std::vector<Number> qd = bench.all(InputKind::qd);
+  const JointMotion motion{qd, qd, bench.all(InputKind::qdd), mechanism.gravity};
+  const std::vector<NodeId> entries = bench.nodes(regressor(bench.frames, motion, columns));
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
+                  {matrix_output(name, bench.size(), static_cast<int>(columns.size()), entries, meaning)});
+}
+
+}  // namespace
+
+Function regressor_function(const Mechanism& mechanism) {
+  std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.size()));
+  std::iota(columns.begin(), columns.end(), 0);
+  return regressor_of(mechanism, columns, "Y", "m, m l (3), I_xx, xy, xz, yy, yz, zz, I_m, F_v, F_s of every joint");
+}
+
+Function base_regressor_function(const Mechanism& mechanism) {
+  return regressor_of(mechanism, base_parameters(mechanism).columns, "Y_b", kColumnMeaning);
+}
+
+Function inverse_dynamics_base_function(const Mechanism& mechanism) {
+  Derivation derivation(Workbench::parameters(mechanism));
+  const BaseParameters base = base_parameters(mechanism);
+  const Mechanism run_time = with_base_parameters(mechanism, base, inputs(derivation, InputKind::pi_b, base.size()));
+  Frames frames(run_time, derivation);
+  const int n = mechanism.size();
+  const Motion motion{inputs(derivation, InputKind::qd, n), inputs(derivation, InputKind::qdd, n), mechanism.gravity,
+                      true};
+  std::vector<NodeId> tau;
+  for (const Number& torque : torques(frames, motion)) tau.push_back(derivation.node(torque));
+  Function function = finished(derivation, {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::pi_b},
+                               {vector_output("tau", tau, kTorqueMeaning)});
+  function.base_parameters = base.size();
+  return function;
+}
+
+Function adaptive_regressor_function(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
+  const JointMotion motion{bench.all(InputKind::qd), bench.all(InputKind::qd_r), bench.all(InputKind::qdd_r),
+                           mechanism.gravity};
+  const std::vector<int> columns = base_parameters(mechanism).columns;
+  const std::vector<NodeId> entries = bench.nodes(regressor(bench.frames, motion, columns));
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qd_r, InputKind::qdd_r},
+                  {matrix_output("Y_b", bench.size(), static_cast<int>(columns.size()), entries, kColumnMeaning)});
+}
+
+}  // namespace flatdyn

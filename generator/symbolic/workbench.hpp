@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One derivation under way: what every function of the table starts from, and how it becomes a Function.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symbolic/newton_euler.hpp"
+
+namespace flatdyn {
+
+inline constexpr const char* kTorqueMeaning = "joint torques, N m (forces, N, for prismatic joints)";
+
+struct Workbench {
+  explicit Workbench(const Mechanism& m) : mechanism(m), derivation(parameters(m)), frames(mechanism, derivation) {}
+
+  static std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism);
+
+  int size() const { return mechanism.size(); }
+  std::vector<Number> all(InputKind kind) { return inputs(derivation, kind, size()); }
+  std::vector<Number> none() const { return std::vector<Number>(static_cast<std::size_t>(size()), 0); }
+
+  NodeId node(const Number& value) { return derivation.node(value); }
+  std::vector<NodeId> nodes(const std::vector<Number>& values);
+  std::vector<NodeId> nodes(const std::vector<std::vector<Number>>& rows);  // row by row
+
+  const Mechanism& mechanism;
+  Derivation derivation;
+  Frames frames;
+};
+
+Output vector_output(const std::string& name, std::vector<NodeId> entries, const std::string& meaning);
+Output matrix_output(const std::string& name, int rows, int cols, std::vector<NodeId> entries,
+                     const std::string& meaning);
+Output scalar_output(const std::string& name, NodeId entry, const std::string& meaning);
+
+// Takes the graph out of the derivation.
+Function finished(Derivation& derivation, std::vector<InputKind> inputs, std::vector<Output> outputs,
+                  std::vector<NodeId> positive = {});
+inline Function finished(Workbench& bench, std::vector<InputKind> inputs, std::vector<Output> outputs,
+                         std::vector<NodeId> positive = {}) {
+  return finished(bench.derivation, std::move(inputs), std::move(outputs), std::move(positive));
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the functions that are linear in the parameters have to be, at one point of a field. A base regressor counts as
+// right if Y_b K is Y: then so are its columns, which are among those of Y, and K.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symbolic/base_parameters.hpp"
+#include "verify/lagrangian_regressor.hpp"
+
+namespace flatdyn {
+
+inline bool is_regressor(const std::string& function) {
+  return function == "regressor" || function == "base_regressor" || function == "inverse_dynamics_base" ||
+         function == "adaptive_regressor";
+}
+
+template <class Arithmetic>
+class RegressorOutputs {
+ public:
+  using F = typename Arithmetic::Scalar;
+  using Values = std::vector<F>;
+
+  RegressorOutputs(const Mechanism& mechanism, const FieldMechanism<F>& field, const std::string& function,
+                   Arithmetic& arithmetic, const std::vector<JointPoint<F>>& q)
+      : function_(function),
+        arithmetic_(arithmetic),
+        number_(mechanism.symbols, arithmetic),
+        lagrangian_(field, q),
+        given_(parameters_in(mechanism, ParameterSet::given)) {
+    if (function != "regressor") base_ = base_parameters(mechanism);
+  }
+
+  // The function's own values; for a base regressor Y_b K.
+  Values found(const Values& values) const {
+    if (function_ != "base_regressor" && function_ != "adaptive_regressor") return values;
+    const std::size_t b = base_.columns.size();
+    Values product;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lagrangian_.size()); ++i) {
+      Values row(given_.size(), F(0));
+      for (std::size_t k = 0; k < b; ++k) {
+        for (const auto& [index, coefficient] : base_.combination[k]) {
+          row[static_cast<std::size_t>(index)] += values[i * b + k] * number_(coefficient);
+        }
+      }
+      product.insert(product.end(), row.begin(), row.end());
+    }
+    return product;
+  }
+
+  // What found() has to be.
+  Values entries() const {
+    if (function_ == "regressor") return actual().entries();
+    if (function_ == "base_regressor") return given_columns(actual());
+    if (function_ == "inverse_dynamics_base") return torques();
+    const Matrix<F> Y = lagrangian_.adaptive(drawn(InputKind::qd), drawn(InputKind::qd_r), drawn(InputKind::qdd_r),
+                                             signs(InputKind::qd_r));
+    return given_columns(Y);
+  }
+
+ private:
+  Values drawn(InputKind kind) const {
+    Values result;
+    for (int i = 0; i < lagrangian_.size(); ++i) result.push_back(arithmetic_.input({kind, i}));
+    return result;
+  }
+
+  Values signs(InputKind kind) const {
+    Values result;
+    for (const F& rate : drawn(kind)) result.push_back(arithmetic_.sign(rate));
+    return result;
+  }
+
+  Matrix<F> actual() const {
+    return lagrangian_.regressor(drawn(InputKind::qd), drawn(InputKind::qdd), signs(InputKind::qd));
+  }
+
+  // Columns of parameters that the model does not have are zero, as in Y_b K.
+  Values given_columns(const Matrix<F>& Y) const {
+    Values entries;
+    for (int i = 0; i < Y.rows(); ++i) {
+      for (int k = 0; k < Y.cols(); ++k) entries.push_back(given_[static_cast<std::size_t>(k)] ? Y(i, k) : F(0));
+    }
+    return entries;
+  }
+
+  Values torques() const {
+    const Matrix<F> Y = actual();
+    Values tau(static_cast<std::size_t>(Y.rows()), F(0));
+    for (int k = 0; k < base_.size(); ++k) {
+      const F value = arithmetic_.input({InputKind::pi_b, k});
+      for (int i = 0; i < Y.rows(); ++i) {
+        tau[static_cast<std::size_t>(i)] += Y(i, base_.columns[static_cast<std::size_t>(k)]) * value;
+      }
+    }
+    return tau;
+  }
+
+  const std::string& function_;
+  Arithmetic& arithmetic_;
+  NumberMap<Arithmetic> number_;
+  LagrangianRegressor<F> lagrangian_;
+  std::vector<bool> given_;
+  BaseParameters base_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Regressors from the recursive Newton–Euler reference: column k is its torque for the written robot with all
+// parameters zero but π_k = 1. The mechanism says only where the frames are that the parameters refer to.
+#pragma once
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "graph/function.hpp"
+#include "model/mechanism.hpp"
+#include "verify/reference_model.hpp"
+#include "verify/states.hpp"
+
+namespace flatdyn {
+
+template <class S>
+class RegressorReference {
+ public:
+  // For a function of the parameters: "regressor" with all columns, the others with those of the base parameters.
+  RegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot, const SymbolValues& symbols,
+                     const std::string& function);
+
+  // The function's entries: Y, Y_b, or τ = Y_b π_b.
+  std::vector<S> values(const StateOf<S>& state) const;
+
+  // The sum of the absolute values of each entry's own terms (flatdyn/reference/magnitude.hpp). First moments are pairs
+  // of point masses of ±1/2 kg at 1 m, which can count twice.
+  std::vector<double> magnitudes(const State& state) const requires std::is_same_v<S, double>;
+
+  // Y_b or Y itself: n x columns.
+  reference::MatrixX<S> matrix(const StateOf<S>& state) const;
+
+ private:
+  std::string function_;
+  std::vector<reference::Robot<S>> units_;  // one per column
+};
+
+extern template class RegressorReference<double>;
+extern template class RegressorReference<Real50>;
+
+}  // namespace flatdyn

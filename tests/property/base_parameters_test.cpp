@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Of random trees: base parameters from regrouping, from samples of prime fields, and from the numeric rank of the
+// reference's regressor in 50 digits.
+#include "symbolic/base_parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/robot_models.hpp"
+#include "support/robots.hpp"
+#include "verify/regressor_reference.hpp"
+#include "verify/sampled_base.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Matrix = reference::MatrixX<Real50>;
+
+// Rank of Y sampled in 50 digits: of the columns of `set`, or of Y_b.
+Eigen::Index numeric_rank(const Robot& robot, const Mechanism& mechanism, const std::string& function,
+                          const std::vector<bool>& columns) {
+  const SymbolValues symbols = random_symbol_values(robot, 1);
+  const RegressorReference<Real50> reference(mechanism, reference_robot<Real50>(robot, symbols), symbols, function);
+  const auto wanted = static_cast<Eigen::Index>(std::count(columns.begin(), columns.end(), true));
+  const int states = 2 + 2 * static_cast<int>(wanted) / std::max(1, mechanism.size());
+  Matrix stacked(states * mechanism.size(), wanted);
+  Eigen::Index row = 0;
+  for (const State& state : random_states(mechanism, states, 3)) {
+    const Matrix Y = reference.matrix(widened<Real50>(state));
+    Eigen::Index col = 0;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (columns[k]) stacked.col(col++).segment(row, Y.rows()) = Y.col(static_cast<Eigen::Index>(k));
+    }
+    row += Y.rows();
+  }
+  Eigen::ColPivHouseholderQR<Matrix> qr(stacked);
+  qr.setThreshold(Real50("1e-35"));
+  return qr.rank();
+}
+
+void expect_three_ways(const Robot& robot, const Mechanism& mechanism, ParameterSet set) {
+  const BaseParameters base = base_parameters(mechanism, set);
+  const SampledComparison sampled = compare_with_samples(mechanism, base, set);
+  EXPECT_TRUE(sampled.equal) << mechanism.name << ": " << base.size() << ", sampled " << sampled.rank;
+  EXPECT_EQ(numeric_rank(robot, mechanism, "regressor", parameters_in(mechanism, set)), base.size()) << mechanism.name;
+}
+
+class RandomTrees : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomTrees, HaveTheSameBaseParametersThreeWays) {
+  const Robot robot = testing::random_tree(GetParam(), 5, GetParam() % 2 == 0);
+  const Mechanism mechanism = make_mechanism(robot);
+  expect_three_ways(robot, mechanism, ParameterSet::full);
+  expect_three_ways(robot, mechanism, ParameterSet::inertial);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomTrees, ::testing::Range(1u, 25u));
+
+class RobotsOfTheRepository : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RobotsOfTheRepository, HaveTheRankOfFiftyDigits) {
+  const Model model = testing::model_of(GetParam());
+  expect_three_ways(model.robot, model.mechanism, ParameterSet::full);
+}
+
+TEST_P(RobotsOfTheRepository, HaveABaseRegressorOfFullColumnRank) {
+  const Model model = testing::model_of(GetParam());
+  const int b = base_parameters(model.mechanism).size();
+  EXPECT_EQ(numeric_rank(model.robot, model.mechanism, "base_regressor",
+                         std::vector<bool>(static_cast<std::size_t>(b), true)),
+            b);
+}
+
+TEST_P(RobotsOfTheRepository, HaveTheRankOfFiftyDigitsOnATiltedBase) {
+  Model model = testing::model_of(GetParam());
+  model.robot.gravity = {3, 4, -12};
+  expect_three_ways(model.robot, make_mechanism(model.robot), ParameterSet::inertial);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RobotsOfTheRepository,
+                         ::testing::Values("panda.urdf", "ur5.urdf", "puma560.toml", "rx90.toml", "scara.toml",
+                                           "planar_2r.toml", "cartesian_2.toml", "prismatic_revolute.toml",
+                                           "quadruped12.urdf"));
+
+}  // namespace
+}  // namespace flatdyn
