@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/regressor.hpp"
 
+#include "symbolic/centres.hpp"
 #include "symbolic/twists.hpp"
 
 namespace flatdyn {
@@ -56,6 +57,7 @@ class Columns {
         motion_(motion),
         bodies_(body_motions(frames, motion)),
         twists_(unit_twists(frames)),
+        centres_(frames),
         zeros_(bodies_.size(), 0) {}
 
   std::vector<Number> column(int index) {
@@ -75,11 +77,22 @@ class Columns {
         break;
     }
     const Wrench wrench = unit_wrench(frames_.derivation(), parameter_of(index), bodies_[jj], label(j));
-    for (const auto& [i, twist] : twists_[jj]) entries[static_cast<std::size_t>(i)] = power(twist, wrench);
+    for (const auto& [i, twist] : twists_[jj]) {
+      const int centre = centres_.centre_of(i);
+      entries[static_cast<std::size_t>(i)] =
+          centre < 0 ? power(twist, wrench) : dot(twist.omega, moment_about(centre, wrench, index));
+    }
     return named(entries, index);
   }
 
  private:
+  // The moment of a unit parameter's wrench about a point where axes meet.
+  Vec3 moment_about(int centre, const Wrench& wrench, int index) {
+    const Vec3 lever = centres_.lever(centre, joint_of(index));
+    return frames_.derivation().named(wrench.mu + cross(lever, wrench.f),
+                                      "n_" + label(centre) + "_" + parameter_name(index));
+  }
+
   // Last two terms of (7.105), and k_r (ω̇_c · z_m + k_r q̈) at the joint itself, (7.114).
   std::vector<Number> rotor_column(int j) {
     Derivation& d = frames_.derivation();
@@ -115,6 +128,7 @@ class Columns {
   const JointMotion& motion_;
   std::vector<BodyMotion> bodies_;
   std::vector<std::map<int, Twist>> twists_;
+  Centres centres_;
   std::vector<Number> zeros_;
 };
 
