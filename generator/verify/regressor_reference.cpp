@@ -180,16 +180,16 @@ std::vector<S> RegressorReference<S>::values(const StateOf<S>& state) const {
   return row_by_row<S>(Y);
 }
 
-template <class S>
-std::vector<double> RegressorReference<S>::magnitudes(const State& state) const requires std::is_same_v<S, double> {
-  reference::MatrixX<double> M(static_cast<Eigen::Index>(state.q.size()), static_cast<Eigen::Index>(units_.size()));
-  for (std::size_t k = 0; k < units_.size(); ++k) {
+std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state) {
+  const auto& units = of.units();
+  reference::MatrixX<double> M(static_cast<Eigen::Index>(state.q.size()), static_cast<Eigen::Index>(units.size()));
+  for (std::size_t k = 0; k < units.size(); ++k) {
     M.col(static_cast<Eigen::Index>(k)) =
-        function_ == "adaptive_regressor"
-            ? adaptive_magnitude(units_[k], state)
-            : reference::torque_magnitude(units_[k], vector_of(state.q), vector_of(state.qd), vector_of(state.qdd));
+        of.function() == "adaptive_regressor"
+            ? adaptive_magnitude(units[k], state)
+            : reference::torque_magnitude(units[k], vector_of(state.q), vector_of(state.qd), vector_of(state.qdd));
   }
-  if (function_ == "inverse_dynamics_base") return row_by_row<double>(M * vector_of(state.pi_b).cwiseAbs());
+  if (of.function() == "inverse_dynamics_base") return row_by_row<double>(M * vector_of(state.pi_b).cwiseAbs());
   return row_by_row<double>(M);
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "graph/function.hpp"
@@ -24,17 +23,21 @@ class RegressorReference {
   // The function's entries: Y, Y_b, or τ = Y_b π_b.
   std::vector<S> values(const StateOf<S>& state) const;
 
-  // The sum of the absolute values of each entry's own terms (flatdyn/reference/magnitude.hpp). First moments are pairs
-  // of point masses of ±1/2 kg at 1 m, which can count twice.
-  std::vector<double> magnitudes(const State& state) const requires std::is_same_v<S, double>;
-
   // Y_b or Y itself: n x columns.
   reference::MatrixX<S> matrix(const StateOf<S>& state) const;
 
+  const std::string& function() const { return function_; }
+  // The written robot with one parameter 1 and the others 0, one per column.
+  const std::vector<reference::Robot<S>>& units() const { return units_; }
+
  private:
   std::string function_;
-  std::vector<reference::Robot<S>> units_;  // one per column
+  std::vector<reference::Robot<S>> units_;
 };
+
+// The sum of the absolute values of each entry's own terms (flatdyn/reference/magnitude.hpp). First moments are pairs
+// of point masses of ±1/2 kg at 1 m, which can count twice.
+std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state);
 
 extern template class RegressorReference<double>;
 extern template class RegressorReference<Real50>;

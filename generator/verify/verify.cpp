@@ -108,7 +108,7 @@ class Comparison {
     const RegressorReference<double> rounded(mechanism_, rounded_, symbols_, function.name);
     return {[exact](const State& s) { return exact.values(widened<Real50>(s)); },
             [rounded](const State& s) { return rounded.values(s); },
-            [rounded](const State& s) { return rounded.magnitudes(s); }};
+            [rounded](const State& s) { return magnitudes(rounded, s); }};
   }
 
   // Symbols by polarisation cost n² recursions in 50 digits each, regressors one per column: fewer states where n is
