@@ -4,32 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/uuid/detail/sha1.hpp>
-#include <fstream>
-#include <sstream>
 
+#include "input/content_hash.hpp"
 #include "passes/draft.hpp"
 #include "symbolic/closed_functions.hpp"
 
 namespace flatdyn {
 namespace {
-
-// Over the bytes of all files that were read, in order.
-std::string hash_of(const std::vector<std::string>& files) {
-  boost::uuids::detail::sha1 sha;
-  for (const std::string& path : files) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream content;
-    content << file.rdbuf();
-    const std::string bytes = content.str();
-    sha.process_bytes(bytes.data(), bytes.size());
-  }
-  boost::uuids::detail::sha1::digest_type digest;
-  sha.get_digest(digest);
-  std::string text = "sha1:";
-  for (const auto word : digest) text += fmt::format("{:08x}", word);
-  return text;
-}
 
 // All of them before the first is derived.
 void check_names(const Mechanism& mechanism, const std::vector<std::string>& names) {
@@ -80,7 +61,7 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
     throw BadInput(code, std::move(diagnostics));
   }
   Mechanism mechanism = make_mechanism(*robot);
-  std::string hash = hash_of(robot->files);
+  std::string hash = file_hash(robot->files);
   return {std::move(*robot), std::move(mechanism), std::move(diagnostics), std::move(hash)};
 }
 

@@ -76,4 +76,26 @@ std::vector<bool> parameters_in(const Mechanism& mechanism, ParameterSet set) {
   return present;
 }
 
+Mechanism carrying(const Mechanism& mechanism, ParameterSet set) {
+  const std::vector<bool> present = parameters_in(mechanism, set);
+  const std::vector<Number> values = dynamic_parameters(mechanism);
+  Mechanism changed = mechanism;
+  for (int i = 0; i < mechanism.size(); ++i) {
+    Body& body = changed.bodies[static_cast<std::size_t>(i)];
+    const auto has = [&](Parameter parameter) { return present[static_cast<std::size_t>(index_of(i, parameter))]; };
+    const auto is_zero = [&](Parameter parameter) {
+      return vanishes(values[static_cast<std::size_t>(index_of(i, parameter))]);
+    };
+    if (!has(Parameter::Im)) {
+      body.rotor.reset();
+      body.armature = 0;
+    } else if (!body.rotor && is_zero(Parameter::Im)) {
+      body.armature = 1;
+    }
+    if (!has(Parameter::Fv) || is_zero(Parameter::Fv)) body.viscous = has(Parameter::Fv) ? 1 : 0;
+    if (!has(Parameter::Fs) || is_zero(Parameter::Fs)) body.coulomb = has(Parameter::Fs) ? 1 : 0;
+  }
+  return changed;
+}
+
 }  // namespace flatdyn

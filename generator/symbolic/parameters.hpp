@@ -43,4 +43,8 @@ enum class ParameterSet : std::uint8_t {
 };
 std::vector<bool> parameters_in(const Mechanism& mechanism, ParameterSet set);
 
+// The same mechanism with a rotor, viscous and Coulomb friction at just the joints where `set` has them: those that are
+// missing are 1. Its regressor with the given parameters is that of `mechanism` with the parameters of `set`.
+Mechanism carrying(const Mechanism& mechanism, ParameterSet set);
+
 }  // namespace flatdyn

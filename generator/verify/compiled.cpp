@@ -149,9 +149,14 @@ std::vector<double> CompiledFunctions::call(std::size_t index, const State& stat
   std::vector<const double*> in;
   for (const InputKind kind : functions_[index].inputs) in.push_back(state.of(kind).data());
   in.push_back(state.parameters.data());
-  const bool holds = library_->entry(index)(in.data(), out.data());
-  if (!holds) std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
+  if (!evaluate(index, in.data(), out.data())) {
+    std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
+  }
   return out;
+}
+
+bool CompiledFunctions::evaluate(std::size_t index, const double* const* in, double* out) const {
+  return library_->entry(index)(in, out);
 }
 
 }  // namespace flatdyn

@@ -23,6 +23,8 @@ class CompiledFunctions {
 
   // Entries of all outputs of functions[index], in order; in double. Not-a-number where the function returns false.
   std::vector<double> call(std::size_t index, const State& state) const;
+  // The same without a copy: the function's inputs in order, then the free symbols; false where it returns false.
+  bool evaluate(std::size_t index, const double* const* in, double* out) const;
 
  private:
   class Library;

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/torque_model.hpp"
+
+#include <fmt/format.h>
+
+#include "input/content_hash.hpp"
+#include "symbolic/number_text.hpp"
+#include "verify/compiled.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr std::size_t kRegressor = 0;
+constexpr std::size_t kJacobian = 1;
+constexpr int kExactDigits = 40;
+
+void refuse_symbols(const Model& model) {
+  if (model.mechanism.symbols.empty()) return;
+  throw Failure(ExitCode::unsupported,
+                fmt::format("{}: the robot has free symbols ({}, ...): measured motion needs numbers", model.robot.file,
+                            model.mechanism.symbols.front().name),
+                "write numbers for its lengths and masses; rough masses and inertias do");
+}
+
+Model with_mechanism(const Model& model, Mechanism mechanism) {
+  Model changed = model;
+  changed.mechanism = std::move(mechanism);
+  return changed;
+}
+
+std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
+  const Output& y = regressor.outputs.front();
+  std::vector<std::vector<int>> columns(static_cast<std::size_t>(y.rows));
+  for (int i = 0; i < y.rows; ++i) {
+    for (int k = 0; k < y.cols; ++k) {
+      const NodeId entry = y.entries[static_cast<std::size_t>(i * y.cols + k)];
+      if (!regressor.graph.is_zero(entry)) columns[static_cast<std::size_t>(i)].push_back(k);
+    }
+  }
+  return columns;
+}
+
+}  // namespace
+
+TorqueModel::TorqueModel(const Model& model, ParameterSet set, Progress& progress)
+    : model_(with_mechanism(model, carrying(model.mechanism, set))) {
+  refuse_symbols(model);
+  base_ = base_parameters(model_.mechanism);
+  for (const Number& value : base_values(model.mechanism, base_)) {
+    file_values_.push_back(std::stod(to_decimal(value, kExactDigits)));
+  }
+  PipelineOptions options;
+  options.functions = {"base_regressor", "jacobian"};
+  Diagnostics none;
+  const std::vector<Function> functions = functions_of(make_functions(model_, options, progress, none));
+  columns_ = nonzero_columns(functions[kRegressor]);
+  progress.step("compiling the regressor");
+  compiled_ = std::make_unique<CompiledFunctions>(model_.mechanism, functions);
+  fingerprint_ = content_hash({emit_cpp(model_.mechanism, functions, {})});
+}
+
+TorqueModel::~TorqueModel() = default;
+
+void TorqueModel::regressor(const double* q, const double* qd, const double* qdd, double* y) const {
+  const double* const in[] = {q, qd, qdd};
+  compiled_->evaluate(kRegressor, in, y);
+}
+
+void TorqueModel::tip_torque(const double* q, const double* h_e, double* tau) const {
+  constexpr int kWrench = 6;
+  const int n = joints();
+  std::vector<double> jacobian(static_cast<std::size_t>(kWrench * n));
+  const double* const in[] = {q};
+  compiled_->evaluate(kJacobian, in, jacobian.data());
+  for (int i = 0; i < n; ++i) {
+    tau[i] = 0;
+    for (int k = 0; k < kWrench; ++k) tau[i] += jacobian[static_cast<std::size_t>(k * n + i)] * h_e[k];
+  }
+}
+
+}  // namespace flatdyn

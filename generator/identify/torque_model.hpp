@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// τ = Y_b(q, q̇, q̈) π_b of one robot as a fast function of doubles: the emitted base regressor, compiled and loaded.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnostics/progress.hpp"
+#include "pipeline.hpp"
+#include "symbolic/base_parameters.hpp"
+
+namespace flatdyn {
+
+class CompiledFunctions;
+
+class TorqueModel {
+ public:
+  // Derives, emits and compiles. Throws Failure(unsupported) for a robot with free symbols, Failure(io) where there is
+  // no compiler.
+  TorqueModel(const Model& model, ParameterSet set, Progress& progress);
+  ~TorqueModel();
+  TorqueModel(const TorqueModel&) = delete;
+  TorqueModel& operator=(const TorqueModel&) = delete;
+
+  const Mechanism& mechanism() const { return model_.mechanism; }
+  int joints() const { return model_.mechanism.size(); }
+  // b, the length of π_b.
+  int parameters() const { return base_.size(); }
+  const BaseParameters& base() const { return base_; }
+  // π_b of the robot file, b numbers.
+  const std::vector<double>& file_values() const { return file_values_; }
+  // The columns of row i of Y_b that are not zero at every motion, ascending.
+  const std::vector<int>& columns_of(int joint) const { return columns_[static_cast<std::size_t>(joint)]; }
+
+  // Y_b(q, q̇, q̈), n × b row by row, into y. Units: rad or m and seconds; row i times π_b is N m or N.
+  void regressor(const double* q, const double* qd, const double* qdd, double* y) const;
+  // J_eᵀ h_e, n numbers, into tau: what a force and moment h_e (6 numbers, base axes) that the tip exerts on its
+  // environment adds to the torques of the joints, (7.42).
+  void tip_torque(const double* q, const double* h_e, double* tau) const;
+
+  // Of the emitted text: geometry, gravity and parameters. What was folded by one model is not joined with another's.
+  const std::string& fingerprint() const { return fingerprint_; }
+
+ private:
+  Model model_;
+  BaseParameters base_;
+  std::vector<double> file_values_;
+  std::vector<std::vector<int>> columns_;
+  std::string fingerprint_;
+  std::unique_ptr<CompiledFunctions> compiled_;
+};
+
+}  // namespace flatdyn
