@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <map>
 #include <sstream>
 
 #include "cli/commands.hpp"
@@ -49,6 +50,23 @@ void RobotArguments::add_to(CLI::App& command) {
       ->check([](const std::string& value) { return value == "error" ? "" : "write -Werror"; });
   command.add_flag("--json", json, "print JSON on stdout");
   command.add_flag("-q,--quiet", quiet, "no notes, no progress");
+}
+
+void add_parameters_option(CLI::App& command, std::string& parameters) {
+  command
+      .add_option("--parameters", parameters,
+                  "which parameters the model has: ten of every link (inertial), and rotors and friction that the file "
+                  "gives (given), all thirteen (full), or those that are not zero (nonzero)")
+      ->check(CLI::IsMember({"inertial", "given", "full", "nonzero"}))
+      ->capture_default_str();
+}
+
+ParameterSet parameter_set(const std::string& name) {
+  static const std::map<std::string, ParameterSet> kSets = {{"inertial", ParameterSet::inertial},
+                                                            {"given", ParameterSet::given},
+                                                            {"full", ParameterSet::full},
+                                                            {"nonzero", ParameterSet::nonzero}};
+  return kSets.at(name);
 }
 
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {

@@ -2,7 +2,7 @@
 // Real numbers for evaluate(): double and friends, and any multiprecision type whose sin and cos are found by ADL.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <functional>
 #include <type_traits>
@@ -15,7 +15,7 @@ namespace flatdyn {
 // The nearest T to an exact number. For built-in types by way of 100 digits, as GMP itself would truncate.
 template <class T>
 T to_real(const Rational& value) {
-  using Wide = std::conditional_t<std::is_floating_point_v<T>, boost::multiprecision::cpp_bin_float_100, T>;
+  using Wide = std::conditional_t<std::is_floating_point_v<T>, boost::multiprecision::mpfr_float_100, T>;
   return static_cast<T>(Wide(numerator(value)) / Wide(denominator(value)));
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kRegressor = 0;
 constexpr std::size_t kJacobian = 1;
-constexpr int kExactDigits = 40;
 
 void refuse_symbols(const Model& model) {
   if (model.mechanism.symbols.empty()) return;
@@ -47,7 +46,7 @@ TorqueModel::TorqueModel(const Model& model, ParameterSet set, Progress& progres
   refuse_symbols(model);
   base_ = base_parameters(model_.mechanism);
   for (const Number& value : base_values(model.mechanism, base_)) {
-    file_values_.push_back(std::stod(to_decimal(value, kExactDigits)));
+    file_values_.push_back(nearest_double(value));
   }
   PipelineOptions options;
   options.functions = {"base_regressor", "jacobian"};

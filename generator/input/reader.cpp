@@ -91,6 +91,7 @@ void attach(const Attachments& attachments, ReadContext& context, Robot& robot) 
   if (attachments.payload) {
     const int link = index_of(attachments.payload->link, "payload, link");
     robot.links[static_cast<std::size_t>(link)].inertials.push_back(attachments.payload->inertial);
+    robot.has_payload = true;
   }
   // A payload stays where the file puts it, whatever frame the user asks for.
   if (context.options.tip) {

@@ -27,15 +27,15 @@ void read_about(TomlTable& table, bool has_inertia, Inertial& inertial, Diagnost
   }
 }
 
-Motor read_motor(TomlTable& table, std::optional<Reference>& carrier) {
-  Motor motor;
+// What is not given stays as it is in `motor`.
+Motor read_motor(TomlTable& table, Motor motor, std::optional<Reference>& carrier) {
   motor.place = table.place();
-  motor.mass = table.number_or_zero("mass", Quantity::mass);
-  motor.inertia_axial = table.number_or_zero("inertia", Quantity::inertia);
-  motor.inertia_transverse = table.number_or_zero("inertia_transverse", Quantity::inertia);
-  motor.gear_ratio = table.number("gear_ratio", Quantity::gear_ratio).value_or(Value{1, table.place()});
-  motor.axis = table.vector("axis", Quantity::other, {0, 0, 1});
-  motor.position = table.vector("position", Quantity::length, zero_vector());
+  motor.mass = table.number("mass", Quantity::mass).value_or(motor.mass);
+  motor.inertia_axial = table.number("inertia", Quantity::inertia).value_or(motor.inertia_axial);
+  motor.inertia_transverse = table.number("inertia_transverse", Quantity::inertia).value_or(motor.inertia_transverse);
+  motor.gear_ratio = table.number("gear_ratio", Quantity::gear_ratio).value_or(motor.gear_ratio);
+  motor.axis = table.vector("axis", Quantity::other, motor.axis);
+  motor.position = table.vector("position", Quantity::length, motor.position);
   carrier = table.reference("carrier");
   table.reject_unknown_keys();
   return motor;
@@ -51,6 +51,13 @@ Limits read_limits(TomlTable& table, JointType type) {
   limits.effort = table.limit("effort", Quantity::other);
   table.reject_unknown_keys();
   return limits;
+}
+
+Motor motor_with_defaults(const Place& place) {
+  Motor motor;
+  for (Value* value : {&motor.mass, &motor.inertia_axial, &motor.inertia_transverse}) *value = {0, place};
+  motor.gear_ratio = {1, place};
+  return motor;
 }
 
 template <class T>
@@ -81,7 +88,9 @@ std::optional<Reference> read_joint_properties(TomlTable& table, Joint& joint) {
   if (auto coulomb = table.number("coulomb", Quantity::coulomb_friction)) joint.coulomb = *coulomb;
   const Quantity reflected = joint.type == JointType::prismatic ? Quantity::mass : Quantity::inertia;
   if (auto armature = table.number("armature", reflected)) joint.armature = *armature;
-  if (std::optional<TomlTable> motor = table.table("motor")) joint.motor = read_motor(*motor, carrier);
+  if (std::optional<TomlTable> motor = table.table("motor")) {
+    joint.motor = read_motor(*motor, joint.motor.value_or(motor_with_defaults(motor->place())), carrier);
+  }
   if (std::optional<TomlTable> table_of_limits = table.table("limits")) {
     const Limits limits = read_limits(*table_of_limits, joint.type);
     replace_if_given(joint.limits.lower, limits.lower);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::array<const char*, 4> kDhKeys = {"a", "alpha", "d", "theta"};
 constexpr std::array<const char*, 3> kPlacedKeys = {"xyz", "rpy", "axis"};
+constexpr std::array<const char*, 2> kOverKeys = {"urdf", "robot"};
 
 enum class DhConvention { none, standard, modified };
 
@@ -47,6 +48,7 @@ class TomlReader {
         diagnostics_(source.context().diagnostics),
         robot_(robot) {}
 
+  // The robot in `robot`, and what is attached to it.
   Attachments read(const toml::table& root) {
     TomlTable table(root, "", source_);
     const std::optional<std::string> name = table.text("name");
@@ -55,14 +57,15 @@ class TomlReader {
     for (const std::string& joint : table.texts("fixed")) {
       context_.held_joints.push_back({joint, table.place_of("fixed")});
     }
-    if (const std::optional<std::string> urdf = table.text("urdf")) {
-      read_over_urdf(table, *urdf);
+    Attachments attachments;
+    if (const char* const key = first_key_of(table, kOverKeys)) {
+      attachments = read_over(table, key);
     } else {
       read_links(table);
     }
     if (name) robot_.name = *name;
     robot_.gravity = table.vector("gravity", Quantity::acceleration, robot_.gravity);
-    const Attachments attachments = read_attachments(table);
+    read_attachments(table, attachments);
     table.reject_unknown_keys();
     for (const auto& [joint, motor] : carriers_) find_carrier(joint, motor);
     return attachments;
@@ -84,7 +87,7 @@ class TomlReader {
     std::vector<TomlTable> rows = table.tables("link");
     if (rows.empty() && !table.has("link")) {
       diagnostics_.error(top, "there is no [[link]] and no urdf",
-                         "add a [[link]] for each joint, or urdf = \"file.urdf\"");
+                         "add a [[link]] for each joint, or robot = \"file.urdf\"");
     }
     for (std::size_t i = 0; i < rows.size(); ++i) name_link(rows[i], i + 1);
     for (std::size_t i = 0; i < rows.size(); ++i) read_row(rows[i], i + 1);
@@ -202,31 +205,63 @@ class TomlReader {
     }
   }
 
-  // ---- a URDF and what is added to it
+  // ---- another robot file and what is added to it
 
-  void read_over_urdf(TomlTable& table, const std::string& urdf) {
-    const Place place = table.place_of("urdf");
-    const std::string path = (std::filesystem::path(file_).parent_path() / urdf).string();
+  Attachments read_over(TomlTable& table, const std::string& key) {
+    for (const char* other : kOverKeys) {
+      if (other == key || !table.has(other)) continue;
+      diagnostics_.error(table.place_of(other), key + " and " + other + " exclude each other", "name one robot file");
+      table.text(other);
+    }
+    const Attachments attachments = read_base(table, key);
+    for (TomlTable& row : table.tables("link")) read_link_row(row);
+    for (TomlTable& row : table.tables("joint")) read_joint_row(row);
+    return attachments;
+  }
+
+  Attachments read_base(TomlTable& table, const std::string& key) {
+    const std::optional<std::string> name = table.text(key);
+    if (!name) return {};
+    const Place place = table.place_of(key);
+    const std::filesystem::path path = std::filesystem::path(file_).parent_path() / *name;
     if (!std::filesystem::exists(path)) {
-      diagnostics_.error(place, "urdf: there is no file " + quoted(path), "the path is relative to this TOML file");
+      diagnostics_.error(place, key + ": there is no file " + quoted(path.string()),
+                         "the path is relative to this TOML file");
+      return {};
+    }
+    for (const std::string& read : robot_.files) {
+      if (!std::filesystem::equivalent(read, path)) continue;
+      diagnostics_.error(place, key + ": " + quoted(path.string()) + " names itself, or a file that names it",
+                         "name a robot file that stands by itself");
+      return {};
+    }
+    const std::optional<std::string> text = file_text(path.string(), diagnostics_);
+    if (!text) return {};
+    robot_.files.push_back(path.string());
+    if (path.extension() == ".toml" && key == "robot") return read_toml(*text, path.string(), context_, robot_);
+    read_urdf(*text, path.string(), context_, robot_);
+    return {};
+  }
+
+  // Mass, centre of mass and inertia of a link that is there, replaced.
+  void read_link_row(TomlTable& row) {
+    const std::optional<Reference> name = row.reference("name");
+    if (!name) {
+      diagnostics_.error(row.place(), "link: it has no name", "write name = \"...\", a link of the robot file");
       return;
     }
-    if (const std::optional<std::string> text = file_text(path, diagnostics_)) {
-      robot_.files.push_back(path);
-      read_urdf(*text, path, context_, robot_);
-    }
-    if (table.has("link")) {
-      diagnostics_.error(table.place_of("link"), "urdf and [[link]] exclude each other",
-                         "add to the joints of a URDF with [[joint]]");
-      table.tables("link");
-    }
-    for (TomlTable& row : table.tables("joint")) read_joint_row(row);
+    row.rename("link " + quoted(name->name));
+    const std::optional<Inertial> inertial = read_inertial(row, diagnostics_);
+    row.reject_unknown_keys();
+    if (robot_.links.empty()) return;  // the robot file could not be read: said there
+    const std::optional<int> link = find_link(robot_, *name, row.what(), diagnostics_);
+    if (link && inertial) robot_.links[static_cast<std::size_t>(*link)].inertials = {*inertial};
   }
 
   void read_joint_row(TomlTable& row) {
     const std::optional<std::string> name = row.text("name");
     if (!name) {
-      diagnostics_.error(row.place(), "joint: it has no name", "write name = \"...\", a joint of the URDF");
+      diagnostics_.error(row.place(), "joint: it has no name", "write name = \"...\", a joint of the robot file");
       return;
     }
     row.rename("joint " + quoted(*name));
@@ -238,15 +273,14 @@ class TomlReader {
       row.reject_unknown_keys();
       return;
     }
-    if (robot_.joints.empty()) return;  // the URDF could not be read: said there
-    diagnostics_.error(row.place_of("name"), "there is no joint " + quoted(*name) + " in the URDF",
+    if (robot_.joints.empty()) return;  // the robot file could not be read: said there
+    diagnostics_.error(row.place_of("name"), "there is no joint " + quoted(*name) + " in the robot file",
                        hint_for_unknown(*name, known, "joints"));
   }
 
   // ---- the whole robot
 
-  Attachments read_attachments(TomlTable& table) {
-    Attachments attachments;
+  void read_attachments(TomlTable& table, Attachments& attachments) {
     if (std::optional<TomlTable> tip = table.table("tip")) {
       attachments.tip = tip->reference("link");
       const Vec3 xyz = tip->vector("xyz", Quantity::length, zero_vector());
@@ -258,7 +292,6 @@ class TomlReader {
       if (auto inertial = read_inertial(*payload, diagnostics_)) attachments.payload = {link, *inertial};
       payload->reject_unknown_keys();
     }
-    return attachments;
   }
 
   const TomlSource& source_;

@@ -20,8 +20,8 @@ struct Attachments {
   std::optional<Payload> payload;
 };
 
-// Reads the text of a TOML file (and of the URDF that it names) into `robot`; nothing checked but what is needed to
-// read on. `file` names it in diagnostics, and its folder is where a URDF is looked for.
+// Reads the text of a TOML file (and of the robot file that it names) into `robot`; nothing checked but what is needed to
+// read on. `file` names it in diagnostics, and its folder is where that robot file is looked for.
 Attachments read_toml(const std::string& text, const std::string& file, ReadContext& context, Robot& robot);
 
 // Index of the link of this name, or nullopt and a diagnostic; `what` says who refers to it.

@@ -142,4 +142,9 @@ std::string to_decimal(const Number& a, int digits) {
   return decimal;
 }
 
+double nearest_double(const Number& a) {
+  constexpr int kMoreThanADouble = 40;
+  return std::stod(to_decimal(a, kMoreThanADouble));
+}
+
 }  // namespace flatdyn

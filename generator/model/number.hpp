@@ -46,4 +46,7 @@ Number exact_decimal(std::string_view text);
 // substituted; throws std::domain_error if one is left.
 std::string to_decimal(const Number& a, int digits);
 
+// The nearest double, for what is measured or shown. Throws as to_decimal does.
+double nearest_double(const Number& a);
+
 }  // namespace flatdyn

@@ -112,6 +112,7 @@ struct Robot {
   int root = -1;                              // index of the root link; it is the fixed base
   int tip = -1;                               // index of the link whose frame is the tip
   Pose tip_offset;                            // of the tip frame in the tip link's frame
+  bool has_payload = false;                   // one of the links' inertials is a payload of the file
   Vec3 gravity = {0, 0, Number(-981) / 100};  // g_0 in the base frame, m/s^2
   std::vector<FreeSymbol> symbols;            // in order of first appearance
   std::vector<Snap> snaps;

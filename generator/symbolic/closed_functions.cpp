@@ -71,7 +71,7 @@ class ClosedModel {
     return values;
   }
 
-  // In sines and cosines of sums of angles, as one scalar.
+  // As one scalar, written with the sines and cosines of sums of angles.
   Number scalar(const Number& expression, const std::string& name) {
     const ReadableSum sum = angles_.rewritten(names_.readable(expression));
     terms_ += sum.size();
@@ -87,25 +87,42 @@ class ClosedModel {
   Number number(const Factor& factor) {
     if (factor.kind == FactorKind::coordinate) return derivation_.input(InputKind::q, factor.index);
     if (!factor.is_trigonometric()) return names_.expression(factor);
-    Number angle = 0;
-    std::string joints;
-    for (int i = 0; i < n(); ++i) {
-      angle += factor.angle[at(i)] * derivation_.input(InputKind::q, i);
-      if (factor.angle[at(i)] != 0) joints += std::to_string(i + 1);
-    }
-    return factor.kind == FactorKind::cosine ? derivation_.cos(angle, "c_" + joints)
-                                             : derivation_.sin(angle, "s_" + joints);
+    const CosineSine of_sum = cosine_sine(factor.angle);
+    return factor.kind == FactorKind::cosine ? of_sum.cosine : of_sum.sine;
   }
 
-  static std::string label(std::initializer_list<int> indices) {
-    std::string text;
+  struct CosineSine {
+    Number cosine = 1, sine = 0;
+  };
+
+  // Of Σ angle_i q_i, from the sines and cosines of the joints: rounding q_1 + q_2 would cost as many digits as the
+  // joints have turned.
+  CosineSine cosine_sine(const std::vector<int>& angle) {
+    CosineSine sum;
+    std::string joints;
+    for (int i = 0; i < n(); ++i) {
+      const Number q = derivation_.input(InputKind::q, i);
+      const int turns = std::abs(angle[at(i)]);
+      const Number sign = angle[at(i)] < 0 ? -1 : 1;
+      for (int k = 0; k < turns; ++k) {
+        joints += std::to_string(i + 1);
+        const Number c = derivation_.cos(q, label("c", {i})), s = sign * derivation_.sin(q, label("s", {i}));
+        sum = {derivation_.named(sum.cosine * c - sum.sine * s, "c_" + joints),
+               derivation_.named(sum.sine * c + sum.cosine * s, "s_" + joints)};
+      }
+    }
+    return sum;
+  }
+
+  static std::string label(const std::string& stem, std::initializer_list<int> indices) {
+    std::string text = stem;
     for (const int i : indices) text += "_" + std::to_string(i + 1);
     return text;
   }
 
-  Number b(int i, int j) { return scalar(form_.B[at(i)][at(j)], "b" + label({std::max(i, j), std::min(i, j)})); }
-  Number c(int i, int j, int k) { return scalar(form_.christoffel(i, j, k), "c" + label({i, j, k})); }
-  Number gravity(int i) { return scalar(form_.g[at(i)], "g" + label({i})); }
+  Number b(int i, int j) { return scalar(form_.B[at(i)][at(j)], label("b", {std::max(i, j), std::min(i, j)})); }
+  Number c(int i, int j, int k) { return scalar(form_.christoffel(i, j, k), label("c", {i, j, k})); }
+  Number gravity(int i) { return scalar(form_.g[at(i)], label("g", {i})); }
   Number qd(int i) { return derivation_.input(InputKind::qd, i); }
 
   // At [i][k (k + 1) / 2 + j], j <= k.
@@ -135,7 +152,7 @@ class ClosedModel {
   Number velocity_torque(int i) {
     const Body& body = mechanism_.bodies[at(i)];
     Number sum = body.viscous * qd(i);
-    if (!vanishes(body.coulomb)) sum += body.coulomb * derivation_.sign(qd(i), "sgn" + label({i}));
+    if (!vanishes(body.coulomb)) sum += body.coulomb * derivation_.sign(qd(i), label("sgn", {i}));
     for (int k = 0; k < n(); ++k) {
       for (int j = 0; j <= k; ++j) sum += (j == k ? 1 : 2) * c(i, j, k) * qd(j) * qd(k);
     }

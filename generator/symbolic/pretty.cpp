@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cctype>
 #include <set>
 #include <utility>
@@ -93,7 +93,7 @@ std::string Pretty::coordinate(const std::string& letter, int joint) const {
 
 std::string Pretty::number(const Rational& magnitude, bool with_symbols) {
   const bool small = denominator(magnitude) <= 12 && numerator(magnitude) < 100;
-  using Wide = boost::multiprecision::cpp_bin_float_100;
+  using Wide = boost::multiprecision::mpfr_float_100;
   const std::string decimal = Wide(Wide(numerator(magnitude)) / Wide(denominator(magnitude))).str(digits_);
   std::string plain = decimal;
   plain.erase(std::remove(plain.begin(), plain.end(), '+'), plain.end());

@@ -3,16 +3,13 @@
 // have no part in it.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include "flatdyn/reference/kinematics.hpp"
+#include "flatdyn/reference/real50.hpp"
 #include "model/robot.hpp"
 
 namespace flatdyn {
 
-// What "50 digits" are: a few more are carried.
-using Real50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
+using reference::Real50;
 
 // Values for the robot's free symbols, in their order.
 using SymbolValues = std::vector<Number>;

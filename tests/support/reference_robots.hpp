@@ -2,15 +2,14 @@
 // Robots and states for tests of the numeric reference, made directly in its own types: no file, no generator.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <random>
 
 #include "flatdyn/reference/kinematics.hpp"
+#include "flatdyn/reference/real50.hpp"
 
 namespace flatdyn::testing {
 
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
+using Digits50 = reference::Real50;
 
 // Multiples of 1/128 below 1: the same in every scalar type, so that one robot can be had in all of them.
 template <class S>

@@ -14,7 +14,7 @@
 namespace flatdyn {
 namespace {
 
-using Real50 = boost::multiprecision::cpp_bin_float_50;
+using Real50 = boost::multiprecision::mpfr_float_50;
 
 class EvaluateTest : public testing::Test {
  protected:

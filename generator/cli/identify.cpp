@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "identify/part_file.hpp"
+#include "report/identification_report.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct IdentifyArguments : RobotArguments {
+  std::vector<std::string> logs, parts;
+  std::string output, part;
+  std::string parameters = "given";
+  StreamOptions stream;
+  EstimateOptions estimate;
+  bool sequential = false;
+};
+
+// "2/8" → part 2 of 8.
+void read_part(const std::string& text, StreamOptions& options) {
+  int part = 0, parts = 0, length = 0;
+  const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &length) == 2;
+  if (!read || static_cast<std::size_t>(length) != text.size() || part < 1 || part > parts) {
+    throw Failure(ExitCode::usage, fmt::format("--part {}: write k/N with 1 <= k <= N, such as 2/8", text));
+  }
+  options.part = part;
+  options.parts = parts;
+}
+
+void check_usage(const IdentifyArguments& arguments) {
+  if (arguments.logs.empty() == arguments.parts.empty()) {
+    throw Failure(ExitCode::usage, "identify needs --data LOG.csv, or --merge PART..., and not both");
+  }
+  if (!arguments.part.empty() && (arguments.output.empty() || arguments.logs.empty())) {
+    throw Failure(ExitCode::usage, "--part needs --data LOG.csv and -o FILE: the part is written to that file");
+  }
+}
+
+Measurement measured(const IdentifyArguments& arguments, const StreamOptions& options, const TorqueModel& model,
+                     Progress& progress) {
+  Diagnostics found;
+  Measurement measurement;
+  if (arguments.parts.empty()) {
+    measurement = measure(model, {arguments.logs.begin(), arguments.logs.end()}, options, progress, found);
+  } else {
+    measurement = merge_parts({arguments.parts.begin(), arguments.parts.end()}, model, found);
+  }
+  if (found.has_errors()) throw BadInput(ExitCode::input, found);
+  print_diagnostics(found, arguments.quiet);
+  return measurement;
+}
+
+Eigen::VectorXd as_vector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+ExitCode identify(const IdentifyArguments& arguments) {
+  check_usage(arguments);
+  StreamOptions stream = arguments.stream;
+  if (!arguments.part.empty()) read_part(arguments.part, stream);
+  const Model robot = read_model(arguments.robot, arguments.options());
+  print_diagnostics(robot.diagnostics, arguments.quiet);
+  Identification found;
+  {
+    Progress progress(arguments.quiet);
+    const TorqueModel model(robot, parameter_set(arguments.parameters), progress);
+    found.measurement = measured(arguments, stream, model, progress);
+    if (!arguments.part.empty()) {
+      write_files({{arguments.output, part_text(found.measurement, model, stream)}});
+      fmt::print("wrote {}: part {} of {}, {} samples\n", arguments.output, stream.part, stream.parts,
+                 found.measurement.count.used);
+      return ExitCode::ok;
+    }
+    progress.step("estimating");
+    found.estimate = estimate(found.measurement.observations, as_vector(model.file_values()), arguments.estimate);
+    if (arguments.sequential) found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations);
+    fmt::print("{}", arguments.json ? identification_json(model, found).dump(2) + "\n"
+                                    : describe_identification(model, found));
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_identify(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("identify",
+                         "Estimate the robot's dynamic parameters from measured motion.\n\n"
+                         "  flatdyn identify robots/panda.urdf --data log.csv -o identified.toml\n"
+                         "  flatdyn identify robots/panda.urdf --merge part1.json part2.json -o identified.toml");
+  const auto arguments = std::make_shared<IdentifyArguments>();
+  arguments->add_to(*command);
+  command->add_option("--data", arguments->logs, "logs: t, q1..., tau1..., and qd, qdd, h_e where there are any")
+      ->type_name("LOG.csv");
+  command->add_option("--merge", arguments->parts, "instead of logs: all parts that --part has written")
+      ->type_name("PART");
+  command->add_option("-o,--output", arguments->output, "the robot file with the identified parameters; of a part")
+      ->type_name("FILE");
+  command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
+      ->type_name("k/N");
+  add_parameters_option(*command, arguments->parameters);
+  command
+      ->add_option("--band", arguments->stream.band,
+                   "pass band of the zero-phase filter; default: 10 Hz where derivatives are missing, else no filter")
+      ->check(CLI::PositiveNumber)
+      ->type_name("HZ");
+  command
+      ->add_option("--decimate", arguments->stream.decimate,
+                   "use every N-th sample; default: three samples per period of the band")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  command
+      ->add_option("--damping", arguments->estimate.damping,
+                   "directions whose relative singular value is below this stay near the file's values")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_flag("--sequential", arguments->sequential, "also the textbook's joint-by-joint procedure");
+  return [arguments] { return identify(*arguments); };
+}
+
+}  // namespace flatdyn

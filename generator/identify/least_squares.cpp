@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/least_squares.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <limits>
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// R of all joints' rows, each divided by its σ_i: (b + 1)².
+MatrixXd weighted_factor(const Observations& observations, const VectorXd& deviations) {
+  const Index size = observations.parameters + 1;
+  Index rows = size;  // so that R has all its rows
+  for (const JointObservations& joint : observations.joints) rows += joint.R.rows();
+  MatrixXd stacked = MatrixXd::Zero(rows, size);
+  Index at = size;
+  for (std::size_t i = 0; i < observations.joints.size(); ++i) {
+    const JointObservations& joint = observations.joints[i];
+    auto block = stacked.middleRows(at, joint.R.rows());
+    block(Eigen::all, joint.columns) = joint.A() / deviations(static_cast<Index>(i));
+    block.col(size - 1) = joint.b() / deviations(static_cast<Index>(i));
+    at += joint.R.rows();
+  }
+  const Eigen::HouseholderQR<MatrixXd> qr(stacked);
+  return qr.matrixQR().topRows(size).triangularView<Eigen::Upper>();
+}
+
+// The solution for given weights.
+struct Solution {
+  VectorXd values;
+  MatrixXd spread;  // spread spreadᵀ is the covariance where the weights are right
+  VectorXd singular_values;
+  std::vector<DampedDirection> damped;
+};
+
+Solution solve(const MatrixXd& factor, const VectorXd& prior, double damping) {
+  const Index b = prior.size();
+  const MatrixXd A = factor.topLeftCorner(b, b);
+  VectorXd scale = A.colwise().norm();
+  scale = (scale.array() > 0).select(scale, 1);
+  const MatrixXd scaled = A * scale.cwiseInverse().asDiagonal();
+  const Eigen::BDCSVD<MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Solution solution;
+  solution.singular_values = svd.singularValues();
+  const double smallest = damping * solution.singular_values(0);
+  VectorXd inverse(b);
+  for (Index k = 0; k < b; ++k) {
+    const double s = solution.singular_values(k);
+    inverse(k) = s > smallest ? 1 / s : s / (s * s + smallest * smallest);
+    if (s > smallest) continue;
+    if (smallest == 0) inverse(k) = 0;
+    solution.damped.push_back({s / solution.singular_values(0), svd.matrixV().col(k)});
+  }
+  solution.spread = scale.cwiseInverse().asDiagonal() * svd.matrixV() * inverse.asDiagonal();
+  const VectorXd misfit = factor.topRightCorner(b, 1) - A * prior;
+  solution.values = prior + solution.spread * (svd.matrixU().transpose() * misfit);
+  return solution;
+}
+
+// σ_i from the residual of joint i and the degrees of freedom that are left to it. What rounding leaves is no noise.
+VectorXd residual_deviations(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
+  constexpr double kRounding = 1e-13;
+  const auto n = static_cast<Index>(observations.joints.size());
+  VectorXd result(n);
+  double largest_torque = 0;
+  for (const JointObservations& joint : observations.joints) {
+    largest_torque = std::max(largest_torque, joint.rms_torque());
+  }
+  for (Index i = 0; i < n; ++i) {
+    const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
+    const double leverage = (joint.A() * solution.spread(joint.columns, Eigen::all) / deviations(i)).squaredNorm();
+    const auto rows = static_cast<double>(joint.rows);
+    const double freedom = std::max(rows - leverage, 1.0);
+    result(i) = joint.rms_residual(solution.values) * std::sqrt(rows / freedom);
+    result(i) = std::max({result(i), kRounding * largest_torque, std::numeric_limits<double>::min()});
+  }
+  return result;
+}
+
+}  // namespace
+
+Estimate estimate(const Observations& observations, const VectorXd& prior, const EstimateOptions& options) {
+  constexpr int kMostIterations = 50;
+  constexpr double kStable = 1e-9;
+  Estimate result;
+  VectorXd deviations = VectorXd::Ones(static_cast<Index>(observations.joints.size()));
+  Solution solution;
+  for (; result.iterations < kMostIterations && !result.converged; ++result.iterations) {
+    solution = solve(weighted_factor(observations, deviations), prior, options.damping);
+    const VectorXd updated = residual_deviations(observations, solution, deviations);
+    result.converged = ((updated - deviations).cwiseAbs().array() <= kStable * deviations.array()).all();
+    deviations = updated;
+  }
+  result.values = solution.values;
+  result.standard_deviations = solution.spread.rowwise().norm();
+  result.singular_values = solution.singular_values;
+  result.damped = std::move(solution.damped);
+  result.torque_deviations = deviations;
+  result.covariance = solution.spread * solution.spread.transpose();
+  return result;
+}
+
+VectorXd estimate_joint_by_joint(const Observations& observations) {
+  VectorXd values = VectorXd::Zero(observations.parameters);
+  std::vector<bool> known(static_cast<std::size_t>(observations.parameters), false);
+  for (auto joint = observations.joints.rbegin(); joint != observations.joints.rend(); ++joint) {
+    std::vector<int> places, unknown;
+    for (std::size_t k = 0; k < joint->columns.size(); ++k) {
+      const int column = joint->columns[k];
+      if (known[static_cast<std::size_t>(column)]) continue;
+      places.push_back(static_cast<int>(k));
+      unknown.push_back(column);
+      known[static_cast<std::size_t>(column)] = true;
+    }
+    if (unknown.empty()) continue;
+    const MatrixXd A = joint->A();
+    const VectorXd rest = joint->b() - A * joint->restricted(values);
+    const MatrixXd of_unknown = A(Eigen::all, places);
+    const VectorXd solved = of_unknown.completeOrthogonalDecomposition().solve(rest);
+    values(unknown) = solved;
+  }
+  return values;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Base parameters from observations: weighted least squares by QR, (7.85) without its normal equations.
+#pragma once
+
+#include "identify/observations.hpp"
+
+namespace flatdyn {
+
+struct EstimateOptions {
+  // Directions of the column-scaled regressor whose singular value is below this part of the largest are damped.
+  double damping = 1e-8;
+};
+
+// A combination of parameters, of unit length where every parameter counts by the norm of its column.
+struct DampedDirection {
+  double relative_singular_value = 0;
+  Eigen::VectorXd components;  // b numbers
+};
+
+struct Estimate {
+  Eigen::VectorXd values;               // π_b
+  Eigen::VectorXd standard_deviations;  // of each; what damping hides is not in it
+  Eigen::VectorXd singular_values;      // of the weighted regressor, columns scaled to unit norm, descending
+  std::vector<DampedDirection> damped;
+  Eigen::VectorXd torque_deviations;  // σ_i of the torque of joint i, from the residuals; the weights are 1/σ_i
+  Eigen::MatrixXd covariance;         // b × b, of the values
+  int iterations = 0;
+  bool converged = false;
+
+  double condition() const { return singular_values(0) / singular_values(singular_values.size() - 1); }
+};
+
+// Weights start equal and are set anew from each joint's residual until they change by less than 1e-9 (50 times at
+// most). σ_i counts the degrees of freedom that the fit takes from joint i (its leverage). Where rank is short, the
+// solution of least distance to `prior` is approached: damped least squares about it.
+Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior, const EstimateOptions& options = {});
+
+// The textbook's sequential procedure (7.4): from the tips to the base, joint by joint, each from its own row with the
+// parameters that are known already moved to the right. Errors of the tips' parameters go into all others: for
+// comparison.
+Eigen::VectorXd estimate_joint_by_joint(const Observations& observations);
+
+}  // namespace flatdyn

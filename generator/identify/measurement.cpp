@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/measurement.hpp"
+
+namespace flatdyn {
+namespace {
+
+void drop_every_other(std::vector<MotionSample>& samples) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < samples.size(); k += 2) std::swap(samples[kept++], samples[k]);
+  samples.resize(kept);
+}
+
+}  // namespace
+
+void ThinnedSamples::offer(const TorqueModel& model, const Motion& motion) {
+  if (offered_++ % stride_ != 0) return;
+  const int n = model.joints();
+  const auto numbers = [n](const double* from) { return std::vector<double>(from, from + n); };
+  MotionSample sample{motion.time, numbers(motion.q), numbers(motion.qd), numbers(motion.qdd), numbers(motion.tau)};
+  if (motion.h_e != nullptr) {
+    std::vector<double> tip(static_cast<std::size_t>(n));
+    model.tip_torque(motion.q, motion.h_e, tip.data());
+    for (std::size_t i = 0; i < tip.size(); ++i) sample.tau[i] -= tip[i];
+  }
+  kept_.push_back(std::move(sample));
+  if (kept_.size() < kMost) return;
+  drop_every_other(kept_);
+  stride_ *= 2;
+}
+
+Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
+                    const StreamOptions& options, Progress& progress, Diagnostics& diagnostics) {
+  ObservationFolder folder(model);
+  ThinnedSamples samples;
+  Measurement result;
+  for (const std::filesystem::path& log : logs) {
+    const StreamPlan plan = plan_stream(log, model.mechanism(), options, diagnostics);
+    if (diagnostics.has_errors()) return result;
+    if (&log == &logs.front()) result.plan = plan;
+    progress.step("reading " + log.string());
+    const auto sink = [&](const Motion& motion) {
+      folder.add(motion);
+      samples.offer(model, motion);
+    };
+    const StreamCount count = stream(log, model.mechanism(), plan, options, sink, diagnostics);
+    result.count.lines += count.lines;
+    result.count.used += count.used;
+    result.count.gaps += count.gaps;
+  }
+  result.observations = folder.observations();
+  result.samples = samples.kept();
+  return result;
+}
+
+Measurement joined(const std::vector<Measurement>& measurements) {
+  Measurement result = measurements.front();
+  for (std::size_t k = 1; k < measurements.size(); ++k) {
+    const Measurement& next = measurements[k];
+    result.observations = joined(result.observations, next.observations);
+    result.samples.insert(result.samples.end(), next.samples.begin(), next.samples.end());
+    result.count.lines += next.count.lines;
+    result.count.used += next.count.used;
+    result.count.gaps += next.count.gaps;
+  }
+  std::stable_sort(result.samples.begin(), result.samples.end(),
+                   [](const MotionSample& a, const MotionSample& b) { return a.time < b.time; });
+  while (result.samples.size() > ThinnedSamples::kMost) drop_every_other(result.samples);
+  return result;
+}
+
+}  // namespace flatdyn

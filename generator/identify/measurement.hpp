@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Logs → what they say: the observations, and some of the samples to draw.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "identify/observations.hpp"
+
+namespace flatdyn {
+
+struct MotionSample {
+  double time = 0;
+  std::vector<double> q, qd, qdd, tau;  // tau without what the tip's force adds
+};
+
+// Samples spread evenly over all that were offered, at most kMost of them: when there are more, every other one goes.
+class ThinnedSamples {
+ public:
+  static constexpr std::size_t kMost = 2048;
+
+  void offer(const TorqueModel& model, const Motion& motion);
+  const std::vector<MotionSample>& kept() const { return kept_; }
+
+ private:
+  long offered_ = 0, stride_ = 1;
+  std::vector<MotionSample> kept_;
+};
+
+struct Measurement {
+  Observations observations;
+  std::vector<MotionSample> samples;
+  StreamCount count;
+  StreamPlan plan;  // of the first log
+};
+
+// What is wrong goes into `diagnostics`; after an error the result means nothing.
+Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
+                    const StreamOptions& options, Progress& progress, Diagnostics& diagnostics);
+
+// Several, made by the same model; at least one.
+Measurement joined(const std::vector<Measurement>& measurements);
+
+}  // namespace flatdyn

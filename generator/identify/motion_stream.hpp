@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Log → motion: q, q̇, q̈, τ (and the tip force) at the samples that are used. What the log does not have is derived from
+// what it has; then every signal passes the same zero-phase low-pass filter, and every N-th sample is used.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "identify/log_layout.hpp"
+
+namespace flatdyn {
+
+// Arrays of n numbers (h_e: of 6; null where the log has none), SI; they hold during the call.
+struct Motion {
+  double time = 0;
+  const double *q = nullptr, *qd = nullptr, *qdd = nullptr, *tau = nullptr, *h_e = nullptr;
+};
+using MotionSink = std::function<void(const Motion&)>;
+
+struct StreamOptions {
+  // Edge of the filter's pass band, Hz. None: 10 Hz, or an eighth of the sampling rate if that is less, where
+  // derivatives are missing; no filter where the log has them all.
+  std::optional<double> band;
+  // Every N-th sample is used. None: all without filter; with it, so many that filtered noise is nearly white, a
+  // rate of three bands.
+  std::optional<int> decimate;
+  // Of all blocks of kBlock lines, those of part k of N, k = 1 … N.
+  int part = 1, parts = 1;
+};
+
+// How a log is read, decided from its heading and its first lines.
+struct StreamPlan {
+  LogLayout layout;
+  double dt = 0;        // s, median
+  double jitter = 0;    // standard deviation of the time between samples, over dt
+  double band = 0;      // Hz; 0: no filter
+  int half_window = 0;  // samples that the filter loses at either end
+  int decimate = 1;
+};
+
+// What was read. Samples of other parts do not count.
+struct StreamCount {
+  long lines = 0, used = 0, gaps = 0;
+};
+
+inline constexpr long kBlock = 65536;
+
+// Reads the first lines. Wrong units are told by q against the joint limits and by q̇ and q̈ against the change of q;
+// time that is not even, where derivatives are needed, is a warning.
+StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
+                       Diagnostics& diagnostics);
+
+// All samples that are used, in order. A gap in time starts the filter anew.
+StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
+                   const StreamOptions& options, const MotionSink& sink, Diagnostics& diagnostics);
+
+}  // namespace flatdyn

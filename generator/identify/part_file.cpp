@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/part_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace flatdyn {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kKind = "part of an identification";
+
+ordered_json numbers(const Eigen::MatrixXd& upper) {
+  ordered_json list = ordered_json::array();
+  for (Eigen::Index i = 0; i < upper.rows(); ++i) {
+    for (Eigen::Index k = i; k < upper.cols(); ++k) list.push_back(upper(i, k));
+  }
+  return list;
+}
+
+Eigen::MatrixXd upper_triangle(const ordered_json& list, Eigen::Index size) {
+  Eigen::MatrixXd upper = Eigen::MatrixXd::Zero(size, size);
+  std::size_t at = 0;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index k = i; k < size; ++k) upper(i, k) = list.at(at++);
+  }
+  return upper;
+}
+
+// What all parts have in common: they must not be joined if it differs.
+ordered_json settings(const StreamOptions& options) {
+  ordered_json json = {{"parts", options.parts}};
+  json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
+  json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
+  return json;
+}
+
+struct Part {
+  std::filesystem::path file;
+  int part = 0, parts = 0;
+  ordered_json settings;
+  Measurement measurement;
+};
+
+Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
+  Measurement result;
+  result.observations.parameters = model.parameters();
+  for (int i = 0; i < model.joints(); ++i) {
+    const ordered_json& joint = json.at("joints").at(static_cast<std::size_t>(i));
+    const auto size = static_cast<Eigen::Index>(model.columns_of(i).size()) + 1;
+    result.observations.joints.push_back(
+        {model.columns_of(i), upper_triangle(joint.at("R"), size), joint.at("rows").get<long>()});
+  }
+  for (const ordered_json& sample : json.at("samples")) {
+    result.samples.push_back({sample.at(0), sample.at(1), sample.at(2), sample.at(3), sample.at(4)});
+  }
+  result.count = {json.at("lines"), json.at("used"), json.at("gaps")};
+  result.plan.dt = json.at("dt");
+  result.plan.band = json.at("filter_band");
+  result.plan.decimate = json.at("decimation");
+  return result;
+}
+
+ordered_json json_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw Failure(ExitCode::io, fmt::format("{}: cannot be read", file.string()));
+  const ordered_json json = ordered_json::parse(stream, nullptr, false);
+  return json.is_object() ? json : ordered_json::object();
+}
+
+std::optional<Part> read_part(const std::filesystem::path& file, const TorqueModel& model, Diagnostics& diagnostics) {
+  const Place place{file.string(), 0};
+  const ordered_json json = json_of(file);
+  try {
+    if (json.at("kind") != kKind) throw std::invalid_argument("kind");
+    if (json.at("model") != model.fingerprint()) {
+      diagnostics.error(place, "the part was made with another robot, other parameters or another gravity",
+                        "give --merge the robot and the options that the parts were made with");
+      return std::nullopt;
+    }
+    return Part{file, json.at("part"), json.at("settings").at("parts"), json.at("settings"),
+                measurement_of(json, model)};
+  } catch (const std::exception&) {
+    diagnostics.error(place, "this is no part of an identification, or it is not whole",
+                      "make it again: flatdyn identify ROBOT --data LOG --part k/N -o FILE");
+    return std::nullopt;
+  }
+}
+
+void check_complete(const std::vector<Part>& parts, Diagnostics& diagnostics) {
+  const Part& first = parts.front();
+  std::map<int, const Part*> seen;
+  for (const Part& part : parts) {
+    const Place place{part.file.string(), 0};
+    if (part.settings != first.settings) {
+      diagnostics.error(place, fmt::format("made with other options than {}", first.file.string()),
+                        "the same N, --band and --decimate for all parts");
+    } else if (const auto [at, is_new] = seen.emplace(part.part, &part); !is_new) {
+      diagnostics.error(place, fmt::format("part {} is there twice, also as {}", part.part, at->second->file.string()));
+    }
+  }
+  std::vector<int> missing;
+  for (int k = 1; k <= first.parts; ++k) {
+    if (seen.count(k) == 0) missing.push_back(k);
+  }
+  if (missing.empty() || diagnostics.has_errors()) return;
+  diagnostics.error({}, fmt::format("missing: part {} of {}", fmt::join(missing, ", "), first.parts),
+                    fmt::format("make it again with --part {}/{}", missing.front(), first.parts));
+}
+
+}  // namespace
+
+std::string part_text(const Measurement& measurement, const TorqueModel& model, const StreamOptions& options) {
+  ordered_json json = {{"kind", kKind},
+                       {"flatdyn", FLATDYN_VERSION},
+                       {"model", model.fingerprint()},
+                       {"part", options.part},
+                       {"settings", settings(options)},
+                       {"lines", measurement.count.lines},
+                       {"used", measurement.count.used},
+                       {"gaps", measurement.count.gaps},
+                       {"dt", measurement.plan.dt},
+                       {"filter_band", measurement.plan.band},
+                       {"decimation", measurement.plan.decimate}};
+  for (const JointObservations& joint : measurement.observations.joints) {
+    json["joints"].push_back({{"rows", joint.rows}, {"R", numbers(joint.R)}});
+  }
+  json["samples"] = ordered_json::array();
+  for (const MotionSample& sample : measurement.samples) {
+    json["samples"].push_back({sample.time, sample.q, sample.qd, sample.qdd, sample.tau});
+  }
+  return json.dump() + "\n";
+}
+
+Measurement merge_parts(const std::vector<std::filesystem::path>& files, const TorqueModel& model,
+                        Diagnostics& diagnostics) {
+  std::vector<Part> parts;
+  for (const std::filesystem::path& file : files) {
+    if (std::optional<Part> part = read_part(file, model, diagnostics)) parts.push_back(std::move(*part));
+  }
+  if (!parts.empty()) check_complete(parts, diagnostics);
+  if (diagnostics.has_errors()) return {};
+  std::vector<Measurement> measurements;
+  for (Part& part : parts) measurements.push_back(std::move(part.measurement));
+  return joined(measurements);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A measurement as a file, so that a batch system can spread logs over processes or machines: part k of N is folded by
+// itself, and the parts are joined.
+#pragma once
+
+#include <string>
+
+#include "identify/measurement.hpp"
+
+namespace flatdyn {
+
+// JSON; numbers are exact (shortest text that reads back as the same double).
+std::string part_text(const Measurement& measurement, const TorqueModel& model, const StreamOptions& options);
+
+// All parts 1 … N of one N, in any order. A part that is missing, there twice, of another robot or made with other
+// options is an error in `diagnostics`. Throws Failure(io) for a file that cannot be read.
+Measurement merge_parts(const std::vector<std::filesystem::path>& files, const TorqueModel& model,
+                        Diagnostics& diagnostics);
+
+}  // namespace flatdyn

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/physical_parameters.hpp"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix4d;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kLogCholesky = 10;  // numbers that make a 4 × 4 lower triangular matrix with positive diagonal
+constexpr int kOthers = kParametersPerJoint - kInertialPerBody;
+
+template <class T>
+using Matrix4 = Eigen::Matrix<T, 4, 4>;
+
+// Entries of (7.77) from the pseudo-inertia: Î = tr(Σ) E - Σ.
+template <class T>
+void inertial_entries(const Matrix4<T>& P, T* ten) {
+  const T trace = P(0, 0) + P(1, 1) + P(2, 2);
+  ten[0] = P(3, 3);
+  for (int k = 0; k < 3; ++k) ten[1 + k] = P(k, 3);
+  int at = 4;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) ten[at++] = (i == j ? trace : T(0)) - P(i, j);
+  }
+}
+
+// Lower triangular, diagonal e^θ: the unit matrix for θ = 0.
+template <class T>
+Matrix4<T> triangular(const T* theta) {
+  using std::exp;
+  Matrix4<T> lower = Matrix4<T>::Zero();
+  int at = 0;
+  for (int i = 0; i < 4; ++i) {
+    lower(i, i) = exp(theta[at++]);
+    for (int j = 0; j < i; ++j) lower(i, j) = theta[at++];
+  }
+  return lower;
+}
+
+// One link and its joint: θ → thirteen parameters. θ = 0 is where the search starts: the file's values.
+struct LinkShape {
+  Matrix4d root;           // L of the file's pseudo-inertia
+  double others[kOthers];  // I_m, F_v, F_s: positive by e^θ
+
+  template <class T>
+  void parameters(const T* theta, T* pi) const {
+    const Matrix4<T> lower = root.cast<T>() * triangular(theta);
+    inertial_entries<T>(lower * lower.transpose(), pi);
+    for (int k = 0; k < kOthers; ++k) {
+      using std::exp;
+      pi[kInertialPerBody + k] = others[k] * exp(theta[kLogCholesky + k]);
+    }
+  }
+};
+
+// A pseudo-inertia that is positive definite beyond doubt: eigenvalues not below a small part of the largest one.
+Matrix4d made_definite(const Matrix4d& P, double least) {
+  constexpr double kThin = 1e-6;
+  const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(P);
+  const double floor = std::max(least, kThin * eigen.eigenvalues().maxCoeff());
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(floor).asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vector<double>& scale) {
+  constexpr double kSmallBody = 1e-4;  // kg, kg m, kg m²
+  std::vector<LinkShape> shapes;
+  for (std::size_t at = 0; at < file.size(); at += kParametersPerJoint) {
+    LinkShape shape;
+    shape.root = Eigen::LLT<Matrix4d>(made_definite(pseudo_inertia(&file[at]), kSmallBody)).matrixL();
+    for (int k = 0; k < kOthers; ++k) {
+      const std::size_t place = at + static_cast<std::size_t>(kInertialPerBody + k);
+      shape.others[k] = file[place] > 0 ? file[place] : scale[place];
+    }
+    shapes.push_back(shape);
+  }
+  return shapes;
+}
+
+// K π - π_b in standard deviations, over all links.
+struct BaseResidual {
+  const std::vector<LinkShape>& shapes;
+  const MatrixXd& K;  // whitened: times the inverse root of the covariance, as the target
+  const VectorXd& target;
+
+  template <class T>
+  bool operator()(T const* const* theta, T* residual) const {
+    std::vector<T> pi(shapes.size() * kParametersPerJoint);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      shapes[i].parameters(theta[i], pi.data() + i * kParametersPerJoint);
+    }
+    for (Index row = 0; row < K.rows(); ++row) {
+      T sum = T(-target(row));
+      for (Index k = 0; k < K.cols(); ++k) {
+        if (K(row, k) != 0) sum += K(row, k) * pi[static_cast<std::size_t>(k)];
+      }
+      residual[row] = sum;
+    }
+    return true;
+  }
+};
+
+// The distance from the file, times a weight that the search lets go to zero.
+struct PriorResidual {
+  const double& weight;
+
+  template <class T>
+  bool operator()(const T* theta, T* residual) const {
+    const Matrix4<T> lower = triangular(theta);
+    const Matrix4<T> difference = lower * lower.transpose() - Matrix4<T>::Identity();
+    int at = 0;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j <= i; ++j) residual[at++] = weight * (i == j ? 1.0 : std::sqrt(2.0)) * difference(i, j);
+    }
+    for (int k = 0; k < kOthers; ++k) residual[at++] = weight * theta[kLogCholesky + k];
+    return true;
+  }
+};
+
+MatrixXd combination_matrix(const BaseParameters& base, Index columns) {
+  MatrixXd K = MatrixXd::Zero(base.size(), columns);
+  for (Index row = 0; row < K.rows(); ++row) {
+    for (const auto& [index, coefficient] : base.combination[static_cast<std::size_t>(row)]) {
+      K(row, index) = nearest_double(coefficient);
+    }
+  }
+  return K;
+}
+
+class Search {
+ public:
+  Search(std::vector<LinkShape> shapes, const MatrixXd& K, const VectorXd& target)
+      : shapes_(std::move(shapes)), K_(K), target_(target), theta_(shapes_.size()) {
+    constexpr int kParameters = kLogCholesky + kOthers, kStride = 13;
+    using Dynamic = ceres::DynamicAutoDiffCostFunction<BaseResidual, kStride>;
+    auto* agreement = new Dynamic(new BaseResidual{shapes_, K_, target_});
+    std::vector<double*> blocks;
+    for (auto& theta : theta_) {
+      theta.fill(0);
+      blocks.push_back(theta.data());
+      agreement->AddParameterBlock(kParameters);
+      problem_.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<PriorResidual, kParameters, kParameters>(new PriorResidual{weight_}), nullptr,
+          theta.data());
+    }
+    agreement->SetNumResiduals(static_cast<int>(K_.rows()));
+    problem_.AddResidualBlock(agreement, nullptr, blocks);
+  }
+
+  // From a heavy prior to a light one: the last steps move only what π_b does not decide.
+  bool run() {
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.max_num_iterations = 200;
+    options.function_tolerance = 1e-12;
+    options.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    for (const double weight : {1.0, 1e-1, 1e-2, 1e-3}) {
+      weight_ = weight;
+      ceres::Solve(options, &problem_, &summary);
+    }
+    return summary.IsSolutionUsable();
+  }
+
+  std::vector<double> parameters() const {
+    std::vector<double> pi(shapes_.size() * kParametersPerJoint);
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      shapes_[i].parameters(theta_[i].data(), pi.data() + i * kParametersPerJoint);
+    }
+    return pi;
+  }
+
+  double distance() const {
+    double sum = 0;
+    for (const auto& theta : theta_) {
+      const Matrix4d lower = triangular(theta.data());
+      sum += (lower * lower.transpose() - Matrix4d::Identity()).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(theta_.size()));
+  }
+
+ private:
+  std::vector<LinkShape> shapes_;
+  const MatrixXd& K_;
+  const VectorXd& target_;
+  double weight_ = 1;
+  std::vector<std::array<double, kLogCholesky + kOthers>> theta_;
+  ceres::Problem problem_;
+};
+
+// Where a parameter that the file does not have begins: the size that π_b gives it, if it is a base parameter itself.
+std::vector<double> scales(const BaseParameters& base, const VectorXd& pi_b, std::size_t count) {
+  constexpr double kTiny = 1e-9;
+  std::vector<double> result(count, kTiny);
+  for (int k = 0; k < base.size(); ++k) {
+    result[static_cast<std::size_t>(base.columns[static_cast<std::size_t>(k)])] = std::max(std::abs(pi_b(k)), kTiny);
+  }
+  return result;
+}
+
+}  // namespace
+
+Matrix4d pseudo_inertia(const double* ten) {
+  Matrix4d P;
+  P.topLeftCorner<3, 3>() << ten[4], ten[5], ten[6], ten[5], ten[7], ten[8], ten[6], ten[8], ten[9];
+  const double trace = P.topLeftCorner<3, 3>().trace();
+  P.topLeftCorner<3, 3>() = trace / 2 * Eigen::Matrix3d::Identity() - P.topLeftCorner<3, 3>().eval();
+  P.block<3, 1>(0, 3) = Eigen::Map<const Eigen::Vector3d>(ten + 1);
+  P.block<1, 3>(3, 0) = P.block<3, 1>(0, 3).transpose();
+  P(3, 3) = ten[0];
+  return P;
+}
+
+PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base, const VectorXd& pi_b,
+                                       const MatrixXd& covariance) {
+  // What is known to more digits than this counts as known to this many: the search need not run along a knife's edge.
+  constexpr double kSharpest = 1e-6;
+  std::vector<double> file;
+  for (const Number& value : dynamic_parameters(mechanism)) file.push_back(nearest_double(value));
+  const MatrixXd K = combination_matrix(base, static_cast<Index>(file.size()));
+  const double largest = pi_b.cwiseAbs().maxCoeff();
+  const VectorXd least = (kSharpest * pi_b.cwiseAbs()).cwiseMax(kSharpest * kSharpest * largest);
+  const MatrixXd widened = covariance + MatrixXd(least.cwiseAbs2().asDiagonal());
+  const Eigen::LLT<MatrixXd> root(widened);
+  const MatrixXd weighted = root.matrixL().solve(K);
+  const VectorXd target = root.matrixL().solve(pi_b);
+  Search search(shapes_of(file, scales(base, pi_b, file.size())), weighted, target);
+  PhysicalParameters result;
+  result.converged = search.run();
+  result.pi = search.parameters();
+  const Eigen::Map<const VectorXd> pi(result.pi.data(), static_cast<Index>(result.pi.size()));
+  result.largest_misfit = (K * pi - pi_b).cwiseQuotient(widened.diagonal().cwiseSqrt()).cwiseAbs().maxCoeff();
+  result.distance = search.distance();
+  return result;
+}
+
+}  // namespace flatdyn

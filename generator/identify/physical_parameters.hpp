@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From base parameters to a robot: of all dynamic parameters that some real body has, those that agree with π_b and are
+// nearest to the robot file's. Mass is positive and the pseudo-inertia of every link positive definite by construction
+// (log-Cholesky parameters: Rucker and Wensing, 2022), so that the result can be simulated and inverted.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "symbolic/base_parameters.hpp"
+
+namespace flatdyn {
+
+struct PhysicalParameters {
+  std::vector<double> pi;     // 13 n, in the order of (7.77)
+  double largest_misfit = 0;  // of K π from the given π_b, in standard deviations
+  double distance = 0;  // from the file: root mean square over the links of |L⁻¹ P L⁻ᵀ - E| with P_file = L Lᵀ
+  bool converged = false;
+};
+
+// π_b with its covariance, b × b. `mechanism` is the robot as in the file; links
+// that no body could have there (or that have no mass) start from a small sphere instead, so that a missing inertia is
+// no obstacle. Solved by Ceres.
+PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base,
+                                       const Eigen::VectorXd& pi_b, const Eigen::MatrixXd& covariance);
+
+// [Σ, h; hᵀ, m] with Σ = tr(Î)/2 E - Î, of ten inertial parameters as in (7.77): positive definite if and only if some
+// body with a distribution of mass in space has them (Wensing, Kim, Slotine, 2018).
+Eigen::Matrix4d pseudo_inertia(const double* ten);
+
+}  // namespace flatdyn

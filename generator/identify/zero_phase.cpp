@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/zero_phase.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace flatdyn {
+namespace {
+
+// A value and its first two derivatives with respect to time.
+struct Jet {
+  double value = 0, first = 0, second = 0;
+};
+
+Jet operator*(const Jet& a, const Jet& b) {
+  return {a.value * b.value, a.first * b.value + a.value * b.first,
+          a.second * b.value + 2 * a.first * b.first + a.value * b.second};
+}
+
+// sin(ω t)/(π t).
+Jet sinc(double omega, double t) {
+  const double pi = std::numbers::pi;
+  const double x = omega * t;
+  // Below this the series is exact to the last digit, above it the quotients are accurate enough.
+  constexpr double kSmall = 1e-2;
+  if (std::abs(x) < kSmall) {
+    const double xx = x * x;
+    return {omega / pi * (1 - xx / 6 * (1 - xx / 20)), -omega * omega / pi * x / 3 * (1 - xx / 10),
+            -omega * omega * omega / pi / 3 * (1 - 3 * xx / 10 * (1 - 5 * xx / 84))};
+  }
+  const double s = std::sin(x), c = std::cos(x);
+  const double f = s / x, df = (c - f) / x, ddf = -f - 2 * df / x;
+  return {omega / pi * f, omega * omega / pi * df, omega * omega * omega / pi * ddf};
+}
+
+// Nuttall's window with continuous first derivative, of half-length `reach`.
+Jet window(double reach, double t) {
+  static constexpr double kCosines[] = {0.355768, 0.487396, 0.144232, 0.012604};
+  Jet sum;
+  for (int m = 0; m < 4; ++m) {
+    const double rate = m * std::numbers::pi / reach;
+    sum.value += kCosines[m] * std::cos(rate * t);
+    sum.first -= kCosines[m] * rate * std::sin(rate * t);
+    sum.second -= kCosines[m] * rate * rate * std::cos(rate * t);
+  }
+  return sum;
+}
+
+// Σ_k weights[k] (t_k)^power / power!
+double moment(const std::vector<double>& weights, int half, double dt, int power) {
+  double sum = 0;
+  for (int k = -half; k <= half; ++k) {
+    const double t = k * dt;
+    sum += weights[static_cast<std::size_t>(k + half)] * (power == 0 ? 1 : power == 1 ? t : t * t / 2);
+  }
+  return sum;
+}
+
+void scale(std::vector<double>& weights, double factor) {
+  for (double& weight : weights) weight *= factor;
+}
+
+void subtract(std::vector<double>& weights, double factor, const std::vector<double>& other) {
+  for (std::size_t k = 0; k < weights.size(); ++k) weights[k] -= factor * other[k];
+}
+
+// Exact for 1, t and t²/2, which sampling and the window's ends leave to 1e-4 only.
+void make_exact_for_parabolas(ZeroPhaseKernel& kernel, double dt) {
+  auto& [value, first, second] = kernel.weights;
+  scale(value, 1 / moment(value, kernel.half, dt, 0));
+  subtract(second, moment(second, kernel.half, dt, 0), value);
+  scale(second, 1 / moment(second, kernel.half, dt, 2));
+  subtract(value, moment(value, kernel.half, dt, 2), second);
+  subtract(second, moment(second, kernel.half, dt, 0), value);
+  scale(first, 1 / moment(first, kernel.half, dt, 1));
+}
+
+}  // namespace
+
+ZeroPhaseKernel zero_phase_kernel(double band, double dt) {
+  // The main lobe of the window is 8/(2 reach) wide from zero to zero; so wide is the transition from 1 to 2 bands.
+  const double reach = 4 / band;
+  const double omega = 2 * std::numbers::pi * 1.5 * band;
+  ZeroPhaseKernel kernel;
+  kernel.half = static_cast<int>(std::ceil(reach / dt)) - 1;
+  for (int k = -kernel.half; k <= kernel.half; ++k) {
+    // The kernel meets the signal mirrored: y(t) = ∫ h(t - s) x(s) ds.
+    const double t = -k * dt;
+    const Jet h = sinc(omega, t) * window(reach, t);
+    kernel.weights[0].push_back(h.value * dt);
+    kernel.weights[1].push_back(h.first * dt);
+    kernel.weights[2].push_back(h.second * dt);
+  }
+  make_exact_for_parabolas(kernel, dt);
+  return kernel;
+}
+
+}  // namespace flatdyn

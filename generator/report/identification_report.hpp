@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What was identified, for people and as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "identify/least_squares.hpp"
+#include "identify/measurement.hpp"
+
+namespace flatdyn {
+
+// All that one run found.
+struct Identification {
+  Measurement measurement;
+  Estimate estimate;
+  std::optional<Eigen::VectorXd> joint_by_joint;  // the textbook's sequential procedure, for comparison
+};
+
+std::string describe_identification(const TorqueModel& model, const Identification& found);
+nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found);
+
+}  // namespace flatdyn

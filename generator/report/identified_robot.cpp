@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/identified_robot.hpp"
+
+#include <fmt/format.h>
+
+namespace flatdyn {
+namespace {
+
+Number exact(double value) { return exact_decimal(fmt::format("{}", value)); }
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+// Seventeen digits: the file reads back as the same numbers.
+std::string number(const Number& value) { return fmt::format("{}", nearest_double(value)); }
+
+class RobotText {
+ public:
+  RobotText(const Model& model, ParameterSet set, const PhysicalParameters& parameters)
+      : model_(model), present_(parameters_in(model.mechanism, set)), pi_(parameters.pi) {}
+
+  std::string text(const IdentifiedRobot& about) {
+    for (const std::string& comment : about.comments) line(comment.empty() ? "#" : "# " + comment);
+    const std::filesystem::path folder = std::filesystem::absolute(about.file).parent_path();
+    line("");
+    line("robot = " + quoted(std::filesystem::relative(model_.robot.file, folder).generic_string()));
+    for (const std::string& setting : about.settings) line(setting);
+    if (model_.robot.has_payload) line("payload = { mass = 0 }  # in its link, below");
+    for (int i = 0; i < model_.mechanism.size(); ++i) add_link(i);
+    for (const LinkFrame& link : model_.mechanism.links) add_merged(link);
+    for (int i = 0; i < model_.mechanism.size(); ++i) add_joint(i);
+    return text_;
+  }
+
+ private:
+  void line(const std::string& text) { text_ += text + "\n"; }
+
+  double parameter(int i, Parameter which) const { return pi_[static_cast<std::size_t>(index_of(i, which))]; }
+  bool has(int i, Parameter which) const { return present_[static_cast<std::size_t>(index_of(i, which))]; }
+
+  // Of body i without the rotors that it carries, in its canonical frame: a rotor stands in the file by itself.
+  InertialParameters body_without_rotors(int i) const {
+    InertialParameters body;
+    for (int k = 0; k < kInertialPerBody; ++k) {
+      const auto which = static_cast<Parameter>(k);
+      const InertialParameters unit = unit_parameter(which);
+      const Number value = exact(parameter(i, which));
+      body = body + InertialParameters{value * unit.mass, value * unit.first_moment, scaled(value, unit.inertia)};
+    }
+    for (int j = 0; j < model_.mechanism.size(); ++j) {
+      const std::optional<Rotor>& rotor = model_.mechanism.bodies[static_cast<std::size_t>(j)].rotor;
+      if (!rotor || rotor->carrier != i) continue;
+      const Number I_m = rotor_inertia(j);
+      for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t c = 0; c < 3; ++c) body.inertia[r][c] -= I_m * rotor->axis[r] * rotor->axis[c];
+      }
+    }
+    return body;
+  }
+
+  Number rotor_inertia(int j) const {
+    const std::optional<Rotor>& rotor = model_.mechanism.bodies[static_cast<std::size_t>(j)].rotor;
+    return has(j, Parameter::Im) ? exact(parameter(j, Parameter::Im)) : rotor->inertia;
+  }
+
+  static Mat3 scaled(const Number& factor, const Mat3& m) {
+    Mat3 result = m;
+    for (Vec3& row : result) row = factor * row;
+    return result;
+  }
+
+  void add_link(int i) {
+    const Body& body = model_.mechanism.bodies[static_cast<std::size_t>(i)];
+    const auto frame = std::find_if(model_.mechanism.links.begin(), model_.mechanism.links.end(),
+                                    [&](const LinkFrame& link) { return link.link == body.link; });
+    const Mat3 back = transpose(frame->R);
+    const InertialParameters link = transformed(body_without_rotors(i), back, expanded(Number(-1) * (back * frame->p)));
+    const Vec3 com = (1 / link.mass) * link.first_moment;
+    const Mat3 about_com = link.inertia + scaled(-1, steiner(link.mass, com));
+    line("\n[[link]]\nname = " + quoted(body.link));
+    line("mass = " + number(link.mass));
+    line(fmt::format("com = [{}, {}, {}]", number(com[0]), number(com[1]), number(com[2])));
+    line(fmt::format("inertia = {{ xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {} }}", number(about_com[0][0]),
+                     number(about_com[1][1]), number(about_com[2][2]), number(about_com[0][1]), number(about_com[0][2]),
+                     number(about_com[1][2])));
+    line("inertia_about = \"com\"");
+  }
+
+  void add_merged(const LinkFrame& link) {
+    if (link.body < 0 || model_.mechanism.bodies[static_cast<std::size_t>(link.body)].link == link.link) return;
+    const auto written = std::find_if(model_.robot.links.begin(), model_.robot.links.end(),
+                                      [&](const Link& each) { return each.name == link.link; });
+    if (written->inertials.empty()) return;
+    line("\n[[link]]\nname = " + quoted(link.link) + "\nmass = 0  # moves with " +
+         quoted(model_.mechanism.bodies[static_cast<std::size_t>(link.body)].link) + ", and is part of it");
+  }
+
+  void add_joint(int i) {
+    const Body& body = model_.mechanism.bodies[static_cast<std::size_t>(i)];
+    std::string values;
+    const auto add = [&](Parameter which, const char* key) {
+      if (has(i, which)) values += fmt::format("{} = {}\n", key, parameter(i, which));
+    };
+    add(Parameter::Fv, "viscous");
+    add(Parameter::Fs, "coulomb");
+    if (body.rotor) {
+      values += fmt::format("motor = {{ mass = 0, inertia = {}, inertia_transverse = 0 }}\n", number(rotor_inertia(i)));
+    } else {
+      add(Parameter::Im, "armature");
+    }
+    if (!values.empty()) text_ += "\n[[joint]]\nname = " + quoted(body.joint) + "\n" + values;
+  }
+
+  const Model& model_;
+  std::vector<bool> present_;
+  const std::vector<double>& pi_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string identified_robot_text(const Model& model, ParameterSet set, const PhysicalParameters& parameters,
+                                  const IdentifiedRobot& about) {
+  return RobotText(model, set, parameters).text(about);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The identified robot as a file: TOML over the robot file that was given.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "identify/physical_parameters.hpp"
+#include "pipeline.hpp"
+
+namespace flatdyn {
+
+struct IdentifiedRobot {
+  std::filesystem::path file;         // where it will be written: the robot file is named relative to it
+  std::vector<std::string> comments;  // at its top
+  std::vector<std::string> settings;  // TOML lines that repeat the options that shaped the model
+};
+
+// Mass, centre of mass and inertia of every moving link; I_m, F_v and F_s where `set` has them. What else moves with a
+// link (merged links, rotors' masses, a payload) is part of it and gets no mass of its own.
+std::string identified_robot_text(const Model& model, ParameterSet set, const PhysicalParameters& parameters,
+                                  const IdentifiedRobot& about);
+
+}  // namespace flatdyn
