@@ -9,8 +9,9 @@
 //
 // Gravity is (g, 0, 0) m/s^2 in the base frame. The tip belongs to link "pendulum".
 //
-// Every function is a template over its scalar: float, double, or any type that has + - * / and
-// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+// Every function is a template over its scalar: float, double, or any type that is made from a
+// double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
+// finds them. Arguments are plain arrays:
 //
 //   pendulum_motor::Parameters<> parameters = {};  // then set its members
 //   double q[1] = {}, qd[1] = {}, qdd[1] = {}, tau[1];
@@ -20,7 +21,9 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
+// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
+// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PENDULUM_MOTOR_HPP
 #define FLATDYN_PENDULUM_MOTOR_HPP
@@ -73,7 +76,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   tau[0] = qd_1 * F_v1 + t2 + qdd_1 * (I + I_m * t1);
 }
 
-// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+// Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
 //   q[1]    in   joint positions, rad or m
 //   qd[1]   in   joint velocities, rad/s or m/s
 //   qdd[1]  in   joint accelerations, rad/s^2 or m/s^2
@@ -103,7 +106,7 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
 inline constexpr bool inertia_matrix_nonzero[1] = {
     1};
 
-// joint-space inertia matrix B(q) (7.32).
+// Joint-space inertia matrix B(q) (7.32).
 //   q[1]  in   joint positions, rad or m
 //   B[1]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //              1 x 1, row by row: entry (i, j) is B[1 * i + j]
@@ -146,7 +149,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Sc
   C[0] = Scalar(0.0);
 }
 
-// gravity torques g(q) (7.39).
+// Gravity torques g(q) (7.39).
 //   q[1]  in   joint positions, rad or m
 //   g[1]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0], parameters.g, parameters.m, parameters.l. Operations: 3 mul, 0 add, 1 sin/cos.
@@ -183,8 +186,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 //   qd[1]   in   joint velocities, rad/s or m/s
 //   tau[1]  in   joint torques or forces, N m or N
 //   qdd[1]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
-// number.
+// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0], qd[0], tau[0], parameters.g, parameters.m, parameters.l, parameters.I, parameters.F,
 // parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 4 add, 1 div, 1 sin/cos.
 template <class Scalar>
@@ -207,7 +209,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   return positive;
 }
 
-// kinetic energy of links and rotors (7.31).
+// Kinetic energy of links and rotors (7.31).
 //   q[1]   in  joint positions, rad or m
 //   qd[1]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
@@ -220,7 +222,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
   return Scalar(0.5) * qd_1 * qd_1 * (I + k_r * k_r * I_m);
 }
 
-// potential energy of links and rotors (7.36).
+// Potential energy of links and rotors (7.36).
 //   q[1]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0], parameters.g, parameters.m, parameters.l. Operations: 3 mul, 0 add, 1 sin/cos.
@@ -239,7 +241,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
     1, 1, 0,
     0, 0, 1};
 
-// pose of the tip (2.50).
+// Pose of the tip (2.50).
 //   q[1]  in   joint positions, rad or m
 //   R[9]  out  rotation matrix of the frame in the base frame
 //              3 x 3, row by row: entry (i, j) is R[3 * i + j]
@@ -269,7 +271,7 @@ inline constexpr bool jacobian_nonzero[6] = {
     0,
     1};
 
-// geometric Jacobian of the tip (7.14), (7.15).
+// Geometric Jacobian of the tip (7.14), (7.15).
 //   q[1]  in   joint positions, rad or m
 //   J[6]  out  geometric Jacobian in base axes: linear rows, then angular
 //              6 x 1, row by row: entry (i, j) is J[1 * i + j]

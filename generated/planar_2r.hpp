@@ -10,8 +10,9 @@
 //
 // Gravity is (0, -g, 0) m/s^2 in the base frame. The tip belongs to link "link2".
 //
-// Every function is a template over its scalar: float, double, or any type that has + - * / and
-// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+// Every function is a template over its scalar: float, double, or any type that is made from a
+// double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
+// finds them. Arguments are plain arrays:
 //
 //   planar_2r::Parameters<> parameters = {};  // then set its members
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
@@ -21,7 +22,9 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
+// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
+// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PLANAR_2R_HPP
 #define FLATDYN_PLANAR_2R_HPP
@@ -100,7 +103,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   tau[0] = N_2_z + I_m2 * t3 - t7 + t1 * mr_1_x + t6;
 }
 
-// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+// Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
@@ -153,7 +156,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
     1, 1,
     1, 1};
 
-// joint-space inertia matrix B(q) (7.32).
+// Joint-space inertia matrix B(q) (7.32).
 //   q[2]  in   joint positions, rad or m
 //   B[4]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //              2 x 2, row by row: entry (i, j) is B[2 * i + j]
@@ -197,9 +200,9 @@ inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, S
   const Scalar q_2 = q[1];
   const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
   const Scalar s_2 = sin(q_2);
-  const Scalar db_11_2r = a_1 * m_l2 * l_2 * s_2;
-  c[3] = db_11_2r;
-  c[1] = c[2] = -db_11_2r;
+  const Scalar c_2_1_1 = a_1 * m_l2 * l_2 * s_2;
+  c[3] = c_2_1_1;
+  c[1] = c[2] = -c_2_1_1;
   c[0] = c[4] = c[5] = Scalar(0.0);
 }
 
@@ -232,22 +235,24 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
   C[3] = Scalar(0.0);
 }
 
-// gravity torques g(q) (7.39).
+// Gravity torques g(q) (7.39).
 //   q[2]  in   joint positions, rad or m
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
-// parameters.l_2, parameters.m_m2. Operations: 7 mul, 4 add, 2 sin/cos.
+// parameters.l_2, parameters.m_m2. Operations: 9 mul, 4 add, 4 sin/cos.
 template <class Scalar>
 inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g) noexcept {
   using std::cos;
+  using std::sin;
   const Scalar q_1 = q[0], q_2 = q[1];
   const Scalar g_2 = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1,
       l_1 = parameters.l_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
-  const Scalar c_1 = cos(q_1);
-  const Scalar c_12 = cos(q_1 + q_2);
-  const Scalar g_2_2 = g_2 * m_l2 * l_2 * c_12;
-  g[1] = g_2_2;
-  g[0] = g_2_2 + g_2 * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = g_2 * m_l2 * l_2 * (s_1 * s_2 - c_1 * c_2);
+  g[1] = -t1;
+  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
+  g[0] = g_2 * c_1 * mr_1_x - t1;
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
@@ -255,7 +260,7 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1,
-// parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 14 mul, 7 add, 3 sin/cos.
+// parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 15 mul, 7 add, 4 sin/cos.
 template <class Scalar>
 inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     Scalar* n) noexcept {
@@ -265,15 +270,16 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
-  const Scalar c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2);
-  const Scalar c_12 = cos(q_1 + q_2);
-  const Scalar t1 = m_l2 * l_2;
-  const Scalar t2 = t1 * a_1 * s_2;
-  const Scalar t3 = g * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
-  const Scalar t4 = g * c_12 * t1;
-  n[0] = t4 - qd_2 * (Scalar(2.0) * qd_1 + qd_2) * t2 + t3;
-  n[1] = t4 + qd_1 * qd_1 * t2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar t1 = g * c_1;
+  const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * t1;
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar N_2_z = ddp_2_y * t2;
+  n[1] = N_2_z;
+  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  n[0] = N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2 + t1 * mr_1_x;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -281,8 +287,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
-// number.
+// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0..1], qd[0..1], tau[0..1], parameters.g, parameters.a_1, parameters.m_l1,
 // parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
@@ -331,7 +336,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   return positive;
 }
 
-// kinetic energy of links and rotors (7.31).
+// Kinetic energy of links and rotors (7.31).
 //   q[2]   in  joint positions, rad or m
 //   qd[2]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
@@ -362,7 +367,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
   return Scalar(0.5) * T_2;
 }
 
-// potential energy of links and rotors (7.36).
+// Potential energy of links and rotors (7.36).
 //   q[2]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
@@ -388,7 +393,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
     1, 1, 0,
     0, 0, 1};
 
-// pose of the tip (2.50).
+// Pose of the tip (2.50).
 //   q[2]  in   joint positions, rad or m
 //   R[9]  out  rotation matrix of the frame in the base frame
 //              3 x 3, row by row: entry (i, j) is R[3 * i + j]
@@ -426,7 +431,7 @@ inline constexpr bool jacobian_nonzero[12] = {
     0, 0,
     1, 1};
 
-// geometric Jacobian of the tip (7.14), (7.15).
+// Geometric Jacobian of the tip (7.14), (7.15).
 //   q[2]   in   joint positions, rad or m
 //   J[12]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
@@ -471,11 +476,10 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t1 = omega_2_z * a_2 * omega_2_z;
   const Scalar t2 = qd_1 * a_1 * qd_1;
-  const Scalar ddp_e_x = t1 + c_2 * t2;
-  const Scalar a_2_t_x = s_2 * s_2 * t2 + c_2 * ddp_e_x;
-  const Scalar t3 = s_2 * t1;
-  a[0] = s_1 * t3 - c_1 * a_2_t_x;
-  a[1] = -s_1 * a_2_t_x - c_1 * t3;
+  const Scalar t3 = s_2 * s_2 * t2 + c_2 * (t1 + c_2 * t2);
+  const Scalar t4 = s_2 * t1;
+  a[0] = s_1 * t4 - c_1 * t3;
+  a[1] = -s_1 * t3 - c_1 * t4;
   a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
 

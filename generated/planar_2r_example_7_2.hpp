@@ -10,8 +10,9 @@
 //
 // Gravity is (0, -9.81, 0) m/s^2 in the base frame. The tip belongs to link "link2".
 //
-// Every function is a template over its scalar: float, double, or any type that has + - * / and
-// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+// Every function is a template over its scalar: float, double, or any type that is made from a
+// double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
+// finds them. Arguments are plain arrays:
 //
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
 //   planar_2r_example_7_2::inverse_dynamics(q, qd, qdd, tau);
@@ -20,7 +21,9 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
+// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
+// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
 #define FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
@@ -42,7 +45,7 @@ inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..1], qd[0..1], qdd[0..1]. Operations: 14 mul, 11 add, 4 sin/cos.
+// Reads q[0..1], qd[0..1], qdd[0..1]. Operations: 14 mul, 13 add, 4 sin/cos.
 template <class Scalar>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau) noexcept {
@@ -51,19 +54,19 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar q_1 = q[0], q_2 = q[1];
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
-  const Scalar c_1 = cos(q_1);
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar c_12 = cos(q_1 + q_2);
-  const Scalar b_2_1 = Scalar(25.0) * c_2 + Scalar(23.5);
-  const Scalar b_1_1 = Scalar(50.0) * c_2 + Scalar(200.01);
-  const Scalar t1 = Scalar(25.0) * s_2;
-  const Scalar t2 = qd_2 * (Scalar(2.0) * qd_1 + qd_2) * t1;
-  const Scalar t3 = Scalar(245.25) * c_12;
-  tau[0] = Scalar(784.8) * c_1 + qdd_2 * b_2_1 + qdd_1 * b_1_1 - t2 + t3;
-  tau[1] = Scalar(122.5) * qdd_2 + t3 + qdd_1 * b_2_1 + qd_1 * qd_1 * t1;
+  const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
+  const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
+  const Scalar domega_2_z = qdd_1 + qdd_2;
+  const Scalar t1 = Scalar(25.0) * (s_2 * ddp_o_2_x - c_2 * ddp_o_2_y) - Scalar(22.5) * domega_2_z;
+  tau[1] = qdd_1 + Scalar(100.0) * qdd_2 - t1;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t2 = s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z;
+  tau[0] = Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1 + qdd_2 - t1 - Scalar(25.0) * t2;
 }
 
-// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+// Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
@@ -101,7 +104,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
     1, 1,
     1, 1};
 
-// joint-space inertia matrix B(q) (7.32).
+// Joint-space inertia matrix B(q) (7.32).
 //   q[2]  in   joint positions, rad or m
 //   B[4]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //              2 x 2, row by row: entry (i, j) is B[2 * i + j]
@@ -162,39 +165,41 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   C[3] = Scalar(0.0);
 }
 
-// gravity torques g(q) (7.39).
+// Gravity torques g(q) (7.39).
 //   q[2]  in   joint positions, rad or m
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..1]. Operations: 2 mul, 2 add, 2 sin/cos.
+// Reads q[0..1]. Operations: 4 mul, 2 add, 4 sin/cos.
 template <class Scalar>
 inline void gravity(const Scalar* q, Scalar* g) noexcept {
   using std::cos;
+  using std::sin;
   const Scalar q_1 = q[0], q_2 = q[1];
-  const Scalar c_1 = cos(q_1);
-  const Scalar c_12 = cos(q_1 + q_2);
-  const Scalar g_2 = Scalar(245.25) * c_12;
-  g[1] = g_2;
-  g[0] = Scalar(784.8) * c_1 + g_2;
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar N_2_z = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
+  g[1] = N_2_z;
+  g[0] = Scalar(784.8) * c_1 + N_2_z;
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
 //   q[2]   in   joint positions, rad or m
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..1], qd[0..1]. Operations: 8 mul, 5 add, 3 sin/cos.
+// Reads q[0..1], qd[0..1]. Operations: 9 mul, 5 add, 4 sin/cos.
 template <class Scalar>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   using std::cos;
   using std::sin;
   const Scalar q_1 = q[0], q_2 = q[1];
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
-  const Scalar c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2);
-  const Scalar c_12 = cos(q_1 + q_2);
+  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar t1 = Scalar(25.0) * s_2;
-  const Scalar t2 = Scalar(245.25) * c_12;
-  n[0] = Scalar(784.8) * c_1 - qd_2 * (Scalar(2.0) * qd_1 + qd_2) * t1 + t2;
-  n[1] = t2 + qd_1 * qd_1 * t1;
+  const Scalar N_2_z = Scalar(245.25) * c_1 * c_2 - ddp_o_2_x * t1;
+  n[1] = N_2_z;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  n[0] = Scalar(784.8) * c_1 + N_2_z - t1 * omega_2_z * omega_2_z;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -202,8 +207,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
-// number.
+// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0..1], qd[0..1], tau[0..1]. Operations: 17 mul, 12 add, 1 div, 4 sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
@@ -232,7 +236,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   return positive;
 }
 
-// kinetic energy of links and rotors (7.31).
+// Kinetic energy of links and rotors (7.31).
 //   q[2]   in  joint positions, rad or m
 //   qd[2]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
@@ -249,7 +253,7 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
   return t1 + Scalar(61.25) * qd_2 * qd_2;
 }
 
-// potential energy of links and rotors (7.36).
+// Potential energy of links and rotors (7.36).
 //   q[2]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0..1]. Operations: 5 mul, 2 add, 4 sin/cos.
@@ -271,7 +275,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
     1, 1, 0,
     0, 0, 1};
 
-// pose of the tip (2.50).
+// Pose of the tip (2.50).
 //   q[2]  in   joint positions, rad or m
 //   R[9]  out  rotation matrix of the frame in the base frame
 //              3 x 3, row by row: entry (i, j) is R[3 * i + j]
@@ -293,8 +297,7 @@ inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
   R[1] = -n_1_t_y;
   const Scalar p_2_x = c_2 + Scalar(1.0);
   p[1] = t2 + s_1 * p_2_x;
-  const Scalar p_1u_t_x = t1 - c_1 * p_2_x;
-  p[0] = -p_1u_t_x;
+  p[0] = c_1 * p_2_x - t1;
   R[8] = Scalar(1.0);
   R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
 }
@@ -308,7 +311,7 @@ inline constexpr bool jacobian_nonzero[12] = {
     0, 0,
     1, 1};
 
-// geometric Jacobian of the tip (7.14), (7.15).
+// Geometric Jacobian of the tip (7.14), (7.15).
 //   q[2]   in   joint positions, rad or m
 //   J[12]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
@@ -326,8 +329,7 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
   const Scalar p_1u_t_y = c_1 * s_2 + s_1 * p_2_x;
   J[0] = -p_1u_t_y;
   J[1] = s_1 - p_1u_t_y;
-  const Scalar r_2_x = c_1 - p_1u_t_x;
-  J[3] = -r_2_x;
+  J[3] = p_1u_t_x - c_1;
   J[10] = J[11] = Scalar(1.0);
   J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
 }
@@ -349,11 +351,10 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexce
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t1 = omega_2_z * omega_2_z;
   const Scalar t2 = qd_1 * qd_1;
-  const Scalar ddp_e_x = t1 + c_2 * t2;
-  const Scalar a_2_t_x = s_2 * s_2 * t2 + c_2 * ddp_e_x;
-  const Scalar t3 = s_2 * t1;
-  a[0] = s_1 * t3 - c_1 * a_2_t_x;
-  a[1] = -s_1 * a_2_t_x - c_1 * t3;
+  const Scalar t3 = s_2 * s_2 * t2 + c_2 * (t1 + c_2 * t2);
+  const Scalar t4 = s_2 * t1;
+  a[0] = s_1 * t4 - c_1 * t3;
+  a[1] = -s_1 * t3 - c_1 * t4;
   a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
 

@@ -10,8 +10,9 @@
 //
 // Gravity is (0, -g, 0) m/s^2 in the base frame. The tip belongs to link "link2".
 //
-// Every function is a template over its scalar: float, double, or any type that has + - * / and
-// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+// Every function is a template over its scalar: float, double, or any type that is made from a
+// double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
+// finds them. Arguments are plain arrays:
 //
 //   prismatic_revolute::Parameters<> parameters = {};  // then set its members
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
@@ -21,7 +22,9 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
+// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
+// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PRISMATIC_REVOLUTE_HPP
 #define FLATDYN_PRISMATIC_REVOLUTE_HPP
@@ -84,7 +87,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   tau[1] = qdd_2 * (I_2_zz + I_m2 * k_r2 * k_r2) - t3;
 }
 
-// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+// Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
@@ -123,7 +126,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
     1, 1,
     1, 1};
 
-// joint-space inertia matrix B(q) (7.32).
+// Joint-space inertia matrix B(q) (7.32).
 //   q[2]  in   joint positions, rad or m
 //   B[4]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //              2 x 2, row by row: entry (i, j) is B[2 * i + j]
@@ -190,7 +193,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
   C[0] = C[2] = C[3] = Scalar(0.0);
 }
 
-// gravity torques g(q) (7.39).
+// Gravity torques g(q) (7.39).
 //   q[2]  in   joint positions, rad or m
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1], parameters.g, parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos.
@@ -229,8 +232,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
-// number.
+// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[1], qd[1], tau[0..1], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
 // parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2,
 // parameters.k_r2. Operations: 17 mul, 10 add, 2 div, 2 sin/cos.
@@ -264,7 +266,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   return positive;
 }
 
-// kinetic energy of links and rotors (7.31).
+// Kinetic energy of links and rotors (7.31).
 //   q[2]   in  joint positions, rad or m
 //   qd[2]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
@@ -289,7 +291,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
   return Scalar(0.5) * T_2;
 }
 
-// potential energy of links and rotors (7.36).
+// Potential energy of links and rotors (7.36).
 //   q[2]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[1], parameters.g, parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos.
@@ -308,7 +310,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
     1, 1, 0,
     0, 0, 1};
 
-// pose of the tip (2.50).
+// Pose of the tip (2.50).
 //   q[2]  in   joint positions, rad or m
 //   R[9]  out  rotation matrix of the frame in the base frame
 //              3 x 3, row by row: entry (i, j) is R[3 * i + j]
@@ -341,7 +343,7 @@ inline constexpr bool jacobian_nonzero[12] = {
     0, 0,
     0, 1};
 
-// geometric Jacobian of the tip (7.14), (7.15).
+// Geometric Jacobian of the tip (7.14), (7.15).
 //   q[2]   in   joint positions, rad or m
 //   J[12]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]

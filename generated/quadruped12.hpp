@@ -21,8 +21,9 @@
 // Gravity is (0, 0, -9.81) m/s^2 in the base frame. The tip belongs to link "HR_FOOT". Links
 // without a joint of their own, part of those that carry them: FL_FOOT, FR_FOOT, HL_FOOT, HR_FOOT.
 //
-// Every function is a template over its scalar: float, double, or any type that has + - * / and
-// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+// Every function is a template over its scalar: float, double, or any type that is made from a
+// double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
+// finds them. Arguments are plain arrays:
 //
 //   double q[12] = {}, qd[12] = {}, qdd[12] = {}, tau[12];
 //   quadruped12::inverse_dynamics(q, qd, qdd, tau);
@@ -31,7 +32,9 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
+// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
+// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_QUADRUPED12_HPP
 #define FLATDYN_QUADRUPED12_HPP
@@ -103,256 +106,230 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = t1 * t1;
   const Scalar t3 = qd_2 * qd_2;
-  const Scalar U_2_yy = t3 + t2;
-  const Scalar t4 = Scalar(9.81) * c_1;
-  const Scalar ddp_o_3_y = Scalar(0.16) * U_2_yy + c_2 * t4;
-  const Scalar t5 = s_2 * qd_1;
-  const Scalar t6 = t5 * t1;
-  const Scalar U_2_xy = qdd_2 + t6;
-  const Scalar ddp_o_3_x = Scalar(0.16) * U_2_xy + s_2 * t4;
-  const Scalar ddp_3_x = s_3 * ddp_o_3_y + c_3 * ddp_o_3_x;
-  const Scalar t7 = s_3 * t5 - c_3 * t1;
-  const Scalar t8 = qd_2 * t5;
-  const Scalar t9 = c_2 * qdd_1;
-  const Scalar t10 = t8 - t9;
-  const Scalar t11 = qd_2 * t1;
-  const Scalar t12 = s_2 * qdd_1;
-  const Scalar domega_2_y = t11 + t12;
-  const Scalar t13 = qd_3 * t7 + s_3 * t10 - c_3 * domega_2_y;
+  const Scalar t4 = t3 + t2;
+  const Scalar t5 = Scalar(9.81) * c_1;
+  const Scalar t6 = s_3 * (Scalar(0.16) * t4 + c_2 * t5);
+  const Scalar t7 = s_2 * qd_1;
+  const Scalar t8 = t7 * t1;
+  const Scalar t9 = qdd_2 + t8;
+  const Scalar t10 = t6 + c_3 * (Scalar(0.16) * t9 + s_2 * t5);
+  const Scalar t11 = s_3 * t7 - c_3 * t1;
+  const Scalar t12 = qd_2 * t7;
+  const Scalar t13 = c_2 * qdd_1;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = qd_2 * t1;
+  const Scalar t16 = s_2 * qdd_1;
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = qd_3 * t11 + s_3 * t14 - c_3 * t17;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t14 = t7 * omega_3_z;
-  const Scalar omega_r_3_y = s_3 * t1 + c_3 * t5;
-  const Scalar t15 = t7 * omega_r_3_y;
+  const Scalar t19 = t11 * omega_3_z;
+  const Scalar t20 = s_3 * t1 + c_3 * t7;
+  const Scalar t21 = t11 * t20;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar U_3_xy = domega_3_z - t15;
-  const Scalar U_3_yx = domega_3_z + t15;
-  const Scalar N_3_z = Scalar(0.0038482516772413) * ddp_3_x +
-      Scalar(0.0005411142213171667) * U_3_xy - Scalar(0.00023148988883634047) * (t13 - t14) +
-      Scalar(1.505e-06) * U_3_yx;
+  const Scalar t22 = domega_3_z - t21;
+  const Scalar U_3_yx = domega_3_z + t21;
+  const Scalar N_3_z = Scalar(0.0038482516772413) * t10 + Scalar(0.0005411142213171667) * t22 -
+      Scalar(0.00023148988883634047) * (t18 - t19) + Scalar(1.505e-06) * U_3_yx;
   tau[2] = N_3_z;
-  const Scalar t16 = c_5 * qd_4;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = qd_5 * qd_5;
-  const Scalar U_5_yy = t18 + t17;
-  const Scalar t19 = Scalar(9.81) * c_4;
-  const Scalar ddp_o_6_y = Scalar(0.16) * U_5_yy + c_5 * t19;
-  const Scalar t20 = s_5 * qd_4;
-  const Scalar t21 = t20 * t16;
-  const Scalar U_5_xy = qdd_5 + t21;
-  const Scalar ddp_o_6_x = Scalar(0.16) * U_5_xy + s_5 * t19;
-  const Scalar ddp_6_x = s_6 * ddp_o_6_y + c_6 * ddp_o_6_x;
-  const Scalar t22 = s_6 * t20 - c_6 * t16;
-  const Scalar t23 = qd_5 * t20;
-  const Scalar t24 = c_5 * qdd_4;
-  const Scalar t25 = t23 - t24;
-  const Scalar t26 = qd_5 * t16;
-  const Scalar t27 = s_5 * qdd_4;
-  const Scalar domega_5_y = t26 + t27;
-  const Scalar t28 = qd_6 * t22 + s_6 * t25 - c_6 * domega_5_y;
+  const Scalar t23 = c_5 * qd_4;
+  const Scalar t24 = t23 * t23;
+  const Scalar t25 = qd_5 * qd_5;
+  const Scalar t26 = t25 + t24;
+  const Scalar t27 = Scalar(9.81) * c_4;
+  const Scalar t28 = s_6 * (Scalar(0.16) * t26 + c_5 * t27);
+  const Scalar t29 = s_5 * qd_4;
+  const Scalar t30 = t29 * t23;
+  const Scalar t31 = qdd_5 + t30;
+  const Scalar t32 = t28 + c_6 * (Scalar(0.16) * t31 + s_5 * t27);
+  const Scalar t33 = s_6 * t29 - c_6 * t23;
+  const Scalar t34 = qd_5 * t29;
+  const Scalar t35 = c_5 * qdd_4;
+  const Scalar t36 = t34 - t35;
+  const Scalar t37 = qd_5 * t23;
+  const Scalar t38 = s_5 * qdd_4;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = qd_6 * t33 + s_6 * t36 - c_6 * t39;
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t29 = t22 * omega_6_z;
-  const Scalar omega_r_6_y = s_6 * t16 + c_6 * t20;
-  const Scalar t30 = t22 * omega_r_6_y;
+  const Scalar t41 = t33 * omega_6_z;
+  const Scalar t42 = s_6 * t23 + c_6 * t29;
+  const Scalar t43 = t33 * t42;
   const Scalar domega_6_z = qdd_5 + qdd_6;
-  const Scalar U_6_xy = domega_6_z - t30;
-  const Scalar U_6_yx = domega_6_z + t30;
-  const Scalar N_6_z = Scalar(0.0038482516772413) * ddp_6_x +
-      Scalar(0.0005411142213171667) * U_6_xy + Scalar(0.00023148988883634047) * (t28 - t29) +
-      Scalar(1.505e-06) * U_6_yx;
+  const Scalar t44 = domega_6_z - t43;
+  const Scalar U_6_yx = domega_6_z + t43;
+  const Scalar N_6_z = Scalar(0.0038482516772413) * t32 + Scalar(0.0005411142213171667) * t44 +
+      Scalar(0.00023148988883634047) * (t40 - t41) + Scalar(1.505e-06) * U_6_yx;
   tau[5] = N_6_z;
-  const Scalar t31 = c_8 * qd_7;
-  const Scalar t32 = t31 * t31;
-  const Scalar t33 = qd_8 * qd_8;
-  const Scalar U_8_yy = t33 + t32;
-  const Scalar t34 = Scalar(9.81) * c_7;
-  const Scalar ddp_o_9_y = Scalar(0.16) * U_8_yy + c_8 * t34;
-  const Scalar t35 = s_8 * qd_7;
-  const Scalar t36 = t35 * t31;
-  const Scalar U_8_xy = qdd_8 + t36;
-  const Scalar ddp_o_9_x = Scalar(0.16) * U_8_xy + s_8 * t34;
-  const Scalar ddp_9_x = s_9 * ddp_o_9_y + c_9 * ddp_o_9_x;
-  const Scalar t37 = s_9 * t35 - c_9 * t31;
-  const Scalar t38 = qd_8 * t35;
-  const Scalar t39 = c_8 * qdd_7;
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = qd_8 * t31;
-  const Scalar t42 = s_8 * qdd_7;
-  const Scalar domega_8_y = t41 + t42;
-  const Scalar t43 = qd_9 * t37 + s_9 * t40 - c_9 * domega_8_y;
+  const Scalar t45 = c_8 * qd_7;
+  const Scalar t46 = t45 * t45;
+  const Scalar t47 = qd_8 * qd_8;
+  const Scalar t48 = t47 + t46;
+  const Scalar t49 = Scalar(9.81) * c_7;
+  const Scalar t50 = s_9 * (Scalar(0.16) * t48 + c_8 * t49);
+  const Scalar t51 = s_8 * qd_7;
+  const Scalar t52 = t51 * t45;
+  const Scalar t53 = qdd_8 + t52;
+  const Scalar t54 = t50 + c_9 * (Scalar(0.16) * t53 + s_8 * t49);
+  const Scalar t55 = s_9 * t51 - c_9 * t45;
+  const Scalar t56 = qd_8 * t51;
+  const Scalar t57 = c_8 * qdd_7;
+  const Scalar t58 = t56 - t57;
+  const Scalar t59 = qd_8 * t45;
+  const Scalar t60 = s_8 * qdd_7;
+  const Scalar t61 = t59 + t60;
+  const Scalar t62 = qd_9 * t55 + s_9 * t58 - c_9 * t61;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t44 = t37 * omega_9_z;
-  const Scalar omega_r_9_y = s_9 * t31 + c_9 * t35;
-  const Scalar t45 = t37 * omega_r_9_y;
+  const Scalar t63 = t55 * omega_9_z;
+  const Scalar t64 = s_9 * t45 + c_9 * t51;
+  const Scalar t65 = t55 * t64;
   const Scalar domega_9_z = qdd_8 + qdd_9;
-  const Scalar U_9_xy = domega_9_z - t45;
-  const Scalar U_9_yx = domega_9_z + t45;
-  const Scalar N_9_z = Scalar(0.0038482516772413) * ddp_9_x +
-      Scalar(0.0005411142213171667) * U_9_xy - Scalar(0.00023148988883634047) * (t43 - t44) +
-      Scalar(1.505e-06) * U_9_yx;
+  const Scalar t66 = domega_9_z - t65;
+  const Scalar U_9_yx = domega_9_z + t65;
+  const Scalar N_9_z = Scalar(0.0038482516772413) * t54 + Scalar(0.0005411142213171667) * t66 -
+      Scalar(0.00023148988883634047) * (t62 - t63) + Scalar(1.505e-06) * U_9_yx;
   tau[8] = N_9_z;
-  const Scalar t46 = c_11 * qd_10;
-  const Scalar t47 = t46 * t46;
-  const Scalar t48 = qd_11 * qd_11;
-  const Scalar U_11_yy = t48 + t47;
-  const Scalar t49 = Scalar(9.81) * c_10;
-  const Scalar ddp_o_12_y = Scalar(0.16) * U_11_yy + c_11 * t49;
-  const Scalar t50 = s_11 * qd_10;
-  const Scalar t51 = t50 * t46;
-  const Scalar U_11_xy = qdd_11 + t51;
-  const Scalar ddp_o_12_x = Scalar(0.16) * U_11_xy + s_11 * t49;
-  const Scalar ddp_12_x = s_12 * ddp_o_12_y + c_12 * ddp_o_12_x;
-  const Scalar t52 = s_12 * t50 - c_12 * t46;
-  const Scalar t53 = qd_11 * t50;
-  const Scalar t54 = c_11 * qdd_10;
-  const Scalar t55 = t53 - t54;
-  const Scalar t56 = qd_11 * t46;
-  const Scalar t57 = s_11 * qdd_10;
-  const Scalar domega_11_y = t56 + t57;
-  const Scalar t58 = qd_12 * t52 + s_12 * t55 - c_12 * domega_11_y;
+  const Scalar t67 = c_11 * qd_10;
+  const Scalar t68 = t67 * t67;
+  const Scalar t69 = qd_11 * qd_11;
+  const Scalar t70 = t69 + t68;
+  const Scalar t71 = Scalar(9.81) * c_10;
+  const Scalar t72 = s_12 * (Scalar(0.16) * t70 + c_11 * t71);
+  const Scalar t73 = s_11 * qd_10;
+  const Scalar t74 = t73 * t67;
+  const Scalar t75 = qdd_11 + t74;
+  const Scalar t76 = t72 + c_12 * (Scalar(0.16) * t75 + s_11 * t71);
+  const Scalar t77 = s_12 * t73 - c_12 * t67;
+  const Scalar t78 = qd_11 * t73;
+  const Scalar t79 = c_11 * qdd_10;
+  const Scalar t80 = t78 - t79;
+  const Scalar t81 = qd_11 * t67;
+  const Scalar t82 = s_11 * qdd_10;
+  const Scalar t83 = t81 + t82;
+  const Scalar t84 = qd_12 * t77 + s_12 * t80 - c_12 * t83;
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t59 = t52 * omega_12_z;
-  const Scalar omega_r_12_y = s_12 * t46 + c_12 * t50;
-  const Scalar t60 = t52 * omega_r_12_y;
+  const Scalar t85 = t77 * omega_12_z;
+  const Scalar t86 = s_12 * t67 + c_12 * t73;
+  const Scalar t87 = t77 * t86;
   const Scalar domega_12_z = qdd_11 + qdd_12;
-  const Scalar U_12_xy = domega_12_z - t60;
-  const Scalar U_12_yx = domega_12_z + t60;
-  const Scalar N_12_z = Scalar(0.0038482516772413) * ddp_12_x +
-      Scalar(0.0005411142213171667) * U_12_xy + Scalar(0.00023148988883634047) * (t58 - t59) +
-      Scalar(1.505e-06) * U_12_yx;
+  const Scalar t88 = domega_12_z - t87;
+  const Scalar U_12_yx = domega_12_z + t87;
+  const Scalar N_12_z = Scalar(0.0038482516772413) * t76 + Scalar(0.0005411142213171667) * t88 +
+      Scalar(0.00023148988883634047) * (t84 - t85) + Scalar(1.505e-06) * U_12_yx;
   tau[11] = N_12_z;
-  const Scalar t61 = omega_12_z * omega_12_z;
-  const Scalar U_12_yy = t61 + t52 * t52;
-  const Scalar t62 = t50 * t50;
-  const Scalar U_11_xx = t48 + t62;
-  const Scalar U_11_xx_yy = U_11_xx - U_11_yy;
-  const Scalar U_11_yx = qdd_11 - t51;
-  const Scalar t63 = Scalar(6.823068516838894e-08) * t54 + Scalar(0.0007940924716883453) * t57 -
-      Scalar(0.002280028171323094) * U_11_xy - Scalar(0.000015550028164806267) * U_11_yx +
-      Scalar(1.609852873477455e-07) * U_11_xx_yy - N_12_z +
-      Scalar(0.000615720268358608) * s_12 * U_12_yy -
-      Scalar(0.000615720268358608) * c_12 * U_12_xy - Scalar(0.000020065123418265) * c_10 * c_11 -
+  const Scalar t89 = omega_12_z * omega_12_z;
+  const Scalar t90 = s_12 * (t89 + t77 * t77);
+  const Scalar t91 = t73 * t73;
+  const Scalar t92 = t69 + t91;
+  const Scalar U_11_yx = qdd_11 - t74;
+  const Scalar t93 = Scalar(6.823068516838894e-08) * t79 + Scalar(0.0007940924716883453) * t82 -
+      Scalar(0.002280028171323094) * t75 - Scalar(0.000015550028164806267) * U_11_yx +
+      Scalar(1.609852873477455e-07) * (t92 - t70) - N_12_z + Scalar(0.000615720268358608) * t90 -
+      Scalar(0.000615720268358608) * c_12 * t88 - Scalar(0.000020065123418265) * c_10 * c_11 -
       Scalar(0.1737624403145115) * c_10 * s_11;
-  tau[10] = -t63;
-  const Scalar t64 = omega_9_z * omega_9_z;
-  const Scalar U_9_yy = t64 + t37 * t37;
-  const Scalar t65 = t35 * t35;
-  const Scalar U_8_xx = t33 + t65;
-  const Scalar U_8_xx_yy = U_8_xx - U_8_yy;
-  const Scalar U_8_yx = qdd_8 - t36;
-  const Scalar t66 = Scalar(6.823068516838894e-08) * t39 - Scalar(0.0007940924716883453) * t42 -
-      Scalar(0.002280028171323094) * U_8_xy - Scalar(0.000015550028164806267) * U_8_yx -
-      Scalar(1.609852873477455e-07) * U_8_xx_yy - N_9_z +
-      Scalar(0.000615720268358608) * s_9 * U_9_yy - Scalar(0.000615720268358608) * c_9 * U_9_xy +
-      Scalar(0.000020065123418265) * c_7 * c_8 - Scalar(0.1737624403145115) * c_7 * s_8;
-  tau[7] = -t66;
-  const Scalar t67 = omega_6_z * omega_6_z;
-  const Scalar U_6_yy = t67 + t22 * t22;
-  const Scalar t68 = t20 * t20;
-  const Scalar U_5_xx = t18 + t68;
-  const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar U_5_yx = qdd_5 - t21;
-  const Scalar t69 = Scalar(6.823068516838894e-08) * t24 + Scalar(0.0007940924716883453) * t27 -
-      Scalar(0.002280028171323094) * U_5_xy - Scalar(0.000015550028164806267) * U_5_yx +
-      Scalar(1.609852873477455e-07) * U_5_xx_yy - N_6_z +
-      Scalar(0.000615720268358608) * s_6 * U_6_yy - Scalar(0.000615720268358608) * c_6 * U_6_xy -
-      Scalar(0.000020065123418265) * c_4 * c_5 - Scalar(0.1737624403145115) * c_4 * s_5;
-  tau[4] = -t69;
-  const Scalar t70 = omega_3_z * omega_3_z;
-  const Scalar U_3_yy = t70 + t7 * t7;
-  const Scalar t71 = t5 * t5;
-  const Scalar U_2_xx = t3 + t71;
-  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
-  const Scalar U_2_yx = qdd_2 - t6;
-  const Scalar t72 = Scalar(6.823068516838894e-08) * t9 - Scalar(0.0007940924716883453) * t12 -
-      Scalar(0.002280028171323094) * U_2_xy - Scalar(0.000015550028164806267) * U_2_yx -
-      Scalar(1.609852873477455e-07) * U_2_xx_yy - N_3_z +
-      Scalar(0.000615720268358608) * s_3 * U_3_yy - Scalar(0.000615720268358608) * c_3 * U_3_xy +
-      Scalar(0.000020065123418265) * c_1 * c_2 - Scalar(0.1737624403145115) * c_1 * s_2;
-  tau[1] = -t72;
-  const Scalar N_9_y = Scalar(0.00023148988883634047) * U_9_xy - Scalar(1.505e-06) * (t43 + t44);
-  const Scalar t73 = omega_r_9_y * omega_9_z + qd_9 * omega_r_9_y + s_9 * domega_8_y + c_9 * t40;
-  const Scalar U_8_zy = t38 + t40;
-  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 - Scalar(0.000615720268358608) * U_8_zy -
-      Scalar(0.0005411142213171667) * t73 +
-      Scalar(0.00023148988883634047) * (t64 - omega_r_9_y * omega_r_9_y);
-  const Scalar U_8_zx = t41 + domega_8_y;
-  const Scalar U_8_zz = t65 + t32;
-  const Scalar U_8_zz_xx = U_8_xx - U_8_zz;
-  const Scalar mu_8_y = Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.0007940924716883453) * U_8_xy + Scalar(0.000015550028164806267) * U_8_zx -
-      Scalar(1.609852873477455e-07) * U_8_zy + Scalar(6.823068516838894e-08) * U_8_zz_xx -
-      s_9 * N_9_x + c_9 * N_9_y;
-  const Scalar U_8_yy_zz = U_8_yy - U_8_zz;
+  tau[10] = -t93;
+  const Scalar t94 = omega_9_z * omega_9_z;
+  const Scalar t95 = s_9 * (t94 + t55 * t55);
+  const Scalar t96 = t51 * t51;
+  const Scalar t97 = t47 + t96;
+  const Scalar U_8_yx = qdd_8 - t52;
+  const Scalar t98 = Scalar(6.823068516838894e-08) * t57 - Scalar(0.0007940924716883453) * t60 -
+      Scalar(0.002280028171323094) * t53 - Scalar(0.000015550028164806267) * U_8_yx -
+      Scalar(1.609852873477455e-07) * (t97 - t48) - N_9_z + Scalar(0.000615720268358608) * t95 -
+      Scalar(0.000615720268358608) * c_9 * t66 + Scalar(0.000020065123418265) * c_7 * c_8 -
+      Scalar(0.1737624403145115) * c_7 * s_8;
+  tau[7] = -t98;
+  const Scalar t99 = omega_6_z * omega_6_z;
+  const Scalar t100 = s_6 * (t99 + t33 * t33);
+  const Scalar t101 = t29 * t29;
+  const Scalar t102 = t25 + t101;
+  const Scalar U_5_yx = qdd_5 - t30;
+  const Scalar t103 = Scalar(6.823068516838894e-08) * t35 + Scalar(0.0007940924716883453) * t38 -
+      Scalar(0.002280028171323094) * t31 - Scalar(0.000015550028164806267) * U_5_yx +
+      Scalar(1.609852873477455e-07) * (t102 - t26) - N_6_z + Scalar(0.000615720268358608) * t100 -
+      Scalar(0.000615720268358608) * c_6 * t44 - Scalar(0.000020065123418265) * c_4 * c_5 -
+      Scalar(0.1737624403145115) * c_4 * s_5;
+  tau[4] = -t103;
+  const Scalar t104 = omega_3_z * omega_3_z;
+  const Scalar t105 = s_3 * (t104 + t11 * t11);
+  const Scalar t106 = t7 * t7;
+  const Scalar t107 = t3 + t106;
+  const Scalar U_2_yx = qdd_2 - t8;
+  const Scalar t108 = Scalar(6.823068516838894e-08) * t13 - Scalar(0.0007940924716883453) * t16 -
+      Scalar(0.002280028171323094) * t9 - Scalar(0.000015550028164806267) * U_2_yx -
+      Scalar(1.609852873477455e-07) * (t107 - t4) - N_3_z + Scalar(0.000615720268358608) * t105 -
+      Scalar(0.000615720268358608) * c_3 * t22 + Scalar(0.000020065123418265) * c_1 * c_2 -
+      Scalar(0.1737624403145115) * c_1 * s_2;
+  tau[1] = -t108;
+  const Scalar t109 = Scalar(0.00023148988883634047) * t66 - Scalar(1.505e-06) * (t62 + t63);
+  const Scalar t110 = t64 * omega_9_z + qd_9 * t64 + s_9 * t61 + c_9 * t58;
+  const Scalar t111 = t56 + t58;
+  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 - Scalar(0.000615720268358608) * t111 -
+      Scalar(0.0005411142213171667) * t110 + Scalar(0.00023148988883634047) * (t94 - t64 * t64);
+  const Scalar U_8_zx = t59 + t61;
+  const Scalar t112 = t96 + t46;
+  const Scalar U_8_zz_xx = t97 - t112;
+  const Scalar t113 = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t53 +
+      Scalar(0.000015550028164806267) * U_8_zx - Scalar(1.609852873477455e-07) * t111 +
+      Scalar(6.823068516838894e-08) * U_8_zz_xx - s_9 * N_9_x + c_9 * t109;
   const Scalar mu_8_x = Scalar(0.1737624403145115) * s_7 - Scalar(6.823068516838894e-08) * U_8_yx +
-      Scalar(1.609852873477455e-07) * U_8_zx - Scalar(0.002280028171323094) * U_8_zy -
-      Scalar(0.000615720268358608) * t73 + Scalar(0.0007940924716883453) * U_8_yy_zz + s_9 * N_9_y +
-      c_9 * N_9_x;
-  tau[6] = Scalar(0.08509272390476785) * c_7 + Scalar(0.00035882787553735663) * qdd_7 +
-      s_8 * mu_8_y + c_8 * mu_8_x;
-  const Scalar N_3_y = Scalar(0.00023148988883634047) * U_3_xy - Scalar(1.505e-06) * (t13 + t14);
-  const Scalar t74 = omega_r_3_y * omega_3_z + qd_3 * omega_r_3_y + s_3 * domega_2_y + c_3 * t10;
-  const Scalar U_2_zy = t8 + t10;
-  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 - Scalar(0.000615720268358608) * U_2_zy -
-      Scalar(0.0005411142213171667) * t74 +
-      Scalar(0.00023148988883634047) * (t70 - omega_r_3_y * omega_r_3_y);
-  const Scalar U_2_zx = t11 + domega_2_y;
-  const Scalar U_2_zz = t71 + t2;
-  const Scalar U_2_zz_xx = U_2_xx - U_2_zz;
-  const Scalar mu_2_y = Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.0007940924716883453) * U_2_xy + Scalar(0.000015550028164806267) * U_2_zx -
-      Scalar(1.609852873477455e-07) * U_2_zy + Scalar(6.823068516838894e-08) * U_2_zz_xx -
-      s_3 * N_3_x + c_3 * N_3_y;
-  const Scalar U_2_yy_zz = U_2_yy - U_2_zz;
+      Scalar(1.609852873477455e-07) * U_8_zx - Scalar(0.002280028171323094) * t111 -
+      Scalar(0.000615720268358608) * t110 + Scalar(0.0007940924716883453) * (t48 - t112) +
+      s_9 * t109 + c_9 * N_9_x;
+  tau[6] = Scalar(0.08509272390476785) * c_7 + Scalar(0.00035882787553735663) * qdd_7 + s_8 * t113 +
+      c_8 * mu_8_x;
+  const Scalar t114 = Scalar(0.00023148988883634047) * t22 - Scalar(1.505e-06) * (t18 + t19);
+  const Scalar t115 = t20 * omega_3_z + qd_3 * t20 + s_3 * t17 + c_3 * t14;
+  const Scalar t116 = t12 + t14;
+  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 - Scalar(0.000615720268358608) * t116 -
+      Scalar(0.0005411142213171667) * t115 + Scalar(0.00023148988883634047) * (t104 - t20 * t20);
+  const Scalar U_2_zx = t15 + t17;
+  const Scalar t117 = t106 + t2;
+  const Scalar U_2_zz_xx = t107 - t117;
+  const Scalar t118 = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t9 +
+      Scalar(0.000015550028164806267) * U_2_zx - Scalar(1.609852873477455e-07) * t116 +
+      Scalar(6.823068516838894e-08) * U_2_zz_xx - s_3 * N_3_x + c_3 * t114;
   const Scalar mu_2_x = Scalar(0.1737624403145115) * s_1 - Scalar(6.823068516838894e-08) * U_2_yx +
-      Scalar(1.609852873477455e-07) * U_2_zx - Scalar(0.002280028171323094) * U_2_zy -
-      Scalar(0.000615720268358608) * t74 + Scalar(0.0007940924716883453) * U_2_yy_zz + s_3 * N_3_y +
-      c_3 * N_3_x;
-  tau[0] = Scalar(0.08509272390476785) * c_1 + Scalar(0.00035882787553735663) * qdd_1 +
-      s_2 * mu_2_y + c_2 * mu_2_x;
-  const Scalar N_12_y = Scalar(0.00023148988883634047) * U_12_xy + Scalar(1.505e-06) * (t58 + t59);
-  const Scalar t75 = omega_r_12_y * omega_12_z + qd_12 * omega_r_12_y + s_12 * domega_11_y +
-      c_12 * t55;
-  const Scalar U_11_zy = t53 + t55;
-  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 -
-      Scalar(0.000615720268358608) * U_11_zy - Scalar(0.0005411142213171667) * t75 -
-      Scalar(0.00023148988883634047) * (t61 - omega_r_12_y * omega_r_12_y);
-  const Scalar U_11_zx = t56 + domega_11_y;
-  const Scalar U_11_zz = t62 + t47;
-  const Scalar U_11_zz_xx = U_11_xx - U_11_zz;
-  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 +
-      Scalar(0.0007940924716883453) * U_11_xy - Scalar(0.000015550028164806267) * U_11_zx -
-      Scalar(1.609852873477455e-07) * U_11_zy - Scalar(6.823068516838894e-08) * U_11_zz_xx +
-      s_12 * N_12_x + c_12 * N_12_y;
-  const Scalar U_11_yy_zz = U_11_yy - U_11_zz;
+      Scalar(1.609852873477455e-07) * U_2_zx - Scalar(0.002280028171323094) * t116 -
+      Scalar(0.000615720268358608) * t115 + Scalar(0.0007940924716883453) * (t4 - t117) +
+      s_3 * t114 + c_3 * N_3_x;
+  tau[0] = Scalar(0.08509272390476785) * c_1 + Scalar(0.00035882787553735663) * qdd_1 + s_2 * t118 +
+      c_2 * mu_2_x;
+  const Scalar N_12_y = Scalar(0.00023148988883634047) * t88 + Scalar(1.505e-06) * (t84 + t85);
+  const Scalar t119 = t86 * omega_12_z + qd_12 * t86 + s_12 * t83 + c_12 * t80;
+  const Scalar t120 = t78 + t80;
+  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.000615720268358608) * t120 -
+      Scalar(0.0005411142213171667) * t119 - Scalar(0.00023148988883634047) * (t89 - t86 * t86);
+  const Scalar U_11_zx = t81 + t83;
+  const Scalar t121 = t91 + t68;
+  const Scalar U_11_zz_xx = t92 - t121;
+  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t75 -
+      Scalar(0.000015550028164806267) * U_11_zx - Scalar(1.609852873477455e-07) * t120 -
+      Scalar(6.823068516838894e-08) * U_11_zz_xx + s_12 * N_12_x + c_12 * N_12_y;
   const Scalar mu_11_x = Scalar(0.1737624403145115) * s_10 -
       Scalar(6.823068516838894e-08) * U_11_yx - Scalar(1.609852873477455e-07) * U_11_zx -
-      Scalar(0.002280028171323094) * U_11_zy - Scalar(0.000615720268358608) * t75 -
-      Scalar(0.0007940924716883453) * U_11_yy_zz - s_12 * N_12_y + c_12 * N_12_x;
+      Scalar(0.002280028171323094) * t120 - Scalar(0.000615720268358608) * t119 -
+      Scalar(0.0007940924716883453) * (t70 - t121) - s_12 * N_12_y + c_12 * N_12_x;
   tau[9] = Scalar(0.00035882787553735663) * qdd_10 - Scalar(0.08509272390476785) * c_10 -
       s_11 * mu_11_y + c_11 * mu_11_x;
-  const Scalar N_6_y = Scalar(0.00023148988883634047) * U_6_xy + Scalar(1.505e-06) * (t28 + t29);
-  const Scalar t76 = omega_r_6_y * omega_6_z + qd_6 * omega_r_6_y + s_6 * domega_5_y + c_6 * t25;
-  const Scalar U_5_zy = t23 + t25;
-  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.000615720268358608) * U_5_zy -
-      Scalar(0.0005411142213171667) * t76 -
-      Scalar(0.00023148988883634047) * (t67 - omega_r_6_y * omega_r_6_y);
-  const Scalar U_5_zx = t26 + domega_5_y;
-  const Scalar U_5_zz = t68 + t17;
-  const Scalar U_5_zz_xx = U_5_xx - U_5_zz;
-  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 +
-      Scalar(0.0007940924716883453) * U_5_xy - Scalar(0.000015550028164806267) * U_5_zx -
-      Scalar(1.609852873477455e-07) * U_5_zy - Scalar(6.823068516838894e-08) * U_5_zz_xx +
-      s_6 * N_6_x + c_6 * N_6_y;
-  const Scalar U_5_yy_zz = U_5_yy - U_5_zz;
+  const Scalar N_6_y = Scalar(0.00023148988883634047) * t44 + Scalar(1.505e-06) * (t40 + t41);
+  const Scalar t122 = t42 * omega_6_z + qd_6 * t42 + s_6 * t39 + c_6 * t36;
+  const Scalar t123 = t34 + t36;
+  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.000615720268358608) * t123 -
+      Scalar(0.0005411142213171667) * t122 - Scalar(0.00023148988883634047) * (t99 - t42 * t42);
+  const Scalar U_5_zx = t37 + t39;
+  const Scalar t124 = t101 + t24;
+  const Scalar U_5_zz_xx = t102 - t124;
+  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t31 -
+      Scalar(0.000015550028164806267) * U_5_zx - Scalar(1.609852873477455e-07) * t123 -
+      Scalar(6.823068516838894e-08) * U_5_zz_xx + s_6 * N_6_x + c_6 * N_6_y;
   const Scalar mu_5_x = Scalar(0.1737624403145115) * s_4 - Scalar(6.823068516838894e-08) * U_5_yx -
-      Scalar(1.609852873477455e-07) * U_5_zx - Scalar(0.002280028171323094) * U_5_zy -
-      Scalar(0.000615720268358608) * t76 - Scalar(0.0007940924716883453) * U_5_yy_zz - s_6 * N_6_y +
-      c_6 * N_6_x;
+      Scalar(1.609852873477455e-07) * U_5_zx - Scalar(0.002280028171323094) * t123 -
+      Scalar(0.000615720268358608) * t122 - Scalar(0.0007940924716883453) * (t26 - t124) -
+      s_6 * N_6_y + c_6 * N_6_x;
   tau[3] = Scalar(0.00035882787553735663) * qdd_4 - Scalar(0.08509272390476785) * c_4 -
       s_5 * mu_5_y + c_5 * mu_5_x;
 }
 
-// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+// Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
 //   q[12]    in   joint positions, rad or m
 //   qd[12]   in   joint velocities, rad/s or m/s
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
@@ -388,263 +365,238 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = t1 * t1;
   const Scalar t3 = qd_2 * qd_2;
-  const Scalar U_2_yy = t3 + t2;
-  const Scalar t4 = Scalar(9.81) * c_1;
-  const Scalar ddp_o_3_y = Scalar(0.16) * U_2_yy + c_2 * t4;
-  const Scalar t5 = s_2 * qd_1;
-  const Scalar t6 = t5 * t1;
-  const Scalar U_2_xy = qdd_2 + t6;
-  const Scalar ddp_o_3_x = Scalar(0.16) * U_2_xy + s_2 * t4;
-  const Scalar ddp_3_x = s_3 * ddp_o_3_y + c_3 * ddp_o_3_x;
-  const Scalar t7 = s_3 * t5 - c_3 * t1;
-  const Scalar t8 = qd_2 * t5;
-  const Scalar t9 = c_2 * qdd_1;
-  const Scalar t10 = t8 - t9;
-  const Scalar t11 = qd_2 * t1;
-  const Scalar t12 = s_2 * qdd_1;
-  const Scalar domega_2_y = t11 + t12;
-  const Scalar t13 = qd_3 * t7 + s_3 * t10 - c_3 * domega_2_y;
+  const Scalar t4 = t3 + t2;
+  const Scalar t5 = Scalar(9.81) * c_1;
+  const Scalar t6 = s_3 * (Scalar(0.16) * t4 + c_2 * t5);
+  const Scalar t7 = s_2 * qd_1;
+  const Scalar t8 = t7 * t1;
+  const Scalar t9 = qdd_2 + t8;
+  const Scalar t10 = t6 + c_3 * (Scalar(0.16) * t9 + s_2 * t5);
+  const Scalar t11 = s_3 * t7 - c_3 * t1;
+  const Scalar t12 = qd_2 * t7;
+  const Scalar t13 = c_2 * qdd_1;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = qd_2 * t1;
+  const Scalar t16 = s_2 * qdd_1;
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = qd_3 * t11 + s_3 * t14 - c_3 * t17;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t14 = t7 * omega_3_z;
-  const Scalar omega_r_3_y = s_3 * t1 + c_3 * t5;
-  const Scalar t15 = t7 * omega_r_3_y;
+  const Scalar t19 = t11 * omega_3_z;
+  const Scalar t20 = s_3 * t1 + c_3 * t7;
+  const Scalar t21 = t11 * t20;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar U_3_xy = domega_3_z - t15;
-  const Scalar U_3_yx = domega_3_z + t15;
-  const Scalar N_3_z = Scalar(0.0038482516772413) * ddp_3_x +
-      Scalar(0.0005411142213171667) * U_3_xy - Scalar(0.00023148988883634047) * (t13 - t14) +
-      Scalar(1.505e-06) * U_3_yx;
+  const Scalar t22 = domega_3_z - t21;
+  const Scalar U_3_yx = domega_3_z + t21;
+  const Scalar N_3_z = Scalar(0.0038482516772413) * t10 + Scalar(0.0005411142213171667) * t22 -
+      Scalar(0.00023148988883634047) * (t18 - t19) + Scalar(1.505e-06) * U_3_yx;
   tau[2] = N_3_z;
-  const Scalar t16 = c_5 * qd_4;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = qd_5 * qd_5;
-  const Scalar U_5_yy = t18 + t17;
-  const Scalar t19 = Scalar(9.81) * c_4;
-  const Scalar ddp_o_6_y = Scalar(0.16) * U_5_yy + c_5 * t19;
-  const Scalar t20 = s_5 * qd_4;
-  const Scalar t21 = t20 * t16;
-  const Scalar U_5_xy = qdd_5 + t21;
-  const Scalar ddp_o_6_x = Scalar(0.16) * U_5_xy + s_5 * t19;
-  const Scalar ddp_6_x = s_6 * ddp_o_6_y + c_6 * ddp_o_6_x;
-  const Scalar t22 = s_6 * t20 - c_6 * t16;
-  const Scalar t23 = qd_5 * t20;
-  const Scalar t24 = c_5 * qdd_4;
-  const Scalar t25 = t23 - t24;
-  const Scalar t26 = qd_5 * t16;
-  const Scalar t27 = s_5 * qdd_4;
-  const Scalar domega_5_y = t26 + t27;
-  const Scalar t28 = qd_6 * t22 + s_6 * t25 - c_6 * domega_5_y;
+  const Scalar t23 = c_5 * qd_4;
+  const Scalar t24 = t23 * t23;
+  const Scalar t25 = qd_5 * qd_5;
+  const Scalar t26 = t25 + t24;
+  const Scalar t27 = Scalar(9.81) * c_4;
+  const Scalar t28 = s_6 * (Scalar(0.16) * t26 + c_5 * t27);
+  const Scalar t29 = s_5 * qd_4;
+  const Scalar t30 = t29 * t23;
+  const Scalar t31 = qdd_5 + t30;
+  const Scalar t32 = t28 + c_6 * (Scalar(0.16) * t31 + s_5 * t27);
+  const Scalar t33 = s_6 * t29 - c_6 * t23;
+  const Scalar t34 = qd_5 * t29;
+  const Scalar t35 = c_5 * qdd_4;
+  const Scalar t36 = t34 - t35;
+  const Scalar t37 = qd_5 * t23;
+  const Scalar t38 = s_5 * qdd_4;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = qd_6 * t33 + s_6 * t36 - c_6 * t39;
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t29 = t22 * omega_6_z;
-  const Scalar omega_r_6_y = s_6 * t16 + c_6 * t20;
-  const Scalar t30 = t22 * omega_r_6_y;
+  const Scalar t41 = t33 * omega_6_z;
+  const Scalar t42 = s_6 * t23 + c_6 * t29;
+  const Scalar t43 = t33 * t42;
   const Scalar domega_6_z = qdd_5 + qdd_6;
-  const Scalar U_6_xy = domega_6_z - t30;
-  const Scalar U_6_yx = domega_6_z + t30;
-  const Scalar N_6_z = Scalar(0.0038482516772413) * ddp_6_x +
-      Scalar(0.0005411142213171667) * U_6_xy + Scalar(0.00023148988883634047) * (t28 - t29) +
-      Scalar(1.505e-06) * U_6_yx;
+  const Scalar t44 = domega_6_z - t43;
+  const Scalar U_6_yx = domega_6_z + t43;
+  const Scalar N_6_z = Scalar(0.0038482516772413) * t32 + Scalar(0.0005411142213171667) * t44 +
+      Scalar(0.00023148988883634047) * (t40 - t41) + Scalar(1.505e-06) * U_6_yx;
   tau[5] = N_6_z;
-  const Scalar t31 = c_8 * qd_7;
-  const Scalar t32 = t31 * t31;
-  const Scalar t33 = qd_8 * qd_8;
-  const Scalar U_8_yy = t33 + t32;
-  const Scalar t34 = Scalar(9.81) * c_7;
-  const Scalar ddp_o_9_y = Scalar(0.16) * U_8_yy + c_8 * t34;
-  const Scalar t35 = s_8 * qd_7;
-  const Scalar t36 = t35 * t31;
-  const Scalar U_8_xy = qdd_8 + t36;
-  const Scalar ddp_o_9_x = Scalar(0.16) * U_8_xy + s_8 * t34;
-  const Scalar ddp_9_x = s_9 * ddp_o_9_y + c_9 * ddp_o_9_x;
-  const Scalar t37 = s_9 * t35 - c_9 * t31;
-  const Scalar t38 = qd_8 * t35;
-  const Scalar t39 = c_8 * qdd_7;
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = qd_8 * t31;
-  const Scalar t42 = s_8 * qdd_7;
-  const Scalar domega_8_y = t41 + t42;
-  const Scalar t43 = qd_9 * t37 + s_9 * t40 - c_9 * domega_8_y;
+  const Scalar t45 = c_8 * qd_7;
+  const Scalar t46 = t45 * t45;
+  const Scalar t47 = qd_8 * qd_8;
+  const Scalar t48 = t47 + t46;
+  const Scalar t49 = Scalar(9.81) * c_7;
+  const Scalar t50 = s_9 * (Scalar(0.16) * t48 + c_8 * t49);
+  const Scalar t51 = s_8 * qd_7;
+  const Scalar t52 = t51 * t45;
+  const Scalar t53 = qdd_8 + t52;
+  const Scalar t54 = t50 + c_9 * (Scalar(0.16) * t53 + s_8 * t49);
+  const Scalar t55 = s_9 * t51 - c_9 * t45;
+  const Scalar t56 = qd_8 * t51;
+  const Scalar t57 = c_8 * qdd_7;
+  const Scalar t58 = t56 - t57;
+  const Scalar t59 = qd_8 * t45;
+  const Scalar t60 = s_8 * qdd_7;
+  const Scalar t61 = t59 + t60;
+  const Scalar t62 = qd_9 * t55 + s_9 * t58 - c_9 * t61;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t44 = t37 * omega_9_z;
-  const Scalar omega_r_9_y = s_9 * t31 + c_9 * t35;
-  const Scalar t45 = t37 * omega_r_9_y;
+  const Scalar t63 = t55 * omega_9_z;
+  const Scalar t64 = s_9 * t45 + c_9 * t51;
+  const Scalar t65 = t55 * t64;
   const Scalar domega_9_z = qdd_8 + qdd_9;
-  const Scalar U_9_xy = domega_9_z - t45;
-  const Scalar U_9_yx = domega_9_z + t45;
-  const Scalar N_9_z = Scalar(0.0038482516772413) * ddp_9_x +
-      Scalar(0.0005411142213171667) * U_9_xy - Scalar(0.00023148988883634047) * (t43 - t44) +
-      Scalar(1.505e-06) * U_9_yx;
+  const Scalar t66 = domega_9_z - t65;
+  const Scalar U_9_yx = domega_9_z + t65;
+  const Scalar N_9_z = Scalar(0.0038482516772413) * t54 + Scalar(0.0005411142213171667) * t66 -
+      Scalar(0.00023148988883634047) * (t62 - t63) + Scalar(1.505e-06) * U_9_yx;
   tau[8] = N_9_z;
-  const Scalar t46 = s_10 * h_e_2 - c_10 * h_e_3;
-  const Scalar f_e11_y = s_11 * h_e_1 - c_11 * t46;
-  const Scalar f_e11_x = s_11 * t46 + c_11 * h_e_1;
-  const Scalar t47 = s_12 * f_e11_y - c_12 * f_e11_x;
-  const Scalar t48 = c_11 * qd_10;
-  const Scalar t49 = t48 * t48;
-  const Scalar t50 = qd_11 * qd_11;
-  const Scalar U_11_yy = t50 + t49;
-  const Scalar t51 = Scalar(9.81) * c_10;
-  const Scalar ddp_o_12_y = Scalar(0.16) * U_11_yy + c_11 * t51;
-  const Scalar t52 = s_11 * qd_10;
-  const Scalar t53 = t52 * t48;
-  const Scalar U_11_xy = qdd_11 + t53;
-  const Scalar ddp_o_12_x = Scalar(0.16) * U_11_xy + s_11 * t51;
-  const Scalar ddp_12_x = s_12 * ddp_o_12_y + c_12 * ddp_o_12_x;
-  const Scalar t54 = s_12 * t52 - c_12 * t48;
-  const Scalar t55 = qd_11 * t52;
-  const Scalar t56 = c_11 * qdd_10;
-  const Scalar t57 = t55 - t56;
-  const Scalar t58 = qd_11 * t48;
-  const Scalar t59 = s_11 * qdd_10;
-  const Scalar domega_11_y = t58 + t59;
-  const Scalar t60 = qd_12 * t54 + s_12 * t57 - c_12 * domega_11_y;
+  const Scalar t67 = s_10 * h_e_2 - c_10 * h_e_3;
+  const Scalar t68 = s_11 * h_e_1 - c_11 * t67;
+  const Scalar f_e11_x = s_11 * t67 + c_11 * h_e_1;
+  const Scalar t69 = s_12 * t68 - c_12 * f_e11_x;
+  const Scalar t70 = c_11 * qd_10;
+  const Scalar t71 = t70 * t70;
+  const Scalar t72 = qd_11 * qd_11;
+  const Scalar t73 = t72 + t71;
+  const Scalar t74 = Scalar(9.81) * c_10;
+  const Scalar t75 = s_12 * (Scalar(0.16) * t73 + c_11 * t74);
+  const Scalar t76 = s_11 * qd_10;
+  const Scalar t77 = t76 * t70;
+  const Scalar t78 = qdd_11 + t77;
+  const Scalar t79 = t75 + c_12 * (Scalar(0.16) * t78 + s_11 * t74);
+  const Scalar t80 = s_12 * t76 - c_12 * t70;
+  const Scalar t81 = qd_11 * t76;
+  const Scalar t82 = c_11 * qdd_10;
+  const Scalar t83 = t81 - t82;
+  const Scalar t84 = qd_11 * t70;
+  const Scalar t85 = s_11 * qdd_10;
+  const Scalar t86 = t84 + t85;
+  const Scalar t87 = qd_12 * t80 + s_12 * t83 - c_12 * t86;
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t61 = t54 * omega_12_z;
-  const Scalar omega_r_12_y = s_12 * t48 + c_12 * t52;
-  const Scalar t62 = t54 * omega_r_12_y;
+  const Scalar t88 = t80 * omega_12_z;
+  const Scalar t89 = s_12 * t70 + c_12 * t76;
+  const Scalar t90 = t80 * t89;
   const Scalar domega_12_z = qdd_11 + qdd_12;
-  const Scalar U_12_xy = domega_12_z - t62;
-  const Scalar U_12_yx = domega_12_z + t62;
-  const Scalar mu_12_z = Scalar(0.16) * t47 + Scalar(0.0038482516772413) * ddp_12_x +
-      Scalar(0.0005411142213171667) * U_12_xy + Scalar(0.00023148988883634047) * (t60 - t61) +
+  const Scalar t91 = domega_12_z - t90;
+  const Scalar U_12_yx = domega_12_z + t90;
+  const Scalar mu_12_z = Scalar(0.16) * t69 + Scalar(0.0038482516772413) * t79 +
+      Scalar(0.0005411142213171667) * t91 + Scalar(0.00023148988883634047) * (t87 - t88) +
       Scalar(1.505e-06) * U_12_yx + s_10 * h_e_6 + c_10 * h_e_5;
   tau[11] = mu_12_z;
-  const Scalar t63 = omega_9_z * omega_9_z;
-  const Scalar U_9_yy = t63 + t37 * t37;
-  const Scalar t64 = t35 * t35;
-  const Scalar U_8_xx = t33 + t64;
-  const Scalar U_8_xx_yy = U_8_xx - U_8_yy;
-  const Scalar U_8_yx = qdd_8 - t36;
-  const Scalar t65 = Scalar(6.823068516838894e-08) * t39 - Scalar(0.0007940924716883453) * t42 -
-      Scalar(0.002280028171323094) * U_8_xy - Scalar(0.000015550028164806267) * U_8_yx -
-      Scalar(1.609852873477455e-07) * U_8_xx_yy - N_9_z +
-      Scalar(0.000615720268358608) * s_9 * U_9_yy - Scalar(0.000615720268358608) * c_9 * U_9_xy +
-      Scalar(0.000020065123418265) * c_7 * c_8 - Scalar(0.1737624403145115) * c_7 * s_8;
-  tau[7] = -t65;
-  const Scalar t66 = omega_6_z * omega_6_z;
-  const Scalar U_6_yy = t66 + t22 * t22;
-  const Scalar t67 = t20 * t20;
-  const Scalar U_5_xx = t18 + t67;
-  const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar U_5_yx = qdd_5 - t21;
-  const Scalar t68 = Scalar(6.823068516838894e-08) * t24 + Scalar(0.0007940924716883453) * t27 -
-      Scalar(0.002280028171323094) * U_5_xy - Scalar(0.000015550028164806267) * U_5_yx +
-      Scalar(1.609852873477455e-07) * U_5_xx_yy - N_6_z +
-      Scalar(0.000615720268358608) * s_6 * U_6_yy - Scalar(0.000615720268358608) * c_6 * U_6_xy -
-      Scalar(0.000020065123418265) * c_4 * c_5 - Scalar(0.1737624403145115) * c_4 * s_5;
-  tau[4] = -t68;
-  const Scalar t69 = omega_3_z * omega_3_z;
-  const Scalar U_3_yy = t69 + t7 * t7;
-  const Scalar t70 = t5 * t5;
-  const Scalar U_2_xx = t3 + t70;
-  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
-  const Scalar U_2_yx = qdd_2 - t6;
-  const Scalar t71 = Scalar(6.823068516838894e-08) * t9 - Scalar(0.0007940924716883453) * t12 -
-      Scalar(0.002280028171323094) * U_2_xy - Scalar(0.000015550028164806267) * U_2_yx -
-      Scalar(1.609852873477455e-07) * U_2_xx_yy - N_3_z +
-      Scalar(0.000615720268358608) * s_3 * U_3_yy - Scalar(0.000615720268358608) * c_3 * U_3_xy +
-      Scalar(0.000020065123418265) * c_1 * c_2 - Scalar(0.1737624403145115) * c_1 * s_2;
-  tau[1] = -t71;
-  const Scalar f_e12_y = s_12 * f_e11_x + c_12 * f_e11_y;
-  const Scalar t72 = omega_12_z * omega_12_z;
-  const Scalar U_12_yy = t72 + t54 * t54;
-  const Scalar f_12_y = f_e12_y + Scalar(0.0038482516772413) * U_12_yy;
-  const Scalar f_u_12_t_x = s_12 * f_12_y - c_12 * (t47 + Scalar(0.0038482516772413) * U_12_xy);
-  const Scalar t73 = t52 * t52;
-  const Scalar U_11_xx = t50 + t73;
-  const Scalar U_11_xx_yy = U_11_xx - U_11_yy;
-  const Scalar U_11_yx = qdd_11 - t53;
-  const Scalar t74 = Scalar(6.823068516838894e-08) * t56 + Scalar(0.0007940924716883453) * t59 -
-      Scalar(0.002280028171323094) * U_11_xy - Scalar(0.000015550028164806267) * U_11_yx +
-      Scalar(1.609852873477455e-07) * U_11_xx_yy - mu_12_z + Scalar(0.16) * f_u_12_t_x -
+  const Scalar t92 = omega_9_z * omega_9_z;
+  const Scalar t93 = s_9 * (t92 + t55 * t55);
+  const Scalar t94 = t51 * t51;
+  const Scalar t95 = t47 + t94;
+  const Scalar U_8_yx = qdd_8 - t52;
+  const Scalar t96 = Scalar(6.823068516838894e-08) * t57 - Scalar(0.0007940924716883453) * t60 -
+      Scalar(0.002280028171323094) * t53 - Scalar(0.000015550028164806267) * U_8_yx -
+      Scalar(1.609852873477455e-07) * (t95 - t48) - N_9_z + Scalar(0.000615720268358608) * t93 -
+      Scalar(0.000615720268358608) * c_9 * t66 + Scalar(0.000020065123418265) * c_7 * c_8 -
+      Scalar(0.1737624403145115) * c_7 * s_8;
+  tau[7] = -t96;
+  const Scalar t97 = omega_6_z * omega_6_z;
+  const Scalar t98 = s_6 * (t97 + t33 * t33);
+  const Scalar t99 = t29 * t29;
+  const Scalar t100 = t25 + t99;
+  const Scalar U_5_yx = qdd_5 - t30;
+  const Scalar t101 = Scalar(6.823068516838894e-08) * t35 + Scalar(0.0007940924716883453) * t38 -
+      Scalar(0.002280028171323094) * t31 - Scalar(0.000015550028164806267) * U_5_yx +
+      Scalar(1.609852873477455e-07) * (t100 - t26) - N_6_z + Scalar(0.000615720268358608) * t98 -
+      Scalar(0.000615720268358608) * c_6 * t44 - Scalar(0.000020065123418265) * c_4 * c_5 -
+      Scalar(0.1737624403145115) * c_4 * s_5;
+  tau[4] = -t101;
+  const Scalar t102 = omega_3_z * omega_3_z;
+  const Scalar t103 = s_3 * (t102 + t11 * t11);
+  const Scalar t104 = t7 * t7;
+  const Scalar t105 = t3 + t104;
+  const Scalar U_2_yx = qdd_2 - t8;
+  const Scalar t106 = Scalar(6.823068516838894e-08) * t13 - Scalar(0.0007940924716883453) * t16 -
+      Scalar(0.002280028171323094) * t9 - Scalar(0.000015550028164806267) * U_2_yx -
+      Scalar(1.609852873477455e-07) * (t105 - t4) - N_3_z + Scalar(0.000615720268358608) * t103 -
+      Scalar(0.000615720268358608) * c_3 * t22 + Scalar(0.000020065123418265) * c_1 * c_2 -
+      Scalar(0.1737624403145115) * c_1 * s_2;
+  tau[1] = -t106;
+  const Scalar t107 = s_12 * f_e11_x + c_12 * t68;
+  const Scalar t108 = omega_12_z * omega_12_z;
+  const Scalar t109 = s_12 * (t107 + Scalar(0.0038482516772413) * (t108 + t80 * t80));
+  const Scalar f_u_12_t_x = t109 - c_12 * (t69 + Scalar(0.0038482516772413) * t91);
+  const Scalar t110 = t76 * t76;
+  const Scalar t111 = t72 + t110;
+  const Scalar U_11_yx = qdd_11 - t77;
+  const Scalar t112 = Scalar(6.823068516838894e-08) * t82 + Scalar(0.0007940924716883453) * t85 -
+      Scalar(0.002280028171323094) * t78 - Scalar(0.000015550028164806267) * U_11_yx +
+      Scalar(1.609852873477455e-07) * (t111 - t73) - mu_12_z + Scalar(0.16) * f_u_12_t_x -
       Scalar(0.000020065123418265) * c_10 * c_11 - Scalar(0.1737624403145115) * c_10 * s_11;
-  tau[10] = -t74;
-  const Scalar N_9_y = Scalar(0.00023148988883634047) * U_9_xy - Scalar(1.505e-06) * (t43 + t44);
-  const Scalar t75 = omega_r_9_y * omega_9_z + qd_9 * omega_r_9_y + s_9 * domega_8_y + c_9 * t40;
-  const Scalar U_8_zy = t38 + t40;
-  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 - Scalar(0.000615720268358608) * U_8_zy -
-      Scalar(0.0005411142213171667) * t75 +
-      Scalar(0.00023148988883634047) * (t63 - omega_r_9_y * omega_r_9_y);
-  const Scalar U_8_zx = t41 + domega_8_y;
-  const Scalar U_8_zz = t64 + t32;
-  const Scalar U_8_zz_xx = U_8_xx - U_8_zz;
-  const Scalar mu_8_y = Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.0007940924716883453) * U_8_xy + Scalar(0.000015550028164806267) * U_8_zx -
-      Scalar(1.609852873477455e-07) * U_8_zy + Scalar(6.823068516838894e-08) * U_8_zz_xx -
-      s_9 * N_9_x + c_9 * N_9_y;
-  const Scalar U_8_yy_zz = U_8_yy - U_8_zz;
+  tau[10] = -t112;
+  const Scalar t113 = Scalar(0.00023148988883634047) * t66 - Scalar(1.505e-06) * (t62 + t63);
+  const Scalar t114 = t64 * omega_9_z + qd_9 * t64 + s_9 * t61 + c_9 * t58;
+  const Scalar t115 = t56 + t58;
+  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 - Scalar(0.000615720268358608) * t115 -
+      Scalar(0.0005411142213171667) * t114 + Scalar(0.00023148988883634047) * (t92 - t64 * t64);
+  const Scalar U_8_zx = t59 + t61;
+  const Scalar t116 = t94 + t46;
+  const Scalar U_8_zz_xx = t95 - t116;
+  const Scalar t117 = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t53 +
+      Scalar(0.000015550028164806267) * U_8_zx - Scalar(1.609852873477455e-07) * t115 +
+      Scalar(6.823068516838894e-08) * U_8_zz_xx - s_9 * N_9_x + c_9 * t113;
   const Scalar mu_8_x = Scalar(0.1737624403145115) * s_7 - Scalar(6.823068516838894e-08) * U_8_yx +
-      Scalar(1.609852873477455e-07) * U_8_zx - Scalar(0.002280028171323094) * U_8_zy -
-      Scalar(0.000615720268358608) * t75 + Scalar(0.0007940924716883453) * U_8_yy_zz + s_9 * N_9_y +
-      c_9 * N_9_x;
-  tau[6] = Scalar(0.08509272390476785) * c_7 + Scalar(0.00035882787553735663) * qdd_7 +
-      s_8 * mu_8_y + c_8 * mu_8_x;
-  const Scalar N_3_y = Scalar(0.00023148988883634047) * U_3_xy - Scalar(1.505e-06) * (t13 + t14);
-  const Scalar t76 = omega_r_3_y * omega_3_z + qd_3 * omega_r_3_y + s_3 * domega_2_y + c_3 * t10;
-  const Scalar U_2_zy = t8 + t10;
-  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 - Scalar(0.000615720268358608) * U_2_zy -
-      Scalar(0.0005411142213171667) * t76 +
-      Scalar(0.00023148988883634047) * (t69 - omega_r_3_y * omega_r_3_y);
-  const Scalar U_2_zx = t11 + domega_2_y;
-  const Scalar U_2_zz = t70 + t2;
-  const Scalar U_2_zz_xx = U_2_xx - U_2_zz;
-  const Scalar mu_2_y = Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.0007940924716883453) * U_2_xy + Scalar(0.000015550028164806267) * U_2_zx -
-      Scalar(1.609852873477455e-07) * U_2_zy + Scalar(6.823068516838894e-08) * U_2_zz_xx -
-      s_3 * N_3_x + c_3 * N_3_y;
-  const Scalar U_2_yy_zz = U_2_yy - U_2_zz;
+      Scalar(1.609852873477455e-07) * U_8_zx - Scalar(0.002280028171323094) * t115 -
+      Scalar(0.000615720268358608) * t114 + Scalar(0.0007940924716883453) * (t48 - t116) +
+      s_9 * t113 + c_9 * N_9_x;
+  tau[6] = Scalar(0.08509272390476785) * c_7 + Scalar(0.00035882787553735663) * qdd_7 + s_8 * t117 +
+      c_8 * mu_8_x;
+  const Scalar t118 = Scalar(0.00023148988883634047) * t22 - Scalar(1.505e-06) * (t18 + t19);
+  const Scalar t119 = t20 * omega_3_z + qd_3 * t20 + s_3 * t17 + c_3 * t14;
+  const Scalar t120 = t12 + t14;
+  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 - Scalar(0.000615720268358608) * t120 -
+      Scalar(0.0005411142213171667) * t119 + Scalar(0.00023148988883634047) * (t102 - t20 * t20);
+  const Scalar U_2_zx = t15 + t17;
+  const Scalar t121 = t104 + t2;
+  const Scalar U_2_zz_xx = t105 - t121;
+  const Scalar t122 = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t9 +
+      Scalar(0.000015550028164806267) * U_2_zx - Scalar(1.609852873477455e-07) * t120 +
+      Scalar(6.823068516838894e-08) * U_2_zz_xx - s_3 * N_3_x + c_3 * t118;
   const Scalar mu_2_x = Scalar(0.1737624403145115) * s_1 - Scalar(6.823068516838894e-08) * U_2_yx +
-      Scalar(1.609852873477455e-07) * U_2_zx - Scalar(0.002280028171323094) * U_2_zy -
-      Scalar(0.000615720268358608) * t76 + Scalar(0.0007940924716883453) * U_2_yy_zz + s_3 * N_3_y +
-      c_3 * N_3_x;
-  tau[0] = Scalar(0.08509272390476785) * c_1 + Scalar(0.00035882787553735663) * qdd_1 +
-      s_2 * mu_2_y + c_2 * mu_2_x;
-  const Scalar t77 = omega_r_12_y * omega_12_z + qd_12 * omega_r_12_y + s_12 * domega_11_y +
-      c_12 * t57;
-  const Scalar t78 = s_10 * h_e_5 - c_10 * h_e_6;
-  const Scalar mu_e11_y = s_11 * h_e_4 - c_11 * t78;
-  const Scalar mu_e11_x = s_11 * t78 + c_11 * h_e_4;
-  const Scalar U_11_zy = t55 + t57;
+      Scalar(1.609852873477455e-07) * U_2_zx - Scalar(0.002280028171323094) * t120 -
+      Scalar(0.000615720268358608) * t119 + Scalar(0.0007940924716883453) * (t4 - t121) +
+      s_3 * t118 + c_3 * N_3_x;
+  tau[0] = Scalar(0.08509272390476785) * c_1 + Scalar(0.00035882787553735663) * qdd_1 + s_2 * t122 +
+      c_2 * mu_2_x;
+  const Scalar t123 = t89 * omega_12_z + qd_12 * t89 + s_12 * t86 + c_12 * t83;
+  const Scalar t124 = s_10 * h_e_5 - c_10 * h_e_6;
+  const Scalar t125 = s_11 * h_e_4 - c_11 * t124;
+  const Scalar mu_e11_x = s_11 * t124 + c_11 * h_e_4;
+  const Scalar t126 = t81 + t83;
   const Scalar f_e10_y = s_10 * h_e_3 + c_10 * h_e_2;
-  const Scalar t79 = Scalar(0.16) * f_e10_y;
-  const Scalar mu_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * f_e12_y -
-      Scalar(0.000615720268358608) * U_11_zy - Scalar(0.0005411142213171667) * t77 -
-      Scalar(0.00023148988883634047) * (t72 - omega_r_12_y * omega_r_12_y) - s_12 * mu_e11_y +
-      c_12 * mu_e11_x + t79;
-  const Scalar t80 = Scalar(0.05945) * t47 + Scalar(0.00023148988883634047) * U_12_xy +
-      Scalar(1.505e-06) * (t60 + t61) - s_12 * mu_e11_x - c_12 * mu_e11_y;
-  const Scalar U_11_zx = t58 + domega_11_y;
-  const Scalar U_11_zz = t73 + t49;
-  const Scalar U_11_zz_xx = U_11_xx - U_11_zz;
-  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 +
-      Scalar(0.0007940924716883453) * U_11_xy - Scalar(0.000015550028164806267) * U_11_zx -
-      Scalar(1.609852873477455e-07) * U_11_zy - Scalar(6.823068516838894e-08) * U_11_zz_xx +
-      s_12 * mu_12_x + c_12 * t80;
-  const Scalar U_11_yy_zz = U_11_yy - U_11_zz;
+  const Scalar t127 = Scalar(0.16) * f_e10_y;
+  const Scalar mu_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t107 -
+      Scalar(0.000615720268358608) * t126 - Scalar(0.0005411142213171667) * t123 -
+      Scalar(0.00023148988883634047) * (t108 - t89 * t89) - s_12 * t125 + c_12 * mu_e11_x + t127;
+  const Scalar t128 = Scalar(0.05945) * t69 + Scalar(0.00023148988883634047) * t91 +
+      Scalar(1.505e-06) * (t87 + t88) - s_12 * mu_e11_x - c_12 * t125;
+  const Scalar U_11_zx = t84 + t86;
+  const Scalar t129 = t110 + t71;
+  const Scalar U_11_zz_xx = t111 - t129;
+  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t78 -
+      Scalar(0.000015550028164806267) * U_11_zx - Scalar(1.609852873477455e-07) * t126 -
+      Scalar(6.823068516838894e-08) * U_11_zz_xx + s_12 * mu_12_x + c_12 * t128;
   const Scalar mu_11_x = Scalar(0.1737624403145115) * s_10 -
       Scalar(6.823068516838894e-08) * U_11_yx - Scalar(1.609852873477455e-07) * U_11_zx -
-      Scalar(0.002280028171323094) * U_11_zy - Scalar(0.000615720268358608) * t77 -
-      Scalar(0.0007940924716883453) * U_11_yy_zz + t79 - s_12 * t80 + c_12 * mu_12_x;
+      Scalar(0.002280028171323094) * t126 - Scalar(0.000615720268358608) * t123 -
+      Scalar(0.0007940924716883453) * (t73 - t129) + t127 - s_12 * t128 + c_12 * mu_12_x;
   tau[9] = Scalar(0.00035882787553735663) * qdd_10 - Scalar(0.08509272390476785) * c_10 -
       s_11 * mu_11_y + c_11 * mu_11_x;
-  const Scalar N_6_y = Scalar(0.00023148988883634047) * U_6_xy + Scalar(1.505e-06) * (t28 + t29);
-  const Scalar t81 = omega_r_6_y * omega_6_z + qd_6 * omega_r_6_y + s_6 * domega_5_y + c_6 * t25;
-  const Scalar U_5_zy = t23 + t25;
-  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.000615720268358608) * U_5_zy -
-      Scalar(0.0005411142213171667) * t81 -
-      Scalar(0.00023148988883634047) * (t66 - omega_r_6_y * omega_r_6_y);
-  const Scalar U_5_zx = t26 + domega_5_y;
-  const Scalar U_5_zz = t67 + t17;
-  const Scalar U_5_zz_xx = U_5_xx - U_5_zz;
-  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 +
-      Scalar(0.0007940924716883453) * U_5_xy - Scalar(0.000015550028164806267) * U_5_zx -
-      Scalar(1.609852873477455e-07) * U_5_zy - Scalar(6.823068516838894e-08) * U_5_zz_xx +
-      s_6 * N_6_x + c_6 * N_6_y;
-  const Scalar U_5_yy_zz = U_5_yy - U_5_zz;
+  const Scalar N_6_y = Scalar(0.00023148988883634047) * t44 + Scalar(1.505e-06) * (t40 + t41);
+  const Scalar t130 = t42 * omega_6_z + qd_6 * t42 + s_6 * t39 + c_6 * t36;
+  const Scalar t131 = t34 + t36;
+  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.000615720268358608) * t131 -
+      Scalar(0.0005411142213171667) * t130 - Scalar(0.00023148988883634047) * (t97 - t42 * t42);
+  const Scalar U_5_zx = t37 + t39;
+  const Scalar t132 = t99 + t24;
+  const Scalar U_5_zz_xx = t100 - t132;
+  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t31 -
+      Scalar(0.000015550028164806267) * U_5_zx - Scalar(1.609852873477455e-07) * t131 -
+      Scalar(6.823068516838894e-08) * U_5_zz_xx + s_6 * N_6_x + c_6 * N_6_y;
   const Scalar mu_5_x = Scalar(0.1737624403145115) * s_4 - Scalar(6.823068516838894e-08) * U_5_yx -
-      Scalar(1.609852873477455e-07) * U_5_zx - Scalar(0.002280028171323094) * U_5_zy -
-      Scalar(0.000615720268358608) * t81 - Scalar(0.0007940924716883453) * U_5_yy_zz - s_6 * N_6_y +
-      c_6 * N_6_x;
+      Scalar(1.609852873477455e-07) * U_5_zx - Scalar(0.002280028171323094) * t131 -
+      Scalar(0.000615720268358608) * t130 - Scalar(0.0007940924716883453) * (t26 - t132) -
+      s_6 * N_6_y + c_6 * N_6_x;
   tau[3] = Scalar(0.00035882787553735663) * qdd_4 - Scalar(0.08509272390476785) * c_4 -
       s_5 * mu_5_y + c_5 * mu_5_x;
 }
@@ -664,7 +616,7 @@ inline constexpr bool inertia_matrix_nonzero[144] = {
     0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1,
     0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1};
 
-// joint-space inertia matrix B(q) (7.32).
+// Joint-space inertia matrix B(q) (7.32).
 //   q[12]   in   joint positions, rad or m
 //   B[144]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //                12 x 12, row by row: entry (i, j) is B[12 * i + j]
@@ -702,12 +654,10 @@ inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
   const Scalar t7 = Scalar(0.00023148988883634047) * c_9;
   const Scalar t8 = Scalar(0.00023148988883634047) * s_9;
   B[80] = B[102] = s_8 * t7 + c_8 * t8;
-  const Scalar Ic_8_yz = t7 + Scalar(0.0007940924716883453);
   const Scalar Ic_8_xz = t8 - Scalar(6.823068516838894e-08);
-  B[79] = B[90] = s_8 * Ic_8_yz + c_8 * Ic_8_xz;
-  const Scalar Ic_2_yz = t5 + Scalar(0.0007940924716883453);
+  B[79] = B[90] = s_8 * (t7 + Scalar(0.0007940924716883453)) + c_8 * Ic_8_xz;
   const Scalar Ic_2_xz = t6 - Scalar(6.823068516838894e-08);
-  B[1] = B[12] = s_2 * Ic_2_yz + c_2 * Ic_2_xz;
+  B[1] = B[12] = s_2 * (t5 + Scalar(0.0007940924716883453)) + c_2 * Ic_2_xz;
   const Scalar t9 = Scalar(0.00023148988883634047) * c_6;
   const Scalar t10 = Scalar(0.00023148988883634047) * s_6;
   B[41] = B[63] = -s_5 * t9 - c_5 * t10;
@@ -715,11 +665,9 @@ inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
   const Scalar t12 = Scalar(0.00023148988883634047) * s_12;
   B[119] = B[141] = -s_11 * t11 - c_11 * t12;
   const Scalar Ic_11_yz = t11 + Scalar(0.0007940924716883453);
-  const Scalar Ic_11_xz = t12 + Scalar(6.823068516838894e-08);
-  B[118] = B[129] = -s_11 * Ic_11_yz - c_11 * Ic_11_xz;
+  B[118] = B[129] = -s_11 * Ic_11_yz - c_11 * (t12 + Scalar(6.823068516838894e-08));
   const Scalar Ic_5_yz = t9 + Scalar(0.0007940924716883453);
-  const Scalar Ic_5_xz = t10 + Scalar(6.823068516838894e-08);
-  B[40] = B[51] = -s_5 * Ic_5_yz - c_5 * Ic_5_xz;
+  B[40] = B[51] = -s_5 * Ic_5_yz - c_5 * (t10 + Scalar(6.823068516838894e-08));
   const Scalar t13 = Scalar(0.0005396092213171668) * c_12;
   const Scalar t14 = c_12 * t13;
   const Scalar Ic_11_xx = t14 + t1 + Scalar(0.0022644781431582876);
@@ -844,67 +792,63 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   c[511] = c[512] = Scalar(0.00023148988883634047) * t3;
   const Scalar t4 = c_11 * c_12 - s_11 * s_12;
   c[778] = c[779] = Scalar(-0.00023148988883634047) * t4;
-  const Scalar Ic_2_yz = Scalar(0.00011574494441817024) * c_3 + Scalar(0.00039704623584417266);
+  const Scalar dI_2_xz = Scalar(0.00011574494441817024) * c_3 + Scalar(0.00039704623584417266);
   const Scalar Ic_2_xz = Scalar(0.00011574494441817024) * s_3 - Scalar(3.411534258419447e-08);
-  c[2] = Scalar(2.0) * (c_2 * Ic_2_yz - s_2 * Ic_2_xz);
+  c[2] = Scalar(2.0) * (c_2 * dI_2_xz - s_2 * Ic_2_xz);
   const Scalar dmu_1_3_y = Scalar(0.000615720268358608) * c_2 + Scalar(0.0005396092213171668) * t1;
-  const Scalar w_1_3_y = c_2 * s_3 + s_2 * c_3;
-  const Scalar db_11_3r = w_1_3_y * dmu_1_3_y;
-  c[156] = db_11_3r;
+  const Scalar c_3_1_1 = (c_2 * s_3 + s_2 * c_3) * dmu_1_3_y;
+  c[156] = c_3_1_1;
   const Scalar Ic_5_yz = Scalar(0.00011574494441817024) * c_6 + Scalar(0.00039704623584417266);
-  const Scalar Ic_5_xz = Scalar(0.00011574494441817024) * s_6 + Scalar(3.411534258419447e-08);
-  c[248] = Scalar(-2.0) * (c_5 * Ic_5_yz - s_5 * Ic_5_xz);
+  c[248] = Scalar(-2.0) * (c_5 * Ic_5_yz -
+      s_5 * (Scalar(0.00011574494441817024) * s_6 + Scalar(3.411534258419447e-08)));
   const Scalar dmu_4_6_y = Scalar(0.000615720268358608) * c_5 + Scalar(0.0005396092213171668) * t2;
-  const Scalar w_4_6_y = c_5 * s_6 + s_5 * c_6;
-  const Scalar db_44_6r = w_4_6_y * dmu_4_6_y;
-  c[399] = db_44_6r;
-  const Scalar Ic_8_yz = Scalar(0.00011574494441817024) * c_9 + Scalar(0.00039704623584417266);
+  const Scalar c_6_4_4 = (c_5 * s_6 + s_5 * c_6) * dmu_4_6_y;
+  c[399] = c_6_4_4;
+  const Scalar dI_8_xz = Scalar(0.00011574494441817024) * c_9 + Scalar(0.00039704623584417266);
   const Scalar Ic_8_xz = Scalar(0.00011574494441817024) * s_9 - Scalar(3.411534258419447e-08);
-  c[503] = Scalar(2.0) * (c_8 * Ic_8_yz - s_8 * Ic_8_xz);
+  c[503] = Scalar(2.0) * (c_8 * dI_8_xz - s_8 * Ic_8_xz);
   const Scalar dmu_7_9_y = Scalar(0.000615720268358608) * c_8 + Scalar(0.0005396092213171668) * t3;
-  const Scalar w_7_9_y = c_8 * s_9 + s_8 * c_9;
-  const Scalar db_77_9r = w_7_9_y * dmu_7_9_y;
-  c[651] = db_77_9r;
+  const Scalar c_9_7_7 = (c_8 * s_9 + s_8 * c_9) * dmu_7_9_y;
+  c[651] = c_9_7_7;
   const Scalar Ic_11_yz = Scalar(0.00011574494441817024) * c_12 + Scalar(0.00039704623584417266);
-  const Scalar Ic_11_xz = Scalar(0.00011574494441817024) * s_12 + Scalar(3.411534258419447e-08);
-  c[767] = Scalar(-2.0) * (c_11 * Ic_11_yz - s_11 * Ic_11_xz);
+  c[767] = Scalar(-2.0) * (c_11 * Ic_11_yz -
+      s_11 * (Scalar(0.00011574494441817024) * s_12 + Scalar(3.411534258419447e-08)));
   const Scalar dmu_10_12_y = Scalar(0.000615720268358608) * c_11 +
       Scalar(0.0005396092213171668) * t4;
-  const Scalar w_10_12_y = c_11 * s_12 + s_11 * c_12;
-  const Scalar db_1010_12r = w_10_12_y * dmu_10_12_y;
-  c[912] = db_1010_12r;
-  c[3] = -db_11_3r;
-  c[252] = -db_44_6r;
-  c[510] = -db_77_9r;
-  c[777] = -db_1010_12r;
+  const Scalar c_12_10_10 = (c_11 * s_12 + s_11 * c_12) * dmu_10_12_y;
+  c[912] = c_12_10_10;
+  c[3] = -c_3_1_1;
+  c[252] = -c_6_4_4;
+  c[510] = -c_9_7_7;
+  c[777] = -c_12_10_10;
   const Scalar t5 = Scalar(0.0005396092213171668) * c_3 + Scalar(0.000615720268358608);
   const Scalar Ic_2_xy = s_3 * t5 - Scalar(1.609852873477455e-07);
   const Scalar Iu_2_t_d = c_3 * t5 + Scalar(0.0008624344609205605);
   const Scalar Iu_2_t_g = c_2 * Ic_2_xy + s_2 * Iu_2_t_d;
-  const Scalar db_11_2r = c_2 * Iu_2_t_g + s_2 * (c_2 * Iu_2_t_d - s_2 * Ic_2_xy);
-  c[78] = db_11_2r;
+  const Scalar c_2_1_1 = c_2 * Iu_2_t_g + s_2 * (c_2 * Iu_2_t_d - s_2 * Ic_2_xy);
+  c[78] = c_2_1_1;
   const Scalar t6 = Scalar(0.0005396092213171668) * c_6 + Scalar(0.000615720268358608);
   const Scalar Ic_5_xy = s_6 * t6 + Scalar(1.609852873477455e-07);
   const Scalar Iu_5_t_d = c_6 * t6 + Scalar(0.0008624344609205605);
   const Scalar Iu_5_t_g = c_5 * Ic_5_xy + s_5 * Iu_5_t_d;
-  const Scalar db_44_5r = c_5 * Iu_5_t_g + s_5 * (c_5 * Iu_5_t_d - s_5 * Ic_5_xy);
-  c[321] = db_44_5r;
+  const Scalar c_5_4_4 = c_5 * Iu_5_t_g + s_5 * (c_5 * Iu_5_t_d - s_5 * Ic_5_xy);
+  c[321] = c_5_4_4;
   const Scalar t7 = Scalar(0.0005396092213171668) * c_9 + Scalar(0.000615720268358608);
   const Scalar Ic_8_xy = s_9 * t7 - Scalar(1.609852873477455e-07);
   const Scalar Iu_8_t_d = c_9 * t7 + Scalar(0.0008624344609205605);
   const Scalar Iu_8_t_g = c_8 * Ic_8_xy + s_8 * Iu_8_t_d;
-  const Scalar db_77_8r = c_8 * Iu_8_t_g + s_8 * (c_8 * Iu_8_t_d - s_8 * Ic_8_xy);
-  c[573] = db_77_8r;
+  const Scalar c_8_7_7 = c_8 * Iu_8_t_g + s_8 * (c_8 * Iu_8_t_d - s_8 * Ic_8_xy);
+  c[573] = c_8_7_7;
   const Scalar t8 = Scalar(0.0005396092213171668) * c_12 + Scalar(0.000615720268358608);
   const Scalar Ic_11_xy = s_12 * t8 + Scalar(1.609852873477455e-07);
   const Scalar Iu_11_t_d = c_12 * t8 + Scalar(0.0008624344609205605);
   const Scalar Iu_11_t_g = c_11 * Ic_11_xy + s_11 * Iu_11_t_d;
-  const Scalar db_1010_11r = c_11 * Iu_11_t_g + s_11 * (c_11 * Iu_11_t_d - s_11 * Ic_11_xy);
-  c[834] = db_1010_11r;
-  c[1] = -db_11_2r;
-  c[247] = -db_44_5r;
-  c[502] = -db_77_8r;
-  c[766] = -db_1010_11r;
+  const Scalar c_11_10_10 = c_11 * Iu_11_t_g + s_11 * (c_11 * Iu_11_t_d - s_11 * Ic_11_xy);
+  c[834] = c_11_10_10;
+  c[1] = -c_2_1_1;
+  c[247] = -c_5_4_4;
+  c[502] = -c_8_7_7;
+  c[766] = -c_11_10_10;
   c[0] = c[6] = c[7] = c[8] = c[9] = c[10] = c[11] = c[12] = Scalar(0.0);
   c[13] = c[14] = c[15] = c[16] = c[17] = c[18] = c[19] = c[20] = Scalar(0.0);
   c[21] = c[22] = c[23] = c[24] = c[25] = c[26] = c[27] = c[28] = Scalar(0.0);
@@ -1083,27 +1027,23 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   C[131] = -t8 - C_12_11;
   const Scalar t9 = s_2 * s_3 - c_2 * c_3;
   const Scalar dmu_1_3_y = Scalar(0.000307860134179304) * c_2 - Scalar(0.0002698046106585834) * t9;
-  const Scalar w_1_3_y = s_2 * c_3 + c_2 * s_3;
-  const Scalar t10 = dmu_1_3_y * Scalar(2.0) * w_1_3_y;
+  const Scalar t10 = dmu_1_3_y * Scalar(2.0) * (s_2 * c_3 + c_2 * s_3);
   const Scalar C_3_1 = qd_1 * t10;
   C[24] = C_3_1;
   const Scalar t11 = s_5 * s_6 - c_5 * c_6;
   const Scalar dmu_4_6_y = Scalar(0.000307860134179304) * c_5 - Scalar(0.0002698046106585834) * t11;
-  const Scalar w_4_6_y = s_5 * c_6 + c_5 * s_6;
-  const Scalar t12 = dmu_4_6_y * Scalar(2.0) * w_4_6_y;
+  const Scalar t12 = dmu_4_6_y * Scalar(2.0) * (s_5 * c_6 + c_5 * s_6);
   const Scalar C_6_4 = qd_4 * t12;
   C[63] = C_6_4;
   const Scalar t13 = s_8 * s_9 - c_8 * c_9;
   const Scalar dmu_7_9_y = Scalar(0.000307860134179304) * c_8 - Scalar(0.0002698046106585834) * t13;
-  const Scalar w_7_9_y = s_8 * c_9 + c_8 * s_9;
-  const Scalar t14 = dmu_7_9_y * Scalar(2.0) * w_7_9_y;
+  const Scalar t14 = dmu_7_9_y * Scalar(2.0) * (s_8 * c_9 + c_8 * s_9);
   const Scalar C_9_7 = qd_7 * t14;
   C[102] = C_9_7;
   const Scalar t15 = s_11 * s_12 - c_11 * c_12;
   const Scalar dmu_10_12_y = Scalar(0.000307860134179304) * c_11 -
       Scalar(0.0002698046106585834) * t15;
-  const Scalar w_10_12_y = s_11 * c_12 + c_11 * s_12;
-  const Scalar t16 = dmu_10_12_y * Scalar(2.0) * w_10_12_y;
+  const Scalar t16 = dmu_10_12_y * Scalar(2.0) * (s_11 * c_12 + c_11 * s_12);
   const Scalar C_12_10 = qd_10 * t16;
   C[141] = C_12_10;
   const Scalar t17 = Scalar(-0.00023148988883634047) * t9;
@@ -1127,8 +1067,8 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   const Scalar t28 = qd_1 * t27;
   C[12] = -t28;
   const Scalar Ic_2_xz = Scalar(0.00011574494441817024) * s_3 - Scalar(3.411534258419447e-08);
-  const Scalar Ic_2_yz = Scalar(0.00011574494441817024) * c_3 + Scalar(0.00039704623584417266);
-  C[1] = t28 + t18 - Scalar(2.0) * qd_2 * (s_2 * Ic_2_xz - c_2 * Ic_2_yz);
+  const Scalar dI_2_xz = Scalar(0.00011574494441817024) * c_3 + Scalar(0.00039704623584417266);
+  C[1] = t28 + t18 - Scalar(2.0) * qd_2 * (s_2 * Ic_2_xz - c_2 * dI_2_xz);
   const Scalar t29 = c_6 + Scalar(1.1410484551313946);
   const Scalar Ic_5_xy = Scalar(0.0002698046106585834) * s_6 * t29 + Scalar(8.049264367387275e-08);
   const Scalar t30 = Scalar(2.0) * Ic_5_xy;
@@ -1137,37 +1077,39 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   const Scalar t31 = s_5 * (s_5 * t30 - c_5 * Iu_5_t_d) - c_5 * Iu_5_t_g;
   const Scalar t32 = qd_4 * t31;
   C[51] = -t32;
-  const Scalar Ic_5_xz = Scalar(0.00011574494441817024) * s_6 + Scalar(3.411534258419447e-08);
   const Scalar Ic_5_yz = Scalar(0.00011574494441817024) * c_6 + Scalar(0.00039704623584417266);
-  C[40] = t32 - t22 + Scalar(2.0) * qd_5 * (s_5 * Ic_5_xz - c_5 * Ic_5_yz);
-  const Scalar t33 = c_9 + Scalar(1.1410484551313946);
-  const Scalar Ic_8_xy = Scalar(0.0002698046106585834) * s_9 * t33 - Scalar(8.049264367387275e-08);
-  const Scalar t34 = Scalar(2.0) * Ic_8_xy;
-  const Scalar Iu_8_t_d = Scalar(0.0005396092213171668) * c_9 * t33 + Scalar(0.0008624344609205605);
-  const Scalar Iu_8_t_g = s_8 * Iu_8_t_d + c_8 * t34;
-  const Scalar t35 = s_8 * (s_8 * t34 - c_8 * Iu_8_t_d) - c_8 * Iu_8_t_g;
-  const Scalar t36 = qd_7 * t35;
-  C[90] = -t36;
+  const Scalar t33 = qd_5 * (s_5 *
+      (Scalar(0.00011574494441817024) * s_6 + Scalar(3.411534258419447e-08)) - c_5 * Ic_5_yz);
+  C[40] = t32 - t22 + Scalar(2.0) * t33;
+  const Scalar t34 = c_9 + Scalar(1.1410484551313946);
+  const Scalar Ic_8_xy = Scalar(0.0002698046106585834) * s_9 * t34 - Scalar(8.049264367387275e-08);
+  const Scalar t35 = Scalar(2.0) * Ic_8_xy;
+  const Scalar Iu_8_t_d = Scalar(0.0005396092213171668) * c_9 * t34 + Scalar(0.0008624344609205605);
+  const Scalar Iu_8_t_g = s_8 * Iu_8_t_d + c_8 * t35;
+  const Scalar t36 = s_8 * (s_8 * t35 - c_8 * Iu_8_t_d) - c_8 * Iu_8_t_g;
+  const Scalar t37 = qd_7 * t36;
+  C[90] = -t37;
   const Scalar Ic_8_xz = Scalar(0.00011574494441817024) * s_9 - Scalar(3.411534258419447e-08);
-  const Scalar Ic_8_yz = Scalar(0.00011574494441817024) * c_9 + Scalar(0.00039704623584417266);
-  C[79] = t36 + t20 - Scalar(2.0) * qd_8 * (s_8 * Ic_8_xz - c_8 * Ic_8_yz);
-  const Scalar t37 = c_12 + Scalar(1.1410484551313946);
-  const Scalar Ic_11_xy = Scalar(0.0002698046106585834) * s_12 * t37 +
+  const Scalar dI_8_xz = Scalar(0.00011574494441817024) * c_9 + Scalar(0.00039704623584417266);
+  C[79] = t37 + t20 - Scalar(2.0) * qd_8 * (s_8 * Ic_8_xz - c_8 * dI_8_xz);
+  const Scalar t38 = c_12 + Scalar(1.1410484551313946);
+  const Scalar Ic_11_xy = Scalar(0.0002698046106585834) * s_12 * t38 +
       Scalar(8.049264367387275e-08);
-  const Scalar t38 = Scalar(2.0) * Ic_11_xy;
-  const Scalar Iu_11_t_d = Scalar(0.0005396092213171668) * c_12 * t37 +
+  const Scalar t39 = Scalar(2.0) * Ic_11_xy;
+  const Scalar Iu_11_t_d = Scalar(0.0005396092213171668) * c_12 * t38 +
       Scalar(0.0008624344609205605);
-  const Scalar Iu_11_t_g = s_11 * Iu_11_t_d + c_11 * t38;
-  const Scalar t39 = s_11 * (s_11 * t38 - c_11 * Iu_11_t_d) - c_11 * Iu_11_t_g;
-  const Scalar t40 = qd_10 * t39;
-  C[129] = -t40;
-  const Scalar Ic_11_xz = Scalar(0.00011574494441817024) * s_12 + Scalar(3.411534258419447e-08);
+  const Scalar Iu_11_t_g = s_11 * Iu_11_t_d + c_11 * t39;
+  const Scalar t40 = s_11 * (s_11 * t39 - c_11 * Iu_11_t_d) - c_11 * Iu_11_t_g;
+  const Scalar t41 = qd_10 * t40;
+  C[129] = -t41;
   const Scalar Ic_11_yz = Scalar(0.00011574494441817024) * c_12 + Scalar(0.00039704623584417266);
-  C[118] = t40 - t24 + Scalar(2.0) * qd_11 * (s_11 * Ic_11_xz - c_11 * Ic_11_yz);
+  const Scalar t42 = qd_11 * (s_11 *
+      (Scalar(0.00011574494441817024) * s_12 + Scalar(3.411534258419447e-08)) - c_11 * Ic_11_yz);
+  C[118] = t41 - t24 + Scalar(2.0) * t42;
   C[0] = qd_2 * t27 - qd_3 * t10;
   C[39] = qd_5 * t31 - qd_6 * t12;
-  C[78] = qd_8 * t35 - qd_9 * t14;
-  C[117] = qd_11 * t39 - qd_12 * t16;
+  C[78] = qd_8 * t36 - qd_9 * t14;
+  C[117] = qd_11 * t40 - qd_12 * t16;
   C[3] = C[4] = C[5] = C[6] = C[7] = C[8] = C[9] = C[10] = Scalar(0.0);
   C[11] = C[15] = C[16] = C[17] = C[18] = C[19] = C[20] = C[21] = Scalar(0.0);
   C[22] = C[23] = C[26] = C[27] = C[28] = C[29] = C[30] = C[31] = Scalar(0.0);
@@ -1184,7 +1126,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   C[134] = C[135] = C[136] = C[137] = C[138] = C[139] = C[140] = C[143] = Scalar(0.0);
 }
 
-// gravity torques g(q) (7.39).
+// Gravity torques g(q) (7.39).
 //   q[12]  in   joint positions, rad or m
 //   g[12]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..11]. Operations: 48 mul, 28 add, 24 sin/cos.
@@ -1261,170 +1203,158 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar t2 = c_2 * t1;
   const Scalar t3 = c_2 * t2;
   const Scalar t4 = qd_2 * qd_2;
-  const Scalar U_2_yy = t3 + t4;
-  const Scalar t5 = Scalar(9.81) * c_1;
-  const Scalar ddp_o_3_y = Scalar(0.16) * U_2_yy + c_2 * t5;
-  const Scalar t6 = s_2 * t2;
-  const Scalar ddp_o_3_x = s_2 * t5 + Scalar(0.16) * t6;
-  const Scalar ddp_3_x = c_3 * ddp_o_3_x + s_3 * ddp_o_3_y;
-  const Scalar t7 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t8 = t1 * t7;
-  const Scalar t9 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t10 = t9 * t8;
-  const Scalar N_3_z = Scalar(0.0038482516772413) * ddp_3_x + Scalar(0.0005396092213171668) * t10;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = Scalar(9.81) * c_1;
+  const Scalar t7 = s_2 * t2;
+  const Scalar t8 = c_3 * (s_2 * t6 + Scalar(0.16) * t7);
+  const Scalar t9 = t8 + s_3 * (Scalar(0.16) * t5 + c_2 * t6);
+  const Scalar t10 = c_2 * c_3 - s_2 * s_3;
+  const Scalar t11 = t1 * t10;
+  const Scalar t12 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t13 = t12 * t11;
+  const Scalar N_3_z = Scalar(0.0038482516772413) * t9 + Scalar(0.0005396092213171668) * t13;
   n[2] = N_3_z;
-  const Scalar t11 = qd_4 * qd_4;
-  const Scalar t12 = c_5 * t11;
-  const Scalar t13 = c_5 * t12;
-  const Scalar t14 = qd_5 * qd_5;
-  const Scalar U_5_yy = t13 + t14;
-  const Scalar t15 = Scalar(9.81) * c_4;
-  const Scalar ddp_o_6_y = Scalar(0.16) * U_5_yy + c_5 * t15;
-  const Scalar t16 = s_5 * t12;
-  const Scalar ddp_o_6_x = s_5 * t15 + Scalar(0.16) * t16;
-  const Scalar ddp_6_x = c_6 * ddp_o_6_x + s_6 * ddp_o_6_y;
-  const Scalar t17 = c_5 * c_6 - s_5 * s_6;
-  const Scalar t18 = t11 * t17;
-  const Scalar t19 = s_5 * c_6 + c_5 * s_6;
-  const Scalar t20 = t19 * t18;
-  const Scalar N_6_z = Scalar(0.0038482516772413) * ddp_6_x + Scalar(0.0005396092213171668) * t20;
+  const Scalar t14 = qd_4 * qd_4;
+  const Scalar t15 = c_5 * t14;
+  const Scalar t16 = c_5 * t15;
+  const Scalar t17 = qd_5 * qd_5;
+  const Scalar t18 = t16 + t17;
+  const Scalar t19 = Scalar(9.81) * c_4;
+  const Scalar t20 = s_5 * t15;
+  const Scalar t21 = c_6 * (s_5 * t19 + Scalar(0.16) * t20);
+  const Scalar t22 = t21 + s_6 * (Scalar(0.16) * t18 + c_5 * t19);
+  const Scalar t23 = c_5 * c_6 - s_5 * s_6;
+  const Scalar t24 = t14 * t23;
+  const Scalar t25 = s_5 * c_6 + c_5 * s_6;
+  const Scalar t26 = t25 * t24;
+  const Scalar N_6_z = Scalar(0.0038482516772413) * t22 + Scalar(0.0005396092213171668) * t26;
   n[5] = N_6_z;
-  const Scalar t21 = qd_7 * qd_7;
-  const Scalar t22 = c_8 * t21;
-  const Scalar t23 = c_8 * t22;
-  const Scalar t24 = qd_8 * qd_8;
-  const Scalar U_8_yy = t23 + t24;
-  const Scalar t25 = Scalar(9.81) * c_7;
-  const Scalar ddp_o_9_y = Scalar(0.16) * U_8_yy + c_8 * t25;
-  const Scalar t26 = s_8 * t22;
-  const Scalar ddp_o_9_x = s_8 * t25 + Scalar(0.16) * t26;
-  const Scalar ddp_9_x = c_9 * ddp_o_9_x + s_9 * ddp_o_9_y;
-  const Scalar t27 = c_8 * c_9 - s_8 * s_9;
-  const Scalar t28 = t21 * t27;
-  const Scalar t29 = s_8 * c_9 + c_8 * s_9;
-  const Scalar t30 = t29 * t28;
-  const Scalar N_9_z = Scalar(0.0038482516772413) * ddp_9_x + Scalar(0.0005396092213171668) * t30;
+  const Scalar t27 = qd_7 * qd_7;
+  const Scalar t28 = c_8 * t27;
+  const Scalar t29 = c_8 * t28;
+  const Scalar t30 = qd_8 * qd_8;
+  const Scalar t31 = t29 + t30;
+  const Scalar t32 = Scalar(9.81) * c_7;
+  const Scalar t33 = s_8 * t28;
+  const Scalar t34 = c_9 * (s_8 * t32 + Scalar(0.16) * t33);
+  const Scalar t35 = t34 + s_9 * (Scalar(0.16) * t31 + c_8 * t32);
+  const Scalar t36 = c_8 * c_9 - s_8 * s_9;
+  const Scalar t37 = t27 * t36;
+  const Scalar t38 = s_8 * c_9 + c_8 * s_9;
+  const Scalar t39 = t38 * t37;
+  const Scalar N_9_z = Scalar(0.0038482516772413) * t35 + Scalar(0.0005396092213171668) * t39;
   n[8] = N_9_z;
-  const Scalar t31 = qd_10 * qd_10;
-  const Scalar t32 = c_11 * t31;
-  const Scalar t33 = c_11 * t32;
-  const Scalar t34 = qd_11 * qd_11;
-  const Scalar U_11_yy = t33 + t34;
-  const Scalar t35 = Scalar(9.81) * c_10;
-  const Scalar ddp_o_12_y = Scalar(0.16) * U_11_yy + c_11 * t35;
-  const Scalar t36 = s_11 * t32;
-  const Scalar ddp_o_12_x = s_11 * t35 + Scalar(0.16) * t36;
-  const Scalar ddp_12_x = c_12 * ddp_o_12_x + s_12 * ddp_o_12_y;
-  const Scalar t37 = c_11 * c_12 - s_11 * s_12;
-  const Scalar t38 = t31 * t37;
-  const Scalar t39 = s_11 * c_12 + c_11 * s_12;
-  const Scalar t40 = t39 * t38;
-  const Scalar N_12_z = Scalar(0.0038482516772413) * ddp_12_x + Scalar(0.0005396092213171668) * t40;
+  const Scalar t40 = qd_10 * qd_10;
+  const Scalar t41 = c_11 * t40;
+  const Scalar t42 = c_11 * t41;
+  const Scalar t43 = qd_11 * qd_11;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = Scalar(9.81) * c_10;
+  const Scalar t46 = s_11 * t41;
+  const Scalar t47 = c_12 * (s_11 * t45 + Scalar(0.16) * t46);
+  const Scalar t48 = t47 + s_12 * (Scalar(0.16) * t44 + c_11 * t45);
+  const Scalar t49 = c_11 * c_12 - s_11 * s_12;
+  const Scalar t50 = t40 * t49;
+  const Scalar t51 = s_11 * c_12 + c_11 * s_12;
+  const Scalar t52 = t51 * t50;
+  const Scalar N_12_z = Scalar(0.0038482516772413) * t48 + Scalar(0.0005396092213171668) * t52;
   n[11] = N_12_z;
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t41 = omega_12_z * omega_12_z;
-  const Scalar U_12_yy = t37 * t38 + t41;
-  const Scalar t42 = c_12 * t40 - s_12 * U_12_yy;
-  const Scalar U_11_xx = t31 - t33 + t34;
-  const Scalar U_11_xx_yy = U_11_xx - U_11_yy;
-  n[10] = Scalar(0.0022644781431582876) * t36 - Scalar(1.609852873477455e-07) * U_11_xx_yy +
-      N_12_z + Scalar(0.000615720268358608) * t42 + Scalar(0.000020065123418265) * c_10 * c_11 +
+  const Scalar t53 = omega_12_z * omega_12_z;
+  const Scalar t54 = c_12 * t52 - s_12 * (t49 * t50 + t53);
+  const Scalar t55 = t40 - t42 + t43;
+  n[10] = Scalar(0.0022644781431582876) * t46 - Scalar(1.609852873477455e-07) * (t55 - t44) +
+      N_12_z + Scalar(0.000615720268358608) * t54 + Scalar(0.000020065123418265) * c_10 * c_11 +
       Scalar(0.1737624403145115) * c_10 * s_11;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t43 = omega_9_z * omega_9_z;
-  const Scalar U_9_yy = t27 * t28 + t43;
-  const Scalar t44 = c_9 * t30 - s_9 * U_9_yy;
-  const Scalar U_8_xx = t21 - t23 + t24;
-  const Scalar U_8_xx_yy = U_8_xx - U_8_yy;
-  n[7] = Scalar(0.0022644781431582876) * t26 + Scalar(1.609852873477455e-07) * U_8_xx_yy + N_9_z +
-      Scalar(0.000615720268358608) * t44 - Scalar(0.000020065123418265) * c_7 * c_8 +
+  const Scalar t56 = omega_9_z * omega_9_z;
+  const Scalar t57 = c_9 * t39 - s_9 * (t36 * t37 + t56);
+  const Scalar t58 = t27 - t29 + t30;
+  n[7] = Scalar(0.0022644781431582876) * t33 + Scalar(1.609852873477455e-07) * (t58 - t31) + N_9_z +
+      Scalar(0.000615720268358608) * t57 - Scalar(0.000020065123418265) * c_7 * c_8 +
       Scalar(0.1737624403145115) * c_7 * s_8;
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t45 = omega_6_z * omega_6_z;
-  const Scalar U_6_yy = t17 * t18 + t45;
-  const Scalar t46 = c_6 * t20 - s_6 * U_6_yy;
-  const Scalar U_5_xx = t11 - t13 + t14;
-  const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  n[4] = Scalar(0.0022644781431582876) * t16 - Scalar(1.609852873477455e-07) * U_5_xx_yy + N_6_z +
-      Scalar(0.000615720268358608) * t46 + Scalar(0.000020065123418265) * c_4 * c_5 +
+  const Scalar t59 = omega_6_z * omega_6_z;
+  const Scalar t60 = c_6 * t26 - s_6 * (t23 * t24 + t59);
+  const Scalar t61 = t14 - t16 + t17;
+  n[4] = Scalar(0.0022644781431582876) * t20 - Scalar(1.609852873477455e-07) * (t61 - t18) + N_6_z +
+      Scalar(0.000615720268358608) * t60 + Scalar(0.000020065123418265) * c_4 * c_5 +
       Scalar(0.1737624403145115) * c_4 * s_5;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t47 = omega_3_z * omega_3_z;
-  const Scalar U_3_yy = t7 * t8 + t47;
-  const Scalar t48 = c_3 * t10 - s_3 * U_3_yy;
-  const Scalar U_2_xx = t1 - t3 + t4;
-  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
-  n[1] = Scalar(0.0022644781431582876) * t6 + Scalar(1.609852873477455e-07) * U_2_xx_yy + N_3_z +
-      Scalar(0.000615720268358608) * t48 - Scalar(0.000020065123418265) * c_1 * c_2 +
+  const Scalar t62 = omega_3_z * omega_3_z;
+  const Scalar t63 = c_3 * t13 - s_3 * (t10 * t11 + t62);
+  const Scalar t64 = t1 - t3 + t4;
+  n[1] = Scalar(0.0022644781431582876) * t7 + Scalar(1.609852873477455e-07) * (t64 - t5) + N_3_z +
+      Scalar(0.000615720268358608) * t63 - Scalar(0.000020065123418265) * c_1 * c_2 +
       Scalar(0.1737624403145115) * c_1 * s_2;
-  const Scalar t49 = t43 - t21 * t29 * t29;
-  const Scalar t50 = qd_7 * omega_9_z;
-  const Scalar t51 = t29 * t50;
-  const Scalar t52 = qd_7 * qd_8;
-  const Scalar t53 = s_8 * t52;
-  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 + Scalar(0.00023148988883634047) * t49 -
-      Scalar(0.001231440536717216) * t53 - Scalar(0.0010822284426343334) * t51;
-  const Scalar t54 = Scalar(0.00023148988883634047) * t30 + Scalar(3.01e-06) * t27 * t50;
-  const Scalar t55 = c_8 * t52;
-  const Scalar t56 = Scalar(0.1737624403145115) * s_7 + Scalar(6.823068516838894e-08) * t26 -
-      Scalar(0.0007940924716883453) * (t21 - U_8_yy) - Scalar(0.004560056342646188) * t53 -
-      Scalar(0.001231440536717216) * t51 + c_9 * N_9_x + s_9 * t54 +
-      Scalar(3.21970574695491e-07) * t55;
-  const Scalar mu_8_y = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t26 -
-      Scalar(6.823068516838894e-08) * (t21 - U_8_xx) - Scalar(3.21970574695491e-07) * t53 +
-      Scalar(0.000031100056329612534) * t55 + c_9 * t54 - s_9 * N_9_x;
-  n[6] = Scalar(0.08509272390476785) * c_7 + c_8 * t56 + s_8 * mu_8_y;
-  const Scalar t57 = t47 - t1 * t9 * t9;
-  const Scalar t58 = qd_1 * omega_3_z;
-  const Scalar t59 = t9 * t58;
-  const Scalar t60 = qd_1 * qd_2;
-  const Scalar t61 = s_2 * t60;
-  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 + Scalar(0.00023148988883634047) * t57 -
-      Scalar(0.001231440536717216) * t61 - Scalar(0.0010822284426343334) * t59;
-  const Scalar t62 = Scalar(0.00023148988883634047) * t10 + Scalar(3.01e-06) * t7 * t58;
-  const Scalar t63 = c_2 * t60;
-  const Scalar t64 = Scalar(0.1737624403145115) * s_1 + Scalar(6.823068516838894e-08) * t6 -
-      Scalar(0.0007940924716883453) * (t1 - U_2_yy) - Scalar(0.004560056342646188) * t61 -
-      Scalar(0.001231440536717216) * t59 + c_3 * N_3_x + s_3 * t62 +
-      Scalar(3.21970574695491e-07) * t63;
-  const Scalar mu_2_y = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t6 -
-      Scalar(6.823068516838894e-08) * (t1 - U_2_xx) - Scalar(3.21970574695491e-07) * t61 +
-      Scalar(0.000031100056329612534) * t63 + c_3 * t62 - s_3 * N_3_x;
-  n[0] = Scalar(0.08509272390476785) * c_1 + c_2 * t64 + s_2 * mu_2_y;
-  const Scalar t65 = t41 - t31 * t39 * t39;
-  const Scalar t66 = qd_10 * omega_12_z;
-  const Scalar t67 = t39 * t66;
-  const Scalar t68 = qd_10 * qd_11;
-  const Scalar t69 = s_11 * t68;
-  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.00023148988883634047) * t65 -
+  const Scalar t65 = t56 - t27 * t38 * t38;
+  const Scalar t66 = qd_7 * omega_9_z;
+  const Scalar t67 = t38 * t66;
+  const Scalar t68 = qd_7 * qd_8;
+  const Scalar t69 = s_8 * t68;
+  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 + Scalar(0.00023148988883634047) * t65 -
       Scalar(0.001231440536717216) * t69 - Scalar(0.0010822284426343334) * t67;
-  const Scalar t70 = Scalar(0.00023148988883634047) * t40 - Scalar(3.01e-06) * t37 * t66;
-  const Scalar t71 = c_11 * t68;
-  const Scalar t72 = Scalar(0.1737624403145115) * s_10 + Scalar(6.823068516838894e-08) * t36 +
-      Scalar(0.0007940924716883453) * (t31 - U_11_yy) - Scalar(0.004560056342646188) * t69 -
-      Scalar(0.001231440536717216) * t67 + c_12 * N_12_x - s_12 * t70 -
+  const Scalar t70 = Scalar(0.00023148988883634047) * t39 + Scalar(3.01e-06) * t36 * t66;
+  const Scalar t71 = c_8 * t68;
+  const Scalar t72 = Scalar(0.1737624403145115) * s_7 + Scalar(6.823068516838894e-08) * t33 -
+      Scalar(0.0007940924716883453) * (t27 - t31) - Scalar(0.004560056342646188) * t69 -
+      Scalar(0.001231440536717216) * t67 + c_9 * N_9_x + s_9 * t70 +
       Scalar(3.21970574695491e-07) * t71;
-  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t36 +
-      Scalar(6.823068516838894e-08) * (t31 - U_11_xx) - Scalar(3.21970574695491e-07) * t69 -
-      Scalar(0.000031100056329612534) * t71 + c_12 * t70 + s_12 * N_12_x;
-  n[9] = c_11 * t72 - Scalar(0.08509272390476785) * c_10 - s_11 * mu_11_y;
-  const Scalar t73 = t45 - t11 * t19 * t19;
-  const Scalar t74 = qd_4 * omega_6_z;
-  const Scalar t75 = t19 * t74;
-  const Scalar t76 = qd_4 * qd_5;
-  const Scalar t77 = s_5 * t76;
-  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.00023148988883634047) * t73 -
-      Scalar(0.001231440536717216) * t77 - Scalar(0.0010822284426343334) * t75;
-  const Scalar t78 = Scalar(0.00023148988883634047) * t20 - Scalar(3.01e-06) * t17 * t74;
-  const Scalar t79 = c_5 * t76;
-  const Scalar t80 = Scalar(0.1737624403145115) * s_4 + Scalar(6.823068516838894e-08) * t16 +
-      Scalar(0.0007940924716883453) * (t11 - U_5_yy) - Scalar(0.004560056342646188) * t77 -
-      Scalar(0.001231440536717216) * t75 + c_6 * N_6_x - s_6 * t78 -
-      Scalar(3.21970574695491e-07) * t79;
-  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t16 +
-      Scalar(6.823068516838894e-08) * (t11 - U_5_xx) - Scalar(3.21970574695491e-07) * t77 -
-      Scalar(0.000031100056329612534) * t79 + c_6 * t78 + s_6 * N_6_x;
-  n[3] = c_5 * t80 - Scalar(0.08509272390476785) * c_4 - s_5 * mu_5_y;
+  const Scalar t73 = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t33 -
+      Scalar(6.823068516838894e-08) * (t27 - t58) - Scalar(3.21970574695491e-07) * t69 +
+      Scalar(0.000031100056329612534) * t71 + c_9 * t70 - s_9 * N_9_x;
+  n[6] = Scalar(0.08509272390476785) * c_7 + c_8 * t72 + s_8 * t73;
+  const Scalar t74 = t62 - t1 * t12 * t12;
+  const Scalar t75 = qd_1 * omega_3_z;
+  const Scalar t76 = t12 * t75;
+  const Scalar t77 = qd_1 * qd_2;
+  const Scalar t78 = s_2 * t77;
+  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 + Scalar(0.00023148988883634047) * t74 -
+      Scalar(0.001231440536717216) * t78 - Scalar(0.0010822284426343334) * t76;
+  const Scalar t79 = Scalar(0.00023148988883634047) * t13 + Scalar(3.01e-06) * t10 * t75;
+  const Scalar t80 = c_2 * t77;
+  const Scalar t81 = Scalar(0.1737624403145115) * s_1 + Scalar(6.823068516838894e-08) * t7 -
+      Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(0.004560056342646188) * t78 -
+      Scalar(0.001231440536717216) * t76 + c_3 * N_3_x + s_3 * t79 +
+      Scalar(3.21970574695491e-07) * t80;
+  const Scalar t82 = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t7 -
+      Scalar(6.823068516838894e-08) * (t1 - t64) - Scalar(3.21970574695491e-07) * t78 +
+      Scalar(0.000031100056329612534) * t80 + c_3 * t79 - s_3 * N_3_x;
+  n[0] = Scalar(0.08509272390476785) * c_1 + c_2 * t81 + s_2 * t82;
+  const Scalar t83 = t53 - t40 * t51 * t51;
+  const Scalar t84 = qd_10 * omega_12_z;
+  const Scalar t85 = t51 * t84;
+  const Scalar t86 = qd_10 * qd_11;
+  const Scalar t87 = s_11 * t86;
+  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.00023148988883634047) * t83 -
+      Scalar(0.001231440536717216) * t87 - Scalar(0.0010822284426343334) * t85;
+  const Scalar t88 = Scalar(0.00023148988883634047) * t52 - Scalar(3.01e-06) * t49 * t84;
+  const Scalar t89 = c_11 * t86;
+  const Scalar t90 = Scalar(0.1737624403145115) * s_10 + Scalar(6.823068516838894e-08) * t46 +
+      Scalar(0.0007940924716883453) * (t40 - t44) - Scalar(0.004560056342646188) * t87 -
+      Scalar(0.001231440536717216) * t85 + c_12 * N_12_x - s_12 * t88 -
+      Scalar(3.21970574695491e-07) * t89;
+  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t46 +
+      Scalar(6.823068516838894e-08) * (t40 - t55) - Scalar(3.21970574695491e-07) * t87 -
+      Scalar(0.000031100056329612534) * t89 + c_12 * t88 + s_12 * N_12_x;
+  n[9] = c_11 * t90 - Scalar(0.08509272390476785) * c_10 - s_11 * mu_11_y;
+  const Scalar t91 = t59 - t14 * t25 * t25;
+  const Scalar t92 = qd_4 * omega_6_z;
+  const Scalar t93 = t25 * t92;
+  const Scalar t94 = qd_4 * qd_5;
+  const Scalar t95 = s_5 * t94;
+  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.00023148988883634047) * t91 -
+      Scalar(0.001231440536717216) * t95 - Scalar(0.0010822284426343334) * t93;
+  const Scalar t96 = Scalar(0.00023148988883634047) * t26 - Scalar(3.01e-06) * t23 * t92;
+  const Scalar t97 = c_5 * t94;
+  const Scalar t98 = Scalar(0.1737624403145115) * s_4 + Scalar(6.823068516838894e-08) * t20 +
+      Scalar(0.0007940924716883453) * (t14 - t18) - Scalar(0.004560056342646188) * t95 -
+      Scalar(0.001231440536717216) * t93 + c_6 * N_6_x - s_6 * t96 -
+      Scalar(3.21970574695491e-07) * t97;
+  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t20 +
+      Scalar(6.823068516838894e-08) * (t14 - t61) - Scalar(3.21970574695491e-07) * t95 -
+      Scalar(0.000031100056329612534) * t97 + c_6 * t96 + s_6 * N_6_x;
+  n[3] = c_5 * t98 - Scalar(0.08509272390476785) * c_4 - s_5 * mu_5_y;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -1432,8 +1362,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qd[12]   in   joint velocities, rad/s or m/s
 //   tau[12]  in   joint torques or forces, N m or N
 //   qdd[12]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
-// number.
+// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0..11], qd[0..11], tau[0..11]. Operations: 372 mul, 268 add, 8 div, 24 sin/cos.
 template <class Scalar>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
@@ -1463,275 +1392,265 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t2 = c_5 * t1;
   const Scalar t3 = c_5 * t2;
   const Scalar t4 = qd_5 * qd_5;
-  const Scalar U_5_yy = t4 + t3;
-  const Scalar t5 = Scalar(9.81) * c_4;
-  const Scalar ddp_o_6_y = Scalar(0.16) * U_5_yy + c_5 * t5;
-  const Scalar t6 = s_5 * t2;
-  const Scalar ddp_o_6_x = Scalar(0.16) * t6 + s_5 * t5;
-  const Scalar ddp_6_x = s_6 * ddp_o_6_y + c_6 * ddp_o_6_x;
-  const Scalar t7 = Scalar(0.00023148988883634047) * c_6;
-  const Scalar t8 = Scalar(0.00023148988883634047) * s_6;
-  const Scalar mu_u_6_5_t_y = s_5 * t7 + c_5 * t8;
-  const Scalar t9 = s_5 * s_6 - c_5 * c_6;
-  const Scalar t10 = t1 * t9;
-  const Scalar t11 = mu_u_6_5_t_y * t10;
-  const Scalar N_6_z = Scalar(0.0038482516772413) * ddp_6_x - Scalar(2.3310271737123758) * t11;
+  const Scalar t5 = t4 + t3;
+  const Scalar t6 = Scalar(9.81) * c_4;
+  const Scalar t7 = s_6 * (Scalar(0.16) * t5 + c_5 * t6);
+  const Scalar t8 = s_5 * t2;
+  const Scalar t9 = t7 + c_6 * (Scalar(0.16) * t8 + s_5 * t6);
+  const Scalar t10 = Scalar(0.00023148988883634047) * c_6;
+  const Scalar t11 = Scalar(0.00023148988883634047) * s_6;
+  const Scalar mu_u_6_5_t_y = s_5 * t10 + c_5 * t11;
+  const Scalar t12 = s_5 * s_6 - c_5 * c_6;
+  const Scalar t13 = t1 * t12;
+  const Scalar t14 = mu_u_6_5_t_y * t13;
+  const Scalar N_6_z = Scalar(0.0038482516772413) * t9 - Scalar(2.3310271737123758) * t14;
   const Scalar y_6 = tau_6 - N_6_z;
   const Scalar mu_6_5_z = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
-  const Scalar t12 = Scalar(1842.912968642313) * mu_6_5_z;
+  const Scalar t15 = Scalar(1842.912968642313) * mu_6_5_z;
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t13 = omega_6_z * omega_6_z;
-  const Scalar U_6_yy = t13 + t9 * t10;
-  const Scalar U_5_xx = t4 + t1 - t3;
-  const Scalar U_5_xx_yy = U_5_xx - U_5_yy;
-  const Scalar y_6_5 = tau_5 - Scalar(0.0022644781431582876) * t6 +
-      Scalar(1.609852873477455e-07) * U_5_xx_yy - N_6_z - y_6 * t12 +
-      Scalar(0.000615720268358608) * s_6 * U_6_yy + Scalar(2.6598149554338075) * c_6 * t11 -
+  const Scalar t16 = omega_6_z * omega_6_z;
+  const Scalar t17 = s_6 * (t16 + t12 * t13);
+  const Scalar t18 = t4 + t1 - t3;
+  const Scalar y_6_5 = tau_5 - Scalar(0.0022644781431582876) * t8 +
+      Scalar(1.609852873477455e-07) * (t18 - t5) - N_6_z - y_6 * t15 +
+      Scalar(0.000615720268358608) * t17 + Scalar(2.6598149554338075) * c_6 * t14 -
       Scalar(0.000020065123418265) * c_4 * c_5 - Scalar(0.1737624403145115) * c_4 * s_5;
-  const Scalar t14 = Scalar(1842.912968642313) * mu_u_6_5_t_y;
-  const Scalar Ic_5_yz = t7 + Scalar(0.0007940924716883453);
-  const Scalar Ic_5_xz = t8 + Scalar(6.823068516838894e-08);
-  const Scalar t15 = mu_6_5_z * t14 - s_5 * Ic_5_yz - c_5 * Ic_5_xz;
-  const Scalar t16 = Scalar(0.001231440536717216) * c_6;
-  const Scalar b_6_5_5 = t16 - mu_6_5_z * t12 + Scalar(0.002838197420805067);
+  const Scalar t19 = Scalar(1842.912968642313) * mu_u_6_5_t_y;
+  const Scalar Ic_5_yz = t10 + Scalar(0.0007940924716883453);
+  const Scalar t20 = mu_6_5_z * t19 - s_5 * Ic_5_yz - c_5 * (t11 + Scalar(6.823068516838894e-08));
+  const Scalar t21 = Scalar(0.001231440536717216) * c_6;
+  const Scalar b_6_5_5 = t21 - mu_6_5_z * t15 + Scalar(0.002838197420805067);
   const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t17 = t15 * d_5;
-  const Scalar t18 = qd_4 * omega_6_z;
-  const Scalar t19 = mu_u_6_5_t_y * t18;
-  const Scalar t20 = qd_4 * qd_5;
-  const Scalar t21 = s_5 * t20;
-  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.00023148988883634047) * t13 -
-      Scalar(4.675057075168632) * t19 - Scalar(0.001231440536717216) * t21 +
+  const Scalar t22 = t20 * d_5;
+  const Scalar t23 = qd_4 * omega_6_z;
+  const Scalar t24 = mu_u_6_5_t_y * t23;
+  const Scalar t25 = qd_4 * qd_5;
+  const Scalar t26 = s_5 * t25;
+  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.00023148988883634047) * t16 -
+      Scalar(4.675057075168632) * t24 - Scalar(0.001231440536717216) * t26 +
       Scalar(4319.843104279097) * t1 * mu_u_6_5_t_y * mu_u_6_5_t_y;
-  const Scalar t22 = t11 - Scalar(3.01e-06) * t9 * t18;
-  const Scalar t23 = c_5 * t20;
-  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t6 +
-      Scalar(6.823068516838894e-08) * (t1 - U_5_xx) - Scalar(3.21970574695491e-07) * t21 -
-      Scalar(0.000031100056329612534) * t23 + s_6 * N_6_x - c_6 * t22;
-  const Scalar t24 = Scalar(0.1737624403145115) * s_4 + Scalar(6.823068516838894e-08) * t6 +
-      Scalar(0.0007940924716883453) * (t1 - U_5_yy) - Scalar(5.319629910867615) * t19 -
-      Scalar(0.004560056342646188) * t21 - Scalar(3.21970574695491e-07) * t23 + s_6 * t22 +
+  const Scalar t27 = t14 - Scalar(3.01e-06) * t12 * t23;
+  const Scalar t28 = c_5 * t25;
+  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t8 +
+      Scalar(6.823068516838894e-08) * (t1 - t18) - Scalar(3.21970574695491e-07) * t26 -
+      Scalar(0.000031100056329612534) * t28 + s_6 * N_6_x - c_6 * t27;
+  const Scalar t29 = Scalar(0.1737624403145115) * s_4 + Scalar(6.823068516838894e-08) * t8 +
+      Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(5.319629910867615) * t24 -
+      Scalar(0.004560056342646188) * t26 - Scalar(3.21970574695491e-07) * t28 + s_6 * t27 +
       c_6 * N_6_x;
-  const Scalar y_5_4 = Scalar(0.08509272390476785) * c_4 + tau_4 - t17 * y_6_5 + y_6 * t14 +
-      s_5 * mu_5_y - c_5 * t24;
-  const Scalar t25 = Scalar(0.0005396092213171668) * c_6 * c_6;
-  const Scalar Ic_5_xx = t25 + t16 + Scalar(0.0022644781431582876);
-  const Scalar Iu_5_t_d = t25 + Ic_5_xx - Scalar(0.0005396092213171668);
+  const Scalar y_5_4 = Scalar(0.08509272390476785) * c_4 + tau_4 - t22 * y_6_5 + y_6 * t19 +
+      s_5 * mu_5_y - c_5 * t29;
+  const Scalar t30 = Scalar(0.0005396092213171668) * c_6 * c_6;
+  const Scalar Ic_5_xx = t30 + t21 + Scalar(0.0022644781431582876);
+  const Scalar Iu_5_t_d = t30 + Ic_5_xx - Scalar(0.0005396092213171668);
   const Scalar Ic_5_xy = s_6 * (c_6 + Scalar(1.1410484551313946)) + Scalar(0.0002983367981643942);
   const Scalar Iu_5_t_g = s_5 * Iu_5_t_d + Scalar(0.0010792184426343335) * c_5 * Ic_5_xy;
-  const Scalar b_5_4_4 = Ic_5_xx - t15 * t17 - mu_u_6_5_t_y * t14 - s_5 * Iu_5_t_g +
+  const Scalar b_5_4_4 = Ic_5_xx - t20 * t22 - mu_u_6_5_t_y * t19 - s_5 * Iu_5_t_g +
       Scalar(0.00037588290370216287);
   const Scalar d_4 = Scalar(1.0) / b_5_4_4;
   const Scalar qdd_4 = d_4 * y_5_4;
   qdd[3] = qdd_4;
-  const Scalar t26 = qd_10 * qd_10;
-  const Scalar t27 = c_11 * t26;
-  const Scalar t28 = c_11 * t27;
-  const Scalar t29 = qd_11 * qd_11;
-  const Scalar U_11_yy = t29 + t28;
-  const Scalar t30 = Scalar(9.81) * c_10;
-  const Scalar ddp_o_12_y = Scalar(0.16) * U_11_yy + c_11 * t30;
-  const Scalar t31 = s_11 * t27;
-  const Scalar ddp_o_12_x = Scalar(0.16) * t31 + s_11 * t30;
-  const Scalar ddp_12_x = s_12 * ddp_o_12_y + c_12 * ddp_o_12_x;
-  const Scalar t32 = Scalar(0.00023148988883634047) * c_12;
-  const Scalar t33 = Scalar(0.00023148988883634047) * s_12;
-  const Scalar mu_u_12_11_t_y = s_11 * t32 + c_11 * t33;
-  const Scalar t34 = s_11 * s_12 - c_11 * c_12;
-  const Scalar t35 = t26 * t34;
-  const Scalar t36 = mu_u_12_11_t_y * t35;
-  const Scalar N_12_z = Scalar(0.0038482516772413) * ddp_12_x - Scalar(2.3310271737123758) * t36;
+  const Scalar t31 = qd_10 * qd_10;
+  const Scalar t32 = c_11 * t31;
+  const Scalar t33 = c_11 * t32;
+  const Scalar t34 = qd_11 * qd_11;
+  const Scalar t35 = t34 + t33;
+  const Scalar t36 = Scalar(9.81) * c_10;
+  const Scalar t37 = s_12 * (Scalar(0.16) * t35 + c_11 * t36);
+  const Scalar t38 = s_11 * t32;
+  const Scalar t39 = t37 + c_12 * (Scalar(0.16) * t38 + s_11 * t36);
+  const Scalar t40 = Scalar(0.00023148988883634047) * c_12;
+  const Scalar t41 = Scalar(0.00023148988883634047) * s_12;
+  const Scalar mu_u_12_11_t_y = s_11 * t40 + c_11 * t41;
+  const Scalar t42 = s_11 * s_12 - c_11 * c_12;
+  const Scalar t43 = t31 * t42;
+  const Scalar t44 = mu_u_12_11_t_y * t43;
+  const Scalar N_12_z = Scalar(0.0038482516772413) * t39 - Scalar(2.3310271737123758) * t44;
   const Scalar y_12 = tau_12 - N_12_z;
   const Scalar mu_12_11_z = Scalar(0.000615720268358608) * c_12 + Scalar(0.0005426192213171668);
-  const Scalar t37 = Scalar(1842.912968642313) * mu_12_11_z;
+  const Scalar t45 = Scalar(1842.912968642313) * mu_12_11_z;
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t38 = omega_12_z * omega_12_z;
-  const Scalar U_12_yy = t38 + t34 * t35;
-  const Scalar U_11_xx = t29 + t26 - t28;
-  const Scalar U_11_xx_yy = U_11_xx - U_11_yy;
-  const Scalar y_12_11 = tau_11 - Scalar(0.0022644781431582876) * t31 +
-      Scalar(1.609852873477455e-07) * U_11_xx_yy - N_12_z - y_12 * t37 +
-      Scalar(0.000615720268358608) * s_12 * U_12_yy + Scalar(2.6598149554338075) * c_12 * t36 -
+  const Scalar t46 = omega_12_z * omega_12_z;
+  const Scalar t47 = s_12 * (t46 + t42 * t43);
+  const Scalar t48 = t34 + t31 - t33;
+  const Scalar y_12_11 = tau_11 - Scalar(0.0022644781431582876) * t38 +
+      Scalar(1.609852873477455e-07) * (t48 - t35) - N_12_z - y_12 * t45 +
+      Scalar(0.000615720268358608) * t47 + Scalar(2.6598149554338075) * c_12 * t44 -
       Scalar(0.000020065123418265) * c_10 * c_11 - Scalar(0.1737624403145115) * c_10 * s_11;
-  const Scalar t39 = Scalar(1842.912968642313) * mu_u_12_11_t_y;
-  const Scalar Ic_11_yz = t32 + Scalar(0.0007940924716883453);
-  const Scalar Ic_11_xz = t33 + Scalar(6.823068516838894e-08);
-  const Scalar t40 = mu_12_11_z * t39 - s_11 * Ic_11_yz - c_11 * Ic_11_xz;
-  const Scalar t41 = Scalar(0.001231440536717216) * c_12;
-  const Scalar b_12_11_11 = t41 - mu_12_11_z * t37 + Scalar(0.002838197420805067);
+  const Scalar t49 = Scalar(1842.912968642313) * mu_u_12_11_t_y;
+  const Scalar Ic_11_yz = t40 + Scalar(0.0007940924716883453);
+  const Scalar t50 = mu_12_11_z * t49 - s_11 * Ic_11_yz -
+      c_11 * (t41 + Scalar(6.823068516838894e-08));
+  const Scalar t51 = Scalar(0.001231440536717216) * c_12;
+  const Scalar b_12_11_11 = t51 - mu_12_11_z * t45 + Scalar(0.002838197420805067);
   const Scalar d_11 = Scalar(1.0) / b_12_11_11;
-  const Scalar t42 = t40 * d_11;
-  const Scalar t43 = qd_10 * omega_12_z;
-  const Scalar t44 = mu_u_12_11_t_y * t43;
-  const Scalar t45 = qd_10 * qd_11;
-  const Scalar t46 = s_11 * t45;
-  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.00023148988883634047) * t38 -
-      Scalar(4.675057075168632) * t44 - Scalar(0.001231440536717216) * t46 +
-      Scalar(4319.843104279097) * t26 * mu_u_12_11_t_y * mu_u_12_11_t_y;
-  const Scalar t47 = t36 - Scalar(3.01e-06) * t34 * t43;
-  const Scalar t48 = c_11 * t45;
-  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t31 +
-      Scalar(6.823068516838894e-08) * (t26 - U_11_xx) - Scalar(3.21970574695491e-07) * t46 -
-      Scalar(0.000031100056329612534) * t48 + s_12 * N_12_x - c_12 * t47;
-  const Scalar t49 = Scalar(0.1737624403145115) * s_10 + Scalar(6.823068516838894e-08) * t31 +
-      Scalar(0.0007940924716883453) * (t26 - U_11_yy) - Scalar(5.319629910867615) * t44 -
-      Scalar(0.004560056342646188) * t46 - Scalar(3.21970574695491e-07) * t48 + s_12 * t47 +
+  const Scalar t52 = t50 * d_11;
+  const Scalar t53 = qd_10 * omega_12_z;
+  const Scalar t54 = mu_u_12_11_t_y * t53;
+  const Scalar t55 = qd_10 * qd_11;
+  const Scalar t56 = s_11 * t55;
+  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.00023148988883634047) * t46 -
+      Scalar(4.675057075168632) * t54 - Scalar(0.001231440536717216) * t56 +
+      Scalar(4319.843104279097) * t31 * mu_u_12_11_t_y * mu_u_12_11_t_y;
+  const Scalar t57 = t44 - Scalar(3.01e-06) * t42 * t53;
+  const Scalar t58 = c_11 * t55;
+  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t38 +
+      Scalar(6.823068516838894e-08) * (t31 - t48) - Scalar(3.21970574695491e-07) * t56 -
+      Scalar(0.000031100056329612534) * t58 + s_12 * N_12_x - c_12 * t57;
+  const Scalar t59 = Scalar(0.1737624403145115) * s_10 + Scalar(6.823068516838894e-08) * t38 +
+      Scalar(0.0007940924716883453) * (t31 - t35) - Scalar(5.319629910867615) * t54 -
+      Scalar(0.004560056342646188) * t56 - Scalar(3.21970574695491e-07) * t58 + s_12 * t57 +
       c_12 * N_12_x;
-  const Scalar y_11_10 = Scalar(0.08509272390476785) * c_10 + tau_10 - t42 * y_12_11 + y_12 * t39 +
-      s_11 * mu_11_y - c_11 * t49;
-  const Scalar t50 = Scalar(0.0005396092213171668) * c_12 * c_12;
-  const Scalar Ic_11_xx = t50 + t41 + Scalar(0.0022644781431582876);
-  const Scalar Iu_11_t_d = t50 + Ic_11_xx - Scalar(0.0005396092213171668);
+  const Scalar y_11_10 = Scalar(0.08509272390476785) * c_10 + tau_10 - t52 * y_12_11 + y_12 * t49 +
+      s_11 * mu_11_y - c_11 * t59;
+  const Scalar t60 = Scalar(0.0005396092213171668) * c_12 * c_12;
+  const Scalar Ic_11_xx = t60 + t51 + Scalar(0.0022644781431582876);
+  const Scalar Iu_11_t_d = t60 + Ic_11_xx - Scalar(0.0005396092213171668);
   const Scalar Ic_11_xy = s_12 * (c_12 + Scalar(1.1410484551313946)) +
       Scalar(0.0002983367981643942);
   const Scalar Iu_11_t_g = s_11 * Iu_11_t_d + Scalar(0.0010792184426343335) * c_11 * Ic_11_xy;
-  const Scalar b_11_10_10 = Ic_11_xx - t40 * t42 - mu_u_12_11_t_y * t39 - s_11 * Iu_11_t_g +
+  const Scalar b_11_10_10 = Ic_11_xx - t50 * t52 - mu_u_12_11_t_y * t49 - s_11 * Iu_11_t_g +
       Scalar(0.00037588290370216287);
   const Scalar d_10 = Scalar(1.0) / b_11_10_10;
   const Scalar qdd_10 = d_10 * y_11_10;
   qdd[9] = qdd_10;
-  const Scalar t51 = qd_1 * qd_1;
-  const Scalar t52 = c_2 * t51;
-  const Scalar t53 = c_2 * t52;
-  const Scalar t54 = qd_2 * qd_2;
-  const Scalar U_2_yy = t54 + t53;
-  const Scalar t55 = Scalar(9.81) * c_1;
-  const Scalar ddp_o_3_y = Scalar(0.16) * U_2_yy + c_2 * t55;
-  const Scalar t56 = s_2 * t52;
-  const Scalar ddp_o_3_x = Scalar(0.16) * t56 + s_2 * t55;
-  const Scalar ddp_3_x = s_3 * ddp_o_3_y + c_3 * ddp_o_3_x;
-  const Scalar t57 = Scalar(0.00023148988883634047) * c_3;
-  const Scalar t58 = Scalar(0.00023148988883634047) * s_3;
-  const Scalar mu_u_3_2_t_y = s_2 * t57 + c_2 * t58;
-  const Scalar t59 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t60 = t51 * t59;
-  const Scalar t61 = mu_u_3_2_t_y * t60;
-  const Scalar N_3_z = Scalar(0.0038482516772413) * ddp_3_x - Scalar(2.3310271737123758) * t61;
+  const Scalar t61 = qd_1 * qd_1;
+  const Scalar t62 = c_2 * t61;
+  const Scalar t63 = c_2 * t62;
+  const Scalar t64 = qd_2 * qd_2;
+  const Scalar t65 = t64 + t63;
+  const Scalar t66 = Scalar(9.81) * c_1;
+  const Scalar t67 = s_3 * (Scalar(0.16) * t65 + c_2 * t66);
+  const Scalar t68 = s_2 * t62;
+  const Scalar t69 = t67 + c_3 * (Scalar(0.16) * t68 + s_2 * t66);
+  const Scalar t70 = Scalar(0.00023148988883634047) * c_3;
+  const Scalar t71 = Scalar(0.00023148988883634047) * s_3;
+  const Scalar mu_u_3_2_a_z = s_2 * t70 + c_2 * t71;
+  const Scalar t72 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t73 = t61 * t72;
+  const Scalar t74 = mu_u_3_2_a_z * t73;
+  const Scalar N_3_z = Scalar(0.0038482516772413) * t69 - Scalar(2.3310271737123758) * t74;
   const Scalar y_3 = tau_3 - N_3_z;
   const Scalar mu_3_2_z = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
-  const Scalar t62 = Scalar(1842.912968642313) * mu_3_2_z;
+  const Scalar t75 = Scalar(1842.912968642313) * mu_3_2_z;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t63 = omega_3_z * omega_3_z;
-  const Scalar U_3_yy = t63 + t59 * t60;
-  const Scalar U_2_xx = t54 + t51 - t53;
-  const Scalar U_2_xx_yy = U_2_xx - U_2_yy;
-  const Scalar y_3_2 = tau_2 - Scalar(0.0022644781431582876) * t56 -
-      Scalar(1.609852873477455e-07) * U_2_xx_yy - N_3_z - y_3 * t62 +
-      Scalar(0.000615720268358608) * s_3 * U_3_yy + Scalar(2.6598149554338075) * c_3 * t61 +
+  const Scalar t76 = omega_3_z * omega_3_z;
+  const Scalar t77 = s_3 * (t76 + t72 * t73);
+  const Scalar t78 = t64 + t61 - t63;
+  const Scalar y_3_2 = tau_2 - Scalar(0.0022644781431582876) * t68 -
+      Scalar(1.609852873477455e-07) * (t78 - t65) - N_3_z - y_3 * t75 +
+      Scalar(0.000615720268358608) * t77 + Scalar(2.6598149554338075) * c_3 * t74 +
       Scalar(0.000020065123418265) * c_1 * c_2 - Scalar(0.1737624403145115) * c_1 * s_2;
-  const Scalar t64 = Scalar(1842.912968642313) * mu_u_3_2_t_y;
-  const Scalar Ic_2_yz = t57 + Scalar(0.0007940924716883453);
-  const Scalar Ic_2_xz = t58 - Scalar(6.823068516838894e-08);
-  const Scalar t65 = mu_3_2_z * t64 - s_2 * Ic_2_yz - c_2 * Ic_2_xz;
-  const Scalar t66 = Scalar(0.001231440536717216) * c_3;
-  const Scalar b_3_2_2 = t66 - mu_3_2_z * t62 + Scalar(0.002838197420805067);
+  const Scalar t79 = Scalar(1842.912968642313) * mu_u_3_2_a_z;
+  const Scalar Ic_2_xz = t71 - Scalar(6.823068516838894e-08);
+  const Scalar t80 = mu_3_2_z * t79 - s_2 * (t70 + Scalar(0.0007940924716883453)) - c_2 * Ic_2_xz;
+  const Scalar t81 = Scalar(0.001231440536717216) * c_3;
+  const Scalar b_3_2_2 = t81 - mu_3_2_z * t75 + Scalar(0.002838197420805067);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t67 = t65 * d_2;
-  const Scalar t68 = qd_1 * omega_3_z;
-  const Scalar t69 = mu_u_3_2_t_y * t68;
-  const Scalar t70 = qd_1 * qd_2;
-  const Scalar t71 = s_2 * t70;
-  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 + Scalar(0.00023148988883634047) * t63 -
-      Scalar(4.675057075168632) * t69 - Scalar(0.001231440536717216) * t71 -
-      Scalar(4319.843104279097) * t51 * mu_u_3_2_t_y * mu_u_3_2_t_y;
-  const Scalar t72 = t61 + Scalar(3.01e-06) * t59 * t68;
-  const Scalar t73 = c_2 * t70;
-  const Scalar mu_2_y = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t56 -
-      Scalar(6.823068516838894e-08) * (t51 - U_2_xx) - Scalar(3.21970574695491e-07) * t71 +
-      Scalar(0.000031100056329612534) * t73 - s_3 * N_3_x - c_3 * t72;
-  const Scalar t74 = Scalar(0.1737624403145115) * s_1 + Scalar(6.823068516838894e-08) * t56 -
-      Scalar(0.0007940924716883453) * (t51 - U_2_yy) - Scalar(5.319629910867615) * t69 -
-      Scalar(0.004560056342646188) * t71 + Scalar(3.21970574695491e-07) * t73 - s_3 * t72 +
+  const Scalar t82 = t80 * d_2;
+  const Scalar t83 = qd_1 * omega_3_z;
+  const Scalar t84 = mu_u_3_2_a_z * t83;
+  const Scalar t85 = qd_1 * qd_2;
+  const Scalar t86 = s_2 * t85;
+  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 + Scalar(0.00023148988883634047) * t76 -
+      Scalar(4.675057075168632) * t84 - Scalar(0.001231440536717216) * t86 -
+      Scalar(4319.843104279097) * t61 * mu_u_3_2_a_z * mu_u_3_2_a_z;
+  const Scalar t87 = t74 + Scalar(3.01e-06) * t72 * t83;
+  const Scalar t88 = c_2 * t85;
+  const Scalar t89 = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t68 -
+      Scalar(6.823068516838894e-08) * (t61 - t78) - Scalar(3.21970574695491e-07) * t86 +
+      Scalar(0.000031100056329612534) * t88 - s_3 * N_3_x - c_3 * t87;
+  const Scalar t90 = Scalar(0.1737624403145115) * s_1 + Scalar(6.823068516838894e-08) * t68 -
+      Scalar(0.0007940924716883453) * (t61 - t65) - Scalar(5.319629910867615) * t84 -
+      Scalar(0.004560056342646188) * t86 + Scalar(3.21970574695491e-07) * t88 - s_3 * t87 +
       c_3 * N_3_x;
-  const Scalar t75 = Scalar(0.08509272390476785) * c_1 - tau_1 - t67 * y_3_2 + y_3 * t64 +
-      s_2 * mu_2_y + c_2 * t74;
-  const Scalar t76 = Scalar(0.0005396092213171668) * c_3 * c_3;
-  const Scalar Ic_2_xx = t76 + t66 + Scalar(0.0022644781431582876);
-  const Scalar Iu_2_t_d = t76 + Ic_2_xx - Scalar(0.0005396092213171668);
+  const Scalar t91 = Scalar(0.08509272390476785) * c_1 - tau_1 - t82 * y_3_2 + y_3 * t79 +
+      s_2 * t89 + c_2 * t90;
+  const Scalar t92 = Scalar(0.0005396092213171668) * c_3 * c_3;
+  const Scalar Ic_2_xx = t92 + t81 + Scalar(0.0022644781431582876);
+  const Scalar Iu_2_t_d = t92 + Ic_2_xx - Scalar(0.0005396092213171668);
   const Scalar Ic_2_xy = s_3 * (c_3 + Scalar(1.1410484551313946)) - Scalar(0.0002983367981643942);
   const Scalar Iu_2_t_g = s_2 * Iu_2_t_d + Scalar(0.0010792184426343335) * c_2 * Ic_2_xy;
-  const Scalar b_2_1_1 = Ic_2_xx - t65 * t67 - mu_u_3_2_t_y * t64 - s_2 * Iu_2_t_g +
+  const Scalar b_2_1_1 = Ic_2_xx - t80 * t82 - mu_u_3_2_a_z * t79 - s_2 * Iu_2_t_g +
       Scalar(0.00037588290370216287);
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t77 = d_1 * t75;
-  qdd[0] = -t77;
-  const Scalar t78 = qd_7 * qd_7;
-  const Scalar t79 = c_8 * t78;
-  const Scalar t80 = c_8 * t79;
-  const Scalar t81 = qd_8 * qd_8;
-  const Scalar U_8_yy = t81 + t80;
-  const Scalar t82 = Scalar(9.81) * c_7;
-  const Scalar ddp_o_9_y = Scalar(0.16) * U_8_yy + c_8 * t82;
-  const Scalar t83 = s_8 * t79;
-  const Scalar ddp_o_9_x = Scalar(0.16) * t83 + s_8 * t82;
-  const Scalar ddp_9_x = s_9 * ddp_o_9_y + c_9 * ddp_o_9_x;
-  const Scalar t84 = Scalar(0.00023148988883634047) * c_9;
-  const Scalar t85 = Scalar(0.00023148988883634047) * s_9;
-  const Scalar mu_u_9_8_t_y = s_8 * t84 + c_8 * t85;
-  const Scalar t86 = s_8 * s_9 - c_8 * c_9;
-  const Scalar t87 = t78 * t86;
-  const Scalar t88 = mu_u_9_8_t_y * t87;
-  const Scalar N_9_z = Scalar(0.0038482516772413) * ddp_9_x - Scalar(2.3310271737123758) * t88;
+  const Scalar t93 = d_1 * t91;
+  qdd[0] = -t93;
+  const Scalar t94 = qd_7 * qd_7;
+  const Scalar t95 = c_8 * t94;
+  const Scalar t96 = c_8 * t95;
+  const Scalar t97 = qd_8 * qd_8;
+  const Scalar t98 = t97 + t96;
+  const Scalar t99 = Scalar(9.81) * c_7;
+  const Scalar t100 = s_9 * (Scalar(0.16) * t98 + c_8 * t99);
+  const Scalar t101 = s_8 * t95;
+  const Scalar t102 = t100 + c_9 * (Scalar(0.16) * t101 + s_8 * t99);
+  const Scalar t103 = Scalar(0.00023148988883634047) * c_9;
+  const Scalar t104 = Scalar(0.00023148988883634047) * s_9;
+  const Scalar mu_u_9_8_a_z = s_8 * t103 + c_8 * t104;
+  const Scalar t105 = s_8 * s_9 - c_8 * c_9;
+  const Scalar t106 = t94 * t105;
+  const Scalar t107 = mu_u_9_8_a_z * t106;
+  const Scalar N_9_z = Scalar(0.0038482516772413) * t102 - Scalar(2.3310271737123758) * t107;
   const Scalar y_9 = tau_9 - N_9_z;
   const Scalar mu_9_8_z = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
-  const Scalar t89 = Scalar(1842.912968642313) * mu_9_8_z;
+  const Scalar t108 = Scalar(1842.912968642313) * mu_9_8_z;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t90 = omega_9_z * omega_9_z;
-  const Scalar U_9_yy = t90 + t86 * t87;
-  const Scalar U_8_xx = t81 + t78 - t80;
-  const Scalar U_8_xx_yy = U_8_xx - U_8_yy;
-  const Scalar y_9_8 = tau_8 - Scalar(0.0022644781431582876) * t83 -
-      Scalar(1.609852873477455e-07) * U_8_xx_yy - N_9_z - y_9 * t89 +
-      Scalar(0.000615720268358608) * s_9 * U_9_yy + Scalar(2.6598149554338075) * c_9 * t88 +
+  const Scalar t109 = omega_9_z * omega_9_z;
+  const Scalar t110 = s_9 * (t109 + t105 * t106);
+  const Scalar t111 = t97 + t94 - t96;
+  const Scalar y_9_8 = tau_8 - Scalar(0.0022644781431582876) * t101 -
+      Scalar(1.609852873477455e-07) * (t111 - t98) - N_9_z - y_9 * t108 +
+      Scalar(0.000615720268358608) * t110 + Scalar(2.6598149554338075) * c_9 * t107 +
       Scalar(0.000020065123418265) * c_7 * c_8 - Scalar(0.1737624403145115) * c_7 * s_8;
-  const Scalar t91 = Scalar(1842.912968642313) * mu_u_9_8_t_y;
-  const Scalar Ic_8_yz = t84 + Scalar(0.0007940924716883453);
-  const Scalar Ic_8_xz = t85 - Scalar(6.823068516838894e-08);
-  const Scalar t92 = mu_9_8_z * t91 - s_8 * Ic_8_yz - c_8 * Ic_8_xz;
-  const Scalar t93 = Scalar(0.001231440536717216) * c_9;
-  const Scalar b_9_8_8 = t93 - mu_9_8_z * t89 + Scalar(0.002838197420805067);
+  const Scalar t112 = Scalar(1842.912968642313) * mu_u_9_8_a_z;
+  const Scalar Ic_8_xz = t104 - Scalar(6.823068516838894e-08);
+  const Scalar t113 = mu_9_8_z * t112 - s_8 * (t103 + Scalar(0.0007940924716883453)) -
+      c_8 * Ic_8_xz;
+  const Scalar t114 = Scalar(0.001231440536717216) * c_9;
+  const Scalar b_9_8_8 = t114 - mu_9_8_z * t108 + Scalar(0.002838197420805067);
   const Scalar d_8 = Scalar(1.0) / b_9_8_8;
-  const Scalar t94 = t92 * d_8;
-  const Scalar t95 = qd_7 * omega_9_z;
-  const Scalar t96 = mu_u_9_8_t_y * t95;
-  const Scalar t97 = qd_7 * qd_8;
-  const Scalar t98 = s_8 * t97;
-  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 + Scalar(0.00023148988883634047) * t90 -
-      Scalar(4.675057075168632) * t96 - Scalar(0.001231440536717216) * t98 -
-      Scalar(4319.843104279097) * t78 * mu_u_9_8_t_y * mu_u_9_8_t_y;
-  const Scalar t99 = t88 + Scalar(3.01e-06) * t86 * t95;
-  const Scalar t100 = c_8 * t97;
-  const Scalar mu_8_y = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t83 -
-      Scalar(6.823068516838894e-08) * (t78 - U_8_xx) - Scalar(3.21970574695491e-07) * t98 +
-      Scalar(0.000031100056329612534) * t100 - s_9 * N_9_x - c_9 * t99;
-  const Scalar t101 = Scalar(0.1737624403145115) * s_7 + Scalar(6.823068516838894e-08) * t83 -
-      Scalar(0.0007940924716883453) * (t78 - U_8_yy) - Scalar(5.319629910867615) * t96 -
-      Scalar(0.004560056342646188) * t98 + Scalar(3.21970574695491e-07) * t100 - s_9 * t99 +
+  const Scalar t115 = t113 * d_8;
+  const Scalar t116 = qd_7 * omega_9_z;
+  const Scalar t117 = mu_u_9_8_a_z * t116;
+  const Scalar t118 = qd_7 * qd_8;
+  const Scalar t119 = s_8 * t118;
+  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 + Scalar(0.00023148988883634047) * t109 -
+      Scalar(4.675057075168632) * t117 - Scalar(0.001231440536717216) * t119 -
+      Scalar(4319.843104279097) * t94 * mu_u_9_8_a_z * mu_u_9_8_a_z;
+  const Scalar t120 = t107 + Scalar(3.01e-06) * t105 * t116;
+  const Scalar t121 = c_8 * t118;
+  const Scalar t122 = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t101 -
+      Scalar(6.823068516838894e-08) * (t94 - t111) - Scalar(3.21970574695491e-07) * t119 +
+      Scalar(0.000031100056329612534) * t121 - s_9 * N_9_x - c_9 * t120;
+  const Scalar t123 = Scalar(0.1737624403145115) * s_7 + Scalar(6.823068516838894e-08) * t101 -
+      Scalar(0.0007940924716883453) * (t94 - t98) - Scalar(5.319629910867615) * t117 -
+      Scalar(0.004560056342646188) * t119 + Scalar(3.21970574695491e-07) * t121 - s_9 * t120 +
       c_9 * N_9_x;
-  const Scalar t102 = Scalar(0.08509272390476785) * c_7 - tau_7 - t94 * y_9_8 + y_9 * t91 +
-      s_8 * mu_8_y + c_8 * t101;
-  const Scalar t103 = Scalar(0.0005396092213171668) * c_9 * c_9;
-  const Scalar Ic_8_xx = t103 + t93 + Scalar(0.0022644781431582876);
-  const Scalar Iu_8_t_d = t103 + Ic_8_xx - Scalar(0.0005396092213171668);
+  const Scalar t124 = Scalar(0.08509272390476785) * c_7 - tau_7 - t115 * y_9_8 + y_9 * t112 +
+      s_8 * t122 + c_8 * t123;
+  const Scalar t125 = Scalar(0.0005396092213171668) * c_9 * c_9;
+  const Scalar Ic_8_xx = t125 + t114 + Scalar(0.0022644781431582876);
+  const Scalar Iu_8_t_d = t125 + Ic_8_xx - Scalar(0.0005396092213171668);
   const Scalar Ic_8_xy = s_9 * (c_9 + Scalar(1.1410484551313946)) - Scalar(0.0002983367981643942);
   const Scalar Iu_8_t_g = s_8 * Iu_8_t_d + Scalar(0.0010792184426343335) * c_8 * Ic_8_xy;
-  const Scalar b_8_7_7 = Ic_8_xx - t92 * t94 - mu_u_9_8_t_y * t91 - s_8 * Iu_8_t_g +
+  const Scalar b_8_7_7 = Ic_8_xx - t113 * t115 - mu_u_9_8_a_z * t112 - s_8 * Iu_8_t_g +
       Scalar(0.00037588290370216287);
   const Scalar d_7 = Scalar(1.0) / b_8_7_7;
-  const Scalar t104 = d_7 * t102;
-  qdd[6] = -t104;
-  const Scalar qdd_2 = d_2 * (y_3_2 - t65 * t77);
+  const Scalar t126 = d_7 * t124;
+  qdd[6] = -t126;
+  const Scalar qdd_2 = d_2 * (y_3_2 - t80 * t93);
   qdd[1] = qdd_2;
-  const Scalar qdd_5 = d_5 * (y_6_5 - t15 * qdd_4);
+  const Scalar qdd_5 = d_5 * (y_6_5 - t20 * qdd_4);
   qdd[4] = qdd_5;
-  const Scalar qdd_8 = d_8 * (y_9_8 - t92 * t104);
+  const Scalar qdd_8 = d_8 * (y_9_8 - t113 * t126);
   qdd[7] = qdd_8;
-  const Scalar qdd_11 = d_11 * (y_12_11 - t40 * qdd_10);
+  const Scalar qdd_11 = d_11 * (y_12_11 - t50 * qdd_10);
   qdd[10] = qdd_11;
-  qdd[2] = Scalar(1842.912968642313) * (y_3 - mu_3_2_z * qdd_2) + t64 * t77;
-  qdd[5] = Scalar(1842.912968642313) * (y_6 - mu_6_5_z * qdd_5) + t14 * qdd_4;
-  qdd[8] = Scalar(1842.912968642313) * (y_9 - mu_9_8_z * qdd_8) + t91 * t104;
-  qdd[11] = Scalar(1842.912968642313) * (y_12 - mu_12_11_z * qdd_11) + t39 * qdd_10;
+  qdd[2] = Scalar(1842.912968642313) * (y_3 - mu_3_2_z * qdd_2) + t79 * t93;
+  qdd[5] = Scalar(1842.912968642313) * (y_6 - mu_6_5_z * qdd_5) + t19 * qdd_4;
+  qdd[8] = Scalar(1842.912968642313) * (y_9 - mu_9_8_z * qdd_8) + t112 * t126;
+  qdd[11] = Scalar(1842.912968642313) * (y_12 - mu_12_11_z * qdd_11) + t49 * qdd_10;
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_5_4_4 > Scalar(0.0);
@@ -1743,7 +1662,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   return positive;
 }
 
-// kinetic energy of links and rotors (7.31).
+// Kinetic energy of links and rotors (7.31).
 //   q[12]   in  joint positions, rad or m
 //   qd[12]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
@@ -1766,29 +1685,25 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
   const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
   const Scalar t1 = c_11 * qd_10;
   const Scalar t2 = s_11 * qd_10;
-  const Scalar omega_r_12_y = s_12 * t1 + c_12 * t2;
-  const Scalar t3 = Scalar(0.00023148988883634047) * omega_r_12_y;
+  const Scalar t3 = Scalar(0.00023148988883634047) * (s_12 * t1 + c_12 * t2);
   const Scalar omega_12_z = qd_11 + qd_12;
   const Scalar t4 = omega_12_z * (Scalar(0.0005426192213171668) * omega_12_z +
       Scalar(0.001231440536717216) * c_12 * qd_11 - t3);
   const Scalar t5 = c_8 * qd_7;
   const Scalar t6 = s_8 * qd_7;
-  const Scalar omega_r_9_y = s_9 * t5 + c_9 * t6;
-  const Scalar t7 = Scalar(0.00023148988883634047) * omega_r_9_y;
+  const Scalar t7 = Scalar(0.00023148988883634047) * (s_9 * t5 + c_9 * t6);
   const Scalar omega_9_z = qd_8 + qd_9;
   const Scalar L_9_z = Scalar(0.0005426192213171668) * omega_9_z +
       Scalar(0.001231440536717216) * c_9 * qd_8 + t7;
   const Scalar t8 = c_5 * qd_4;
   const Scalar t9 = s_5 * qd_4;
-  const Scalar omega_r_6_y = s_6 * t8 + c_6 * t9;
-  const Scalar t10 = Scalar(0.00023148988883634047) * omega_r_6_y;
+  const Scalar t10 = Scalar(0.00023148988883634047) * (s_6 * t8 + c_6 * t9);
   const Scalar omega_6_z = qd_5 + qd_6;
   const Scalar t11 = omega_6_z * (Scalar(0.0005426192213171668) * omega_6_z +
       Scalar(0.001231440536717216) * c_6 * qd_5 - t10);
   const Scalar t12 = c_2 * qd_1;
   const Scalar t13 = s_2 * qd_1;
-  const Scalar omega_r_3_y = s_3 * t12 + c_3 * t13;
-  const Scalar t14 = Scalar(0.00023148988883634047) * omega_r_3_y;
+  const Scalar t14 = Scalar(0.00023148988883634047) * (s_3 * t12 + c_3 * t13);
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar L_3_z = Scalar(0.0005426192213171668) * omega_3_z +
       Scalar(0.001231440536717216) * c_3 * qd_2 + t14;
@@ -1801,36 +1716,37 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
   const Scalar t18 = s_3 * t13 - c_3 * t12;
   const Scalar L_3_x = Scalar(0.001231440536717216) * t12 - Scalar(0.0005396092213171668) * t18;
   const Scalar L_11_y = Scalar(0.0007940924716883453) * qd_11 + Scalar(1.609852873477455e-07) * t1;
-  const Scalar L_11_x = Scalar(6.823068516838894e-08) * qd_11 + Scalar(1.609852873477455e-07) * t2 -
-      Scalar(0.0022644781431582876) * t1;
+  const Scalar t19 = t1 * (Scalar(6.823068516838894e-08) * qd_11 +
+      Scalar(1.609852873477455e-07) * t2 - Scalar(0.0022644781431582876) * t1);
   const Scalar L_11_z = Scalar(0.0022955781994879005) * qd_11 - Scalar(0.0007940924716883453) * t2 -
       Scalar(6.823068516838894e-08) * t1;
-  const Scalar L_8_y = Scalar(0.0007940924716883453) * qd_8 + Scalar(1.609852873477455e-07) * t5;
-  const Scalar L_8_x = Scalar(6.823068516838894e-08) * qd_8 - Scalar(1.609852873477455e-07) * t6 -
-      Scalar(0.0022644781431582876) * t5;
+  const Scalar t20 = t6 * (Scalar(0.0007940924716883453) * qd_8 +
+      Scalar(1.609852873477455e-07) * t5);
+  const Scalar t21 = t5 * (Scalar(6.823068516838894e-08) * qd_8 -
+      Scalar(1.609852873477455e-07) * t6 - Scalar(0.0022644781431582876) * t5);
   const Scalar L_8_z = Scalar(0.0022955781994879005) * qd_8 + Scalar(0.0007940924716883453) * t6 -
       Scalar(6.823068516838894e-08) * t5;
   const Scalar L_5_y = Scalar(0.0007940924716883453) * qd_5 + Scalar(1.609852873477455e-07) * t8;
-  const Scalar L_5_x = Scalar(6.823068516838894e-08) * qd_5 + Scalar(1.609852873477455e-07) * t9 -
-      Scalar(0.0022644781431582876) * t8;
+  const Scalar t22 = t8 * (Scalar(6.823068516838894e-08) * qd_5 +
+      Scalar(1.609852873477455e-07) * t9 - Scalar(0.0022644781431582876) * t8);
   const Scalar L_5_z = Scalar(0.0022955781994879005) * qd_5 - Scalar(0.0007940924716883453) * t9 -
       Scalar(6.823068516838894e-08) * t8;
-  const Scalar L_2_y = Scalar(0.0007940924716883453) * qd_2 + Scalar(1.609852873477455e-07) * t12;
-  const Scalar L_2_x = Scalar(6.823068516838894e-08) * qd_2 - Scalar(1.609852873477455e-07) * t13 -
-      Scalar(0.0022644781431582876) * t12;
+  const Scalar t23 = t13 * (Scalar(0.0007940924716883453) * qd_2 +
+      Scalar(1.609852873477455e-07) * t12);
+  const Scalar t24 = t12 * (Scalar(6.823068516838894e-08) * qd_2 -
+      Scalar(1.609852873477455e-07) * t13 - Scalar(0.0022644781431582876) * t12);
   const Scalar L_2_z = Scalar(0.0022955781994879005) * qd_2 + Scalar(0.0007940924716883453) * t13 -
       Scalar(6.823068516838894e-08) * t12;
-  const Scalar T_2 = t4 - omega_12_z * t3 - t15 * L_12_x - t2 * L_11_y - t1 * L_11_x +
-      qd_11 * L_11_z + Scalar(0.00037588290370216287) * qd_10 * qd_10 + omega_9_z * L_9_z +
-      omega_9_z * t7 - t16 * L_9_x + t6 * L_8_y - t5 * L_8_x + qd_8 * L_8_z +
-      Scalar(0.00037588290370216287) * qd_7 * qd_7 + t11 - omega_6_z * t10 - t17 * L_6_x -
-      t9 * L_5_y - t8 * L_5_x + qd_5 * L_5_z + Scalar(0.00037588290370216287) * qd_4 * qd_4 +
-      omega_3_z * L_3_z + omega_3_z * t14 - t18 * L_3_x + t13 * L_2_y - t12 * L_2_x + qd_2 * L_2_z +
-      Scalar(0.00037588290370216287) * qd_1 * qd_1;
+  const Scalar T_2 = t4 - omega_12_z * t3 - t15 * L_12_x - t2 * L_11_y - t19 + qd_11 * L_11_z +
+      Scalar(0.00037588290370216287) * qd_10 * qd_10 + omega_9_z * L_9_z + omega_9_z * t7 -
+      t16 * L_9_x + t20 - t21 + qd_8 * L_8_z + Scalar(0.00037588290370216287) * qd_7 * qd_7 + t11 -
+      omega_6_z * t10 - t17 * L_6_x - t9 * L_5_y - t22 + qd_5 * L_5_z +
+      Scalar(0.00037588290370216287) * qd_4 * qd_4 + omega_3_z * L_3_z + omega_3_z * t14 -
+      t18 * L_3_x + t23 - t24 + qd_2 * L_2_z + Scalar(0.00037588290370216287) * qd_1 * qd_1;
   return Scalar(0.5) * T_2;
 }
 
-// potential energy of links and rotors (7.36).
+// Potential energy of links and rotors (7.36).
 //   q[12]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0..11]. Operations: 22 mul, 19 add, 24 sin/cos.
@@ -1853,17 +1769,17 @@ inline Scalar potential_energy(const Scalar* q) noexcept {
   const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
   const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
   const Scalar hc_11_y = Scalar(0.0038482516772413) * c_12 + Scalar(0.01771278698415);
-  const Scalar hc_11_x = Scalar(0.0038482516772413) * s_12 + Scalar(2.0453744565e-06);
-  const Scalar t1 = c_10 * (c_11 * hc_11_y - s_11 * hc_11_x);
+  const Scalar t1 = c_10 * (c_11 * hc_11_y -
+      s_11 * (Scalar(0.0038482516772413) * s_12 + Scalar(2.0453744565e-06)));
   const Scalar hc_8_y = Scalar(0.0038482516772413) * c_9 + Scalar(0.01771278698415);
-  const Scalar hc_8_x = Scalar(0.0038482516772413) * s_9 - Scalar(2.0453744565e-06);
-  const Scalar t2 = c_7 * (c_8 * hc_8_y - s_8 * hc_8_x);
+  const Scalar t2 = c_7 * (c_8 * hc_8_y -
+      s_8 * (Scalar(0.0038482516772413) * s_9 - Scalar(2.0453744565e-06)));
   const Scalar hc_5_y = Scalar(0.0038482516772413) * c_6 + Scalar(0.01771278698415);
-  const Scalar hc_5_x = Scalar(0.0038482516772413) * s_6 + Scalar(2.0453744565e-06);
-  const Scalar t3 = c_4 * (c_5 * hc_5_y - s_5 * hc_5_x);
+  const Scalar t3 = c_4 * (c_5 * hc_5_y -
+      s_5 * (Scalar(0.0038482516772413) * s_6 + Scalar(2.0453744565e-06)));
   const Scalar hc_2_y = Scalar(0.0038482516772413) * c_3 + Scalar(0.01771278698415);
-  const Scalar hc_2_x = Scalar(0.0038482516772413) * s_3 - Scalar(2.0453744565e-06);
-  const Scalar t4 = c_1 * (c_2 * hc_2_y - s_2 * hc_2_x);
+  const Scalar t4 = c_1 * (c_2 * hc_2_y -
+      s_2 * (Scalar(0.0038482516772413) * s_3 - Scalar(2.0453744565e-06)));
   const Scalar t5 = (s_7 - s_10) + (s_1 - s_4);
   return Scalar(9.81) * (Scalar(0.0086740799087429) * t5 - t1 - t2 - t3 - t4);
 }
@@ -1874,7 +1790,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
     1, 1, 1,
     1, 1, 1};
 
-// pose of the tip (2.50).
+// Pose of the tip (2.50).
 //   q[12]  in   joint positions, rad or m
 //   R[9]   out  rotation matrix of the frame in the base frame
 //               3 x 3, row by row: entry (i, j) is R[3 * i + j]
@@ -1894,22 +1810,18 @@ inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
   const Scalar n_11_t_x = t1 + s_11 * c_12;
   R[2] = n_11_t_x;
   const Scalar t2 = s_11 * s_12;
-  const Scalar n_11_t_y = c_11 * c_12 - t2;
-  R[0] = n_11_t_y;
+  const Scalar n_11_a_z = c_11 * c_12 - t2;
+  R[0] = n_11_a_z;
   R[3] = s_10 * n_11_t_x;
-  R[8] = c_10 * n_11_t_y;
+  R[8] = c_10 * n_11_a_z;
   R[6] = -c_10 * n_11_t_x;
-  R[5] = -s_10 * n_11_t_y;
+  R[5] = -s_10 * n_11_a_z;
   const Scalar p_12_y = Scalar(0.16) * c_12 + Scalar(0.16);
   const Scalar p_11u_t_y = Scalar(0.16) * t1 + s_11 * p_12_y;
-  const Scalar p_10_x = p_11u_t_y + Scalar(0.1946);
-  p[0] = -p_10_x;
-  const Scalar p_11u_t_x = Scalar(0.16) * t2 - c_11 * p_12_y;
-  const Scalar p_10u_t_y = Scalar(0.05945) * s_10 - c_10 * p_11u_t_x;
-  p[2] = -p_10u_t_y;
-  const Scalar p_10u_t_x = Scalar(0.05945) * c_10 + s_10 * p_11u_t_x;
-  const Scalar p_10_y = p_10u_t_x + Scalar(0.0875);
-  p[1] = -p_10_y;
+  p[0] = -p_11u_t_y - Scalar(0.1946);
+  const Scalar t3 = Scalar(0.16) * t2 - c_11 * p_12_y;
+  p[2] = c_10 * t3 - Scalar(0.05945) * s_10;
+  p[1] = -(Scalar(0.05945) * c_10 + s_10 * t3) - Scalar(0.0875);
   R[1] = Scalar(0.0);
 }
 
@@ -1922,7 +1834,7 @@ inline constexpr bool jacobian_nonzero[72] = {
     0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1,
     0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1};
 
-// geometric Jacobian of the tip (7.14), (7.15).
+// Geometric Jacobian of the tip (7.14), (7.15).
 //   q[12]  in   joint positions, rad or m
 //   J[72]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 12, row by row: entry (i, j) is J[12 * i + j]
@@ -1939,22 +1851,20 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
   J[70] = J[71] = s_10;
   const Scalar p_12_y = Scalar(0.16) * c_12 + Scalar(0.16);
   const Scalar t1 = Scalar(0.16) * c_11;
-  const Scalar r_10_x = s_11 * p_12_y + s_12 * t1;
-  J[34] = c_10 * r_10_x;
-  const Scalar t2 = Scalar(0.16) * s_11;
-  const Scalar t3 = s_12 * t2 - c_11 * p_12_y;
-  const Scalar p_10u_t_y = Scalar(0.05945) * s_10 - c_10 * t3;
-  J[21] = p_10u_t_y;
-  J[22] = -s_10 * r_10_x;
-  const Scalar t4 = t2 - r_10_x;
-  J[23] = s_10 * t4;
-  const Scalar r_10_y = Scalar(0.05945) * c_10 + s_10 * t3;
-  J[33] = -r_10_y;
-  J[35] = -c_10 * t4;
-  J[10] = s_10 * r_10_y - c_10 * p_10u_t_y;
-  const Scalar r_12_y = r_10_y + s_10 * t1;
-  const Scalar r_12_z = p_10u_t_y - c_10 * t1;
-  J[11] = s_10 * r_12_y - c_10 * r_12_z;
+  const Scalar t2 = s_11 * p_12_y + s_12 * t1;
+  J[34] = c_10 * t2;
+  const Scalar t3 = Scalar(0.16) * s_11;
+  const Scalar t4 = s_12 * t3 - c_11 * p_12_y;
+  const Scalar J_P10_y = Scalar(0.05945) * s_10 - c_10 * t4;
+  J[21] = J_P10_y;
+  J[22] = -s_10 * t2;
+  const Scalar t5 = t3 - t2;
+  J[23] = s_10 * t5;
+  const Scalar t6 = Scalar(0.05945) * c_10 + s_10 * t4;
+  J[33] = -t6;
+  J[35] = -c_10 * t5;
+  J[10] = s_10 * t6 - c_10 * J_P10_y;
+  J[11] = s_10 * (t6 + s_10 * t1) - c_10 * (J_P10_y - c_10 * t1);
   J[0] = J[1] = J[2] = J[3] = J[4] = J[5] = J[6] = J[7] = Scalar(0.0);
   J[8] = J[9] = J[12] = J[13] = J[14] = J[15] = J[16] = J[17] = Scalar(0.0);
   J[18] = J[19] = J[20] = J[24] = J[25] = J[26] = J[27] = J[28] = Scalar(0.0);
@@ -1988,29 +1898,29 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexce
   const Scalar t5 = c_11 * c_12;
   const Scalar t6 = t4 - t5;
   const Scalar t7 = t6 * t2;
-  const Scalar domega_e_12_t_y = s_12 * t3 - c_12 * t7;
-  const Scalar domega_e_12_t_x = s_12 * t7 + c_12 * t3;
-  a[3] = s_11 * domega_e_12_t_y - c_11 * domega_e_12_t_x;
-  const Scalar domega_e_11_t_x = s_11 * domega_e_12_t_x + c_11 * domega_e_12_t_y;
-  a[5] = c_10 * domega_e_11_t_x;
-  a[4] = -s_10 * domega_e_11_t_x;
-  const Scalar t8 = qd_10 * qd_10;
-  const Scalar t9 = c_11 * t8;
-  const Scalar U_11_yy = qd_11 * qd_11 + c_11 * t9;
-  const Scalar t10 = s_12 * U_11_yy - t8 * (t6 * t1 - s_11 * t5);
-  const Scalar t11 = Scalar(0.16) * s_12;
-  const Scalar t12 = t8 * t6 * t6;
-  const Scalar t13 = t12 + omega_12_z * omega_12_z - t9 * t4 + c_12 * U_11_yy;
-  const Scalar t14 = Scalar(0.16) * c_12;
-  const Scalar a_12_t_y = t10 * t11 + t13 * t14;
-  const Scalar t15 = t13 * t11 - t10 * t14;
-  a[0] = s_11 * a_12_t_y + c_11 * t15;
-  const Scalar t16 = s_11 * t15 - c_11 * a_12_t_y;
-  const Scalar U_12_zz = t12 + t8 * t1 * t1;
-  const Scalar t17 = Scalar(0.05945) * U_12_zz - Scalar(0.32) * s_11 * qd_10 * qd_11 -
+  const Scalar t8 = s_12 * t3 - c_12 * t7;
+  const Scalar t9 = s_12 * t7 + c_12 * t3;
+  a[3] = s_11 * t8 - c_11 * t9;
+  const Scalar t10 = s_11 * t9 + c_11 * t8;
+  a[5] = c_10 * t10;
+  a[4] = -s_10 * t10;
+  const Scalar t11 = qd_10 * qd_10;
+  const Scalar t12 = c_11 * t11;
+  const Scalar t13 = qd_11 * qd_11 + c_11 * t12;
+  const Scalar t14 = s_12 * t13 - t11 * (t6 * t1 - s_11 * t5);
+  const Scalar t15 = Scalar(0.16) * s_12;
+  const Scalar t16 = t11 * t6 * t6;
+  const Scalar t17 = t16 + omega_12_z * omega_12_z - t12 * t4 + c_12 * t13;
+  const Scalar t18 = Scalar(0.16) * c_12;
+  const Scalar t19 = t14 * t15 + t17 * t18;
+  const Scalar t20 = t17 * t15 - t14 * t18;
+  a[0] = s_11 * t19 + c_11 * t20;
+  const Scalar t21 = s_11 * t20 - c_11 * t19;
+  const Scalar t22 = t16 + t11 * t1 * t1;
+  const Scalar t23 = Scalar(0.05945) * t22 - Scalar(0.32) * s_11 * qd_10 * qd_11 -
       Scalar(0.32) * t3;
-  a[1] = s_10 * t16 + c_10 * t17;
-  a[2] = s_10 * t17 - c_10 * t16;
+  a[1] = s_10 * t21 + c_10 * t23;
+  a[2] = s_10 * t23 - c_10 * t21;
 }
 
 }  // namespace quadruped12

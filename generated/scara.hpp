@@ -12,8 +12,9 @@
 //
 // Gravity is (0, 0, -g) m/s^2 in the base frame. The tip belongs to link "link4".
 //
-// Every function is a template over its scalar: float, double, or any type that has + - * / and
-// sin, cos where argument-dependent lookup finds them. Arguments are plain arrays:
+// Every function is a template over its scalar: float, double, or any type that is made from a
+// double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
+// finds them. Arguments are plain arrays:
 //
 //   scara::Parameters<> parameters = {};  // then set its members
 //   double q[4] = {}, qd[4] = {}, qdd[4] = {}, tau[4];
@@ -23,7 +24,9 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2.
+// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
+// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
+// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_SCARA_HPP
 #define FLATDYN_SCARA_HPP
@@ -125,7 +128,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   tau[0] = mu_2_z + I_m2 * t9 + t12 + qdd_1 * t14;
 }
 
-// inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+// Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
 //   q[4]    in   joint positions, rad or m
 //   qd[4]   in   joint velocities, rad/s or m/s
 //   qdd[4]  in   joint accelerations, rad/s^2 or m/s^2
@@ -185,11 +188,11 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t14 = a_1 * m_3;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t15 = (s_2 * qdd_1 - c_2 * t11) * t14;
-  const Scalar f_2_x = s_4 * f_e4_y + c_4 * t6 - t15 + omega_2_z * omega_2_z * t10;
-  const Scalar t16 = s_2 * f_2_x + c_2 * (t7 - t12 * t14 - domega_2_z * t10);
-  const Scalar t17 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
-  const Scalar t18 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t17 + I_m1 * k_r1 * k_r1;
-  tau[0] = mu_2_z + I_m2 * t13 - a_1 * t16 + qdd_1 * t18;
+  const Scalar t16 = s_4 * f_e4_y + c_4 * t6 - t15 + omega_2_z * omega_2_z * t10;
+  const Scalar t17 = s_2 * t16 + c_2 * (t7 - t12 * t14 - domega_2_z * t10);
+  const Scalar t18 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
+  const Scalar t19 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t18 + I_m1 * k_r1 * k_r1;
+  tau[0] = mu_2_z + I_m2 * t13 - a_1 * t17 + qdd_1 * t19;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -199,7 +202,7 @@ inline constexpr bool inertia_matrix_nonzero[16] = {
     1, 1, 1, 0,
     1, 1, 0, 1};
 
-// joint-space inertia matrix B(q) (7.32).
+// Joint-space inertia matrix B(q) (7.32).
 //   q[4]   in   joint positions, rad or m
 //   B[16]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //               4 x 4, row by row: entry (i, j) is B[4 * i + j]
@@ -312,7 +315,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
   C[11] = C[12] = C[13] = C[14] = C[15] = Scalar(0.0);
 }
 
-// gravity torques g(q) (7.39).
+// Gravity torques g(q) (7.39).
 //   q[4]  in   joint positions, rad or m
 //   g[4]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads parameters.g, parameters.m_l3, parameters.m_l4, parameters.m_m4. Operations: 1 mul, 2 add.
@@ -359,8 +362,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 //   qd[4]   in   joint velocities, rad/s or m/s
 //   tau[4]  in   joint torques or forces, N m or N
 //   qdd[4]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns true, or false if the result means nothing: a pivot was not positive, or an input not a
-// number.
+// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[1], qd[0..1], tau[0..3], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1,
 // parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.a_2, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2,
@@ -430,7 +432,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   return positive;
 }
 
-// kinetic energy of links and rotors (7.31).
+// Kinetic energy of links and rotors (7.31).
 //   q[4]   in  joint positions, rad or m
 //   qd[4]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
@@ -477,7 +479,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
   return Scalar(0.5) * T_2;
 }
 
-// potential energy of links and rotors (7.36).
+// Potential energy of links and rotors (7.36).
 //   q[4]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[2], parameters.g, parameters.m_l3, parameters.m_l4, parameters.m_m4. Operations: 2 mul, 2
@@ -497,7 +499,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
     1, 1, 0,
     0, 0, 1};
 
-// pose of the tip (2.50).
+// Pose of the tip (2.50).
 //   q[4]  in   joint positions, rad or m
 //   R[9]  out  rotation matrix of the frame in the base frame
 //              3 x 3, row by row: entry (i, j) is R[3 * i + j]
@@ -538,7 +540,7 @@ inline constexpr bool jacobian_nonzero[24] = {
     0, 0, 0, 0,
     1, 1, 0, 1};
 
-// geometric Jacobian of the tip (7.14), (7.15).
+// Geometric Jacobian of the tip (7.14), (7.15).
 //   q[4]   in   joint positions, rad or m
 //   J[24]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 4, row by row: entry (i, j) is J[4 * i + j]
@@ -563,8 +565,8 @@ inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
   const Scalar t4 = p_1u_t_y - a_1 * s_1;
   J[1] = -t4;
   J[7] = a_2 * (s_1 * s_2 - c_1 * c_2) - t3;
-  const Scalar R_20_y = s_1 * c_2 + c_1 * s_2;
-  J[3] = a_2 * R_20_y - t4;
+  const Scalar R_21_x = s_1 * c_2 + c_1 * s_2;
+  J[3] = a_2 * R_21_x - t4;
   J[10] = J[20] = J[21] = J[23] = Scalar(1.0);
   J[2] = J[6] = J[8] = J[9] = J[11] = J[12] = J[13] = J[14] = Scalar(0.0);
   J[15] = J[16] = J[17] = J[18] = J[19] = J[22] = Scalar(0.0);
@@ -589,16 +591,16 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar t1 = qd_1 * a_1 * qd_1;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar ddp_o_4_x = a_2 * omega_2_z * omega_2_z + c_2 * t1;
-  const Scalar t2 = s_2 * t1;
-  const Scalar ddp_4_y = s_4 * ddp_o_4_x + c_4 * t2;
-  const Scalar t3 = s_4 * t2 - c_4 * ddp_o_4_x;
-  const Scalar a_4_t_x = s_4 * ddp_4_y - c_4 * t3;
-  const Scalar a_4_t_y = s_4 * t3 + c_4 * ddp_4_y;
-  const Scalar t4 = s_2 * a_4_t_x - c_2 * a_4_t_y;
-  const Scalar a_2_t_x = s_2 * a_4_t_y + c_2 * a_4_t_x;
-  a[0] = s_1 * t4 - c_1 * a_2_t_x;
-  a[1] = -s_1 * a_2_t_x - c_1 * t4;
+  const Scalar t2 = a_2 * omega_2_z * omega_2_z + c_2 * t1;
+  const Scalar t3 = s_2 * t1;
+  const Scalar ddp_4_y = s_4 * t2 + c_4 * t3;
+  const Scalar t4 = s_4 * t3 - c_4 * t2;
+  const Scalar t5 = s_4 * ddp_4_y - c_4 * t4;
+  const Scalar a_4_t_y = s_4 * t4 + c_4 * ddp_4_y;
+  const Scalar t6 = s_2 * t5 - c_2 * a_4_t_y;
+  const Scalar t7 = s_2 * a_4_t_y + c_2 * t5;
+  a[0] = s_1 * t6 - c_1 * t7;
+  a[1] = -s_1 * t7 - c_1 * t6;
   a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
 

@@ -42,6 +42,11 @@ OptimisedFunction make_function(const Mechanism& mechanism, const std::string& n
   return best;
 }
 
+ExitCode code_of(const Diagnostics& errors) {
+  if (errors.only_on_command_line()) return ExitCode::usage;
+  return errors.only_unsupported() ? ExitCode::unsupported : ExitCode::input;
+}
+
 std::vector<std::string> names_of_functions(bool on_request) {
   std::vector<std::string> names;
   for (const FunctionEntry& entry : function_table()) {
@@ -57,8 +62,7 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   std::optional<Robot> robot = read_robot(path, options.read, diagnostics);
   const bool refused_warnings = options.warnings_are_errors && diagnostics.has_warnings();
   if (!robot || refused_warnings) {
-    const ExitCode code = diagnostics.only_unsupported() ? ExitCode::unsupported : ExitCode::input;
-    throw BadInput(code, std::move(diagnostics));
+    throw BadInput(code_of(diagnostics), std::move(diagnostics));
   }
   Mechanism mechanism = make_mechanism(*robot);
   std::string hash = file_hash(robot->files);
@@ -82,6 +86,7 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
     }
   }
+  if (options.warnings_are_errors && findings.has_warnings()) throw BadInput(ExitCode::input, findings);
   return result;
 }
 

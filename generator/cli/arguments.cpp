@@ -10,19 +10,36 @@
 namespace flatdyn {
 namespace {
 
+// As large and as small as in robot files.
+bool is_reasonable(const GiNaC::numeric& number) {
+  const GiNaC::numeric largest = GiNaC::numeric(10).power(30), magnitude = GiNaC::abs(number);
+  return number.is_zero() || (magnitude <= largest && magnitude * largest >= 1);
+}
+
 Number decimal_option(const std::string& option, const std::string& text) {
   try {
-    return exact_decimal(text);
+    const Number number = exact_decimal(text);
+    if (is_reasonable(GiNaC::ex_to<GiNaC::numeric>(number))) return number;
   } catch (const std::invalid_argument&) {
-    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not a decimal number", option, text));
   }
+  throw Failure(ExitCode::usage,
+                fmt::format("{}: \"{}\" is not a decimal number between 1e-30 and 1e30", option, text));
+}
+
+// A quarter of the distance between the multiples of pi/12 that angles are taken for.
+Number snap_option(const std::string& text) {
+  const Number tolerance = decimal_option("--snap", text);
+  const GiNaC::numeric value = GiNaC::ex_to<GiNaC::numeric>(tolerance);
+  if (value >= 0 && value <= GiNaC::numeric(65, 1000)) return tolerance;
+  throw Failure(ExitCode::usage, fmt::format("--snap: {} rad is no tolerance for angles", text),
+                "0 for none, at most 0.065");
 }
 
 Vec3 vector_option(const std::string& option, const std::string& text) {
   std::vector<Number> entries;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) entries.push_back(decimal_option(option, part));
-  if (entries.size() != 3) {
+  if (entries.size() != 3 || text.back() == ',') {
     throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not three numbers", option, text),
                   "write it as 0,0,-9.81");
   }
@@ -87,9 +104,22 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
                  "forward_kinematics, jacobian and jacobian_dot_qd also take a link: jacobian:LINK.");
 }
 
+void add_stream_options(CLI::App& command, StreamOptions& options) {
+  command
+      .add_option("--band", options.band,
+                  "pass band of the zero-phase filter; default: 10 Hz where derivatives are missing, else no filter")
+      ->check(CLI::PositiveNumber)
+      ->type_name("HZ");
+  command
+      .add_option("--decimate", options.decimate,
+                  "use every N-th sample; default: three samples per period of the band")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+}
+
 PipelineOptions RobotArguments::options() const {
   PipelineOptions options;
-  options.read.snap_tolerance = decimal_option("--snap", snap);
+  options.read.snap_tolerance = snap_option(snap);
   if (!gravity.empty()) options.read.gravity = vector_option("--gravity", gravity);
   if (!tip.empty()) options.read.tip = tip;
   options.read.fixed_joints = fixed_joints;

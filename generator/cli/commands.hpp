@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "identify/motion_stream.hpp"
 #include "pipeline.hpp"
 #include "symbolic/parameters.hpp"
 
@@ -27,6 +28,9 @@ struct RobotArguments {
   PipelineOptions options() const;
 };
 
+// For options that name something.
+inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.empty() ? "it is empty" : ""; }, "");
+
 // --functions, and the table of functions at the end of the help.
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions);
 
@@ -34,12 +38,16 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
 void add_parameters_option(CLI::App& command, std::string& parameters);
 ParameterSet parameter_set(const std::string& name);
 
+// --band and --decimate.
+void add_stream_options(CLI::App& command, StreamOptions& options);
+
 Run add_generate(CLI::App& app);
 Run add_inspect(CLI::App& app);
 Run add_derive(CLI::App& app);
 Run add_verify(CLI::App& app);
 Run add_eval(CLI::App& app);
 Run add_identify(CLI::App& app);
+Run add_payload(CLI::App& app);
 
 // Diagnostics on stderr, one each.
 void print_diagnostics(const Diagnostics& diagnostics, bool quiet);

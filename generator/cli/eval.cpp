@@ -50,9 +50,9 @@ Run add_eval(CLI::App& app) {
   auto* command = app.add_subcommand(
       "eval",
       "Evaluate a function at the states of a CSV file, from the emitted code's graph or from the reference.\n\n"
-      "  flatdyn eval robots/panda.urdf --function gravity --states states.csv\n"
-      "  flatdyn eval robots/panda.urdf --function inertia_matrix --states states.csv --reference --digits 50 -o "
-      "B.csv");
+      "  flatdyn eval robots/panda.urdf --function gravity --states docs/examples/panda_states.csv\n"
+      "  flatdyn eval robots/panda.urdf --function inertia_matrix --states docs/examples/panda_states.csv \\\n"
+      "      --reference --digits 50 -o B.csv");
   const auto arguments = std::make_shared<EvalArguments>();
   arguments->add_to(*command);
   command->add_option("--function", arguments->function, "which one; see flatdyn generate --help")->required();
@@ -63,7 +63,9 @@ Run add_eval(CLI::App& app) {
   command->add_option("--digits", arguments->options.digits, "significant digits")
       ->capture_default_str()
       ->check(CLI::Range(1, 50));
-  command->add_option("-o,--output", arguments->output, "write to this file instead of stdout");
+  command->add_option("-o,--output", arguments->output, "write to this file instead of stdout")
+      ->check(kNotEmpty)
+      ->type_name("FILE");
   return [arguments] { return run_eval(*arguments); };
 }
 

@@ -65,21 +65,23 @@ ExitCode generate(const GenerateArguments& arguments) {
 }  // namespace
 
 Run add_generate(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("generate",
-                         "Write a header that computes the robot's dynamics.\n\n"
-                         "  flatdyn generate robots/panda.urdf -o out/\n"
-                         "  flatdyn generate arm.toml -o out/ --functions inverse_dynamics,gravity --scalar float");
+  auto* command = app.add_subcommand(
+      "generate",
+      "Write a header that computes the robot's dynamics.\n\n"
+      "  flatdyn generate robots/panda.urdf -o out/\n"
+      "  flatdyn generate robots/puma560.toml -o out/ --functions inverse_dynamics,gravity --scalar float");
   const auto arguments = std::make_shared<GenerateArguments>();
   arguments->add_to(*command);
   command->add_option("-o,--output", arguments->folder, "folder to write to; made if it is not there")
       ->required()
+      ->check(kNotEmpty)
       ->type_name("FOLDER");
   add_functions_option(*command, arguments->functions);
   command->add_option("--scalar", arguments->scalar, "scalar of the constants")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command->add_option("--namespace", arguments->name_space, "C++ namespace; default: the robot's name")
+      ->check(kNotEmpty)
       ->type_name("NAME");
   return [arguments] { return generate(*arguments); };
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "identify/part_file.hpp"
 #include "report/identification_report.hpp"
+#include "report/identified_robot.hpp"
 
 namespace flatdyn {
 namespace {
@@ -56,6 +59,27 @@ Eigen::VectorXd as_vector(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+// The lines of a report as comments, wide tables and all.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+void write_robot(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
+                 const Identification& found) {
+  IdentifiedRobot about{arguments.output, {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""}, {}};
+  for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
+  if (!arguments.gravity.empty()) about.settings.push_back(fmt::format("gravity = [{}]", arguments.gravity));
+  if (!arguments.tip.empty()) about.settings.push_back(fmt::format("tip = {{ link = \"{}\" }}", arguments.tip));
+  if (!arguments.fixed_joints.empty()) {
+    about.settings.push_back(fmt::format("fixed = [\"{}\"]", fmt::join(arguments.fixed_joints, "\", \"")));
+  }
+  const std::string text = identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about);
+  write_files({{arguments.output, text}});
+}
+
 ExitCode identify(const IdentifyArguments& arguments) {
   check_usage(arguments);
   StreamOptions stream = arguments.stream;
@@ -76,9 +100,14 @@ ExitCode identify(const IdentifyArguments& arguments) {
     progress.step("estimating");
     found.estimate = estimate(found.measurement.observations, as_vector(model.file_values()), arguments.estimate);
     if (arguments.sequential) found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations);
+    progress.step("finding links that a body can have");
+    found.physical =
+        physical_parameters(robot.mechanism, model.base(), found.estimate.values, found.estimate.covariance);
+    if (!arguments.output.empty()) write_robot(arguments, robot, model, found);
     fmt::print("{}", arguments.json ? identification_json(model, found).dump(2) + "\n"
                                     : describe_identification(model, found));
   }
+  if (!arguments.output.empty() && !arguments.json) fmt::print("\nwrote {}\n", arguments.output);
   return ExitCode::ok;
 }
 
@@ -97,20 +126,12 @@ Run add_identify(CLI::App& app) {
   command->add_option("--merge", arguments->parts, "instead of logs: all parts that --part has written")
       ->type_name("PART");
   command->add_option("-o,--output", arguments->output, "the robot file with the identified parameters; of a part")
+      ->check(kNotEmpty)
       ->type_name("FILE");
   command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
       ->type_name("k/N");
   add_parameters_option(*command, arguments->parameters);
-  command
-      ->add_option("--band", arguments->stream.band,
-                   "pass band of the zero-phase filter; default: 10 Hz where derivatives are missing, else no filter")
-      ->check(CLI::PositiveNumber)
-      ->type_name("HZ");
-  command
-      ->add_option("--decimate", arguments->stream.decimate,
-                   "use every N-th sample; default: three samples per period of the band")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
+  add_stream_options(*command, arguments->stream);
   command
       ->add_option("--damping", arguments->estimate.damping,
                    "directions whose relative singular value is below this stay near the file's values")

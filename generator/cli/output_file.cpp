@@ -24,15 +24,33 @@ fs::path beside(const fs::path& path) {
   throw Failure(ExitCode::io, fmt::format("{}: cannot be written: {}", path.string(), why));
 }
 
-void write_beside(const TextFile& file) {
-  std::error_code error;
-  if (file.path.has_parent_path()) fs::create_directories(file.path.parent_path(), error);
-  if (error) fail(file.path, error.message());
+void write_text(const fs::path& path, const TextFile& file) {
   errno = 0;
-  std::ofstream stream(beside(file.path), std::ios::binary | std::ios::trunc);
+  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
   stream << file.text;
   stream.close();
   if (!stream) fail(file.path, std::strerror(errno));
+}
+
+// A device or a pipe is written to; only a file is replaced.
+bool is_replaced(const fs::path& path) {
+  const fs::file_status status = fs::status(path);
+  return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+// What a link leads to is replaced, not the link.
+TextFile followed(const TextFile& file) {
+  if (!fs::is_symlink(fs::symlink_status(file.path)) || !is_replaced(file.path)) return file;
+  return {fs::weakly_canonical(file.path), file.text};
+}
+
+// Before anything is written: what rename() would find out too late, or not at all.
+void check_writable(const TextFile& file) {
+  std::error_code error;
+  if (file.path.has_parent_path()) fs::create_directories(file.path.parent_path(), error);
+  if (error) fail(file.path, error.message());
+  if (fs::is_directory(file.path)) fail(file.path, std::strerror(EISDIR));
+  if (fs::exists(file.path) && ::access(file.path.c_str(), W_OK) != 0) fail(file.path, std::strerror(errno));
 }
 
 // Removes what is left of files that were not renamed.
@@ -52,10 +70,19 @@ class Cleanup {
 
 }  // namespace
 
-void write_files(const std::vector<TextFile>& files) {
+void write_files(const std::vector<TextFile>& wanted) {
+  std::vector<TextFile> files;
+  for (const TextFile& file : wanted) files.push_back(followed(file));
+  for (const TextFile& file : files) check_writable(file);
   const Cleanup cleanup(files);
-  for (const TextFile& file : files) write_beside(file);
   for (const TextFile& file : files) {
+    if (is_replaced(file.path)) write_text(beside(file.path), file);
+  }
+  for (const TextFile& file : files) {
+    if (!is_replaced(file.path)) {
+      write_text(file.path, file);
+      continue;
+    }
     std::error_code error;
     fs::rename(beside(file.path), file.path, error);
     if (error) fail(file.path, error.message());

@@ -13,7 +13,7 @@ struct TextFile {
 };
 
 // Writes all of them beside their places and renames them at the end, so that nobody ever sees half a file and an
-// interrupted run loses nothing. Throws Failure(io).
-void write_files(const std::vector<TextFile>& files);
+// interrupted run loses nothing. A link stays a link; a device is written to. Throws Failure(io).
+void write_files(const std::vector<TextFile>& wanted);
 
 }  // namespace flatdyn

@@ -33,11 +33,12 @@ ExitCode run_verify(const VerifyArguments& arguments) {
 }  // namespace
 
 Run add_verify(CLI::App& app) {
-  auto* command = app.add_subcommand("verify",
-                                     "Compare every generated function with the Lagrangian, exactly, and with the "
-                                     "recursive Newton-Euler reference.\n\n"
-                                     "  flatdyn verify robots/panda.urdf\n"
-                                     "  flatdyn verify arm.toml --functions inverse_dynamics --states 1000 --json");
+  auto* command =
+      app.add_subcommand("verify",
+                         "Compare every generated function with the Lagrangian, exactly, and with the "
+                         "recursive Newton-Euler reference.\n\n"
+                         "  flatdyn verify robots/panda.urdf\n"
+                         "  flatdyn verify robots/puma560.toml --functions inverse_dynamics --states 1000 --json");
   const auto arguments = std::make_shared<VerifyArguments>();
   arguments->add_to(*command);
   add_functions_option(*command, arguments->functions);
@@ -46,6 +47,7 @@ Run add_verify(CLI::App& app) {
       ->check(CLI::Range(1, 1000000));
   command->add_option("--seed", arguments->options.seed, "of the random states")->capture_default_str();
   command->add_option("--bound", arguments->options.bound, "largest scaled error allowed in double")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   return [arguments] { return run_verify(*arguments); };
 }

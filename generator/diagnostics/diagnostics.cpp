@@ -66,4 +66,10 @@ bool Diagnostics::only_unsupported() const {
          });
 }
 
+bool Diagnostics::only_on_command_line() const {
+  return has_errors() && std::all_of(all_.begin(), all_.end(), [](const Diagnostic& d) {
+           return d.severity != Severity::error || d.place.file.empty();
+         });
+}
+
 }  // namespace flatdyn

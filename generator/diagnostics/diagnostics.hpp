@@ -44,6 +44,8 @@ class Diagnostics {
   bool has_warnings() const;
   // Every error there is, and at least one, is something unsupported.
   bool only_unsupported() const;
+  // Every error there is, and at least one, is on the command line and not in a file.
+  bool only_on_command_line() const;
 
  private:
   std::vector<Diagnostic> all_;

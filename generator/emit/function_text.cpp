@@ -134,7 +134,7 @@ class FunctionWriter {
       return output.name + (output.meaning.empty() ? "" : ": " + output.meaning);
     }
     if (function_.positive.empty()) return "";
-    return "true, or false if the result means nothing: a pivot was not positive, or an input not a number";
+    return "false if the result means nothing, because a pivot of B is not positive or not a number";
   }
 
   std::string using_declarations() const {

@@ -3,10 +3,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "diagnostics/diagnostics.hpp"
 #include "emit/identifiers.hpp"
 
 namespace flatdyn {
+namespace {
+
+// What <cmath> may declare in the global namespace, where a robot's namespace would stand beside it; of each also the
+// forms for float and long double.
+constexpr auto kCMath = std::to_array<std::string_view>(
+    {"abs",    "acos",     "acosh",   "asin",      "asinh",     "atan",       "atan2",       "atanh",   "cbrt",
+     "ceil",   "copysign", "cos",     "cosh",      "div",       "double_t",   "drem",        "erf",     "erfc",
+     "exp",    "exp10",    "exp2",    "expm1",     "fabs",      "fdim",       "finite",      "float_t", "floor",
+     "fma",    "fmax",     "fmin",    "fmod",      "frexp",     "gamma",      "hypot",       "ilogb",   "isinf",
+     "isnan",  "j0",       "j1",      "jn",        "labs",      "ldexp",      "ldiv",        "lgamma",  "llabs",
+     "lldiv",  "llrint",   "llround", "log",       "log10",     "log1p",      "log2",        "logb",    "lrint",
+     "lround", "modf",     "nan",     "nearbyint", "nextafter", "nexttoward", "pow",         "pow10",   "remainder",
+     "remquo", "rint",     "round",   "scalb",     "scalbln",   "scalbn",     "significand", "sin",     "sincos",
+     "sinh",   "sqrt",     "tan",     "tanh",      "tgamma",    "trunc",      "y0",          "y1",      "yn"});
+
+bool is_in_cmath(std::string_view word) {
+  const auto known = [](std::string_view name) {
+    return std::find(kCMath.begin(), kCMath.end(), name) != kCMath.end();
+  };
+  const bool suffixed = word.size() > 1 && (word.back() == 'f' || word.back() == 'l');
+  return known(word) || (suffixed && known(word.substr(0, word.size() - 1)));
+}
+
+}  // namespace
 
 std::vector<std::string> parts_of_namespace(const std::string& name) {
   std::vector<std::string> parts;
@@ -19,8 +47,16 @@ std::vector<std::string> parts_of_namespace(const std::string& name) {
 }
 
 std::string namespace_of(const std::string& robot, const std::string& wanted) {
-  if (wanted.empty()) return cpp_identifier(robot);
-  for (const std::string& part : parts_of_namespace(wanted)) {
+  if (wanted.empty()) {
+    const std::string identifier = cpp_identifier(robot);
+    return is_in_cmath(identifier) ? identifier + "_" : identifier;
+  }
+  const std::vector<std::string> parts = parts_of_namespace(wanted);
+  if (is_in_cmath(parts.front())) {
+    throw Failure(ExitCode::usage, fmt::format("\"{}\" is no namespace: <cmath> has a function of that name", wanted),
+                  fmt::format("\"{}_\", or put it into a namespace of yours", wanted));
+  }
+  for (const std::string& part : parts) {
     if (part.empty() || cpp_identifier(part) != part || part == "std") {
       throw Failure(ExitCode::usage, fmt::format("\"{}\" is no namespace for the generated code", wanted),
                     "use C++ identifiers joined by ::, such as \"arm\" or \"acme::arm\"");

@@ -29,9 +29,18 @@ std::string joints_of_angle(const Graph& graph, NodeId angle) {
   return text;
 }
 
-// "tau_1", "B_12", "c_1_10": the entry that the node is stored in, counted from 1.
+// c_ijk of row i and packed column k (k + 1) / 2 + j: "c_3_1_2".
+std::string name_of_christoffel(const Output& output, int entry) {
+  int k = 0, j = entry % output.cols;
+  while (j > k) j -= ++k;
+  return output.name + "_" + std::to_string(entry / output.cols + 1) + "_" + std::to_string(j + 1) + "_" +
+         std::to_string(k + 1);
+}
+
+// "tau_1", "B_12": the entry that the node is stored in, counted from 1.
 std::string name_of_entry(const Output& output, int entry) {
   if (output.layout == Layout::scalar) return output.name;
+  if (output.layout == Layout::christoffel) return name_of_christoffel(output, entry);
   if (output.layout == Layout::vector || output.cols == 0) return output.name + "_" + std::to_string(entry + 1);
   const std::string separator = output.rows > 9 || output.cols > 9 ? "_" : "";
   return output.name + "_" + std::to_string(entry / output.cols + 1) + separator +

@@ -72,7 +72,10 @@ std::map<std::string, Meaning> known_names(const Mechanism& mechanism) {
   for (const auto& [stem, quantity] : kStems) {
     for (int i = 0; i < mechanism.size(); ++i) {
       names[stem + std::to_string(i + 1)] = {quantity, i};
-      names[std::string(stem) + "_" + mechanism.bodies[static_cast<std::size_t>(i)].joint] = {quantity, i};
+      names[stem + ("_" + std::to_string(i + 1))] = {quantity, i};  // as `flatdyn eval` writes it
+    }
+    for (int i = 0; i < mechanism.size(); ++i) {
+      names[stem + ("_" + mechanism.bodies[static_cast<std::size_t>(i)].joint)] = {quantity, i};
     }
   }
   static constexpr const char* kForces[] = {"fx", "fy", "fz", "mx", "my", "mz"};

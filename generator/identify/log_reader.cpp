@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -111,44 +112,43 @@ bool LogReader::next(double* channels) {
   return false;
 }
 
+// What is wrong with an entry that is no number.
+void LogReader::complain_about(std::string_view entry, const LogColumn& column) {
+  if (entry.empty()) {
+    complain(fmt::format("column \"{}\": missing value", column.name), "leave out lines that are not complete");
+  } else {
+    complain(fmt::format("column \"{}\": \"{}\" is not a finite number", column.name, entry),
+             "numbers have a decimal point, columns are separated by commas");
+  }
+}
+
 bool LogReader::parse(std::string_view line, double* channels) {
+  const std::vector<LogColumn>& columns = heading_.columns;
   const char* at = line.data();
   const char* const end = at + line.size();
-  const std::vector<LogColumn>& columns = heading_.columns;
   for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (at > end) {
+      complain(fmt::format("{} entries, but the heading has {} columns", k, columns.size()));
+      return false;
+    }
     while (at < end && is_blank(*at)) ++at;
     double value = 0;
     const auto [stop, error] = std::from_chars(at, end, value);
-    const char* comma = stop;
-    while (comma < end && is_blank(*comma)) ++comma;
-    const bool ended = comma == end || *comma == ',';
-    if (columns[k].channel >= 0 && (error != std::errc() || !ended || !std::isfinite(value))) {
-      const char* const last = static_cast<const char*>(std::memchr(at, ',', static_cast<std::size_t>(end - at)));
-      const std::string_view text(at, static_cast<std::size_t>((last != nullptr ? last : end) - at));
-      if (at == end && k > 0) {
-        complain(fmt::format("{} entries, but the heading has {} columns", k, columns.size()));
-      } else if (text.empty()) {
-        complain(fmt::format("column \"{}\": missing value", columns[k].name), "leave out lines that are not complete");
-      } else {
-        complain(fmt::format("column \"{}\": \"{}\" is not a finite number", columns[k].name, text),
-                 "numbers have a decimal point, columns are separated by commas");
+    const char* last = stop;
+    while (last < end && is_blank(*last)) ++last;
+    const bool is_number = error == std::errc() && (last == end || *last == ',') && std::isfinite(value);
+    if (!is_number) last = std::find(at, end, ',');
+    if (columns[k].channel >= 0) {
+      if (!is_number) {
+        complain_about({at, static_cast<std::size_t>(last - at)}, columns[k]);
+        return false;
       }
-      return false;
+      channels[columns[k].channel] = value * columns[k].factor;
     }
-    if (!ended) comma = static_cast<const char*>(std::memchr(at, ',', static_cast<std::size_t>(end - at)));
-    if (comma == nullptr) comma = end;
-    if (columns[k].channel >= 0) channels[columns[k].channel] = value * columns[k].factor;
-    if (comma == end && k + 1 < columns.size()) {
-      complain(fmt::format("{} entries, but the heading has {} columns", k + 1, columns.size()));
-      return false;
-    }
-    at = comma + 1;
+    at = last + 1;
   }
-  if (at <= end) {
-    complain(fmt::format("more than the {} entries that the heading has", columns.size()));
-    return false;
-  }
-  return true;
+  if (at <= end) complain(fmt::format("more than the {} entries that the heading has", columns.size()));
+  return at > end;
 }
 
 }  // namespace flatdyn

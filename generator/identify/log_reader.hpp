@@ -49,6 +49,7 @@ class LogReader {
  private:
   bool next_line(std::string_view& line);
   bool parse(std::string_view line, double* channels);
+  void complain_about(std::string_view entry, const LogColumn& column);
   bool complain(const std::string& message, const std::string& hint = {});
 
   std::string path_;

@@ -22,7 +22,6 @@ class Window {
   }
   void clear() { held_ = 0; }
   bool full() const { return held_ == length_; }
-  auto channel(int k) const { return samples_.col(k).segment(end_ - length_, length_); }
   auto channels(int first, int count) const { return samples_.block(end_ - length_, first, length_, count); }
 
  private:
@@ -39,19 +38,18 @@ class Window {
   Eigen::MatrixXd samples_;
 };
 
+// A sample that has all that is needed.
+Motion as_measured(const LogLayout& layout, const double* channels) {
+  return {channels[LogLayout::time()], channels + LogLayout::q(),
+          channels + layout.qd(),      channels + layout.qdd(),
+          channels + layout.tau(),     layout.has_tip_force ? channels + layout.h_e() : nullptr};
+}
+
 // The motion at the middle of a window.
 class MotionFilter {
  public:
   explicit MotionFilter(const StreamPlan& plan)
-      : layout_(plan.layout),
-        n_(plan.layout.joints),
-        filtered_(plan.band > 0),
-        q_(n_),
-        qd_(n_),
-        qdd_(n_),
-        tau_(n_),
-        h_e_(LogLayout::kWrench) {
-    if (!filtered_) return;
+      : layout_(plan.layout), n_(plan.layout.joints), q_(n_), qd_(n_), qdd_(n_), tau_(n_), h_e_(LogLayout::kWrench) {
     const ZeroPhaseKernel kernel = zero_phase_kernel(plan.band, plan.dt);
     for (int order = 0; order < 3; ++order) {
       weights_[order] = Eigen::Map<const Eigen::VectorXd>(kernel.weights[order].data(), kernel.length());
@@ -59,7 +57,7 @@ class MotionFilter {
   }
 
   Motion motion(const Window& window) {
-    const auto middle = window.channel(LogLayout::time()).size() / 2;
+    const auto times = window.channels(LogLayout::time(), 1);
     smooth(window, LogLayout::q(), 0, q_);
     smooth(window, layout_.tau(), 0, tau_);
     if (layout_.has_rates) {
@@ -75,22 +73,21 @@ class MotionFilter {
       smooth(window, LogLayout::q(), 2, qdd_);
     }
     if (layout_.has_tip_force) smooth(window, layout_.h_e(), 0, h_e_);
-    return {window.channel(LogLayout::time())[middle],    q_.data(), qd_.data(), qdd_.data(), tau_.data(),
+    return {times(times.rows() / 2, 0),
+            q_.data(),
+            qd_.data(),
+            qdd_.data(),
+            tau_.data(),
             layout_.has_tip_force ? h_e_.data() : nullptr};
   }
 
  private:
   void smooth(const Window& window, int first, int order, Eigen::VectorXd& out) const {
-    if (filtered_) {
-      out.noalias() = window.channels(first, static_cast<int>(out.size())).transpose() * weights_[order];
-    } else {
-      out = window.channels(first, static_cast<int>(out.size())).row(0).transpose();
-    }
+    out.noalias() = window.channels(first, static_cast<int>(out.size())).transpose() * weights_[order];
   }
 
   LogLayout layout_;
   int n_;
-  bool filtered_;
   Eigen::VectorXd weights_[3];
   Eigen::VectorXd q_, qd_, qdd_, tau_, h_e_;
 };
@@ -114,41 +111,69 @@ class Blocks {
   long part_, parts_, half_;
 };
 
+// One log on its way through reader, window and filter.
+class Stream {
+ public:
+  Stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
+         const StreamOptions& options, Diagnostics& diagnostics)
+      : reader_(log, mechanism, diagnostics),
+        plan_(plan),
+        blocks_(options, plan.half_window),
+        window_(plan.layout.channels(), 2 * plan.half_window + 1),
+        sample_(plan.layout.channels()) {
+    if (plan.band > 0) filter_.emplace(plan);
+  }
+
+  StreamCount run(const MotionSink& sink) {
+    for (long line = 0;; ++line) {
+      skip_to(blocks_.next_needed(line), line);
+      if (!reader_.next(sample_.data())) return count_;
+      if (blocks_.owns(line)) ++count_.lines;
+      const bool complete = !filter_ || window_is_full();
+      const long centre = line - plan_.half_window;
+      if (!complete || !blocks_.owns(centre) || centre % plan_.decimate != 0) continue;
+      sink(filter_ ? filter_->motion(window_) : as_measured(plan_.layout, sample_.data()));
+      ++count_.used;
+    }
+  }
+
+ private:
+  void skip_to(long needed, long& line) {
+    if (needed <= line) return;
+    line += reader_.skip(needed - line);
+    window_.clear();
+    contiguous_ = false;
+  }
+
+  // With the new sample, which a gap in time parts from those before it.
+  bool window_is_full() {
+    const double time = sample_[LogLayout::time()];
+    if (contiguous_ && std::abs(time - last_time_ - plan_.dt) > plan_.dt / 2) {
+      window_.clear();
+      ++count_.gaps;
+    }
+    last_time_ = time;
+    contiguous_ = true;
+    window_.push(sample_);
+    return window_.full();
+  }
+
+  LogReader reader_;
+  const StreamPlan& plan_;
+  Blocks blocks_;
+  Window window_;
+  std::optional<MotionFilter> filter_;
+  Eigen::VectorXd sample_;
+  StreamCount count_;
+  double last_time_ = 0;
+  bool contiguous_ = false;
+};
+
 }  // namespace
 
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
                    const StreamOptions& options, const MotionSink& sink, Diagnostics& diagnostics) {
-  LogReader reader(log, mechanism, diagnostics);
-  StreamCount count;
-  const int half = plan.half_window;
-  const Blocks blocks(options, half);
-  Window window(plan.layout.channels(), 2 * half + 1);
-  MotionFilter filter(plan);
-  Eigen::VectorXd sample(plan.layout.channels());
-  double last_time = 0;
-  bool contiguous = false;
-  for (long line = 0;; ++line) {
-    if (const long needed = blocks.next_needed(line); needed > line) {
-      line += reader.skip(needed - line);
-      window.clear();
-      contiguous = false;
-    }
-    if (!reader.next(sample.data())) break;
-    const double step = sample[LogLayout::time()] - last_time;
-    if (plan.band > 0 && contiguous && std::abs(step - plan.dt) > plan.dt / 2) {
-      window.clear();
-      ++count.gaps;
-    }
-    last_time = sample[LogLayout::time()];
-    contiguous = true;
-    window.push(sample);
-    const long centre = line - half;
-    if (blocks.owns(line)) ++count.lines;
-    if (!window.full() || !blocks.owns(centre) || centre % plan.decimate != 0) continue;
-    sink(filter.motion(window));
-    ++count.used;
-  }
-  return count;
+  return Stream(log, mechanism, plan, options, diagnostics).run(sink);
 }
 
 }  // namespace flatdyn

@@ -21,10 +21,10 @@ using MotionSink = std::function<void(const Motion&)>;
 struct StreamOptions {
   // Edge of the filter's pass band, Hz. None: 10 Hz, or an eighth of the sampling rate if that is less, where
   // derivatives are missing; no filter where the log has them all.
-  std::optional<double> band;
+  std::optional<double> band = std::nullopt;
   // Every N-th sample is used. None: all without filter; with it, so many that filtered noise is nearly white, a
   // rate of three bands.
-  std::optional<int> decimate;
+  std::optional<int> decimate = std::nullopt;
   // Of all blocks of kBlock lines, those of part k of N, k = 1 … N.
   int part = 1, parts = 1;
 };

@@ -152,6 +152,7 @@ class Search {
     }
     agreement->SetNumResiduals(static_cast<int>(K_.rows()));
     problem_.AddResidualBlock(agreement, nullptr, blocks);
+    for (double* const theta : blocks) bound(theta);
   }
 
   // From a heavy prior to a light one: the last steps move only what π_b does not decide.
@@ -175,6 +176,15 @@ class Search {
       shapes_[i].parameters(theta_[i].data(), pi.data() + i * kParametersPerJoint);
     }
     return pi;
+  }
+
+  // Where π_b is that of no body, the search would run off to where e^θ overflows.
+  void bound(double* theta) {
+    constexpr double kFarthest = 10;
+    for (int k = 0; k < kLogCholesky + kOthers; ++k) {
+      problem_.SetParameterLowerBound(theta, k, -kFarthest);
+      problem_.SetParameterUpperBound(theta, k, kFarthest);
+    }
   }
 
   double distance() const {
@@ -218,27 +228,50 @@ Matrix4d pseudo_inertia(const double* ten) {
   return P;
 }
 
-PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base, const VectorXd& pi_b,
-                                       const MatrixXd& covariance) {
-  // What is known to more digits than this counts as known to this many: the search need not run along a knife's edge.
+namespace {
+
+// What is known to more digits than this counts as known to this many: the search need not run along a knife's edge.
+MatrixXd widened(const MatrixXd& covariance, const VectorXd& values) {
   constexpr double kSharpest = 1e-6;
-  std::vector<double> file;
-  for (const Number& value : dynamic_parameters(mechanism)) file.push_back(nearest_double(value));
-  const MatrixXd K = combination_matrix(base, static_cast<Index>(file.size()));
-  const double largest = pi_b.cwiseAbs().maxCoeff();
-  const VectorXd least = (kSharpest * pi_b.cwiseAbs()).cwiseMax(kSharpest * kSharpest * largest);
-  const MatrixXd widened = covariance + MatrixXd(least.cwiseAbs2().asDiagonal());
-  const Eigen::LLT<MatrixXd> root(widened);
-  const MatrixXd weighted = root.matrixL().solve(K);
-  const VectorXd target = root.matrixL().solve(pi_b);
-  Search search(shapes_of(file, scales(base, pi_b, file.size())), weighted, target);
+  const double largest = values.cwiseAbs().maxCoeff();
+  const VectorXd least = (kSharpest * values.cwiseAbs()).cwiseMax(kSharpest * kSharpest * largest);
+  return covariance + MatrixXd(least.cwiseAbs2().asDiagonal());
+}
+
+// Of K π = target, with the shapes to start from.
+PhysicalParameters nearest(std::vector<LinkShape> shapes, const MatrixXd& K, const VectorXd& target,
+                           const MatrixXd& covariance) {
+  const MatrixXd wide = widened(covariance, target);
+  const Eigen::LLT<MatrixXd> root(wide);
+  const MatrixXd whitened = root.matrixL().solve(K);
+  const VectorXd whitened_target = root.matrixL().solve(target);
+  Search search(std::move(shapes), whitened, whitened_target);
   PhysicalParameters result;
   result.converged = search.run();
   result.pi = search.parameters();
   const Eigen::Map<const VectorXd> pi(result.pi.data(), static_cast<Index>(result.pi.size()));
-  result.largest_misfit = (K * pi - pi_b).cwiseQuotient(widened.diagonal().cwiseSqrt()).cwiseAbs().maxCoeff();
+  result.largest_misfit = (K * pi - target).cwiseQuotient(wide.diagonal().cwiseSqrt()).cwiseAbs().maxCoeff();
   result.distance = search.distance();
   return result;
+}
+
+}  // namespace
+
+PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base, const VectorXd& pi_b,
+                                       const MatrixXd& covariance) {
+  std::vector<double> file;
+  for (const Number& value : dynamic_parameters(mechanism)) file.push_back(nearest_double(value));
+  const MatrixXd K = combination_matrix(base, static_cast<Index>(file.size()));
+  return nearest(shapes_of(file, scales(base, pi_b, file.size())), K, pi_b, covariance);
+}
+
+NearestBody nearest_body(const VectorXd& estimate, const MatrixXd& covariance) {
+  std::vector<double> start(kParametersPerJoint, 0);
+  std::copy(estimate.begin(), estimate.end(), start.begin());
+  const MatrixXd K = MatrixXd::Identity(kInertialPerBody, kParametersPerJoint);
+  const PhysicalParameters found =
+      nearest(shapes_of(start, std::vector<double>(kParametersPerJoint, 1)), K, estimate, covariance);
+  return {Eigen::Map<const VectorXd>(found.pi.data(), kInertialPerBody), found.largest_misfit};
 }
 
 }  // namespace flatdyn

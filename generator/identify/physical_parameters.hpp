@@ -24,6 +24,13 @@ struct PhysicalParameters {
 PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base,
                                        const Eigen::VectorXd& pi_b, const Eigen::MatrixXd& covariance);
 
+// Of one body: the ten parameters nearest to an estimate with its covariance, 10 × 10, that a body can have.
+struct NearestBody {
+  Eigen::VectorXd ten;
+  double largest_misfit = 0;  // from the estimate, in standard deviations
+};
+NearestBody nearest_body(const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance);
+
 // [Σ, h; hᵀ, m] with Σ = tr(Î)/2 E - Î, of ten inertial parameters as in (7.77): positive definite if and only if some
 // body with a distribution of mass in space has them (Wensing, Kim, Slotine, 2018).
 Eigen::Matrix4d pseudo_inertia(const double* ten);

@@ -8,7 +8,7 @@ namespace {
 
 // Of rows between two folds: R itself is folded again each time, which costs little when it is this much shorter.
 constexpr Eigen::Index kFewestRows = 256;
-constexpr Eigen::Index kRowsPerColumn = 12;
+constexpr Eigen::Index kRowsPerColumn = 24;
 
 }  // namespace
 

@@ -13,8 +13,6 @@ namespace {
 
 constexpr int kJsonDigits = 17;
 
-std::string value_text(const Number& value) { return has_symbols(value) ? "" : plain_number_text(value); }
-
 // One line per reason, with the parameters it holds for.
 std::string reasons_text(const std::vector<Unidentifiable>& unseen) {
   std::vector<std::pair<std::string, std::string>> lines;
@@ -33,6 +31,7 @@ std::string describe_base(const Mechanism& mechanism, ParameterSet set) {
   const BaseParameters base = base_parameters(mechanism, set);
   const std::vector<Number> values = base_values(mechanism, base);
   const std::vector<bool> present = parameters_in(mechanism, set);
+  const NumberText value_text(mechanism);
   std::string text = fmt::format(
       "{} base parameters of {} parameters; link i is moved by the i-th joint of q, its parameters are "
       "about the origin of its canonical frame\n\n",

@@ -79,6 +79,13 @@ std::string damped_text(const TorqueModel& model, const Estimate& estimate) {
   return text;
 }
 
+std::string physical_text(const PhysicalParameters& physical) {
+  return fmt::format(
+      "\nnearest links that a body can have: {} standard deviations from pi_b at most, {:.2g} from the file{}\n",
+      fmt::format("{:.2g}", physical.largest_misfit), physical.distance,
+      physical.converged ? "" : "; the search did not converge");
+}
+
 std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
 }  // namespace
@@ -88,7 +95,7 @@ std::string describe_identification(const TorqueModel& model, const Identificati
   return data_text(found.measurement) + "\n" + torque_table(model, found) + "\n" + parameter_table(model, found) +
          fmt::format("\ncondition number {:.4g} (columns scaled to unit norm); weights {} after {} iterations\n",
                      estimate.condition(), estimate.converged ? "stable" : "not stable", estimate.iterations) +
-         damped_text(model, estimate);
+         damped_text(model, estimate) + physical_text(found.physical);
 }
 
 nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found) {
@@ -116,6 +123,10 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
   json["singular_values"] = list(estimate.singular_values);
   json["condition_number"] = estimate.condition();
   json["weights"] = {{"stable", estimate.converged}, {"iterations", estimate.iterations}};
+  json["physical"] = {{"pi", found.physical.pi},
+                      {"largest_misfit", found.physical.largest_misfit},
+                      {"distance", found.physical.distance},
+                      {"converged", found.physical.converged}};
   json["damped"] = nlohmann::ordered_json::array();
   for (const DampedDirection& direction : estimate.damped) {
     json["damped"].push_back(

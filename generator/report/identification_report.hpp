@@ -7,6 +7,7 @@
 
 #include "identify/least_squares.hpp"
 #include "identify/measurement.hpp"
+#include "identify/physical_parameters.hpp"
 
 namespace flatdyn {
 
@@ -15,6 +16,7 @@ struct Identification {
   Measurement measurement;
   Estimate estimate;
   std::optional<Eigen::VectorXd> joint_by_joint;  // the textbook's sequential procedure, for comparison
+  PhysicalParameters physical;
 };
 
 std::string describe_identification(const TorqueModel& model, const Identification& found);

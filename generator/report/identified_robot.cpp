@@ -17,8 +17,12 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-// Seventeen digits: the file reads back as the same numbers.
-std::string number(const Number& value) { return fmt::format("{}", nearest_double(value)); }
+// The shortest text of the nearest double; what robot files are too coarse for is nothing.
+std::string number(const Number& value) {
+  constexpr double kSmallest = 1e-30;
+  const double nearest = nearest_double(value);
+  return std::abs(nearest) < kSmallest ? "0" : fmt::format("{}", nearest);
+}
 
 class RobotText {
  public:
@@ -105,11 +109,12 @@ class RobotText {
     const Body& body = model_.mechanism.bodies[static_cast<std::size_t>(i)];
     std::string values;
     const auto add = [&](Parameter which, const char* key) {
-      if (has(i, which)) values += fmt::format("{} = {}\n", key, parameter(i, which));
+      if (has(i, which)) values += fmt::format("{} = {}\n", key, number(exact(parameter(i, which))));
     };
     add(Parameter::Fv, "viscous");
     add(Parameter::Fs, "coulomb");
     if (body.rotor) {
+      if (!vanishes(body.armature)) values += "armature = 0\n";
       values += fmt::format("motor = {{ mass = 0, inertia = {}, inertia_transverse = 0 }}\n", number(rotor_inertia(i)));
     } else {
       add(Parameter::Im, "armature");

@@ -71,9 +71,10 @@ Number Derivation::name_node(NodeId id, const std::string& name) {
   if (node.op == Op::constant) return GiNaC::numeric(node.value.str().c_str());
   if (node.op == Op::sum && node.terms.size() == 1 && node.value == 0) {
     const Rational coefficient = node.terms[0].coefficient;
-    if (coefficient == -1) return -name_node(node.terms[0].node, name);
+    // The name is the negative's: what it is the negative of goes by its own name, or by none.
+    if (coefficient == -1) return -name_node(node.terms[0].node, "");
   }
-  if (node.op != Op::input) graph_.set_name(id, name);
+  if (node.op != Op::input && !name.empty()) graph_.set_name(id, name);
   return symbol_of(id);
 }
 

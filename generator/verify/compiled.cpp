@@ -3,8 +3,10 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -127,7 +129,10 @@ class CompiledFunctions::Library {
         "{0} -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror -shared -fPIC '{1}/driver.cpp' -o "
         "'{1}/driver.so' 2> '{1}/log'",
         compiler, folder_.path().string());
-    if (std::system(command.c_str()) != 0) {
+    const int status = std::system(command.c_str());
+    // system() keeps Ctrl-C from this process: it was meant for it, too.
+    if (WIFSIGNALED(status)) std::raise(WTERMSIG(status));
+    if (status != 0) {
       throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of(folder_.path() / "log"));
     }
   }

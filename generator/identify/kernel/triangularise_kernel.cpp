@@ -9,8 +9,12 @@ namespace flatdyn {
 void FLATDYN_KERNEL(double* matrix, int stride, int rows, int cols);
 
 void FLATDYN_KERNEL(double* matrix, int stride, int rows, int cols) {
-  Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> a(matrix, rows, cols, Eigen::OuterStride<>(stride));
-  Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> in_place(a);
+  using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  // HouseholderQR's own blocks have 32 columns, which of a few dozen leaves nearly all outside of matrix products.
+  constexpr int kBlock = 8;
+  Matrix a(matrix, rows, cols, Eigen::OuterStride<>(stride));
+  Eigen::VectorXd coefficients(cols);
+  Eigen::internal::householder_qr_inplace_blocked<Matrix, Eigen::VectorXd>::run(a, coefficients, kBlock);
   a.topRows(cols).triangularView<Eigen::StrictlyLower>().setZero();
 }
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "identify/measurement.hpp"
+#include "identify/wrist.hpp"
+#include "report/payload_report.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct PayloadArguments : RobotArguments {
+  std::vector<std::string> logs, without;
+  std::string output;
+  bool wrist = false;
+  StreamOptions stream;
+};
+
+void check_usage(const PayloadArguments& arguments, const Model& robot) {
+  if (arguments.wrist && !arguments.without.empty()) {
+    throw Failure(ExitCode::usage, "--wrist and --without exclude each other",
+                  "a sensor at the wrist measures the payload alone");
+  }
+  if (robot.robot.has_payload) {
+    throw Failure(ExitCode::unsupported, fmt::format("{}: the robot has a payload already", robot.robot.file),
+                  "take it out of the file: the one that is found takes its place");
+  }
+}
+
+void stop_at_errors(const Diagnostics& found, bool quiet) {
+  if (found.has_errors()) throw BadInput(ExitCode::input, found);
+  print_diagnostics(found, quiet);
+}
+
+Observations observed(const TorqueModel& model, const std::vector<std::string>& logs, const PayloadArguments& arguments,
+                      Progress& progress) {
+  Diagnostics found;
+  Measurement measurement = measure(model, {logs.begin(), logs.end()}, arguments.stream, progress, found);
+  stop_at_errors(found, arguments.quiet);
+  return std::move(measurement.observations);
+}
+
+// The change of the last link against the log without payload, or against the robot file.
+PayloadEstimate from_torques(const Model& robot, const PayloadArguments& arguments, Progress& progress) {
+  const TorqueModel model(robot, ParameterSet::given, progress);
+  Eigen::VectorXd without = Eigen::Map<const Eigen::VectorXd>(model.file_values().data(), model.parameters());
+  if (!arguments.without.empty()) {
+    without = estimate(observed(model, arguments.without, arguments, progress), without).values;
+  }
+  return estimate_payload(model, observed(model, arguments.logs, arguments, progress), without);
+}
+
+PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments, Progress& progress) {
+  WristObserver observer(robot.robot);
+  Diagnostics found;
+  for (const std::string& log : arguments.logs) {
+    const StreamPlan plan = plan_stream(log, robot.mechanism, arguments.stream, found);
+    if (!found.has_errors() && !plan.layout.has_tip_force) {
+      found.error({log, 1}, "no columns fx, fy, fz, mx, my, mz (or h_e1, ...) of the sensor at the wrist");
+    }
+    stop_at_errors(found, true);
+    progress.step("reading " + log);
+    stream(
+        log, robot.mechanism, plan, arguments.stream, [&](const Motion& motion) { observer.add(motion); }, found);
+    stop_at_errors(found, true);
+  }
+  print_diagnostics(found, arguments.quiet);
+  return observer.estimate();
+}
+
+ExitCode payload(const PayloadArguments& arguments) {
+  const Model robot = read_model(arguments.robot, arguments.options());
+  print_diagnostics(robot.diagnostics, arguments.quiet);
+  check_usage(arguments, robot);
+  PayloadEstimate found;
+  {
+    Progress progress(arguments.quiet);
+    found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
+  }
+  if (!arguments.output.empty()) {
+    write_files({{arguments.output, payload_robot_text(robot, found, arguments.output)}});
+  }
+  fmt::print("{}", arguments.json ? payload_json(robot, found).dump(2) + "\n" : describe_payload(robot, found));
+  if (!arguments.output.empty() && !arguments.json) fmt::print("\nwrote {}\n", arguments.output);
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_payload(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("payload",
+                         "Estimate what the tip carries, from motion with it.\n\n"
+                         "  flatdyn payload robots/panda.urdf --data with.csv --without without.csv -o loaded.toml\n"
+                         "  flatdyn payload robots/panda.urdf --tip panda_hand --data log.csv --wrist -o loaded.toml");
+  const auto arguments = std::make_shared<PayloadArguments>();
+  arguments->add_to(*command);
+  command->add_option("--data", arguments->logs, "logs with the payload; columns as for identify")
+      ->required()
+      ->type_name("LOG.csv");
+  command
+      ->add_option("--without", arguments->without,
+                   "logs without it, to compare with; default: the robot file's parameters")
+      ->type_name("LOG.csv");
+  command->add_flag("--wrist", arguments->wrist,
+                    "from columns fx ... mz alone: what the tip's link exerts on the payload, along its axes");
+  command->add_option("-o,--output", arguments->output, "the robot file with the payload")
+      ->check(kNotEmpty)
+      ->type_name("FILE");
+  add_stream_options(*command, arguments->stream);
+  return [arguments] { return payload(*arguments); };
+}
+
+}  // namespace flatdyn

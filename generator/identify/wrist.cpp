@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/wrist.hpp"
+
+#include "flatdyn/reference/newton_euler.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int kWrench = LogLayout::kWrench;
+constexpr int kUnknowns = kInertialPerBody + kWrench;
+
+Matrix3d cross_matrix(const Vector3d& a) {
+  Matrix3d S;
+  S << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return S;
+}
+
+// Î a as a matrix times the six entries of Î in the order of (7.77).
+Eigen::Matrix<double, 3, 6> inertia_times(const Vector3d& a) {
+  Eigen::Matrix<double, 3, 6> L;
+  L << a.x(), a.y(), a.z(), 0, 0, 0, 0, a.x(), 0, a.y(), a.z(), 0, 0, 0, a.x(), 0, a.y(), a.z();
+  return L;
+}
+
+// Force and moment of a body about the frame's origin, linear in its ten parameters, (7.112), (7.113).
+Eigen::Matrix<double, kWrench, kInertialPerBody> wrench_regressor(const reference::LinkMotion<double>& motion) {
+  Eigen::Matrix<double, kWrench, kInertialPerBody> A = decltype(A)::Zero();
+  const Matrix3d omega = cross_matrix(motion.omega);
+  A.block<3, 1>(0, 0) = motion.ddp;
+  A.block<3, 3>(0, 1) = cross_matrix(motion.domega) + omega * omega;
+  A.block<3, 3>(3, 1) = -cross_matrix(motion.ddp);
+  A.block<3, 6>(3, 4) = inertia_times(motion.domega) + omega * inertia_times(motion.omega);
+  return A;
+}
+
+}  // namespace
+
+WristObserver::WristObserver(const Robot& robot)
+    : robot_(reference_robot<double>(robot, {})),
+      joints_(static_cast<int>(moving_joints(robot).size())),
+      factors_(kWrench, TriangularFactor(kUnknowns)) {}
+
+void WristObserver::add(const Motion& motion) {
+  const auto vector = [this](const double* from) { return VectorXd(Eigen::Map<const VectorXd>(from, joints_)); };
+  const auto motions =
+      reference::link_motions<double>(robot_, vector(motion.q), vector(motion.qd), vector(motion.qdd), true);
+  const auto A = wrench_regressor(motions[static_cast<std::size_t>(robot_.tip)]);
+  for (int k = 0; k < kWrench; ++k) {
+    auto row = factors_[static_cast<std::size_t>(k)].next_row();
+    row.setZero();
+    row.head<kInertialPerBody>() = A.row(k);
+    row[kInertialPerBody + k] = 1;
+    row[kUnknowns] = motion.h_e[k];
+  }
+}
+
+PayloadEstimate WristObserver::estimate() {
+  Observations observations{kUnknowns, {}};
+  std::vector<int> columns;
+  for (int k = 0; k < kUnknowns; ++k) columns.push_back(k);
+  for (TriangularFactor& factor : factors_) {
+    observations.joints.push_back({columns, factor.factor(), factor.count()});
+  }
+  return payload_of(flatdyn::estimate(observations, VectorXd::Zero(kUnknowns)));
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A payload from a force sensor at the wrist (7.4): no model of the arm's masses is needed.
+#pragma once
+
+#include "flatdyn/reference/robot.hpp"
+#include "identify/payload.hpp"
+
+namespace flatdyn {
+
+// h_e of the log is here what the sensor measures: the force and moment that the tip's link exerts on the payload,
+// along the axes of that link's frame, about its origin. Constant offsets of the sensor are estimated along. Folds
+// samples as they come.
+class WristObserver {
+ public:
+  explicit WristObserver(const Robot& robot);
+
+  void add(const Motion& motion);
+  PayloadEstimate estimate();
+
+ private:
+  reference::Robot<double> robot_;
+  int joints_;
+  std::vector<TriangularFactor> factors_;  // one per component of the wrench
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/payload_report.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnostics/table.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr const char* kNames[] = {"m", "m lx", "m ly", "m lz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz"};
+constexpr const char* kUnits[] = {"kg",     "kg m",   "kg m",   "kg m",   "kg m^2",
+                                  "kg m^2", "kg m^2", "kg m^2", "kg m^2", "kg m^2"};
+
+// Of a body with ten parameters.
+struct Centred {
+  double mass;
+  Eigen::Vector3d com;
+  Eigen::Matrix3d inertia;  // about the centre of mass
+};
+
+Centred centred(const Eigen::VectorXd& ten) {
+  const Eigen::Vector3d com = ten.segment<3>(1) / ten(0);
+  Eigen::Matrix3d I;
+  I << ten(4), ten(5), ten(6), ten(5), ten(7), ten(8), ten(6), ten(8), ten(9);
+  I -= ten(0) * (com.squaredNorm() * Eigen::Matrix3d::Identity() - com * com.transpose());
+  return {ten(0), com, I};
+}
+
+std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
+
+}  // namespace
+
+std::string describe_payload(const Model& robot, const PayloadEstimate& payload) {
+  std::vector<std::vector<std::string>> rows = {{"payload", "value", "std dev", "nearest body", "unit"}};
+  for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
+    rows.push_back({kNames[k], fmt::format("{:.6g}", payload.values(k)),
+                    fmt::format("{:.2g}", payload.standard_deviations(k)), fmt::format("{:.6g}", payload.body(k)),
+                    kUnits[k]});
+  }
+  return fmt::format(
+      "on link {}, in its frame, about its origin\n\n{}\nthe nearest that a body can have is {:.2g} standard "
+      "deviations "
+      "from the estimate at most\n",
+      robot.mechanism.tip.link, aligned_table(rows), payload.largest_misfit);
+}
+
+nlohmann::ordered_json payload_json(const Model& robot, const PayloadEstimate& payload) {
+  return {{"link", robot.mechanism.tip.link},   {"parameters", kNames},
+          {"values", list(payload.values)},     {"standard_deviations", list(payload.standard_deviations)},
+          {"nearest_body", list(payload.body)}, {"largest_misfit", payload.largest_misfit}};
+}
+
+std::string payload_robot_text(const Model& robot, const PayloadEstimate& payload, const std::filesystem::path& file) {
+  const Centred body = centred(payload.body);
+  const auto& I = body.inertia;
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  return fmt::format(
+      "# The payload was identified by flatdyn {} from measured motion.\n\n"
+      "robot = \"{}\"\n\n[payload]\nlink = \"{}\"\nmass = {}\ncom = [{}, {}, {}]\n"
+      "inertia = {{ xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {} }}\ninertia_about = \"com\"\n",
+      FLATDYN_VERSION, std::filesystem::relative(robot.robot.file, folder).generic_string(), robot.mechanism.tip.link,
+      body.mass, body.com.x(), body.com.y(), body.com.z(), I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
+}
+
+}  // namespace flatdyn

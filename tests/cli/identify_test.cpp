@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// flatdyn identify as a user runs it: log in, robot file out, spread over ranks, and the examples of docs/.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/program.hpp"
+#include "support/robot_models.hpp"
+#include "support/simulated_log.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr const char* kPuma = "robots/puma560.toml";
+
+std::vector<std::vector<double>> numbers_of(const std::string& csv) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(csv);
+  std::string line, entry;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    rows.emplace_back();
+    std::istringstream entries(line);
+    while (std::getline(entries, entry, ',')) rows.back().push_back(std::stod(entry));
+  }
+  return rows;
+}
+
+// Torques of a robot file at the states of a log.
+std::vector<std::vector<double>> torques(const std::string& robot, const std::string& log) {
+  const Outcome outcome = run_flatdyn(fmt::format("eval {} -q --function inverse_dynamics --states {}", robot, log));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return numbers_of(outcome.out);
+}
+
+TEST(Identify, WritesARobotFileWhoseTorquesAreThoseMeasured) {
+  const Scratch scratch;
+  write_log(scratch.path("log.csv"), simulated(model_of("puma560.toml"), {.samples = 1500, .noise = 0.02}));
+  const std::string output = scratch.path("identified.toml");
+  const Outcome outcome =
+      run_flatdyn(fmt::format("identify {} -q --data {} -o {} --sequential", kPuma, scratch.path("log.csv"), output));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* text : {"1500 samples, 1500 used", "std dev", "joint by joint", "condition number", "wrote "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+  write_log(scratch.path("other.csv"), simulated(model_of("puma560.toml"), {.samples = 50, .seed = 9}));
+  const auto truth = torques(kPuma, scratch.path("other.csv")), found = torques(output, scratch.path("other.csv"));
+  ASSERT_EQ(truth.size(), 50u);
+  ASSERT_EQ(found.size(), 50u);
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    for (std::size_t i = truth[k].size() - 6; i < truth[k].size(); ++i) EXPECT_NEAR(found[k][i], truth[k][i], 0.05);
+  }
+}
+
+TEST(Identify, SaysItInJsonToo) {
+  const Scratch scratch;
+  write_log(scratch.path("log.csv"), simulated(model_of("puma560.toml"), {.samples = 300}));
+  const Outcome outcome = run_flatdyn(fmt::format("identify {} -q --json --data {}", kPuma, scratch.path("log.csv")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report["samples"], 300);
+  EXPECT_EQ(report["joints"].size(), 6u);
+  EXPECT_TRUE(report["damped"].empty());
+  for (const json& each : report["base_parameters"]) {
+    EXPECT_NEAR(each["value"].get<double>(), each["file"].get<double>(),
+                1e-9 * std::abs(each["file"].get<double>()) + 1e-12)
+        << each["kept"];
+  }
+}
+
+TEST(Identify, RefusesWhatItCannotUse) {
+  const Scratch scratch;
+  write_log(scratch.path("log.csv"), simulated(model_of("pendulum_motor.toml"), {.samples = 50}));
+  const std::string log = scratch.path("log.csv");
+  const std::tuple<std::string, int, const char*> cases[] = {
+      {"identify robots/pendulum_motor.toml", 2, "identify needs --data LOG.csv, or --merge PART..."},
+      {"identify robots/pendulum_motor.toml --part 5/4 -o x --data " + log, 2, "write k/N with 1 <= k <= N"},
+      {"identify robots/pendulum_motor.toml --part 1/4 --data " + log, 2, "--part needs --data LOG.csv and -o FILE"},
+      {"identify robots/planar_2r.toml --data " + log, 4, "the robot has free symbols"},
+      {"identify robots/puma560.toml --data " + log, 3, "log.csv:1: error: no column for the positions: q2, q3"},
+      {"identify robots/pendulum_motor.toml --data /nowhere.csv", 6, "/nowhere.csv: cannot be read"},
+  };
+  for (const auto& [arguments, code, message] : cases) {
+    const Outcome outcome = run_flatdyn(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+  }
+}
+
+// Four ranks, each with its part of the log.
+class MpiTest : public ::testing::Test {
+ protected:
+  Scratch scratch;
+
+  void SetUp() override {
+    if (std::system("mpirun --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no mpirun";
+    write_log(scratch.path("log.csv"), simulated(model_of("pendulum_motor.toml"), {.samples = 300000, .rate = 1000}));
+  }
+
+  // `before` is run by each rank, before its part.
+  void run_ranks(const std::string& before) {
+    scratch.write("rank.sh", fmt::format("{}\nexec {} identify robots/pendulum_motor.toml -q --data {} -o "
+                                         "{}$OMPI_COMM_WORLD_RANK.json --part $((OMPI_COMM_WORLD_RANK + 1))/4\n",
+                                         before, FLATDYN_PROGRAM, scratch.path("log.csv"), scratch.path("part")));
+    const std::string command = fmt::format(
+        "cd {} && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n 4 --oversubscribe "
+        "--enable-recovery sh {} > /dev/null 2>&1",
+        FLATDYN_SOURCE_DIR, scratch.path("rank.sh"));
+    [[maybe_unused]] const int status = std::system(command.c_str());
+  }
+  Outcome merged() {
+    return run_flatdyn(
+        fmt::format("identify robots/pendulum_motor.toml -q --json --merge {}*.json", scratch.path("part")));
+  }
+};
+
+TEST_F(MpiTest, RanksTogetherFindWhatOneRunFinds) {
+  run_ranks("");
+  const Outcome together = merged();
+  ASSERT_EQ(together.code, 0) << together.err;
+  const Outcome alone = run_flatdyn("identify robots/pendulum_motor.toml -q --json --data " + scratch.path("log.csv"));
+  ASSERT_EQ(alone.code, 0) << alone.err;
+  const json a = json::parse(together.out), b = json::parse(alone.out);
+  EXPECT_EQ(a["used"], b["used"]);
+  for (std::size_t k = 0; k < b["base_parameters"].size(); ++k) {
+    const double value = b["base_parameters"][k]["value"];
+    EXPECT_NEAR(a["base_parameters"][k]["value"].get<double>(), value, 1e-10 * std::abs(value));
+  }
+}
+
+TEST_F(MpiTest, OfARankThatWasKilledThePartIsMissed) {
+  run_ranks("if [ $OMPI_COMM_WORLD_RANK = 2 ]; then kill -9 $$; fi");
+  const Outcome outcome = merged();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("missing: part 3 of 4"));
+  EXPECT_THAT(outcome.err, HasSubstr("make it again with --part 3/4"));
+}
+
+Outcome run_example(const std::string& script, const std::string& folder) {
+  const std::string command = fmt::format("cd {} && EVALUATIONS=60 FLATDYN={} docs/examples/{} {} > {}/out 2> {}/err",
+                                          FLATDYN_SOURCE_DIR, FLATDYN_PROGRAM, script, folder, folder, folder);
+  Outcome outcome;
+  outcome.code = std::system(command.c_str());
+  return outcome;
+}
+
+TEST(Examples, ThePlanarArmIsIdentifiedFromExample72sMotion) {
+  const Scratch scratch;
+  ASSERT_EQ(run_example("identify_planar_arm.sh", scratch.path()).code, 0) << scratch.read("err");
+  EXPECT_THAT(scratch.read("out"), HasSubstr("2002 samples, 2002 used"));
+  EXPECT_EQ(run_flatdyn("verify -q --states 5 --functions inverse_dynamics " + scratch.path("identified.toml")).code,
+            0);
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Motion of a robot of which everything is known: sums of sines, torques by the recursive reference.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <random>
+
+#include "flatdyn/reference/newton_euler.hpp"
+#include "pipeline.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn::testing {
+
+struct SimulatedSample {
+  double time = 0;
+  Eigen::VectorXd q, qd, qdd, tau;
+};
+
+struct SimulationOptions {
+  int samples = 1000;
+  double rate = 100;         // Hz
+  double fundamental = 0.1;  // Hz; five harmonics
+  double noise = 0;          // standard deviation of τ, N m or N
+  unsigned seed = 1;
+  bool moving = true;  // otherwise only the first joint moves
+};
+
+// Uniform in [-1, 1], the same on every machine.
+class Uniform {
+ public:
+  explicit Uniform(unsigned seed) : engine_(seed) {}
+  double operator()() { return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1; }
+  // Of unit variance.
+  double normal() {
+    constexpr double kLeast = 1e-12;
+    const double u = std::max(std::abs((*this)()), kLeast);
+    return std::sqrt(-2 * std::log(u)) * std::cos(std::numbers::pi * (*this)());
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+inline std::vector<SimulatedSample> simulated(const Model& model, const SimulationOptions& options) {
+  constexpr int kHarmonics = 5;
+  const int n = model.mechanism.size();
+  const reference::Robot<double> robot = reference_robot<double>(model.robot, {});
+  Uniform draw(options.seed);
+  Eigen::MatrixXd a(n, kHarmonics), b(n, kHarmonics);
+  Eigen::VectorXd offset(n);
+  for (int i = 0; i < n; ++i) {
+    offset(i) = draw() / 2;
+    for (int l = 0; l < kHarmonics; ++l) {
+      a(i, l) = options.moving || i == 0 ? draw() / (l + 1) : 0;
+      b(i, l) = options.moving || i == 0 ? draw() / (l + 1) : 0;
+    }
+  }
+  std::vector<SimulatedSample> samples;
+  for (int k = 0; k < options.samples; ++k) {
+    SimulatedSample sample{k / options.rate, offset, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), {}};
+    for (int l = 0; l < kHarmonics; ++l) {
+      const double w = 2 * std::numbers::pi * options.fundamental * (l + 1);
+      const double s = std::sin(w * sample.time), c = std::cos(w * sample.time);
+      sample.q += s * a.col(l) + c * b.col(l);
+      sample.qd += w * (c * a.col(l) - s * b.col(l));
+      sample.qdd -= w * w * (s * a.col(l) + c * b.col(l));
+    }
+    sample.tau = reference::inverse_dynamics<double>(robot, sample.q, sample.qd, sample.qdd);
+    for (int i = 0; i < n; ++i) sample.tau(i) += options.noise * draw.normal();
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+enum class LogDerivatives { both, rates, none };
+
+inline void write_log(const std::filesystem::path& path, const std::vector<SimulatedSample>& samples,
+                      LogDerivatives derivatives = LogDerivatives::both) {
+  std::ofstream file(path);
+  const auto n = samples.front().q.size();
+  const auto names = [&](const char* stem) {
+    for (Eigen::Index i = 1; i <= n; ++i) file << fmt::format(",{}{}", stem, i);
+  };
+  const auto numbers = [&](const Eigen::VectorXd& v) {
+    for (const double value : v) file << fmt::format(",{}", value);
+  };
+  file << "t";
+  names("q");
+  names("tau");
+  if (derivatives != LogDerivatives::none) names("qd");
+  if (derivatives == LogDerivatives::both) names("qdd");
+  file << "\n";
+  for (const SimulatedSample& sample : samples) {
+    file << fmt::format("{}", sample.time);
+    numbers(sample.q);
+    numbers(sample.tau);
+    if (derivatives != LogDerivatives::none) numbers(sample.qd);
+    if (derivatives == LogDerivatives::both) numbers(sample.qdd);
+    file << "\n";
+  }
+}
+
+}  // namespace flatdyn::testing

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Base parameters from simulated motion, whose truth is known.
+#include "identify/least_squares.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/robot_models.hpp"
+#include "support/simulated_log.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::VectorXd;
+using testing::simulated;
+
+struct Arm {
+  explicit Arm(const std::string& file, ParameterSet set = ParameterSet::given)
+      : robot(testing::model_of(file)), torque(robot, set, quiet) {}
+
+  Progress quiet{true};
+  Model robot;
+  TorqueModel torque;
+
+  VectorXd truth() const {
+    return Eigen::Map<const VectorXd>(torque.file_values().data(), static_cast<Eigen::Index>(torque.parameters()));
+  }
+  Observations observed(const std::vector<testing::SimulatedSample>& samples) const {
+    ObservationFolder folder(torque);
+    for (const testing::SimulatedSample& each : samples) {
+      folder.add({each.time, each.q.data(), each.qd.data(), each.qdd.data(), each.tau.data(), nullptr});
+    }
+    return folder.observations();
+  }
+};
+
+// The torques are those of the recursive reference, which knows nothing of regressors.
+TEST(LeastSquares, RecoversEveryBaseParameterFromNoiseFreeMotion) {
+  for (const char* robot : {"planar_2r_example_7_2.toml", "pendulum_motor.toml", "puma560.toml", "rx90.toml",
+                            "ur5.urdf", "panda.urdf", "quadruped12.urdf"}) {
+    const Arm arm(robot);
+    const Observations observations = arm.observed(simulated(arm.robot, {.samples = 600}));
+    const VectorXd truth = arm.truth();
+    const VectorXd prior = VectorXd::Zero(truth.size());
+    const Estimate found = estimate(observations, prior);
+    EXPECT_TRUE(found.converged) << robot;
+    EXPECT_TRUE(found.damped.empty()) << robot;
+    const double size = truth.cwiseAbs().maxCoeff();
+    for (Eigen::Index k = 0; k < truth.size(); ++k) {
+      EXPECT_NEAR(found.values(k), truth(k), 1e-9 * std::abs(truth(k)) + 1e-13 * size) << robot << ", " << k;
+    }
+  }
+}
+
+TEST(LeastSquares, JointByJointFindsTheSameWithoutNoise) {
+  const Arm arm("puma560.toml");
+  const Observations observations = arm.observed(simulated(arm.robot, {.samples = 600}));
+  const VectorXd found = estimate_joint_by_joint(observations);
+  EXPECT_LT((found - arm.truth()).norm(), 1e-9 * arm.truth().norm());
+}
+
+// 95 % intervals contain the truth 95 % of the time: over 400 noisy runs and all parameters.
+TEST(LeastSquares, IntervalsAreHonest) {
+  constexpr int kRuns = 400;
+  constexpr double kTwoSided95 = 1.959964;
+  const Arm arm("planar_2r_example_7_2.toml", ParameterSet::full);
+  const VectorXd truth = arm.truth();
+  int inside = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const auto samples =
+        simulated(arm.robot, {.samples = 200, .rate = 20, .noise = 3, .seed = static_cast<unsigned>(run + 1)});
+    const Estimate found = estimate(arm.observed(samples), VectorXd::Zero(truth.size()));
+    const VectorXd error = (found.values - truth).cwiseAbs();
+    inside += static_cast<int>((error.array() <= kTwoSided95 * found.standard_deviations.array()).count());
+  }
+  const double part = static_cast<double>(inside) / static_cast<double>(kRuns * truth.size());
+  EXPECT_GE(part, 0.93);
+  EXPECT_LE(part, 0.97);
+}
+
+// The second joint is ten times noisier: with the weights its rows count a hundredth.
+TEST(LeastSquares, WeightsFollowTheNoiseOfEachJoint) {
+  const Arm arm("planar_2r_example_7_2.toml");
+  auto samples = simulated(arm.robot, {.samples = 2000});
+  testing::Uniform draw(5);
+  for (testing::SimulatedSample& sample : samples) {
+    sample.tau(0) += 0.5 * draw.normal();
+    sample.tau(1) += 5 * draw.normal();
+  }
+  const Estimate found = estimate(arm.observed(samples), arm.truth());
+  EXPECT_TRUE(found.converged);
+  EXPECT_NEAR(found.torque_deviations(0), 0.5, 0.05);
+  EXPECT_NEAR(found.torque_deviations(1), 5, 0.5);
+}
+
+// Only the first joint moves: what that does not tell stays as it was.
+TEST(LeastSquares, WhatTheMotionDoesNotTellStaysAtThePrior) {
+  const Arm arm("puma560.toml");
+  const Observations observations = arm.observed(simulated(arm.robot, {.samples = 500, .moving = false}));
+  const VectorXd prior = arm.truth() + VectorXd::Constant(arm.truth().size(), 0.1);
+  const Estimate found = estimate(observations, prior);
+  EXPECT_FALSE(found.damped.empty());
+  EXPECT_TRUE(found.values.allFinite());
+  EXPECT_TRUE(found.standard_deviations.allFinite());
+  EXPECT_LT((found.values - prior).norm(), 2 * (arm.truth() - prior).norm());
+  for (std::size_t i = 0; i < observations.joints.size(); ++i) {
+    EXPECT_LT(observations.joints[i].rms_residual(found.values), 1e-6) << i;
+  }
+}
+
+TEST(LeastSquares, OfARobotThatStandsStillNothingBlowsUp) {
+  const Arm arm("ur5.urdf");
+  auto samples = simulated(arm.robot, {.samples = 50});
+  for (testing::SimulatedSample& sample : samples) {
+    sample.qd.setZero();
+    sample.qdd.setZero();
+    sample.tau.setZero();
+  }
+  const Estimate found = estimate(arm.observed(samples), arm.truth());
+  EXPECT_TRUE(found.values.allFinite());
+  EXPECT_TRUE(found.standard_deviations.allFinite());
+}
+
+}  // namespace
+}  // namespace flatdyn

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Logs as people write them, and what they get wrong: each mistake with its line.
+#include "identify/log_reader.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <numbers>
+
+#include "identify/motion_stream.hpp"
+#include "support/robot_models.hpp"
+
+namespace flatdyn {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const Mechanism& planar_arm() {
+  static const Model model = testing::model_of("planar_2r_example_7_2.toml");
+  return model.mechanism;
+}
+
+class LogTest : public ::testing::Test {
+ protected:
+  std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("flatdyn-log-{}.csv", ::getpid());
+  Diagnostics found;
+
+  ~LogTest() override { std::filesystem::remove(file); }
+
+  void write(const std::string& text) const { std::ofstream(file) << text; }
+
+  std::vector<std::vector<double>> read(const std::string& text) {
+    write(text);
+    std::vector<std::vector<double>> samples;
+    LogReader reader(file, planar_arm(), found);
+    if (found.has_errors()) return samples;
+    std::vector<double> channels(static_cast<std::size_t>(reader.layout().channels()));
+    while (reader.next(channels.data())) samples.push_back(channels);
+    return samples;
+  }
+
+  // The only error, as "line: message".
+  std::string error() const {
+    for (const Diagnostic& each : found.all()) {
+      if (each.severity == Severity::error) return fmt::format("{}: {}", each.place.line, each.message);
+    }
+    return "none";
+  }
+};
+
+TEST_F(LogTest, ColumnsComeInAnyOrderByNumberOrName) {
+  const auto samples = read("tau_joint2, q1, time, tau1, q_joint2, room\n# a comment\n\n4, 1, 0.5, 3, 2, kitchen\r\n");
+  EXPECT_EQ(error(), "none");
+  ASSERT_EQ(samples.size(), 1u);
+  EXPECT_THAT(samples[0], ElementsAre(0.5, 1, 2, 3, 4));
+  EXPECT_THAT(found.all().at(0).message, HasSubstr("not used: room"));
+}
+
+TEST_F(LogTest, UnitsAreMadeSI) {
+  const auto samples = read("t [ms],q1[deg],q2 (rad),tau1 [Nmm],tau2,qd1 [deg/s],qd2\n500,180,2,3000,4,-90,6\n");
+  EXPECT_EQ(error(), "none");
+  ASSERT_EQ(samples.size(), 1u);
+  const double pi = std::numbers::pi;
+  EXPECT_THAT(samples[0], ::testing::Pointwise(::testing::DoubleEq(), {0.5, pi, 2.0, 3.0, 4.0, -pi / 2, 6.0}));
+}
+
+TEST_F(LogTest, WhatIsWrongWithTheHeadingIsSaid) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"t,q1,tau1,tau2\n", "1: no column for the positions: q2"},
+      {"q1,q2,tau1,tau2\n", "1: no column for the time: t"},
+      {"t,q1,q2,tau1,tau2,qd2\n", "1: no column for qd1"},
+      {"t,q1,q2,tau1,tau2,q_joint1\n", "1: column \"q_joint1\" is there twice"},
+      {"t,q1 [grad],q2,tau1,tau2\n", "1: column \"q1\": unknown unit \"grad\""},
+      {"", "0: no samples in the file"},
+  };
+  for (const auto& [text, message] : cases) {
+    found = {};
+    read(text);
+    EXPECT_EQ(error(), message) << text;
+  }
+}
+
+TEST_F(LogTest, WhatIsWrongWithALineIsSaid) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"0,1,2,3,\n", "2: column \"tau2\": missing value"},
+      {"0,1,,3,4\n", "2: column \"q2\": missing value"},
+      {"0,1,2,3\n", "2: 4 entries, but the heading has 5 columns"},
+      {"0,1,2,3,4,5\n", "2: more than the 5 entries that the heading has"},
+      {"0,1,2,x,4\n", "2: column \"tau1\": \"x\" is not a finite number"},
+      {"0,1,nan,3,4\n", "2: column \"q2\": \"nan\" is not a finite number"},
+      {"0,1,1e999,3,4\n", "2: column \"q2\": \"1e999\" is not a finite number"},
+      {"0,1,2,3,4\n0,1,2,3,4\n", "3: time does not grow: 0 s after 0 s"},
+  };
+  for (const auto& [lines, message] : cases) {
+    found = {};
+    read(std::string("t,q1,q2,tau1,tau2\n") + lines);
+    EXPECT_EQ(error(), message) << lines;
+  }
+}
+
+TEST_F(LogTest, SayingStopsAfterTwentyErrors) {
+  std::string text = "t,q1,q2,tau1,tau2\n";
+  for (int k = 0; k < 100; ++k) text += "no,1,2,3,4\n";
+  read(text);
+  EXPECT_EQ(found.all().size(), 20u);
+}
+
+TEST_F(LogTest, AFileThatIsNotThereIsAFailureOfReading) {
+  EXPECT_THROW(LogReader("/nowhere/log.csv", planar_arm(), found), Failure);
+}
+
+// A sine, with `scale` times what is right as its rate.
+std::string sine_log(double position_scale, double rate_scale) {
+  std::string text = "t,q1,q2,tau1,tau2,qd1,qd2\n";
+  for (int k = 0; k < 200; ++k) {
+    const double t = 0.01 * k;
+    text += fmt::format("{},{},0,0,0,{},0\n", t, position_scale * std::sin(3 * t), rate_scale * 3 * std::cos(3 * t));
+  }
+  return text;
+}
+
+TEST_F(LogTest, DegreesThatAreNotDeclaredAreNoticed) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const std::pair<double, const char*> cases[] = {{1 / kDegrees, "is q1 in degrees?"},
+                                                  {kDegrees, "is qd1 in degrees?"}};
+  for (const auto& [scale, hint] : cases) {
+    found = {};
+    write(sine_log(1, scale));
+    plan_stream(file, planar_arm(), {}, found);
+    ASSERT_TRUE(found.has_errors());
+    EXPECT_THAT(found.all().at(0).hint, HasSubstr(hint));
+    EXPECT_EQ(found.all().at(0).place.line, 2);
+  }
+  found = {};
+  write(sine_log(1, 1));
+  plan_stream(file, planar_arm(), {}, found);
+  EXPECT_TRUE(found.all().empty());
+}
+
+}  // namespace
+}  // namespace flatdyn

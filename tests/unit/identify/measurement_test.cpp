@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Logs → observations: derivatives, gaps, and parts that make up the whole.
+#include "identify/measurement.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "identify/least_squares.hpp"
+#include "identify/part_file.hpp"
+#include "support/robot_models.hpp"
+#include "support/simulated_log.hpp"
+
+namespace flatdyn {
+namespace {
+
+using testing::LogDerivatives;
+using testing::simulated;
+
+const Model& arm() {
+  static const Model model = testing::model_of("planar_2r_example_7_2.toml");
+  return model;
+}
+
+const TorqueModel& torque_model() {
+  static Progress quiet(true);
+  static const TorqueModel model(arm(), ParameterSet::given, quiet);
+  return model;
+}
+
+class MeasurementTest : public ::testing::Test {
+ protected:
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / fmt::format("flatdyn-measurement-{}", ::getpid());
+  Diagnostics found;
+  Progress progress{true};
+
+  MeasurementTest() { std::filesystem::create_directories(folder); }
+  ~MeasurementTest() override { std::filesystem::remove_all(folder); }
+
+  std::filesystem::path log(const std::vector<testing::SimulatedSample>& samples,
+                            LogDerivatives derivatives = LogDerivatives::both) {
+    const std::filesystem::path path = folder / fmt::format("log{}.csv", ++logs_);
+    write_log(path, samples, derivatives);
+    return path;
+  }
+  Measurement measured(const std::vector<std::filesystem::path>& paths, const StreamOptions& options = {}) {
+    return measure(torque_model(), paths, options, progress, found);
+  }
+
+ private:
+  int logs_ = 0;
+};
+
+Eigen::VectorXd truth() {
+  const std::vector<double>& values = torque_model().file_values();
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+double relative_residual(const Measurement& measurement) {
+  double worst = 0;
+  for (const JointObservations& joint : measurement.observations.joints) {
+    worst = std::max(worst, joint.rms_residual(truth()) / joint.rms_torque());
+  }
+  return worst;
+}
+
+TEST_F(MeasurementTest, WithAllDerivativesTheRowsAreExact) {
+  const Measurement measurement = measured({log(simulated(arm(), {.samples = 3000}))});
+  EXPECT_TRUE(found.all().empty());
+  EXPECT_EQ(measurement.count.used, 3000);
+  EXPECT_EQ(measurement.plan.band, 0);
+  EXPECT_LT(relative_residual(measurement), 1e-14);
+}
+
+TEST_F(MeasurementTest, DerivativesThatAreMissingComeFromTheFilter) {
+  const auto samples = simulated(arm(), {.samples = 5000, .rate = 500, .fundamental = 0.3});
+  for (const LogDerivatives derivatives : {LogDerivatives::none, LogDerivatives::rates}) {
+    const Measurement measurement = measured({log(samples, derivatives)});
+    EXPECT_EQ(measurement.plan.band, 10);
+    EXPECT_EQ(measurement.plan.decimate, 16);
+    EXPECT_EQ(measurement.count.lines, 5000);
+    EXPECT_EQ(measurement.count.used, (5000 - 2 * measurement.plan.half_window) / 16);
+    EXPECT_LT(relative_residual(measurement), 3e-4);
+  }
+}
+
+TEST_F(MeasurementTest, AGapInTimeStartsTheFilterAnew) {
+  auto samples = simulated(arm(), {.samples = 4000, .rate = 500, .fundamental = 0.3});
+  samples.erase(samples.begin() + 2000, samples.begin() + 2100);
+  const Measurement measurement = measured({log(samples, LogDerivatives::none)});
+  EXPECT_EQ(measurement.count.gaps, 1);
+  EXPECT_LT(relative_residual(measurement), 3e-4);
+}
+
+TEST_F(MeasurementTest, ABandThatTheSamplingCannotHoldIsAnError) {
+  measured({log(simulated(arm(), {.samples = 100}))}, {.band = 40});
+  ASSERT_TRUE(found.has_errors());
+  EXPECT_THAT(found.all().at(0).message, ::testing::HasSubstr("too wide for 100 samples a second"));
+}
+
+TEST_F(MeasurementTest, ATipForceIsTakenOffTheTorques) {
+  const Mechanism& mechanism = arm().mechanism;
+  const double q[] = {0.3, -0.8}, h_e[] = {2, -3, 0, 0, 0, 0.5};
+  double tau[2];
+  torque_model().tip_torque(q, h_e, tau);
+  // Both links are 1 m long: moments about the joints, in the plane.
+  const double x2 = std::cos(0.3 - 0.8), y2 = std::sin(0.3 - 0.8);
+  const double x1 = std::cos(0.3) + x2, y1 = std::sin(0.3) + y2;
+  ASSERT_EQ(mechanism.size(), 2);
+  EXPECT_NEAR(tau[0], x1 * -3 - y1 * 2 + 0.5, 1e-14);
+  EXPECT_NEAR(tau[1], x2 * -3 - y2 * 2 + 0.5, 1e-14);
+}
+
+double largest_difference(const Observations& a, const Observations& b) {
+  double worst = 0;
+  for (std::size_t i = 0; i < a.joints.size(); ++i) {
+    const Eigen::MatrixXd x = a.joints[i].R.transpose() * a.joints[i].R;
+    const Eigen::MatrixXd y = b.joints[i].R.transpose() * b.joints[i].R;
+    worst = std::max(worst, (x - y).norm() / x.norm());
+  }
+  return worst;
+}
+
+class PartsTest : public MeasurementTest {
+ protected:
+  static constexpr int kParts = 3;
+  std::filesystem::path whole_log = log(simulated(arm(), {.samples = 150000, .rate = 1000}), LogDerivatives::none);
+
+  std::vector<std::filesystem::path> parts() {
+    std::vector<std::filesystem::path> files;
+    for (int k = 1; k <= kParts; ++k) {
+      const StreamOptions options{.part = k, .parts = kParts};
+      files.push_back(folder / fmt::format("part{}.json", k));
+      std::ofstream(files.back()) << part_text(measured({whole_log}, options), torque_model(), options);
+    }
+    return files;
+  }
+};
+
+// Also at the edges of the blocks, where a part needs its neighbours' samples for the filter.
+TEST_F(PartsTest, MakeUpTheWhole) {
+  const Measurement whole = measured({whole_log});
+  const Measurement merged = merge_parts(parts(), torque_model(), found);
+  ASSERT_FALSE(found.has_errors());
+  EXPECT_EQ(merged.count.used, whole.count.used);
+  EXPECT_EQ(merged.count.lines, whole.count.lines);
+  EXPECT_LT(largest_difference(merged.observations, whole.observations), 1e-13);
+  EXPECT_LE(merged.samples.size(), ThinnedSamples::kMost);
+}
+
+TEST_F(PartsTest, AreMissedCountedTwiceAndToldApart) {
+  const std::vector<std::filesystem::path> files = parts();
+  merge_parts({files[0], files[2]}, torque_model(), found);
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_EQ(found.all()[0].message, "missing: part 2 of 3");
+  found = {};
+  merge_parts({files[0], files[1], files[2], files[1]}, torque_model(), found);
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("part 2 is there twice"));
+  found = {};
+  const TorqueModel other(arm(), ParameterSet::full, progress);
+  merge_parts(files, other, found);
+  EXPECT_EQ(found.all().size(), 3u);
+  EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("another robot"));
+  found = {};
+  std::filesystem::resize_file(files[1], 1000);
+  merge_parts(files, torque_model(), found);
+  EXPECT_THAT(found.all().at(0).message, ::testing::HasSubstr("not whole"));
+}
+
+}  // namespace
+}  // namespace flatdyn

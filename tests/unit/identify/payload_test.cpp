@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A payload that is known, found from torques and from a sensor at the wrist.
+#include "identify/payload.hpp"
+
+#include <gtest/gtest.h>
+
+#include "identify/wrist.hpp"
+#include "support/robot_models.hpp"
+#include "support/simulated_log.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::VectorXd;
+using testing::simulated;
+
+// 1.5 kg at (0.03, -0.02, 0.1) m: m, m l, Î about the frame's origin.
+VectorXd known_payload() {
+  VectorXd ten(10);
+  ten << 1.5, 0.045, -0.03, 0.15, 0.0206, 0.0009, -0.0045, 0.0214, 0.003, 0.0069;
+  return ten;
+}
+
+Inertial as_inertial(const VectorXd& ten) {
+  const auto exact = [](double value) { return exact_decimal(fmt::format("{}", value)); };
+  Inertial body;
+  body.mass.number = exact(ten(0));
+  for (int k = 0; k < 3; ++k) {
+    body.centre_of_mass[static_cast<std::size_t>(k)] = exact(ten(1 + k)) / exact(ten(0));
+  }
+  int at = 4;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) body.tensor[i][j] = body.tensor[j][i] = exact(ten(at++));
+  }
+  body.about = Inertial::About::frame_origin;
+  return body;
+}
+
+Model with_payload(Model model) {
+  model.robot.links[static_cast<std::size_t>(model.robot.tip)].inertials.push_back(as_inertial(known_payload()));
+  model.mechanism = make_mechanism(model.robot);
+  return model;
+}
+
+Observations observed(const TorqueModel& torque, const std::vector<testing::SimulatedSample>& samples) {
+  ObservationFolder folder(torque);
+  for (const testing::SimulatedSample& each : samples) {
+    folder.add({each.time, each.q.data(), each.qd.data(), each.qdd.data(), each.tau.data(), nullptr});
+  }
+  return folder.observations();
+}
+
+TEST(Payload, IsTheChangeOfTheLastLink) {
+  Progress quiet(true);
+  for (const char* robot : {"panda.urdf", "ur5.urdf", "puma560.toml"}) {
+    const Model model = testing::model_of(robot);
+    const TorqueModel torque(model, ParameterSet::given, quiet);
+    const VectorXd without = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
+    const auto samples = simulated(with_payload(model), {.samples = 800});
+    const PayloadEstimate found = estimate_payload(torque, observed(torque, samples), without);
+    EXPECT_LT((found.values - known_payload()).cwiseAbs().maxCoeff(), 1e-9) << robot;
+    EXPECT_LT((found.body - known_payload()).cwiseAbs().maxCoeff(), 1e-5) << robot;
+  }
+}
+
+// The arm's own parameters in the file are wrong; the log without payload says what they are.
+TEST(Payload, IsFoundAgainstALogWithoutIt) {
+  Progress quiet(true);
+  const Model truth = testing::model_of("puma560.toml");
+  Model wrong = truth;
+  for (Body& body : wrong.mechanism.bodies) body.inertia.mass = body.inertia.mass * 2 + 1;
+  const TorqueModel torque(wrong, ParameterSet::given, quiet);
+  const VectorXd file = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
+  const VectorXd without = estimate(observed(torque, simulated(truth, {.samples = 800, .noise = 0.01})), file).values;
+  const auto samples = simulated(with_payload(truth), {.samples = 800, .noise = 0.01, .seed = 3});
+  const PayloadEstimate found = estimate_payload(torque, observed(torque, samples), without);
+  EXPECT_NEAR(found.values(0), 1.5, 0.01);
+  EXPECT_LT((found.values - known_payload()).cwiseAbs().maxCoeff(), 0.02);
+}
+
+TEST(Payload, IsFoundByASensorAtTheWristInSpiteOfItsOffsets) {
+  const Model model = testing::model_of("panda.urdf");
+  Robot only_payload = model.robot;
+  for (Link& link : only_payload.links) link.inertials.clear();
+  only_payload.links[static_cast<std::size_t>(only_payload.tip)].inertials.push_back(as_inertial(known_payload()));
+  const reference::Robot<double> body = reference_robot<double>(only_payload, {});
+  WristObserver observer(model.robot);
+  for (const testing::SimulatedSample& each : simulated(model, {.samples = 500})) {
+    const auto motion = reference::link_motions<double>(body, each.q, each.qd, each.qdd, true);
+    Eigen::Vector3d f(1, -2, 3), mu(0.1, 0.2, -0.3);  // offsets of the sensor
+    const auto tip = static_cast<std::size_t>(body.tip);
+    reference::detail::add_inertial_wrench(body.links[tip], motion[tip], f, mu);
+    const double h_e[] = {f.x(), f.y(), f.z(), mu.x(), mu.y(), mu.z()};
+    observer.add({each.time, each.q.data(), each.qd.data(), each.qdd.data(), each.tau.data(), h_e});
+  }
+  const PayloadEstimate found = observer.estimate();
+  EXPECT_LT((found.values - known_payload()).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+}  // namespace
+}  // namespace flatdyn

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/physical_parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "support/robot_models.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd values_of(const std::vector<Number>& numbers) {
+  VectorXd values(static_cast<Index>(numbers.size()));
+  for (std::size_t k = 0; k < numbers.size(); ++k) values(static_cast<Index>(k)) = nearest_double(numbers[k]);
+  return values;
+}
+
+VectorXd base_of(const BaseParameters& base, const std::vector<double>& pi) {
+  VectorXd result = VectorXd::Zero(base.size());
+  for (int row = 0; row < base.size(); ++row) {
+    for (const auto& [index, coefficient] : base.combination[static_cast<std::size_t>(row)]) {
+      result(row) += nearest_double(coefficient) * pi[static_cast<std::size_t>(index)];
+    }
+  }
+  return result;
+}
+
+void expect_bodies(const std::vector<double>& pi) {
+  for (std::size_t at = 0; at < pi.size(); at += kParametersPerJoint) {
+    EXPECT_GT(pi[at], 0) << "mass of link " << at / kParametersPerJoint + 1;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(pseudo_inertia(&pi[at]));
+    EXPECT_GT(eigen.eigenvalues().minCoeff(), 0) << "link " << at / kParametersPerJoint + 1;
+  }
+}
+
+MatrixXd covariance_of(const VectorXd& deviations) { return deviations.cwiseAbs2().asDiagonal(); }
+
+TEST(PseudoInertia, IsThatOfPointMasses) {
+  // Masses 2 and 3 kg at (1, 0, 0) and (0, 2, 1).
+  const double ten[] = {5, 2, 6, 3, 3 * 5, 0, 0, 2 + 3, -6, 2 + 3 * 4};
+  const Eigen::Matrix4d P = pseudo_inertia(ten);
+  Eigen::Matrix4d expected = Eigen::Matrix4d::Zero();
+  for (const auto& [mass, point] : {std::pair{2.0, Eigen::Vector4d{1, 0, 0, 1}}, {3.0, Eigen::Vector4d{0, 2, 1, 1}}}) {
+    expected += mass * point * point.transpose();
+  }
+  EXPECT_LT((P - expected).norm(), 1e-14);
+}
+
+// π_b of the file itself: nothing has to move.
+TEST(PhysicalParameters, OfTheFilesOwnBaseParametersAreTheFiles) {
+  const Model model = testing::model_of("panda.urdf");
+  const BaseParameters base = base_parameters(model.mechanism);
+  const VectorXd pi_b = values_of(base_values(model.mechanism, base));
+  const PhysicalParameters found =
+      physical_parameters(model.mechanism, base, pi_b, covariance_of(1e-3 * pi_b.cwiseAbs()));
+  expect_bodies(found.pi);
+  EXPECT_LT(found.largest_misfit, 1e-3);
+  EXPECT_LT(found.distance, 1e-3);
+}
+
+// The masses of another robot: what π_b says is met, by links that a body can have.
+TEST(PhysicalParameters, MeetBaseParametersFarFromTheFile) {
+  const Model truth = testing::model_of("panda.urdf");
+  const BaseParameters base = base_parameters(truth.mechanism);
+  const VectorXd pi_b = values_of(base_values(truth.mechanism, base));
+  Mechanism wrong = truth.mechanism;
+  for (Body& body : wrong.bodies) {
+    body.inertia.mass = 1;
+    body.inertia.first_moment = zero_vector();
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) body.inertia.inertia[i][j] = i == j ? Number(1) / 100 : Number(0);
+    }
+  }
+  const VectorXd deviations = 1e-3 * pi_b.cwiseAbs() + VectorXd::Constant(pi_b.size(), 1e-5);
+  const PhysicalParameters found = physical_parameters(wrong, base, pi_b, covariance_of(deviations));
+  expect_bodies(found.pi);
+  EXPECT_TRUE(found.converged);
+  EXPECT_LT((base_of(base, found.pi) - pi_b).cwiseQuotient(deviations).cwiseAbs().maxCoeff(), 0.1);
+  EXPECT_GT(found.distance, 0.1);
+}
+
+// No body has a negative moment of inertia: the nearest that one has is found, and the misfit is told.
+TEST(PhysicalParameters, AreBodiesEvenIfBaseParametersAreNot) {
+  const Model model = testing::model_of("pendulum_motor.toml");
+  const BaseParameters base = base_parameters(model.mechanism, ParameterSet::inertial);
+  VectorXd pi_b = values_of(base_values(model.mechanism, base));
+  pi_b(0) = -0.2;
+  const PhysicalParameters found =
+      physical_parameters(model.mechanism, base, pi_b, covariance_of(VectorXd::Constant(pi_b.size(), 0.01)));
+  expect_bodies(found.pi);
+  EXPECT_GT(found.largest_misfit, 10);
+}
+
+}  // namespace
+}  // namespace flatdyn
