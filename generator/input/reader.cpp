@@ -16,15 +16,6 @@ namespace {
 
 const Place kCommandLine;
 
-enum class FileKind { urdf, toml, unknown };
-
-FileKind kind_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  if (extension == ".urdf" || extension == ".xml") return FileKind::urdf;
-  return extension == ".toml" ? FileKind::toml : FileKind::unknown;
-}
-
 // The inertia of a rotor that no longer turns, as a body fixed to the link that carries it.
 Inertial as_inertial(const Motor& motor) {
   Inertial inertial;
@@ -129,7 +120,8 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
   hold_joints(context, robot);
   if (!validate_tree(robot, context.diagnostics)) return;
   attach(attachments, context, robot);
-  validate_values(robot, context.diagnostics);
+  const Place payload = attachments.payload ? attachments.payload->inertial.place : Place{};
+  validate_values(robot, payload, context.diagnostics);
 }
 
 }  // namespace
@@ -137,7 +129,7 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
                                 Diagnostics& diagnostics) {
   Diagnostics found;
-  ReadContext context{options, found, {}, {}, 0, {}};
+  ReadContext context{options, found, {}, {}, 0, {}, {}};
   for (const std::string& joint : options.fixed_joints) context.held_joints.push_back({joint, kCommandLine});
   Robot robot;
   robot.file = path.string();
