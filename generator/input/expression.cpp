@@ -14,13 +14,6 @@ constexpr int kLargestSymbolicExponent = 20;  // the closed form expands powers
 constexpr int kMostBits = 8192;               // of a numerator or denominator
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-// A factor of a symbol, too, must be one that a double can be.
-bool is_in_range(const Number& value) {
-  static const GiNaC::numeric kLargest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e30"));
-  const GiNaC::numeric magnitude = GiNaC::ex_to<GiNaC::numeric>(value);
-  return magnitude.is_zero() || (magnitude <= kLargest && magnitude * kLargest >= 1);
-}
-
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 class Parser {
@@ -131,9 +124,7 @@ class Parser {
     }
     const std::string_view digits = text_.substr(begin, position_ - begin);
     try {
-      const Number value = exact_decimal(digits);
-      if (!is_in_range(value)) throw std::invalid_argument("numbers go from 1e-30 to 1e30");
-      return value;
+      return exact_decimal(digits);
     } catch (const std::invalid_argument& error) {
       position_ = begin;
       fail("\"" + std::string(digits) + "\": " + error.what());

@@ -34,6 +34,14 @@ Number canonical_angle(const Number& angle, const Spot& spot, Diagnostics& diagn
   return exact_decimal(to_decimal(angle, kDigits));
 }
 
+// Of the value, or of each number that is a term or factor beside its symbols.
+bool check_magnitudes(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
+  if (!has_symbols(value)) return check_magnitude(value, shown, spot, diagnostics);
+  if (GiNaC::is_a<GiNaC::power>(value)) return check_magnitudes(value.op(0), shown, spot, diagnostics);
+  return std::all_of(value.begin(), value.end(),
+                     [&](const Number& part) { return check_magnitudes(part, shown, spot, diagnostics); });
+}
+
 // TOML's own numbers are doubles and integers of 64 bits; the parser refuses others before we see them.
 std::string hint_for_malformed(const std::string& description) {
   const auto says = [&](const char* words) { return description.find(words) != std::string::npos; };
@@ -140,8 +148,8 @@ std::optional<Number> TomlTable::expression_of(const toml::node& node, const std
   const std::string shown = "\"" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "\"";
   try {
     const Number value = parse_expression(text, symbol);
-    if (has_symbols(value)) return value;
-    if (check_magnitude(value, shown, spot, context.diagnostics)) return value;
+    const std::string numbers = has_symbols(value) ? "a number in " + shown : shown;
+    if (check_magnitudes(value, numbers, spot, context.diagnostics)) return value;
   } catch (const ExpressionError& error) {
     context.diagnostics.error(
         spot.place, spot.what + ": " + shown + ": " + error.what() + " (column " + std::to_string(error.column()) + ")",
