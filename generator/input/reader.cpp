@@ -8,6 +8,7 @@
 #include "input/context.hpp"
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
+#include "input/utf8.hpp"
 #include "model/validate.hpp"
 
 namespace flatdyn {
@@ -124,6 +125,13 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
   validate_values(robot, payload, context.diagnostics);
 }
 
+void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnostics, Robot& robot) {
+  robot.name = path.stem().string();
+  if (is_utf8(robot.name)) return;
+  diagnostics.error({path.string(), 0}, "the name of the file, which the robot takes, is not UTF-8",
+                    "rename the file, or give the robot a name in it");
+}
+
 }  // namespace
 
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
@@ -136,7 +144,7 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   read_into(path, context, robot);
   robot.symbols = context.symbols.in_order();
   robot.snaps = context.snaps;
-  if (robot.name.empty()) robot.name = path.stem().string();
+  if (robot.name.empty()) take_name_of_file(path, found, robot);
   if (options.gravity) robot.gravity = *options.gravity;
   hand_over(found, diagnostics);
   if (found.has_errors()) return std::nullopt;

@@ -142,6 +142,14 @@ TEST_F(UrdfReader, SpringsAndLoopsAreNotSupported) {
   }
 }
 
+TEST_F(UrdfReader, TheNameOfTheFileMustBeUtf8WhereTheRobotTakesIt) {
+  const std::string named = one_joint_urdf("revolute", "");
+  EXPECT_TRUE(read_robot(write("r\xFF.urdf", named), {}, diagnostics_).has_value());
+  const std::string nameless = "<robot>" + named.substr(named.find('>') + 1);
+  EXPECT_FALSE(read_robot(write("r\xFF.urdf", nameless), {}, diagnostics_).has_value());
+  EXPECT_EQ(diagnostics_.all().at(0).message, "the name of the file, which the robot takes, is not UTF-8");
+}
+
 TEST_F(UrdfReader, LeavesNamesOfOthersAlone) {
   joint("revolute", R"(<limit mujoco:margin="1" drake:jerk="2" effort="1" velocity="1"/><drake:rotor_inertai value="1"/>
       <hardwareInterface/><sensor/>)",
