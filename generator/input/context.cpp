@@ -3,9 +3,12 @@
 
 #include <cln/cln.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "diagnostics/nearest.hpp"
 
 namespace flatdyn {
 
@@ -32,9 +35,67 @@ GiNaC::numeric rounded(const Number& rational) {
   return GiNaC::numeric(cln::floor1(cln::the<cln::cl_R>(half.to_cl_N())));
 }
 
+// Of a number without symbols, for comparisons.
+GiNaC::numeric magnitude_of(const Number& value) {
+  return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(is_rational(value) ? value : value.evalf()));
+}
+
 }  // namespace
 
-Number largest_number() { return exact_decimal("1e30"); }
+bool is_held(const std::string& joint, const ReadContext& context) {
+  return std::any_of(context.held_joints.begin(), context.held_joints.end(),
+                     [&](const Reference& held) { return held.name == joint; });
+}
+
+std::string line_seen_from(const Place& here, const Place& place) {
+  const std::string line = std::to_string(place.line);
+  return place.file == here.file ? "line " + line : place.file + ":" + line;
+}
+
+std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,
+                             Diagnostics& diagnostics) {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (robot.links[i].name == link.name) return static_cast<int>(i);
+    known.push_back(robot.links[i].name);
+  }
+  diagnostics.error(link.place, what + ": there is no link \"" + link.name + "\"",
+                    hint_for_unknown(link.name, known, "links"));
+  return std::nullopt;
+}
+
+bool check_magnitude(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
+  static const GiNaC::numeric kSmallest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e-30"));
+  static const GiNaC::numeric kLargest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e30"));
+  if (vanishes(value)) return true;
+  const GiNaC::numeric magnitude = magnitude_of(value);
+  if (magnitude > kLargest) {
+    diagnostics.error(spot.place, spot.what + ": " + shown + " is too large",
+                      "numbers go up to 1e30; check the units (SI)");
+    return false;
+  }
+  if (magnitude < kSmallest) {
+    diagnostics.error(spot.place, spot.what + ": " + shown + " is too small",
+                      "numbers other than 0 go down to 1e-30; write 0 if it is only a rounding error");
+    return false;
+  }
+  return true;
+}
+
+void check_infinite_limit(std::string_view written, Bound bound, const Spot& spot, Diagnostics& diagnostics) {
+  const bool is_negative = written.starts_with('-');
+  if (is_negative == (bound == Bound::lower)) return;
+  diagnostics.error(
+      spot.place, spot.what + ": \"" + std::string(written) + "\" leaves nothing that is allowed",
+      std::string("if there is no limit, write ") + (bound == Bound::lower ? "-inf" : "inf") + " or leave it out");
+}
+
+FileKind kind_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  if (extension == ".urdf" || extension == ".xml") return FileKind::urdf;
+  return extension == ".toml" ? FileKind::toml : FileKind::unknown;
+}
 
 std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, Diagnostics& diagnostics) {
   constexpr std::size_t kLongest = 1000;
@@ -50,12 +111,10 @@ std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, D
   }
   try {
     const Number value = exact_decimal(text);
-    if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(value)) <= GiNaC::ex_to<GiNaC::numeric>(largest_number())) return value;
-    diagnostics.error(spot.place, spot.what + ": " + shown + " is too large",
-                      "numbers go up to 1e30; check the units (SI)");
+    if (check_magnitude(value, shown, spot, diagnostics)) return value;
   } catch (const std::invalid_argument& error) {
     if (std::string_view(error.what()).find("too large") != std::string_view::npos) {
-      diagnostics.error(spot.place, spot.what + ": " + shown + ": " + error.what(), "numbers go up to 1e30");
+      diagnostics.error(spot.place, spot.what + ": " + shown + ": " + error.what(), "numbers go from 1e-30 to 1e30");
     } else {
       diagnostics.error(spot.place, spot.what + ": " + shown + " is not a number", hint_for_number(text));
     }

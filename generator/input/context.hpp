@@ -2,6 +2,9 @@
 // What the readers share while one robot is read: the options, the list of findings, symbols, snapped angles.
 #pragma once
 
+#include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +29,10 @@ struct ReadContext {
   std::vector<Snap> snaps;
   std::size_t angles_near = 0;         // to a multiple of pi/12, so far
   std::vector<Reference> held_joints;  // that the options or the file want held at q = 0
+  std::set<std::string> rotor_joints;  // whose armature is gear_ratio^2 rotor_inertia of a URDF
 };
+
+bool is_held(const std::string& joint, const ReadContext& context);
 
 // What a number stands for in messages, and where it is: `joint "shoulder", origin rpy`.
 struct Spot {
@@ -34,15 +40,30 @@ struct Spot {
   std::string what;
 };
 
-// The number of a decimal as written. nullopt and a diagnostic if it is none, not finite, too long or too large.
+// "line 3", or "arm.urdf:3" where the place is in another file than the message is about.
+std::string line_seen_from(const Place& here, const Place& place);
+
+// Index of the link of this name, or nullopt and a diagnostic; `what` says who refers to it.
+std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,
+                             Diagnostics& diagnostics);
+
+// The number of a decimal as written. nullopt and a diagnostic if it is none, not finite, too long, or out of range.
 std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, Diagnostics& diagnostics);
 
 // A decimal angle: the exact multiple of pi/12 if it is within the tolerance of one, which is then recorded, else
 // the decimal as it is. `written` is the text that `angle` was read from.
 Number snapped_angle(const Number& angle, std::string_view written, const Spot& spot, ReadContext& context);
 
-// The largest magnitude of a number in a robot file: products and squares of such numbers stay within double.
-Number largest_number();
+// True if the number is 0 or of a magnitude from 1e-30 to 1e30: products and squares of such numbers stay within
+// double. Else a diagnostic. No symbols may be in it.
+bool check_magnitude(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics);
+
+// Which limit a number is. An infinite one means none, but only where that is what it bounds.
+enum class Bound { lower, upper, magnitude };
+void check_infinite_limit(std::string_view written, Bound bound, const Spot& spot, Diagnostics& diagnostics);
+
+enum class FileKind { urdf, toml, unknown };
+FileKind kind_of(const std::filesystem::path& path);  // by its extension
 
 // The text of a file. Throws Failure(io) if it cannot be read; nullopt and a diagnostic if it is larger than 64 MB.
 std::optional<std::string> file_text(const std::string& path, Diagnostics& diagnostics);

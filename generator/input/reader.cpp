@@ -8,6 +8,7 @@
 #include "input/context.hpp"
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
+#include "input/utf8.hpp"
 #include "model/validate.hpp"
 
 namespace flatdyn {
@@ -15,15 +16,6 @@ namespace flatdyn {
 namespace {
 
 const Place kCommandLine;
-
-enum class FileKind { urdf, toml, unknown };
-
-FileKind kind_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  if (extension == ".urdf" || extension == ".xml") return FileKind::urdf;
-  return extension == ".toml" ? FileKind::toml : FileKind::unknown;
-}
 
 // The inertia of a rotor that no longer turns, as a body fixed to the link that carries it.
 Inertial as_inertial(const Motor& motor) {
@@ -129,7 +121,15 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
   hold_joints(context, robot);
   if (!validate_tree(robot, context.diagnostics)) return;
   attach(attachments, context, robot);
-  validate_values(robot, context.diagnostics);
+  const Place payload = attachments.payload ? attachments.payload->inertial.place : Place{};
+  validate_values(robot, payload, context.diagnostics);
+}
+
+void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnostics, Robot& robot) {
+  robot.name = path.stem().string();
+  if (is_utf8(robot.name)) return;
+  diagnostics.error({path.string(), 0}, "the name of the file, which the robot takes, is not UTF-8",
+                    "rename the file, or give the robot a name in it");
 }
 
 }  // namespace
@@ -137,14 +137,14 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
                                 Diagnostics& diagnostics) {
   Diagnostics found;
-  ReadContext context{options, found, {}, {}, 0, {}};
+  ReadContext context{options, found, {}, {}, 0, {}, {}};
   for (const std::string& joint : options.fixed_joints) context.held_joints.push_back({joint, kCommandLine});
   Robot robot;
   robot.file = path.string();
   read_into(path, context, robot);
   robot.symbols = context.symbols.in_order();
   robot.snaps = context.snaps;
-  if (robot.name.empty()) robot.name = path.stem().string();
+  if (robot.name.empty()) take_name_of_file(path, found, robot);
   if (options.gravity) robot.gravity = *options.gravity;
   hand_over(found, diagnostics);
   if (found.has_errors()) return std::nullopt;

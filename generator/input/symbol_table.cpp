@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "emit/identifiers.hpp"
+#include "input/context.hpp"
 
 namespace flatdyn {
 
@@ -35,16 +36,15 @@ std::string with_article(Quantity quantity) {
   throw std::logic_error("unknown quantity");
 }
 
-// The symbol of x or c x, c rational; nothing for any other expression.
-std::optional<GiNaC::symbol> symbol_of(const Number& value) {
-  if (GiNaC::is_a<GiNaC::symbol>(value)) return GiNaC::ex_to<GiNaC::symbol>(value);
-  if (!GiNaC::is_a<GiNaC::mul>(value) || value.nops() != 2) return std::nullopt;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (is_rational(value.op(1 - i)) && GiNaC::is_a<GiNaC::symbol>(value.op(i))) {
-      return GiNaC::ex_to<GiNaC::symbol>(value.op(i));
-    }
+// The symbols among the terms of a sum, numeric factors left aside.
+void add_linear_symbols(const Number& value, std::vector<GiNaC::symbol>& symbols) {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) {
+    symbols.push_back(GiNaC::ex_to<GiNaC::symbol>(value));
+  } else if (GiNaC::is_a<GiNaC::add>(value)) {
+    for (const Number& term : value) add_linear_symbols(term, symbols);
+  } else if (GiNaC::is_a<GiNaC::mul>(value) && std::count_if(value.begin(), value.end(), has_symbols) == 1) {
+    add_linear_symbols(*std::find_if(value.begin(), value.end(), has_symbols), symbols);
   }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -86,20 +86,25 @@ void SymbolTable::report_bad_name(const std::string& name, const Place& place, D
 
 void SymbolTable::check_quantity(const Number& value, Quantity quantity, const Place& place, Diagnostics& diagnostics) {
   if (quantity == Quantity::other) return;
-  const std::optional<GiNaC::symbol> symbol = symbol_of(value);
-  if (!symbol) return;
+  std::vector<GiNaC::symbol> symbols;
+  add_linear_symbols(value, symbols);
+  // In the order of the file, not in GiNaC's, which differs from run to run.
   for (Entry& entry : entries_) {
-    if (!entry.symbol.symbol.is_equal(*symbol)) continue;
-    if (entry.quantity == Quantity::other) {
-      entry.quantity = quantity;
-      entry.quantity_place = place;
-    } else if (entry.quantity != quantity) {
-      diagnostics.error(place,
-                        "symbol \"" + entry.symbol.name + "\" is used as " + with_article(quantity) + " here and as " +
-                            with_article(entry.quantity) + " in line " + std::to_string(entry.quantity_place.line),
-                        "give each quantity a symbol of its own");
-    }
-    return;
+    const bool is_one = std::any_of(symbols.begin(), symbols.end(),
+                                    [&](const GiNaC::symbol& symbol) { return entry.symbol.symbol.is_equal(symbol); });
+    if (is_one) check_quantity(entry, quantity, place, diagnostics);
+  }
+}
+
+void SymbolTable::check_quantity(Entry& entry, Quantity quantity, const Place& place, Diagnostics& diagnostics) {
+  if (entry.quantity == Quantity::other) {
+    entry.quantity = quantity;
+    entry.quantity_place = place;
+  } else if (entry.quantity != quantity) {
+    diagnostics.error(place,
+                      "symbol \"" + entry.symbol.name + "\" is used as " + with_article(quantity) + " here and as " +
+                          with_article(entry.quantity) + " in " + line_seen_from(place, entry.quantity_place),
+                      "give each quantity a symbol of its own");
   }
 }
 

@@ -30,8 +30,9 @@ class SymbolTable {
   // The symbol of this name, made at its first use. `column` orders symbols of one line.
   GiNaC::symbol get(std::string_view name, const Place& place, std::size_t column, Diagnostics& diagnostics);
 
-  // To be called with each value that was read: where it is a symbol, or a rational times a symbol, the symbol is
-  // such a quantity; a second, different one is an error.
+  // To be called with each value that was read. Each symbol that is a term of it by itself or with a number before it,
+  // as in 2*m + 1e-3 or (l_1 - l_2)/2, is such a quantity; a second, different one is an error. Of symbols in products
+  // and powers nothing is known: the numbers there may have units of their own.
   void check_quantity(const Number& value, Quantity quantity, const Place& place, Diagnostics& diagnostics);
 
   // In order of first appearance in the file.
@@ -45,6 +46,7 @@ class SymbolTable {
     Place quantity_place;
   };
 
+  static void check_quantity(Entry& entry, Quantity quantity, const Place& place, Diagnostics& diagnostics);
   void report_bad_name(const std::string& name, const Place& place, Diagnostics& diagnostics) const;
 
   std::vector<Entry> entries_;

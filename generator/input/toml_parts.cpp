@@ -44,11 +44,11 @@ Motor read_motor(TomlTable& table, Motor motor, std::optional<Reference>& carrie
 Limits read_limits(TomlTable& table, JointType type) {
   const Quantity position = type == JointType::prismatic ? Quantity::length : Quantity::angle;
   Limits limits;
-  limits.lower = table.limit("lower", position);
-  limits.upper = table.limit("upper", position);
-  limits.velocity = table.limit("velocity", Quantity::other);
-  limits.acceleration = table.limit("acceleration", Quantity::other);
-  limits.effort = table.limit("effort", Quantity::other);
+  limits.lower = table.limit("lower", position, Bound::lower);
+  limits.upper = table.limit("upper", position, Bound::upper);
+  limits.velocity = table.limit("velocity", Quantity::other, Bound::magnitude);
+  limits.acceleration = table.limit("acceleration", Quantity::other, Bound::magnitude);
+  limits.effort = table.limit("effort", Quantity::other, Bound::magnitude);
   table.reject_unknown_keys();
   return limits;
 }
@@ -60,12 +60,59 @@ Motor motor_with_defaults(const Place& place) {
   return motor;
 }
 
+// What would have no effect on a joint that does not move. A joint that is only held still may keep it all: so one file
+// serves with and without --fix.
+void check_fixed(const TomlTable& table, const ReadContext& context, Joint& joint) {
+  if (joint.type != JointType::fixed || is_held(joint.name, context)) return;
+  if (context.diagnostics.only_unsupported()) return;  // it is fixed only because its type is not supported
+  for (const char* key : {"viscous", "coulomb", "armature"}) {
+    if (!table.has(key)) continue;
+    context.diagnostics.error(table.place_of(key), table.what() + ": " + key + " has no effect on a fixed joint",
+                              "leave it out, or give the joint the type it has");
+  }
+  if (!joint.motor) return;
+  context.diagnostics.error(joint.motor->place, table.what() + ": a fixed joint has no motor",
+                            "add the motor's mass to the link that carries it");
+  joint.motor.reset();
+}
+
+// A rotor's inertia and an armature are the same thing: with both, it would count twice.
+void settle_armature(const TomlTable& table, ReadContext& context, Joint& joint) {
+  if (table.has("armature")) context.rotor_joints.erase(joint.name);
+  if (!joint.motor || vanishes(joint.armature.number) || !(table.has("motor") || table.has("armature"))) return;
+  const Place& motor = joint.motor->place;
+  const std::string armature = line_seen_from(motor, joint.armature.place);
+  if (context.rotor_joints.erase(joint.name) > 0) {
+    context.diagnostics.note(motor,
+                             table.what() + ": its motor replaces the rotor inertia of the URDF (" + armature + ")",
+                             "give the motor all that is known of the rotor: nothing of the URDF's is kept");
+    joint.armature = {0, motor};
+  } else if (!vanishes(joint.motor->inertia_axial.number)) {
+    context.diagnostics.error(motor,
+                              table.what() + " has both a motor with an inertia and an armature (" + armature +
+                                  "): they are the same thing twice",
+                              "delete one of them, or write armature = 0");
+  }
+}
+
 template <class T>
 void replace_if_given(T& old, const T& given) {
   if (given) old = given;
 }
 
 }  // namespace
+
+void Carriers::add(const std::string& joint, const Reference& link, const std::string& what) {
+  carriers_[joint] = {link, what};
+}
+
+void Carriers::find_in(Robot& robot, Diagnostics& diagnostics) const {
+  for (Joint& joint : robot.joints) {
+    const auto found = carriers_.find(joint.name);
+    if (found == carriers_.end() || !joint.motor) continue;
+    joint.motor->carrier = find_link(robot, found->second.link, found->second.what, diagnostics).value_or(-1);
+  }
+}
 
 std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics) {
   Inertial inertial;
@@ -82,7 +129,7 @@ std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics
   return given ? std::optional<Inertial>(inertial) : std::nullopt;
 }
 
-std::optional<Reference> read_joint_properties(TomlTable& table, Joint& joint) {
+void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, Carriers& carriers) {
   std::optional<Reference> carrier;
   if (auto viscous = table.number("viscous", Quantity::viscous_friction)) joint.viscous = *viscous;
   if (auto coulomb = table.number("coulomb", Quantity::coulomb_friction)) joint.coulomb = *coulomb;
@@ -99,7 +146,9 @@ std::optional<Reference> read_joint_properties(TomlTable& table, Joint& joint) {
     replace_if_given(joint.limits.acceleration, limits.acceleration);
     replace_if_given(joint.limits.effort, limits.effort);
   }
-  return carrier;
+  check_fixed(table, context, joint);
+  settle_armature(table, context, joint);
+  if (joint.motor && carrier) carriers.add(joint.name, *carrier, table.what() + ", motor, carrier");
 }
 
 }  // namespace flatdyn

@@ -2,18 +2,44 @@
 // Parts of TOML robot files that stand in several tables.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include "input/toml_table.hpp"
 #include "model/robot.hpp"
 
 namespace flatdyn {
 
+// What a TOML file says about the whole robot, which can be applied only when the tree is known.
+struct Attachments {
+  struct Payload {
+    std::optional<Reference> link;  // the tip's if it is not given
+    Inertial inertial;
+  };
+  std::optional<Reference> tip;
+  Pose tip_offset;
+  std::optional<Payload> payload;
+};
+
+// The links that carry motors, as the file names them: they are looked up when all links are known.
+class Carriers {
+ public:
+  void add(const std::string& joint, const Reference& link, const std::string& what);
+  void find_in(Robot& robot, Diagnostics& diagnostics) const;
+
+ private:
+  struct Carrier {
+    Reference link;
+    std::string what;
+  };
+  std::map<std::string, Carrier> carriers_;  // by the name of the joint
+};
+
 // mass, com, inertia, inertia_about of a [[link]] or of [payload]; nothing if none of them is there.
 std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics);
 
 // viscous, coulomb, armature, limits, motor of a [[link]] or [[joint]]; what is not there stays as it is.
-// Returns the motor's carrier, to be looked up when all links are known, if it is given.
-std::optional<Reference> read_joint_properties(TomlTable& table, Joint& joint);
+void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, Carriers& carriers);
 
 }  // namespace flatdyn

@@ -2,12 +2,11 @@
 #include "input/toml_reader.hpp"
 
 #include <array>
-#include <filesystem>
 #include <map>
 
 #include "diagnostics/nearest.hpp"
+#include "input/toml_overlay.hpp"
 #include "input/toml_parts.hpp"
-#include "input/urdf_reader.hpp"
 #include "input/urdf_values.hpp"
 
 namespace flatdyn {
@@ -16,7 +15,6 @@ namespace {
 
 constexpr std::array<const char*, 4> kDhKeys = {"a", "alpha", "d", "theta"};
 constexpr std::array<const char*, 3> kPlacedKeys = {"xyz", "rpy", "axis"};
-constexpr std::array<const char*, 2> kOverKeys = {"urdf", "robot"};
 
 enum class DhConvention { none, standard, modified };
 
@@ -58,8 +56,8 @@ class TomlReader {
       context_.held_joints.push_back({joint, table.place_of("fixed")});
     }
     Attachments attachments;
-    if (const char* const key = first_key_of(table, kOverKeys)) {
-      attachments = read_over(table, key);
+    if (is_overlay(table)) {
+      attachments = read_overlay(table, file_, context_, robot_, carriers_);
     } else {
       read_links(table);
     }
@@ -67,16 +65,11 @@ class TomlReader {
     robot_.gravity = table.vector("gravity", Quantity::acceleration, robot_.gravity);
     read_attachments(table, attachments);
     table.reject_unknown_keys();
-    for (const auto& [joint, motor] : carriers_) find_carrier(joint, motor);
+    carriers_.find_in(robot_, diagnostics_);
     return attachments;
   }
 
  private:
-  struct Carrier {
-    Reference link;
-    std::string what;
-  };
-
   // ---- links of the file itself
 
   void read_links(TomlTable& table) {
@@ -86,7 +79,7 @@ class TomlReader {
         {table.text("base").value_or("base"), {}, table.has("base") ? table.place_of("base") : Place{file_, 1}});
     std::vector<TomlTable> rows = table.tables("link");
     if (rows.empty() && !table.has("link")) {
-      diagnostics_.error(top, "there is no [[link]] and no urdf",
+      diagnostics_.error(top, "there is no [[link]] and no other robot file",
                          "add a [[link]] for each joint, or robot = \"file.urdf\"");
     }
     for (std::size_t i = 0; i < rows.size(); ++i) name_link(rows[i], i + 1);
@@ -126,7 +119,7 @@ class TomlReader {
     place_joint(row, joint);
     if (auto inertial = read_inertial(row, diagnostics_)) robot_.links[number].inertials.push_back(*inertial);
     joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
-    read_properties(row, joint);
+    read_joint_properties(row, context_, joint, carriers_);
     row.reject_unknown_keys();
     robot_.joints.push_back(std::move(joint));
   }
@@ -146,7 +139,7 @@ class TomlReader {
       diagnostics_.error(place, row.what() + ": unknown type " + quoted(type),
                          hint_for_unknown(type, {"revolute", "continuous", "prismatic", "fixed"}, "types"));
     }
-    return JointType::fixed;
+    return JointType::revolute;  // to read on: what a moving joint has is not wrong then
   }
 
   void place_joint(TomlTable& row, Joint& joint) {
@@ -188,96 +181,6 @@ class TomlReader {
     }
   }
 
-  void read_properties(TomlTable& table, Joint& joint) {
-    const std::optional<Reference> carrier = read_joint_properties(table, joint);
-    if (joint.motor && joint.type == JointType::fixed) {
-      diagnostics_.error(joint.motor->place, table.what() + ": a fixed joint has no motor",
-                         "add the motor's mass to the link that carries it");
-      joint.motor.reset();
-    }
-    if (joint.motor && carrier) carriers_[joint.name] = {*carrier, table.what() + ", motor, carrier"};
-  }
-
-  void find_carrier(const std::string& joint_name, const Carrier& carrier) {
-    for (Joint& joint : robot_.joints) {
-      if (joint.name != joint_name || !joint.motor) continue;
-      joint.motor->carrier = find_link(robot_, carrier.link, carrier.what, diagnostics_).value_or(-1);
-    }
-  }
-
-  // ---- another robot file and what is added to it
-
-  Attachments read_over(TomlTable& table, const std::string& key) {
-    for (const char* other : kOverKeys) {
-      if (other == key || !table.has(other)) continue;
-      diagnostics_.error(table.place_of(other), key + " and " + other + " exclude each other", "name one robot file");
-      table.text(other);
-    }
-    const Attachments attachments = read_base(table, key);
-    for (TomlTable& row : table.tables("link")) read_link_row(row);
-    for (TomlTable& row : table.tables("joint")) read_joint_row(row);
-    return attachments;
-  }
-
-  Attachments read_base(TomlTable& table, const std::string& key) {
-    const std::optional<std::string> name = table.text(key);
-    if (!name) return {};
-    const Place place = table.place_of(key);
-    const std::filesystem::path path = std::filesystem::path(file_).parent_path() / *name;
-    if (!std::filesystem::exists(path)) {
-      diagnostics_.error(place, key + ": there is no file " + quoted(path.string()),
-                         "the path is relative to this TOML file");
-      return {};
-    }
-    for (const std::string& read : robot_.files) {
-      if (!std::filesystem::equivalent(read, path)) continue;
-      diagnostics_.error(place, key + ": " + quoted(path.string()) + " names itself, or a file that names it",
-                         "name a robot file that stands by itself");
-      return {};
-    }
-    const std::optional<std::string> text = file_text(path.string(), diagnostics_);
-    if (!text) return {};
-    robot_.files.push_back(path.string());
-    if (path.extension() == ".toml" && key == "robot") return read_toml(*text, path.string(), context_, robot_);
-    read_urdf(*text, path.string(), context_, robot_);
-    return {};
-  }
-
-  // Mass, centre of mass and inertia of a link that is there, replaced.
-  void read_link_row(TomlTable& row) {
-    const std::optional<Reference> name = row.reference("name");
-    if (!name) {
-      diagnostics_.error(row.place(), "link: it has no name", "write name = \"...\", a link of the robot file");
-      return;
-    }
-    row.rename("link " + quoted(name->name));
-    const std::optional<Inertial> inertial = read_inertial(row, diagnostics_);
-    row.reject_unknown_keys();
-    if (robot_.links.empty()) return;  // the robot file could not be read: said there
-    const std::optional<int> link = find_link(robot_, *name, row.what(), diagnostics_);
-    if (link && inertial) robot_.links[static_cast<std::size_t>(*link)].inertials = {*inertial};
-  }
-
-  void read_joint_row(TomlTable& row) {
-    const std::optional<std::string> name = row.text("name");
-    if (!name) {
-      diagnostics_.error(row.place(), "joint: it has no name", "write name = \"...\", a joint of the robot file");
-      return;
-    }
-    row.rename("joint " + quoted(*name));
-    std::vector<std::string> known;
-    for (Joint& joint : robot_.joints) {
-      known.push_back(joint.name);
-      if (joint.name != *name) continue;
-      read_properties(row, joint);
-      row.reject_unknown_keys();
-      return;
-    }
-    if (robot_.joints.empty()) return;  // the robot file could not be read: said there
-    diagnostics_.error(row.place_of("name"), "there is no joint " + quoted(*name) + " in the robot file",
-                       hint_for_unknown(*name, known, "joints"));
-  }
-
   // ---- the whole robot
 
   void read_attachments(TomlTable& table, Attachments& attachments) {
@@ -300,22 +203,10 @@ class TomlReader {
   Diagnostics& diagnostics_;
   Robot& robot_;
   DhConvention convention_ = DhConvention::none;
-  std::map<std::string, Carrier> carriers_;  // by the name of the joint
+  Carriers carriers_;
 };
 
 }  // namespace
-
-std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,
-                             Diagnostics& diagnostics) {
-  std::vector<std::string> known;
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    if (robot.links[i].name == link.name) return static_cast<int>(i);
-    known.push_back(robot.links[i].name);
-  }
-  diagnostics.error(link.place, what + ": there is no link " + quoted(link.name),
-                    hint_for_unknown(link.name, known, "links"));
-  return std::nullopt;
-}
 
 Attachments read_toml(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
   const TomlSource source(text, file, context);

@@ -34,6 +34,22 @@ Number canonical_angle(const Number& angle, const Spot& spot, Diagnostics& diagn
   return exact_decimal(to_decimal(angle, kDigits));
 }
 
+// Of the value, or of each number that is a term or factor beside its symbols.
+bool check_magnitudes(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
+  if (!has_symbols(value)) return check_magnitude(value, shown, spot, diagnostics);
+  if (GiNaC::is_a<GiNaC::power>(value)) return check_magnitudes(value.op(0), shown, spot, diagnostics);
+  return std::all_of(value.begin(), value.end(),
+                     [&](const Number& part) { return check_magnitudes(part, shown, spot, diagnostics); });
+}
+
+// TOML's own numbers are doubles and integers of 64 bits; the parser refuses others before we see them.
+std::string hint_for_malformed(const std::string& description) {
+  const auto says = [&](const char* words) { return description.find(words) != std::string::npos; };
+  if (says("floating-point") && says("could not be interpreted")) return "numbers go from 1e-30 to 1e30";
+  if (says("not representable in 64 bits")) return "write so large a number with a decimal point or an exponent";
+  return "strings need quotes, tables [name], arrays of tables [[name]]";
+}
+
 }  // namespace
 
 TomlSource::TomlSource(std::string text, std::string file, ReadContext& context)
@@ -49,8 +65,9 @@ std::optional<toml::table> TomlSource::parse() const {
   try {
     return toml::parse(std::string_view(text_), std::string_view(file_));
   } catch (const toml::parse_error& error) {
-    context_.diagnostics.error(place(error.source()), "not well-formed TOML: " + std::string(error.description()),
-                               "strings need quotes, tables [name], arrays of tables [[name]]");
+    const std::string description(error.description());
+    context_.diagnostics.error(place(error.source()), "not well-formed TOML: " + description,
+                               hint_for_malformed(description));
     return std::nullopt;
   }
 }
@@ -76,7 +93,7 @@ std::string TomlSource::text_of(const toml::source_region& region) const {
 }
 
 const toml::node* TomlTable::find(std::string_view key) {
-  known_.emplace_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
   return table_.get(key);
 }
 
@@ -131,11 +148,8 @@ std::optional<Number> TomlTable::expression_of(const toml::node& node, const std
   const std::string shown = "\"" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "\"";
   try {
     const Number value = parse_expression(text, symbol);
-    if (has_symbols(value)) return value;
-    const Number magnitude = GiNaC::abs(value.evalf());
-    if (GiNaC::ex_to<GiNaC::numeric>(magnitude) <= GiNaC::ex_to<GiNaC::numeric>(largest_number())) return value;
-    context.diagnostics.error(spot.place, spot.what + ": " + shown + " is too large",
-                              "numbers go up to 1e30; check the units (SI)");
+    const std::string numbers = has_symbols(value) ? "a number in " + shown : shown;
+    if (check_magnitudes(value, numbers, spot, context.diagnostics)) return value;
   } catch (const ExpressionError& error) {
     context.diagnostics.error(
         spot.place, spot.what + ": " + shown + ": " + error.what() + " (column " + std::to_string(error.column()) + ")",
@@ -172,9 +186,13 @@ Value TomlTable::number_or_zero(std::string_view key, Quantity quantity) {
   return number(key, quantity).value_or(Value{0, place()});
 }
 
-std::optional<Value> TomlTable::limit(std::string_view key, Quantity quantity) {
+std::optional<Value> TomlTable::limit(std::string_view key, Quantity quantity, Bound bound) {
   const toml::node* node = find(key);
-  if (node == nullptr || is_infinite(*node)) return std::nullopt;
+  if (node == nullptr) return std::nullopt;
+  if (is_infinite(*node)) {
+    check_infinite_limit(source_.text_of(node->source()), bound, spot(*node, key), source_.context().diagnostics);
+    return std::nullopt;
+  }
   std::optional<Value> value = number(key, quantity);
   if (!value || !has_symbols(value->number)) return value;
   source_.context().diagnostics.unsupported(value->place,

@@ -54,7 +54,7 @@ class TomlTable {
   std::optional<Value> number(std::string_view key, Quantity quantity);
   Value number_or_zero(std::string_view key, Quantity quantity);
   // A number without symbols; infinite means none.
-  std::optional<Value> limit(std::string_view key, Quantity quantity);
+  std::optional<Value> limit(std::string_view key, Quantity quantity, Bound bound);
   Vec3 vector(std::string_view key, Quantity quantity, const Vec3& fallback);
 
   // Angles in rad. Decimals are snapped; expressions are as they are.

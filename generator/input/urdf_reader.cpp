@@ -6,6 +6,8 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/urdf_actuators.hpp"
+#include "input/urdf_names.hpp"
+#include "input/urdf_unsupported.hpp"
 #include "input/urdf_values.hpp"
 
 namespace flatdyn {
@@ -23,56 +25,26 @@ class UrdfReader {
 
   void read(const XMLElement& root) {
     const char* name = root.Attribute("name");
-    robot_.name = name == nullptr ? "" : name;
+    if (name != nullptr && *name != '\0') robot_.name = values_.required_text(root, "name", "robot");
     for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
       if (std::string_view(e->Name()) == "link") read_link(*e);
-      report_what_moves_unseen(*e);
     }
     for (const XMLElement* e = root.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
       read_joint(*e);
     }
+    check_urdf_names(root, values_);
+    refuse_unread_dynamics(root, values_, robot_);
     read_urdf_actuators(root, values_, robot_);
   }
 
  private:
-  // Elements that change the dynamics and that are not read here: refused, never skipped.
-  void report_what_moves_unseen(const XMLElement& element) {
-    const std::string_view name = element.Name();
-    if (name.starts_with("xacro:")) {
-      diagnostics_.error(values_.place(element), "<" + std::string(name) + ">: this is a xacro template, not a URDF",
-                         "expand it first: xacro FILE > robot.urdf");
-      return;
-    }
-    static const std::vector<std::string_view> kForcesAndConstraints = {"loop_joint",
-                                                                        "drake:joint",
-                                                                        "drake:linear_bushing_rpy",
-                                                                        "drake:linear_spring_damper",
-                                                                        "drake:ball_constraint",
-                                                                        "drake:distance_constraint",
-                                                                        "drake:tendon_constraint"};
-    if (std::find(kForcesAndConstraints.begin(), kForcesAndConstraints.end(), name) == kForcesAndConstraints.end()) {
-      return;
-    }
-    const char* joint = element.Attribute("name");
-    diagnostics_.unsupported(values_.place(element),
-                             "<" + std::string(name) +
-                                 (joint == nullptr ? "" : " name=\"" + std::string(joint) + "\"") +
-                                 "> is not supported yet",
-                             "supported joints: revolute, continuous, prismatic, fixed, in a tree");
-  }
-
   void read_link(const XMLElement& element) {
     Link link;
     link.place = values_.place(element);
     link.name = values_.required_text(element, "name", "link");
     const std::string what = "link \"" + link.name + "\"";
     const XMLElement* inertial = element.FirstChildElement("inertial");
-    if (inertial != nullptr) {
-      link.inertials.push_back(read_inertial(*inertial, what));
-      if (const XMLElement* second = inertial->NextSiblingElement("inertial")) {
-        diagnostics_.error(values_.place(*second), what + " has two <inertial> elements", "keep one");
-      }
-    }
+    if (inertial != nullptr) link.inertials.push_back(read_inertial(*inertial, what));
     // The first of a name counts; the validation reports the others.
     link_of_name_.emplace(link.name, static_cast<int>(robot_.links.size()));
     robot_.links.push_back(std::move(link));
@@ -126,11 +98,6 @@ class UrdfReader {
     robot_.joints.push_back(std::move(joint));
   }
 
-  bool is_held(const std::string& joint) const {
-    return std::any_of(context_.held_joints.begin(), context_.held_joints.end(),
-                       [&](const Reference& held) { return held.name == joint; });
-  }
-
   JointType read_type(const XMLElement& element, const std::string& name) {
     static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
                                                             {"revolute", JointType::revolute},
@@ -138,7 +105,7 @@ class UrdfReader {
                                                             {"prismatic", JointType::prismatic}};
     const std::string what = "joint \"" + name + "\"";
     const std::string type = values_.required_text(element, "type", what);
-    if (is_held(name) || type.empty()) return JointType::fixed;
+    if (is_held(name, context_) || type.empty()) return JointType::fixed;
     const auto found = kTypes.find(type);
     if (found == kTypes.end()) {
       report_type(element, what, name, type);
@@ -203,13 +170,14 @@ class UrdfReader {
     if (limit == nullptr) return;
     const std::string where = what + ", limit";
     if (joint.type != JointType::continuous) {
-      joint.limits.lower = values_.limit(*limit, "lower", where);
-      joint.limits.upper = values_.limit(*limit, "upper", where);
+      joint.limits.lower = values_.limit(*limit, "lower", Bound::lower, where);
+      joint.limits.upper = values_.limit(*limit, "upper", Bound::upper, where);
     }
-    joint.limits.velocity = values_.limit(*limit, "velocity", where);
-    joint.limits.effort = values_.limit(*limit, "effort", where);
+    joint.limits.velocity = values_.limit(*limit, "velocity", Bound::magnitude, where);
+    joint.limits.effort = values_.limit(*limit, "effort", Bound::magnitude, where);
     for (const char* key : {"acceleration", "drake:acceleration"}) {
-      if (auto acceleration = values_.limit(*limit, key, where)) joint.limits.acceleration = acceleration;
+      if (auto acceleration = values_.limit(*limit, key, Bound::magnitude, where))
+        joint.limits.acceleration = acceleration;
     }
   }
 
@@ -247,6 +215,14 @@ void report_other_format(const XMLElement& root, const Place& place, Diagnostics
   }
 }
 
+// A second outermost element, or text: of two robots in one file it is not clear which is meant.
+const tinyxml2::XMLNode* content_beside(const XMLElement& root) {
+  for (const tinyxml2::XMLNode* node = root.GetDocument()->FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node != &root && (node->ToElement() != nullptr || node->ToText() != nullptr)) return node;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 void read_urdf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
@@ -264,6 +240,12 @@ void read_urdf(const std::string& text, const std::string& file, ReadContext& co
   }
   if (std::string_view(root->Name()) != "robot") {
     report_other_format(*root, {file, root->GetLineNum()}, context.diagnostics);
+    return;
+  }
+  if (const tinyxml2::XMLNode* second = content_beside(*root)) {
+    context.diagnostics.error({file, second->GetLineNum()},
+                              "there is something else beside <robot>, the outermost element",
+                              "a URDF file is one <robot name=\"...\"> ... </robot>");
     return;
   }
   UrdfReader(file, context, robot).read(*root);

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <vector>
 
+#include "input/utf8.hpp"
+
 namespace flatdyn {
 
 namespace {
@@ -23,15 +25,29 @@ std::string trimmed(const char* text) {
   return words.size() == 1 ? words[0] : std::string(text);
 }
 
+// Some files write 1e308 for infinite.
 bool is_infinite(std::string_view text) {
-  if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
-  return text == "inf" || text == "INF" || text == "Inf" || text == "infinity" || text == "Infinity";
+  constexpr int kBeyond = 30;
+  std::string_view word = text;
+  if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.remove_prefix(1);
+  if (word == "inf" || word == "INF" || word == "Inf" || word == "infinity" || word == "Infinity") return true;
+  try {
+    const auto magnitude = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exact_decimal(text)));
+    return magnitude >= GiNaC::pow(GiNaC::numeric(10), kBeyond);
+  } catch (const std::invalid_argument&) {
+    return false;  // no number at all: said by number()
+  }
 }
 
 }  // namespace
 
 std::string UrdfValues::required_text(const XMLElement& element, const char* attribute, const std::string& what) const {
   const char* text = element.Attribute(attribute);
+  if (text != nullptr && !is_utf8(text)) {
+    context_.diagnostics.error(place(element), what + ": " + attribute + " is not UTF-8",
+                               "save the file as UTF-8 (iconv -t UTF-8), or write the name in ASCII");
+    return text;
+  }
   if (text != nullptr && *text != '\0') return text;
   context_.diagnostics.error(place(element), what + ": <" + element.Name() + "> has no attribute \"" + attribute + "\"",
                              std::string("write <") + element.Name() + " " + attribute + "=\"...\">");
@@ -58,17 +74,17 @@ Number UrdfValues::number_of_text(const XMLElement& element, const std::string& 
       .value_or(0);
 }
 
-std::optional<Value> UrdfValues::limit(const XMLElement& element, const char* attribute,
+std::optional<Value> UrdfValues::limit(const XMLElement& element, const char* attribute, Bound bound,
                                        const std::string& what) const {
-  constexpr int kBeyond = 30;  // some files write 1e308 for no limit
   const char* text = element.Attribute(attribute);
-  if (text == nullptr || is_infinite(trimmed(text))) return std::nullopt;
-  try {
-    const Number magnitude = GiNaC::abs(exact_decimal(trimmed(text)));
-    if (GiNaC::ex_to<GiNaC::numeric>(magnitude) >= GiNaC::pow(GiNaC::numeric(10), kBeyond)) return std::nullopt;
-  } catch (const std::invalid_argument&) {  // said by number()
+  if (text == nullptr) return std::nullopt;
+  const Spot spot{place(element), what + ", " + attribute};
+  if (is_infinite(trimmed(text))) {
+    check_infinite_limit(trimmed(text), bound, spot, context_.diagnostics);
+    return std::nullopt;
   }
-  return number(element, attribute, what);
+  const std::optional<Number> value = checked_decimal(trimmed(text), spot, context_.diagnostics);
+  return value ? std::optional<Value>({*value, spot.place}) : std::nullopt;
 }
 
 Vec3 UrdfValues::vector(const XMLElement& element, const char* attribute, const std::string& what,

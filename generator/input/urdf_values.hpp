@@ -17,7 +17,7 @@ class UrdfValues {
 
   Place place(const tinyxml2::XMLElement& element) const { return {file_, element.GetLineNum()}; }
 
-  // The attribute, "" and an error if it is missing or empty.
+  // The attribute, "" and an error if it is missing or empty; an error if it is not UTF-8.
   std::string required_text(const tinyxml2::XMLElement& element, const char* attribute, const std::string& what) const;
 
   // The number of an attribute; nullopt if it is not there, 0 and an error if it is no number.
@@ -30,7 +30,8 @@ class UrdfValues {
   Number number_of_text(const tinyxml2::XMLElement& element, const std::string& what) const;
 
   // A limit: infinite means none.
-  std::optional<Value> limit(const tinyxml2::XMLElement& element, const char* attribute, const std::string& what) const;
+  std::optional<Value> limit(const tinyxml2::XMLElement& element, const char* attribute, Bound bound,
+                             const std::string& what) const;
 
   // Three numbers; `fallback` if the attribute is not there.
   Vec3 vector(const tinyxml2::XMLElement& element, const char* attribute, const std::string& what,

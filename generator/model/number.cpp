@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
@@ -144,7 +145,8 @@ std::string to_decimal(const Number& a, int digits) {
 
 double nearest_double(const Number& a) {
   constexpr int kMoreThanADouble = 40;
-  return std::stod(to_decimal(a, kMoreThanADouble));
+  // Not std::stod, which throws below the least normal double.
+  return std::strtod(to_decimal(a, kMoreThanADouble).c_str(), nullptr);
 }
 
 }  // namespace flatdyn

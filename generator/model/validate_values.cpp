@@ -39,14 +39,14 @@ void check_not_negative(const Value& value, const std::string& what, const std::
   }
 }
 
-void check_inertia_without_mass(const Link& link, const Inertial& inertial, Diagnostics& diagnostics) {
+void check_inertia_without_mass(const std::string& what, const Inertial& inertial, Diagnostics& diagnostics) {
   if (!is_exact_zero(inertial.mass.number)) return;
   bool all_zero = true;
   for (const Vec3& row : inertial.tensor) {
     for (const Number& entry : row) all_zero = all_zero && is_exact_zero(entry);
   }
   if (all_zero) return;
-  diagnostics.warning(inertial.place, named(link) + ": the mass is zero but the inertia is not",
+  diagnostics.warning(inertial.place, what + ": the mass is zero but the inertia is not",
                       "give the mass, or delete the inertia");
 }
 
@@ -63,24 +63,24 @@ bool is_about_one_axis(const Mat3& tensor) {
   return entries == 1 && moments == 1;
 }
 
-void check_inertia(const Link& link, const Inertial& inertial, Diagnostics& diagnostics) {
-  check_not_negative(inertial.mass, named(link) + ": mass", "masses are in kg, not negative", diagnostics);
+void check_inertia(const std::string& what, const Inertial& inertial, Diagnostics& diagnostics) {
+  check_not_negative(inertial.mass, what + ": mass", "masses are in kg, not negative", diagnostics);
   const Mat3 tensor = central_tensor(inertial);
   if (is_about_one_axis(tensor)) {
-    diagnostics.note(inertial.place, named(link) + ": only a moment of inertia about one axis is given",
+    diagnostics.note(inertial.place, what + ": only a moment of inertia about one axis is given",
                      "that is enough if the link turns about that axis only, as in a planar arm");
     return;
   }
   const auto fault = fault_of_inertia(tensor);
   if (fault) {
     const auto [largest, middle, smallest] = principal_moments(tensor);
-    const std::string what = *fault == InertiaFault::not_positive_semidefinite
+    const std::string fact = *fault == InertiaFault::not_positive_semidefinite
                                  ? "a principal moment is negative"
                                  : "the largest principal moment exceeds the sum of the others";
     diagnostics.warning(
         inertial.place,
-        fmt::format("{}: no body has this inertia: {} ({:.6g}, {:.6g}, {:.6g} kg m^2 about the centre of mass)",
-                    named(link), what, largest, middle, smallest),
+        fmt::format("{}: no body has this inertia: {} ({:.6g}, {:.6g}, {:.6g} kg m^2 about the centre of mass)", what,
+                    fact, largest, middle, smallest),
         "check the units, the signs of the products of inertia, and the point that the tensor is about");
   }
 }
@@ -226,12 +226,14 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void validate_values(Robot& robot, Diagnostics& diagnostics) {
+void validate_values(Robot& robot, const Place& payload, Diagnostics& diagnostics) {
   const bool complete = !diagnostics.has_errors();
   for (const Link& link : robot.links) {
     for (const Inertial& inertial : link.inertials) {
-      check_inertia(link, inertial, diagnostics);
-      if (complete) check_inertia_without_mass(link, inertial, diagnostics);
+      const bool is_payload = !payload.file.empty() && inertial.place == payload;
+      const std::string what = is_payload ? "payload" : named(link);
+      check_inertia(what, inertial, diagnostics);
+      if (complete) check_inertia_without_mass(what, inertial, diagnostics);
     }
   }
   for (Joint& joint : robot.joints) check_joint(joint, diagnostics);

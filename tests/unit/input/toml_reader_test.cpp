@@ -39,7 +39,6 @@ inertia = { xx = 1, yy = 1, zz = "I_1", xy = -0.1 }
 inertia_about = "origin"
 viscous = 0.01
 coulomb = "f_s"
-armature = 1e-3
 limits = { lower = "-pi", upper = 3, velocity = inf, acceleration = 10, effort = 7 }
 [link.motor]
 mass = "m_m"
@@ -51,6 +50,7 @@ carrier = "upper"
 [[link]]
 type = "prismatic"
 mass = 1
+armature = 1e-3
 )";
 
 TEST_F(TomlReader, ReadsEveryKey) {
@@ -70,7 +70,6 @@ TEST_F(TomlReader, ReadsEveryKey) {
   EXPECT_EQ(joint.name, "shoulder");
   EXPECT_TRUE(joint.viscous.number.is_equal(Number(1) / 100));
   EXPECT_TRUE(joint.coulomb.number.is_equal(symbol(robot, "f_s")));
-  EXPECT_TRUE(joint.armature.number.is_equal(Number(1) / 1000));
   EXPECT_TRUE(joint.limits.lower->number.is_equal(-GiNaC::Pi));
   EXPECT_FALSE(joint.limits.velocity.has_value());
   EXPECT_TRUE(joint.limits.effort->number.is_equal(7));
@@ -81,6 +80,7 @@ TEST_F(TomlReader, ReadsEveryKey) {
   EXPECT_TRUE(joint.motor->position[2].is_equal(Number(1) / 4));
   EXPECT_EQ(robot.joints[1].name, "joint2");
   EXPECT_EQ(robot.joints[1].type, JointType::prismatic);
+  EXPECT_TRUE(robot.joints[1].armature.number.is_equal(Number(1) / 1000));
   EXPECT_EQ(robot.joints[1].parent, 1);
   EXPECT_EQ(robot.tip, 2);
 }
@@ -169,34 +169,16 @@ TEST_F(TomlReader, ARotorHeldStillIsABody) {
   EXPECT_TRUE(rotor.tensor[1][2].is_equal(Number(12) / 25));
 }
 
-TEST_F(TomlReader, AddsToAUrdf) {
-  write("arm.urdf", one_joint_urdf("revolute", R"(<dynamics damping="1" friction="2"/><limit lower="-1" upper="1"
-      velocity="2" effort="3"/>)",
-                                   R"(<link name="h"/><joint name="k" type="floating"><parent link="arm"/>
-      <child link="h"/></joint>)"));
-  const Robot robot = read("arm.toml", R"(urdf = "arm.urdf"
-name = "my arm"
-fixed = ["k"]
-gravity = [0, 0, -1.62]
-[[joint]]
-name = "j"
-viscous = 0.5
-limits = { velocity = 5 }
-[joint.motor]
-inertia = 1e-5
-gear_ratio = 50
-[tip]
-link = "h"
-)");
-  EXPECT_EQ(robot.name, "my arm");
-  EXPECT_TRUE(robot.gravity[2].is_equal(Number(-162) / 100));
-  const Joint& joint = robot.joints[0];
-  EXPECT_TRUE(joint.viscous.number.is_equal(Number(1) / 2));
-  EXPECT_TRUE(joint.coulomb.number.is_equal(2));  // of the URDF
-  EXPECT_TRUE(joint.limits.velocity->number.is_equal(5));
-  EXPECT_TRUE(joint.limits.upper->number.is_equal(1));
-  EXPECT_TRUE(joint.motor->inertia_axial.number.is_equal(exact_decimal("0.00001")));
-  EXPECT_EQ(robot.links[static_cast<std::size_t>(robot.tip)].name, "h");
+TEST_F(TomlReader, SymbolsInProductsAndPowersHaveNoQuantity) {
+  const Robot robot = read("r.toml", R"toml([[link]]
+mass = "rho*l"
+com = ["l", "l/2 + 0.1", "2*(l - 1)"]
+viscous = "2*l^2"
+inertia = { zz = "m*l^2 + I" }
+inertia_about = "com"
+coulomb = "f*I/m"
+)toml");
+  EXPECT_EQ(robot.symbols.size(), 5U);
 }
 
 TEST_F(TomlReader, NumbersNeverPassThroughADouble) {

@@ -123,6 +123,40 @@ TEST_F(UrdfReader, IgnoresWhatDoesNotMove) {
   EXPECT_TRUE(diagnostics_.all().empty());
 }
 
+TEST_F(UrdfReader, TakesSpringsThatDoNothing) {
+  joint("revolute", R"(<dynamics spring_stiffness="0" spring_reference="1"/>)",
+        R"(<gazebo reference="j"><springStiffness>0.0</springStiffness><springReference>1</springReference></gazebo>)");
+  EXPECT_TRUE(diagnostics_.all().empty());
+  joint("revolute", "", R"(<link name="h"/><joint name="k" type="fixed"><parent link="arm"/><child link="h"/>
+      <dynamics spring_stiffness="3"/></joint>
+      <gazebo reference="k"><springStiffness>3</springStiffness></gazebo>)");
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
+TEST_F(UrdfReader, SpringsAndLoopsAreNotSupported) {
+  for (const std::string more : {R"(<gazebo><joint name="l" type="revolute"><child>base</child></joint></gazebo>)",
+                                 R"(<gazebo reference="j"><springStiffness>1</springStiffness></gazebo>)"}) {
+    diagnostics_ = {};
+    EXPECT_FALSE(read_robot(write("r.urdf", one_joint_urdf("revolute", "", more)), {}, diagnostics_).has_value());
+    EXPECT_TRUE(diagnostics_.only_unsupported());
+  }
+}
+
+TEST_F(UrdfReader, TheNameOfTheFileMustBeUtf8WhereTheRobotTakesIt) {
+  const std::string named = one_joint_urdf("revolute", "");
+  EXPECT_TRUE(read_robot(write("r\xFF.urdf", named), {}, diagnostics_).has_value());
+  const std::string nameless = "<robot>" + named.substr(named.find('>') + 1);
+  EXPECT_FALSE(read_robot(write("r\xFF.urdf", nameless), {}, diagnostics_).has_value());
+  EXPECT_EQ(diagnostics_.all().at(0).message, "the name of the file, which the robot takes, is not UTF-8");
+}
+
+TEST_F(UrdfReader, LeavesNamesOfOthersAlone) {
+  joint("revolute", R"(<limit mujoco:margin="1" drake:jerk="2" effort="1" velocity="1"/><drake:rotor_inertai value="1"/>
+      <hardwareInterface/><sensor/>)",
+        "<!-- done --><group/>");
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
 constexpr const char* kTree = R"(<robot name="tree">
   <link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="e"/>
   <joint name="ab" type="revolute"><parent link="a"/><child link="b"/></joint>

@@ -25,6 +25,14 @@ TEST(ToDecimal, KeepsAllDigitsAskedFor) {
   EXPECT_THROW(to_decimal(GiNaC::symbol("x"), 10), std::domain_error);
 }
 
+TEST(NearestDouble, GoesDownToZeroWithoutComplaint) {
+  EXPECT_EQ(nearest_double(exact_decimal("-0.1")), -0.1);
+  EXPECT_EQ(nearest_double(GiNaC::Pi), 3.141592653589793);
+  EXPECT_EQ(nearest_double(exact_decimal("1e-308")), 1e-308);
+  EXPECT_EQ(nearest_double(exact_decimal("1e-310")), 1e-310);
+  EXPECT_EQ(nearest_double(exact_decimal("1e-400")), 0);
+}
+
 TEST(Vanishes, SeesThroughUnexpandedSums) {
   const GiNaC::symbol x("x");
   EXPECT_TRUE(vanishes(GiNaC::pow(x + 1, 2) - x * x - 2 * x - 1));

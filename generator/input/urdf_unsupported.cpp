@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/urdf_unsupported.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr std::array<std::string_view, 7> kForcesAndConstraints = {"loop_joint",
+                                                                   "drake:joint",
+                                                                   "drake:linear_bushing_rpy",
+                                                                   "drake:linear_spring_damper",
+                                                                   "drake:ball_constraint",
+                                                                   "drake:distance_constraint",
+                                                                   "drake:tendon_constraint"};
+
+class Refuser {
+ public:
+  Refuser(const UrdfValues& values, const Robot& robot)
+      : values_(values), diagnostics_(values.context().diagnostics), robot_(robot) {}
+
+  void check(const XMLElement& element) {
+    const std::string_view name = element.Name();
+    if (name.starts_with("xacro:")) {
+      diagnostics_.error(values_.place(element), "<" + std::string(name) + ">: this is a xacro template, not a URDF",
+                         "expand it first: xacro FILE > robot.urdf");
+    } else if (std::find(kForcesAndConstraints.begin(), kForcesAndConstraints.end(), name) !=
+               kForcesAndConstraints.end()) {
+      refuse_joint(element, "");
+    } else if (name == "joint") {
+      check_spring(element);
+    } else if (name == "gazebo") {
+      check_gazebo(element);
+    }
+  }
+
+ private:
+  void refuse_joint(const XMLElement& element, const std::string& where) {
+    const char* name = element.Attribute("name");
+    diagnostics_.unsupported(values_.place(element),
+                             "<" + std::string(element.Name()) +
+                                 (name == nullptr ? "" : " name=\"" + std::string(name) + "\"") + ">" + where +
+                                 " is not supported yet",
+                             "supported joints: revolute, continuous, prismatic, fixed, in a tree");
+  }
+
+  // A spring at a joint that does not move does nothing.
+  bool is_at_rest(const char* name) const {
+    return name != nullptr && std::any_of(robot_.joints.begin(), robot_.joints.end(), [&](const Joint& joint) {
+             return joint.name == name && joint.type == JointType::fixed;
+           });
+  }
+
+  void refuse_spring(const Place& place, const std::string& what, const Number& stiffness) {
+    if (vanishes(stiffness)) return;
+    diagnostics_.unsupported(place, what + ": springs are not supported yet",
+                             "delete it, or add its torque to what the generated code returns");
+  }
+
+  void check_spring(const XMLElement& joint) {
+    const XMLElement* dynamics = joint.FirstChildElement("dynamics");
+    const char* name = joint.Attribute("name");
+    if (dynamics == nullptr || is_at_rest(name)) return;
+    const std::string what = "joint \"" + std::string(name == nullptr ? "" : name) + "\", dynamics";
+    if (const auto stiffness = values_.number(*dynamics, "spring_stiffness", what)) {
+      refuse_spring(stiffness->place, what + ", spring_stiffness", stiffness->number);
+    }
+  }
+
+  // Joints there close chains that a URDF cannot say, and add links; springs stand there for lack of a place in URDF.
+  void check_gazebo(const XMLElement& gazebo) {
+    for (const XMLElement* e = gazebo.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
+      const bool joins = e->FirstChildElement("parent") != nullptr || e->FirstChildElement("child") != nullptr;
+      if (joins) refuse_joint(*e, " in <gazebo>");
+    }
+    const XMLElement* spring = gazebo.FirstChildElement("springStiffness");
+    const char* joint = gazebo.Attribute("reference");
+    if (spring == nullptr || is_at_rest(joint)) return;
+    const std::string what = "gazebo \"" + std::string(joint == nullptr ? "" : joint) + "\", springStiffness";
+    refuse_spring(values_.place(*spring), what, values_.number_of_text(*spring, what));
+  }
+
+  const UrdfValues& values_;
+  Diagnostics& diagnostics_;
+  const Robot& robot_;
+};
+
+}  // namespace
+
+void refuse_unread_dynamics(const XMLElement& root, const UrdfValues& values, const Robot& robot) {
+  Refuser refuser(values, robot);
+  for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) refuser.check(*e);
+}
+
+}  // namespace flatdyn
