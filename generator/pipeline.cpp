@@ -62,7 +62,8 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   std::optional<Robot> robot = read_robot(path, options.read, diagnostics);
   const bool refused_warnings = options.warnings_are_errors && diagnostics.has_warnings();
   if (!robot || refused_warnings) {
-    throw BadInput(code_of(diagnostics), std::move(diagnostics));
+    const ExitCode code = code_of(diagnostics);
+    throw BadInput(code, std::move(diagnostics));
   }
   Mechanism mechanism = make_mechanism(*robot);
   std::string hash = file_hash(robot->files);

@@ -3,7 +3,6 @@
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
-#include <limits>
 
 namespace flatdyn {
 namespace {
@@ -62,7 +61,8 @@ Solution solve(const MatrixXd& factor, const VectorXd& prior, double damping) {
   return solution;
 }
 
-// σ_i from the residual of joint i and the degrees of freedom that are left to it. What rounding leaves is no noise.
+// σ_i from the residual of joint i and the degrees of freedom that are left to it. What rounding leaves is no noise:
+// less than this part of the largest torque, or than as many N m where there is none.
 VectorXd residual_deviations(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
   constexpr double kRounding = 1e-13;
   const auto n = static_cast<Index>(observations.joints.size());
@@ -77,7 +77,7 @@ VectorXd residual_deviations(const Observations& observations, const Solution& s
     const auto rows = static_cast<double>(joint.rows);
     const double freedom = std::max(rows - leverage, 1.0);
     result(i) = joint.rms_residual(solution.values) * std::sqrt(rows / freedom);
-    result(i) = std::max({result(i), kRounding * largest_torque, std::numeric_limits<double>::min()});
+    result(i) = std::max({result(i), kRounding * largest_torque, kRounding});
   }
   return result;
 }

@@ -61,20 +61,23 @@ struct LinkShape {
   }
 };
 
-// A pseudo-inertia that is positive definite beyond doubt: eigenvalues not below a small part of the largest one.
-Matrix4d made_definite(const Matrix4d& P, double least) {
-  constexpr double kThin = 1e-6;
+// A pseudo-inertia that is positive definite beyond doubt: itself if it is; else no eigenvalue is below a small part of
+// the largest one, and what has no mass is a small body.
+Matrix4d made_definite(const Matrix4d& P) {
+  constexpr double kSmallBody = 1e-4;  // kg, kg m²
+  constexpr double kThin = 1e-9, kThick = 1e-4;
   const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(P);
-  const double floor = std::max(least, kThin * eigen.eigenvalues().maxCoeff());
+  const double largest = eigen.eigenvalues().maxCoeff();
+  if (largest > 0 && eigen.eigenvalues().minCoeff() > kThin * largest) return P;
+  const double floor = largest > 0 ? kThick * largest : kSmallBody;
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(floor).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
 std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vector<double>& scale) {
-  constexpr double kSmallBody = 1e-4;  // kg, kg m, kg m²
   std::vector<LinkShape> shapes;
   for (std::size_t at = 0; at < file.size(); at += kParametersPerJoint) {
     LinkShape shape;
-    shape.root = Eigen::LLT<Matrix4d>(made_definite(pseudo_inertia(&file[at]), kSmallBody)).matrixL();
+    shape.root = Eigen::LLT<Matrix4d>(made_definite(pseudo_inertia(&file[at]))).matrixL();
     for (int k = 0; k < kOthers; ++k) {
       const std::size_t place = at + static_cast<std::size_t>(kInertialPerBody + k);
       shape.others[k] = file[place] > 0 ? file[place] : scale[place];

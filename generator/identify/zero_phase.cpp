@@ -78,8 +78,9 @@ void make_exact_for_parabolas(ZeroPhaseKernel& kernel, double dt) {
 }  // namespace
 
 ZeroPhaseKernel zero_phase_kernel(double band, double dt) {
-  // The main lobe of the window is 8/(2 reach) wide from zero to zero; so wide is the transition from 1 to 2 bands.
-  const double reach = 4 / band;
+  // The main lobe of the window is 8/(2 reach) wide from zero to zero, and so is the transition from 1 to 2 bands,
+  // which an eighth more than that leaves free of its edges.
+  const double reach = 4.5 / band;
   const double omega = 2 * std::numbers::pi * 1.5 * band;
   ZeroPhaseKernel kernel;
   kernel.half = static_cast<int>(std::ceil(reach / dt)) - 1;

@@ -57,7 +57,7 @@ nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set) {
     for (const auto& [index, coefficient] : base.combination[row]) {
       entry["coefficients"][parameter_name(index)] = coefficient_text(coefficient, kJsonDigits);
     }
-    if (!has_symbols(values[row])) entry["value"] = std::stod(to_decimal(values[row], kJsonDigits));
+    if (!has_symbols(values[row])) entry["value"] = nearest_double(values[row]);
     json["base_parameters"].push_back(entry);
   }
   json["not_identifiable"] = nlohmann::ordered_json::array();

@@ -29,7 +29,7 @@ std::string range_text(const Limits& limits, const NumberText& text) {
 std::string snap_text(const Snap& snap, double torque_change) {
   return fmt::format("  {}:{}: {}: {} taken for {}: off by {:.1e} rad, changes torques by up to {:.1e}\n",
                      snap.place.file, snap.place.line, snap.what, snap.written, plain_number_text(snap.exact),
-                     std::stod(to_decimal(snap.difference, 3)), torque_change);
+                     nearest_double(snap.difference), torque_change);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ namespace {
 
 std::string turn_text(const PlanarRotation& turn, const NumberText& number) {
   if (has_symbols(turn.c)) return "atan2(" + number(turn.s) + ", " + number(turn.c) + ")";
-  const double angle = std::atan2(std::stod(to_decimal(turn.s, 17)), std::stod(to_decimal(turn.c, 17)));
+  const double angle = std::atan2(nearest_double(turn.s), nearest_double(turn.c));
   const double quarters = angle / std::acos(0.0);
   return quarters == std::round(quarters) ? fmt::format("{:g} deg", 90 * quarters) : fmt::format("{:.6g} rad", angle);
 }
@@ -95,7 +95,7 @@ std::string describe_body(const Body& body, int i, const NumberText& number) {
 // A number, or the text of an expression in the free symbols.
 nlohmann::ordered_json number_json(const Number& number, const NumberText& text) {
   if (has_symbols(number)) return text(number);
-  return std::stod(to_decimal(number, 17));
+  return nearest_double(number);
 }
 
 template <class Numbers>

@@ -17,9 +17,9 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-// The shortest text of the nearest double; what robot files are too coarse for is nothing.
+// The shortest text of the nearest double. Less than this much of a kg, m or kg m² is what rounding left of nothing.
 std::string number(const Number& value) {
-  constexpr double kSmallest = 1e-30;
+  constexpr double kSmallest = 1e-15;
   const double nearest = nearest_double(value);
   return std::abs(nearest) < kSmallest ? "0" : fmt::format("{}", nearest);
 }

@@ -11,7 +11,7 @@ namespace flatdyn {
 namespace {
 
 std::string number_text(const Number& magnitude, int digits) {
-  return fmt::format("{:.{}g}", std::stod(to_decimal(magnitude, 17)), digits);
+  return fmt::format("{:.{}g}", nearest_double(magnitude), digits);
 }
 
 std::string plain_text(const Number& e) {

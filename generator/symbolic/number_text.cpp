@@ -24,7 +24,7 @@ std::string multiple_of_pi(const GiNaC::numeric& turns) {
 std::string plain_number_text(const Number& number, int digits) {
   const Number turns = (number / GiNaC::Pi).expand();
   if (!number.is_zero() && is_rational(turns)) return multiple_of_pi(GiNaC::ex_to<GiNaC::numeric>(turns));
-  const double value = std::stod(to_decimal(number, 40));
+  const double value = nearest_double(number);
   return digits >= 17 ? fmt::format("{}", value) : fmt::format("{:.{}g}", value, digits);
 }
 

@@ -25,7 +25,7 @@ class Uniform {
 };
 
 double limit_or(const std::optional<Value>& value, double otherwise) {
-  return value && !has_symbols(value->number) ? std::stod(to_decimal(value->number, 17)) : otherwise;
+  return value && !has_symbols(value->number) ? nearest_double(value->number) : otherwise;
 }
 
 struct Range {

@@ -25,7 +25,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<State> with_parameters(std::vector<State> states, const SymbolValues& values) {
   for (State& state : states) {
-    for (const Number& value : values) state.parameters.push_back(std::stod(to_decimal(value, 17)));
+    for (const Number& value : values) state.parameters.push_back(nearest_double(value));
   }
   return states;
 }

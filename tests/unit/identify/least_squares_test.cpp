@@ -35,8 +35,8 @@ struct Arm {
 
 // The torques are those of the recursive reference, which knows nothing of regressors.
 TEST(LeastSquares, RecoversEveryBaseParameterFromNoiseFreeMotion) {
-  for (const char* robot : {"planar_2r_example_7_2.toml", "pendulum_motor.toml", "puma560.toml", "rx90.toml",
-                            "ur5.urdf", "panda.urdf", "quadruped12.urdf"}) {
+  for (const char* robot :
+       {"planar_2r_example_7_2.toml", "puma560.toml", "rx90.toml", "ur5.urdf", "panda.urdf", "quadruped12.urdf"}) {
     const Arm arm(robot);
     const Observations observations = arm.observed(simulated(arm.robot, {.samples = 600}));
     const VectorXd truth = arm.truth();

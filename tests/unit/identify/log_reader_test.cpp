@@ -52,7 +52,8 @@ class LogTest : public ::testing::Test {
 };
 
 TEST_F(LogTest, ColumnsComeInAnyOrderByNumberOrName) {
-  const auto samples = read("tau_joint2, q1, time, tau1, q_joint2, room\n# a comment\n\n4, 1, 0.5, 3, 2, kitchen\r\n");
+  const auto samples =
+      read("tau_theta_2, q1, time, tau1, q_theta_2, room\n# a comment\n\n4, 1, 0.5, 3, 2, kitchen\r\n");
   EXPECT_EQ(error(), "none");
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_THAT(samples[0], ElementsAre(0.5, 1, 2, 3, 4));
@@ -72,7 +73,7 @@ TEST_F(LogTest, WhatIsWrongWithTheHeadingIsSaid) {
       {"t,q1,tau1,tau2\n", "1: no column for the positions: q2"},
       {"q1,q2,tau1,tau2\n", "1: no column for the time: t"},
       {"t,q1,q2,tau1,tau2,qd2\n", "1: no column for qd1"},
-      {"t,q1,q2,tau1,tau2,q_joint1\n", "1: column \"q_joint1\" is there twice"},
+      {"t,q1,q2,tau1,tau2,q_theta_1\n", "1: column \"q_theta_1\" is there twice"},
       {"t,q1 [grad],q2,tau1,tau2\n", "1: column \"q1\": unknown unit \"grad\""},
       {"", "0: no samples in the file"},
   };

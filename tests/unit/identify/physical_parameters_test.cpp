@@ -86,10 +86,11 @@ TEST(PhysicalParameters, MeetBaseParametersFarFromTheFile) {
 
 // No body has a negative moment of inertia: the nearest that one has is found, and the misfit is told.
 TEST(PhysicalParameters, AreBodiesEvenIfBaseParametersAreNot) {
-  const Model model = testing::model_of("pendulum_motor.toml");
+  const Model model = testing::model_of("planar_2r_example_7_2.toml");
   const BaseParameters base = base_parameters(model.mechanism, ParameterSet::inertial);
   VectorXd pi_b = values_of(base_values(model.mechanism, base));
-  pi_b(0) = -0.2;
+  ASSERT_EQ(parameter_name(base.columns.at(5)), "I2zz");
+  pi_b(5) = -0.2;
   const PhysicalParameters found =
       physical_parameters(model.mechanism, base, pi_b, covariance_of(VectorXd::Constant(pi_b.size(), 0.01)));
   expect_bodies(found.pi);

@@ -45,14 +45,27 @@ TEST(ClosedVariants, IsNotTriedWhereItWouldBeLong) {
   EXPECT_FALSE(closed_variant(arm, derive_function(arm, "jacobian")).has_value());
 }
 
-// g_1 and g_2 of (7.82) need cos q_1 and cos(q_1 + q_2) and no sine; the recursion needs all four.
-TEST(ClosedVariants, IsWhatThePlanarArmsGravityIsEmittedFrom) {
-  const Model model = read_model(FLATDYN_SOURCE_DIR "/robots/planar_2r.toml", {});
+// (7.31) with the numbers of Example 7.2: a quadratic form with one cosine, which costs the recursion three
+// multiplications more.
+TEST(ClosedVariants, IsWhatThePlanarArmsEnergyIsEmittedFrom) {
+  const Model model = read_model(FLATDYN_SOURCE_DIR "/robots/planar_2r_example_7_2.toml", {});
   PipelineOptions options;
-  options.functions = {"gravity"};
+  options.functions = {"kinetic_energy"};
   Progress quiet(true);
   Diagnostics left_out;
-  EXPECT_EQ(count_operations(make_functions(model, options, quiet, left_out).at(0).function).trigonometric, 2);
+  EXPECT_EQ(count_operations(make_functions(model, options, quiet, left_out).at(0).function).multiplications, 7);
+}
+
+// cos(q_1 + q_2) of an angle that was rounded is wrong by as many digits as the joints have turned.
+TEST(ClosedVariants, TakesNoSineOfASum) {
+  const Model model = read_model(FLATDYN_SOURCE_DIR "/robots/planar_2r.toml", {});
+  const std::optional<Function> closed = closed_variant(model.mechanism, derive_function(model.mechanism, "gravity"));
+  ASSERT_TRUE(closed);
+  for (NodeId id = 0; id < closed->graph.size(); ++id) {
+    const Node& node = closed->graph[id];
+    if (node.op != Op::sin && node.op != Op::cos) continue;
+    EXPECT_EQ(closed->graph[node.operands[0]].op, Op::input);
+  }
 }
 
 }  // namespace
