@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A robot of robots/ with its regressor, and what is identified from its simulated motion.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "identify/least_squares.hpp"
+#include "support/robot_models.hpp"
+#include "support/simulated_log.hpp"
+
+namespace flatdyn::testing {
+
+struct Arm {
+  explicit Arm(const std::string& file, ParameterSet set = ParameterSet::given)
+      : robot(model_of(file)), torque(robot, set, quiet) {}
+
+  Progress quiet{true};
+  Model robot;
+  TorqueModel torque;
+
+  Eigen::VectorXd truth() const {
+    return Eigen::Map<const Eigen::VectorXd>(torque.file_values().data(),
+                                             static_cast<Eigen::Index>(torque.parameters()));
+  }
+  Observations observed(const std::vector<SimulatedSample>& samples) const {
+    ObservationFolder folder(torque);
+    for (const SimulatedSample& each : samples) {
+      folder.add({each.time, each.q.data(), each.qd.data(), each.qdd.data(), each.tau.data(), nullptr});
+    }
+    return folder.observations();
+  }
+};
+
+// Without noise every base parameter is found to 1e-9. The torques are those of the recursive reference, which knows
+// nothing of regressors.
+inline void expect_recovery(const std::string& robot) {
+  const Arm arm(robot);
+  const Eigen::VectorXd truth = arm.truth();
+  const Estimate found =
+      estimate(arm.observed(simulated(arm.robot, {.samples = 600})), Eigen::VectorXd::Zero(truth.size()));
+  EXPECT_TRUE(found.converged) << robot;
+  EXPECT_TRUE(found.damped.empty()) << robot;
+  const double size = truth.cwiseAbs().maxCoeff();
+  for (Eigen::Index k = 0; k < truth.size(); ++k) {
+    EXPECT_NEAR(found.values(k), truth(k), 1e-9 * std::abs(truth(k)) + 1e-13 * size) << robot << ", " << k;
+  }
+}
+
+}  // namespace flatdyn::testing
