@@ -8,7 +8,8 @@
 namespace flatdyn::reference {
 
 // What "50 digits" are: a few more are carried. Rounded correctly by MPFR, its sines and cosines too.
-using Real50 = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<60, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
+using Real50 =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
 }  // namespace flatdyn::reference
