@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <map>
 #include <sstream>
 
 #include "cli/commands.hpp"
@@ -8,6 +9,11 @@
 
 namespace flatdyn {
 namespace {
+
+const std::map<std::string, ParameterSet> kParameterSets = {{"inertial", ParameterSet::inertial},
+                                                            {"given", ParameterSet::given},
+                                                            {"full", ParameterSet::full},
+                                                            {"nonzero", ParameterSet::nonzero}};
 
 Number decimal_option(const std::string& option, const std::string& text) {
   try {
@@ -68,6 +74,18 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
   command.footer("Functions:\n" + aligned_table(rows) +
                  "forward_kinematics, jacobian and jacobian_dot_qd also take a link: jacobian:LINK.");
 }
+
+void add_parameters_option(CLI::App& command, std::string& name, const std::string& use) {
+  command
+      .add_option("--parameters", name,
+                  use +
+                      "ten of every link (inertial), and rotors and friction that the file gives (given), all "
+                      "thirteen (full), or those that are not zero (nonzero)")
+      ->check(CLI::IsMember({"inertial", "given", "full", "nonzero"}))
+      ->capture_default_str();
+}
+
+ParameterSet parameter_set(const std::string& name) { return kParameterSets.at(name); }
 
 PipelineOptions RobotArguments::options() const {
   PipelineOptions options;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "pipeline.hpp"
+#include "symbolic/parameters.hpp"
 
 namespace flatdyn {
 
@@ -29,11 +30,16 @@ struct RobotArguments {
 // --functions, and the table of functions at the end of the help.
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions);
 
+// --parameters, for what `use` says; and the set that its value names.
+void add_parameters_option(CLI::App& command, std::string& name, const std::string& use);
+ParameterSet parameter_set(const std::string& name);
+
 Run add_generate(CLI::App& app);
 Run add_inspect(CLI::App& app);
 Run add_derive(CLI::App& app);
 Run add_verify(CLI::App& app);
 Run add_eval(CLI::App& app);
+Run add_excite(CLI::App& app);
 
 // Diagnostics on stderr, one each.
 void print_diagnostics(const Diagnostics& diagnostics, bool quiet);

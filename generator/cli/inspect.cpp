@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
-#include <map>
-
 #include "cli/commands.hpp"
 #include "report/base_report.hpp"
 #include "report/describe.hpp"
@@ -10,11 +8,6 @@
 
 namespace flatdyn {
 namespace {
-
-const std::map<std::string, ParameterSet> kParameterSets = {{"inertial", ParameterSet::inertial},
-                                                            {"given", ParameterSet::given},
-                                                            {"full", ParameterSet::full},
-                                                            {"nonzero", ParameterSet::nonzero}};
 
 struct InspectArguments : RobotArguments {
   bool base = false;
@@ -24,7 +17,7 @@ struct InspectArguments : RobotArguments {
 ExitCode inspect(const InspectArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments.quiet);
-  const ParameterSet set = kParameterSets.at(arguments.parameters);
+  const ParameterSet set = parameter_set(arguments.parameters);
   const std::vector<double> effects = snap_effects(model, arguments.options().read);
   if (arguments.json) {
     nlohmann::ordered_json json = model_json(model, effects);
@@ -50,12 +43,7 @@ Run add_inspect(CLI::App& app) {
   arguments->add_to(*command);
   command->add_flag("--base", arguments->base,
                     "print the fewest parameters that the torques depend on, and those that they do not depend on");
-  command
-      ->add_option("--parameters", arguments->parameters,
-                   "for --base: ten of every link (inertial), and rotors and friction that the file gives (given), all "
-                   "thirteen (full), or those that are not zero (nonzero)")
-      ->check(CLI::IsMember({"inertial", "given", "full", "nonzero"}))
-      ->capture_default_str();
+  add_parameters_option(*command, arguments->parameters, "for --base: ");
   return [arguments] { return inspect(*arguments); };
 }
 
