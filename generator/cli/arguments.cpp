@@ -15,6 +15,10 @@ bool is_reasonable(const GiNaC::numeric& number) {
   const GiNaC::numeric largest = GiNaC::numeric(10).power(30), magnitude = GiNaC::abs(number);
   return number.is_zero() || (magnitude <= largest && magnitude * largest >= 1);
 }
+const std::map<std::string, ParameterSet> kParameterSets = {{"inertial", ParameterSet::inertial},
+                                                            {"given", ParameterSet::given},
+                                                            {"full", ParameterSet::full},
+                                                            {"nonzero", ParameterSet::nonzero}};
 
 Number decimal_option(const std::string& option, const std::string& text) {
   try {
@@ -69,23 +73,6 @@ void RobotArguments::add_to(CLI::App& command) {
   command.add_flag("-q,--quiet", quiet, "no notes, no progress");
 }
 
-void add_parameters_option(CLI::App& command, std::string& parameters) {
-  command
-      .add_option("--parameters", parameters,
-                  "which parameters the model has: ten of every link (inertial), and rotors and friction that the file "
-                  "gives (given), all thirteen (full), or those that are not zero (nonzero)")
-      ->check(CLI::IsMember({"inertial", "given", "full", "nonzero"}))
-      ->capture_default_str();
-}
-
-ParameterSet parameter_set(const std::string& name) {
-  static const std::map<std::string, ParameterSet> kSets = {{"inertial", ParameterSet::inertial},
-                                                            {"given", ParameterSet::given},
-                                                            {"full", ParameterSet::full},
-                                                            {"nonzero", ParameterSet::nonzero}};
-  return kSets.at(name);
-}
-
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {
   command
       .add_option("--functions", functions,
@@ -116,6 +103,18 @@ void add_stream_options(CLI::App& command, StreamOptions& options) {
       ->check(CLI::PositiveNumber)
       ->type_name("N");
 }
+
+void add_parameters_option(CLI::App& command, std::string& name, const std::string& use) {
+  command
+      .add_option("--parameters", name,
+                  use +
+                      "ten of every link (inertial), and rotors and friction that the file gives (given), all "
+                      "thirteen (full), or those that are not zero (nonzero)")
+      ->check(CLI::IsMember({"inertial", "given", "full", "nonzero"}))
+      ->capture_default_str();
+}
+
+ParameterSet parameter_set(const std::string& name) { return kParameterSets.at(name); }
 
 PipelineOptions RobotArguments::options() const {
   PipelineOptions options;

@@ -34,12 +34,12 @@ inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.
 // --functions, and the table of functions at the end of the help.
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions);
 
-// --parameters, and what its value means.
-void add_parameters_option(CLI::App& command, std::string& parameters);
-ParameterSet parameter_set(const std::string& name);
-
 // --band and --decimate.
 void add_stream_options(CLI::App& command, StreamOptions& options);
+
+// --parameters, for what `use` says; and the set that its value names.
+void add_parameters_option(CLI::App& command, std::string& name, const std::string& use);
+ParameterSet parameter_set(const std::string& name);
 
 Run add_generate(CLI::App& app);
 Run add_inspect(CLI::App& app);
@@ -48,6 +48,7 @@ Run add_verify(CLI::App& app);
 Run add_eval(CLI::App& app);
 Run add_identify(CLI::App& app);
 Run add_payload(CLI::App& app);
+Run add_excite(CLI::App& app);
 
 // Diagnostics on stderr, one each.
 void print_diagnostics(const Diagnostics& diagnostics, bool quiet);

@@ -8,6 +8,7 @@
 #include "identify/part_file.hpp"
 #include "report/identification_report.hpp"
 #include "report/identified_robot.hpp"
+#include "report/residual_plot.hpp"
 
 namespace flatdyn {
 namespace {
@@ -19,6 +20,7 @@ struct IdentifyArguments : RobotArguments {
   StreamOptions stream;
   EstimateOptions estimate;
   bool sequential = false;
+  std::string plot;
 };
 
 // "2/8" → part 2 of 8.
@@ -67,8 +69,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-void write_robot(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
-                 const Identification& found) {
+TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
+                    const Identification& found) {
   IdentifiedRobot about{arguments.output, {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""}, {}};
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
   if (!arguments.gravity.empty()) about.settings.push_back(fmt::format("gravity = [{}]", arguments.gravity));
@@ -76,8 +78,15 @@ void write_robot(const IdentifyArguments& arguments, const Model& robot, const T
   if (!arguments.fixed_joints.empty()) {
     about.settings.push_back(fmt::format("fixed = [\"{}\"]", fmt::join(arguments.fixed_joints, "\", \"")));
   }
-  const std::string text = identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about);
-  write_files({{arguments.output, text}});
+  return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
+}
+
+void write_results(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
+                   const Identification& found) {
+  std::vector<TextFile> files;
+  if (!arguments.output.empty()) files.push_back(robot_file(arguments, robot, model, found));
+  if (!arguments.plot.empty()) files.push_back({arguments.plot, residual_plot(model, found)});
+  write_files(files);
 }
 
 ExitCode identify(const IdentifyArguments& arguments) {
@@ -103,11 +112,13 @@ ExitCode identify(const IdentifyArguments& arguments) {
     progress.step("finding links that a body can have");
     found.physical =
         physical_parameters(robot.mechanism, model.base(), found.estimate.values, found.estimate.covariance);
-    if (!arguments.output.empty()) write_robot(arguments, robot, model, found);
+    write_results(arguments, robot, model, found);
     fmt::print("{}", arguments.json ? identification_json(model, found).dump(2) + "\n"
                                     : describe_identification(model, found));
   }
-  if (!arguments.output.empty() && !arguments.json) fmt::print("\nwrote {}\n", arguments.output);
+  for (const std::string& file : {arguments.output, arguments.plot}) {
+    if (!file.empty() && !arguments.json) fmt::print("\nwrote {}\n", file);
+  }
   return ExitCode::ok;
 }
 
@@ -128,9 +139,12 @@ Run add_identify(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "the robot file with the identified parameters; of a part")
       ->check(kNotEmpty)
       ->type_name("FILE");
+  command->add_option("--plot", arguments->plot, "torques and residuals over time; needs gnuplot")
+      ->check(kNotEmpty)
+      ->type_name("FILE.svg");
   command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
       ->type_name("k/N");
-  add_parameters_option(*command, arguments->parameters);
+  add_parameters_option(*command, arguments->parameters, "what is identified: ");
   add_stream_options(*command, arguments->stream);
   command
       ->add_option("--damping", arguments->estimate.damping,

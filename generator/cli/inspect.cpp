@@ -43,7 +43,7 @@ Run add_inspect(CLI::App& app) {
   arguments->add_to(*command);
   command->add_flag("--base", arguments->base,
                     "print the fewest parameters that the torques depend on, and those that they do not depend on");
-  add_parameters_option(*command, arguments->parameters);
+  add_parameters_option(*command, arguments->parameters, "for --base: ");
   return [arguments] { return inspect(*arguments); };
 }
 

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
+#include "diagnostics/temporary_folder.hpp"
 #include "emit/emit.hpp"
 #include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
@@ -70,27 +71,6 @@ std::string content_of(const fs::path& path) {
   text << file.rdbuf();
   return text.str();
 }
-
-// Gone with the object, also when making the library fails half-way.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "flatdyn-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw Failure(ExitCode::io, "no temporary folder can be made");
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 }  // namespace
 

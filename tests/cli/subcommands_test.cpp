@@ -112,7 +112,7 @@ TEST(Json, InspectHasTheModelInNumbers) {
 }
 
 TEST(Help, OpensWithTwoRunnableExamples) {
-  for (const std::string command : {"", "generate ", "inspect ", "derive ", "verify ", "eval "}) {
+  for (const std::string command : {"", "generate ", "inspect ", "derive ", "verify ", "eval ", "excite "}) {
     const Outcome outcome = run_flatdyn(command + "--help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_THAT(outcome.out.substr(0, outcome.out.find("Usage")),

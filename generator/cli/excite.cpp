@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "report/excitation_report.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct ExciteArguments : RobotArguments {
+  std::string folder;
+  std::string parameters = "given";
+  ExcitationOptions plan;
+};
+
+ExitCode excite(const ExciteArguments& arguments) {
+  const Model model = read_model(arguments.robot, arguments.options());
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (model.mechanism.name + "_excitation");
+  const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg";
+  Progress progress(arguments.quiet);
+  const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
+  const Excitation excitation = make_excitation(torques, arguments.plan, progress);
+  write_files(
+      {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}});
+  if (arguments.json) {
+    nlohmann::ordered_json json = excitation_json(torques, excitation);
+    json["files"] = {csv, svg};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}\nwrote {}\nwrote {}\n", describe_excitation(torques, excitation), csv, svg);
+  }
+  return ExitCode::ok;
+}
+
+void add_plan_options(CLI::App& command, ExcitationOptions& plan) {
+  command.add_option("--duration", plan.duration, "of the motion, from rest to rest")
+      ->capture_default_str()
+      ->type_name("S")
+      ->check(CLI::Range(0.1, 3600.0));
+  command.add_option("--rate", plan.rate, "samples per second")
+      ->capture_default_str()
+      ->type_name("HZ")
+      ->check(CLI::Range(1.0, 10000.0));
+  command.add_option("--harmonics", plan.harmonics, "of every joint's Fourier series")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 50));
+  command.add_option("--margin", plan.margin, "the part of every limit that may be used")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1.0));
+  command.add_option("--seed", plan.seed, "of the random starts")->capture_default_str();
+  command.add_option("--evaluations", plan.evaluations, "of the condition number; what ends the search")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10000000));
+  command.add_option("--time", plan.time, "ends the search earlier; the result then depends on the computer")
+      ->capture_default_str()
+      ->type_name("S")
+      ->check(CLI::Range(0.001, 1e6));
+}
+
+}  // namespace
+
+Run add_excite(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "excite",
+      "Find a motion from which the dynamic parameters can be identified well, within the robot's limits.\n\n"
+      "  flatdyn excite robots/planar_2r_example_7_2.toml -o out/\n"
+      "  flatdyn excite robots/panda.urdf -o out/ --duration 30 --rate 50 --margin 0.7");
+  const auto arguments = std::make_shared<ExciteArguments>();
+  arguments->add_to(*command);
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder for NAME_excitation.csv and NAME_excitation.svg; made if it is not there")
+      ->required()
+      ->type_name("FOLDER");
+  add_plan_options(*command, arguments->plan);
+  add_parameters_option(*command, arguments->parameters, "what is to be identified: ");
+  return [arguments] { return excite(*arguments); };
+}
+
+}  // namespace flatdyn

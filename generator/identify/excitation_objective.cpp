@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/excitation_objective.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "identify/conditioning.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kTwoPi = 6.283185307179586;
+// Samples per period of the highest harmonic, and equations per parameter.
+constexpr int kSamplesPerPeriod = 10, kEquationsPerParameter = 3;
+// The norm that stands in for the largest value along the motion.
+constexpr double kPower = 24;
+// A torque that is p % too large in all samples adds p²/10 % to the condition number.
+constexpr double kTorqueWeight = 1000;
+// Of a forward difference; q̈ enters linearly, so there any step is exact.
+constexpr double kStep = 1e-7, kAccelerationStep = 1;
+
+int samples_for(const TorqueModel& model, int harmonics) {
+  const int equations = kEquationsPerParameter * model.parameters();
+  return std::max(kSamplesPerPeriod * harmonics, (equations + model.joints() - 1) / model.joints());
+}
+
+}  // namespace
+
+// The shape is the series before it is scaled to the limits: column i by scale(i).
+struct ExcitationObjective::Motion {
+  MatrixXd coefficients;         // terms × joints
+  MatrixXd shape[3];             // samples × joints
+  VectorXd scale;                // joints
+  std::vector<VectorXd> shrink;  // of each joint, d scale / d coefficient
+};
+
+ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<JointLimits> limits, double duration,
+                                         int harmonics)
+    : model_(model), limits_(std::move(limits)), duration_(duration), units_(2 * harmonics, model.joints()) {
+  for (const JointLimits& joint : limits_) rest_.push_back(joint.middle());
+  const int count = samples_for(model, harmonics);
+  for (MatrixXd& basis : basis_) basis.resize(count, 2 * harmonics);
+  for (int l = 1; l <= harmonics; ++l) {
+    for (int k = 0; k < count; ++k) {
+      const double t = duration * (k + 0.5) / count;
+      const Deflection terms[] = {sine_term(duration, l, t), cosine_term(duration, l, t)};
+      for (int j = 0; j < 2; ++j) {
+        const int column = 2 * (l - 1) + j;
+        basis_[0](k, column) = terms[j].q;
+        basis_[1](k, column) = terms[j].qd;
+        basis_[2](k, column) = terms[j].qdd;
+      }
+    }
+    const double frequency = kTwoPi * l / duration;
+    for (int i = 0; i < model.joints(); ++i) {
+      const JointLimits& joint = limits_[static_cast<std::size_t>(i)];
+      units_.col(i)
+          .segment(2 * (l - 1), 2)
+          .setConstant(std::min({joint.reach() * frequency, joint.speed, joint.acceleration / frequency}));
+    }
+  }
+}
+
+ExcitationObjective::Motion ExcitationObjective::motion(const double* x) const {
+  Motion motion;
+  motion.coefficients = units_.cwiseProduct(Eigen::Map<const MatrixXd>(x, terms(), model_.joints()));
+  for (int d = 0; d < 3; ++d) motion.shape[d] = basis_[d] * motion.coefficients;
+  motion.scale.resize(model_.joints());
+  // So that the norm of a sine wave is its amplitude.
+  const double weight = std::sqrt(kTwoPi * kPower) / 2 / samples();
+  for (int i = 0; i < model_.joints(); ++i) {
+    const JointLimits& limits = limits_[static_cast<std::size_t>(i)];
+    const double largest[] = {limits.reach(), limits.speed, limits.acceleration};
+    double sum = 1;
+    VectorXd slope = VectorXd::Zero(terms());
+    for (int d = 0; d < 3; ++d) {
+      const ArrayXd shape = motion.shape[d].col(i).array();
+      const ArrayXd powers = weight * (shape / largest[d]).abs().pow(kPower);
+      sum += powers.sum();
+      const ArrayXd by_shape = powers / (shape == 0).select(1, shape);
+      slope += basis_[d].transpose() * by_shape.matrix();
+    }
+    motion.scale(i) = std::pow(sum, -1 / kPower);
+    motion.shrink.push_back(-motion.scale(i) / sum * slope);
+  }
+  return motion;
+}
+
+FourierTrajectory ExcitationObjective::trajectory(const double* x) const {
+  const Motion found = motion(x);
+  std::vector<FourierSeries> series(rest_.size());
+  for (int i = 0; i < model_.joints(); ++i) {
+    for (int k = 0; k < terms(); ++k) {
+      FourierSeries& joint = series[static_cast<std::size_t>(i)];
+      (k % 2 == 0 ? joint.a : joint.b).push_back(found.scale(i) * found.coefficients(k, i));
+    }
+  }
+  return {duration_, rest_, series};
+}
+
+VectorXd ExcitationObjective::state(const Motion& motion, int derivative, int sample) const {
+  VectorXd values = motion.scale.cwiseProduct(motion.shape[derivative].row(sample).transpose());
+  if (derivative == 0) values += Eigen::Map<const VectorXd>(rest_.data(), model_.joints());
+  return values;
+}
+
+MatrixXd ExcitationObjective::regressor(const Motion& motion) const {
+  const int n = model_.joints();
+  MatrixXd stacked(samples() * n, model_.parameters());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model_.parameters());
+  for (int k = 0; k < samples(); ++k) {
+    const VectorXd q = state(motion, 0, k), qd = state(motion, 1, k), qdd = state(motion, 2, k);
+    model_.regressor(q.data(), qd.data(), qdd.data(), y.data());
+    stacked.middleRows(k * n, n) = y;
+  }
+  return stacked;
+}
+
+double ExcitationObjective::torque_penalty(const MatrixXd& regressor, MatrixXd* slope) const {
+  const Eigen::Map<const VectorXd> values(model_.file_values().data(), model_.parameters());
+  const VectorXd tau = regressor * values;
+  const double weight = kTorqueWeight / samples();
+  double penalty = 0;
+  for (Eigen::Index row = 0; row < tau.size(); ++row) {
+    const double limit = limits_[static_cast<std::size_t>(row) % limits_.size()].torque;
+    const double excess = std::abs(tau(row)) / limit - 1;
+    if (excess <= 0) continue;
+    penalty += weight * excess * excess;
+    if (slope != nullptr) slope->row(row) += std::copysign(2 * weight * excess / limit, tau(row)) * values.transpose();
+  }
+  return penalty;
+}
+
+// From the slope by the entries of the regressor to that by q, q̇ and q̈ of each joint in each sample.
+void ExcitationObjective::by_motion(const Motion& motion, const MatrixXd& regressor, const MatrixXd& slope,
+                                    MatrixXd* by) const {
+  const int n = model_.joints();
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model_.parameters());
+  for (int d = 0; d < 3; ++d) by[d].resize(samples(), n);
+  for (int k = 0; k < samples(); ++k) {
+    VectorXd now[] = {state(motion, 0, k), state(motion, 1, k), state(motion, 2, k)};
+    for (int d = 0; d < 3; ++d) {
+      const double step = d == 2 ? kAccelerationStep : kStep;
+      for (int i = 0; i < n; ++i) {
+        const double here = now[d](i);
+        now[d](i) += step;
+        model_.regressor(now[0].data(), now[1].data(), now[2].data(), y.data());
+        const auto rows = Eigen::seqN(k * n, n);
+        by[d](k, i) =
+            (y - regressor(rows, Eigen::all)).cwiseProduct(slope(rows, Eigen::all)).sum() / (now[d](i) - here);
+        now[d](i) = here;
+      }
+    }
+  }
+}
+
+void ExcitationObjective::by_coefficients(const Motion& motion, const MatrixXd* by, double* gradient) const {
+  Eigen::Map<MatrixXd> result(gradient, terms(), model_.joints());
+  for (int i = 0; i < model_.joints(); ++i) {
+    double by_scale = 0;
+    VectorXd column = VectorXd::Zero(terms());
+    for (int d = 0; d < 3; ++d) {
+      column += motion.scale(i) * (basis_[d].transpose() * by[d].col(i));
+      by_scale += by[d].col(i).dot(motion.shape[d].col(i));
+    }
+    column += by_scale * motion.shrink[static_cast<std::size_t>(i)];
+    result.col(i) = column.cwiseProduct(units_.col(i));
+  }
+}
+
+double ExcitationObjective::operator()(const double* x, double* gradient) const {
+  const Motion found = motion(x);
+  const MatrixXd y = regressor(found);
+  MatrixXd slope;
+  double value = smooth_log_condition(y, gradient != nullptr ? &slope : nullptr);
+  value += torque_penalty(y, gradient != nullptr ? &slope : nullptr);
+  if (gradient != nullptr) {
+    MatrixXd by[3];
+    by_motion(found, y, slope, by);
+    by_coefficients(found, by, gradient);
+  }
+  return value;
+}
+
+}  // namespace flatdyn

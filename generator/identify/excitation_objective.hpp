@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the search for an exciting motion makes small: the condition number, at a few samples, as a smooth function of
+// free coefficients, with its gradient.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identify/fourier_trajectory.hpp"
+#include "identify/motion_limits.hpp"
+#include "identify/torque_model.hpp"
+
+namespace flatdyn {
+
+class ExcitationObjective {
+ public:
+  // `limits`: what the motion may use, about the middle of the positions. Samples lie between the ends, where nothing
+  // moves.
+  ExcitationObjective(const TorqueModel& model, std::vector<JointLimits> limits, double duration, int harmonics);
+
+  // Free coefficients: of every joint a_1, b_1, a_2, …, in units that reach a limit at about 1.
+  int size() const { return model_.joints() * terms(); }
+
+  // ln(condition number), smoothed, and a penalty for torques beyond their limits. `gradient` of size() or null.
+  double operator()(const double* x, double* gradient) const;
+
+  // The series that the coefficients stand for. A joint whose limits of position, speed and acceleration these would
+  // exceed is scaled down, smoothly, to about the limit.
+  FourierTrajectory trajectory(const double* x) const;
+
+ private:
+  struct Motion;
+  int terms() const { return static_cast<int>(basis_[0].cols()); }
+  int samples() const { return static_cast<int>(basis_[0].rows()); }
+  Motion motion(const double* x) const;
+  Eigen::VectorXd state(const Motion& motion, int derivative, int sample) const;
+  Eigen::MatrixXd regressor(const Motion& motion) const;
+  double torque_penalty(const Eigen::MatrixXd& regressor, Eigen::MatrixXd* slope) const;
+  void by_motion(const Motion& motion, const Eigen::MatrixXd& regressor, const Eigen::MatrixXd& slope,
+                 Eigen::MatrixXd* by) const;
+  void by_coefficients(const Motion& motion, const Eigen::MatrixXd* by, double* gradient) const;
+
+  const TorqueModel& model_;
+  std::vector<JointLimits> limits_;
+  std::vector<double> rest_;
+  double duration_;
+  Eigen::MatrixXd units_;     // terms × joints: a coefficient of 1 is this amplitude of speed
+  Eigen::MatrixXd basis_[3];  // samples × terms: q, q̇ and q̈ of each term
+};
+
+}  // namespace flatdyn

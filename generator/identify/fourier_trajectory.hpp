@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Periodic motions for identification: per joint a finite Fourier series (Swevers, Ganseman, Tükel, De Schutter and Van
+// Brussel, 1997) and a quintic polynomial that makes it start and end at rest (Park, 2006). With ω = 2π / duration
+//   q_i(t) = q_i0 + Σ_l [a_il / (ωl) sin(ωlt) − b_il / (ωl) cos(ωlt)] + polynomial,
+// and at t = 0 and t = duration q_i = q_i0, q̇_i = 0, q̈_i = 0.
+#pragma once
+
+#include <vector>
+
+namespace flatdyn {
+
+// One coordinate and its derivatives: rad, rad/s, rad/s² or m, m/s, m/s².
+struct Deflection {
+  double q = 0, qd = 0, qdd = 0;
+};
+
+// sin(ωlt) / (ωl) and −cos(ωlt) / (ωl), each with the polynomial that it needs. The polynomial is linear in the
+// coefficients, so the sum of such terms is the trajectory.
+Deflection sine_term(double duration, int l, double t);
+Deflection cosine_term(double duration, int l, double t);
+
+// Coefficients of one joint, l = 1, 2, …: the amplitudes of speed, rad/s or m/s.
+struct FourierSeries {
+  std::vector<double> a, b;
+};
+
+struct JointMotion {
+  std::vector<double> q, qd, qdd;
+};
+
+class FourierTrajectory {
+ public:
+  // duration in s; one rest position and one series per joint.
+  FourierTrajectory(double duration, std::vector<double> rest, std::vector<FourierSeries> series);
+
+  double duration() const { return duration_; }
+  int joints() const { return static_cast<int>(rest_.size()); }
+  const std::vector<FourierSeries>& series() const { return series_; }
+  // 0 ≤ t ≤ duration.
+  JointMotion at(double t) const;
+  // The deflection from rest of every joint, multiplied.
+  FourierTrajectory scaled(const std::vector<double>& factors) const;
+
+ private:
+  double duration_;
+  std::vector<double> rest_;
+  std::vector<FourierSeries> series_;
+};
+
+// At both ends and evenly between them.
+std::vector<JointMotion> sampled(const FourierTrajectory& trajectory, int intervals);
+
+}  // namespace flatdyn

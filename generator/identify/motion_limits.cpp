@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/motion_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flatdyn {
+namespace {
+
+constexpr int kDigits = 17;
+
+struct Defaults {
+  double position, speed, acceleration;
+};
+constexpr Defaults kTurning{1.5707963267948966, 2, 10};
+constexpr Defaults kSliding{0.25, 0.5, 2};
+
+double number_of(const Value& value) { return std::stod(to_decimal(value.number, kDigits)); }
+
+double number_or(const std::optional<Value>& limit, double otherwise) { return limit ? number_of(*limit) : otherwise; }
+
+JointLimits limits_of(const Body& body) {
+  const Defaults& defaults = body.prismatic ? kSliding : kTurning;
+  const Limits& given = body.limits;
+  JointLimits limits{-defaults.position, defaults.position, number_or(given.velocity, defaults.speed),
+                     number_or(given.acceleration, defaults.acceleration),
+                     number_or(given.effort, std::numeric_limits<double>::infinity())};
+  if (given.lower) limits.lower = number_of(*given.lower);
+  if (given.upper) limits.upper = number_of(*given.upper);
+  if (given.lower && !given.upper) limits.upper = limits.lower + 2 * defaults.position;
+  if (given.upper && !given.lower) limits.lower = limits.upper - 2 * defaults.position;
+  return limits;
+}
+
+}  // namespace
+
+std::vector<JointLimits> motion_limits(const Mechanism& mechanism) {
+  std::vector<JointLimits> limits;
+  for (const Body& body : mechanism.bodies) limits.push_back(limits_of(body));
+  return limits;
+}
+
+std::vector<JointLimits> within_margin(std::vector<JointLimits> limits, double margin) {
+  for (JointLimits& joint : limits) {
+    const double middle = joint.middle(), reach = margin * joint.reach();
+    joint = {middle - reach, middle + reach, margin * joint.speed, margin * joint.acceleration, margin * joint.torque};
+  }
+  return limits;
+}
+
+void raise(LimitUse& use, const JointLimits& limits, double q, double qd, double qdd, double tau) {
+  use.position = std::max(use.position, std::abs(q - limits.middle()) / limits.reach());
+  use.speed = std::max(use.speed, std::abs(qd) / limits.speed);
+  use.acceleration = std::max(use.acceleration, std::abs(qdd) / limits.acceleration);
+  use.torque = std::max(use.torque, std::abs(tau) / limits.torque);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/excitation_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "diagnostics/table.hpp"
+#include "report/plot.hpp"
+#include "symbolic/combination_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Of the weakest direction: as many parameters as a person looks at.
+constexpr std::size_t kWeakestShown = 5;
+constexpr std::size_t kPointsPerCurve = 500;
+
+std::string percent(double fraction) { return fmt::format("{:.0f} %", 100 * fraction); }
+
+std::string most_used(const LimitUse& use) {
+  const std::pair<double, const char*> kinds[] = {
+      {use.position, "position"}, {use.speed, "speed"}, {use.acceleration, "acceleration"}, {use.torque, "torque"}};
+  return std::max_element(std::begin(kinds), std::end(kinds),
+                          [](const auto& a, const auto& b) { return a.first < b.first; })
+      ->second;
+}
+
+std::string use_table(const Mechanism& mechanism, const std::vector<LimitUse>& use) {
+  std::vector<std::vector<std::string>> rows = {{"joint", "position", "speed", "acceleration", "torque", "most used"}};
+  for (std::size_t i = 0; i < use.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    rows.push_back({body.joint, percent(use[i].position), percent(use[i].speed), percent(use[i].acceleration),
+                    body.limits.effort ? percent(use[i].torque) : "-", most_used(use[i])});
+  }
+  return aligned_table(rows);
+}
+
+// Indices of π_b, those first that weigh most in the weakest direction.
+std::vector<int> weakest_first(const Eigen::VectorXd& weakest) {
+  std::vector<int> order(static_cast<std::size_t>(weakest.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return std::abs(weakest(a)) > std::abs(weakest(b)); });
+  order.resize(std::min(order.size(), kWeakestShown));
+  return order;
+}
+
+// A direction has no sign of its own: its largest part is made positive.
+double sign_of(const Eigen::VectorXd& direction) {
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  return std::copysign(1, direction(largest));
+}
+
+std::string weakest_table(const BaseParameters& base, const Eigen::VectorXd& weakest) {
+  std::vector<std::vector<std::string>> rows = {{"pi_b", "part", "combination"}};
+  for (const int k : weakest_first(weakest)) {
+    rows.push_back(
+        {std::to_string(k), fmt::format("{:+.2f}", sign_of(weakest) * weakest(k)), combination_text(base, k)});
+  }
+  return aligned_table(rows);
+}
+
+void append(std::string& line, const std::vector<double>& values) {
+  // + 0.0: no negative zeros.
+  for (const double value : values) line += fmt::format(",{}", value + 0.0);
+}
+
+Panel panel_of(const Mechanism& mechanism, const std::string& title, const std::string& label,
+               const std::vector<double>& times) {
+  Panel panel{title, "t in s", label, {}};
+  for (const Body& body : mechanism.bodies) panel.series.push_back({body.joint, times, {}});
+  return panel;
+}
+
+// "rad", "m", or both for a robot that has both.
+std::string unit_of(const Mechanism& mechanism, const std::string& turning, const std::string& sliding) {
+  const auto slides = [](const Body& body) { return body.prismatic; };
+  const auto count = std::count_if(mechanism.bodies.begin(), mechanism.bodies.end(), slides);
+  if (count == 0) return turning;
+  return count == mechanism.size() ? sliding : turning + ", " + sliding;
+}
+
+}  // namespace
+
+std::string describe_excitation(const TorqueModel& model, const Excitation& excitation) {
+  const PlannedMotion& motion = excitation.motion;
+  std::string text =
+      fmt::format("{} base parameters, {} samples, {} evaluations{}\n\n", model.parameters(), motion.samples.size(),
+                  excitation.evaluations, excitation.out_of_time ? " (ended by --time)" : "");
+  const Conditioning &before = excitation.start.conditioning, &after = motion.conditioning;
+  text += aligned_table(
+      {{"condition number", "random start", "found"},
+       {"columns of unit length", fmt::format("{:.4g}", before.scaled), fmt::format("{:.4g}", after.scaled)},
+       {"unscaled", fmt::format("{:.4g}", before.unscaled), fmt::format("{:.4g}", after.unscaled)}});
+  text += "\nlargest part of each limit that is used:\n" + use_table(model.mechanism(), motion.use);
+  return text + "\nthe motion shows least, of all combinations of the parameters:\n" +
+         weakest_table(model.base(), after.weakest);
+}
+
+nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation) {
+  const auto numbers = [](const PlannedMotion& motion) {
+    return nlohmann::ordered_json{{"scaled", motion.conditioning.scaled}, {"unscaled", motion.conditioning.unscaled}};
+  };
+  const PlannedMotion& motion = excitation.motion;
+  nlohmann::ordered_json json = {{"robot", model.mechanism().name},
+                                 {"base_parameters", model.parameters()},
+                                 {"samples", motion.samples.size()},
+                                 {"evaluations", excitation.evaluations},
+                                 {"out_of_time", excitation.out_of_time},
+                                 {"condition_number", numbers(motion)},
+                                 {"condition_number_of_start", numbers(excitation.start)}};
+  for (std::size_t i = 0; i < motion.use.size(); ++i) {
+    const LimitUse& use = motion.use[i];
+    json["limits_used"].push_back({{"joint", model.mechanism().bodies[i].joint},
+                                   {"position", use.position},
+                                   {"speed", use.speed},
+                                   {"acceleration", use.acceleration},
+                                   {"torque", use.torque}});
+  }
+  const Eigen::VectorXd& weakest = motion.conditioning.weakest;
+  for (const int k : weakest_first(weakest)) {
+    json["weakest"].push_back(
+        {{"pi_b", k}, {"combination", combination_text(model.base(), k)}, {"part", sign_of(weakest) * weakest(k)}});
+  }
+  for (const FourierSeries& series : motion.trajectory.series()) {
+    json["series"].push_back({{"a", series.a}, {"b", series.b}});
+  }
+  return json;
+}
+
+std::string excitation_csv(const PlannedMotion& motion) {
+  std::string text = "t";
+  for (const char* name : {"q", "qd", "qdd", "tau"}) {
+    for (int i = 1; i <= motion.trajectory.joints(); ++i) text += fmt::format(",{}{}", name, i);
+  }
+  text += "\n";
+  for (std::size_t k = 0; k < motion.samples.size(); ++k) {
+    std::string line = fmt::format("{}", motion.time(k));
+    append(line, motion.samples[k].q);
+    append(line, motion.samples[k].qd);
+    append(line, motion.samples[k].qdd);
+    append(line, motion.torques[k]);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string excitation_plot(const Mechanism& mechanism, const PlannedMotion& motion) {
+  const std::size_t step = std::max<std::size_t>(1, (motion.samples.size() - 1) / kPointsPerCurve);
+  std::vector<double> times;
+  for (std::size_t k = 0; k < motion.samples.size(); k += step) times.push_back(motion.time(k));
+  std::vector<Panel> panels = {
+      panel_of(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), times),
+      panel_of(mechanism, "speeds", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), times),
+      panel_of(mechanism, "expected torques", "tau in " + unit_of(mechanism, "N m", "N"), times)};
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    for (std::size_t k = 0; k < motion.samples.size(); k += step) {
+      panels[0].series[i].y.push_back(motion.samples[k].q[i]);
+      panels[1].series[i].y.push_back(motion.samples[k].qd[i]);
+      panels[2].series[i].y.push_back(motion.torques[k][i]);
+    }
+  }
+  return svg_plot(mechanism.name + ": exciting motion", panels);
+}
+
+}  // namespace flatdyn

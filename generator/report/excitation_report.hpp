@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A planned motion for people and for programs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "identify/excitation.hpp"
+
+namespace flatdyn {
+
+std::string describe_excitation(const TorqueModel& model, const Excitation& excitation);
+nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation);
+
+// t, q1, …, qd1, …, qdd1, …, tau1, …; every number as short as it can be read back exactly.
+std::string excitation_csv(const PlannedMotion& motion);
+// Positions, speeds and torques against time, as an SVG.
+std::string excitation_plot(const Mechanism& mechanism, const PlannedMotion& motion);
+
+}  // namespace flatdyn

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Curves as a picture for people, drawn by gnuplot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flatdyn {
+
+struct Series {
+  std::string name;
+  std::vector<double> x, y;
+};
+
+struct Panel {
+  std::string title, x_label, y_label;
+  std::vector<Series> series;
+};
+
+// Panels below each other in one SVG, without background and in colours for white and for dark pages. The same input
+// gives the same bytes. Throws Failure(io) where there is no gnuplot.
+std::string svg_plot(const std::string& title, const std::vector<Panel>& panels);
+
+}  // namespace flatdyn

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "report/identification_report.hpp"
+
+namespace flatdyn {
+
+// Per joint over time: the torque as measured, and what the identified parameters leave of it. SVG.
+std::string residual_plot(const TorqueModel& model, const Identification& found);
+
+}  // namespace flatdyn
