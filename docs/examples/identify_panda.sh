@@ -8,7 +8,7 @@ folder=$1
 flatdyn=${FLATDYN:-build/release/generator/flatdyn}
 mkdir -p "$folder"
 
-"$flatdyn" excite robots/panda.urdf -o "$folder" --evaluations "${EVALUATIONS:-2000}"
+"$flatdyn" excite robots/panda.urdf -o "$folder" --rate 50 --evaluations "${EVALUATIONS:-3000}"
 
 # Normal noise (twelve uniform numbers, less six) of 0.1 N m on the torques, the same in every run.
 awk -F, -v OFS=, '

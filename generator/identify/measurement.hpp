@@ -17,7 +17,7 @@ struct MotionSample {
 // Samples spread evenly over all that were offered, at most kMost of them: when there are more, every other one goes.
 class ThinnedSamples {
  public:
-  static constexpr std::size_t kMost = 2048;
+  static constexpr std::size_t kMost = 512;
 
   void offer(const TorqueModel& model, const Motion& motion);
   const std::vector<MotionSample>& kept() const { return kept_; }

@@ -45,16 +45,26 @@ std::string data_text(const Series& series, const std::string& name) {
   return text + "EOD\n";
 }
 
-std::string style_text() {
+// In characters: room beside the panels for the longest name and its stroke.
+std::size_t key_width(const std::vector<Panel>& panels) {
+  constexpr std::size_t kStroke = 8;
+  std::size_t longest = 0;
+  for (const Panel& panel : panels) {
+    for (const Series& series : panel.series) longest = std::max(longest, series.name.size());
+  }
+  return longest + kStroke;
+}
+
+std::string style_text(const std::vector<Panel>& panels) {
   return fmt::format(
       "set encoding utf8\n"
       "set border 3 linecolor rgb '{0}'\n"
       "set tics nomirror out scale 0.5 textcolor rgb '{0}'\n"
       "set grid linecolor rgb '{0}' linewidth 0.4 dashtype 3\n"
       "set key outside right top Left reverse samplen 1.5 width 1 noenhanced textcolor rgb '{0}'\n"
-      "set lmargin 10\nset rmargin 16\nset tmargin 2\nset bmargin 3\n"
+      "set lmargin 10\nset rmargin {1}\nset tmargin 2\nset bmargin 3\n"
       "set autoscale xfix\nset offsets 0, 0, graph 0.04, graph 0.04\n",
-      kInk);
+      kInk, key_width(panels));
 }
 
 std::string label_text(const std::string& what, const std::string& text, const std::string& options = "") {
@@ -78,7 +88,7 @@ std::string script_text(const std::string& title, const std::vector<Panel>& pane
   const int count = static_cast<int>(panels.size());
   std::string text = fmt::format("set terminal svg size {},{} dynamic rounded font 'sans-serif,12'\nset output {}\n",
                                  kWidth, kTitleHeight + count * kPanelHeight, quoted(output.string()));
-  text += style_text();
+  text += style_text(panels);
   text += fmt::format("set multiplot layout {},1 title {} noenhanced textcolor rgb '{}' font ',15'\n", count,
                       quoted(title), kInk);
   for (std::size_t k = 0; k < panels.size(); ++k) text += panel_text(panels[k], k);

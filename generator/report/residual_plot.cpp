@@ -9,9 +9,10 @@ std::string residual_plot(const TorqueModel& model, const Identification& found)
   const int n = model.joints(), b = model.parameters();
   std::vector<Panel> panels;
   for (const Body& body : model.mechanism().bodies) {
-    panels.push_back({body.joint, "", body.prismatic ? "N" : "N m", {{"measured", {}, {}}, {"residual", {}, {}}}});
+    panels.push_back(
+        {body.joint, "", body.prismatic ? "tau in N" : "tau in N m", {{"measured", {}, {}}, {"residual", {}, {}}}});
   }
-  panels.back().x_label = "time (s)";
+  panels.back().x_label = "t in s";
   std::vector<double> y(static_cast<std::size_t>(n * b));
   for (const MotionSample& sample : found.measurement.samples) {
     model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());

@@ -195,5 +195,25 @@ TEST(Examples, ThePlanarArmIsIdentifiedFromExample72sMotion) {
             0);
 }
 
+// The robot file that is given has all masses wrong: what comes out must be right nevertheless.
+TEST(Examples, APandaIsIdentifiedFromAnExcitationWithNoise) {
+  const Scratch scratch;
+  ASSERT_EQ(run_example("identify_panda.sh", scratch.path()).code, 0) << scratch.read("err");
+  EXPECT_THAT(scratch.read("residuals.svg"), HasSubstr("<svg"));
+  write_log(scratch.path("other.csv"), simulated(model_of("panda.urdf"), {.samples = 50, .seed = 9}));
+  const auto truth = torques("robots/panda.urdf", scratch.path("other.csv"));
+  const auto found = torques(scratch.path("identified.toml"), scratch.path("other.csv"));
+  const auto wrong = torques(scratch.path("panda_unknown.urdf"), scratch.path("other.csv"));
+  double largest = 0, largest_before = 0;
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    for (std::size_t i = truth[k].size() - 7; i < truth[k].size(); ++i) {
+      largest = std::max(largest, std::abs(found[k][i] - truth[k][i]));
+      largest_before = std::max(largest_before, std::abs(wrong[k][i] - truth[k][i]));
+    }
+  }
+  EXPECT_LT(largest, 0.3);
+  EXPECT_GT(largest_before, 5);
+}
+
 }  // namespace
 }  // namespace flatdyn::testing
