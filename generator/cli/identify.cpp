@@ -43,6 +43,14 @@ void check_usage(const IdentifyArguments& arguments) {
   }
 }
 
+void require_samples(const Measurement& measurement) {
+  if (measurement.count.used > 0) return;
+  throw Failure(ExitCode::input,
+                fmt::format("none of {} samples can be used: the filter's window has {} of them",
+                            measurement.count.lines, 2 * measurement.plan.half_window + 1),
+                "log longer runs, or give a wider --band");
+}
+
 Measurement measured(const IdentifyArguments& arguments, const StreamOptions& options, const TorqueModel& model,
                      Progress& progress) {
   Diagnostics found;
@@ -54,6 +62,8 @@ Measurement measured(const IdentifyArguments& arguments, const StreamOptions& op
   }
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
   print_diagnostics(found, arguments.quiet);
+  // A part may have its share of nothing; all parts together must not.
+  if (arguments.part.empty()) require_samples(measurement);
   return measurement;
 }
 

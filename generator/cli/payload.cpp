@@ -33,11 +33,18 @@ void stop_at_errors(const Diagnostics& found, bool quiet) {
   print_diagnostics(found, quiet);
 }
 
+void require_samples(long used) {
+  if (used > 0) return;
+  throw Failure(ExitCode::input, "no sample can be used: the logs are shorter than the filter's window",
+                "log longer runs, or give a wider --band");
+}
+
 Observations observed(const TorqueModel& model, const std::vector<std::string>& logs, const PayloadArguments& arguments,
                       Progress& progress) {
   Diagnostics found;
   Measurement measurement = measure(model, {logs.begin(), logs.end()}, arguments.stream, progress, found);
   stop_at_errors(found, arguments.quiet);
+  require_samples(measurement.count.used);
   return std::move(measurement.observations);
 }
 
@@ -54,6 +61,7 @@ PayloadEstimate from_torques(const Model& robot, const PayloadArguments& argumen
 PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments, Progress& progress) {
   WristObserver observer(robot.robot);
   Diagnostics found;
+  long used = 0;
   for (const std::string& log : arguments.logs) {
     const StreamPlan plan = plan_stream(log, robot.mechanism, arguments.stream, found);
     if (!found.has_errors() && !plan.layout.has_tip_force) {
@@ -61,11 +69,12 @@ PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments
     }
     stop_at_errors(found, true);
     progress.step("reading " + log);
-    stream(
-        log, robot.mechanism, plan, arguments.stream, [&](const Motion& motion) { observer.add(motion); }, found);
+    const auto sink = [&](const Motion& motion) { observer.add(motion); };
+    used += stream(log, robot.mechanism, plan, arguments.stream, sink, found).used;
     stop_at_errors(found, true);
   }
   print_diagnostics(found, arguments.quiet);
+  require_samples(used);
   return observer.estimate();
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/conditioning.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <limits>
+
+#include "identify/singular_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -20,13 +20,6 @@ VectorXd inverse_lengths(const MatrixXd& matrix) {
   return matrix.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
 }
 
-// Of a matrix with at least as many rows as columns: its singular values and right singular vectors.
-Eigen::BDCSVD<MatrixXd> decomposed(const MatrixXd& matrix) {
-  const Eigen::HouseholderQR<MatrixXd> qr(matrix);
-  const MatrixXd r = qr.matrixQR().topRows(matrix.cols()).triangularView<Eigen::Upper>();
-  return Eigen::BDCSVD<MatrixXd>(r, Eigen::ComputeFullV);
-}
-
 double ratio(const VectorXd& singular_values) {
   return singular_values(0) / singular_values(singular_values.size() - 1);
 }
@@ -34,9 +27,8 @@ double ratio(const VectorXd& singular_values) {
 }  // namespace
 
 Conditioning conditioning(const MatrixXd& regressor) {
-  const auto scaled = decomposed(regressor * inverse_lengths(regressor).asDiagonal());
-  return {ratio(scaled.singularValues()), ratio(decomposed(regressor).singularValues()),
-          scaled.matrixV().rightCols<1>()};
+  const auto scaled = singular_values_of_tall(regressor * inverse_lengths(regressor).asDiagonal());
+  return {ratio(scaled.s), ratio(singular_values_of_tall(regressor).s), scaled.V.rightCols<1>()};
 }
 
 // With Ȳ = Y D, D the inverse lengths, Ȳ = U Σ Vᵀ, and f the function of the singular values:
@@ -45,13 +37,13 @@ Conditioning conditioning(const MatrixXd& regressor) {
 double smooth_log_condition(const MatrixXd& regressor, MatrixXd* slope) {
   const VectorXd d = inverse_lengths(regressor);
   const MatrixXd scaled = regressor * d.asDiagonal();
-  const auto svd = decomposed(scaled);
-  const ArrayXd s = svd.singularValues().array().max(std::numeric_limits<double>::epsilon());
+  const auto svd = singular_values_of_tall(scaled);
+  const ArrayXd s = svd.s.array().max(std::numeric_limits<double>::epsilon());
   const double largest = s(0), smallest = s(s.size() - 1);
   const ArrayXd up = (s / largest).pow(kPower), down = (smallest / s).pow(kPower);
   if (slope != nullptr) {
     const ArrayXd by_log = up / up.sum() - down / down.sum();  // df / d ln σ_i
-    const MatrixXd& v = svd.matrixV();
+    const MatrixXd& v = svd.V;
     const MatrixXd middle = v * (by_log / s.square()).matrix().asDiagonal() * v.transpose();
     const VectorXd of_lengths = (v.cwiseAbs2() * by_log.matrix()).cwiseProduct(d.cwiseAbs2());
     *slope = scaled * middle * d.asDiagonal();

@@ -2,7 +2,8 @@
 #include "identify/least_squares.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "identify/singular_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -43,9 +44,9 @@ Solution solve(const MatrixXd& factor, const VectorXd& prior, double damping) {
   VectorXd scale = A.colwise().norm();
   scale = (scale.array() > 0).select(scale, 1);
   const MatrixXd scaled = A * scale.cwiseInverse().asDiagonal();
-  const Eigen::BDCSVD<MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const SingularValues svd = singular_values(scaled);
   Solution solution;
-  solution.singular_values = svd.singularValues();
+  solution.singular_values = svd.s;
   const double smallest = damping * solution.singular_values(0);
   VectorXd inverse(b);
   for (Index k = 0; k < b; ++k) {
@@ -53,11 +54,11 @@ Solution solve(const MatrixXd& factor, const VectorXd& prior, double damping) {
     inverse(k) = s > smallest ? 1 / s : s / (s * s + smallest * smallest);
     if (s > smallest) continue;
     if (smallest == 0) inverse(k) = 0;
-    solution.damped.push_back({s / solution.singular_values(0), svd.matrixV().col(k)});
+    solution.damped.push_back({s / solution.singular_values(0), svd.V.col(k)});
   }
-  solution.spread = scale.cwiseInverse().asDiagonal() * svd.matrixV() * inverse.asDiagonal();
+  solution.spread = scale.cwiseInverse().asDiagonal() * svd.V * inverse.asDiagonal();
   const VectorXd misfit = factor.topRightCorner(b, 1) - A * prior;
-  solution.values = prior + solution.spread * (svd.matrixU().transpose() * misfit);
+  solution.values = prior + solution.spread * (svd.U.transpose() * misfit);
   return solution;
 }
 

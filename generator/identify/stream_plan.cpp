@@ -138,7 +138,7 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& 
   }
   const double samples_per_band = plan.band > 0 ? rate / (3 * plan.band) : 1;
   plan.decimate = options.decimate.value_or(std::max(1, static_cast<int>(samples_per_band)));
-  if (plan.band > 0) plan.half_window = zero_phase_kernel(plan.band, plan.dt).half;
+  if (plan.band > 0) plan.half_window = zero_phase_half_window(plan.band, plan.dt);
   if (plan.band > 0 && plan.jitter > kUnevenTime) {
     diagnostics.warning(
         place, fmt::format("time is not even: steps differ by {:.1f} % of {:.4g} s", 100 * plan.jitter, plan.dt),
@@ -169,7 +169,7 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   const std::vector<double> steps = time_steps(samples);
   plan.dt = median(steps);
   plan.jitter = jitter_of(steps, plan.dt);
-  choose_filter(plan, options, reader.place(), diagnostics);
+  choose_filter(plan, options, {log.string(), 1}, diagnostics);
   return plan;
 }
 

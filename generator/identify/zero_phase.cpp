@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/zero_phase.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -75,15 +76,22 @@ void make_exact_for_parabolas(ZeroPhaseKernel& kernel, double dt) {
   scale(first, 1 / moment(first, kernel.half, dt, 1));
 }
 
+// The main lobe of the window is 8/(2 reach) wide from zero to zero, and so is the transition from 1 to 2 bands, which
+// an eighth more than that leaves free of its edges.
+double reach_of(double band) { return 4.5 / band; }
+
 }  // namespace
 
+int zero_phase_half_window(double band, double dt) {
+  constexpr double kMost = 1e9;
+  return static_cast<int>(std::min(std::ceil(reach_of(band) / dt) - 1, kMost));
+}
+
 ZeroPhaseKernel zero_phase_kernel(double band, double dt) {
-  // The main lobe of the window is 8/(2 reach) wide from zero to zero, and so is the transition from 1 to 2 bands,
-  // which an eighth more than that leaves free of its edges.
-  const double reach = 4.5 / band;
+  const double reach = reach_of(band);
   const double omega = 2 * std::numbers::pi * 1.5 * band;
   ZeroPhaseKernel kernel;
-  kernel.half = static_cast<int>(std::ceil(reach / dt)) - 1;
+  kernel.half = zero_phase_half_window(band, dt);
   for (int k = -kernel.half; k <= kernel.half; ++k) {
     // The kernel meets the signal mirrored: y(t) = ∫ h(t - s) x(s) ds.
     const double t = -k * dt;

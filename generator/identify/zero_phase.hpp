@@ -22,5 +22,7 @@ struct ZeroPhaseKernel {
 
 // band: edge of the pass band, Hz; dt: time between samples, s. Needs 3 band dt < 1.
 ZeroPhaseKernel zero_phase_kernel(double band, double dt);
+// Its half-length in samples, before it is made; at most 1e9.
+int zero_phase_half_window(double band, double dt);
 
 }  // namespace flatdyn

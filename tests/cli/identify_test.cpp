@@ -128,6 +128,14 @@ TEST(Payload, NeedsASensorWhereItIsToldToUseOne) {
   EXPECT_THAT(outcome.err, HasSubstr("log.csv:1: error: no columns fx, fy, fz, mx, my, mz"));
 }
 
+TEST(Identify, SaysThatALogIsTooShortForTheFilter) {
+  const Scratch scratch;
+  write_log(scratch.path("log.csv"), simulated(model_of("puma560.toml"), {.samples = 50}), LogDerivatives::none);
+  const Outcome outcome = run_flatdyn(fmt::format("identify {} -q --data {}", kPuma, scratch.path("log.csv")));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("none of 50 samples can be used: the filter's window has 89 of them"));
+}
+
 // Four ranks, each with its part of the log.
 class MpiTest : public ::testing::Test {
  protected:

@@ -35,7 +35,7 @@ std::string content_of(const fs::path& path) {
   return text.str();
 }
 
-class Errors : public testing::TestWithParam<std::string> {
+class Errors : public ::testing::TestWithParam<std::string> {
  protected:
   // File names in diagnostics are as given: relative ones keep the expected text free of the place of the tests.
   void SetUp() override { fs::current_path(kCases); }
@@ -62,9 +62,9 @@ TEST_P(Errors, GivesAHintForEverything) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<std::string>& info) { return fs::path(info.param).stem().string(); }
+std::string name_of(const ::testing::TestParamInfo<std::string>& info) { return fs::path(info.param).stem().string(); }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Errors, testing::ValuesIn(case_files()), name_of);
+INSTANTIATE_TEST_SUITE_P(Cases, Errors, ::testing::ValuesIn(case_files()), name_of);
 
 }  // namespace
 }  // namespace flatdyn

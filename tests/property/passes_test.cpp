@@ -41,7 +41,7 @@ void expect_same_graph(const Function& a, const Function& b) {
   EXPECT_EQ(roots(a), roots(b));
 }
 
-class RandomFunctions : public testing::TestWithParam<int> {
+class RandomFunctions : public ::testing::TestWithParam<int> {
  protected:
   std::uint64_t seed() const { return 20260 + static_cast<std::uint64_t>(GetParam()); }
   Function make() const {
@@ -89,7 +89,7 @@ TEST_P(RandomFunctions, AreInNormalFormAfterOneRebuild) {
   expect_same_graph(once, dead_code.run(once));
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomFunctions, testing::Range(0, 60));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomFunctions, ::testing::Range(0, 60));
 
 }  // namespace
 }  // namespace flatdyn

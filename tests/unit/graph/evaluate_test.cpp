@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "flatdyn/reference/real50.hpp"
 #include "graph/arithmetic.hpp"
 #include "graph/count.hpp"
 #include "graph/mod_p.hpp"
@@ -14,9 +15,9 @@
 namespace flatdyn {
 namespace {
 
-using Real50 = boost::multiprecision::mpfr_float_50;
+using reference::Real50;
 
-class EvaluateTest : public testing::Test {
+class EvaluateTest : public ::testing::Test {
  protected:
   Function function;
   Graph& graph = function.graph;

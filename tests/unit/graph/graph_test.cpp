@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-class GraphTest : public testing::Test {
+class GraphTest : public ::testing::Test {
  protected:
   Graph graph;
   NodeId a = graph.input({InputKind::q, 0}), b = graph.input({InputKind::q, 1}), c = graph.input({InputKind::q, 2});

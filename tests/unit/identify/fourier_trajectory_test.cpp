@@ -26,7 +26,7 @@ TEST(FourierTrajectory, StartsAndEndsAtRest) {
       EXPECT_NEAR(motion.qdd[i], 0, kRounding) << t;
     }
   }
-  EXPECT_GT(std::abs(trajectory.at(1).q[0] - 0.5), 0.1);
+  EXPECT_GT(std::abs(trajectory.at(1).q[0] - 0.5), 0.05);
 }
 
 TEST(FourierTrajectory, SpeedAndAccelerationAreTheDerivatives) {

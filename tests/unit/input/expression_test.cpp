@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-class Expression : public testing::Test {
+class Expression : public ::testing::Test {
  protected:
   Number parse(const std::string& text) {
     return parse_expression(text, [this](std::string_view name, std::size_t column) -> Number {

@@ -19,7 +19,7 @@ struct RealRobot {
   std::string held;  // a mimic joint that has to be held; empty if there is none
 };
 
-class ExtraRobots : public testing::TestWithParam<RealRobot> {
+class ExtraRobots : public ::testing::TestWithParam<RealRobot> {
  protected:
   void SetUp() override {
     const char* folder = std::getenv("FLATDYN_EXTRA_ROBOTS");
@@ -51,11 +51,11 @@ TEST_P(ExtraRobots, AreReadOrRefusedWithTheReason) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, ExtraRobots,
-                         testing::Values(RealRobot{"anymal_c.urdf", 12, ""}, RealRobot{"double_pendulum.urdf", 2, ""},
-                                         RealRobot{"panda.urdf", 8, "panda_finger_joint2"},
-                                         RealRobot{"solo12.urdf", 12, ""}, RealRobot{"talos_left_arm.urdf", 7, ""},
-                                         RealRobot{"talos_reduced.urdf", 32, ""}, RealRobot{"ur5_robot.urdf", 6, ""},
-                                         RealRobot{"z1.urdf", 7, ""}),
+                         ::testing::Values(RealRobot{"anymal_c.urdf", 12, ""}, RealRobot{"double_pendulum.urdf", 2, ""},
+                                           RealRobot{"panda.urdf", 8, "panda_finger_joint2"},
+                                           RealRobot{"solo12.urdf", 12, ""}, RealRobot{"talos_left_arm.urdf", 7, ""},
+                                           RealRobot{"talos_reduced.urdf", 32, ""}, RealRobot{"ur5_robot.urdf", 6, ""},
+                                           RealRobot{"z1.urdf", 7, ""}),
                          [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace flatdyn {
 
-class RobotFiles : public testing::Test {
+class RobotFiles : public ::testing::Test {
  protected:
   RobotFiles() {
     std::string pattern = (std::filesystem::temp_directory_path() / "flatdyn-test-XXXXXX").string();

@@ -16,7 +16,7 @@
 namespace flatdyn {
 namespace {
 
-class PassTest : public testing::Test {
+class PassTest : public ::testing::Test {
  protected:
   Function function;
   Graph& graph = function.graph;
