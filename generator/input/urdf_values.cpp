@@ -127,8 +127,11 @@ Pose UrdfValues::origin(const XMLElement& parent, const std::string& what) const
   if (element->Attribute("quat_xyzw") != nullptr || element->Attribute("quat_wxyz") != nullptr) {
     context_.diagnostics.unsupported(place(*element), where + ": a quaternion is not supported", "write rpy instead");
   }
-  return pose_from_xyz_rpy(vector(*element, "xyz", where, zero_vector()), angles(*element, "rpy", where),
-                           place(*element));
+  // One after the other: compilers differ in the order in which they evaluate arguments, and diagnostics would with
+  // them.
+  const Vec3 xyz = vector(*element, "xyz", where, zero_vector());
+  const Vec3 rpy = angles(*element, "rpy", where);
+  return pose_from_xyz_rpy(xyz, rpy, place(*element));
 }
 
 Pose pose_from_xyz_rpy(const Vec3& xyz, const Vec3& rpy, const Place& place) {
