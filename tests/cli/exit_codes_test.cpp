@@ -2,6 +2,9 @@
 // Exit codes as docs/exit-codes.md has them, and that nothing is written when something is wrong.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <filesystem>
 
 #include "cli/program.hpp"
 
@@ -97,6 +100,50 @@ TEST(ExitCodes, WhatCannotBeReadOrWrittenIsIo) {
   EXPECT_EQ(
       run_flatdyn(std::string("eval ") + kPendulum + " --function gravity --states " + scratch.path("none.csv")).code,
       6);
+}
+
+TEST(ExitCodes, NonsenseOnTheCommandLineIsUsage) {
+  for (const char* arguments :
+       {"inspect robots/scara.toml --snap -1", "inspect robots/scara.toml --snap 1",
+        "inspect robots/scara.toml --gravity 0,0,0,", "inspect robots/scara.toml --gravity 0,0,1e-400",
+        "inspect robots/scara.toml --tip nobody", "inspect robots/scara.toml --fix nobody",
+        "verify robots/scara.toml --bound -1", "derive robots/scara.toml --max-terms -1",
+        "generate robots/scara.toml -o ''", "generate robots/scara.toml -o /tmp --namespace sin"}) {
+    const Outcome outcome = run_flatdyn(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments << ": " << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+  }
+  EXPECT_THAT(run_flatdyn("inspcet robots/scara.toml").err, HasSubstr("did you mean \"inspect\"?"));
+}
+
+TEST(ExitCodes, ALostStandardOutputIsInputOutput) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const std::string command = std::string("cd " FLATDYN_SOURCE_DIR " && " FLATDYN_PROGRAM " inspect ") + kPendulum +
+                              " > /dev/full 2> /dev/null";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 6);
+}
+
+TEST(OutputFiles, ALinkStaysALinkAndAFolderStopsBothFiles) {
+  const Scratch scratch;
+  const std::string generate = "generate robots/scara.toml -q --functions gravity -o ";
+  scratch.write("target.hpp", "old");
+  std::filesystem::create_symlink(scratch.path("target.hpp"), scratch.path("scara.hpp"));
+  ASSERT_EQ(run_flatdyn(generate + scratch.path()).code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(scratch.path("scara.hpp")));
+  EXPECT_THAT(scratch.read("target.hpp"), HasSubstr("namespace scara"));
+
+  std::filesystem::create_directories(scratch.path("blocked/scara.json"));
+  EXPECT_EQ(run_flatdyn(generate + scratch.path("blocked")).code, 6);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("blocked/scara.hpp")));
+}
+
+TEST(OutputFiles, ARobotCalledLikeAFunctionOfCmathCompiles) {
+  const Scratch scratch;
+  scratch.write("gamma.toml", std::string("robot = \"" FLATDYN_SOURCE_DIR "/robots/scara.toml\"\nname = \"gamma\"\n"));
+  ASSERT_EQ(run_flatdyn("generate -q --functions gravity " + scratch.path("gamma.toml") + " -o " + scratch.path()).code,
+            0);
+  EXPECT_EQ(std::system(("g++ -std=c++17 -fsyntax-only -x c++ " + scratch.path("gamma.hpp")).c_str()), 0);
 }
 
 }  // namespace

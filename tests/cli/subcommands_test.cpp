@@ -76,6 +76,18 @@ TEST(Generate, LeavesOutForwardDynamicsWhereBIsSingular) {
   EXPECT_EQ(run_flatdyn("verify " + scratch.path("empty.toml") + " --states 5").code, 0);
 }
 
+// A mass on the joint's axis is no mistake of the file: what is left out is the only warning.
+TEST(Generate, LeavesOutNothingUnderWerror) {
+  const Scratch scratch;
+  scratch.write("on_axis.toml", "[[link]]\nmass = 1\n");
+  const std::string file = scratch.path("on_axis.toml"), folder = scratch.path("out");
+  ASSERT_EQ(run_flatdyn("inspect -Werror " + file).code, 0);
+  const Outcome strict = run_flatdyn("generate -Werror " + file + " -o " + folder);
+  EXPECT_EQ(strict.code, 3);
+  EXPECT_THAT(strict.err, HasSubstr("left out forward_dynamics"));
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
 TEST(Generate, KeepsTheOldHeaderWhenTheInputIsWrong) {
   const Scratch scratch;
   scratch.write("arm.toml", "[[link]]\nmas = 1\n");
