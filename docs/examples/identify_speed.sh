@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # How many lines a second `flatdyn identify` folds on one core, for a 7-axis arm, within 500 MB: once with q and tau alone
-# (derivatives come from the filter), once with all derivatives in the log. What the set-up takes is taken off.
+# (derivatives come from the filter), once with all derivatives in the log; numbers of nine digits, more than sensors
+# tell. What the set-up takes is taken off.
 #   docs/examples/identify_speed.sh FOLDER [LINES]
 set -euo pipefail
 folder=$1
@@ -13,7 +14,7 @@ mkdir -p "$folder"
 # repeated COLUMNS LINES FILE: the excitation over and over, 1 ms from line to line.
 repeated() {
   cut -d, -f"$1" "$folder/panda_excitation.csv" |
-    awk -F, -v lines="$2" 'NR == 1 { print; next } { sub(/^[^,]*/, ""); row[NR - 2] = $0 }
+    awk -F, -v lines="$2" 'NR == 1 { print; next } { for (c = 2; c <= NF; ++c) row[NR - 2] = row[NR - 2] sprintf(",%.9g", $c) }
       END { for (k = 0; k < lines; ++k) printf "%.3f%s\n", k / 1000, row[k % (NR - 1)] }' >"$3"
 }
 

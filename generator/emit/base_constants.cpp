@@ -12,8 +12,6 @@
 namespace flatdyn {
 namespace {
 
-constexpr std::size_t kCommentWidth = kLineWidth - 3;  // without "// "
-
 constexpr const char* kMeaning =
     "Base parameters pi_b: the fewest that the torques depend on. Link 1 is moved by the first joint, and so on; m2 is "
     "its mass, m2lx its first moment, I2xx its inertia, all of the link with the motors that it carries, about the "

@@ -25,7 +25,6 @@ namespace {
 
 using kainjow::mustache::data;
 
-constexpr std::size_t kCommentWidth = kLineWidth - 3;  // without "// "
 constexpr std::size_t kConstantIndent = 4;
 
 data list_of(const std::vector<std::string>& lines) {

@@ -9,6 +9,7 @@
 namespace flatdyn {
 
 constexpr std::size_t kLineWidth = 100;
+constexpr std::size_t kCommentWidth = kLineWidth - 3;  // without "// "
 
 // A statement with this indent, newline at the end. Too long, it is broken after operators, the outermost first.
 std::string code_line(const std::string& statement, std::size_t indent);

@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // The power of the norms that stand in for largest and smallest.
-constexpr double kPower = 16;
+constexpr double kNormPower = 16;
 
 // A column of zeros stays one.
 VectorXd inverse_lengths(const MatrixXd& matrix) {
@@ -40,7 +40,7 @@ double smooth_log_condition(const MatrixXd& regressor, MatrixXd* slope) {
   const auto svd = singular_values_of_tall(scaled);
   const ArrayXd s = svd.s.array().max(std::numeric_limits<double>::epsilon());
   const double largest = s(0), smallest = s(s.size() - 1);
-  const ArrayXd up = (s / largest).pow(kPower), down = (smallest / s).pow(kPower);
+  const ArrayXd up = (s / largest).pow(kNormPower), down = (smallest / s).pow(kNormPower);
   if (slope != nullptr) {
     const ArrayXd by_log = up / up.sum() - down / down.sum();  // df / d ln σ_i
     const MatrixXd& v = svd.V;
@@ -49,7 +49,7 @@ double smooth_log_condition(const MatrixXd& regressor, MatrixXd* slope) {
     *slope = scaled * middle * d.asDiagonal();
     *slope -= regressor * of_lengths.asDiagonal();
   }
-  return std::log(largest / smallest) + (std::log(up.sum()) + std::log(down.sum())) / kPower;
+  return std::log(largest / smallest) + (std::log(up.sum()) + std::log(down.sum())) / kNormPower;
 }
 
 }  // namespace flatdyn

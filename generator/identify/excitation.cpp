@@ -37,9 +37,9 @@ std::vector<double> random_coefficients(std::mt19937_64& engine, int count) {
   return x;
 }
 
-class Search {
+class ShapeSearch {
  public:
-  Search(const ExcitationObjective& objective, double seconds)
+  ShapeSearch(const ExcitationObjective& objective, double seconds)
       : objective_(objective), start_(std::chrono::steady_clock::now()), seconds_(seconds) {}
 
   // Goes on from x, in place, to the best of this many evaluations. Returns its value.
@@ -48,7 +48,7 @@ class Search {
     best_ = x;
     const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
         nlopt_create(NLOPT_LD_LBFGS, static_cast<unsigned>(x.size())), &nlopt_destroy);
-    nlopt_set_min_objective(optimiser.get(), &Search::evaluate, this);
+    nlopt_set_min_objective(optimiser.get(), &ShapeSearch::evaluate, this);
     nlopt_set_lower_bounds1(optimiser.get(), -kLargestCoefficient);
     nlopt_set_upper_bounds1(optimiser.get(), kLargestCoefficient);
     nlopt_set_maxeval(optimiser.get(), evaluations);
@@ -65,7 +65,7 @@ class Search {
 
  private:
   static double evaluate(unsigned size, const double* x, double* gradient, void* search) {
-    auto& self = *static_cast<Search*>(search);
+    auto& self = *static_cast<ShapeSearch*>(search);
     ++self.evaluations_;
     const double value = self.objective_(x, gradient);
     if (value < self.best_value_) {
@@ -183,7 +183,7 @@ Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& op
   const ExcitationObjective objective(model, within_margin(limits, options.margin), options.duration,
                                       options.harmonics);
   std::mt19937_64 engine(options.seed);
-  Search search(objective, options.time);
+  ShapeSearch search(objective, options.time);
   std::vector<double> first, best;
   double best_value = HUGE_VAL;
   for (int start = 0; start < kStarts; ++start) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "identify/conditioning.hpp"
@@ -14,9 +15,8 @@ using Eigen::ArrayXd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kTwoPi = 6.283185307179586;
 // Samples per period of the highest harmonic, and equations per parameter.
-constexpr int kSamplesPerPeriod = 10, kEquationsPerParameter = 3;
+constexpr int kObjectiveSamplesPerPeriod = 10, kEquationsPerParameter = 3;
 // The norm that stands in for the largest value along the motion.
 constexpr double kPower = 24;
 // A torque that is p % too large in all samples adds p²/10 % to the condition number.
@@ -26,7 +26,7 @@ constexpr double kStep = 1e-7, kAccelerationStep = 1;
 
 int samples_for(const TorqueModel& model, int harmonics) {
   const int equations = kEquationsPerParameter * model.parameters();
-  return std::max(kSamplesPerPeriod * harmonics, (equations + model.joints() - 1) / model.joints());
+  return std::max(kObjectiveSamplesPerPeriod * harmonics, (equations + model.joints() - 1) / model.joints());
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<J
         basis_[2](k, column) = terms[j].qdd;
       }
     }
-    const double frequency = kTwoPi * l / duration;
+    const double frequency = 2 * std::numbers::pi * l / duration;
     for (int i = 0; i < model.joints(); ++i) {
       const JointLimits& joint = limits_[static_cast<std::size_t>(i)];
       units_.col(i)
@@ -72,7 +72,7 @@ ExcitationObjective::Motion ExcitationObjective::motion(const double* x) const {
   for (int d = 0; d < 3; ++d) motion.shape[d] = basis_[d] * motion.coefficients;
   motion.scale.resize(model_.joints());
   // So that the norm of a sine wave is its amplitude.
-  const double weight = std::sqrt(kTwoPi * kPower) / 2 / samples();
+  const double weight = std::sqrt(2 * std::numbers::pi * kPower) / 2 / samples();
   for (int i = 0; i < model_.joints(); ++i) {
     const JointLimits& limits = limits_[static_cast<std::size_t>(i)];
     const double largest[] = {limits.reach(), limits.speed, limits.acceleration};

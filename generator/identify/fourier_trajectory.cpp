@@ -2,12 +2,11 @@
 #include "identify/fourier_trajectory.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace flatdyn {
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
 
 // A periodic motion has the same position p, speed v and acceleration c at both ends. The polynomial with just these
 // has an even part for p and c and an odd part for v. In x = 2t/T − 1, h = T/2:
@@ -25,13 +24,13 @@ Deflection operator*(double s, const Deflection& a) { return {s * a.q, s * a.qd,
 }  // namespace
 
 Deflection sine_term(double duration, int l, double t) {
-  const double frequency = kTwoPi * l / duration, angle = kTwoPi * l * (t / duration);
+  const double frequency = 2 * std::numbers::pi * l / duration, angle = 2 * std::numbers::pi * l * (t / duration);
   const Deflection wave{std::sin(angle) / frequency, std::cos(angle), -frequency * std::sin(angle)};
   return wave + quintic(duration, t, 0, -1, 0);
 }
 
 Deflection cosine_term(double duration, int l, double t) {
-  const double frequency = kTwoPi * l / duration, angle = kTwoPi * l * (t / duration);
+  const double frequency = 2 * std::numbers::pi * l / duration, angle = 2 * std::numbers::pi * l * (t / duration);
   const Deflection wave{-std::cos(angle) / frequency, std::sin(angle), frequency * std::cos(angle)};
   return wave + quintic(duration, t, 1 / frequency, 0, -frequency);
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/least_squares.hpp"
 
-#include <Eigen/QR>
-
 #include "identify/singular_values.hpp"
+#include "identify/triangular_factor.hpp"
 
 namespace flatdyn {
 namespace {
@@ -15,10 +14,10 @@ using Eigen::VectorXd;
 // R of all joints' rows, each divided by its σ_i: (b + 1)².
 MatrixXd weighted_factor(const Observations& observations, const VectorXd& deviations) {
   const Index size = observations.parameters + 1;
-  Index rows = size;  // so that R has all its rows
+  Index rows = 0;
   for (const JointObservations& joint : observations.joints) rows += joint.R.rows();
   MatrixXd stacked = MatrixXd::Zero(rows, size);
-  Index at = size;
+  Index at = 0;
   for (std::size_t i = 0; i < observations.joints.size(); ++i) {
     const JointObservations& joint = observations.joints[i];
     auto block = stacked.middleRows(at, joint.R.rows());
@@ -26,8 +25,7 @@ MatrixXd weighted_factor(const Observations& observations, const VectorXd& devia
     block.col(size - 1) = joint.b() / deviations(static_cast<Index>(i));
     at += joint.R.rows();
   }
-  const Eigen::HouseholderQR<MatrixXd> qr(stacked);
-  return qr.matrixQR().topRows(size).triangularView<Eigen::Upper>();
+  return triangular_factor_of(stacked);
 }
 
 // The solution for given weights.
@@ -83,6 +81,18 @@ VectorXd residual_deviations(const Observations& observations, const Solution& s
   return result;
 }
 
+// The shortest x of those with the least norm of A x - b.
+VectorXd shortest_solution(const MatrixXd& A, const VectorXd& b) {
+  constexpr double kRankTolerance = 1e-12;
+  const Index cols = A.cols();
+  MatrixXd joined(A.rows(), cols + 1);
+  joined << A, b;
+  const MatrixXd R = triangular_factor_of(joined);
+  const SingularValues svd = singular_values(R.topLeftCorner(cols, cols));
+  const VectorXd inverse = (svd.s.array() > kRankTolerance * svd.s(0)).select(svd.s.cwiseInverse(), 0);
+  return svd.V * (inverse.asDiagonal() * (svd.U.transpose() * R.topRightCorner(cols, 1)));
+}
+
 }  // namespace
 
 Estimate estimate(const Observations& observations, const VectorXd& prior, const EstimateOptions& options) {
@@ -122,8 +132,7 @@ VectorXd estimate_joint_by_joint(const Observations& observations) {
     const MatrixXd A = joint->A();
     const VectorXd rest = joint->b() - A * joint->restricted(values);
     const MatrixXd of_unknown = A(Eigen::all, places);
-    const VectorXd solved = of_unknown.completeOrthogonalDecomposition().solve(rest);
-    values(unknown) = solved;
+    values(unknown) = shortest_solution(of_unknown, rest);
   }
   return values;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/payload.hpp"
 
-#include <Eigen/QR>
-
 #include "identify/physical_parameters.hpp"
 
 namespace flatdyn {

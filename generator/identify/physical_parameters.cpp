@@ -137,9 +137,9 @@ MatrixXd combination_matrix(const BaseParameters& base, Index columns) {
   return K;
 }
 
-class Search {
+class BodySearch {
  public:
-  Search(std::vector<LinkShape> shapes, const MatrixXd& K, const VectorXd& target)
+  BodySearch(std::vector<LinkShape> shapes, const MatrixXd& K, const VectorXd& target)
       : shapes_(std::move(shapes)), K_(K), target_(target), theta_(shapes_.size()) {
     constexpr int kParameters = kLogCholesky + kOthers, kStride = 13;
     using Dynamic = ceres::DynamicAutoDiffCostFunction<BaseResidual, kStride>;
@@ -248,7 +248,7 @@ PhysicalParameters nearest(std::vector<LinkShape> shapes, const MatrixXd& K, con
   const Eigen::LLT<MatrixXd> root(wide);
   const MatrixXd whitened = root.matrixL().solve(K);
   const VectorXd whitened_target = root.matrixL().solve(target);
-  Search search(std::move(shapes), whitened, whitened_target);
+  BodySearch search(std::move(shapes), whitened, whitened_target);
   PhysicalParameters result;
   result.converged = search.run();
   result.pi = search.parameters();

@@ -1,37 +1,34 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/triangular_factor.hpp"
 
-#include "identify/triangularise.hpp"
-
 namespace flatdyn {
-namespace {
-
-// Of rows between two folds: R itself is folded again each time, which costs little when it is this much shorter.
-constexpr Eigen::Index kFewestRows = 256;
-constexpr Eigen::Index kRowsPerColumn = 24;
-
-}  // namespace
 
 TriangularFactor::TriangularFactor(int columns)
-    : rows_(columns + 1 + std::max(kFewestRows, kRowsPerColumn * (columns + 1)), columns + 1), held_(columns + 1) {
-  rows_.topRows(held_).setZero();
-}
+    : R_(Rows::Zero(columns + 1, columns + 1)),
+      held_rows_(kFoldedRows, columns + 1),
+      columns_(static_cast<std::size_t>(columns) + 1) {}
 
-void TriangularFactor::fold() {
-  const Eigen::Index size = rows_.cols();
-  if (held_ == size) return;
-  triangularise(rows_.data(), static_cast<int>(rows_.rows()), static_cast<int>(held_), static_cast<int>(size));
-  held_ = size;
+void TriangularFactor::fold_held() {
+  held_rows_.bottomRows(kFoldedRows - held_).setZero();
+  Eigen::Map<Eigen::MatrixXd>(columns_.front().entries, kFoldedRows, R_.cols()) = held_rows_;
+  fold(R_.data(), columns_.data(), static_cast<int>(R_.cols()));
+  held_ = 0;
 }
 
 Eigen::MatrixXd TriangularFactor::factor() {
-  fold();
-  return rows_.topRows(rows_.cols());
+  fold_held();
+  return R_;
 }
 
 void TriangularFactor::join(const Eigen::MatrixXd& factor, long count) {
   for (Eigen::Index k = 0; k < factor.rows(); ++k) next_row() = factor.row(k);
   count_ += count - factor.rows();
+}
+
+Eigen::MatrixXd triangular_factor_of(const Eigen::MatrixXd& tall) {
+  TriangularFactor factor(static_cast<int>(tall.cols()) - 1);
+  for (Eigen::Index k = 0; k < tall.rows(); ++k) factor.next_row() = tall.row(k);
+  return factor.factor();
 }
 
 }  // namespace flatdyn

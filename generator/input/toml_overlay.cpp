@@ -17,8 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 2> kOverKeys = {"urdf", "robot"};
 
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
-
 class OverlayReader {
  public:
   OverlayReader(std::string file, ReadContext& context, Robot& robot, Carriers& carriers)

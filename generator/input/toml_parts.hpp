@@ -11,6 +11,9 @@
 
 namespace flatdyn {
 
+// A name as messages show it.
+inline std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
 // What a TOML file says about the whole robot, which can be applied only when the tree is known.
 struct Attachments {
   struct Payload {

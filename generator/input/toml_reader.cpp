@@ -26,8 +26,6 @@ const char* first_key_of(const TomlTable& table, const Keys& keys) {
   return nullptr;
 }
 
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
-
 void add(Pose& pose, Displacement::Kind kind, const Number& angle) {
   if (!angle.is_zero()) pose.displacements.push_back({kind, zero_vector(), angle});
 }

@@ -14,19 +14,19 @@ namespace flatdyn {
 namespace {
 
 // A factor: a node (>= 0), or the number -1 - k of a constant.
-using Factor = std::int32_t;
-using Factors = std::vector<Factor>;  // sorted, repeated for powers
+using NodeFactor = std::int32_t;
+using NodeFactors = std::vector<NodeFactor>;  // sorted, repeated for powers
 
 // A product that something uses, with the absolute value of its coefficient among the factors.
 struct Monomial {
-  Factors factors;
+  NodeFactors factors;
   int uses = 0;
 };
 
 // Greedy extraction of pairs of factors.
-class Sharing {
+class ProductSharing {
  public:
-  explicit Sharing(const Function& flat) : draft_(flat) {}
+  explicit ProductSharing(const Function& flat) : draft_(flat) {}
 
   Function run() {
     collect();
@@ -42,7 +42,7 @@ class Sharing {
  private:
   static constexpr std::size_t kLongest = 64;  // a longer product is left alone: its pairs would be too many
   struct Pair {
-    Factor a, b;             // a <= b
+    NodeFactor a, b;         // a <= b
     std::vector<int> where;  // monomials that had the pair when they were looked at
     NodeId node = -1;        // of the product, once it is there
   };
@@ -61,14 +61,14 @@ class Sharing {
 
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-  Factor constant_factor(const Rational& value) {
-    const auto [it, is_new] = constant_ids_.emplace(value, static_cast<Factor>(constants_.size()));
+  NodeFactor constant_factor(const Rational& value) {
+    const auto [it, is_new] = constant_ids_.emplace(value, static_cast<NodeFactor>(constants_.size()));
     if (is_new) constants_.push_back(value);
     return -1 - it->second;
   }
 
   int monomial_of(const Rational& coefficient, NodeId node) {
-    Factors factors;
+    NodeFactors factors;
     if (draft_.at(node).op == Op::product) {
       factors = draft_.at(node).operands;
     } else {
@@ -101,7 +101,7 @@ class Sharing {
     }
   }
 
-  void add_occurrence(Factor a, Factor b, int monomial) {
+  void add_occurrence(NodeFactor a, NodeFactor b, int monomial) {
     if (a > b) std::swap(a, b);
     const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) |
                               static_cast<std::uint64_t>(static_cast<std::uint32_t>(b));
@@ -112,15 +112,15 @@ class Sharing {
   }
 
   void index_pairs(int m) {
-    const Factors factors = monomials_[at(m)].factors;
+    const NodeFactors factors = monomials_[at(m)].factors;
     for (std::size_t j = 1; j < factors.size(); ++j) {
       for (std::size_t i = 0; i < j; ++i) add_occurrence(factors[i], factors[j], m);
     }
   }
 
   // How often a product has the pair: x²y² has (x, y) twice.
-  static int multiplicity(const Factors& factors, const Pair& pair) {
-    const auto count = [&factors](Factor factor) {
+  static int multiplicity(const NodeFactors& factors, const Pair& pair) {
+    const auto count = [&factors](NodeFactor factor) {
       const auto range = std::equal_range(factors.begin(), factors.end(), factor);
       return static_cast<int>(range.second - range.first);
     };
@@ -164,15 +164,15 @@ class Sharing {
     const NodeId shared = pair.node;
     touched_.clear();
     for (const int m : pair.where) {
-      Factors& factors = monomials_[at(m)].factors;
+      NodeFactors& factors = monomials_[at(m)].factors;
       for (int times = multiplicity(factors, pair); times > 0; --times) {
         factors.erase(std::find(factors.begin(), factors.end(), pair.a));
         factors.erase(std::find(factors.begin(), factors.end(), pair.b));
         factors.push_back(shared);
       }
       std::sort(factors.begin(), factors.end());
-      const Factors now = factors;
-      for (const Factor factor : now) {
+      const NodeFactors now = factors;
+      for (const NodeFactor factor : now) {
         if (factor != shared) add_occurrence(factor, shared, m);
       }
       if (std::count(now.begin(), now.end(), shared) > 1) add_occurrence(shared, shared, m);
@@ -182,14 +182,14 @@ class Sharing {
     for (const int touched : touched_) push(touched);
   }
 
-  NodeId make_pair_node(Factor a, Factor b) {
+  NodeId make_pair_node(NodeFactor a, NodeFactor b) {
     if (a < 0) return draft_.add_sum({{constants_[at(-1 - a)], b}}, 0);
     return draft_.add_product({a, b});
   }
 
   // The node of a monomial without its constant, and the constant (1 if there is none).
   std::pair<Rational, NodeId> build(const Monomial& monomial) {
-    Factors nodes = monomial.factors;
+    NodeFactors nodes = monomial.factors;
     Rational coefficient = 1;
     if (nodes.front() < 0) {
       coefficient = constants_[at(-1 - nodes.front())];
@@ -221,9 +221,9 @@ class Sharing {
 
   Draft draft_;
   std::vector<Rational> constants_;
-  std::map<Rational, Factor> constant_ids_;
+  std::map<Rational, NodeFactor> constant_ids_;
   std::vector<Monomial> monomials_;
-  std::map<Factors, int> monomial_ids_;
+  std::map<NodeFactors, int> monomial_ids_;
   std::vector<Use> uses_;
   std::vector<Pair> pairs_;
   std::unordered_map<std::uint64_t, int> pair_ids_;  // looked up in, never iterated over
@@ -235,7 +235,7 @@ class Sharing {
 
 Function with_shared_products(const Function& function) {
   const Function flat = unfolded(function);
-  return Sharing(flat).run();
+  return ProductSharing(flat).run();
 }
 
 Function share_products(const Function& function) { return cheaper(function, with_shared_products(function)); }

@@ -25,9 +25,9 @@ struct Policy {
 
 int is_multiplication(const Rational& coefficient) { return coefficient == 1 || coefficient == -1 ? 0 : kOperation; }
 
-class Sharing {
+class SumSharing {
  public:
-  Sharing(const Function& flat, Policy policy) : p_(flat), policy_(policy) {}
+  SumSharing(const Function& flat, Policy policy) : p_(flat), policy_(policy) {}
 
   Function run() {
     for (int k = 0; k < static_cast<int>(p_.polynomials.size()); ++k) index_polynomial(k);
@@ -283,8 +283,8 @@ class Sharing {
 };
 
 Function shared_once(const Function& flat) {
-  const Function strict = with_shared_products(Sharing(flat, Policy{false}).run());
-  return cheaper(strict, with_shared_products(Sharing(flat, Policy{true}).run()));
+  const Function strict = with_shared_products(SumSharing(flat, Policy{false}).run());
+  return cheaper(strict, with_shared_products(SumSharing(flat, Policy{true}).run()));
 }
 
 }  // namespace

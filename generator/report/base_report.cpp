@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include "diagnostics/table.hpp"
+#include "report/json_values.hpp"
 #include "symbolic/combination_text.hpp"
 #include "symbolic/number_text.hpp"
 #include "symbolic/unidentifiable.hpp"
 
 namespace flatdyn {
 namespace {
-
-constexpr int kJsonDigits = 17;
 
 // One line per reason, with the parameters it holds for.
 std::string reasons_text(const std::vector<Unidentifiable>& unseen) {

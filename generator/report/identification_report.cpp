@@ -6,12 +6,11 @@
 #include <numeric>
 
 #include "diagnostics/table.hpp"
+#include "report/json_values.hpp"
 #include "symbolic/combination_text.hpp"
 
 namespace flatdyn {
 namespace {
-
-constexpr int kJsonDigits = 17;
 
 // Of a damped direction those parameters that make up nearly all of it, largest first.
 std::vector<int> main_parameters(const DampedDirection& direction) {
@@ -85,8 +84,6 @@ std::string physical_text(const PhysicalParameters& physical) {
       fmt::format("{:.2g}", physical.largest_misfit), physical.distance,
       physical.converged ? "" : "; the search did not converge");
 }
-
-std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
 }  // namespace
 

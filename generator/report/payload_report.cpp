@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "diagnostics/table.hpp"
+#include "report/json_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -26,8 +27,6 @@ Centred centred(const Eigen::VectorXd& ten) {
   I -= ten(0) * (com.squaredNorm() * Eigen::Matrix3d::Identity() - com * com.transpose());
   return {ten(0), com, I};
 }
-
-std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
 }  // namespace
 

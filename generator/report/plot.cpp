@@ -27,7 +27,7 @@ constexpr const char* kColours[] = {"#2b83ca", "#d55e00", "#009e73", "#cc79a7", 
 constexpr std::size_t kColourCount = std::size(kColours);
 
 // A text of gnuplot: within single quotes only the quote itself is special.
-std::string quoted(const std::string& text) {
+std::string gnuplot_string(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'') result += c;
@@ -68,7 +68,7 @@ std::string style_text(const std::vector<Panel>& panels) {
 }
 
 std::string label_text(const std::string& what, const std::string& text, const std::string& options = "") {
-  return fmt::format("set {} {} {} noenhanced textcolor rgb '{}'\n", what, quoted(text), options, kInk);
+  return fmt::format("set {} {} {} noenhanced textcolor rgb '{}'\n", what, gnuplot_string(text), options, kInk);
 }
 
 std::string panel_text(const Panel& panel, std::size_t index) {
@@ -79,7 +79,8 @@ std::string panel_text(const Panel& panel, std::size_t index) {
     const std::string name = fmt::format("panel{}_{}", index, k);
     text += data_text(panel.series[k], name);
     curves.push_back(fmt::format("${} with lines linewidth 1.4 linecolor rgb '{}' dashtype {} title {}", name,
-                                 kColours[k % kColourCount], k / kColourCount + 1, quoted(panel.series[k].name)));
+                                 kColours[k % kColourCount], k / kColourCount + 1,
+                                 gnuplot_string(panel.series[k].name)));
   }
   return text + fmt::format("plot {}\n", fmt::join(curves, ", "));
 }
@@ -87,10 +88,10 @@ std::string panel_text(const Panel& panel, std::size_t index) {
 std::string script_text(const std::string& title, const std::vector<Panel>& panels, const fs::path& output) {
   const int count = static_cast<int>(panels.size());
   std::string text = fmt::format("set terminal svg size {},{} dynamic rounded font 'sans-serif,12'\nset output {}\n",
-                                 kWidth, kTitleHeight + count * kPanelHeight, quoted(output.string()));
+                                 kWidth, kTitleHeight + count * kPanelHeight, gnuplot_string(output.string()));
   text += style_text(panels);
   text += fmt::format("set multiplot layout {},1 title {} noenhanced textcolor rgb '{}' font ',15'\n", count,
-                      quoted(title), kInk);
+                      gnuplot_string(title), kInk);
   for (std::size_t k = 0; k < panels.size(); ++k) text += panel_text(panels[k], k);
   return text + "unset multiplot\n";
 }

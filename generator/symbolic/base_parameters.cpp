@@ -23,7 +23,7 @@ void add_multiple(ParameterForm& form, const Number& factor, const ParameterForm
 }
 
 // What of a redundant part is a body: ten parameters.
-InertialParameters body_of(const RedundantPart& part) {
+InertialParameters inertia_of(const RedundantPart& part) {
   InertialParameters body;
   for (int k = 0; k < kInertialPerBody; ++k) {
     const Number& entry = part.entries[static_cast<std::size_t>(k)];
@@ -65,7 +65,7 @@ class Regrouping {
     }
     const Body& body = mechanism_.bodies[static_cast<std::size_t>(j)];
     if (body.parent < 0) return;
-    const std::vector<Number> moved = entries_of(transformed(body_of(part), constant_rotation(body), body.p));
+    const std::vector<Number> moved = entries_of(transformed(inertia_of(part), constant_rotation(body), body.p));
     for (std::size_t k = 0; k < moved.size(); ++k) {
       if (!vanishes(moved[k])) add_multiple(form(body.parent, k), moved[k], amount);
     }

@@ -9,28 +9,12 @@
 #include <map>
 #include <utility>
 
+#include "symbolic/turns.hpp"
+
 namespace flatdyn {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Vec3 expanded_vector(const Vec3& v) { return {v[0].expand(), v[1].expand(), v[2].expand()}; }
-
-// A turn about z, as (cos, sin).
-Vec3 turn_z(const PlanarRotation& a, const Vec3& v) { return {a.c * v[0] - a.s * v[1], a.s * v[0] + a.c * v[1], v[2]}; }
-PlanarRotation back(const PlanarRotation& a) { return {a.c, -a.s}; }
-
-// x → y → z → x and back, so that a turn about x is one about z.
-Vec3 cycled(const Vec3& v) { return {v[1], v[2], v[0]}; }
-Vec3 uncycled(const Vec3& v) { return {v[2], v[0], v[1]}; }
-Mat3 cycled(const Mat3& T) {
-  Mat3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) result[i][j] = T[(i + 1) % 3][(j + 1) % 3];
-  }
-  return result;
-}
-Vec3 turn_x(const PlanarRotation& a, const Vec3& v) { return uncycled(turn_z(a, cycled(v))); }
 
 // Rz T Rzᵀ for symmetric T, with s² already replaced by 1 - c².
 Mat3 turn_z(const PlanarRotation& a, const Mat3& T) {
@@ -47,7 +31,7 @@ Mat3 turn_z(const PlanarRotation& a, const Mat3& T) {
 }
 Mat3 turn_x(const PlanarRotation& a, const Mat3& T) { return cycled(cycled(turn_z(a, cycled(T)))); }
 
-struct Twist {
+struct JacobianColumn {
   Vec3 linear = zero_vector(), angular = zero_vector();
 };
 
@@ -106,14 +90,14 @@ class Lagrange {
 
   // Columns j of the Jacobians of frame i, in its own axes, for all joints between it and the base: (7.18), (7.19).
   void add_columns(int i) {
-    std::map<int, Twist> columns;
+    std::map<int, JacobianColumn> columns;
     if (body(i).parent >= 0) {
       const Vec3 p = displacement(i);
       for (const auto& [j, column] : columns_[at(body(i).parent)]) {
         columns[j] = {down(i, column.linear + cross(column.angular, p)), down(i, column.angular)};
       }
     }
-    Twist& own = columns[i];
+    JacobianColumn& own = columns[i];
     (body(i).prismatic ? own.linear : own.angular) = {0, 0, 1};
     columns_.push_back(std::move(columns));
 
@@ -124,9 +108,9 @@ class Lagrange {
 
   void add_momentum_products(int k) {
     const InertialParameters& link = composite_[at(k)];
-    const Twist& own = columns_[at(k)].at(k);
-    const Twist momentum{link.mass * own.linear + cross(own.angular, link.first_moment),
-                         link.inertia * own.angular + cross(link.first_moment, own.linear)};
+    const JacobianColumn& own = columns_[at(k)].at(k);
+    const JacobianColumn momentum{link.mass * own.linear + cross(own.angular, link.first_moment),
+                                  link.inertia * own.angular + cross(link.first_moment, own.linear)};
     for (const auto& [j, column] : columns_[at(k)]) {
       const Number b = (dot(column.linear, momentum.linear) + dot(column.angular, momentum.angular)).expand();
       form_.B[at(j)][at(k)] = form_.B[at(k)][at(j)] = b;
@@ -196,7 +180,7 @@ class Lagrange {
 
   const Mechanism& mechanism_;
   ClosedForm form_;
-  std::vector<std::map<int, Twist>> columns_;
+  std::vector<std::map<int, JacobianColumn>> columns_;
   std::vector<Vec3> gravity_;
   std::vector<InertialParameters> composite_;
 };

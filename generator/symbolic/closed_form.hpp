@@ -20,6 +20,9 @@ struct ClosedForm {
   const Number& christoffel(int i, int j, int k) const;
 };
 
+// An index of joints as one of vectors.
+inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 ClosedForm closed_form(const Mechanism& mechanism);
 
 // sin(x)² → 1 - cos(x)² everywhere, expanded: for the joints' s_i and c_i, and for angles that are free symbols.

@@ -16,8 +16,6 @@ constexpr std::size_t kMostTerms = 200;
 constexpr const char* kNames[] = {"inverse_dynamics", "inertia_matrix", "christoffel",   "coriolis_matrix",
                                   "gravity",          "bias",           "kinetic_energy"};
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism) {
   std::vector<GiNaC::symbol> result;
   result.reserve(mechanism.symbols.size());

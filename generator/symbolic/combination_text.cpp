@@ -14,21 +14,21 @@ std::string number_text(const Number& magnitude, int digits) {
   return fmt::format("{:.{}g}", nearest_double(magnitude), digits);
 }
 
-std::string plain_text(const Number& e) {
+std::string printed(const Number& e) {
   std::ostringstream text;
   text << e;
   return text.str();
 }
 
 // A summand, its sign apart.
-struct Piece {
+struct Summand {
   bool negative = false;
   std::string body;
 };
 
-std::string joined(const std::vector<Piece>& pieces) {
+std::string joined(const std::vector<Summand>& pieces) {
   std::string text;
-  for (const Piece& piece : pieces) {
+  for (const Summand& piece : pieces) {
     const char* sign = piece.negative ? "-" : "+";
     if (text.empty()) {
       text = (piece.negative ? "-" : "") + piece.body;
@@ -41,22 +41,22 @@ std::string joined(const std::vector<Piece>& pieces) {
 
 std::string sum_text(const Number& polynomial, int digits);
 
-std::string factor_text(const Number& factor, int digits) {
+std::string factor_with_digits(const Number& factor, int digits) {
   if (!GiNaC::is_a<GiNaC::power>(factor)) {
-    return GiNaC::is_a<GiNaC::add>(factor) ? "(" + sum_text(factor, digits) + ")" : plain_text(factor);
+    return GiNaC::is_a<GiNaC::add>(factor) ? "(" + sum_text(factor, digits) + ")" : printed(factor);
   }
   const Number &base = factor.op(0), &exponent = factor.op(1);
-  return factor_text(base, digits) + "^" + plain_text(exponent);
+  return factor_with_digits(base, digits) + "^" + printed(exponent);
 }
 
-Piece term_piece(const Number& term, int digits) {
+Summand term_piece(const Number& term, int digits) {
   Number number = 1;
   std::vector<std::string> factors;
   const auto add = [&](const Number& factor) {
     if (GiNaC::is_a<GiNaC::numeric>(factor)) {
       number *= factor;
     } else {
-      factors.push_back(factor_text(factor, digits));
+      factors.push_back(factor_with_digits(factor, digits));
     }
   };
   if (GiNaC::is_a<GiNaC::mul>(term)) {
@@ -71,29 +71,30 @@ Piece term_piece(const Number& term, int digits) {
   return {negative, fmt::format("{}", fmt::join(factors, " "))};
 }
 
-std::vector<Piece> pieces_of(const Number& polynomial, int digits) {
-  std::vector<Piece> pieces;
+std::vector<Summand> pieces_of(const Number& polynomial, int digits) {
+  std::vector<Summand> pieces;
   if (GiNaC::is_a<GiNaC::add>(polynomial)) {
     for (const Number& term : polynomial) pieces.push_back(term_piece(term, digits));
   } else if (!polynomial.is_zero()) {
     pieces.push_back(term_piece(polynomial, digits));
   }
-  std::sort(pieces.begin(), pieces.end(),
-            [](const Piece& a, const Piece& b) { return std::tie(a.negative, a.body) < std::tie(b.negative, b.body); });
+  std::sort(pieces.begin(), pieces.end(), [](const Summand& a, const Summand& b) {
+    return std::tie(a.negative, a.body) < std::tie(b.negative, b.body);
+  });
   return pieces;
 }
 
 std::string sum_text(const Number& polynomial, int digits) { return joined(pieces_of(polynomial.expand(), digits)); }
 
 // A coefficient that stands before a parameter's name, its sign apart; nothing for 1.
-Piece coefficient_piece(const Number& coefficient, int digits) {
+Summand coefficient_piece(const Number& coefficient, int digits) {
   const Number whole = coefficient.normal(), below = whole.denom(), above = whole.numer().expand();
   if (is_rational(whole) || is_rational(below)) {
-    const std::vector<Piece> pieces = pieces_of(whole.expand(), digits);
+    const std::vector<Summand> pieces = pieces_of(whole.expand(), digits);
     if (pieces.size() == 1) return {pieces[0].negative, pieces[0].body == "1" ? "" : pieces[0].body};
     return {false, "(" + joined(pieces) + ")"};
   }
-  const std::vector<Piece> pieces = pieces_of(above, digits);
+  const std::vector<Summand> pieces = pieces_of(above, digits);
   const std::string divisor = "/(" + sum_text(below, digits) + ")";
   if (pieces.size() == 1) return {pieces[0].negative, pieces[0].body + divisor};
   return {false, "(" + joined(pieces) + ")" + divisor};
@@ -102,16 +103,16 @@ Piece coefficient_piece(const Number& coefficient, int digits) {
 }  // namespace
 
 std::string coefficient_text(const Number& coefficient, int digits) {
-  const Piece piece = coefficient_piece(coefficient, digits);
+  const Summand piece = coefficient_piece(coefficient, digits);
   return (piece.negative ? "-" : "") + (piece.body.empty() ? "1" : piece.body);
 }
 
 std::string combination_text(const BaseParameters& base, int k, int digits) {
   const int kept = base.columns[static_cast<std::size_t>(k)];
-  std::vector<Piece> pieces = {{false, parameter_name(kept)}};
+  std::vector<Summand> pieces = {{false, parameter_name(kept)}};
   for (const auto& [index, coefficient] : base.combination[static_cast<std::size_t>(k)]) {
     if (index == kept) continue;
-    const Piece factor = coefficient_piece(coefficient, digits);
+    const Summand factor = coefficient_piece(coefficient, digits);
     pieces.push_back({factor.negative, factor.body + (factor.body.empty() ? "" : " ") + parameter_name(index)});
   }
   return joined(pieces);

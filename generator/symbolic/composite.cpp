@@ -6,9 +6,7 @@
 namespace flatdyn {
 namespace {
 
-const Body& body_of(Frames& frames, int i) { return frames.mechanism().bodies[static_cast<std::size_t>(i)]; }
-
-int parent_of(Frames& frames, int i) { return body_of(frames, i).parent; }
+int parent_of(Frames& frames, int i) { return frames.body(i).parent; }
 
 // 2 (p·h) 1 - p hᵀ - h pᵀ + m (p·p 1 - p pᵀ): the change of inertia when the pole moves from the origin of frame i to
 // that of its parent, h the first moment about the old pole.
@@ -27,7 +25,7 @@ InertialParameters composite_in_parent(Frames& frames, int i, const InertialPara
   Derivation& d = frames.derivation();
   const std::string n = label(i);
   InertialParameters slid = composite;
-  if (body_of(frames, i).prismatic) {
+  if (frames.body(i).prismatic) {
     const Vec3 slide = {0, 0, frames.slide(i)};
     slid.inertia =
         d.named_symmetric(composite.inertia + moved_pole(composite.mass, composite.first_moment, slide), "Is_" + n);
@@ -42,20 +40,20 @@ InertialParameters composite_in_parent(Frames& frames, int i, const InertialPara
 // The wrench that gives composite body i a unit acceleration of joint i, rotor and all; in frame i.
 Wrench unit_wrench(Frames& frames, int i, const InertialParameters& composite) {
   const Vec3& h = composite.first_moment;
-  if (body_of(frames, i).prismatic) return {{0, 0, composite.mass}, {h[1], -h[0], 0}};
+  if (frames.body(i).prismatic) return {{0, 0, composite.mass}, {h[1], -h[0], 0}};
   return {{-h[1], h[0], 0}, {composite.inertia[0][2], composite.inertia[1][2], composite.inertia[2][2]}};
 }
 
 // Component of a wrench that joint i feels.
 Number felt(Frames& frames, int i, const Wrench& wrench) {
-  return body_of(frames, i).prismatic ? wrench.f[2] : wrench.mu[2];
+  return frames.body(i).prismatic ? wrench.f[2] : wrench.mu[2];
 }
 
 // Calls visit(k, wrench) for i and every body k between it and the base, with the unit wrench of i in frame k.
 template <class Visit>
 void climb(Frames& frames, int i, Wrench wrench, Visit visit) {
   Derivation& d = frames.derivation();
-  const auto& rotor = body_of(frames, i).rotor;
+  const auto& rotor = frames.body(i).rotor;
   for (int k = i;; k = parent_of(frames, k)) {
     const std::string n = label(i) + "_" + label(k);
     if (rotor && k != i && rotor->carrier == k) {
@@ -104,7 +102,7 @@ std::vector<std::vector<Number>> inertia_matrix(Frames& frames) {
     climb(frames, jj, unit_wrench(frames, jj, bodies[j]), [&](int i, const Wrench& wrench) {
       const auto ii = static_cast<std::size_t>(i);
       Number b = felt(frames, i, wrench);
-      if (i == jj) b += d.named(reflected_inertia(body_of(frames, i)), "I_r" + label(i));
+      if (i == jj) b += d.named(reflected_inertia(frames.body(i)), "I_r" + label(i));
       B[ii][j] = B[j][ii] = d.named(b, "b_" + label(i) + "_" + label(jj));
     });
   }
@@ -158,12 +156,12 @@ HalfDerivatives half_derivatives(Frames& frames) {  // of a mechanism with halve
     const auto jj = static_cast<std::size_t>(j);
     climb(frames, j, unit_wrench(frames, j, bodies[jj]), [&](int k, const Wrench& wrench) {
       const std::string n = label(j) + "_" + label(k);
-      const Wrench swept = swept_by(body_of(frames, k), wrench);
+      const Wrench swept = swept_by(frames.body(k), wrench);
       for (const auto& [i, twist] : twists[static_cast<std::size_t>(k)]) {
         if (i < k) result.swept[{i, k, j}] = d.named(power(twist, swept), "db_" + label(i) + n);
       }
     });
-    const InertialParameters rate = rate_of(d, body_of(frames, j), bodies[jj], label(j));
+    const InertialParameters rate = rate_of(d, frames.body(j), bodies[jj], label(j));
     for (const auto& [b, twist_b] : twists[jj]) {
       if (b == j) continue;
       const Wrench turned = applied(rate, twist_b);

@@ -16,8 +16,6 @@ namespace {
 
 constexpr int kLongestChain = 8;  // joints from base to tip: each one multiplies the number of terms by three
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 void refuse_long_chains(const Mechanism& mechanism) {
   std::vector<int> depth;
   for (const Body& body : mechanism.bodies) depth.push_back(body.parent < 0 ? 1 : depth[at(body.parent)] + 1);

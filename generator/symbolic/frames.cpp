@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/frames.hpp"
 
+#include "symbolic/turns.hpp"
+
 namespace flatdyn {
 
 std::string label(int i) { return std::to_string(i + 1); }
@@ -28,19 +30,6 @@ Frames::Frames(const Mechanism& mechanism, Derivation& derivation) : mechanism_(
 
 namespace {
 
-// Rz(a)^T v and Rz(a) v, Rx likewise.
-Vec3 turn_back_z(const PlanarRotation& a, const Vec3& v) {
-  return {a.c * v[0] + a.s * v[1], a.c * v[1] - a.s * v[0], v[2]};
-}
-
-Vec3 turn_z(const PlanarRotation& a, const Vec3& v) { return {a.c * v[0] - a.s * v[1], a.s * v[0] + a.c * v[1], v[2]}; }
-
-Vec3 turn_back_x(const PlanarRotation& a, const Vec3& v) {
-  return {v[0], a.c * v[1] + a.s * v[2], a.c * v[2] - a.s * v[1]};
-}
-
-Vec3 turn_x(const PlanarRotation& a, const Vec3& v) { return {v[0], a.c * v[1] - a.s * v[2], a.s * v[1] + a.c * v[2]}; }
-
 // Rz(a) T Rz(a)^T in 8 multiplications: with g = c (T_xx - T_yy) - 2 s T_xy, only c g and s g are added.
 Mat3 turn_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
   if (vanishes(a.s) || vanishes(a.c)) {
@@ -61,15 +50,6 @@ Mat3 turn_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
   return d.named_symmetric(result, name);
 }
 
-// x → y → z → x, so that a turn about x is one about z of the cycled tensor.
-Mat3 cycled(const Mat3& T) {
-  Mat3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) result[i][j] = T[(i + 1) % 3][(j + 1) % 3];
-  }
-  return result;
-}
-
 Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
   return cycled(cycled(turn_tensor_z(d, a, cycled(T), name)));
 }
@@ -78,9 +58,9 @@ Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
 
 Vec3 Frames::down(int i, const Vec3& v, const std::string& name) {
   const Turn& turn = turns_[static_cast<std::size_t>(i)];
-  const Vec3 a = derivation_.named(turn_back_z(turn.beta, v), name + "_b");
-  const Vec3 b = derivation_.named(turn_back_x(turn.alpha, a), name + "_a");
-  return derivation_.named(turn_back_z(turn.gamma, b), name);
+  const Vec3 a = derivation_.named(turn_z(back(turn.beta), v), name + "_b");
+  const Vec3 b = derivation_.named(turn_x(back(turn.alpha), a), name + "_a");
+  return derivation_.named(turn_z(back(turn.gamma), b), name);
 }
 
 Vec3 Frames::up(int i, const Vec3& v, const std::string& name) {

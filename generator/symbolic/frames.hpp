@@ -26,6 +26,7 @@ class Frames {
   Vec3 axis_in_parent(int i) const;
 
   const Mechanism& mechanism() const { return mechanism_; }
+  const Body& body(int i) const { return mechanism_.bodies[static_cast<std::size_t>(i)]; }
   Derivation& derivation() { return derivation_; }
 
  private:

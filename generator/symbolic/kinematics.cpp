@@ -6,12 +6,10 @@
 namespace flatdyn {
 namespace {
 
-const Body& body_of(Frames& frames, int i) { return frames.mechanism().bodies[static_cast<std::size_t>(i)]; }
-
 // Bodies from `body` to the base.
 std::vector<int> path_to_base(Frames& frames, int body) {
   std::vector<int> path;
-  for (int i = body; i >= 0; i = body_of(frames, i).parent) path.push_back(i);
+  for (int i = body; i >= 0; i = frames.body(i).parent) path.push_back(i);
   return path;
 }
 
@@ -58,7 +56,7 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
     const Vec3 z = d.named(here.R * frames.axis_in_parent(i), "z_" + n);
     const Vec3 origin = d.named(here.p + here.R * frames.p(i) + frames.slide(i) * z, "p_" + n);
     JacobianColumn& J = columns[static_cast<std::size_t>(i)];
-    if (body_of(frames, i).prismatic) {
+    if (frames.body(i).prismatic) {
       J.linear = z;
     } else {
       const Vec3 lever = d.named(p_e - origin, "r_" + n);

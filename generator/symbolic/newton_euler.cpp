@@ -4,8 +4,6 @@
 namespace flatdyn {
 namespace {
 
-const Body& body_of(Frames& frames, int i) { return frames.mechanism().bodies[static_cast<std::size_t>(i)]; }
-
 // U = S(ω̇) + S(ω)², its products of ω named once each.
 Mat3 acceleration_matrix(Derivation& d, const Vec3& omega, const Vec3& domega, const std::string& i) {
   const Number xx = d.named(omega[0] * omega[0], "omega_" + i + "_xx"),
@@ -30,7 +28,7 @@ LinkMotion moved(Frames& frames, int i, const LinkMotion& parent, const Motion& 
   const Vec3 ddp_o = d.named(parent.ddp + parent.U * frames.p(i), "ddp_o_" + n);
   LinkMotion link;
   link.ddp = frames.down(i, ddp_o, "ddp_" + n);
-  if (body_of(frames, i).prismatic) {
+  if (frames.body(i).prismatic) {
     link.omega = omega_r;
     link.domega = domega_r;
     link.U = acceleration_matrix(d, link.omega, link.domega, n);
@@ -77,7 +75,7 @@ Vec3 product_moment(Derivation& d, const Mat3& I, const LinkMotion& link, const 
 
 Wrench inertial_wrench(Frames& frames, int i, const LinkMotion& link) {
   Derivation& d = frames.derivation();
-  const InertialParameters& body = body_of(frames, i).inertia;
+  const InertialParameters& body = frames.body(i).inertia;
   const std::string n = label(i);
   const Vec3 h = d.named(body.first_moment, "mr_" + n);
   const Number m = d.named(body.mass, "m_" + n);
@@ -89,7 +87,7 @@ Wrench inertial_wrench(Frames& frames, int i, const LinkMotion& link) {
 // What the spinning rotor of joint i does to the link that carries it, last two terms of (7.105).
 Vec3 rotor_reaction(Frames& frames, int i, const LinkMotion& carrier, const Motion& motion) {
   Derivation& d = frames.derivation();
-  const Rotor& rotor = *body_of(frames, i).rotor;
+  const Rotor& rotor = *frames.body(i).rotor;
   const auto k = static_cast<std::size_t>(i);
   const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i));
   const Number spin = d.named(krI * motion.qdd[k], "kIqdd_" + label(i));
@@ -101,7 +99,7 @@ Vec3 rotor_reaction(Frames& frames, int i, const LinkMotion& carrier, const Moti
 Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vector<LinkMotion>& links,
                     const Motion& motion) {
   Derivation& d = frames.derivation();
-  const Body& body = body_of(frames, i);
+  const Body& body = frames.body(i);
   const auto k = static_cast<std::size_t>(i);
   const std::string n = label(i);
   Number tau = body.prismatic ? wrench.f[2] : wrench.mu[2];
@@ -137,7 +135,7 @@ std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion) {
   base.ddp = d.named(Number(-1) * motion.gravity, "ddp_0");  // so that gravity acts on every link
   std::vector<LinkMotion> links;
   for (int i = 0; i < frames.mechanism().size(); ++i) {
-    const int parent = body_of(frames, i).parent;
+    const int parent = frames.body(i).parent;
     const LinkMotion before = parent < 0 ? base : links[static_cast<std::size_t>(parent)];
     links.push_back(moved(frames, i, before, motion));
   }
@@ -163,7 +161,7 @@ std::vector<Number> torques(Frames& frames, const Motion& motion, const std::opt
     wrenches.push_back(inertial_wrench(frames, i, links[static_cast<std::size_t>(i)]));
   }
   for (int i = 0; i < mechanism.size(); ++i) {
-    const auto& rotor = body_of(frames, i).rotor;
+    const auto& rotor = frames.body(i).rotor;
     if (!rotor || rotor->carrier < 0) continue;
     const auto carrier = static_cast<std::size_t>(rotor->carrier);
     wrenches[carrier].mu = wrenches[carrier].mu + rotor_reaction(frames, i, links[carrier], motion);

@@ -4,10 +4,8 @@
 namespace flatdyn {
 namespace {
 
-const Body& body_of(Frames& frames, int i) { return frames.mechanism().bodies[static_cast<std::size_t>(i)]; }
-
 Twist unit_twist(Frames& frames, int i) {
-  if (body_of(frames, i).prismatic) return {zero_vector(), {0, 0, 1}};
+  if (frames.body(i).prismatic) return {zero_vector(), {0, 0, 1}};
   return {{0, 0, 1}, zero_vector()};
 }
 
@@ -26,7 +24,7 @@ std::vector<std::map<int, Twist>> unit_twists(Frames& frames) {
   std::vector<std::map<int, Twist>> twists(static_cast<std::size_t>(frames.mechanism().size()));
   for (int k = 0; k < frames.mechanism().size(); ++k) {
     auto& here = twists[static_cast<std::size_t>(k)];
-    const int parent = body_of(frames, k).parent;
+    const int parent = frames.body(k).parent;
     if (parent >= 0) {
       for (const auto& [i, twist] : twists[static_cast<std::size_t>(parent)]) {
         here[i] = to_child(frames, k, twist, label(i) + "_" + label(k));

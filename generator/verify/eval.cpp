@@ -84,9 +84,9 @@ std::string text_of(const Real50& value, int digits) { return value.str(digits);
 
 // One line of the table after the other, in S.
 template <class S>
-class Evaluation {
+class Evaluator {
  public:
-  Evaluation(const Robot& robot, const Mechanism& mechanism, const Function& function, const EvalOptions& options)
+  Evaluator(const Robot& robot, const Mechanism& mechanism, const Function& function, const EvalOptions& options)
       : robot_(robot), mechanism_(mechanism), function_(function), options_(options), graph_(function) {}
 
   // nullopt where a condition of the function does not hold.
@@ -139,7 +139,7 @@ class Evaluation {
 };
 
 template <class S>
-void append_values(Evaluation<S> evaluation, const Columns& columns, const std::vector<Input>& inputs, CsvTable& table,
+void append_values(Evaluator<S> evaluation, const Columns& columns, const std::vector<Input>& inputs, CsvTable& table,
                    const std::string& file, Diagnostics& diagnostics) {
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const auto values = evaluation(columns, inputs, table.rows[k]);
@@ -172,9 +172,9 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
   }
   constexpr int kDoubleDigits = 17;
   if (options.digits > kDoubleDigits) {
-    append_values(Evaluation<Real50>(robot, mechanism, function, options), columns, inputs, result, file, diagnostics);
+    append_values(Evaluator<Real50>(robot, mechanism, function, options), columns, inputs, result, file, diagnostics);
   } else {
-    append_values(Evaluation<double>(robot, mechanism, function, options), columns, inputs, result, file, diagnostics);
+    append_values(Evaluator<double>(robot, mechanism, function, options), columns, inputs, result, file, diagnostics);
   }
   if (diagnostics.has_errors()) return {};
   return result;

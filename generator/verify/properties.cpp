@@ -12,20 +12,20 @@
 namespace flatdyn {
 namespace {
 
-using Vector = reference::VectorX<Real50>;
-using Matrix = reference::MatrixX<Real50>;
+using Vector50 = reference::VectorX<Real50>;
+using Matrix50 = reference::MatrixX<Real50>;
 
 // Derivatives by central differences: error h² from the formula, 1e-60 / h from rounding.
 const Real50 kStep("1e-20");
 constexpr double kTolerance = 1e-30;
 
 struct ExactState {
-  Vector q, qd, qdd, tau;
+  Vector50 q, qd, qdd, tau;
   std::vector<double> parameters;
 };
 
-Vector vector_of(const std::vector<double>& values) {
-  Vector v(static_cast<Eigen::Index>(values.size()));
+Vector50 exact_vector(const std::vector<double>& values) {
+  Vector50 v(static_cast<Eigen::Index>(values.size()));
   for (std::size_t k = 0; k < values.size(); ++k) v[static_cast<Eigen::Index>(k)] = Real50(values[k]);
   return v;
 }
@@ -41,7 +41,7 @@ class Functions {
   }
 
   // Entries of the (only) output.
-  Vector operator()(const std::string& name, const ExactState& state) const {
+  Vector50 operator()(const std::string& name, const ExactState& state) const {
     RealArithmetic<Real50> arithmetic([&state](const Input& input) -> Real50 {
       switch (input.kind) {
         case InputKind::q:
@@ -62,14 +62,14 @@ class Functions {
     const Function& function = *by_name_.at(name);
     const std::vector<Real50> all = evaluate(function, arithmetic);
     const std::vector<NodeId>& entries = function.outputs[0].entries;
-    Vector values(static_cast<Eigen::Index>(entries.size()));
+    Vector50 values(static_cast<Eigen::Index>(entries.size()));
     for (std::size_t k = 0; k < entries.size(); ++k)
       values[static_cast<Eigen::Index>(k)] = all[static_cast<std::size_t>(entries[k])];
     return values;
   }
 
-  Matrix matrix(const std::string& name, const ExactState& state) const {
-    const Vector entries = (*this)(name, state);
+  Matrix50 matrix(const std::string& name, const ExactState& state) const {
+    const Vector50 entries = (*this)(name, state);
     const Eigen::Index n = state.q.size();
     return Eigen::Map<const Eigen::Matrix<Real50, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(entries.data(), n,
                                                                                                     n);
@@ -94,13 +94,13 @@ double relative(const Real50& sum, const Real50& size) {
 }
 
 double asymmetry(const Functions& f, const ExactState& state) {
-  const Matrix B = f.matrix("inertia_matrix", state);
+  const Matrix50 B = f.matrix("inertia_matrix", state);
   return relative((B - B.transpose()).norm(), B.norm());
 }
 
 // Rounding apart: 0 for a singular matrix.
 double smallest_pivot(const Functions& f, const ExactState& state) {
-  const Matrix B = f.matrix("inertia_matrix", state);
+  const Matrix50 B = f.matrix("inertia_matrix", state);
   const Real50 pivot = B.ldlt().vectorD().minCoeff();
   return abs(pivot) <= kTolerance * B.norm() ? 0 : pivot.convert_to<double>();
 }
@@ -114,25 +114,25 @@ Property definiteness(double smallest_pivot) {
 double skewness(const Functions& f, const ExactState& state) {
   ExactState rest = state;
   rest.qdd.setZero();
-  const Matrix Bdot =
+  const Matrix50 Bdot =
       (f.matrix("inertia_matrix", after(rest, kStep)) - f.matrix("inertia_matrix", after(rest, -kStep))) / (2 * kStep);
-  const Matrix C = f.matrix("coriolis_matrix", state);
-  const Vector& w = state.tau;  // any vector
+  const Matrix50 C = f.matrix("coriolis_matrix", state);
+  const Vector50& w = state.tau;  // any vector
   return relative(w.dot((Bdot - 2 * C) * w), w.squaredNorm() * (Bdot.norm() + C.norm()));
 }
 
 double energy_imbalance(const Functions& f, const ExactState& state) {
   const Real50 rate =
       (f("kinetic_energy", after(state, kStep))[0] - f("kinetic_energy", after(state, -kStep))[0]) / (2 * kStep);
-  const Vector tau = f("inverse_dynamics", state), bias = f("bias", state);
-  const Matrix C = f.matrix("coriolis_matrix", state);
+  const Vector50 tau = f("inverse_dynamics", state), bias = f("bias", state);
+  const Matrix50 C = f.matrix("coriolis_matrix", state);
   const Real50 power = state.qd.dot(tau - bias + C * state.qd);
   return relative(rate - power, state.qd.norm() * (tau.norm() + bias.norm()));
 }
 
 double round_trip(const Functions& f, ExactState state) {
   state.tau = f("inverse_dynamics", state);
-  const Vector qdd = f("forward_dynamics", state);
+  const Vector50 qdd = f("forward_dynamics", state);
   return relative((qdd - state.qdd).norm(), qdd.norm());
 }
 
@@ -144,7 +144,7 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
   std::vector<ExactState> exact;
   for (std::size_t k = 0; k < std::min(kStates, states.size()); ++k) {
     const State& s = states[k];
-    exact.push_back({vector_of(s.q), vector_of(s.qd), vector_of(s.qdd), vector_of(s.tau), s.parameters});
+    exact.push_back({exact_vector(s.q), exact_vector(s.qd), exact_vector(s.qdd), exact_vector(s.tau), s.parameters});
   }
   std::vector<Property> properties;
   const auto vanishing = [&](const std::string& name, double (*measure)(const Functions&, const ExactState&)) {

@@ -24,6 +24,20 @@ S to_scalar(const Number& a, const GiNaC::exmap& values);
 template <class S>
 reference::Robot<S> reference_robot(const Robot& robot, const SymbolValues& values);
 
+template <class S>
+reference::VectorX<S> vector_of(const std::vector<S>& values) {
+  return Eigen::Map<const reference::VectorX<S>>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+template <class Matrix>
+std::vector<typename Matrix::Scalar> row_by_row(const Matrix& m) {
+  std::vector<typename Matrix::Scalar> entries;
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    for (Eigen::Index j = 0; j < m.cols(); ++j) entries.push_back(m(i, j));
+  }
+  return entries;
+}
+
 extern template double to_scalar<double>(const Number&, const GiNaC::exmap&);
 extern template Real50 to_scalar<Real50>(const Number&, const GiNaC::exmap&);
 extern template reference::Robot<double> reference_robot(const Robot&, const SymbolValues&);

@@ -11,11 +11,6 @@ namespace flatdyn {
 namespace {
 
 template <class S>
-reference::VectorX<S> vector_of(const std::vector<S>& values) {
-  return Eigen::Map<const reference::VectorX<S>>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-template <class S>
 reference::Robot<S> without_parameters(reference::Robot<S> robot) {
   for (reference::Link<S>& link : robot.links) link.inertials.clear();
   for (reference::Joint<S>& joint : robot.joints) {
@@ -94,15 +89,6 @@ reference::Robot<S> unit_robot(const Mechanism& mechanism, reference::Robot<S> r
   return robot;
 }
 
-template <class S>
-std::vector<S> row_by_row(const reference::MatrixX<S>& m) {
-  std::vector<S> entries;
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    for (Eigen::Index j = 0; j < m.cols(); ++j) entries.push_back(m(i, j));
-  }
-  return entries;
-}
-
 // Polarisation of what is quadratic in the rates: what B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r) is made of.
 // `torque(qd, qdd, gravity, friction)`.
 template <class S, class Torque>
@@ -176,8 +162,8 @@ reference::MatrixX<S> RegressorReference<S>::matrix(const StateOf<S>& state) con
 template <class S>
 std::vector<S> RegressorReference<S>::values(const StateOf<S>& state) const {
   const reference::MatrixX<S> Y = matrix(state);
-  if (function_ == "inverse_dynamics_base") return row_by_row<S>(Y * vector_of(state.pi_b));
-  return row_by_row<S>(Y);
+  if (function_ == "inverse_dynamics_base") return row_by_row(reference::VectorX<S>(Y * vector_of(state.pi_b)));
+  return row_by_row(Y);
 }
 
 std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state) {
@@ -189,8 +175,8 @@ std::vector<double> magnitudes(const RegressorReference<double>& of, const State
             ? adaptive_magnitude(units[k], state)
             : reference::torque_magnitude(units[k], vector_of(state.q), vector_of(state.qd), vector_of(state.qdd));
   }
-  if (of.function() == "inverse_dynamics_base") return row_by_row<double>(M * vector_of(state.pi_b).cwiseAbs());
-  return row_by_row<double>(M);
+  if (of.function() == "inverse_dynamics_base") return row_by_row(reference::VectorX<double>(M * vector_of(state.pi_b).cwiseAbs()));
+  return row_by_row(M);
 }
 
 template class RegressorReference<double>;

@@ -9,13 +9,6 @@
 namespace flatdyn {
 namespace {
 
-template <class S>
-reference::VectorX<S> vector_of(const std::vector<S>& values) {
-  reference::VectorX<S> v(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t k = 0; k < values.size(); ++k) v[static_cast<Eigen::Index>(k)] = values[k];
-  return v;
-}
-
 // "jacobian" of "jacobian:hand".
 std::string stem_of(const Function& function) { return function.name.substr(0, function.name.find(':')); }
 
@@ -36,15 +29,6 @@ class CachedArithmetic : public RealArithmetic<S> {
  private:
   std::unordered_map<const Rational*, S>& constants_;
 };
-
-template <class Matrix>
-auto row_by_row(const Matrix& m) {
-  std::vector<typename Matrix::Scalar> entries;
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    for (Eigen::Index j = 0; j < m.cols(); ++j) entries.push_back(m(i, j));
-  }
-  return entries;
-}
 
 // A state in the reference's types.
 template <class S>

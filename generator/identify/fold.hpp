@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+namespace flatdyn {
+
+inline constexpr int kFoldedRows = 32;  // at a time
+
+struct alignas(64) FoldedColumn {
+  double entries[kFoldedRows];
+};
+
+// R becomes the upper triangular factor of R with kFoldedRows rows below it. R: cols × cols, row by row, what is below
+// its diagonal is not looked at; rows: column by column, of no meaning afterwards. Uses AVX2 where the machine has it.
+void fold(double* R, FoldedColumn* rows, int cols);
+
+}  // namespace flatdyn
