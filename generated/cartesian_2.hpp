@@ -24,7 +24,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_CARTESIAN_2_HPP
 #define FLATDYN_CARTESIAN_2_HPP
@@ -163,8 +164,8 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* g) noexcept {
   const Scalar g_2 = parameters.g, m_l1 = parameters.m_l1, m_l2 = parameters.m_l2,
       m_m2 = parameters.m_m2;
-  const Scalar m_1 = m_l1 + m_m2;
-  g[0] = g_2 * (m_l2 + m_1);
+  const Scalar mc_1 = m_l1 + m_l2 + m_m2;
+  g[0] = g_2 * mc_1;
   g[1] = Scalar(0.0);
 }
 

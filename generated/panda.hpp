@@ -30,7 +30,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PANDA_HPP
 #define FLATDYN_PANDA_HPP
@@ -2070,7 +2071,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 // Gravity torques g(q) (7.39).
 //   q[7]  in   joint positions, rad or m
 //   g[7]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..6]. Operations: 65 mul, 38 add, 12 sin/cos.
+// Reads q[1..6]. Operations: 43 mul, 29 add, 12 sin/cos. Always zero: g[0].
 template <class Scalar>
 inline void gravity(const Scalar* q, Scalar* g) noexcept {
   using std::cos;
@@ -2082,47 +2083,35 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
   const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar t1 = Scalar(9.81) * s_4;
-  const Scalar t2 = Scalar(9.81) * c_4;
-  const Scalar t3 = s_2 * c_3;
-  const Scalar t4 = c_2 * t1 - t2 * t3;
-  const Scalar t5 = s_2 * s_3;
-  const Scalar t6 = Scalar(9.81) * t5;
-  const Scalar t7 = s_5 * t6 + c_5 * t4;
-  const Scalar ddp_4_y = t1 * t3 + c_2 * t2;
-  const Scalar t8 = s_6 * t7 - c_6 * ddp_4_y;
-  const Scalar t9 = Scalar(-0.002034439958661797) * t8;
-  const Scalar t10 = Scalar(-0.002573605371338203) * t8;
-  const Scalar t11 = s_6 * ddp_4_y + c_6 * t7;
-  const Scalar g_6 = Scalar(0.173804705569) * t11 - Scalar(0.231847552695) * t8 - s_7 * t9 +
-      c_7 * t10;
-  g[5] = g_6;
-  const Scalar t12 = s_5 * t4 - c_5 * t6;
-  const Scalar t13 = s_7 * t12 + c_7 * t11;
-  const Scalar t14 = Scalar(0.002034439958661797) * t13 +
-      Scalar(0.002573605371338203) * (s_7 * t11 - c_7 * t12);
-  g[6] = -t14;
-  const Scalar t15 = Scalar(0.231847552695) * t12 - t14;
-  const Scalar t16 = Scalar(0.173804705569) * t12 + s_7 * t10 + c_7 * t9;
-  const Scalar t17 = Scalar(0.067870631425) * t7 - Scalar(0.014653732538) * t12 + s_6 * t16 +
-      c_6 * t15;
-  g[4] = -t17;
-  const Scalar mu_5_x = Scalar(0.067870631425) * ddp_4_y + s_6 * t15 - c_6 * t16;
-  const Scalar mu_5_y = Scalar(0.014653732538) * ddp_4_y - g_6;
-  const Scalar t18 = Scalar(2.012523553603) * t4 + Scalar(0.55278027465) * ddp_4_y + s_5 * mu_5_x +
-      c_5 * mu_5_y;
-  g[3] = -t18;
-  const Scalar t19 = Scalar(19.74285606084543) * t5 + s_5 * mu_5_y - c_5 * mu_5_x;
-  const Scalar t20 = Scalar(5.4227744943165) * t5 + t17;
-  const Scalar mu_3_z = Scalar(0.27690780075318) * t3 + Scalar(7.32667658634432) * t5 - s_4 * t19 -
-      c_4 * t20;
-  g[2] = mu_3_z;
-  const Scalar mu_3_x = Scalar(0.27690780075318) * c_2 + s_4 * t20 - c_4 * t19;
-  const Scalar t21 = Scalar(7.32667658634432) * c_2 - t18;
-  g[1] = Scalar(0.01993386669246) * c_2 - Scalar(32.80954542685272) * s_2 + s_3 * mu_3_x -
-      c_3 * t21;
-  const Scalar mu_u_3_t_x = s_3 * t21 + c_3 * mu_3_x;
-  g[0] = c_2 * mu_3_z - s_2 * mu_u_3_t_x;
+  const Scalar t1 = s_2 * c_3;
+  const Scalar t2 = c_4 * t1 - c_2 * s_4;
+  const Scalar t3 = s_2 * s_3;
+  const Scalar t4 = s_5 * t3 - c_5 * t2;
+  const Scalar hu_7_t_x = Scalar(0.025247068692827772) * c_7 - Scalar(0.019957855994472227) * s_7;
+  const Scalar hc_6_x = hu_7_t_x + Scalar(2.27442449193795);
+  const Scalar t5 = Scalar(1.70502416163189) * c_6 - s_6 * hc_6_x;
+  const Scalar hu_6_t_x = Scalar(1.70502416163189) * s_6 + c_6 * hc_6_x;
+  const Scalar t6 = s_4 * t1 + c_2 * c_4;
+  g[5] = t5 * t4 + hu_6_t_x * t6;
+  const Scalar hc_5_x = hu_6_t_x - Scalar(0.14375311619778);
+  const Scalar hu_7_t_y = Scalar(0.019957855994472227) * c_7 + Scalar(0.025247068692827772) * s_7;
+  const Scalar t7 = hu_7_t_y - Scalar(0.66581089427925);
+  const Scalar t8 = s_5 * hc_5_x - c_5 * t7;
+  const Scalar hu_5_t_x = s_5 * t7 + c_5 * hc_5_x;
+  g[4] = t8 * t2 + hu_5_t_x * t3;
+  const Scalar g_6_a_z = s_5 * t2 + c_5 * t3;
+  g[6] = -hu_7_t_y * (s_6 * t6 + c_6 * t4) - hu_7_t_x * g_6_a_z;
+  const Scalar hc_4_x = hu_5_t_x - Scalar(5.4227744943165);
+  const Scalar t9 = t5 - Scalar(19.74285606084543);
+  const Scalar t10 = s_4 * hc_4_x - c_4 * t9;
+  const Scalar hu_4_t_x = s_4 * t9 + c_4 * hc_4_x;
+  g[3] = t10 * t1 + c_2 * hu_4_t_x;
+  const Scalar hc_3_x = hu_4_t_x + Scalar(7.32667658634432);
+  const Scalar t11 = t8 + Scalar(0.27690780075318);
+  g[2] = s_2 * (s_3 * hc_3_x + c_3 * t11);
+  const Scalar t12 = c_2 * (s_3 * t11 - c_3 * hc_3_x + Scalar(0.01993386669246));
+  g[1] = t12 - s_2 * (t10 + Scalar(32.80954542685272));
+  g[0] = Scalar(0.0);
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).

@@ -24,7 +24,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PLANAR_2R_HPP
 #define FLATDYN_PLANAR_2R_HPP
@@ -251,8 +252,7 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
   const Scalar t1 = g_2 * m_l2 * l_2 * (s_1 * s_2 - c_1 * c_2);
   g[1] = -t1;
-  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
-  g[0] = g_2 * c_1 * mr_1_x - t1;
+  g[0] = g_2 * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2)) - t1;
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).

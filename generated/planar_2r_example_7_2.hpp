@@ -23,7 +23,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
 #define FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
@@ -176,9 +177,9 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
   const Scalar q_1 = q[0], q_2 = q[1];
   const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar N_2_z = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
-  g[1] = N_2_z;
-  g[0] = Scalar(784.8) * c_1 + N_2_z;
+  const Scalar g_2 = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
+  g[1] = g_2;
+  g[0] = Scalar(784.8) * c_1 + g_2;
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).

@@ -27,7 +27,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PUMA560_HPP
 #define FLATDYN_PUMA560_HPP
@@ -916,7 +917,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 // Gravity torques g(q) (7.39).
 //   q[6]  in   joint positions, rad or m
 //   g[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..4]. Operations: 25 mul, 11 add, 8 sin/cos. Always zero: g[5].
+// Reads q[1..4]. Operations: 20 mul, 11 add, 8 sin/cos. Always zero: g[0], g[5].
 template <class Scalar>
 inline void gravity(const Scalar* q, Scalar* g) noexcept {
   using std::cos;
@@ -926,23 +927,19 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
   const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar t1 = Scalar(0.0282528) * c_2;
-  const Scalar t2 = Scalar(0.0282528) * s_2;
-  const Scalar t3 = s_3 * t1 + c_3 * t2;
-  const Scalar t4 = s_4 * s_5;
-  const Scalar mu_u_5_a_z = t3 * t4;
-  g[3] = mu_u_5_a_z;
-  const Scalar t5 = s_3 * t2 - c_3 * t1;
-  const Scalar N_5_z = s_5 * t5 - c_4 * c_5 * t3;
-  g[4] = N_5_z;
-  const Scalar t6 = c_4 * N_5_z - t3 * (s_4 * s_4 * c_5 + Scalar(299.234375));
-  const Scalar t7 = Scalar(8.81076388888889) * t5 - t6;
-  g[2] = -t7;
-  const Scalar t8 = t5 * t4;
-  const Scalar t9 = s_2 * (s_3 * mu_u_5_a_z - c_3 * t8);
-  g[0] = c_2 * (s_3 * t8 + c_3 * mu_u_5_a_z) - t9;
-  g[1] = Scalar(1.024164) * s_2 - Scalar(37.2347379) * c_2 - t7;
-  g[5] = Scalar(0.0);
+  const Scalar g_3_x = s_2 * c_3 + c_2 * s_3;
+  const Scalar t1 = Scalar(0.0282528) * s_5;
+  g[3] = s_4 * t1 * g_3_x;
+  const Scalar t2 = Scalar(0.0282528) * c_5;
+  g[4] = t1 * (s_2 * s_3 - c_2 * c_3) - c_4 * t2 * g_3_x;
+  const Scalar hc_3_x = c_4 * t1 - Scalar(0.24892875);
+  const Scalar t3 = t2 + Scalar(8.45420895);
+  const Scalar t4 = s_3 * hc_3_x - c_3 * t3;
+  const Scalar hu_3_t_x = s_3 * t3 + c_3 * hc_3_x;
+  g[2] = s_2 * t4 - c_2 * hu_3_t_x;
+  const Scalar hc_2_x = hu_3_t_x + Scalar(37.2347379);
+  g[1] = s_2 * (t4 + Scalar(1.024164)) - c_2 * hc_2_x;
+  g[0] = g[5] = Scalar(0.0);
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).

@@ -34,7 +34,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_QUADRUPED12_HPP
 #define FLATDYN_QUADRUPED12_HPP
@@ -1129,7 +1130,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 // Gravity torques g(q) (7.39).
 //   q[12]  in   joint positions, rad or m
 //   g[12]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11]. Operations: 48 mul, 28 add, 24 sin/cos.
+// Reads q[0..11]. Operations: 52 mul, 24 add, 24 sin/cos.
 template <class Scalar>
 inline void gravity(const Scalar* q, Scalar* g) noexcept {
   using std::cos;
@@ -1148,30 +1149,38 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
   const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
   const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
   const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
-  const Scalar N_3_z = Scalar(0.037751348953737156) * c_1 * (c_2 * s_3 + s_2 * c_3);
-  g[2] = N_3_z;
-  const Scalar N_6_z = Scalar(0.037751348953737156) * c_4 * (c_5 * s_6 + s_5 * c_6);
-  g[5] = N_6_z;
-  const Scalar N_9_z = Scalar(0.037751348953737156) * c_7 * (c_8 * s_9 + s_8 * c_9);
-  g[8] = N_9_z;
-  const Scalar N_12_z = Scalar(0.037751348953737156) * c_10 * (c_11 * s_12 + s_11 * c_12);
-  g[11] = N_12_z;
-  g[10] = N_12_z + Scalar(0.000020065123418265) * c_10 * (c_11 + Scalar(8659.923823660012) * s_11);
-  g[7] = N_9_z - Scalar(0.000020065123418265) * c_7 * (c_8 - Scalar(8659.923823660012) * s_8);
-  const Scalar t1 = s_7 * (s_8 * (s_9 - Scalar(0.0005315074553456102)) -
-      c_8 * (c_9 + Scalar(4.60281407500036)));
-  g[6] = Scalar(0.08509272390476785) * c_7 - Scalar(0.037751348953737156) * t1;
-  g[4] = N_6_z + Scalar(0.000020065123418265) * c_4 * (c_5 + Scalar(8659.923823660012) * s_5);
-  g[1] = N_3_z - Scalar(0.000020065123418265) * c_1 * (c_2 - Scalar(8659.923823660012) * s_2);
-  const Scalar t2 = s_1 * (s_2 * (s_3 - Scalar(0.0005315074553456102)) -
-      c_2 * (c_3 + Scalar(4.60281407500036)));
-  g[0] = Scalar(0.08509272390476785) * c_1 - Scalar(0.037751348953737156) * t2;
-  const Scalar t3 = s_10 * (s_11 * (s_12 + Scalar(0.0005315074553456102)) -
-      c_11 * (c_12 + Scalar(4.60281407500036)));
-  g[9] = Scalar(-0.08509272390476785) * c_10 - Scalar(0.037751348953737156) * t3;
-  const Scalar t4 = s_4 * (s_5 * (s_6 + Scalar(0.0005315074553456102)) -
-      c_5 * (c_6 + Scalar(4.60281407500036)));
-  g[3] = Scalar(-0.08509272390476785) * c_4 - Scalar(0.037751348953737156) * t4;
+  const Scalar t1 = Scalar(0.037751348953737156) * s_3;
+  const Scalar t2 = Scalar(0.037751348953737156) * c_3;
+  g[2] = c_1 * c_2 * t1 + c_1 * s_2 * t2;
+  const Scalar t3 = Scalar(0.037751348953737156) * s_6;
+  const Scalar t4 = Scalar(0.037751348953737156) * c_6;
+  g[5] = c_4 * c_5 * t3 + c_4 * s_5 * t4;
+  const Scalar t5 = Scalar(0.037751348953737156) * s_9;
+  const Scalar t6 = Scalar(0.037751348953737156) * c_9;
+  g[8] = c_7 * c_8 * t5 + c_7 * s_8 * t6;
+  const Scalar t7 = Scalar(0.037751348953737156) * s_12;
+  const Scalar t8 = Scalar(0.037751348953737156) * c_12;
+  g[11] = c_10 * c_11 * t7 + c_10 * s_11 * t8;
+  const Scalar hc_2_y = t2 + Scalar(0.1737624403145115);
+  const Scalar t9 = t1 - Scalar(0.000020065123418265);
+  const Scalar hu_2_t_y = s_2 * hc_2_y + c_2 * t9;
+  g[1] = c_1 * hu_2_t_y;
+  const Scalar hc_5_y = t4 + Scalar(0.1737624403145115);
+  const Scalar t10 = t3 + Scalar(0.000020065123418265);
+  const Scalar hu_5_t_y = s_5 * hc_5_y + c_5 * t10;
+  g[4] = c_4 * hu_5_t_y;
+  const Scalar hc_8_y = t6 + Scalar(0.1737624403145115);
+  const Scalar t11 = t5 - Scalar(0.000020065123418265);
+  const Scalar hu_8_t_y = s_8 * hc_8_y + c_8 * t11;
+  g[7] = c_7 * hu_8_t_y;
+  const Scalar hc_11_y = t8 + Scalar(0.1737624403145115);
+  const Scalar t12 = t7 + Scalar(0.000020065123418265);
+  const Scalar hu_11_t_y = s_11 * hc_11_y + c_11 * t12;
+  g[10] = c_10 * hu_11_t_y;
+  g[6] = Scalar(0.08509272390476785) * c_7 - s_7 * (s_8 * t11 - c_8 * hc_8_y);
+  g[0] = Scalar(0.08509272390476785) * c_1 - s_1 * (s_2 * t9 - c_2 * hc_2_y);
+  g[9] = Scalar(-0.08509272390476785) * c_10 - s_10 * (s_11 * t12 - c_11 * hc_11_y);
+  g[3] = Scalar(-0.08509272390476785) * c_4 - s_4 * (s_5 * t10 - c_5 * hc_5_y);
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).

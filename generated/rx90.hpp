@@ -27,7 +27,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_RX90_HPP
 #define FLATDYN_RX90_HPP
@@ -1281,7 +1282,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 // Gravity torques g(q) (7.39).
 //   q[6]  in   joint positions, rad or m
 //   g[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..5]. Operations: 50 mul, 28 add, 10 sin/cos.
+// Reads q[1..5]. Operations: 33 mul, 22 add, 10 sin/cos. Always zero: g[0].
 template <class Scalar>
 inline void gravity(const Scalar* q, Scalar* g) noexcept {
   using std::cos;
@@ -1292,33 +1293,26 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar t1 = Scalar(9.81) * c_2;
-  const Scalar t2 = Scalar(9.81) * s_2;
-  const Scalar ddp_3_x = s_3 * t1 + c_3 * t2;
-  const Scalar t3 = c_4 * ddp_3_x;
-  const Scalar t4 = s_3 * t2 - c_3 * t1;
-  const Scalar t5 = s_5 * t4 - c_5 * t3;
-  const Scalar t6 = s_4 * ddp_3_x;
-  const Scalar t7 = s_6 * t6 + c_6 * t5;
-  const Scalar g_6 = Scalar(0.0112) * t7 - Scalar(0.007) * (s_6 * t5 - c_6 * t6);
-  g[5] = g_6;
-  const Scalar t8 = s_5 * t3 + c_5 * t4;
-  const Scalar t9 = Scalar(-0.0112) * t8;
-  const Scalar t10 = Scalar(-0.007) * t8;
-  const Scalar g_5 = Scalar(0.0317) * t5 - Scalar(0.0203) * t8 - s_6 * t9 - c_6 * t10;
-  g[4] = g_5;
-  const Scalar t11 = Scalar(0.0203) * t6 - g_6;
-  const Scalar mu_5_x = Scalar(0.0317) * t6 - s_6 * t10 + c_6 * t9;
-  const Scalar t12 = Scalar(0.2145) * t3 - Scalar(0.1164) * t6 - s_5 * mu_5_x + c_5 * t11;
-  g[3] = -t12;
-  const Scalar t13 = Scalar(0.2145) * t4 - s_5 * t11 - c_5 * mu_5_x;
-  const Scalar t14 = Scalar(0.1164) * t4 + g_5;
-  const Scalar t15 = Scalar(3.8308) * ddp_3_x + Scalar(0.2745) * t4 - s_4 * t13 - c_4 * t14;
-  g[2] = -t15;
-  g[1] = Scalar(194.232114) * c_2 + Scalar(4.102542) * s_2 - t15;
-  const Scalar mu_u_4_t_x = s_4 * t14 - c_4 * t13;
-  const Scalar mu_u_3_t_x = s_3 * t12 + c_3 * mu_u_4_t_x;
-  g[0] = s_2 * mu_u_3_t_x + c_2 * (s_3 * mu_u_4_t_x - c_3 * t12);
+  const Scalar t1 = Scalar(0.06867) * c_6 + Scalar(0.109872) * s_6;
+  const Scalar t2 = t1 - Scalar(0.199143);
+  const Scalar hu_5_t_y = Scalar(0.310977) * c_5 - s_5 * t2;
+  const Scalar t3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t4 = c_4 * t3;
+  const Scalar t5 = Scalar(0.310977) * s_5 + c_5 * t2;
+  const Scalar t6 = s_2 * s_3 - c_2 * c_3;
+  g[4] = t5 * t6 - hu_5_t_y * t4;
+  const Scalar hu_6_t_y = Scalar(0.109872) * c_6 - Scalar(0.06867) * s_6;
+  g[5] = hu_6_t_y * (s_5 * t6 - c_5 * t4) + s_4 * t1 * t3;
+  const Scalar t7 = t5 + Scalar(1.141884);
+  const Scalar hc_4_y = hu_6_t_y + Scalar(2.104245);
+  g[3] = (s_4 * t7 - c_4 * hc_4_y) * t3;
+  const Scalar t8 = s_4 * hc_4_y + c_4 * t7 - Scalar(2.692845);
+  const Scalar hc_3_y = hu_5_t_y + Scalar(37.580148);
+  const Scalar t9 = s_3 * t8 - c_3 * hc_3_y;
+  const Scalar t10 = s_3 * hc_3_y + c_3 * t8;
+  g[2] = s_2 * t9 - c_2 * t10;
+  g[1] = s_2 * (t9 + Scalar(4.102542)) - c_2 * (t10 - Scalar(194.232114));
+  g[0] = Scalar(0.0);
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).

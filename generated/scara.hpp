@@ -26,7 +26,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_SCARA_HPP
 #define FLATDYN_SCARA_HPP
@@ -325,8 +326,8 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* g) noexcept {
   const Scalar g_2 = parameters.g, m_l3 = parameters.m_l3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;
-  const Scalar m_3 = m_l3 + m_l4 + m_m4;
-  g[2] = g_2 * m_3;
+  const Scalar mc_3 = m_l3 + m_l4 + m_m4;
+  g[2] = g_2 * mc_3;
   g[0] = g[1] = g[3] = Scalar(0.0);
 }
 

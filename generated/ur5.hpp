@@ -27,7 +27,8 @@
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
 // sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
 // velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before; t1, t2, ... are parts of sums.
+// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
+// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_UR5_HPP
 #define FLATDYN_UR5_HPP
@@ -871,7 +872,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 // Gravity torques g(q) (7.39).
 //   q[6]  in   joint positions, rad or m
 //   g[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..4]. Operations: 26 mul, 12 add, 8 sin/cos. Always zero: g[5].
+// Reads q[1..4]. Operations: 22 mul, 12 add, 8 sin/cos. Always zero: g[0], g[5].
 template <class Scalar>
 inline void gravity(const Scalar* q, Scalar* g) noexcept {
   using std::cos;
@@ -881,25 +882,20 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
   const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar ddp_3_x = s_2 * c_3 + c_2 * s_3;
-  const Scalar t1 = Scalar(0.344967216759) * c_4;
-  const Scalar t2 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t3 = Scalar(0.344967216759) * s_4;
-  const Scalar t4 = ddp_3_x * t1 + t2 * t3;
-  const Scalar t5 = c_5 * t4;
-  g[4] = -t5;
-  const Scalar t6 = t2 * t1 - ddp_3_x * t3;
-  const Scalar mu_4_z = Scalar(4.290856587349563) * t4 - s_5 * t6;
-  g[3] = mu_4_z;
-  const Scalar t7 = Scalar(15.64157191275) * t2 - mu_4_z;
-  g[2] = -t7;
-  g[1] = Scalar(-38.1586437) * c_2 - t7;
-  const Scalar t8 = c_5 * t6;
-  const Scalar mu_u_4_t_y = c_4 * t5 - s_4 * t8;
-  const Scalar t9 = c_4 * t8 + s_4 * t5;
-  const Scalar mu_u_3_t_y = c_3 * mu_u_4_t_y - s_3 * t9;
-  g[0] = c_2 * mu_u_3_t_y - s_2 * (c_3 * t9 + s_3 * mu_u_4_t_y);
-  g[5] = Scalar(0.0);
+  const Scalar t1 = Scalar(0.344967216759) * s_5;
+  const Scalar t2 = Scalar(1.48020485445) * c_4 + s_4 * t1;
+  const Scalar t3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar hu_4_t_x = Scalar(1.48020485445) * s_4 - c_4 * t1;
+  const Scalar t4 = s_2 * s_3 - c_2 * c_3;
+  g[3] = t2 * t3 - hu_4_t_x * t4;
+  g[4] = Scalar(0.344967216759) * c_5 * (s_4 * t4 - c_4 * t3);
+  const Scalar hc_3_x = hu_4_t_x - Scalar(15.64157191275);
+  const Scalar t5 = s_2 * (s_3 * hc_3_x - c_3 * t2);
+  const Scalar hu_3_t_x = s_3 * t2 + c_3 * hc_3_x;
+  g[2] = c_2 * hu_3_t_x - t5;
+  const Scalar hc_2_x = hu_3_t_x - Scalar(38.1586437);
+  g[1] = c_2 * hc_2_x - t5;
+  g[0] = g[5] = Scalar(0.0);
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/energy.hpp"
 
+#include <algorithm>
+
 namespace flatdyn {
 namespace {
 
@@ -62,28 +64,75 @@ Number kinetic_energy(Frames& frames) {
   return d.named(d.named(twice, "T_2") / 2, "T");
 }
 
-Number potential_energy(Frames& frames) {
+namespace {
+
+// Of all that a joint carries, the link's first moment about the origin of its frame and its mass; about the same point
+// at q_i = 0 and in axes that do not turn with the joint; and of the whole robot about the base frame's origin.
+struct FirstMoments {
+  std::vector<Vec3> at_axis;
+  std::vector<Number> mass;
+  Vec3 base = zero_vector();
+};
+
+FirstMoments first_moments(Frames& frames, const Number& unit) {  // in `unit` kg m, kg
   Derivation& d = frames.derivation();
   const Mechanism& mechanism = frames.mechanism();
+  const auto n = static_cast<std::size_t>(mechanism.size());
+  FirstMoments sum{std::vector<Vec3>(n), std::vector<Number>(n), mechanism.base.first_moment};
   std::vector<Vec3> h;
-  std::vector<Number> mass;
-  for (const Body& body : mechanism.bodies) {
-    h.push_back(body.inertia.first_moment);
-    mass.push_back(body.inertia.mass);
-  }
-  Vec3 h_base = mechanism.base.first_moment;
-  for (int i = mechanism.size() - 1; i >= 0; --i) {
-    const auto k = static_cast<std::size_t>(i);
-    const std::string n = label(i);
-    const Number m = d.named(mass[k], "mc_" + n);
-    const Vec3 slid = d.named(h[k] + m * Vec3{0, 0, frames.slide(i)}, "hc_" + n);
-    const Vec3 carried = frames.up(i, slid, "hu_" + n) + m * frames.p(i);
-    const int parent = mechanism.bodies[k].parent;
-    Vec3& target = parent < 0 ? h_base : h[static_cast<std::size_t>(parent)];
+  for (const Body& body : mechanism.bodies) h.push_back(1 / unit * body.inertia.first_moment);
+  for (std::size_t k = n; k-- > 0;) {
+    const int i = static_cast<int>(k), parent = frames.body(i).parent;
+    sum.mass[k] = d.named(sum.mass[k] + frames.body(i).inertia.mass / unit, "mc_" + label(i));
+    const Vec3 slid = d.named(h[k] + sum.mass[k] * Vec3{0, 0, frames.slide(i)}, "hc_" + label(i));
+    sum.at_axis[k] = frames.up_to_axis(i, slid, "hu_" + label(i));
+    const Vec3 carried = frames.up_from_axis(i, sum.at_axis[k], "hu_" + label(i)) + sum.mass[k] * frames.p(i);
+    Vec3& target = parent < 0 ? sum.base : h[static_cast<std::size_t>(parent)];
     target = target + carried;
-    if (parent >= 0) mass[static_cast<std::size_t>(parent)] += m;
+    if (parent >= 0) sum.mass[static_cast<std::size_t>(parent)] += sum.mass[k];
   }
-  return d.named(-dot(d.named(mechanism.gravity, "g_0"), d.named(h_base, "hc_0")), "U");
+  return sum;
+}
+
+}  // namespace
+
+Number potential_energy(Frames& frames) {
+  Derivation& d = frames.derivation();
+  const Vec3 h_base = d.named(first_moments(frames, 1).base, "hc_0");
+  return d.named(-dot(d.named(frames.mechanism().gravity, "g_0"), h_base), "U");
+}
+
+namespace {
+
+// The largest entry of g_0, where all are numbers: measured in it, a vertical g_0 costs no multiplications.
+Number unit_of_gravity(const Vec3& g) {
+  GiNaC::numeric largest = 0;
+  for (const Number& entry : g) {
+    if (!GiNaC::is_a<GiNaC::numeric>(entry)) return 1;
+    largest = std::max(largest, GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(entry)));
+  }
+  return largest.is_zero() ? 1 : largest;
+}
+
+}  // namespace
+
+std::vector<Number> gravity_torques(Frames& frames) {
+  Derivation& d = frames.derivation();
+  const Number unit = unit_of_gravity(frames.mechanism().gravity);
+  const FirstMoments sum = first_moments(frames, 1 / unit);
+  const Vec3 g_base = d.named(1 / unit * frames.mechanism().gravity, "g_0");
+  std::vector<Vec3> g;
+  std::vector<Number> torques;
+  for (int i = 0; i < frames.mechanism().size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const int parent = frames.body(i).parent;
+    const Vec3& before = parent < 0 ? g_base : g[static_cast<std::size_t>(parent)];
+    const Vec3 here = frames.down_to_axis(i, before, "g_" + label(i));
+    g.push_back(frames.down(i, before, "g_" + label(i)));
+    const Vec3& h = sum.at_axis[k];
+    torques.push_back(frames.body(i).prismatic ? -sum.mass[k] * here[2] : h[1] * here[0] - h[0] * here[1]);
+  }
+  return torques;
 }
 
 }  // namespace flatdyn

@@ -57,28 +57,36 @@ Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
 }  // namespace
 
 Vec3 Frames::down(int i, const Vec3& v, const std::string& name) {
-  const Turn& turn = turns_[static_cast<std::size_t>(i)];
-  const Vec3 a = derivation_.named(turn_z(back(turn.beta), v), name + "_b");
-  const Vec3 b = derivation_.named(turn_x(back(turn.alpha), a), name + "_a");
-  return derivation_.named(turn_z(back(turn.gamma), b), name);
+  return derivation_.named(turn_z(back(turn_of(i).gamma), down_to_axis(i, v, name)), name);
 }
 
 Vec3 Frames::up(int i, const Vec3& v, const std::string& name) {
-  const Turn& turn = turns_[static_cast<std::size_t>(i)];
-  const Vec3 a = derivation_.named(turn_z(turn.gamma, v), name + "_t");
-  const Vec3 b = derivation_.named(turn_x(turn.alpha, a), name + "_a");
-  return derivation_.named(turn_z(turn.beta, b), name);
+  return up_from_axis(i, up_to_axis(i, v, name), name);
+}
+
+Vec3 Frames::down_to_axis(int i, const Vec3& v, const std::string& name) {
+  const Vec3 a = derivation_.named(turn_z(back(turn_of(i).beta), v), name + "_b");
+  return derivation_.named(turn_x(back(turn_of(i).alpha), a), name + "_a");
+}
+
+Vec3 Frames::up_to_axis(int i, const Vec3& v, const std::string& name) {
+  return derivation_.named(turn_z(turn_of(i).gamma, v), name + "_t");
+}
+
+Vec3 Frames::up_from_axis(int i, const Vec3& v, const std::string& name) {
+  const Vec3 b = derivation_.named(turn_x(turn_of(i).alpha, v), name + "_a");
+  return derivation_.named(turn_z(turn_of(i).beta, b), name);
 }
 
 Mat3 Frames::up(int i, const Mat3& tensor, const std::string& name) {
-  const Turn& turn = turns_[static_cast<std::size_t>(i)];
+  const Turn& turn = turn_of(i);
   const Mat3 a = turn_tensor_z(derivation_, turn.gamma, tensor, name + "_t");
   const Mat3 b = turn_tensor_x(derivation_, turn.alpha, a, name + "_a");
   return turn_tensor_z(derivation_, turn.beta, b, name);
 }
 
 Vec3 Frames::axis_in_parent(int i) const {
-  const Turn& turn = turns_[static_cast<std::size_t>(i)];
+  const Turn& turn = turn_of(i);
   return turn_z(turn.beta, turn_x(turn.alpha, {0, 0, 1}));
 }
 

@@ -106,9 +106,8 @@ Function coriolis_matrix(const Mechanism& mechanism) {
 Function gravity(const Mechanism& mechanism) {
   return cheapest(mechanism, [](const Mechanism& m) {
     Workbench bench(m);
-    const Motion motion{bench.none(), bench.none(), m.gravity, false};
     return finished(bench, {InputKind::q},
-                    {vector_output("g", bench.nodes(torques(bench.frames, motion)), kTorqueMeaning)});
+                    {vector_output("g", bench.nodes(gravity_torques(bench.frames)), kTorqueMeaning)});
   });
 }
 
