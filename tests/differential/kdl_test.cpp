@@ -14,6 +14,7 @@
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
 
 #include "flatdyn/reference/magnitude.hpp"
+#include "support/kdl_chain.hpp"
 #include "support/reference_robots.hpp"
 
 namespace flatdyn {
@@ -23,57 +24,13 @@ namespace ref = reference;
 using S = testing::Digits50;
 using Vector = ref::VectorX<double>;
 using Matrix = ref::MatrixX<double>;
+using testing::kdl;
+using testing::kdl_chain;
 using testing::random_reference_robot;
 using testing::ReferenceState;
 
 constexpr double kBound = 64;  // scaled error that KDL's own rounding may reach
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-KDL::Vector kdl(const ref::Vector3<double>& v) { return {v.x(), v.y(), v.z()}; }
-
-KDL::Frame kdl(const ref::Matrix3<double>& R, const ref::Vector3<double>& p) {
-  return {KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)), kdl(p)};
-}
-
-KDL::JntArray kdl(const Vector& v) {
-  KDL::JntArray array(static_cast<unsigned>(v.size()));
-  array.data = v;
-  return array;
-}
-
-KDL::RigidBodyInertia kdl(const ref::Link<double>& link) {
-  KDL::RigidBodyInertia sum = KDL::RigidBodyInertia::Zero();
-  for (const auto& body : link.inertials) {
-    const auto& I = body.inertia;
-    sum = sum + KDL::RigidBodyInertia(body.mass, kdl(body.r_C),
-                                      KDL::RotationalInertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
-  }
-  return sum;
-}
-
-// A joint is two segments: its constant displacement, then the motion with the link behind it.
-std::vector<KDL::Segment> segments(const ref::Robot<double>& robot, const ref::Joint<double>& joint) {
-  const std::string name = std::to_string(joint.child);
-  const auto type = joint.type == ref::JointType::revolute    ? KDL::Joint::RotAxis
-                    : joint.type == ref::JointType::prismatic ? KDL::Joint::TransAxis
-                                                              : KDL::Joint::Fixed;
-  const KDL::Joint still("still" + name, KDL::Joint::Fixed);
-  const KDL::Joint moving = type == KDL::Joint::Fixed ? KDL::Joint("joint" + name, KDL::Joint::Fixed)
-                                                      : KDL::Joint("joint" + name, KDL::Vector::Zero(), kdl(joint.axis),
-                                                                   type, 1, 0, joint.armature);
-  return {KDL::Segment("origin" + name, still, kdl(joint.R_0, joint.p_0)),
-          KDL::Segment("link" + name, moving, kdl(joint.R_1, joint.p_1),
-                       kdl(robot.links[static_cast<std::size_t>(joint.child)]))};
-}
-
-KDL::Chain kdl_chain(const ref::Robot<double>& robot) {
-  KDL::Chain chain;
-  for (const auto& joint : robot.joints) {
-    for (const auto& segment : segments(robot, joint)) chain.addSegment(segment);
-  }
-  chain.addSegment(KDL::Segment("tip", KDL::Joint("to_tip", KDL::Joint::Fixed), kdl(robot.R_tip, robot.p_tip)));
-  return chain;
-}
 
 // Each entry within kBound units of the last place of its magnitude.
 void expect_close(const Matrix& value, const ref::MatrixX<S>& exact, const Matrix& magnitude, const char* what) {
@@ -195,7 +152,7 @@ TEST_P(KdlTree, InverseDynamics) {
   KDL::Tree tree("link0");
   for (const auto& joint : robot.joints) {
     std::string hook = "link" + std::to_string(joint.parent);
-    for (const auto& segment : segments(robot, joint)) {
+    for (const auto& segment : testing::segments(robot, joint)) {
       ASSERT_TRUE(tree.addSegment(segment, hook));
       hook = segment.getName();
     }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Time of one call for the Panda: generated code, one state at a time and over SIMD lanes, beside the recursive
+// reference and, where it is installed, Orocos KDL. Every call gets another state. scripts/bench runs it.
+#include "benchmark/harness.hpp"
+#include "flatdyn/batch.hpp"
+#include "panda.hpp"
+
+namespace flatdyn {
+namespace {
+
+template <std::size_t entries, class Call>
+void run_generated(benchmark::State& state, Call call) {
+  double out[entries];
+  run(state, [&](std::size_t k) {
+    call(k, out);
+    benchmark::DoNotOptimize(out);
+    benchmark::ClobberMemory();
+  });
+}
+
+// Time per state.
+template <std::size_t entries, class Call>
+void run_batch(benchmark::State& state, Call call) {
+  std::vector<double> result(entries * kStates);
+  while (state.KeepRunningBatch(kStates)) {
+    call(result.data());
+    benchmark::DoNotOptimize(result.data());
+    benchmark::ClobberMemory();
+  }
+}
+
+void add_generated() {
+  add("inverse_dynamics/flatdyn", [](benchmark::State& s) {
+    run_generated<7>(
+        s, [](std::size_t k, double* out) { panda::inverse_dynamics(q().of(k), qd().of(k), qdd().of(k), out); });
+  });
+  add("inertia_matrix/flatdyn", [](benchmark::State& s) {
+    run_generated<49>(s, [](std::size_t k, double* out) { panda::inertia_matrix(q().of(k), out); });
+  });
+  add("gravity/flatdyn", [](benchmark::State& s) {
+    run_generated<7>(s, [](std::size_t k, double* out) { panda::gravity(q().of(k), out); });
+  });
+  add("bias/flatdyn", [](benchmark::State& s) {
+    run_generated<7>(s, [](std::size_t k, double* out) { panda::bias(q().of(k), qd().of(k), out); });
+  });
+  add("coriolis_matrix/flatdyn", [](benchmark::State& s) {
+    run_generated<49>(s, [](std::size_t k, double* out) { panda::coriolis_matrix(q().of(k), qd().of(k), out); });
+  });
+  add("forward_dynamics/flatdyn", [](benchmark::State& s) {
+    run_generated<7>(s, [](std::size_t k, double* out) {
+      benchmark::DoNotOptimize(panda::forward_dynamics(q().of(k), qd().of(k), qdd().of(k), out));
+    });
+  });
+}
+
+void add_batches() {
+  add("inverse_dynamics/flatdyn_batch", [](benchmark::State& s) {
+    run_batch<7>(s, [](double* out_) {
+      for_each_state<double>(
+          kStates, [](auto... of) { panda::inverse_dynamics(of...); }, in<7>(q().by_entry.data(), kStates),
+          in<7>(qd().by_entry.data(), kStates), in<7>(qdd().by_entry.data(), kStates), out<7>(out_, kStates));
+    });
+  });
+  add("inertia_matrix/flatdyn_batch", [](benchmark::State& s) {
+    run_batch<49>(s, [](double* out_) {
+      for_each_state<double>(
+          kStates, [](auto... of) { panda::inertia_matrix(of...); }, in<7>(q().by_entry.data(), kStates),
+          out<49>(out_, kStates));
+    });
+  });
+  add("gravity/flatdyn_batch", [](benchmark::State& s) {
+    run_batch<7>(s, [](double* out_) {
+      for_each_state<double>(
+          kStates, [](auto... of) { panda::gravity(of...); }, in<7>(q().by_entry.data(), kStates),
+          out<7>(out_, kStates));
+    });
+  });
+  add("forward_dynamics/flatdyn_batch", [](benchmark::State& s) {
+    run_batch<7>(s, [](double* out_) {
+      for_each_state<double>(
+          kStates, [](auto... of) { return panda::forward_dynamics(of...); }, in<7>(q().by_entry.data(), kStates),
+          in<7>(qd().by_entry.data(), kStates), in<7>(qdd().by_entry.data(), kStates), out<7>(out_, kStates));
+    });
+  });
+}
+
+}  // namespace
+}  // namespace flatdyn
+
+int main(int argc, char** argv) {
+  flatdyn::add_generated();
+  flatdyn::add_batches();
+  flatdyn::add_peers();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
