@@ -120,8 +120,10 @@ ExitCode identify(const IdentifyArguments& arguments) {
     found.estimate = estimate(found.measurement.observations, as_vector(model.file_values()), arguments.estimate);
     if (arguments.sequential) found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations);
     progress.step("finding links that a body can have");
+    // What the estimate leaves out, friction and rotors, is not in the robot that it is written to either.
+    const bool inertial_only = parameter_set(arguments.parameters) == ParameterSet::inertial;
     found.physical =
-        physical_parameters(robot.mechanism, model.base(), found.estimate.values, found.estimate.covariance);
+        physical_parameters(inertial_only ? model.mechanism() : robot.mechanism, model.base(), found.estimate);
     write_results(arguments, robot, model, found);
     fmt::print("{}", arguments.json ? identification_json(model, found).dump(2) + "\n"
                                     : describe_identification(model, found));

@@ -51,11 +51,10 @@ Observations observed(const TorqueModel& model, const std::vector<std::string>& 
 // The change of the last link against the log without payload, or against the robot file.
 PayloadEstimate from_torques(const Model& robot, const PayloadArguments& arguments, Progress& progress) {
   const TorqueModel model(robot, ParameterSet::given, progress);
-  Eigen::VectorXd without = Eigen::Map<const Eigen::VectorXd>(model.file_values().data(), model.parameters());
-  if (!arguments.without.empty()) {
-    without = estimate(observed(model, arguments.without, arguments, progress), without).values;
-  }
-  return estimate_payload(model, observed(model, arguments.logs, arguments, progress), without);
+  const Eigen::VectorXd file = Eigen::Map<const Eigen::VectorXd>(model.file_values().data(), model.parameters());
+  const Observations with_payload = observed(model, arguments.logs, arguments, progress);
+  if (arguments.without.empty()) return estimate_payload(model, with_payload, file);
+  return estimate_payload(model, with_payload, observed(model, arguments.without, arguments, progress), file);
 }
 
 PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments, Progress& progress) {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/least_squares.hpp"
 
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "diagnostics/diagnostics.hpp"
 #include "identify/singular_values.hpp"
 #include "identify/triangular_factor.hpp"
 
@@ -31,7 +36,9 @@ MatrixXd weighted_factor(const Observations& observations, const VectorXd& devia
 // The solution for given weights.
 struct Solution {
   VectorXd values;
-  MatrixXd spread;  // spread spreadᵀ is the covariance where the weights are right
+  MatrixXd spread;            // spread spreadᵀ is the covariance where the weights are right, less what is damped
+  MatrixXd root_information;  // as in Estimate
+  std::vector<bool> told;     // parameters that no damped direction has a part in
   VectorXd singular_values;
   std::vector<DampedDirection> damped;
 };
@@ -47,13 +54,19 @@ Solution solve(const MatrixXd& factor, const VectorXd& prior, double damping) {
   solution.singular_values = svd.s;
   const double smallest = damping * solution.singular_values(0);
   VectorXd inverse(b);
+  VectorXd hidden = VectorXd::Zero(b);  // how much of each parameter lies in damped directions
   for (Index k = 0; k < b; ++k) {
     const double s = solution.singular_values(k);
     inverse(k) = s > smallest ? 1 / s : s / (s * s + smallest * smallest);
     if (s > smallest) continue;
     if (smallest == 0) inverse(k) = 0;
     solution.damped.push_back({s / solution.singular_values(0), svd.V.col(k)});
+    hidden += svd.V.col(k).cwiseAbs();
   }
+  const Index known = b - static_cast<Index>(solution.damped.size());
+  solution.root_information = svd.s.head(known).asDiagonal() * svd.V.leftCols(known).transpose() * scale.asDiagonal();
+  constexpr double kRounding = 1e-6;
+  for (const double part : hidden) solution.told.push_back(part < kRounding);
   solution.spread = scale.cwiseInverse().asDiagonal() * svd.V * inverse.asDiagonal();
   const VectorXd misfit = factor.topRightCorner(b, 1) - A * prior;
   solution.values = prior + solution.spread * (svd.U.transpose() * misfit);
@@ -93,12 +106,23 @@ VectorXd shortest_solution(const MatrixXd& A, const VectorXd& b) {
   return svd.V * (inverse.asDiagonal() * (svd.U.transpose() * R.topRightCorner(cols, 1)));
 }
 
+void require_enough(const Observations& observations) {
+  long equations = 0;
+  for (const JointObservations& joint : observations.joints) equations += joint.rows;
+  if (equations > observations.parameters) return;
+  throw Failure(
+      ExitCode::input,
+      fmt::format("{} equations for {} parameters: too few to tell noise by", equations, observations.parameters),
+      "log longer runs");
+}
+
 }  // namespace
 
 Estimate estimate(const Observations& observations, const VectorXd& prior, const EstimateOptions& options) {
   constexpr int kMostIterations = 50;
   constexpr double kStable = 1e-9;
   Estimate result;
+  require_enough(observations);
   VectorXd deviations = VectorXd::Ones(static_cast<Index>(observations.joints.size()));
   Solution solution;
   for (; result.iterations < kMostIterations && !result.converged; ++result.iterations) {
@@ -109,11 +133,21 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
   }
   result.values = solution.values;
   result.standard_deviations = solution.spread.rowwise().norm();
+  for (std::size_t k = 0; k < solution.told.size(); ++k) {
+    if (!solution.told[k]) result.standard_deviations(static_cast<Index>(k)) = std::numeric_limits<double>::infinity();
+  }
   result.singular_values = solution.singular_values;
   result.damped = std::move(solution.damped);
   result.torque_deviations = deviations;
-  result.covariance = solution.spread * solution.spread.transpose();
+  result.root_information = std::move(solution.root_information);
   return result;
+}
+
+MatrixXd root_information_of_first(const Estimate& estimate, int count) {
+  const MatrixXd& root = estimate.root_information;
+  MatrixXd others_first(root.rows(), root.cols());
+  others_first << root.rightCols(root.cols() - count), root.leftCols(count);
+  return triangular_factor_of(others_first).bottomRightCorner(count, count);
 }
 
 VectorXd estimate_joint_by_joint(const Observations& observations) {

@@ -19,11 +19,13 @@ struct DampedDirection {
 
 struct Estimate {
   Eigen::VectorXd values;               // π_b
-  Eigen::VectorXd standard_deviations;  // of each; what damping hides is not in it
+  Eigen::VectorXd standard_deviations;  // of each; infinite where a damped direction has a part in it
   Eigen::VectorXd singular_values;      // of the weighted regressor, columns scaled to unit norm, descending
   std::vector<DampedDirection> damped;
   Eigen::VectorXd torque_deviations;  // σ_i of the torque of joint i, from the residuals; the weights are 1/σ_i
-  Eigen::MatrixXd covariance;         // b × b, of the values
+  // r × b: |root_information (π_b - values)| is the distance from the estimate in standard deviations. Damped
+  // directions have no row: they cost nothing.
+  Eigen::MatrixXd root_information;
   int iterations = 0;
   bool converged = false;
 
@@ -32,8 +34,12 @@ struct Estimate {
 
 // Weights start equal and are set anew from each joint's residual until they change by less than 1e-9 (50 times at
 // most). σ_i counts the degrees of freedom that the fit takes from joint i (its leverage). Where rank is short, the
-// solution of least distance to `prior` is approached: damped least squares about it.
+// solution of least distance to `prior` is approached: damped least squares about it. Throws Failure(input) where there
+// are no more equations than unknowns, so that nothing is left to tell noise by.
 Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior, const EstimateOptions& options = {});
+
+// What it says about the first `count` of its parameters whatever the others are: count².
+Eigen::MatrixXd root_information_of_first(const Estimate& estimate, int count);
 
 // The textbook's sequential procedure (7.4): from the tips to the base, joint by joint, each from its own row with the
 // parameters that are known already moved to the right. Errors of the tips' parameters go into all others: for

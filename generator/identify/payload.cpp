@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/payload.hpp"
 
+#include <numeric>
+
 #include "identify/physical_parameters.hpp"
 
 namespace flatdyn {
@@ -31,10 +33,14 @@ MatrixXd base_change(const TorqueModel& model) {
   return change;
 }
 
-std::vector<int> first_columns(Index count) {
+std::vector<int> columns_from(int first, Index count) {
   std::vector<int> columns(static_cast<std::size_t>(count));
-  for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = static_cast<int>(k);
+  std::iota(columns.begin(), columns.end(), first);
   return columns;
+}
+
+JointObservations folded(const MatrixXd& rows, std::vector<int> columns, long count) {
+  return {std::move(columns), triangular_factor_of(rows), count};
 }
 
 // Rows in the unknowns of a linear substitution π_b = origin + change x.
@@ -42,12 +48,25 @@ Observations substituted(const Observations& observations, const VectorXd& origi
   const Index unknowns = change.cols();
   Observations result{static_cast<int>(unknowns), {}};
   for (const JointObservations& joint : observations.joints) {
-    TriangularFactor factor(static_cast<int>(unknowns));
     MatrixXd rows(joint.R.rows(), unknowns + 1);
-    rows.leftCols(unknowns) = joint.A() * change(joint.columns, Eigen::all);
-    rows.col(unknowns) = joint.b() - joint.A() * joint.restricted(origin);
-    for (Index k = 0; k < rows.rows(); ++k) factor.next_row() = rows.row(k);
-    result.joints.push_back({first_columns(unknowns), factor.factor(), joint.rows});
+    rows << joint.A() * change(joint.columns, Eigen::all), joint.b() - joint.A() * joint.restricted(origin);
+    result.joints.push_back(folded(rows, columns_from(0, unknowns), joint.rows));
+  }
+  return result;
+}
+
+// Rows of both in the ten of the payload and, behind them, π_b without it: π_b + change x with it.
+Observations side_by_side(const Observations& with, const Observations& without, const MatrixXd& change) {
+  const Index unknowns = change.cols();
+  Observations result{static_cast<int>(unknowns) + with.parameters, {}};
+  for (std::size_t i = 0; i < with.joints.size(); ++i) {
+    const JointObservations &a = with.joints[i], &b = without.joints[i];
+    const Index base = a.R.cols() - 1;
+    MatrixXd rows(a.R.rows() + b.R.rows(), unknowns + base + 1);
+    rows << a.A() * change(a.columns, Eigen::all), a.R, MatrixXd::Zero(b.R.rows(), unknowns), b.R;
+    std::vector<int> columns = columns_from(0, unknowns);
+    for (const int column : a.columns) columns.push_back(static_cast<int>(unknowns) + column);
+    result.joints.push_back(folded(rows, std::move(columns), a.rows + b.rows));
   }
   return result;
 }
@@ -58,8 +77,7 @@ PayloadEstimate payload_of(const Estimate& estimate) {
   PayloadEstimate result;
   result.values = estimate.values.head(kInertialPerBody);
   result.standard_deviations = estimate.standard_deviations.head(kInertialPerBody);
-  const NearestBody body =
-      nearest_body(result.values, estimate.covariance.topLeftCorner(kInertialPerBody, kInertialPerBody));
+  const NearestBody body = nearest_body(result.values, root_information_of_first(estimate, kInertialPerBody));
   result.body = body.ten;
   result.largest_misfit = body.largest_misfit;
   return result;
@@ -69,6 +87,14 @@ PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& w
                                  const VectorXd& without_payload) {
   const Observations change = substituted(with_payload, without_payload, base_change(model));
   return payload_of(estimate(change, VectorXd::Zero(kInertialPerBody)));
+}
+
+PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
+                                 const Observations& without_payload, const VectorXd& prior) {
+  const Observations both = side_by_side(with_payload, without_payload, base_change(model));
+  VectorXd start = VectorXd::Zero(both.parameters);
+  start.tail(prior.size()) = prior;
+  return payload_of(estimate(both, start));
 }
 
 }  // namespace flatdyn

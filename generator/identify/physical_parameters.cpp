@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 namespace flatdyn {
 namespace {
@@ -73,6 +74,50 @@ Matrix4d made_definite(const Matrix4d& P) {
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(floor).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+// The rotor of a joint on the link that carries it adds I_m a aᵀ to the link's inertia.
+struct CarriedRotor {
+  std::size_t joint, carrier;
+  Eigen::Vector3d axis;
+
+  template <class T>
+  void add_to(T* pi, double factor = 1) const {
+    const T inertia = factor * pi[joint * kParametersPerJoint + static_cast<std::size_t>(Parameter::Im)];
+    T* entry = pi + carrier * kParametersPerJoint + static_cast<std::size_t>(Parameter::Ixx);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = i; j < 3; ++j) *entry++ += inertia * (axis[i] * axis[j]);
+    }
+  }
+};
+
+std::vector<CarriedRotor> rotors_of(const Mechanism& mechanism) {
+  std::vector<CarriedRotor> rotors;
+  for (std::size_t j = 0; j < mechanism.bodies.size(); ++j) {
+    const std::optional<Rotor>& rotor = mechanism.bodies[j].rotor;
+    if (!rotor || rotor->carrier < 0) continue;
+    const Eigen::Vector3d axis(nearest_double(rotor->axis[0]), nearest_double(rotor->axis[1]),
+                               nearest_double(rotor->axis[2]));
+    rotors.push_back({j, static_cast<std::size_t>(rotor->carrier), axis});
+  }
+  return rotors;
+}
+
+// Links as shapes, and the rotors that they carry.
+struct Shapes {
+  std::vector<LinkShape> links;
+  std::vector<CarriedRotor> rotors;
+
+  // theta[i]: of link i.
+  template <class T, class Theta>
+  std::vector<T> parameters(const Theta& theta) const {
+    std::vector<T> pi(links.size() * kParametersPerJoint);
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      links[i].parameters(&theta[i][0], pi.data() + i * kParametersPerJoint);
+    }
+    for (const CarriedRotor& rotor : rotors) rotor.add_to(pi.data());
+    return pi;
+  }
+};
+
 std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vector<double>& scale) {
   std::vector<LinkShape> shapes;
   for (std::size_t at = 0; at < file.size(); at += kParametersPerJoint) {
@@ -89,16 +134,13 @@ std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vec
 
 // K π - π_b in standard deviations, over all links.
 struct BaseResidual {
-  const std::vector<LinkShape>& shapes;
-  const MatrixXd& K;  // whitened: times the inverse root of the covariance, as the target
+  const Shapes& shapes;
+  const MatrixXd& K;  // times the root of the information, as the target
   const VectorXd& target;
 
   template <class T>
   bool operator()(T const* const* theta, T* residual) const {
-    std::vector<T> pi(shapes.size() * kParametersPerJoint);
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      shapes[i].parameters(theta[i], pi.data() + i * kParametersPerJoint);
-    }
+    const std::vector<T> pi = shapes.parameters<T>(theta);
     for (Index row = 0; row < K.rows(); ++row) {
       T sum = T(-target(row));
       for (Index k = 0; k < K.cols(); ++k) {
@@ -139,8 +181,8 @@ MatrixXd combination_matrix(const BaseParameters& base, Index columns) {
 
 class BodySearch {
  public:
-  BodySearch(std::vector<LinkShape> shapes, const MatrixXd& K, const VectorXd& target)
-      : shapes_(std::move(shapes)), K_(K), target_(target), theta_(shapes_.size()) {
+  BodySearch(Shapes shapes, const MatrixXd& K, const VectorXd& target)
+      : shapes_(std::move(shapes)), K_(K), target_(target), theta_(shapes_.links.size()) {
     constexpr int kParameters = kLogCholesky + kOthers, kStride = 13;
     using Dynamic = ceres::DynamicAutoDiffCostFunction<BaseResidual, kStride>;
     auto* agreement = new Dynamic(new BaseResidual{shapes_, K_, target_});
@@ -154,7 +196,11 @@ class BodySearch {
           theta.data());
     }
     agreement->SetNumResiduals(static_cast<int>(K_.rows()));
-    problem_.AddResidualBlock(agreement, nullptr, blocks);
+    if (K_.rows() > 0) {
+      problem_.AddResidualBlock(agreement, nullptr, blocks);
+    } else {
+      delete agreement;
+    }
     for (double* const theta : blocks) bound(theta);
   }
 
@@ -170,16 +216,10 @@ class BodySearch {
       weight_ = weight;
       ceres::Solve(options, &problem_, &summary);
     }
-    return summary.IsSolutionUsable();
+    return summary.termination_type == ceres::CONVERGENCE;
   }
 
-  std::vector<double> parameters() const {
-    std::vector<double> pi(shapes_.size() * kParametersPerJoint);
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      shapes_[i].parameters(theta_[i].data(), pi.data() + i * kParametersPerJoint);
-    }
-    return pi;
-  }
+  std::vector<double> parameters() const { return shapes_.parameters<double>(theta_); }
 
   // Where π_b is that of no body, the search would run off to where e^θ overflows.
   void bound(double* theta) {
@@ -200,7 +240,7 @@ class BodySearch {
   }
 
  private:
-  std::vector<LinkShape> shapes_;
+  Shapes shapes_;
   const MatrixXd& K_;
   const VectorXd& target_;
   double weight_ = 1;
@@ -233,47 +273,50 @@ Matrix4d pseudo_inertia(const double* ten) {
 
 namespace {
 
-// What is known to more digits than this counts as known to this many: the search need not run along a knife's edge.
-MatrixXd widened(const MatrixXd& covariance, const VectorXd& values) {
-  constexpr double kSharpest = 1e-6;
+// Combinations that are known to more digits than this count as known to this many: the search need not run along a
+// knife's edge.
+MatrixXd blunted(const MatrixXd& root_information, const VectorXd& values) {
+  constexpr double kSharpest = 1e6;  // standard deviations in the size of a combination's terms
   const double largest = values.cwiseAbs().maxCoeff();
-  const VectorXd least = (kSharpest * values.cwiseAbs()).cwiseMax(kSharpest * kSharpest * largest);
-  return covariance + MatrixXd(least.cwiseAbs2().asDiagonal());
+  const VectorXd size = root_information.cwiseAbs() * values.cwiseAbs().cwiseMax(largest / kSharpest);
+  return (kSharpest / size.array()).min(1).matrix().asDiagonal() * root_information;
 }
 
 // Of K π = target, with the shapes to start from.
-PhysicalParameters nearest(std::vector<LinkShape> shapes, const MatrixXd& K, const VectorXd& target,
-                           const MatrixXd& covariance) {
-  const MatrixXd wide = widened(covariance, target);
-  const Eigen::LLT<MatrixXd> root(wide);
-  const MatrixXd whitened = root.matrixL().solve(K);
-  const VectorXd whitened_target = root.matrixL().solve(target);
+PhysicalParameters nearest(Shapes shapes, const MatrixXd& K, const VectorXd& target, const MatrixXd& root_information) {
+  const MatrixXd root = blunted(root_information, target);
+  const MatrixXd whitened = root * K;
+  const VectorXd whitened_target = root * target;
   BodySearch search(std::move(shapes), whitened, whitened_target);
   PhysicalParameters result;
   result.converged = search.run();
   result.pi = search.parameters();
   const Eigen::Map<const VectorXd> pi(result.pi.data(), static_cast<Index>(result.pi.size()));
-  result.largest_misfit = (K * pi - target).cwiseQuotient(wide.diagonal().cwiseSqrt()).cwiseAbs().maxCoeff();
+  if (root.rows() > 0) result.largest_misfit = (whitened * pi - whitened_target).cwiseAbs().maxCoeff();
   result.distance = search.distance();
   return result;
 }
 
 }  // namespace
 
-PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base, const VectorXd& pi_b,
-                                       const MatrixXd& covariance) {
+PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base,
+                                       const Estimate& estimate) {
   std::vector<double> file;
   for (const Number& value : dynamic_parameters(mechanism)) file.push_back(nearest_double(value));
+  const std::vector<CarriedRotor> rotors = rotors_of(mechanism);
   const MatrixXd K = combination_matrix(base, static_cast<Index>(file.size()));
-  return nearest(shapes_of(file, scales(base, pi_b, file.size())), K, pi_b, covariance);
+  std::vector<double> bodies = file;
+  for (const CarriedRotor& rotor : rotors) rotor.add_to(bodies.data(), -1);
+  return nearest({shapes_of(bodies, scales(base, estimate.values, file.size())), rotors}, K, estimate.values,
+                 estimate.root_information);
 }
 
-NearestBody nearest_body(const VectorXd& estimate, const MatrixXd& covariance) {
+NearestBody nearest_body(const VectorXd& estimate, const MatrixXd& root_information) {
   std::vector<double> start(kParametersPerJoint, 0);
   std::copy(estimate.begin(), estimate.end(), start.begin());
   const MatrixXd K = MatrixXd::Identity(kInertialPerBody, kParametersPerJoint);
   const PhysicalParameters found =
-      nearest(shapes_of(start, std::vector<double>(kParametersPerJoint, 1)), K, estimate, covariance);
+      nearest({shapes_of(start, std::vector<double>(kParametersPerJoint, 1)), {}}, K, estimate, root_information);
   return {Eigen::Map<const VectorXd>(found.pi.data(), kInertialPerBody), found.largest_misfit};
 }
 

@@ -7,29 +7,30 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "identify/least_squares.hpp"
 #include "symbolic/base_parameters.hpp"
 
 namespace flatdyn {
 
 struct PhysicalParameters {
   std::vector<double> pi;     // 13 n, in the order of (7.77)
-  double largest_misfit = 0;  // of K π from the given π_b, in standard deviations
+  double largest_misfit = 0;  // of K π from π_b, over all directions that the data tell, in standard deviations
   double distance = 0;  // from the file: root mean square over the links of |L⁻¹ P L⁻ᵀ - E| with P_file = L Lᵀ
   bool converged = false;
 };
 
-// π_b with its covariance, b × b. `mechanism` is the robot as in the file; links
-// that no body could have there (or that have no mass) start from a small sphere instead, so that a missing inertia is
-// no obstacle. Solved by Ceres.
+// `mechanism` is the robot as in the file; links that no body could have there (or that have no mass) start from a
+// small sphere instead, so that a missing inertia is no obstacle. What the data do not tell is the file's. The links
+// without the rotors that they carry are bodies, too. Solved by Ceres.
 PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base,
-                                       const Eigen::VectorXd& pi_b, const Eigen::MatrixXd& covariance);
+                                       const Estimate& estimate);
 
-// Of one body: the ten parameters nearest to an estimate with its covariance, 10 × 10, that a body can have.
+// Of one body: the ten parameters nearest to an estimate that a body can have. root_information: r × 10.
 struct NearestBody {
   Eigen::VectorXd ten;
   double largest_misfit = 0;  // from the estimate, in standard deviations
 };
-NearestBody nearest_body(const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance);
+NearestBody nearest_body(const Eigen::VectorXd& estimate, const Eigen::MatrixXd& root_information);
 
 // [Σ, h; hᵀ, m] with Σ = tr(Î)/2 E - Î, of ten inertial parameters as in (7.77): positive definite if and only if some
 // body with a distribution of mass in space has them (Wensing, Kim, Slotine, 2018).

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "diagnostics/table.hpp"
-#include "report/json_values.hpp"
+#include "report/numbers.hpp"
 #include "symbolic/combination_text.hpp"
 #include "symbolic/number_text.hpp"
 #include "symbolic/unidentifiable.hpp"

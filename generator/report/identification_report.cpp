@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "diagnostics/table.hpp"
-#include "report/json_values.hpp"
+#include "report/numbers.hpp"
 #include "symbolic/combination_text.hpp"
 
 namespace flatdyn {
@@ -50,12 +51,13 @@ std::string parameter_table(const TorqueModel& model, const Identification& foun
   if (found.joint_by_joint) rows.front().insert(rows.front().begin() + 4, "joint by joint");
   for (int k = 0; k < model.parameters(); ++k) {
     const double value = found.estimate.values(k), deviation = found.estimate.standard_deviations(k);
-    std::vector<std::string> row = {parameter_name(model.base().columns[static_cast<std::size_t>(k)]),
-                                    fmt::format("{:.6g}", value),
-                                    fmt::format("{:.2g}", deviation),
-                                    value != 0 ? fmt::format("{:.2g} %", 100 * deviation / std::abs(value)) : "",
-                                    fmt::format("{:.6g}", model.file_values()[static_cast<std::size_t>(k)]),
-                                    combination_text(model.base(), k)};
+    std::vector<std::string> row = {
+        parameter_name(model.base().columns[static_cast<std::size_t>(k)]),
+        fmt::format("{:.6g}", value),
+        deviation_text(deviation),
+        value != 0 && std::isfinite(deviation) ? fmt::format("{:.2g} %", 100 * deviation / std::abs(value)) : "",
+        fmt::format("{:.6g}", model.file_values()[static_cast<std::size_t>(k)]),
+        combination_text(model.base(), k)};
     if (found.joint_by_joint) row.insert(row.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
     rows.push_back(std::move(row));
   }

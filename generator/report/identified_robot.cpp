@@ -68,10 +68,7 @@ class RobotText {
     return body;
   }
 
-  Number rotor_inertia(int j) const {
-    const std::optional<Rotor>& rotor = model_.mechanism.bodies[static_cast<std::size_t>(j)].rotor;
-    return has(j, Parameter::Im) ? exact(parameter(j, Parameter::Im)) : rotor->inertia;
-  }
+  Number rotor_inertia(int j) const { return has(j, Parameter::Im) ? exact(parameter(j, Parameter::Im)) : Number(0); }
 
   static Mat3 scaled(const Number& factor, const Mat3& m) {
     Mat3 result = m;
@@ -108,16 +105,18 @@ class RobotText {
   void add_joint(int i) {
     const Body& body = model_.mechanism.bodies[static_cast<std::size_t>(i)];
     std::string values;
-    const auto add = [&](Parameter which, const char* key) {
+    // What the file has and the estimate was made without is taken out.
+    const auto add = [&](Parameter which, const char* key, const Number& in_file) {
       if (has(i, which)) values += fmt::format("{} = {}\n", key, number(exact(parameter(i, which))));
+      if (!has(i, which) && !vanishes(in_file)) values += fmt::format("{} = 0\n", key);
     };
-    add(Parameter::Fv, "viscous");
-    add(Parameter::Fs, "coulomb");
+    add(Parameter::Fv, "viscous", body.viscous);
+    add(Parameter::Fs, "coulomb", body.coulomb);
     if (body.rotor) {
       if (!vanishes(body.armature)) values += "armature = 0\n";
       values += fmt::format("motor = {{ mass = 0, inertia = {}, inertia_transverse = 0 }}\n", number(rotor_inertia(i)));
     } else {
-      add(Parameter::Im, "armature");
+      add(Parameter::Im, "armature", body.armature);
     }
     if (!values.empty()) text_ += "\n[[joint]]\nname = " + quoted(body.joint) + "\n" + values;
   }

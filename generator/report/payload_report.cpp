@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "diagnostics/table.hpp"
-#include "report/json_values.hpp"
+#include "report/numbers.hpp"
 
 namespace flatdyn {
 namespace {
@@ -33,9 +33,8 @@ Centred centred(const Eigen::VectorXd& ten) {
 std::string describe_payload(const Model& robot, const PayloadEstimate& payload) {
   std::vector<std::vector<std::string>> rows = {{"payload", "value", "std dev", "nearest body", "unit"}};
   for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
-    rows.push_back({kNames[k], fmt::format("{:.6g}", payload.values(k)),
-                    fmt::format("{:.2g}", payload.standard_deviations(k)), fmt::format("{:.6g}", payload.body(k)),
-                    kUnits[k]});
+    rows.push_back({kNames[k], fmt::format("{:.6g}", payload.values(k)), deviation_text(payload.standard_deviations(k)),
+                    fmt::format("{:.6g}", payload.body(k)), kUnits[k]});
   }
   return fmt::format(
       "on link {}, in its frame, about its origin\n\n{}\nthe nearest that a body can have is {:.2g} standard "

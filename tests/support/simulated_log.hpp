@@ -27,7 +27,8 @@ struct SimulationOptions {
   double fundamental = 0.1;  // Hz; five harmonics
   double noise = 0;          // standard deviation of τ, N m or N
   unsigned seed = 1;
-  bool moving = true;  // otherwise only the first joint moves
+  bool moving = true;     // otherwise only the first joint moves
+  bool standing = false;  // every sample is a pose in which the robot stands still
 };
 
 // Uniform in [-1, 1], the same on every machine.
@@ -69,6 +70,10 @@ inline std::vector<SimulatedSample> simulated(const Model& model, const Simulati
       sample.q += s * a.col(l) + c * b.col(l);
       sample.qd += w * (c * a.col(l) - s * b.col(l));
       sample.qdd -= w * w * (s * a.col(l) + c * b.col(l));
+    }
+    if (options.standing) {
+      sample.qd.setZero();
+      sample.qdd.setZero();
     }
     sample.tau = reference::inverse_dynamics<double>(robot, sample.q, sample.qd, sample.qdd);
     for (int i = 0; i < n; ++i) sample.tau(i) += options.noise * draw.normal();

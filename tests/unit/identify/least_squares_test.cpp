@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "support/identified_arm.hpp"
 
 namespace flatdyn {
@@ -66,7 +68,13 @@ TEST(LeastSquares, WhatTheMotionDoesNotTellStaysAtThePrior) {
   const Estimate found = estimate(observations, prior);
   EXPECT_FALSE(found.damped.empty());
   EXPECT_TRUE(found.values.allFinite());
-  EXPECT_TRUE(found.standard_deviations.allFinite());
+  // A parameter that a damped direction has a part in is not known at all; others are.
+  EXPECT_TRUE(std::isinf(found.standard_deviations.maxCoeff()));
+  EXPECT_TRUE(std::isfinite(found.standard_deviations.minCoeff()));
+  for (Eigen::Index k = 0; k < prior.size(); ++k) {
+    if (std::isinf(found.standard_deviations(k))) continue;
+    EXPECT_NEAR(found.values(k), arm.truth()(k), 1e-6) << k;
+  }
   EXPECT_LT((found.values - prior).norm(), 2 * (arm.truth() - prior).norm());
   for (std::size_t i = 0; i < observations.joints.size(); ++i) {
     EXPECT_LT(observations.joints[i].rms_residual(found.values), 1e-6) << i;
@@ -83,7 +91,27 @@ TEST(LeastSquares, OfARobotThatStandsStillNothingBlowsUp) {
   }
   const Estimate found = estimate(arm.observed(samples), arm.truth());
   EXPECT_TRUE(found.values.allFinite());
-  EXPECT_TRUE(found.standard_deviations.allFinite());
+  EXPECT_TRUE((found.standard_deviations.array() >= 0).all());
+}
+
+TEST(LeastSquares, FewerEquationsThanParametersAreRefused) {
+  const Arm arm("puma560.toml");
+  EXPECT_THROW(estimate(arm.observed(simulated(arm.robot, {.samples = 3})), arm.truth()), Failure);
+}
+
+// The information about some parameters when the others are unknown is the inverse of their part of the covariance.
+TEST(LeastSquares, InformationOfTheFirstIsThatOfTheirCovariance) {
+  const Arm arm("planar_2r_example_7_2.toml");
+  const Estimate found = estimate(arm.observed(simulated(arm.robot, {.samples = 200, .noise = 1})), arm.truth());
+  ASSERT_TRUE(found.damped.empty());
+  const Eigen::MatrixXd information = found.root_information.transpose() * found.root_information;
+  const Eigen::MatrixXd first = Eigen::MatrixXd(information.inverse()).topLeftCorner(3, 3).inverse();
+  const Eigen::MatrixXd root = root_information_of_first(found, 3);
+  EXPECT_LT((root.transpose() * root - first).norm(), 1e-9 * first.norm());
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    EXPECT_NEAR(std::sqrt(information.inverse()(k, k)), found.standard_deviations(k),
+                1e-6 * found.standard_deviations(k));
+  }
 }
 
 }  // namespace

@@ -71,11 +71,38 @@ TEST(Payload, IsFoundAgainstALogWithoutIt) {
   for (Body& body : wrong.mechanism.bodies) body.inertia.mass = body.inertia.mass * 2 + 1;
   const TorqueModel torque(wrong, ParameterSet::given, quiet);
   const VectorXd file = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
-  const VectorXd without = estimate(observed(torque, simulated(truth, {.samples = 800, .noise = 0.01})), file).values;
   const auto samples = simulated(with_payload(truth), {.samples = 800, .noise = 0.01, .seed = 3});
-  const PayloadEstimate found = estimate_payload(torque, observed(torque, samples), without);
+  const auto found_against = [&](int samples_without) {
+    const Observations without = observed(torque, simulated(truth, {.samples = samples_without, .noise = 0.01}));
+    return estimate_payload(torque, observed(torque, samples), without, file);
+  };
+  const PayloadEstimate found = found_against(800);
   EXPECT_NEAR(found.values(0), 1.5, 0.01);
   EXPECT_LT((found.values - known_payload()).cwiseAbs().maxCoeff(), 0.02);
+  // What a short log without payload leaves open is open in the payload, too: intervals say so.
+  const PayloadEstimate rough = found_against(80);
+  EXPECT_GT(rough.standard_deviations(0), 1.5 * found.standard_deviations(0));
+  for (Eigen::Index k = 0; k < 10; ++k) {
+    for (const PayloadEstimate* each : {&found, &rough}) {
+      EXPECT_LT(std::abs(each->values(k) - known_payload()(k)), 5 * each->standard_deviations(k)) << k;
+    }
+  }
+}
+
+// A robot that only stands still tells the mass and its centre, and nothing of the inertia.
+TEST(Payload, KeepsItsCentreWhereOnlyPosesWereMeasured) {
+  Progress quiet(true);
+  const Model model = testing::model_of("panda.urdf");
+  const TorqueModel torque(model, ParameterSet::given, quiet);
+  const VectorXd without = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
+  const auto samples = simulated(with_payload(model), {.samples = 400, .noise = 0.01, .standing = true});
+  const PayloadEstimate found = estimate_payload(torque, observed(torque, samples), without);
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    EXPECT_NEAR(found.body(k), known_payload()(k), 0.01) << k;
+    EXPECT_TRUE(std::isfinite(found.standard_deviations(k))) << k;
+  }
+  for (Eigen::Index k = 4; k < 10; ++k) EXPECT_TRUE(std::isinf(found.standard_deviations(k))) << k;
+  EXPECT_LT(found.largest_misfit, 1);
 }
 
 TEST(Payload, IsFoundByASensorAtTheWristInSpiteOfItsOffsets) {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "support/robot_models.hpp"
+#include "support/identified_arm.hpp"
 
 namespace flatdyn {
 namespace {
@@ -38,7 +38,13 @@ void expect_bodies(const std::vector<double>& pi) {
   }
 }
 
-MatrixXd covariance_of(const VectorXd& deviations) { return deviations.cwiseAbs2().asDiagonal(); }
+// Every base parameter known by itself, with this standard deviation.
+Estimate known(const VectorXd& pi_b, const VectorXd& deviations) {
+  Estimate estimate;
+  estimate.values = pi_b;
+  estimate.root_information = deviations.cwiseInverse().asDiagonal();
+  return estimate;
+}
 
 TEST(PseudoInertia, IsThatOfPointMasses) {
   // Masses 2 and 3 kg at (1, 0, 0) and (0, 2, 1).
@@ -57,7 +63,7 @@ TEST(PhysicalParameters, OfTheFilesOwnBaseParametersAreTheFiles) {
   const BaseParameters base = base_parameters(model.mechanism);
   const VectorXd pi_b = values_of(base_values(model.mechanism, base));
   const PhysicalParameters found =
-      physical_parameters(model.mechanism, base, pi_b, covariance_of(1e-3 * pi_b.cwiseAbs()));
+      physical_parameters(model.mechanism, base, known(pi_b, 1e-3 * pi_b.cwiseAbs().cwiseMax(1e-6)));
   expect_bodies(found.pi);
   EXPECT_LT(found.largest_misfit, 1e-3);
   EXPECT_LT(found.distance, 1e-3);
@@ -77,7 +83,7 @@ TEST(PhysicalParameters, MeetBaseParametersFarFromTheFile) {
     }
   }
   const VectorXd deviations = 1e-3 * pi_b.cwiseAbs() + VectorXd::Constant(pi_b.size(), 1e-5);
-  const PhysicalParameters found = physical_parameters(wrong, base, pi_b, covariance_of(deviations));
+  const PhysicalParameters found = physical_parameters(wrong, base, known(pi_b, deviations));
   expect_bodies(found.pi);
   EXPECT_TRUE(found.converged);
   EXPECT_LT((base_of(base, found.pi) - pi_b).cwiseQuotient(deviations).cwiseAbs().maxCoeff(), 0.1);
@@ -92,9 +98,44 @@ TEST(PhysicalParameters, AreBodiesEvenIfBaseParametersAreNot) {
   ASSERT_EQ(parameter_name(base.columns.at(5)), "I2zz");
   pi_b(5) = -0.2;
   const PhysicalParameters found =
-      physical_parameters(model.mechanism, base, pi_b, covariance_of(VectorXd::Constant(pi_b.size(), 0.01)));
+      physical_parameters(model.mechanism, base, known(pi_b, VectorXd::Constant(pi_b.size(), 0.01)));
   expect_bodies(found.pi);
   EXPECT_GT(found.largest_misfit, 10);
+}
+
+// Only one joint moves, and the file's masses are wrong: the links agree with what that motion tells, all of it.
+TEST(PhysicalParameters, AgreeWithAllThatAPoorMotionTells) {
+  const testing::Arm arm("puma560.toml");
+  Mechanism wrong = arm.robot.mechanism;
+  for (Body& body : wrong.bodies) body.inertia.mass = body.inertia.mass + 1;
+  const Observations observations = arm.observed(simulated(arm.robot, {.samples = 500, .noise = 0.1, .moving = false}));
+  const Estimate found = estimate(observations, values_of(base_values(wrong, arm.torque.base())));
+  ASSERT_FALSE(found.damped.empty());
+  const PhysicalParameters bodies = physical_parameters(wrong, arm.torque.base(), found);
+  expect_bodies(bodies.pi);
+  EXPECT_LT(bodies.largest_misfit, 1);
+  const VectorXd pi_b = base_of(arm.torque.base(), bodies.pi);
+  for (const JointObservations& joint : observations.joints) EXPECT_LT(joint.rms_residual(pi_b), 0.2);
+}
+
+// A link that is hardly more than the rotor that it carries is a body without it, too.
+TEST(PhysicalParameters, LeaveABodyWhenRotorsAreTakenOut) {
+  const Model model = testing::model_of("planar_2r_example_7_2.toml");
+  Mechanism light = model.mechanism;
+  const std::size_t carrier = 0, joint = 1;
+  ASSERT_EQ(light.bodies[joint].rotor->carrier, static_cast<int>(carrier));
+  const BaseParameters base = base_parameters(light);
+  VectorXd pi_b = values_of(base_values(light, base));
+  const auto rotor = std::find(base.columns.begin(), base.columns.end(), index_of(1, Parameter::Im));
+  ASSERT_NE(rotor, base.columns.end());
+  pi_b(std::distance(base.columns.begin(), rotor)) = 20;  // kg m², ten times the link's
+  const PhysicalParameters found = physical_parameters(light, base, known(pi_b, 1e-3 * pi_b.cwiseAbs().cwiseMax(1e-3)));
+  std::vector<double> body(found.pi.begin(), found.pi.begin() + kInertialPerBody);
+  const double I_m = found.pi[static_cast<std::size_t>(index_of(1, Parameter::Im))];
+  EXPECT_NEAR(I_m, 20, 0.5);
+  body[static_cast<std::size_t>(Parameter::Izz)] -= I_m;  // its axis is z
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(pseudo_inertia(body.data()));
+  EXPECT_GT(eigen.eigenvalues().minCoeff(), 0);
 }
 
 }  // namespace

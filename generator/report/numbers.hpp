@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers in JSON reports.
+// Numbers in reports. In JSON, what is infinite is null.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
+#include <cmath>
+#include <string>
 #include <vector>
 
 namespace flatdyn {
@@ -10,5 +14,10 @@ namespace flatdyn {
 inline constexpr int kJsonDigits = 17;  // of numbers inside texts: a double comes back as it was
 
 inline std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
+
+// A standard deviation, infinite where the data do not tell.
+inline std::string deviation_text(double deviation) {
+  return std::isfinite(deviation) ? fmt::format("{:.2g}", deviation) : "not told";
+}
 
 }  // namespace flatdyn
