@@ -208,8 +208,8 @@ class BodySearch {
   bool run() {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = 200;
-    options.function_tolerance = 1e-12;
+    options.max_num_iterations = 1000;
+    options.function_tolerance = 1e-10;
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     for (const double weight : {1.0, 1e-1, 1e-2, 1e-3}) {
