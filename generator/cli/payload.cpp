@@ -60,17 +60,19 @@ PayloadEstimate from_torques(const Model& robot, const PayloadArguments& argumen
 
 PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments, Progress& progress) {
   WristObserver observer(robot.robot);
+  StreamOptions options = arguments.stream;
+  options.torques = false;
   Diagnostics found;
   long used = 0;
   for (const std::string& log : arguments.logs) {
-    const StreamPlan plan = plan_stream(log, robot.mechanism, arguments.stream, found);
-    if (!found.has_errors() && !plan.layout.has_tip_force) {
+    const StreamPlan plan = plan_stream(log, robot.mechanism, options, found);
+    if (!found.has_errors() && !plan.layout().has_tip_force) {
       found.error({log, 1}, "no columns fx, fy, fz, mx, my, mz (or h_e1, ...) of the sensor at the wrist");
     }
     stop_at_errors(found, true);
     progress.step("reading " + log);
     const auto sink = [&](const Motion& motion) { observer.add(motion); };
-    used += stream(log, robot.mechanism, plan, arguments.stream, sink, found).used;
+    used += stream(log, robot.mechanism, plan, options, sink, found).used;
     stop_at_errors(found, true);
   }
   print_diagnostics(found, arguments.quiet);
