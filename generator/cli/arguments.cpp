@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -39,6 +40,15 @@ Number snap_option(const std::string& text) {
                 "0 for none, at most 0.065");
 }
 
+std::string toml_string(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
 Vec3 vector_option(const std::string& option, const std::string& text) {
   std::vector<Number> entries;
   std::istringstream parts(text);
@@ -51,6 +61,26 @@ Vec3 vector_option(const std::string& option, const std::string& text) {
 }
 
 }  // namespace
+
+CLI::Validator positive_number() {
+  const auto check = [](const std::string& text) {
+    double value = 0;
+    const bool read = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    return read && value > 0 ? "" : fmt::format("\"{}\" must be a number greater than 0", text);
+  };
+  return {check, "POSITIVE"};
+}
+
+CLI::Validator number_between(double least, double most) {
+  const auto check = [least, most](const std::string& text) {
+    double value = 0;
+    const bool read = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    return read && value >= least && value <= most
+               ? ""
+               : fmt::format("\"{}\" must be a number from {} to {}", text, least, most);
+  };
+  return {check, fmt::format("in [{} - {}]", least, most)};
+}
 
 void RobotArguments::add_to(CLI::App& command) {
   command.add_option("robot", robot, "robot file: URDF or TOML")->required()->type_name("FILE");
@@ -95,12 +125,12 @@ void add_stream_options(CLI::App& command, StreamOptions& options) {
   command
       .add_option("--band", options.band,
                   "pass band of the zero-phase filter; default: 10 Hz where derivatives are missing, else no filter")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->type_name("HZ");
   command
       .add_option("--decimate", options.decimate,
                   "use every N-th sample; default: three samples per period of the band")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->type_name("N");
 }
 
@@ -115,6 +145,21 @@ void add_parameters_option(CLI::App& command, std::string& name, const std::stri
 }
 
 ParameterSet parameter_set(const std::string& name) { return kParameterSets.at(name); }
+
+std::vector<std::string> RobotArguments::settings() const {
+  std::vector<std::string> lines;
+  if (!gravity.empty()) lines.push_back(fmt::format("gravity = [{}]", gravity));
+  if (!tip.empty()) lines.push_back(fmt::format("tip = {{ link = {} }}", toml_string(tip)));
+  std::vector<std::string> fixed;
+  for (const std::string& joint : fixed_joints) fixed.push_back(toml_string(joint));
+  if (!fixed.empty()) lines.push_back(fmt::format("fixed = [{}]", fmt::join(fixed, ", ")));
+  return lines;
+}
+
+void RobotArguments::report(const Diagnostics& found) const {
+  if (found.has_errors() || (warnings_are_errors && found.has_warnings())) throw BadInput(ExitCode::input, found);
+  print_diagnostics(found, quiet);
+}
 
 PipelineOptions RobotArguments::options() const {
   PipelineOptions options;

@@ -26,10 +26,18 @@ struct RobotArguments {
 
   void add_to(CLI::App& command);
   PipelineOptions options() const;
+  // TOML lines that repeat --gravity, --tip and --fix, for a file over the robot file.
+  std::vector<std::string> settings() const;
+  // Ends the run with BadInput after an error, or after a warning if these are errors; else prints what was found.
+  void report(const Diagnostics& found) const;
 };
 
 // For options that name something.
 inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.empty() ? "it is empty" : ""; }, "");
+
+// For options that are numbers. CLI11's own let NaN pass, and print bounds with 300 digits.
+CLI::Validator positive_number();
+CLI::Validator number_between(double least, double most);
 
 // --functions, and the table of functions at the end of the help.
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions);

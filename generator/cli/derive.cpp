@@ -59,7 +59,7 @@ Run add_derive(CLI::App& app) {
   arguments->add_to(*command);
   command->add_flag("--latex", arguments->latex, "as LaTeX");
   command->add_option("--max-terms", arguments->derive.max_terms, "leave out longer expressions, saying so")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_between(0, 1e9))
       ->capture_default_str();
   return [arguments] { return run_derive(*arguments); };
 }

@@ -19,6 +19,7 @@ ExitCode excite(const ExciteArguments& arguments) {
   print_diagnostics(model.diagnostics, arguments.quiet);
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (model.mechanism.name + "_excitation");
   const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg";
+  check_outputs({csv, svg}, model.robot.files);
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
   const Excitation excitation = make_excitation(torques, arguments.plan, progress);
@@ -38,17 +39,17 @@ void add_plan_options(CLI::App& command, ExcitationOptions& plan) {
   command.add_option("--duration", plan.duration, "of the motion, from rest to rest")
       ->capture_default_str()
       ->type_name("S")
-      ->check(CLI::Range(0.1, 3600.0));
+      ->check(number_between(0.1, 3600.0));
   command.add_option("--rate", plan.rate, "samples per second")
       ->capture_default_str()
       ->type_name("HZ")
-      ->check(CLI::Range(1.0, 10000.0));
+      ->check(number_between(1.0, 10000.0));
   command.add_option("--harmonics", plan.harmonics, "of every joint's Fourier series")
       ->capture_default_str()
       ->check(CLI::Range(1, 50));
   command.add_option("--margin", plan.margin, "the part of every limit that may be used")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 1.0));
+      ->check(number_between(0.01, 1.0));
   command.add_option("--seed", plan.seed, "of the random starts")->capture_default_str();
   command.add_option("--evaluations", plan.evaluations, "of the condition number; what ends the search")
       ->capture_default_str()
@@ -56,7 +57,7 @@ void add_plan_options(CLI::App& command, ExcitationOptions& plan) {
   command.add_option("--time", plan.time, "ends the search earlier; the result then depends on the computer")
       ->capture_default_str()
       ->type_name("S")
-      ->check(CLI::Range(0.001, 1e6));
+      ->check(number_between(0.001, 1e6));
 }
 
 }  // namespace

@@ -23,12 +23,22 @@ struct IdentifyArguments : RobotArguments {
   std::string plot;
 };
 
+// Its name says to other programs what is in the file.
+const CLI::Validator kIsSvg(
+    [](const std::string& text) {
+      return std::filesystem::path(text).extension() == ".svg" ? "" : "the plot is SVG: its name must end in .svg";
+    },
+    "");
+
 // "2/8" → part 2 of 8.
 void read_part(const std::string& text, StreamOptions& options) {
   int part = 0, parts = 0, length = 0;
   const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &length) == 2;
   if (!read || static_cast<std::size_t>(length) != text.size() || part < 1 || part > parts) {
     throw Failure(ExitCode::usage, fmt::format("--part {}: write k/N with 1 <= k <= N, such as 2/8", text));
+  }
+  if (parts > kMostParts) {
+    throw Failure(ExitCode::usage, fmt::format("--part {}: at most {} parts", text, kMostParts));
   }
   options.part = part;
   options.parts = parts;
@@ -41,6 +51,22 @@ void check_usage(const IdentifyArguments& arguments) {
   if (!arguments.part.empty() && (arguments.output.empty() || arguments.logs.empty())) {
     throw Failure(ExitCode::usage, "--part needs --data LOG.csv and -o FILE: the part is written to that file");
   }
+  if (!arguments.parts.empty() && (arguments.stream.band || arguments.stream.decimate)) {
+    throw Failure(ExitCode::usage, "--band and --decimate have no effect with --merge",
+                  "give them with --part, where the logs are read");
+  }
+  if (!arguments.part.empty() && (!arguments.plot.empty() || arguments.sequential)) {
+    throw Failure(ExitCode::usage, "--plot and --sequential have no effect with --part",
+                  "give them with --merge, where the parameters are estimated");
+  }
+}
+
+// All that is read or written.
+void check_files(const IdentifyArguments& arguments, const Robot& robot) {
+  std::vector<std::string> inputs = robot.files;
+  inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
+  inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());
+  check_outputs({arguments.output, arguments.plot}, inputs);
 }
 
 void require_samples(const Measurement& measurement) {
@@ -60,8 +86,7 @@ Measurement measured(const IdentifyArguments& arguments, const StreamOptions& op
   } else {
     measurement = merge_parts({arguments.parts.begin(), arguments.parts.end()}, model, found);
   }
-  if (found.has_errors()) throw BadInput(ExitCode::input, found);
-  print_diagnostics(found, arguments.quiet);
+  arguments.report(found);
   // A part may have its share of nothing; all parts together must not.
   if (arguments.part.empty()) require_samples(measurement);
   return measurement;
@@ -81,13 +106,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
                     const Identification& found) {
-  IdentifiedRobot about{arguments.output, {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""}, {}};
+  IdentifiedRobot about{
+      arguments.output, {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""}, arguments.settings()};
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
-  if (!arguments.gravity.empty()) about.settings.push_back(fmt::format("gravity = [{}]", arguments.gravity));
-  if (!arguments.tip.empty()) about.settings.push_back(fmt::format("tip = {{ link = \"{}\" }}", arguments.tip));
-  if (!arguments.fixed_joints.empty()) {
-    about.settings.push_back(fmt::format("fixed = [\"{}\"]", fmt::join(arguments.fixed_joints, "\", \"")));
-  }
   return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
 }
 
@@ -104,6 +125,7 @@ ExitCode identify(const IdentifyArguments& arguments) {
   StreamOptions stream = arguments.stream;
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   const Model robot = read_model(arguments.robot, arguments.options());
+  check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments.quiet);
   Identification found;
   {
@@ -152,7 +174,7 @@ Run add_identify(CLI::App& app) {
       ->check(kNotEmpty)
       ->type_name("FILE");
   command->add_option("--plot", arguments->plot, "torques and residuals over time; needs gnuplot")
-      ->check(kNotEmpty)
+      ->check(kIsSvg)
       ->type_name("FILE.svg");
   command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
       ->type_name("k/N");
@@ -161,7 +183,7 @@ Run add_identify(CLI::App& app) {
   command
       ->add_option("--damping", arguments->estimate.damping,
                    "directions whose relative singular value is below this stay near the file's values")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_between(0, 1))
       ->capture_default_str();
   command->add_flag("--sequential", arguments->sequential, "also the textbook's joint-by-joint procedure");
   return [arguments] { return identify(*arguments); };

@@ -34,8 +34,18 @@ void write_text(const fs::path& path, const TextFile& file) {
 
 // A device or a pipe is written to; only a file is replaced.
 bool is_replaced(const fs::path& path) {
-  const fs::file_status status = fs::status(path);
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
   return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+// Also under two names. What is no file, such as /dev/null, loses nothing.
+bool is_one_file(const fs::path& a, const fs::path& b) {
+  if (!is_replaced(a) || !is_replaced(b)) return false;
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const fs::path first = fs::weakly_canonical(fs::absolute(a), error);
+  return !error && first == fs::weakly_canonical(fs::absolute(b), error) && !error;
 }
 
 // What a link leads to is replaced, not the link.
@@ -69,6 +79,22 @@ class Cleanup {
 };
 
 }  // namespace
+
+void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    if (output->empty()) continue;
+    for (const std::string& input : inputs) {
+      if (!is_one_file(*output, input)) continue;
+      throw Failure(ExitCode::usage, fmt::format("{}: the output would replace the input {}", *output, input),
+                    "write to another file");
+    }
+    for (auto other = outputs.begin(); other != output; ++other) {
+      if (other->empty() || !is_one_file(*output, *other)) continue;
+      throw Failure(ExitCode::usage, fmt::format("{}: two outputs would go to this file", *output),
+                    "give each a file of its own");
+    }
+  }
+}
 
 void write_files(const std::vector<TextFile>& wanted) {
   std::vector<TextFile> files;

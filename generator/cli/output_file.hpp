@@ -12,6 +12,10 @@ struct TextFile {
   std::string text;
 };
 
+// Throws Failure(usage) if two outputs are one file, or if an output is an input, which would be lost. Outputs without
+// a name do not count.
+void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+
 // Writes all of them beside their places and renames them at the end, so that nobody ever sees half a file and an
 // interrupted run loses nothing. A link stays a link; a device is written to. Throws Failure(io).
 void write_files(const std::vector<TextFile>& wanted);

@@ -22,15 +22,18 @@ void check_usage(const PayloadArguments& arguments, const Model& robot) {
     throw Failure(ExitCode::usage, "--wrist and --without exclude each other",
                   "a sensor at the wrist measures the payload alone");
   }
+  std::vector<std::string> inputs = robot.robot.files;
+  inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
+  inputs.insert(inputs.end(), arguments.without.begin(), arguments.without.end());
+  check_outputs({arguments.output}, inputs);
   if (robot.robot.has_payload) {
     throw Failure(ExitCode::unsupported, fmt::format("{}: the robot has a payload already", robot.robot.file),
                   "take it out of the file: the one that is found takes its place");
   }
 }
 
-void stop_at_errors(const Diagnostics& found, bool quiet) {
+void stop_at_errors(const Diagnostics& found) {
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
-  print_diagnostics(found, quiet);
 }
 
 void require_samples(long used) {
@@ -43,7 +46,7 @@ Observations observed(const TorqueModel& model, const std::vector<std::string>& 
                       Progress& progress) {
   Diagnostics found;
   Measurement measurement = measure(model, {logs.begin(), logs.end()}, arguments.stream, progress, found);
-  stop_at_errors(found, arguments.quiet);
+  arguments.report(found);
   require_samples(measurement.count.used);
   return std::move(measurement.observations);
 }
@@ -59,35 +62,37 @@ PayloadEstimate from_torques(const Model& robot, const PayloadArguments& argumen
 
 PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments, Progress& progress) {
   WristObserver observer(robot.robot);
+  StreamOptions options = arguments.stream;
+  options.torques = false;
   Diagnostics found;
   long used = 0;
   for (const std::string& log : arguments.logs) {
-    const StreamPlan plan = plan_stream(log, robot.mechanism, arguments.stream, found);
-    if (!found.has_errors() && !plan.layout.has_tip_force) {
+    const StreamPlan plan = plan_stream(log, robot.mechanism, options, found);
+    if (!found.has_errors() && !plan.layout().has_tip_force) {
       found.error({log, 1}, "no columns fx, fy, fz, mx, my, mz (or h_e1, ...) of the sensor at the wrist");
     }
-    stop_at_errors(found, true);
+    stop_at_errors(found);
     progress.step("reading " + log);
     const auto sink = [&](const Motion& motion) { observer.add(motion); };
-    used += stream(log, robot.mechanism, plan, arguments.stream, sink, found).used;
-    stop_at_errors(found, true);
+    used += stream(log, robot.mechanism, plan, options, sink, found).used;
+    stop_at_errors(found);
   }
-  print_diagnostics(found, arguments.quiet);
+  arguments.report(found);
   require_samples(used);
   return observer.estimate();
 }
 
 ExitCode payload(const PayloadArguments& arguments) {
   const Model robot = read_model(arguments.robot, arguments.options());
-  print_diagnostics(robot.diagnostics, arguments.quiet);
   check_usage(arguments, robot);
+  print_diagnostics(robot.diagnostics, arguments.quiet);
   PayloadEstimate found;
   {
     Progress progress(arguments.quiet);
     found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
   }
   if (!arguments.output.empty()) {
-    write_files({{arguments.output, payload_robot_text(robot, found, arguments.output)}});
+    write_files({{arguments.output, payload_robot_text(robot, found, arguments.output, arguments.settings())}});
   }
   fmt::print("{}", arguments.json ? payload_json(robot, found).dump(2) + "\n" : describe_payload(robot, found));
   if (!arguments.output.empty() && !arguments.json) fmt::print("\nwrote {}\n", arguments.output);

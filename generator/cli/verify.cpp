@@ -47,7 +47,7 @@ Run add_verify(CLI::App& app) {
       ->check(CLI::Range(1, 1000000));
   command->add_option("--seed", arguments->options.seed, "of the random states")->capture_default_str();
   command->add_option("--bound", arguments->options.bound, "largest scaled error allowed in double")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
   return [arguments] { return run_verify(*arguments); };
 }

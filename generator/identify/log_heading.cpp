@@ -105,19 +105,42 @@ std::vector<NamedColumn> named_columns(const std::string& line, const Mechanism&
   return columns;
 }
 
+// "q7", "tau_7"; asked of names that no joint of the robot has.
+bool is_of_a_joint(const std::string& name) {
+  for (const std::string stem : {"q", "tau", "qd", "qdd"}) {
+    if (name.compare(0, stem.size(), stem) != 0) continue;
+    const std::size_t number = stem.size() + (name.size() > stem.size() && name[stem.size()] == '_' ? 1 : 0);
+    if (number < name.size() && name.find_first_not_of("0123456789", number) == std::string::npos) return true;
+  }
+  return false;
+}
+
+// The first ten names, and how many there are besides.
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::string> shown(names.begin(), names.begin() + static_cast<long>(std::min(kMost, names.size())));
+  for (std::string& name : shown) {
+    if (name.empty()) name = "(no name)";
+  }
+  const std::string more = names.size() > kMost ? fmt::format(" and {} more", names.size() - kMost) : "";
+  return fmt::format("{}{}", fmt::join(shown, ", "), more);
+}
+
 class HeadingReader {
  public:
-  HeadingReader(const Place& place, const Mechanism& mechanism, Diagnostics& diagnostics)
-      : place_(place), mechanism_(mechanism), diagnostics_(diagnostics) {}
+  HeadingReader(const Place& place, const Mechanism& mechanism, bool torques, Diagnostics& diagnostics)
+      : place_(place), mechanism_(mechanism), torques_(torques), diagnostics_(diagnostics) {}
 
   LogHeading read(const std::string& line) {
+    if (has_other_separators(line)) return {};
     const std::vector<NamedColumn> columns = named_columns(line, mechanism_);
     for (const NamedColumn& column : columns) count(column);
     LogHeading heading;
     heading.layout.joints = mechanism_.size();
     require_all(Quantity::time, "time", "t", 1);
     require_all(Quantity::q, "positions", "q", mechanism_.size());
-    require_all(Quantity::tau, "torques", "tau", mechanism_.size());
+    heading.layout.has_torques = torques_;
+    if (torques_) require_all(Quantity::tau, "torques", "tau", mechanism_.size());
     heading.layout.has_rates = all_or_none(Quantity::qd, "qd", mechanism_.size());
     heading.layout.has_accelerations = all_or_none(Quantity::qdd, "qdd", mechanism_.size());
     heading.layout.has_tip_force = all_or_none(Quantity::h_e, "h_e", LogLayout::kWrench);
@@ -127,9 +150,19 @@ class HeadingReader {
   }
 
  private:
+  // Said by itself: that no column is there would say nothing more.
+  bool has_other_separators(const std::string& line) {
+    if (line.find(',') != std::string::npos) return false;
+    const bool semicolons = line.find(';') != std::string::npos;
+    if (!semicolons && line.find('\t') == std::string::npos) return false;
+    diagnostics_.error(place_, fmt::format("columns are separated by {}", semicolons ? "semicolons" : "tabs"),
+                       "write the log with commas between columns, and points in numbers");
+    return true;
+  }
+
   void count(const NamedColumn& column) {
     if (!column.meaning) {
-      unused_.push_back(column.written);
+      (is_of_a_joint(column.written) ? of_other_joints_ : unused_).push_back(column.written);
     } else if (++seen_[column.meaning->quantity][column.meaning->index] == 2) {
       diagnostics_.error(place_, fmt::format("column \"{}\" is there twice", column.written),
                          "a joint is named once, by its number or by its name");
@@ -164,7 +197,8 @@ class HeadingReader {
     if (!column.meaning) return {column.written, -1, 1};
     const auto [quantity, index] = *column.meaning;
     const int first[] = {LogLayout::time(), LogLayout::q(), layout.tau(), layout.qd(), layout.qdd(), layout.h_e()};
-    const bool left_out = (quantity == Quantity::qd && !layout.has_rates) ||
+    const bool left_out = (quantity == Quantity::tau && !layout.has_torques) ||
+                          (quantity == Quantity::qd && !layout.has_rates) ||
                           (quantity == Quantity::qdd && !layout.has_accelerations) ||
                           (quantity == Quantity::h_e && !layout.has_tip_force);
     return {column.written, left_out ? -1 : first[static_cast<int>(quantity)] + index, factor(column)};
@@ -187,22 +221,27 @@ class HeadingReader {
   }
 
   void note_unused() {
-    if (unused_.empty()) return;
-    diagnostics_.note(place_, fmt::format("columns that are not used: {}", fmt::join(unused_, ", ")));
+    if (!unused_.empty()) diagnostics_.note(place_, "columns that are not used: " + some_of(unused_));
+    if (of_other_joints_.empty()) return;
+    diagnostics_.warning(place_,
+                         fmt::format("columns of joints that the robot does not have (it has {}) are not used: {}",
+                                     mechanism_.size(), some_of(of_other_joints_)),
+                         "is this the log of this robot, without joints that --fix holds?");
   }
 
   Place place_;
   const Mechanism& mechanism_;
+  bool torques_;
   Diagnostics& diagnostics_;
   std::map<Quantity, std::map<int, int>> seen_;
-  std::vector<std::string> unused_;
+  std::vector<std::string> unused_, of_other_joints_;
 };
 
 }  // namespace
 
-LogHeading read_heading(const std::string& line, const Place& place, const Mechanism& mechanism,
+LogHeading read_heading(const std::string& line, const Place& place, const Mechanism& mechanism, bool torques,
                         Diagnostics& diagnostics) {
-  return HeadingReader(place, mechanism, diagnostics).read(line);
+  return HeadingReader(place, mechanism, torques, diagnostics).read(line);
 }
 
 }  // namespace flatdyn

@@ -10,16 +10,17 @@
 
 namespace flatdyn {
 
-// Channels of a sample: time, q, τ, and, where the log has them, q̇, q̈ and the tip force.
+// Channels of a sample: time, q, and, where the log has them, τ, q̇, q̈ and the tip force.
 struct LogLayout {
   int joints = 0;
+  bool has_torques = true;
   bool has_rates = false, has_accelerations = false, has_tip_force = false;
 
   static constexpr int kWrench = 6;
   static constexpr int time() { return 0; }
   static constexpr int q() { return 1; }
   int tau() const { return 1 + joints; }
-  int qd() const { return 1 + 2 * joints; }
+  int qd() const { return tau() + (has_torques ? joints : 0); }
   int qdd() const { return qd() + (has_rates ? joints : 0); }
   int h_e() const { return qdd() + (has_accelerations ? joints : 0); }
   int channels() const { return h_e() + (has_tip_force ? kWrench : 0); }
@@ -41,8 +42,9 @@ struct LogHeading {
 
 // Reads "t, q1 [deg], q_elbow, tau1, …": joints by number or by name, units in brackets, SI where there are none:
 // s, rad or m, N m or N. What is wrong (missing, twice, unknown unit) goes into `diagnostics`; columns with other names
-// are left out with a note.
-LogHeading read_heading(const std::string& line, const Place& place, const Mechanism& mechanism,
+// are left out with a note, or a warning if they are of joints that the robot does not have. Torques may be missing,
+// and are not read, if `torques` is false.
+LogHeading read_heading(const std::string& line, const Place& place, const Mechanism& mechanism, bool torques,
                         Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
-#include <limits>
+#include <utility>
 
 namespace flatdyn {
 namespace {
@@ -22,11 +23,35 @@ bool is_comment_or_empty(std::string_view line) {
   return first == std::string_view::npos || line[first] == '#';
 }
 
+// What from_chars() takes, and what other programs write besides: a plus sign, and numbers too small for a double.
+// Where the number ends; null if there is none.
+const char* read_unquoted(const char* at, const char* end, double& value) {
+  if (end - at > 1 && *at == '+' && at[1] != '-') ++at;
+  const auto [stop, error] = std::from_chars(at, end, value);
+  if (error == std::errc::result_out_of_range) {
+    value = std::strtod(std::string(at, stop).c_str(), nullptr);
+  } else if (error != std::errc()) {
+    return nullptr;
+  }
+  return std::isfinite(value) ? stop : nullptr;
+}
+
+// Also in quotation marks.
+const char* read_number(const char* at, const char* end, double& value) {
+  if (at == end || *at != '"') return read_unquoted(at, end, value);
+  const char* stop = read_unquoted(at + 1, end, value);
+  return stop != nullptr && stop < end && *stop == '"' ? stop + 1 : nullptr;
+}
+
 }  // namespace
 
 LineReader::LineReader(const std::filesystem::path& path) : file_(path, std::ios::binary), buffer_(kBlock) {
   if (!file_ || std::filesystem::is_directory(path)) {
     throw Failure(ExitCode::io, fmt::format("{}: cannot be read", path.string()));
+  }
+  if (!std::filesystem::is_regular_file(path)) {
+    throw Failure(ExitCode::io, fmt::format("{}: cannot be read: it is no regular file", path.string()),
+                  "logs are read twice: write it to a file first");
   }
 }
 
@@ -62,19 +87,27 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
-LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechanism, Diagnostics& diagnostics)
-    : path_(path.string()),
-      lines_(path),
-      diagnostics_(diagnostics),
-      last_time_(-std::numeric_limits<double>::infinity()) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques,
+                     Diagnostics& diagnostics)
+    : path_(path.string()), lines_(path), diagnostics_(diagnostics) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF", kGzip = "\x1F\x8B";
   std::string_view line;
   if (!next_line(line)) {
     complain("no samples in the file", "a heading such as t,q1,q2,tau1,tau2 and a line for each sample");
     return;
   }
+  if (line.substr(0, kGzip.size()) == kGzip) {
+    complain("the log is compressed", "unpack it first: gunzip -k FILE");
+    return;
+  }
   if (line.substr(0, kByteOrderMark.size()) == kByteOrderMark) line.remove_prefix(kByteOrderMark.size());
-  heading_ = read_heading(std::string(line), place(), mechanism, diagnostics);
+  heading_ = read_heading(std::string(line), place(), mechanism, torques, diagnostics);
+}
+
+LogReader::LogReader(const std::filesystem::path& path, LogHeading heading, Diagnostics& diagnostics)
+    : path_(path.string()), lines_(path), diagnostics_(diagnostics), heading_(std::move(heading)) {
+  std::string_view line;
+  next_line(line);
 }
 
 bool LogReader::complain(const std::string& message, const std::string& hint) {
@@ -133,10 +166,10 @@ bool LogReader::parse(std::string_view line, double* channels) {
     }
     while (at < end && is_blank(*at)) ++at;
     double value = 0;
-    const auto [stop, error] = std::from_chars(at, end, value);
-    const char* last = stop;
+    const char* const stop = read_number(at, end, value);
+    const char* last = stop != nullptr ? stop : at;
     while (last < end && is_blank(*last)) ++last;
-    const bool is_number = error == std::errc() && (last == end || *last == ',') && std::isfinite(value);
+    const bool is_number = stop != nullptr && (last == end || *last == ',');
     if (!is_number) last = std::find(at, end, ',');
     if (columns[k].channel >= 0) {
       if (!is_number) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,7 @@ namespace flatdyn {
 // The lines of a file, by blocks; a line is a view that holds until the next one.
 class LineReader {
  public:
-  // Throws Failure(io) if the file cannot be read.
+  // Throws Failure(io) if the file cannot be read, or is no file that can be read twice.
   explicit LineReader(const std::filesystem::path& path);
 
   // False at the end. Without the line's end (\n or \r\n).
@@ -34,9 +35,13 @@ class LineReader {
 
 class LogReader {
  public:
-  // Reads the heading. Throws Failure(io); what is wrong with the heading goes into `diagnostics`.
-  LogReader(const std::filesystem::path& path, const Mechanism& mechanism, Diagnostics& diagnostics);
+  // Reads the heading; `torques`: it must have them. Throws Failure(io); what is wrong with the heading goes into
+  // `diagnostics`.
+  LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques, Diagnostics& diagnostics);
+  // Once more, with the heading that was read before.
+  LogReader(const std::filesystem::path& path, LogHeading heading, Diagnostics& diagnostics);
 
+  const LogHeading& heading() const { return heading_; }
   const LogLayout& layout() const { return heading_.layout; }
   Place place() const { return {path_, lines_.number()}; }
 
@@ -57,7 +62,7 @@ class LogReader {
   Diagnostics& diagnostics_;
   LogHeading heading_;
   int errors_ = 0;
-  double last_time_;
+  double last_time_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace flatdyn

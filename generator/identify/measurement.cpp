@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/measurement.hpp"
 
+#include <fstream>
+
+#include "input/content_hash.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -8,6 +12,15 @@ void drop_every_other(std::vector<MotionSample>& samples) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < samples.size(); k += 2) std::swap(samples[kept++], samples[k]);
   samples.resize(kept);
+}
+
+LogIdentity identity_of(const std::filesystem::path& log) {
+  constexpr std::size_t kBeginning = 65536;
+  std::string beginning(kBeginning, '\0');
+  std::ifstream file(log, std::ios::binary);
+  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(file.gcount()));
+  return {log.filename().string(), std::filesystem::file_size(log), content_hash({beginning})};
 }
 
 }  // namespace
@@ -37,6 +50,7 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
     const StreamPlan plan = plan_stream(log, model.mechanism(), options, diagnostics);
     if (diagnostics.has_errors()) return result;
     if (&log == &logs.front()) result.plan = plan;
+    result.logs.push_back(identity_of(log));
     progress.step("reading " + log.string());
     const auto sink = [&](const Motion& motion) {
       folder.add(motion);

@@ -2,7 +2,9 @@
 // Logs → what they say: the observations, and some of the samples to draw.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "identify/observations.hpp"
@@ -27,11 +29,19 @@ class ThinnedSamples {
   std::vector<MotionSample> kept_;
 };
 
+// What tells a log from others, wherever it lies: without its folder, and without reading all of it.
+struct LogIdentity {
+  std::string name;  // of the file
+  std::uintmax_t bytes = 0;
+  std::string beginning;  // a hash of it
+};
+
 struct Measurement {
   Observations observations;
   std::vector<MotionSample> samples;
   StreamCount count;
   StreamPlan plan;  // of the first log
+  std::vector<LogIdentity> logs;
 };
 
 // What is wrong goes into `diagnostics`; after an error the result means nothing.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identify/log_reader.hpp"
+#include "identify/position_check.hpp"
 #include "identify/zero_phase.hpp"
 
 namespace flatdyn {
@@ -40,16 +41,25 @@ class Window {
 
 // A sample that has all that is needed.
 Motion as_measured(const LogLayout& layout, const double* channels) {
-  return {channels[LogLayout::time()], channels + LogLayout::q(),
-          channels + layout.qd(),      channels + layout.qdd(),
-          channels + layout.tau(),     layout.has_tip_force ? channels + layout.h_e() : nullptr};
+  return {channels[LogLayout::time()],
+          channels + LogLayout::q(),
+          channels + layout.qd(),
+          channels + layout.qdd(),
+          layout.has_torques ? channels + layout.tau() : nullptr,
+          layout.has_tip_force ? channels + layout.h_e() : nullptr};
 }
 
 // The motion at the middle of a window.
 class MotionFilter {
  public:
   explicit MotionFilter(const StreamPlan& plan)
-      : layout_(plan.layout), n_(plan.layout.joints), q_(n_), qd_(n_), qdd_(n_), tau_(n_), h_e_(LogLayout::kWrench) {
+      : layout_(plan.layout()),
+        n_(plan.layout().joints),
+        q_(n_),
+        qd_(n_),
+        qdd_(n_),
+        tau_(n_),
+        h_e_(LogLayout::kWrench) {
     const ZeroPhaseKernel kernel = zero_phase_kernel(plan.band, plan.dt);
     for (int order = 0; order < 3; ++order) {
       weights_[order] = Eigen::Map<const Eigen::VectorXd>(kernel.weights[order].data(), kernel.length());
@@ -59,7 +69,7 @@ class MotionFilter {
   Motion motion(const Window& window) {
     const auto times = window.channels(LogLayout::time(), 1);
     smooth(window, LogLayout::q(), 0, q_);
-    smooth(window, layout_.tau(), 0, tau_);
+    if (layout_.has_torques) smooth(window, layout_.tau(), 0, tau_);
     if (layout_.has_rates) {
       smooth(window, layout_.qd(), 0, qd_);
     } else {
@@ -77,7 +87,7 @@ class MotionFilter {
             q_.data(),
             qd_.data(),
             qdd_.data(),
-            tau_.data(),
+            layout_.has_torques ? tau_.data() : nullptr,
             layout_.has_tip_force ? h_e_.data() : nullptr};
   }
 
@@ -116,11 +126,13 @@ class Stream {
  public:
   Stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
          const StreamOptions& options, Diagnostics& diagnostics)
-      : reader_(log, mechanism, diagnostics),
+      : reader_(log, plan.heading, diagnostics),
+        diagnostics_(diagnostics),
+        positions_(mechanism),
         plan_(plan),
         blocks_(options, plan.half_window),
-        window_(plan.layout.channels(), 2 * plan.half_window + 1),
-        sample_(plan.layout.channels()) {
+        window_(plan.layout().channels(), 2 * plan.half_window + 1),
+        sample_(plan.layout().channels()) {
     if (plan.band > 0) filter_.emplace(plan);
   }
 
@@ -128,11 +140,14 @@ class Stream {
     for (long line = 0;; ++line) {
       skip_to(blocks_.next_needed(line), line);
       if (!reader_.next(sample_.data())) return count_;
+      if (positions_.is_odd(sample_.data()) && !positions_.accepts(sample_.data(), reader_.place(), diagnostics_)) {
+        return count_;
+      }
       if (blocks_.owns(line)) ++count_.lines;
       const bool complete = !filter_ || window_is_full();
       const long centre = line - plan_.half_window;
       if (!complete || !blocks_.owns(centre) || centre % plan_.decimate != 0) continue;
-      sink(filter_ ? filter_->motion(window_) : as_measured(plan_.layout, sample_.data()));
+      sink(filter_ ? filter_->motion(window_) : as_measured(plan_.layout(), sample_.data()));
       ++count_.used;
     }
   }
@@ -159,6 +174,8 @@ class Stream {
   }
 
   LogReader reader_;
+  Diagnostics& diagnostics_;
+  PositionCheck positions_;
   const StreamPlan& plan_;
   Blocks blocks_;
   Window window_;

@@ -11,7 +11,7 @@
 
 namespace flatdyn {
 
-// Arrays of n numbers (h_e: of 6; null where the log has none), SI; they hold during the call.
+// Arrays of n numbers (tau; h_e: of 6; null where the log has none), SI; they hold during the call.
 struct Motion {
   double time = 0;
   const double *q = nullptr, *qd = nullptr, *qdd = nullptr, *tau = nullptr, *h_e = nullptr;
@@ -25,18 +25,22 @@ struct StreamOptions {
   // Every N-th sample is used. None: all without filter; with it, so many that filtered noise is nearly white, a
   // rate of three bands.
   std::optional<int> decimate = std::nullopt;
+  // The log must have torques. If not, they are not read.
+  bool torques = true;
   // Of all blocks of kBlock lines, those of part k of N, k = 1 … N.
   int part = 1, parts = 1;
 };
 
 // How a log is read, decided from its heading and its first lines.
 struct StreamPlan {
-  LogLayout layout;
+  LogHeading heading;
   double dt = 0;        // s, median
   double jitter = 0;    // standard deviation of the time between samples, over dt
   double band = 0;      // Hz; 0: no filter
   int half_window = 0;  // samples that the filter loses at either end
   int decimate = 1;
+
+  const LogLayout& layout() const { return heading.layout; }
 };
 
 // What was read. Samples of other parts do not count.
@@ -46,12 +50,14 @@ struct StreamCount {
 
 inline constexpr long kBlock = 65536;
 
-// Reads the first lines. Wrong units are told by q against the joint limits and by q̇ and q̈ against the change of q;
-// time that is not even, where derivatives are needed, is a warning.
+// Reads the first lines. Wrong units are told by q against the joint limits, by speeds that no robot has, by q̇ and q̈
+// against the change of q, and by the time between samples; time that is not even, where derivatives are needed, is a
+// warning.
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics);
 
-// All samples that are used, in order. A gap in time starts the filter anew.
+// All samples that are used, in order. A gap in time starts the filter anew. A position far outside the limits is an
+// error and the end.
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
                    const StreamOptions& options, const MotionSink& sink, Diagnostics& diagnostics);
 

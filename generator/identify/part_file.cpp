@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -40,10 +41,21 @@ ordered_json settings(const StreamOptions& options) {
   return json;
 }
 
+// In the order of their names: a shell on another machine may give them in another one.
+ordered_json logs_of(const Measurement& measurement) {
+  std::vector<ordered_json> logs;
+  for (const LogIdentity& log : measurement.logs) {
+    logs.push_back({{"name", log.name}, {"bytes", log.bytes}, {"beginning", log.beginning}});
+  }
+  std::sort(logs.begin(), logs.end());
+  return logs;
+}
+
 struct Part {
   std::filesystem::path file;
   int part = 0, parts = 0;
-  ordered_json settings;
+  ordered_json settings, logs;
+  std::string log_names;
   Measurement measurement;
 };
 
@@ -73,6 +85,23 @@ ordered_json json_of(const std::filesystem::path& file) {
   return json.is_object() ? json : ordered_json::object();
 }
 
+// From 1 on.
+long whole_number(const ordered_json& json, long most) {
+  const double value = json.is_number_integer() ? json.get<double>() : 0;
+  if (value < 1 || value > static_cast<double>(most)) throw std::invalid_argument("number");
+  return static_cast<long>(value);
+}
+
+std::string names_of(const ordered_json& logs) {
+  constexpr std::size_t kMost = 5;
+  std::vector<std::string> names;
+  for (const ordered_json& log : logs) {
+    if (names.size() == kMost) return fmt::format("{}, ...", fmt::join(names, ", "));
+    names.push_back(fmt::format("{} ({} bytes)", log.value("name", ""), log.value("bytes", std::uintmax_t{0})));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::optional<Part> read_part(const std::filesystem::path& file, const TorqueModel& model, Diagnostics& diagnostics) {
   const Place place{file.string(), 0};
   const ordered_json json = json_of(file);
@@ -83,7 +112,14 @@ std::optional<Part> read_part(const std::filesystem::path& file, const TorqueMod
                         "give --merge the robot and the options that the parts were made with");
       return std::nullopt;
     }
-    return Part{file, json.at("part"), json.at("settings").at("parts"), json.at("settings"),
+    const long parts = whole_number(json.at("settings").at("parts"), kMostParts);
+    const long part = whole_number(json.at("part"), parts);
+    return Part{file,
+                static_cast<int>(part),
+                static_cast<int>(parts),
+                json.at("settings"),
+                json.at("logs"),
+                names_of(json.at("logs")),
                 measurement_of(json, model)};
   } catch (const std::exception&) {
     diagnostics.error(place, "this is no part of an identification, or it is not whole",
@@ -100,16 +136,25 @@ void check_complete(const std::vector<Part>& parts, Diagnostics& diagnostics) {
     if (part.settings != first.settings) {
       diagnostics.error(place, fmt::format("made with other options than {}", first.file.string()),
                         "the same N, --band and --decimate for all parts");
+    } else if (part.logs != first.logs) {
+      diagnostics.error(place,
+                        fmt::format("made from other logs than {}: {} instead of {}", first.file.string(),
+                                    part.log_names, first.log_names),
+                        "the same logs for all parts");
     } else if (const auto [at, is_new] = seen.emplace(part.part, &part); !is_new) {
       diagnostics.error(place, fmt::format("part {} is there twice, also as {}", part.part, at->second->file.string()));
     }
   }
+  constexpr std::size_t kMostNamed = 20;
   std::vector<int> missing;
-  for (int k = 1; k <= first.parts; ++k) {
+  for (int k = 1; k <= first.parts && missing.size() <= kMostNamed; ++k) {
     if (seen.count(k) == 0) missing.push_back(k);
   }
   if (missing.empty() || diagnostics.has_errors()) return;
-  diagnostics.error({}, fmt::format("missing: part {} of {}", fmt::join(missing, ", "), first.parts),
+  const bool more = missing.size() > kMostNamed;
+  if (more) missing.pop_back();
+  diagnostics.error({},
+                    fmt::format("missing: part {}{} of {}", fmt::join(missing, ", "), more ? ", ..." : "", first.parts),
                     fmt::format("make it again with --part {}/{}", missing.front(), first.parts));
 }
 
@@ -121,6 +166,7 @@ std::string part_text(const Measurement& measurement, const TorqueModel& model, 
                        {"model", model.fingerprint()},
                        {"part", options.part},
                        {"settings", settings(options)},
+                       {"logs", logs_of(measurement)},
                        {"lines", measurement.count.lines},
                        {"used", measurement.count.used},
                        {"gaps", measurement.count.gaps},

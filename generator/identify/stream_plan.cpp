@@ -7,8 +7,8 @@
 
 #include "identify/log_reader.hpp"
 #include "identify/motion_stream.hpp"
+#include "identify/position_check.hpp"
 #include "identify/zero_phase.hpp"
-#include "model/number.hpp"
 
 namespace flatdyn {
 namespace {
@@ -56,13 +56,14 @@ double jitter_of(const std::vector<double>& steps, double dt) {
 
 class UnitChecks {
  public:
-  UnitChecks(const Mechanism& mechanism, const LogLayout& layout, const std::vector<SurveyedSample>& samples,
+  UnitChecks(const Mechanism& mechanism, const LogLayout& layout, double dt, const std::vector<SurveyedSample>& samples,
              Diagnostics& diagnostics)
-      : mechanism_(mechanism), layout_(layout), samples_(samples), diagnostics_(diagnostics) {}
+      : mechanism_(mechanism), layout_(layout), dt_(dt), samples_(samples), diagnostics_(diagnostics) {}
 
   void run() {
+    check_positions();
     for (int i = 0; i < mechanism_.size(); ++i) {
-      if (!mechanism_.bodies[static_cast<std::size_t>(i)].prismatic) check_limits(i);
+      if (!mechanism_.bodies[static_cast<std::size_t>(i)].prismatic) check_speed(i);
       if (layout_.has_rates) check_derivative(LogLayout::q() + i, layout_.qd() + i, i, "q", "qd");
       if (layout_.has_rates && layout_.has_accelerations) {
         check_derivative(layout_.qd() + i, layout_.qdd() + i, i, "qd", "qdd");
@@ -71,19 +72,32 @@ class UnitChecks {
   }
 
  private:
-  // Twice the limits is no overshoot.
-  void check_limits(int i) {
-    const Body& body = mechanism_.bodies[static_cast<std::size_t>(i)];
-    if (!body.limits.lower || !body.limits.upper) return;
-    const double lower = nearest_double(body.limits.lower->number), upper = nearest_double(body.limits.upper->number);
-    const double largest = 2 * std::max({std::abs(lower), std::abs(upper), std::numbers::pi});
+  // Errors alone: what is a warning is said when the whole log is read.
+  void check_positions() {
+    PositionCheck positions(mechanism_);
     for (const SurveyedSample& sample : samples_) {
-      const double q = sample.channels[static_cast<std::size_t>(LogLayout::q() + i)];
-      if (std::abs(q) <= largest) continue;
-      diagnostics_.error(sample.place,
-                         fmt::format("q{} = {} rad is far outside the limits of joint \"{}\", {} to {} rad", i + 1, q,
-                                     body.joint, lower, upper),
-                         fmt::format("are these degrees? Then write the column's heading as q{} [deg]", i + 1));
+      Diagnostics found;
+      if (positions.accepts(sample.channels.data(), sample.place, found)) continue;
+      diagnostics_.add(found.all().back());
+      return;
+    }
+  }
+
+  // No robot's joint turns so fast, but many degrees pass in a second. Times that jitter make no speed.
+  void check_speed(int i) {
+    constexpr double kFastest = 100;
+    const auto q = static_cast<std::size_t>(LogLayout::q() + i);
+    for (std::size_t k = 1; k < samples_.size(); ++k) {
+      const auto& before = samples_[k - 1].channels;
+      const auto& after = samples_[k].channels;
+      const double speed = std::abs(after[q] - before[q]) / std::max(after[0] - before[0], dt_ / 2);
+      if (speed <= kFastest) continue;
+      diagnostics_.warning(
+          samples_[k].place,
+          fmt::format("q{} changes by {:.3g} rad in {:.3g} s", i + 1, after[q] - before[q], after[0] - before[0]),
+          fmt::format("are these degrees? Then write the column's heading as q{} [deg]; and an angle must not jump by "
+                      "whole turns",
+                      i + 1));
       return;
     }
   }
@@ -118,14 +132,22 @@ class UnitChecks {
 
   const Mechanism& mechanism_;
   const LogLayout& layout_;
+  double dt_;
   const std::vector<SurveyedSample>& samples_;
   Diagnostics& diagnostics_;
 };
 
+void check_time(double dt, const Place& place, Diagnostics& diagnostics) {
+  constexpr double kSlow = 1;
+  if (dt < kSlow) return;
+  diagnostics.warning(place, fmt::format("from one sample to the next, {:.6g} s pass", dt),
+                      "are these milliseconds? Then write the column's heading as t [ms]");
+}
+
 void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& place, Diagnostics& diagnostics) {
   constexpr double kDefaultBand = 10, kUnevenTime = 0.02;
   const double rate = 1 / plan.dt;
-  const bool derivatives_missing = !plan.layout.has_rates || !plan.layout.has_accelerations;
+  const bool derivatives_missing = !plan.layout().has_rates || !plan.layout().has_accelerations;
   if (options.band) {
     plan.band = *options.band;
   } else if (derivatives_missing) {
@@ -155,20 +177,21 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& 
 
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics) {
-  LogReader reader(log, mechanism, diagnostics);
+  LogReader reader(log, mechanism, options.torques, diagnostics);
   StreamPlan plan;
   if (diagnostics.has_errors()) return plan;
-  plan.layout = reader.layout();
+  plan.heading = reader.heading();
   const std::vector<SurveyedSample> samples = first_samples(reader);
   if (diagnostics.has_errors()) return plan;
   if (samples.size() < 2) {
     diagnostics.error(reader.place(), fmt::format("{} samples: too few to identify from", samples.size()));
     return plan;
   }
-  UnitChecks(mechanism, plan.layout, samples, diagnostics).run();
   const std::vector<double> steps = time_steps(samples);
   plan.dt = median(steps);
   plan.jitter = jitter_of(steps, plan.dt);
+  UnitChecks(mechanism, plan.layout(), plan.dt, samples, diagnostics).run();
+  check_time(plan.dt, {log.string(), 1}, diagnostics);
   choose_filter(plan, options, {log.string(), 1}, diagnostics);
   return plan;
 }

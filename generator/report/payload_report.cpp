@@ -13,6 +13,15 @@ constexpr const char* kNames[] = {"m", "m lx", "m ly", "m lz", "Ixx", "Ixy", "Ix
 constexpr const char* kUnits[] = {"kg",     "kg m",   "kg m",   "kg m",   "kg m^2",
                                   "kg m^2", "kg m^2", "kg m^2", "kg m^2", "kg m^2"};
 
+std::string in_quotes(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
 // Of a body with ten parameters.
 struct Centred {
   double mass;
@@ -49,16 +58,18 @@ nlohmann::ordered_json payload_json(const Model& robot, const PayloadEstimate& p
           {"nearest_body", list(payload.body)}, {"largest_misfit", payload.largest_misfit}};
 }
 
-std::string payload_robot_text(const Model& robot, const PayloadEstimate& payload, const std::filesystem::path& file) {
+std::string payload_robot_text(const Model& robot, const PayloadEstimate& payload, const std::filesystem::path& file,
+                               const std::vector<std::string>& settings) {
   const Centred body = centred(payload.body);
   const auto& I = body.inertia;
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   return fmt::format(
       "# The payload was identified by flatdyn {} from measured motion.\n\n"
-      "robot = \"{}\"\n\n[payload]\nlink = \"{}\"\nmass = {}\ncom = [{}, {}, {}]\n"
+      "robot = {}\n{}{}\n[payload]\nlink = {}\nmass = {}\ncom = [{}, {}, {}]\n"
       "inertia = {{ xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {} }}\ninertia_about = \"com\"\n",
-      FLATDYN_VERSION, std::filesystem::relative(robot.robot.file, folder).generic_string(), robot.mechanism.tip.link,
-      body.mass, body.com.x(), body.com.y(), body.com.z(), I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
+      FLATDYN_VERSION, in_quotes(std::filesystem::relative(robot.robot.file, folder).generic_string()),
+      fmt::join(settings, "\n"), settings.empty() ? "" : "\n", in_quotes(robot.mechanism.tip.link), body.mass,
+      body.com.x(), body.com.y(), body.com.z(), I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
 }
 
 }  // namespace flatdyn

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <functional>
 #include <numbers>
 
 #include "identify/motion_stream.hpp"
@@ -32,10 +33,10 @@ class LogTest : public ::testing::Test {
 
   void write(const std::string& text) const { std::ofstream(file) << text; }
 
-  std::vector<std::vector<double>> read(const std::string& text) {
+  std::vector<std::vector<double>> read(const std::string& text, bool torques = true) {
     write(text);
     std::vector<std::vector<double>> samples;
-    LogReader reader(file, planar_arm(), found);
+    LogReader reader(file, planar_arm(), torques, found);
     if (found.has_errors()) return samples;
     std::vector<double> channels(static_cast<std::size_t>(reader.layout().channels()));
     while (reader.next(channels.data())) samples.push_back(channels);
@@ -75,6 +76,9 @@ TEST_F(LogTest, WhatIsWrongWithTheHeadingIsSaid) {
       {"t,q1,q2,tau1,tau2,qd2\n", "1: no column for qd1"},
       {"t,q1,q2,tau1,tau2,q_theta_1\n", "1: column \"q_theta_1\" is there twice"},
       {"t,q1 [grad],q2,tau1,tau2\n", "1: column \"q1\": unknown unit \"grad\""},
+      {"t;q1;q2;tau1;tau2\n", "1: columns are separated by semicolons"},
+      {"t\tq1\tq2\ttau1\ttau2\n", "1: columns are separated by tabs"},
+      {"\x1F\x8B\b,", "1: the log is compressed"},
       {"", "0: no samples in the file"},
   };
   for (const auto& [text, message] : cases) {
@@ -92,6 +96,8 @@ TEST_F(LogTest, WhatIsWrongWithALineIsSaid) {
       {"0,1,2,3,4,5\n", "2: more than the 5 entries that the heading has"},
       {"0,1,2,x,4\n", "2: column \"tau1\": \"x\" is not a finite number"},
       {"0,1,nan,3,4\n", "2: column \"q2\": \"nan\" is not a finite number"},
+      {"0,1,+-2,3,4\n", "2: column \"q2\": \"+-2\" is not a finite number"},
+      {"0,1,\"2,3,4\n", "2: column \"q2\": \"\"2\" is not a finite number"},
       {"0,1,1e999,3,4\n", "2: column \"q2\": \"1e999\" is not a finite number"},
       {"0,1,2,3,4\n0,1,2,3,4\n", "3: time does not grow: 0 s after 0 s"},
   };
@@ -99,6 +105,41 @@ TEST_F(LogTest, WhatIsWrongWithALineIsSaid) {
     found = {};
     read(std::string("t,q1,q2,tau1,tau2\n") + lines);
     EXPECT_EQ(error(), message) << lines;
+  }
+}
+
+TEST_F(LogTest, NumbersMayHaveAPlusOrQuotationMarksOrBeNearlyZero) {
+  const auto samples = read("t,q1,q2,tau1,tau2\n+0.5,\"-1\", \"+2\" ,1e-400,+3e+1\n");
+  EXPECT_EQ(error(), "none");
+  ASSERT_EQ(samples.size(), 1u);
+  EXPECT_THAT(samples[0], ElementsAre(0.5, -1, 2, 0, 30));
+}
+
+TEST_F(LogTest, ColumnsThatAreNotUsedAreNamedUpToTen) {
+  std::string heading = "t,q1,q2,tau1,tau2,";
+  for (int k = 1; k < 12; ++k) heading += fmt::format(",x{}", k);
+  read(heading + "\n");
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_EQ(found.all()[0].message,
+            "columns that are not used: (no name), x1, x2, x3, x4, x5, x6, x7, x8, x9 and 2 more");
+}
+
+TEST_F(LogTest, ColumnsOfJointsThatTheRobotDoesNotHaveAreAWarning) {
+  read("t,q1,q2,q3,tau1,tau2,tau_3,q_ref\n");
+  ASSERT_EQ(found.all().size(), 2u);
+  EXPECT_EQ(found.all()[0].severity, Severity::note);
+  EXPECT_EQ(found.all()[1].severity, Severity::warning);
+  EXPECT_EQ(found.all()[1].message,
+            "columns of joints that the robot does not have (it has 2) are not used: q3, tau_3");
+}
+
+TEST_F(LogTest, WhereTorquesAreNotNeededTheyAreNotRead) {
+  for (const char* text :
+       {"t,q1,q2,fx,fy,fz,mx,my,mz\n0,1,2,3,4,5,6,7,8\n", "t,q1,q2,tau2,fx,fy,fz,mx,my,mz\n0,1,2,none,3,4,5,6,7,8\n"}) {
+    const auto samples = read(text, false);
+    EXPECT_EQ(error(), "none");
+    ASSERT_EQ(samples.size(), 1u);
+    EXPECT_THAT(samples[0], ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
   }
 }
 
@@ -110,7 +151,7 @@ TEST_F(LogTest, SayingStopsAfterTwentyErrors) {
 }
 
 TEST_F(LogTest, AFileThatIsNotThereIsAFailureOfReading) {
-  EXPECT_THROW(LogReader("/nowhere/log.csv", planar_arm(), found), Failure);
+  EXPECT_THROW(LogReader("/nowhere/log.csv", planar_arm(), true, found), Failure);
 }
 
 // A sine, with `scale` times what is right as its rate.
@@ -139,6 +180,72 @@ TEST_F(LogTest, DegreesThatAreNotDeclaredAreNoticed) {
   write(sine_log(1, 1));
   plan_stream(file, planar_arm(), {}, found);
   EXPECT_TRUE(found.all().empty());
+}
+
+// Samples of the planar arm without limits: what `q1` gives at t.
+std::string motion_log(int samples, double step, const std::function<double(double)>& q1) {
+  std::string text = "t,q1,q2,tau1,tau2\n";
+  for (int k = 0; k < samples; ++k) text += fmt::format("{},{},0,0,0\n", step * k, q1(step * k));
+  return text;
+}
+
+TEST_F(LogTest, DegreesOfAJointWithoutLimitsAreAWarning) {
+  write(motion_log(200, 0.01, [](double t) { return 150 * std::sin(t); }));
+  plan_stream(file, planar_arm(), {}, found);
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_EQ(found.all()[0].severity, Severity::warning);
+  EXPECT_THAT(found.all()[0].hint, HasSubstr("q1 [deg]"));
+}
+
+TEST_F(LogTest, ManyTurnsAreAWarningOnce) {
+  write(motion_log(2000, 0.01, [](double t) { return 6 * t; }));
+  const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
+  EXPECT_TRUE(found.all().empty());
+  stream(
+      file, planar_arm(), plan, {}, [](const Motion&) {}, found);
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_THAT(found.all()[0].message, HasSubstr("has turned 8 times"));
+}
+
+TEST_F(LogTest, MillisecondsAreAWarning) {
+  write(motion_log(200, 2, [](double t) { return std::sin(t / 500); }));
+  plan_stream(file, planar_arm(), {}, found);
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_THAT(found.all()[0].hint, HasSubstr("t [ms]"));
+}
+
+// Limits are kept by every line, not just by those that the plan is made from.
+TEST_F(LogTest, APositionOutsideTheLimitsIsFoundWhereverItIs) {
+  Mechanism limited = planar_arm();
+  limited.bodies[0].limits.lower = Value{.number = -1, .place = {}};
+  limited.bodies[0].limits.upper = Value{.number = 1, .place = {}};
+  write(motion_log(20000, 0.01, [](double t) { return t < 150 ? 0 : 57; }));
+  const StreamPlan plan = plan_stream(file, limited, {}, found);
+  EXPECT_EQ(error(), "none");
+  stream(
+      file, limited, plan, {}, [](const Motion&) {}, found);
+  EXPECT_EQ(error(), "15002: q1 = 57 rad is far outside the limits of joint \"theta_1\", -1 to 1 rad");
+}
+
+TEST_F(LogTest, MillimetresOfASlidingJointAreAnError) {
+  Mechanism sliding = planar_arm();
+  sliding.bodies[0].prismatic = true;
+  sliding.bodies[0].limits.lower = Value{.number = Number(-3) / 10, .place = {}};
+  sliding.bodies[0].limits.upper = Value{.number = Number(1) / 2, .place = {}};
+  write(motion_log(20, 0.01, [](double) { return 200; }));
+  plan_stream(file, sliding, {}, found);
+  EXPECT_EQ(error(), "2: q1 = 200 m is far outside the limits of joint \"theta_1\", -0.3 to 0.5 m");
+  EXPECT_THAT(found.all().at(0).hint, HasSubstr("q1 [mm]"));
+}
+
+TEST_F(LogTest, WhatIsNotUsedIsSaidOnceThoughLogsAreReadTwice) {
+  write("t,q1,q2,tau1,tau2,qd1,qd2,qdd1,qdd2,room\n0,0,0,0,0,0,0,0,0,1\n1e-2,0,0,0,0,0,0,0,0,1\n");
+  const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
+  EXPECT_EQ(stream(
+                file, planar_arm(), plan, {}, [](const Motion&) {}, found)
+                .used,
+            2);
+  EXPECT_EQ(found.all().size(), 1u);
 }
 
 }  // namespace

@@ -169,5 +169,29 @@ TEST_F(PartsTest, AreMissedCountedTwiceAndToldApart) {
   EXPECT_THAT(found.all().at(0).message, ::testing::HasSubstr("not whole"));
 }
 
+TEST_F(PartsTest, OfOtherLogsAreRefused) {
+  const std::vector<std::filesystem::path> files = parts();
+  const StreamOptions options{.part = 2, .parts = kParts};
+  const auto other = log(simulated(arm(), {.samples = 150000, .rate = 1000, .seed = 2}), LogDerivatives::none);
+  std::ofstream(files[1]) << part_text(measured({other}, options), torque_model(), options);
+  merge_parts(files, torque_model(), found);
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_EQ(found.all()[0].place.file, files[1].string());
+  EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("made from other logs than"));
+  EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr(other.filename().string()));
+}
+
+// Numbers of parts that no part file has.
+TEST_F(PartsTest, OfWhichThereAreTooManyAreNoParts) {
+  const auto short_log = log(simulated(arm(), {.samples = 50}));
+  for (const StreamOptions options : {StreamOptions{.parts = 1000000000}, StreamOptions{.part = 5, .parts = 4}}) {
+    found = {};
+    std::ofstream(folder / "part.json") << part_text(measured({short_log}), torque_model(), options);
+    merge_parts({folder / "part.json"}, torque_model(), found);
+    ASSERT_EQ(found.all().size(), 1u);
+    EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("no part of an identification"));
+  }
+}
+
 }  // namespace
 }  // namespace flatdyn

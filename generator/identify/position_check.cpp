@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/position_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "model/number.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+double lower_of(const Body& body) { return nearest_double(body.limits.lower->number); }
+double upper_of(const Body& body) { return nearest_double(body.limits.upper->number); }
+
+// Twice the limits is no overshoot. A joint that slides between 0 and 0 has limits that nobody has filled in.
+double largest_of(const Body& body) {
+  constexpr double kManyTurns = 50;
+  if (!body.limits.lower || !body.limits.upper) return body.prismatic ? kNone : kManyTurns;
+  const double reach = std::max(std::abs(lower_of(body)), std::abs(upper_of(body)));
+  if (body.prismatic) return reach > 0 ? 2 * reach : kNone;
+  return 2 * std::max(reach, std::numbers::pi);
+}
+
+}  // namespace
+
+PositionCheck::PositionCheck(const Mechanism& mechanism) : mechanism_(mechanism) {
+  for (const Body& body : mechanism.bodies) {
+    largest_.push_back(largest_of(body));
+    limited_.push_back(body.limits.lower && body.limits.upper);
+  }
+}
+
+bool PositionCheck::accepts(const double* channels, const Place& place, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < largest_.size(); ++i) {
+    const Body& body = mechanism_.bodies[i];
+    const double q = channels[static_cast<std::size_t>(LogLayout::q()) + i];
+    if (std::abs(q) <= largest_[i]) continue;
+    const char* unit = body.prismatic ? "m" : "rad";
+    const std::string hint =
+        fmt::format("are these {}? Then write the column's heading as q{} [{}]",
+                    body.prismatic ? "millimetres" : "degrees", i + 1, body.prismatic ? "mm" : "deg");
+    if (limited_[i]) {
+      diagnostics.error(place,
+                        fmt::format("q{} = {} {} is far outside the limits of joint \"{}\", {} to {} {}", i + 1, q,
+                                    unit, body.joint, lower_of(body), upper_of(body), unit),
+                        hint);
+      return false;
+    }
+    diagnostics.warning(place,
+                        fmt::format("q{} = {:.6g} rad: joint \"{}\" has turned {:.0f} times", i + 1, q, body.joint,
+                                    std::abs(q) / (2 * std::numbers::pi)),
+                        hint);
+    largest_[i] = kNone;
+  }
+  return true;
+}
+
+}  // namespace flatdyn
