@@ -60,9 +60,7 @@ Vec3 Frames::down(int i, const Vec3& v, const std::string& name) {
   return derivation_.named(turn_z(back(turn_of(i).gamma), down_to_axis(i, v, name)), name);
 }
 
-Vec3 Frames::up(int i, const Vec3& v, const std::string& name) {
-  return up_from_axis(i, up_to_axis(i, v, name), name);
-}
+Vec3 Frames::up(int i, const Vec3& v, const std::string& name) { return up_from_axis(i, up_to_axis(i, v, name), name); }
 
 Vec3 Frames::down_to_axis(int i, const Vec3& v, const std::string& name) {
   const Vec3 a = derivation_.named(turn_z(back(turn_of(i).beta), v), name + "_b");
