@@ -72,7 +72,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
   tau[1] = qdd_2 * (m_l2 + I_m2 * k_r2 * k_r2);
   const Scalar m_1 = m_l1 + m_m2;
-  const Scalar ddp_s_1_z = qdd_1 + g;
+  const Scalar ddp_s_1_z = g + qdd_1;
   tau[0] = I_m1 * k_r1 * k_r1 * qdd_1 + ddp_s_1_z * (m_l2 + m_1);
 }
 
@@ -94,7 +94,7 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
   tau[1] = h_e_1 + qdd_2 * (m_l2 + I_m2 * k_r2 * k_r2);
   const Scalar m_1 = m_l1 + m_m2;
-  const Scalar ddp_s_1_z = qdd_1 + g;
+  const Scalar ddp_s_1_z = g + qdd_1;
   tau[0] = h_e_3 + I_m1 * k_r1 * k_r1 * qdd_1 + ddp_s_1_z * (m_l2 + m_1);
 }
 

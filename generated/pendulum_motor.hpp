@@ -74,7 +74,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t1 = k_r * k_r;
   const Scalar F_v1 = F + F_m * t1;
   const Scalar t2 = g * m * l * s_1;
-  tau[0] = qd_1 * F_v1 + t2 + qdd_1 * (I + I_m * t1);
+  tau[0] = t2 + qd_1 * F_v1 + qdd_1 * (I + I_m * t1);
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -100,7 +100,7 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t1 = k_r * k_r;
   const Scalar F_v1 = F + F_m * t1;
   const Scalar t2 = g * m * l * s_1;
-  tau[0] = h_e_6 + qd_1 * F_v1 + t2 + qdd_1 * (I + I_m * t1);
+  tau[0] = t2 + qd_1 * F_v1 + h_e_6 + qdd_1 * (I + I_m * t1);
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -202,7 +202,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar s_1 = sin(q_1);
   const Scalar t1 = k_r * k_r;
   const Scalar F_v1 = F + F_m * t1;
-  const Scalar y_1 = tau_1 - qd_1 * F_v1 - g * m * l * s_1;
+  const Scalar y_1 = -g * m * l * s_1 - qd_1 * F_v1 + tau_1;
   const Scalar b_1_1 = I + I_m * t1;
   const Scalar d_1 = Scalar(1.0) / b_1_1;
   qdd[0] = y_1 * d_1;

@@ -86,22 +86,22 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
   const Scalar t1 = g * c_1;
-  const Scalar ddp_o_2_y = a_1 * qdd_1 + t1;
+  const Scalar ddp_o_2_y = t1 + a_1 * qdd_1;
   const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
   const Scalar t2 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + l_2 * t2;
   const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar N_2_z = domega_2_z * I_2_zz + ddp_2_y * t2;
+  const Scalar N_2_z = ddp_2_y * t2 + domega_2_z * I_2_zz;
   const Scalar t3 = k_r2 * qdd_2;
-  tau[1] = N_2_z + I_m2 * k_r2 * (qdd_1 + t3);
+  tau[1] = I_m2 * k_r2 * (qdd_1 + t3) + N_2_z;
   const Scalar t4 = a_1 * (m_l2 + m_m2);
   const Scalar t5 = m_l1 * l_1;
   const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t5 + a_1 * t4;
-  const Scalar t6 = qdd_1 * (I_1_zz + I_m1 * k_r1 * k_r1);
+  const Scalar t6 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t7 = a_1 * t2 * (s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z);
   const Scalar mr_1_x = t5 + t4;
-  tau[0] = N_2_z + I_m2 * t3 - t7 + t1 * mr_1_x + t6;
+  tau[0] = t1 * mr_1_x + I_m2 * t3 + N_2_z - t7 + t6;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -133,23 +133,23 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
   const Scalar t2 = s_2 * f_e1_x + c_2 * t1;
   const Scalar t3 = g * c_1;
-  const Scalar ddp_o_2_y = a_1 * qdd_1 + t3;
+  const Scalar ddp_o_2_y = t3 + a_1 * qdd_1;
   const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
   const Scalar t4 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + l_2 * t4;
   const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar mu_2_z = h_e_6 - a_2 * t2 + domega_2_z * I_2_zz + ddp_2_y * t4;
+  const Scalar mu_2_z = h_e_6 - a_2 * t2 + ddp_2_y * t4 + domega_2_z * I_2_zz;
   const Scalar t5 = k_r2 * qdd_2;
-  tau[1] = mu_2_z + I_m2 * k_r2 * (qdd_1 + t5);
+  tau[1] = I_m2 * k_r2 * (qdd_1 + t5) + mu_2_z;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t6 = s_2 * (omega_2_z * omega_2_z * t4 + s_2 * t1 - c_2 * f_e1_x);
+  const Scalar t6 = s_2 * (s_2 * t1 - c_2 * f_e1_x + omega_2_z * omega_2_z * t4);
   const Scalar t7 = a_1 * (t6 + c_2 * (t2 - domega_2_z * t4));
   const Scalar t8 = a_1 * (m_l2 + m_m2);
   const Scalar t9 = m_l1 * l_1;
   const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t9 + a_1 * t8;
-  const Scalar t10 = qdd_1 * (I_1_zz + I_m1 * k_r1 * k_r1);
+  const Scalar t10 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
   const Scalar mr_1_x = t9 + t8;
-  tau[0] = mu_2_z + I_m2 * t5 - t7 + t3 * mr_1_x + t10;
+  tau[0] = t3 * mr_1_x + I_m2 * t5 + mu_2_z - t7 + t10;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -181,7 +181,7 @@ inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q
   B[0] = I_l1 + I_m2 + Ic_2_zz + I_m1 * k_r1 * k_r1 + Scalar(2.0) * t2 + m_l1 * l_1 * l_1 + t3;
   const Scalar t4 = I_m2 * k_r2;
   B[3] = Ic_2_zz + k_r2 * t4;
-  B[1] = B[2] = Ic_2_zz + t2 + t4;
+  B[1] = B[2] = t2 + Ic_2_zz + t4;
 }
 
 // The entries of c in christoffel that are not always zero.
@@ -273,13 +273,13 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
   const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
   const Scalar t1 = g * c_1;
-  const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * t1;
+  const Scalar ddp_2_y = c_2 * t1 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
   const Scalar t2 = m_l2 * l_2;
   const Scalar N_2_z = ddp_2_y * t2;
   n[1] = N_2_z;
   const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
   const Scalar omega_2_z = qd_1 + qd_2;
-  n[0] = N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2 + t1 * mr_1_x;
+  n[0] = t1 * mr_1_x + N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -313,21 +313,21 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar d_2 = Scalar(1.0) / b_2_2;
   const Scalar t3 = a_1 * t1;
   const Scalar t4 = c_2 * t3;
-  const Scalar mu_2_1_z = I_2_zz + t2 + t4;
+  const Scalar mu_2_1_z = t4 + I_2_zz + t2;
   const Scalar t5 = mu_2_1_z * d_2;
   const Scalar t6 = a_1 * (m_l2 + m_m2);
   const Scalar t7 = m_l1 * l_1;
-  const Scalar b_2_1_1 = I_l1 + I_m2 + I_2_zz + Scalar(2.0) * t4 - mu_2_1_z * t5 +
-      I_m1 * k_r1 * k_r1 + l_1 * t7 + a_1 * t6;
+  const Scalar b_2_1_1 = I_l1 + I_m2 + I_2_zz + Scalar(2.0) * t4 + I_m1 * k_r1 * k_r1 + l_1 * t7 +
+      a_1 * t6 - mu_2_1_z * t5;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t8 = g * c_1;
-  const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * t8;
+  const Scalar ddp_2_y = c_2 * t8 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
   const Scalar t9 = ddp_2_y * t1;
   const Scalar y_2 = tau_2 - t9;
   const Scalar mr_1_x = t7 + t6;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t10 = s_2 * omega_2_z * omega_2_z * t3;
-  const Scalar y_2_1 = tau_1 - t9 - y_2 * t5 + t10 - t8 * mr_1_x;
+  const Scalar y_2_1 = -t8 * mr_1_x - t9 + tau_1 - y_2 * t5 + t10;
   const Scalar qdd_1 = d_1 * y_2_1;
   qdd[0] = qdd_1;
   qdd[1] = d_2 * (y_2 - mu_2_1_z * qdd_1);
@@ -361,9 +361,9 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar L_2_z = omega_2_z * I_2_zz + a_1 * c_2 * t1 * t2;
   const Scalar t3 = a_1 * a_1 * (m_l2 + m_m2);
   const Scalar I_1_zz = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t3;
-  const Scalar t4 = qd_1 * qd_1 * (I_1_zz + I_m1 * k_r1 * k_r1);
+  const Scalar t4 = qd_1 * qd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
   const Scalar t5 = k_r2 * qd_2;
-  const Scalar T_2 = I_m2 * t5 * (t2 + t5) + omega_2_z * L_2_z + t4;
+  const Scalar T_2 = I_m2 * t5 * (t5 + t2) + omega_2_z * L_2_z + t4;
   return Scalar(0.5) * T_2;
 }
 
@@ -382,8 +382,8 @@ inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scala
   const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
   const Scalar t1 = m_l2 * l_2;
-  const Scalar hc_1_x = m_l1 * l_1 + c_2 * t1 + a_1 * (m_l2 + m_m2);
-  const Scalar hu_1_t_y = s_1 * hc_1_x + c_1 * s_2 * t1;
+  const Scalar hc_1_x = c_2 * t1 + m_l1 * l_1 + a_1 * (m_l2 + m_m2);
+  const Scalar hu_1_t_y = c_1 * s_2 * t1 + s_1 * hc_1_x;
   return g * hu_1_t_y;
 }
 
@@ -415,8 +415,8 @@ inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scala
   const Scalar t2 = s_1 * s_2;
   R[0] = R[4] = c_1 * c_2 - t2;
   R[1] = -n_1_t_y;
-  const Scalar p_2_x = a_1 + a_2 * c_2;
-  p[1] = s_1 * p_2_x + a_2 * t1;
+  const Scalar p_2_x = a_2 * c_2 + a_1;
+  p[1] = a_2 * t1 + s_1 * p_2_x;
   p[0] = c_1 * p_2_x - a_2 * t2;
   R[8] = Scalar(1.0);
   R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
@@ -445,11 +445,11 @@ inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
   const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar p_2_x = a_1 + a_2 * c_2;
+  const Scalar p_2_x = a_2 * c_2 + a_1;
   const Scalar t1 = a_2 * s_2;
   const Scalar t2 = s_1 * t1 - c_1 * p_2_x;
   J[2] = -t2;
-  const Scalar p_1u_t_y = s_1 * p_2_x + c_1 * t1;
+  const Scalar p_1u_t_y = c_1 * t1 + s_1 * p_2_x;
   J[0] = -p_1u_t_y;
   J[3] = -t2 - a_1 * c_1;
   J[1] = a_1 * s_1 - p_1u_t_y;
@@ -476,7 +476,7 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t1 = omega_2_z * a_2 * omega_2_z;
   const Scalar t2 = qd_1 * a_1 * qd_1;
-  const Scalar t3 = s_2 * s_2 * t2 + c_2 * (t1 + c_2 * t2);
+  const Scalar t3 = s_2 * s_2 * t2 + c_2 * (c_2 * t2 + t1);
   const Scalar t4 = s_2 * t1;
   a[0] = s_1 * t4 - c_1 * t3;
   a[1] = -s_1 * t3 - c_1 * t4;

@@ -115,8 +115,8 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t2 = qdd_2 * (I_2_zz + I_m2 * k_r2 * k_r2);
   const Scalar t3 = s_2 * h_e_1 - c_2 * h_e_2;
   const Scalar t4 = (s_2 * qdd_1 - g * c_2) * t1;
-  tau[1] = h_e_6 - a_2 * t3 - t4 + t2;
-  const Scalar t5 = c_2 * (qd_2 * qd_2 * t1 - s_2 * h_e_2 - c_2 * h_e_1);
+  tau[1] = h_e_6 - t4 - a_2 * t3 + t2;
+  const Scalar t5 = c_2 * (-s_2 * h_e_2 - c_2 * h_e_1 + qd_2 * qd_2 * t1);
   const Scalar m_1 = m_l1 + m_l2 + m_m2;
   const Scalar t6 = qdd_1 * (m_1 + I_m1 * k_r1 * k_r1);
   tau[0] = s_2 * (t3 - qdd_2 * t1) - t5 + t6;
@@ -254,11 +254,11 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar d_2 = Scalar(1.0) / b_2_2;
   const Scalar t2 = s_2 * t1;
   const Scalar t3 = d_2 * t2;
-  const Scalar b_2_1_1 = m_l1 + m_l2 + m_m2 - t2 * t3 + I_m1 * k_r1 * k_r1;
+  const Scalar b_2_1_1 = m_l1 - t2 * t3 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t4 = c_2 * t1;
   const Scalar y_2 = tau_2 - g * t4;
-  const Scalar y_2_1 = tau_1 + y_2 * t3 + qd_2 * qd_2 * t4;
+  const Scalar y_2_1 = y_2 * t3 + qd_2 * qd_2 * t4 + tau_1;
   const Scalar qdd_1 = d_1 * y_2_1;
   qdd[0] = qdd_1;
   qdd[1] = t3 * qdd_1 + y_2 * d_2;
@@ -330,7 +330,7 @@ inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scala
   R[3] = s_2;
   R[1] = -s_2;
   p[1] = a_2 * s_2;
-  p[0] = q_1 + a_2 * c_2;
+  p[0] = a_2 * c_2 + q_1;
   R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
   R[8] = Scalar(1.0);
 }

@@ -103,13 +103,13 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t12 = t10 + t11;
   const Scalar t13 = qd_3 * t5 + s_3 * t9 - c_3 * t12;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar t14 = qd_4 * omega_r_4_y + s_4 * domega_3_z + c_4 * t13;
+  const Scalar t14 = c_4 * t13 + qd_4 * omega_r_4_y + s_4 * domega_3_z;
   const Scalar t15 = qd_3 * t3 + s_3 * t12 + c_3 * t9;
   const Scalar domega_4_z = qdd_4 - t15;
   const Scalar domega_6_z = qdd_6 - qd_5 * t6 + s_5 * t14 + c_5 * domega_4_z;
   const Scalar t16 = Scalar(0.00004) * domega_6_z;
-  tau[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.20582599086) * qdd_6 +
-      Scalar(0.55443978) * detail::sign(qd_6) + t16;
+  tau[5] = t16 + Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
+      Scalar(0.20582599086) * qdd_6;
   const Scalar t17 = t3 * omega_3_z;
   const Scalar t18 = t15 + t17;
   const Scalar t19 = t5 * omega_3_z;
@@ -118,24 +118,24 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t22 = t1 * t1;
   const Scalar t23 = t2 * t2;
   const Scalar t24 = t22 + t23;
-  const Scalar t25 = Scalar(0.4318) * t21 + Scalar(0.1501) * t24;
+  const Scalar t25 = Scalar(0.1501) * t24 + Scalar(0.4318) * t21;
   const Scalar t26 = t25 - Scalar(0.0203) * t18 + Scalar(0.4331) * t20;
   const Scalar t27 = t1 * t2;
-  const Scalar U_2_yx = qdd_2 + t27;
+  const Scalar U_2_yx = t27 + qdd_2;
   const Scalar t28 = Scalar(9.81) * c_2 - Scalar(0.1501) * t11 - Scalar(0.4318) * U_2_yx;
   const Scalar t29 = qd_2 * qd_2;
-  const Scalar t30 = t29 + t22;
-  const Scalar t31 = Scalar(9.81) * s_2 + Scalar(0.1501) * t8 + Scalar(0.4318) * t30;
+  const Scalar t30 = t22 + t29;
+  const Scalar t31 = Scalar(0.1501) * t8 + Scalar(9.81) * s_2 + Scalar(0.4318) * t30;
   const Scalar t32 = s_3 * t28 + c_3 * t31;
   const Scalar t33 = t5 * t5;
   const Scalar t34 = omega_3_z * omega_3_z;
-  const Scalar t35 = t34 + t33;
+  const Scalar t35 = t33 + t34;
   const Scalar t36 = t3 * t5;
-  const Scalar t37 = domega_3_z + t36;
-  const Scalar t38 = t32 - Scalar(0.0203) * t35 - Scalar(0.4331) * t37;
+  const Scalar t37 = t36 + domega_3_z;
+  const Scalar t38 = Scalar(-0.0203) * t35 - Scalar(0.4331) * t37 + t32;
   const Scalar t39 = s_3 * t31 - c_3 * t28;
   const Scalar U_3_yx = domega_3_z - t36;
-  const Scalar t40 = t34 + t3 * t3;
+  const Scalar t40 = t3 * t3 + t34;
   const Scalar t41 = s_5 * (t39 - Scalar(0.0203) * U_3_yx + Scalar(0.4331) * t40);
   const Scalar t42 = t41 - c_5 * (s_4 * t26 + c_4 * t38);
   const Scalar omega_r_6_a_z = s_5 * t4 + c_5 * omega_4_z;
@@ -147,64 +147,63 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t45 = c_6 * t43;
   const Scalar t46 = s_6 * omega_5_z - c_6 * t6;
   const Scalar t47 = t6 * omega_r_6_a_z;
-  const Scalar domega_5_z = qdd_5 - qd_4 * t4 - s_4 * t13 + c_4 * domega_3_z;
-  const Scalar t48 = Scalar(0.00288) * t42 + Scalar(0.00064216) * domega_5_z -
-      Scalar(0.00024216) * t47 + omega_r_6_y * t44 - t46 * t45;
-  tau[4] = Scalar(0.4272830209354) * qd_5 + Scalar(0.181052127515) * qdd_5 + t48 +
-      Scalar(0.85444524) * detail::sign(qd_5);
+  const Scalar domega_5_z = qdd_5 - s_4 * t13 - qd_4 * t4 + c_4 * domega_3_z;
+  const Scalar t48 = omega_r_6_y * t44 - t46 * t45 - Scalar(0.00024216) * t47 +
+      Scalar(0.00064216) * domega_5_z + Scalar(0.00288) * t42;
+  tau[4] = t48 + Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
+      Scalar(0.181052127515) * qdd_5;
   const Scalar t49 = s_4 * t38 - c_4 * t26;
   const Scalar t50 = qd_5 * omega_r_6_a_z + s_5 * domega_4_z - c_5 * t14;
   const Scalar t51 = omega_r_6_a_z * omega_5_z;
-  const Scalar t52 = Scalar(0.00288) * t49 + Scalar(0.00024216) * t50 + Scalar(0.00064216) * t51 -
-      t46 * t44 - omega_r_6_y * t45;
+  const Scalar t52 = -t46 * t44 - omega_r_6_y * t45 + Scalar(0.00024216) * t50 +
+      Scalar(0.00064216) * t51 + Scalar(0.00288) * t49;
   const Scalar t53 = t16 - Scalar(0.0004) * t6 * omega_5_z;
-  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z + s_5 * t52 + c_5 * t53 -
-      Scalar(0.0003) * t4 * omega_r_4_y;
-  tau[3] = Scalar(0.411645229697152) * qd_4 + Scalar(0.2023536943736) * qdd_4 + mu_4_z +
-      Scalar(1.06831142) * detail::sign(qd_4);
+  const Scalar mu_4_z = c_5 * t53 - Scalar(0.0003) * t4 * omega_r_4_y +
+      Scalar(0.0016) * domega_4_z + s_5 * t52;
+  tau[3] = mu_4_z + Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
+      Scalar(0.2023536943736) * qdd_4;
   const Scalar t54 = Scalar(0.0003) * t14 + s_5 * t53 - c_5 * t52 +
       Scalar(0.0016) * omega_r_4_y * omega_4_z;
   const Scalar mu_4_y = t48 - Scalar(0.0013) * t4 * omega_4_z;
-  const Scalar t55 = Scalar(0.00288) * (t50 + t51);
-  const Scalar t56 = omega_5_z * omega_5_z + t6 * t6;
+  const Scalar t55 = Scalar(0.00288) * (t51 + t50);
+  const Scalar t56 = t6 * t6 + omega_5_z * omega_5_z;
   const Scalar t57 = Scalar(0.00288) * s_5;
   const Scalar t58 = domega_5_z - t47;
   const Scalar t59 = Scalar(0.00288) * c_5;
   const Scalar t60 = t56 * t57 - t58 * t59;
   const Scalar t61 = s_4 * t55 + c_4 * t60;
   const Scalar f_u_5_t_y = t58 * t57 + t56 * t59;
-  const Scalar t62 = Scalar(0.861795) * t32 + Scalar(0.025375) * t39 -
-      Scalar(0.313105249) * domega_3_z - Scalar(0.299575024) * t36 -
-      Scalar(0.004704) * (t15 - t17) - Scalar(0.0106736385) * (t35 - t40) +
-      Scalar(0.0203) * f_u_5_t_y + Scalar(0.4331) * t61 - s_4 * t54 - c_4 * mu_4_y;
-  tau[2] = Scalar(3.9804259903722) * qd_3 + Scalar(0.86242563124731) * qdd_3 - t62 +
-      Scalar(6.36419655) * detail::sign(qd_3);
-  const Scalar f_3_x = Scalar(0.025375) * t35 + Scalar(0.861795) * t37 - t61;
-  const Scalar t63 = Scalar(0.025375) * U_3_yx - Scalar(0.861795) * t40 - f_u_5_t_y;
+  const Scalar t62 = Scalar(0.0203) * f_u_5_t_y + Scalar(0.4331) * t61 - s_4 * t54 - c_4 * mu_4_y -
+      Scalar(0.004704) * (t15 - t17) + Scalar(0.025375) * t39 - Scalar(0.0106736385) * (t35 - t40) -
+      Scalar(0.299575024) * t36 + Scalar(0.861795) * t32 - Scalar(0.313105249) * domega_3_z;
+  tau[2] = Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
+      Scalar(0.86242563124731) * qdd_3 - t62;
+  const Scalar f_3_x = Scalar(0.025375) * t35 - t61 + Scalar(0.861795) * t37;
+  const Scalar t63 = Scalar(0.025375) * U_3_yx - f_u_5_t_y - Scalar(0.861795) * t40;
   const Scalar t64 = s_3 * f_3_x - c_3 * t63;
-  const Scalar t65 = t29 + t23;
-  const Scalar t66 = Scalar(37.2347379) * c_2 - Scalar(1.024164) * s_2 -
-      Scalar(9.496868641825) * qd_2 - Scalar(6.502360360025) * qdd_2 - Scalar(0.690314699) * t11 -
-      Scalar(0.023751) * t8 - Scalar(1.601861202) * t27 - Scalar(0.0070992) * (t30 - t65) + t62 -
-      Scalar(0.4318) * t64 - Scalar(10.6197775) * detail::sign(qd_2);
+  const Scalar t65 = t23 + t29;
+  const Scalar t66 = Scalar(-0.0070992) * (t30 - t65) - Scalar(0.023751) * t8 -
+      Scalar(1.024164) * s_2 - Scalar(0.690314699) * t11 - Scalar(1.601861202) * t27 -
+      Scalar(0.4318) * t64 + t62 - Scalar(10.6197775) * detail::sign(qd_2) +
+      Scalar(37.2347379) * c_2 - Scalar(9.496868641825) * qd_2 - Scalar(6.502360360025) * qdd_2;
   tau[1] = -t66;
   const Scalar t67 = s_4 * t60 - c_4 * t55;
-  const Scalar mu_3_x = Scalar(0.861795) * t25 + Scalar(0.299575024) * t13 -
-      Scalar(0.0106736385) * t18 + Scalar(0.313105249) * t19 - Scalar(0.004704) * (t34 - t33) +
-      Scalar(0.4331) * t67 - s_4 * mu_4_y + c_4 * t54;
-  const Scalar t68 = Scalar(0.025375) * t25 - Scalar(0.004704) * t37 - Scalar(0.013530225) * t17 +
-      Scalar(0.0106736385) * t20 + mu_4_z + Scalar(0.0203) * t67;
-  const Scalar t69 = Scalar(1.748114002) * t10 - Scalar(1.601861202) * t12 +
-      Scalar(0.690314699) * U_2_yx + Scalar(0.0070992) * t21 - Scalar(0.023751) * (t65 - t24) +
-      Scalar(0.1501) * t64 - s_3 * t68 - c_3 * mu_3_x;
+  const Scalar mu_3_x = Scalar(0.4331) * t67 - s_4 * mu_4_y + c_4 * t54 -
+      Scalar(0.004704) * (t34 - t33) - Scalar(0.0106736385) * t18 + Scalar(0.299575024) * t13 +
+      Scalar(0.313105249) * t19 + Scalar(0.861795) * t25;
+  const Scalar t68 = Scalar(0.0203) * t67 + mu_4_z - Scalar(0.004704) * t37 -
+      Scalar(0.013530225) * t17 + Scalar(0.025375) * t25 + Scalar(0.0106736385) * t20;
+  const Scalar t69 = Scalar(0.0070992) * t21 - s_3 * t68 - Scalar(0.023751) * (t65 - t24) +
+      Scalar(0.1501) * t64 + Scalar(0.690314699) * U_2_yx - c_3 * mu_3_x +
+      Scalar(1.748114002) * t10 - Scalar(1.601861202) * t12;
   const Scalar f_u_3_t_x = s_3 * t63 + c_3 * f_3_x;
   const Scalar U_2_zz_xx = t30 - t24;
-  const Scalar mu_2_y = Scalar(3.349975204) * t7 - Scalar(0.023751) * (qdd_2 - t27) +
-      Scalar(0.0070992) * (t10 + t12) - Scalar(0.010956925) * t18 + Scalar(0.372123081) * t20 -
-      Scalar(0.690314699) * U_2_zz_xx + Scalar(0.4318) * t67 + Scalar(0.1501) * f_u_3_t_x +
-      s_3 * mu_3_x - c_3 * t68;
-  tau[0] = Scalar(5.8018217679508) * qd_1 + Scalar(4.29424586937411) * qdd_1 +
-      Scalar(25.9836065) * detail::sign(qd_1) + s_2 * t69 - c_2 * mu_2_y;
+  const Scalar mu_2_y = Scalar(0.4318) * t67 + Scalar(0.0070992) * (t10 + t12) -
+      Scalar(0.010956925) * t18 - c_3 * t68 - Scalar(0.023751) * (qdd_2 - t27) +
+      Scalar(0.1501) * f_u_3_t_x + Scalar(0.372123081) * t20 + s_3 * mu_3_x -
+      Scalar(0.690314699) * U_2_zz_xx + Scalar(3.349975204) * t7;
+  tau[0] = s_2 * t69 + Scalar(5.8018217679508) * qd_1 + Scalar(25.9836065) * detail::sign(qd_1) -
+      c_2 * mu_2_y + Scalar(4.29424586937411) * qdd_1;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -248,7 +247,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t12 = t10 + t11;
   const Scalar t13 = qd_3 * t5 + s_3 * t9 - c_3 * t12;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar t14 = qd_4 * omega_r_4_y + s_4 * domega_3_z + c_4 * t13;
+  const Scalar t14 = c_4 * t13 + qd_4 * omega_r_4_y + s_4 * domega_3_z;
   const Scalar t15 = qd_3 * t3 + s_3 * t12 + c_3 * t9;
   const Scalar domega_4_z = qdd_4 - t15;
   const Scalar domega_6_z = qdd_6 - qd_5 * t6 + s_5 * t14 + c_5 * domega_4_z;
@@ -260,8 +259,8 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t20 = s_4 * t19 + c_4 * t18;
   const Scalar t21 = s_3 * t17 - c_3 * t16;
   const Scalar mu_6_z = Scalar(0.00004) * domega_6_z - s_5 * t20 - c_5 * t21;
-  tau[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.20582599086) * qdd_6 + mu_6_z +
-      Scalar(0.55443978) * detail::sign(qd_6);
+  tau[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
+      Scalar(0.20582599086) * qdd_6 + mu_6_z;
   const Scalar mu_e5_x = s_5 * t21 - c_5 * t20;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
   const Scalar omega_r_6_y = s_6 * t6 + c_6 * omega_5_z;
@@ -280,42 +279,42 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t30 = t1 * t1;
   const Scalar t31 = t2 * t2;
   const Scalar t32 = t30 + t31;
-  const Scalar t33 = Scalar(0.4318) * t29 + Scalar(0.1501) * t32;
+  const Scalar t33 = Scalar(0.1501) * t32 + Scalar(0.4318) * t29;
   const Scalar t34 = t33 - Scalar(0.0203) * t26 + Scalar(0.4331) * t28;
   const Scalar t35 = t1 * t2;
-  const Scalar U_2_yx = qdd_2 + t35;
+  const Scalar U_2_yx = t35 + qdd_2;
   const Scalar t36 = Scalar(9.81) * c_2 - Scalar(0.1501) * t11 - Scalar(0.4318) * U_2_yx;
   const Scalar t37 = qd_2 * qd_2;
-  const Scalar t38 = t37 + t30;
-  const Scalar t39 = Scalar(9.81) * s_2 + Scalar(0.1501) * t8 + Scalar(0.4318) * t38;
+  const Scalar t38 = t30 + t37;
+  const Scalar t39 = Scalar(0.1501) * t8 + Scalar(9.81) * s_2 + Scalar(0.4318) * t38;
   const Scalar t40 = s_3 * t36 + c_3 * t39;
   const Scalar t41 = t5 * t5;
   const Scalar t42 = omega_3_z * omega_3_z;
-  const Scalar t43 = t42 + t41;
+  const Scalar t43 = t41 + t42;
   const Scalar t44 = t3 * t5;
-  const Scalar t45 = domega_3_z + t44;
-  const Scalar t46 = t40 - Scalar(0.0203) * t43 - Scalar(0.4331) * t45;
+  const Scalar t45 = t44 + domega_3_z;
+  const Scalar t46 = Scalar(-0.0203) * t43 - Scalar(0.4331) * t45 + t40;
   const Scalar t47 = s_3 * t39 - c_3 * t36;
   const Scalar U_3_yx = domega_3_z - t44;
-  const Scalar t48 = t42 + t3 * t3;
+  const Scalar t48 = t3 * t3 + t42;
   const Scalar t49 = s_5 * (t47 - Scalar(0.0203) * U_3_yx + Scalar(0.4331) * t48);
   const Scalar t50 = t49 - c_5 * (s_4 * t34 + c_4 * t46);
   const Scalar t51 = t6 * omega_r_6_a_z;
-  const Scalar domega_5_z = qdd_5 - qd_4 * t4 - s_4 * t13 + c_4 * domega_3_z;
-  const Scalar t52 = Scalar(0.00288) * t50 + Scalar(0.00064216) * domega_5_z -
-      Scalar(0.00024216) * t51 + s_6 * mu_6_x - c_6 * t24;
-  tau[4] = Scalar(0.4272830209354) * qd_5 + Scalar(0.181052127515) * qdd_5 + t52 +
-      Scalar(0.85444524) * detail::sign(qd_5);
+  const Scalar domega_5_z = qdd_5 - s_4 * t13 - qd_4 * t4 + c_4 * domega_3_z;
+  const Scalar t52 = Scalar(0.00064216) * domega_5_z - Scalar(0.00024216) * t51 +
+      Scalar(0.00288) * t50 + s_6 * mu_6_x - c_6 * t24;
+  tau[4] = Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
+      Scalar(0.181052127515) * qdd_5 + t52;
   const Scalar t53 = s_4 * t46 - c_4 * t34;
   const Scalar t54 = qd_5 * omega_r_6_a_z + s_5 * domega_4_z - c_5 * t14;
   const Scalar t55 = omega_r_6_a_z * omega_5_z;
-  const Scalar t56 = Scalar(0.00288) * t53 + Scalar(0.00024216) * t54 + Scalar(0.00064216) * t55 -
+  const Scalar t56 = Scalar(0.00024216) * t54 + Scalar(0.00064216) * t55 + Scalar(0.00288) * t53 -
       s_6 * t24 - c_6 * mu_6_x;
   const Scalar t57 = mu_6_z - Scalar(0.0004) * t6 * omega_5_z;
-  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z + s_5 * t56 + c_5 * t57 -
-      Scalar(0.0003) * t4 * omega_r_4_y;
-  tau[3] = Scalar(0.411645229697152) * qd_4 + Scalar(0.2023536943736) * qdd_4 + mu_4_z +
-      Scalar(1.06831142) * detail::sign(qd_4);
+  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z - Scalar(0.0003) * t4 * omega_r_4_y +
+      s_5 * t56 + c_5 * t57;
+  tau[3] = Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
+      Scalar(0.2023536943736) * qdd_4 + mu_4_z;
   const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
   const Scalar t58 = s_2 * f_e1_x + c_2 * h_e_3;
   const Scalar t59 = s_2 * h_e_3 - c_2 * f_e1_x;
@@ -328,47 +327,47 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t64 = s_6 * f_e5_x - c_6 * f_e4_y;
   const Scalar f_e6_x = s_6 * f_e4_y + c_6 * f_e5_x;
   const Scalar f_5_x = Scalar(0.00288) * (domega_5_z - t51) + s_6 * t64 + c_6 * f_e6_x;
-  const Scalar t65 = omega_5_z * omega_5_z + t6 * t6;
+  const Scalar t65 = t6 * t6 + omega_5_z * omega_5_z;
   const Scalar t66 = Scalar(0.00288) * t65 + s_5 * t62 + c_5 * t63;
   const Scalar t67 = s_5 * t66 - c_5 * f_5_x;
-  const Scalar f_5_z = Scalar(0.00288) * (t54 + t55) + s_6 * f_e6_x - c_6 * t64;
+  const Scalar f_5_z = Scalar(0.00288) * (t55 + t54) + s_6 * f_e6_x - c_6 * t64;
   const Scalar t68 = s_4 * f_5_z + c_4 * t67;
-  const Scalar t69 = Scalar(0.0003) * t14 + s_5 * t57 - c_5 * t56 +
-      Scalar(0.0016) * omega_r_4_y * omega_4_z;
+  const Scalar t69 = Scalar(0.0003) * t14 + Scalar(0.0016) * omega_r_4_y * omega_4_z + s_5 * t57 -
+      c_5 * t56;
   const Scalar t70 = s_5 * f_5_x + c_5 * t66;
   const Scalar mu_4_y = t52 - Scalar(0.0013) * t4 * omega_4_z;
-  const Scalar t71 = Scalar(0.861795) * t40 + Scalar(0.025375) * t47 -
-      Scalar(0.313105249) * domega_3_z - Scalar(0.299575024) * t44 -
-      Scalar(0.004704) * (t15 - t25) - Scalar(0.0106736385) * (t43 - t48) + Scalar(0.0203) * t70 +
-      Scalar(0.4331) * t68 - s_4 * t69 - c_4 * mu_4_y;
-  tau[2] = Scalar(3.9804259903722) * qd_3 + Scalar(0.86242563124731) * qdd_3 - t71 +
-      Scalar(6.36419655) * detail::sign(qd_3);
+  const Scalar t71 = Scalar(0.025375) * t47 - Scalar(0.004704) * (t15 - t25) +
+      Scalar(0.0203) * t70 - Scalar(0.0106736385) * (t43 - t48) - Scalar(0.299575024) * t44 +
+      Scalar(0.861795) * t40 - Scalar(0.313105249) * domega_3_z + Scalar(0.4331) * t68 - s_4 * t69 -
+      c_4 * mu_4_y;
+  tau[2] = Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
+      Scalar(0.86242563124731) * qdd_3 - t71;
   const Scalar f_3_x = Scalar(0.025375) * t43 + Scalar(0.861795) * t45 - t68;
   const Scalar t72 = Scalar(0.025375) * U_3_yx - Scalar(0.861795) * t48 - t70;
   const Scalar t73 = s_3 * f_3_x - c_3 * t72;
-  const Scalar t74 = t37 + t31;
-  const Scalar t75 = Scalar(37.2347379) * c_2 - Scalar(1.024164) * s_2 -
-      Scalar(9.496868641825) * qd_2 - Scalar(6.502360360025) * qdd_2 - Scalar(0.690314699) * t11 -
-      Scalar(0.023751) * t8 - Scalar(1.601861202) * t35 - Scalar(0.0070992) * (t38 - t74) + t71 -
-      Scalar(0.4318) * t73 - Scalar(10.6197775) * detail::sign(qd_2);
+  const Scalar t74 = t31 + t37;
+  const Scalar t75 = Scalar(-0.0070992) * (t38 - t74) - Scalar(0.023751) * t8 -
+      Scalar(1.024164) * s_2 - Scalar(0.690314699) * t11 - Scalar(1.601861202) * t35 -
+      Scalar(0.4318) * t73 + t71 - Scalar(10.6197775) * detail::sign(qd_2) +
+      Scalar(37.2347379) * c_2 - Scalar(9.496868641825) * qd_2 - Scalar(6.502360360025) * qdd_2;
   tau[1] = -t75;
   const Scalar t76 = s_4 * t67 - c_4 * f_5_z;
-  const Scalar t77 = Scalar(0.025375) * t33 - Scalar(0.004704) * t45 - Scalar(0.013530225) * t25 +
-      Scalar(0.0106736385) * t28 + mu_4_z + Scalar(0.0203) * t76;
-  const Scalar mu_3_x = Scalar(0.861795) * t33 + Scalar(0.299575024) * t13 -
-      Scalar(0.0106736385) * t26 + Scalar(0.313105249) * t27 - Scalar(0.004704) * (t42 - t41) +
+  const Scalar t77 = Scalar(-0.004704) * t45 - Scalar(0.013530225) * t25 + Scalar(0.025375) * t33 +
+      Scalar(0.0106736385) * t28 + Scalar(0.0203) * t76 + mu_4_z;
+  const Scalar mu_3_x = Scalar(-0.004704) * (t42 - t41) - Scalar(0.0106736385) * t26 +
+      Scalar(0.299575024) * t13 + Scalar(0.313105249) * t27 + Scalar(0.861795) * t33 +
       Scalar(0.4331) * t76 - s_4 * mu_4_y + c_4 * t69;
-  const Scalar t78 = Scalar(1.748114002) * t10 - Scalar(1.601861202) * t12 +
-      Scalar(0.690314699) * U_2_yx + Scalar(0.0070992) * t29 - Scalar(0.023751) * (t74 - t32) +
-      Scalar(0.1501) * t73 - s_3 * t77 - c_3 * mu_3_x;
+  const Scalar t78 = Scalar(0.0070992) * t29 - Scalar(0.023751) * (t74 - t32) +
+      Scalar(0.1501) * t73 + Scalar(0.690314699) * U_2_yx - s_3 * t77 + Scalar(1.748114002) * t10 -
+      Scalar(1.601861202) * t12 - c_3 * mu_3_x;
   const Scalar f_u_3_t_x = s_3 * t72 + c_3 * f_3_x;
   const Scalar U_2_zz_xx = t38 - t32;
-  const Scalar mu_2_y = Scalar(3.349975204) * t7 - Scalar(0.023751) * (qdd_2 - t35) +
-      Scalar(0.0070992) * (t10 + t12) - Scalar(0.010956925) * t26 + Scalar(0.372123081) * t28 -
-      Scalar(0.690314699) * U_2_zz_xx + Scalar(0.4318) * t76 + Scalar(0.1501) * f_u_3_t_x +
-      s_3 * mu_3_x - c_3 * t77;
-  tau[0] = Scalar(5.8018217679508) * qd_1 + Scalar(4.29424586937411) * qdd_1 +
-      Scalar(25.9836065) * detail::sign(qd_1) + s_2 * t78 - c_2 * mu_2_y;
+  const Scalar mu_2_y = Scalar(0.0070992) * (t10 + t12) - Scalar(0.010956925) * t26 -
+      Scalar(0.023751) * (qdd_2 - t35) + Scalar(0.1501) * f_u_3_t_x + Scalar(0.372123081) * t28 +
+      Scalar(0.4318) * t76 - c_3 * t77 - Scalar(0.690314699) * U_2_zz_xx + s_3 * mu_3_x +
+      Scalar(3.349975204) * t7;
+  tau[0] = Scalar(5.8018217679508) * qd_1 + Scalar(25.9836065) * detail::sign(qd_1) + s_2 * t78 -
+      c_2 * mu_2_y + Scalar(4.29424586937411) * qdd_1;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -408,7 +407,7 @@ inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
   const Scalar mu_u_4_4_a_y = t7 - Scalar(0.00184216);
   B[21] = Scalar(0.2023536943736) - mu_u_4_4_a_y;
   const Scalar t8 = Scalar(0.001243584) * t1;
-  B[9] = B[19] = -t4 - s_3 * t8;
+  B[9] = B[19] = -s_3 * t8 - t4;
   const Scalar t9 = s_3 * c_5;
   const Scalar f_u_5_3_t_y = c_3 * s_5 + c_4 * t9;
   B[10] = B[25] = Scalar(0.001243584) * f_u_5_3_t_y - t6;
@@ -416,18 +415,18 @@ inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
   const Scalar mu_u_6_3_t_x = t9 + c_3 * t10;
   B[5] = B[30] = Scalar(0.00004) * (c_2 * (c_3 * c_5 - s_3 * t10) - s_2 * mu_u_6_3_t_x);
   const Scalar t11 = c_5 * (s_4 - Scalar(0.04701250578971746) * c_3 *
-      (Scalar(7.394088669950739) * c_4 + s_4));
+      (s_4 + Scalar(7.394088669950739) * c_4));
   const Scalar t12 = s_4 * t5;
-  const Scalar t13 = s_2 * (Scalar(0.000432288) * f_u_5_3_t_y + c_3 * t12 +
-      Scalar(0.000058464) * s_4 * t9);
-  B[4] = B[24] = c_2 * (Scalar(0.001243584) * t11 + s_3 * (Scalar(0.000432288) * s_5 + t12)) + t13;
+  const Scalar t13 = s_2 * (Scalar(0.000058464) * s_4 * t9 + Scalar(0.000432288) * f_u_5_3_t_y +
+      c_3 * t12);
+  B[4] = B[24] = t13 + c_2 * (Scalar(0.001243584) * t11 + s_3 * (Scalar(0.000432288) * s_5 + t12));
   const Scalar Iu_5_t_xx = t7 - Scalar(0.00020216);
   const Scalar Iu_4_t_d = Iu_5_t_xx - Scalar(0.0001);
   const Scalar t14 = c_4 * Iu_4_t_d;
   const Scalar t15 = c_4 * t14;
   const Scalar t16 = Scalar(0.000116928) * t10;
   const Scalar t17 = Scalar(0.002494656) * c_5;
-  const Scalar Ic_3_zz = Iu_5_t_xx - t15 + t17 - t16 + Scalar(0.313647409);
+  const Scalar Ic_3_zz = -t16 - t15 + Iu_5_t_xx + t17 + Scalar(0.313647409);
   const Scalar hc_3_x = Scalar(0.00288) * t10 - Scalar(0.025375);
   const Scalar f_3_3_x = Scalar(0.00288) * c_5 + Scalar(0.861795);
   const Scalar hu_3_t_x = c_3 * hc_3_x + s_3 * f_3_3_x;
@@ -435,29 +434,29 @@ inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
   B[7] = Ic_3_zz + t18 + Scalar(6.502360360025);
   B[14] = Ic_3_zz + Scalar(0.86242563124731);
   B[8] = B[13] = Ic_3_zz + Scalar(0.4318) * hu_3_t_x;
-  const Scalar mu_4_3_y = mu_u_4_4_a_y + Scalar(0.000058464) * t10;
+  const Scalar mu_4_3_y = Scalar(0.000058464) * t10 + mu_u_4_4_a_y;
   const Scalar t19 = Scalar(0.000432288) * t1 - mu_4_3_y;
   const Scalar t20 = t10 * t3;
-  const Scalar t21 = c_2 * (Scalar(0.001243584) * t10 + c_3 * t19 + s_3 * t20);
+  const Scalar t21 = c_2 * (s_3 * t20 + Scalar(0.001243584) * t10 + c_3 * t19);
   B[3] = B[18] = t21 - s_2 * (s_3 * t19 - c_3 * t20);
   const Scalar Ic_3_xz = Scalar(0.000058464) * t1 + s_4 * t14;
   const Scalar Ic_3_yz = t4 + Scalar(0.004704);
-  const Scalar Iu_3_t_yz = c_3 * Ic_3_yz + s_3 * Ic_3_xz;
+  const Scalar Iu_3_t_yz = s_3 * Ic_3_xz + c_3 * Ic_3_yz;
   const Scalar t22 = c_3 * f_3_3_x - s_3 * hc_3_x;
-  const Scalar t23 = Scalar(0.1501) * t22 + Iu_3_t_yz;
+  const Scalar t23 = Iu_3_t_yz + Scalar(0.1501) * t22;
   const Scalar t24 = Scalar(0.1501) * hu_3_t_x - (c_3 * Ic_3_xz - s_3 * Ic_3_yz);
   B[2] = B[12] = s_2 * t24 - c_2 * t23;
-  B[1] = B[6] = s_2 * (t24 + t8 + Scalar(0.690314699)) - c_2 * (t23 - Scalar(0.023751));
-  const Scalar Ic_3_xx = t15 + t17 + Scalar(0.0001);
-  const Scalar t25 = mu_u_4_4_a_y + t16 + Scalar(0.300117184);
+  B[1] = B[6] = s_2 * (t8 + t24 + Scalar(0.690314699)) - c_2 * (t23 - Scalar(0.023751));
+  const Scalar Ic_3_xx = t15 + Scalar(0.0001) + t17;
+  const Scalar t25 = t16 + mu_u_4_4_a_y + Scalar(0.300117184);
   const Scalar Iu_3_t_d = Ic_3_xx + t25;
   const Scalar t26 = Scalar(0.000058464) * c_5 - t20 + Scalar(0.0106736385);
-  const Scalar Iu_3_t_g = c_3 * Iu_3_t_d + Scalar(2.0) * s_3 * t26;
+  const Scalar Iu_3_t_g = Scalar(2.0) * s_3 * t26 + c_3 * Iu_3_t_d;
   const Scalar t27 = c_3 * Iu_3_t_g;
-  const Scalar t28 = s_2 * (t26 - Scalar(0.4318) * t22 - s_3 * Iu_3_t_g + Scalar(0.0070992));
+  const Scalar t28 = s_2 * (Scalar(0.0070992) + t26 - s_3 * Iu_3_t_g - Scalar(0.4318) * t22);
   const Scalar t29 = c_2 * (Iu_3_t_d - Scalar(2.0) * t27 + t18 + Scalar(1.601861202)) -
       Scalar(2.0) * t28;
-  B[0] = Scalar(0.000864576) * t1 - t25 + t27 + c_2 * t29 + Scalar(2.99250185137411);
+  B[0] = Scalar(0.000864576) * t1 + t27 - t25 + c_2 * t29 + Scalar(2.99250185137411);
   B[22] = B[27] = B[29] = B[34] = Scalar(0.0);
   B[28] = Scalar(0.181694287515);
   B[35] = Scalar(0.20586599086);
@@ -499,7 +498,7 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   c[79] = c[80] = Scalar(-0.00002) * t3;
   c[100] = c[101] = Scalar(-0.00002) * t2;
   const Scalar t4 = Scalar(0.000058464) * c_5;
-  const Scalar v_3_6_a_z = Scalar(0.001247328) * t3 + t4;
+  const Scalar v_3_6_a_z = t4 + Scalar(0.001247328) * t3;
   c[56] = -v_3_6_a_z;
   c[93] = -db_44_5r;
   const Scalar hc_3_x = Scalar(0.00144) * t3 - Scalar(0.0126875);
@@ -563,8 +562,8 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   const Scalar c_4_3_5 = t32 - t30;
   c[75] = c_4_3_5;
   const Scalar t33 = Scalar(0.4318) * c_2;
-  const Scalar v_o_1_4_z = Scalar(0.4331) * t5 + Scalar(0.0203) * t9 + t33;
-  const Scalar t34 = s_4 * v_o_1_4_z + Scalar(0.1501) * c_4 * t9;
+  const Scalar v_o_1_4_z = Scalar(0.0203) * t9 + Scalar(0.4331) * t5 + t33;
+  const Scalar t34 = Scalar(0.1501) * c_4 * t9 + s_4 * v_o_1_4_z;
   const Scalar c_1_5_5 = Scalar(0.000432288) * t8 - Scalar(0.00288) * s_5 * t34;
   c[14] = c_1_5_5;
   const Scalar dmu_3_4_x = Scalar(0.000029232) * s_5 + t21;
@@ -579,21 +578,21 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   c[55] = -t32 - t30;
   c[92] = -c_4_3_5;
   c[32] = -c_5_2_2;
-  const Scalar t36 = Scalar(14.246141669964384) * t34 + s_4 * t8;
+  const Scalar t36 = s_4 * t8 + Scalar(14.246141669964384) * t34;
   c[9] = -t36 * t1;
   const Scalar mu_u_4_4_a_y = t20 - Scalar(0.00092108);
-  const Scalar mu_4_3_y = mu_u_4_4_a_y + Scalar(0.000029232) * t3;
+  const Scalar mu_4_3_y = Scalar(0.000029232) * t3 + mu_u_4_4_a_y;
   const Scalar t37 = Scalar(0.000216144) * t6 - mu_4_3_y;
   const Scalar t38 = t12 * t9;
-  const Scalar t39 = t5 * t37 + t38;
+  const Scalar t39 = t38 + t5 * t37;
   const Scalar t40 = s_4 * t5;
   const Scalar t41 = Scalar(0.000216144) * s_5;
   const Scalar t42 = t5 * t41;
   const Scalar t43 = Iu_4_t_d * t40 - t42;
   const Scalar t44 = s_4 * t43;
   const Scalar t45 = c_4 * t5;
-  const Scalar t46 = t38 + t44 - dmu_3_4_x * t45;
-  const Scalar c_3_1_4 = t39 + t46;
+  const Scalar t46 = t44 - dmu_3_4_x * t45 + t38;
+  const Scalar c_3_1_4 = t46 + t39;
   c[48] = c_3_1_4;
   const Scalar db_23_4r = t35 + s_4 * t23;
   const Scalar t47 = Scalar(0.000621792) * c_3;
@@ -602,21 +601,21 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   const Scalar c_3_2_4 = db_23_4r + t48;
   c[49] = c_3_2_4;
   const Scalar t49 = Scalar(0.00144) * c_4;
-  const Scalar t50 = s_4 * t6 * (t11 + t19) + t49 * (t14 + Scalar(347.22222222222223) * v_3_6_a_z);
+  const Scalar t50 = s_4 * t6 * (t11 + t19) + t49 * (Scalar(347.22222222222223) * v_3_6_a_z + t14);
   const Scalar t51 = c_4 * c_5 * t47 - s_5 * t13;
   c[33] = t51 - t50;
   const Scalar c_5_2_3 = t51 + t50;
   c[88] = c_5_2_3;
   const Scalar t52 = s_4 * t9;
   const Scalar t53 = Scalar(0.000216144) * t52 - v_o_1_4_z * t49;
-  const Scalar t54 = t53 + Scalar(0.00010108) * t25;
+  const Scalar t54 = Scalar(0.00010108) * t25 + t53;
   const Scalar t55 = t3 * t5 + c_5 * t9;
-  const Scalar db_11_5r = Scalar(2.0) * t55 * t54 + c_1_5_5 * t40;
+  const Scalar db_11_5r = c_1_5_5 * t40 + Scalar(2.0) * t55 * t54;
   c[10] = db_11_5r;
   c[8] = t46 - t39;
   c[66] = -c_3_1_4;
   const Scalar t56 = Scalar(0.00010108) * s_5;
-  const Scalar t57 = c_5 * t54 + t55 * t56;
+  const Scalar t57 = t55 * t56 + c_5 * t54;
   const Scalar t58 = Scalar(0.00032108) * t45 - c_5 * t53;
   c[13] = t58 - t57;
   const Scalar c_5_1_4 = t58 + t57;
@@ -628,46 +627,46 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   c[6] = db_11_4r;
   c[84] = -db_11_5r;
   const Scalar Ic_3_yz = t15 + Scalar(0.002352);
-  const Scalar t60 = t5 * (Scalar(0.1501) * f_3_3_x + Ic_3_yz) -
+  const Scalar t60 = t5 * (Ic_3_yz + Scalar(0.1501) * f_3_3_x) -
       t9 * (Scalar(0.1501) * hc_3_x - t35);
   c[5] = Scalar(2.0) * t60;
   const Scalar t61 = s_2 * (t3 * (s_3 * t11 + Scalar(0.000621792)) + c_3 * t37);
-  const Scalar t62 = t61 + c_2 * (s_3 * t37 - c_3 * t12);
+  const Scalar t62 = c_2 * (s_3 * t37 - c_3 * t12) + t61;
   const Scalar t63 = c_4 * (t5 * t23 - t24 * t19) - t44;
   const Scalar c_2_1_4 = t62 - t63;
   c[27] = c_2_1_4;
   c[73] = -c_5_1_4;
-  const Scalar Iu_3_t_d = Scalar(0.001247328) * c_5 + mu_u_4_4_a_y +
-      c_4 * (Scalar(0.000058464) * s_5 + t21) + Scalar(0.150108592);
+  const Scalar Iu_3_t_d = c_4 * (Scalar(0.000058464) * s_5 + t21) + Scalar(0.001247328) * c_5 +
+      mu_u_4_4_a_y + Scalar(0.150108592);
   const Scalar t64 = Scalar(2.0) * t12 - t4 - Scalar(0.0106736385);
   const Scalar t65 = t9 * (t64 * t9 - Iu_3_t_d * t5 - f_3_3_x * t33);
-  const Scalar t66 = t5 * (t64 * t5 + Iu_3_t_d * t9 + hc_3_x * t33);
-  const Scalar c_1_1_3 = t65 - t66 - t33 * (f_3_3_x * t9 + hc_3_x * t5);
+  const Scalar t66 = t5 * (hc_3_x * t33 + t64 * t5 + Iu_3_t_d * t9);
+  const Scalar c_1_1_3 = t65 - t66 - t33 * (hc_3_x * t5 + f_3_3_x * t9);
   c[3] = c_1_1_3;
   c[63] = -db_11_4r;
-  const Scalar t67 = Scalar(0.1738073182028717) * c_3_2_2 - s_3 * t35 - c_3 * Ic_3_yz;
-  const Scalar hu_3_t_x = s_3 * f_3_3_x + c_3 * hc_3_x;
-  const Scalar t68 = Scalar(0.1501) * hu_3_t_x + s_3 * Ic_3_yz - c_3 * t35;
+  const Scalar t67 = -s_3 * t35 - c_3 * Ic_3_yz + Scalar(0.1738073182028717) * c_3_2_2;
+  const Scalar hu_3_t_x = c_3 * hc_3_x + s_3 * f_3_3_x;
+  const Scalar t68 = s_3 * Ic_3_yz - c_3 * t35 + Scalar(0.1501) * hu_3_t_x;
   const Scalar t69 = s_2 * t67 - c_2 * t68;
   c[4] = t60 - t69;
   const Scalar c_2_1_3 = t60 + t69;
   c[24] = c_2_1_3;
-  c[7] = -t62 - t63;
+  c[7] = -t63 - t62;
   c[64] = -c_2_1_4;
   const Scalar t70 = t6 * t54 - Scalar(0.5) * c_4 * c_1_5_5;
   const Scalar t71 = t70 - s_4 * (t55 * t19 - Scalar(0.00144) * t5 * t14);
   const Scalar t72 = Scalar(0.000029232) * s_4;
-  const Scalar t73 = Scalar(0.000216144) * c_4 + t72;
+  const Scalar t73 = t72 + Scalar(0.000216144) * c_4;
   const Scalar t74 = t41 + t32;
   const Scalar t75 = s_2 * (c_5 * (Scalar(0.000621792) * s_4 - c_3 * t73) + s_3 * t74);
-  const Scalar t76 = t75 - c_2 * (c_3 * t74 + t73 * t18);
+  const Scalar t76 = t75 - c_2 * (t73 * t18 + c_3 * t74);
   const Scalar c_2_1_5 = t76 - t71;
   c[31] = c_2_1_5;
   const Scalar t77 = t70 - s_4 * (t11 * t55 - Scalar(0.5) * t5 * v_3_6_a_z);
-  const Scalar t78 = Scalar(0.000216144) * t25 + t52 * t31 - t8 * t72;
+  const Scalar t78 = Scalar(0.000216144) * t25 - t8 * t72 + t52 * t31;
   const Scalar c_3_1_5 = t78 - t77;
   c[52] = c_3_1_5;
-  const Scalar t79 = s_2 * (t67 + Scalar(0.0118755)) -
+  const Scalar t79 = s_2 * (Scalar(0.0118755) + t67) -
       c_2 * (Scalar(0.000621792) * t6 + t68 + Scalar(0.3451573495));
   c[2] = Scalar(-2.0) * t79;
   c[42] = -c_1_1_3;
@@ -677,8 +676,8 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   c[12] = -t78 - t77;
   c[87] = -c_3_1_5;
   const Scalar t80 = Scalar(-2.0) * (s_3 * t64 - c_3 * Iu_3_t_d);
-  const Scalar t81 = Scalar(0.8636) * hu_3_t_x + Iu_3_t_d - c_3 * t80 + Scalar(0.800930601);
-  const Scalar t82 = t64 - c_3_2_2 + s_3 * t80 - Scalar(0.0070992);
+  const Scalar t81 = Iu_3_t_d - c_3 * t80 + Scalar(0.8636) * hu_3_t_x + Scalar(0.800930601);
+  const Scalar t82 = t64 - Scalar(0.0070992) + s_3 * t80 - c_3_2_2;
   const Scalar t83 = c_2 * (s_2 * t81 - c_2 * t82);
   const Scalar c_2_1_1 = t83 + s_2 * (s_2 * t82 + c_2 * t81);
   c[21] = c_2_1_1;
@@ -736,14 +735,14 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   const Scalar t15 = Scalar(0.00002) * qd_2 + Scalar(0.00002) * qd_3;
   const Scalar t16 = t5 * t15;
   const Scalar t17 = s_5 * t10;
-  C[33] = t16 - t17 + t14;
+  C[33] = t14 + t16 - t17;
   const Scalar t18 = s_2 * (s_3 * t5 - c_3 * c_5);
   const Scalar t19 = s_3 * c_5;
   const Scalar mu_u_6_3_t_x = t19 + c_3 * t5;
   const Scalar t20 = Scalar(0.00002) * t18 - Scalar(0.00002) * c_2 * mu_u_6_3_t_x;
   const Scalar t21 = qd_1 * t20;
   C[11] = t11 - t21;
-  C[23] = -t16 - t17 - t14;
+  C[23] = -t14 - t16 - t17;
   C[31] = t11 + t21;
   const Scalar t22 = c_4 * t2;
   const Scalar t23 = s_5 * t4;
@@ -777,50 +776,50 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   const Scalar t41 = t29 + Scalar(0.000623664);
   const Scalar t42 = t41 * t12;
   const Scalar t43 = Scalar(0.000058464) * c_5;
-  const Scalar v_3_6_a_z = Scalar(0.001247328) * t5 + t43;
+  const Scalar v_3_6_a_z = t43 + Scalar(0.001247328) * t5;
   const Scalar c_5_3_3 = Scalar(2.0) * s_4 * t42 + c_4 * v_3_6_a_z;
   C[14] = t40 * t37 - qd_5 * c_5_3_3;
   C[34] = -C_56;
   const Scalar mu_u_4_4_a_y = t33 - Scalar(0.00092108);
-  const Scalar mu_4_3_y = mu_u_4_4_a_y + Scalar(0.000029232) * t5;
+  const Scalar mu_4_3_y = Scalar(0.000029232) * t5 + mu_u_4_4_a_y;
   const Scalar t44 = Scalar(0.000216144) * t12 - mu_4_3_y;
   const Scalar t45 = t5 * t41;
   const Scalar t46 = t45 * t4;
-  const Scalar t47 = t2 * t44 + t46;
+  const Scalar t47 = t46 + t2 * t44;
   const Scalar t48 = s_4 * t2;
   const Scalar t49 = Scalar(0.000216144) * s_5;
   const Scalar t50 = t2 * t49;
   const Scalar t51 = Iu_4_t_d * t48 - t50;
   const Scalar t52 = s_4 * t51;
-  const Scalar t53 = t46 + t52 - dmu_3_4_x * t22;
-  const Scalar t54 = t47 + t53;
+  const Scalar t53 = t52 - dmu_3_4_x * t22 + t46;
+  const Scalar t54 = t53 + t47;
   const Scalar db_23_4r = t40 + t36;
   const Scalar t55 = t12 * t27;
   const Scalar c_3_2_4 = db_23_4r + t55;
   const Scalar t56 = Scalar(2.0) * qd_3;
   const Scalar t57 = Scalar(0.00002) * qd_6;
   const Scalar t58 = t5 * t57;
-  const Scalar t59 = t58 + qd_1 * t54 + t40 * t56 + qd_2 * c_3_2_4;
+  const Scalar t59 = t58 + t40 * t56 + qd_2 * c_3_2_4 + qd_1 * t54;
   const Scalar t60 = s_4 * (s_5 * t1 - Scalar(0.00010108));
   const Scalar t61 = Scalar(0.000623664) * t9;
   const Scalar t62 = t61 - t60;
   const Scalar t63 = Scalar(0.00032108) * s_4;
   const Scalar t64 = t63 + t61;
   const Scalar t65 = t64 + t62;
-  C[15] = t59 - qd_5 * t65 - t45 * t37;
+  C[15] = -qd_5 * t65 - t45 * t37 + t59;
   const Scalar t66 = Scalar(0.4318) * c_2;
-  const Scalar v_o_1_4_z = Scalar(0.4331) * t2 + Scalar(0.0203) * t4 + t66;
+  const Scalar v_o_1_4_z = Scalar(0.0203) * t4 + Scalar(0.4331) * t2 + t66;
   const Scalar t67 = Scalar(0.000216144) * s_4 * t4 - Scalar(0.00144) * c_4 * v_o_1_4_z;
-  const Scalar t68 = t67 + Scalar(0.00010108) * t24;
+  const Scalar t68 = Scalar(0.00010108) * t24 + t67;
   const Scalar t69 = t5 * t2 + c_5 * t4;
   const Scalar t70 = Scalar(0.00010108) * s_5;
-  const Scalar t71 = c_5 * t68 + t69 * t70;
+  const Scalar t71 = t69 * t70 + c_5 * t68;
   const Scalar t72 = Scalar(0.00032108) * t22 - c_5 * t67;
   const Scalar t73 = t72 + t71;
   const Scalar c_4_3_5 = t64 - t62;
   const Scalar t74 = v_o_2_4_x * t9;
   const Scalar t75 = t74 - t60;
-  const Scalar t76 = t74 + t63;
+  const Scalar t76 = t63 + t74;
   const Scalar c_4_2_5 = t76 - t75;
   const Scalar t77 = t1 * (Scalar(0.09893153937475267) * qd_6 - c_5 * qd_4);
   const Scalar C_54 = t77 - qd_3 * c_4_3_5 - qd_2 * c_4_2_5 + qd_1 * t73;
@@ -828,16 +827,16 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   C[20] = qd_5 * c_4_3_5 - t59;
   C[22] = -C_54;
   const Scalar t78 = c_4 * (t50 - t51) - s_4 * (Iu_4_t_d * t22 - t29 * t23);
-  const Scalar t79 = s_4 * v_o_1_4_z + Scalar(0.1501) * c_4 * t4;
+  const Scalar t79 = Scalar(0.1501) * c_4 * t4 + s_4 * v_o_1_4_z;
   const Scalar t80 = t2 * t9;
-  const Scalar t81 = Scalar(14.246141669964384) * t79 + t80;
+  const Scalar t81 = t80 + Scalar(14.246141669964384) * t79;
   const Scalar t82 = s_5 * t79;
   const Scalar t83 = t2 * t78 + t4 * (Scalar(0.00144) * t82 + t81 * t70);
   const Scalar t84 = t13 * t57 + qd_1 * t83;
   const Scalar t85 = s_2 * (t5 * (s_3 * t41 + Scalar(0.000621792)) + c_3 * t44);
-  const Scalar t86 = t85 + c_2 * (s_3 * t44 - c_3 * t45);
+  const Scalar t86 = c_2 * (s_3 * t44 - c_3 * t45) + t85;
   const Scalar t87 = c_4 * (t2 * t35 - t23 * t30) - t52;
-  const Scalar t88 = t86 + t87;
+  const Scalar t88 = t87 + t86;
   const Scalar t89 = t72 - t71;
   const Scalar t90 = t47 - t53;
   C[3] = t84 + qd_5 * t89 - qd_4 * t81 * t1 - qd_3 * t90 - qd_2 * t88;
@@ -847,70 +846,70 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   const Scalar t94 = Scalar(0.000216144) * t24 - Scalar(0.000029232) * t80 + t4 * t64;
   const Scalar t95 = t94 + t93;
   const Scalar t96 = t92 - s_4 * (t69 * t30 - t2 * t28);
-  const Scalar t97 = c_3 * (t49 + t64) +
-      Scalar(0.000029232) * (Scalar(7.394088669950739) * c_4 + s_4) * t19;
+  const Scalar t97 = Scalar(0.000029232) * (s_4 + Scalar(7.394088669950739) * c_4) * t19 +
+      c_3 * (t49 + t64);
   const Scalar t98 = c_4 * c_5 * t27 - s_5 * t26;
   const Scalar t99 = Scalar(0.3476146364057434) * t98 +
       Scalar(0.000029232) * t9 * (c_3 - Scalar(21.27093596059113)) - s_3 * t64;
-  const Scalar t100 = s_2 * t99 + c_2 * t97;
+  const Scalar t100 = c_2 * t97 + s_2 * t99;
   const Scalar t101 = t100 - t96;
   const Scalar t102 = Scalar(2.0) * t69 * t68 - t91 * t48;
   const Scalar t103 = t24 * t57 + qd_1 * t102;
-  C[4] = t103 - qd_5 * t91 + qd_4 * t89 - qd_3 * t95 + qd_2 * t101;
+  C[4] = t103 + qd_4 * t89 - qd_3 * t95 + qd_2 * t101 - qd_5 * t91;
   const Scalar t104 = t86 - t87;
   const Scalar t105 = Scalar(2.0) * qd_2;
-  const Scalar t106 = t36 * t105 + t58 + qd_1 * t104;
+  const Scalar t106 = t58 + t36 * t105 + qd_1 * t104;
   const Scalar t107 = db_23_4r - t55;
   const Scalar t108 = t76 + t75;
-  C[9] = t106 - qd_5 * t108 - t5 * t30 * t37 + qd_3 * t107;
-  const Scalar Iu_3_t_d = Scalar(0.001247328) * c_5 + mu_u_4_4_a_y +
-      c_4 * (Scalar(0.000058464) * s_5 + t34) + Scalar(0.150108592);
+  C[9] = qd_3 * t107 - qd_5 * t108 + t106 - t5 * t30 * t37;
+  const Scalar Iu_3_t_d = c_4 * (Scalar(0.000058464) * s_5 + t34) + Scalar(0.001247328) * c_5 +
+      mu_u_4_4_a_y + Scalar(0.150108592);
   const Scalar t109 = Scalar(2.0) * t45 - t43 - Scalar(0.0106736385);
   const Scalar t110 = t4 * (t109 * t4 - Iu_3_t_d * t2 - f_3_3_x * t66);
-  const Scalar t111 = t2 * (t109 * t2 + Iu_3_t_d * t4 + hc_3_x * t66);
-  const Scalar t112 = t110 - t111 - t66 * (f_3_3_x * t4 + hc_3_x * t2);
+  const Scalar t111 = t2 * (hc_3_x * t66 + t109 * t2 + Iu_3_t_d * t4);
+  const Scalar t112 = t110 - t111 - t66 * (hc_3_x * t2 + f_3_3_x * t4);
   const Scalar t113 = qd_6 * t7 - qd_1 * t112;
   const Scalar t114 = t94 - t93;
   const Scalar Ic_3_yz = t42 + Scalar(0.002352);
-  const Scalar t115 = Scalar(0.1738073182028717) * t38 - s_3 * t40 - c_3 * Ic_3_yz;
-  const Scalar hu_3_t_x = s_3 * f_3_3_x + c_3 * hc_3_x;
-  const Scalar t116 = Scalar(0.1501) * hu_3_t_x + s_3 * Ic_3_yz - c_3 * t40;
+  const Scalar t115 = -s_3 * t40 - c_3 * Ic_3_yz + Scalar(0.1738073182028717) * t38;
+  const Scalar hu_3_t_x = c_3 * hc_3_x + s_3 * f_3_3_x;
+  const Scalar t116 = s_3 * Ic_3_yz - c_3 * t40 + Scalar(0.1501) * hu_3_t_x;
   const Scalar t117 = s_2 * t115 - c_2 * t116;
-  const Scalar t118 = t2 * (Scalar(0.1501) * f_3_3_x + Ic_3_yz) -
+  const Scalar t118 = t2 * (Ic_3_yz + Scalar(0.1501) * f_3_3_x) -
       t4 * (Scalar(0.1501) * hc_3_x - t40);
   const Scalar t119 = t118 + t117;
-  C[12] = t113 + qd_5 * t114 + qd_4 * t54 - qd_2 * t119;
+  C[12] = qd_5 * t114 + qd_4 * t54 - qd_2 * t119 + t113;
   const Scalar t120 = qd_2 * t38 - qd_1 * t119;
   const Scalar t121 = t31 + Scalar(0.5) * c_5_3_3;
   const Scalar t122 = t98 + t121;
-  C[13] = t120 - qd_5 * t122 + qd_4 * c_3_2_4;
+  C[13] = qd_4 * c_3_2_4 - qd_5 * t122 + t120;
   const Scalar t123 = t9 * t57;
   const Scalar t124 = t123 + qd_1 * t114 - qd_3 * c_5_3_3 - qd_2 * t122;
-  C[16] = t124 - qd_5 * v_3_6_a_z - qd_4 * t65;
+  C[16] = -qd_5 * v_3_6_a_z - qd_4 * t65 + t124;
   C[18] = -t84 - qd_5 * t73 - qd_3 * t54 - qd_2 * t104;
-  C[19] = qd_5 * c_4_2_5 - t106 - qd_3 * c_3_2_4;
+  C[19] = qd_5 * c_4_2_5 - qd_3 * c_3_2_4 - t106;
   const Scalar t125 = t100 + t96;
   C[24] = qd_4 * t73 - t103 - qd_3 * t114 + qd_2 * t125;
-  const Scalar t126 = t31 * t105 - t123 + qd_1 * t125;
-  C[25] = t126 - qd_4 * c_4_2_5 + qd_3 * t122;
+  const Scalar t126 = qd_1 * t125 - t123 + t31 * t105;
+  C[25] = qd_3 * t122 - qd_4 * c_4_2_5 + t126;
   const Scalar t127 = t118 - t117;
-  const Scalar t128 = t113 + qd_5 * t95 + qd_4 * t90 - t118 * t56 - qd_2 * t127;
+  const Scalar t128 = qd_5 * t95 + qd_4 * t90 - qd_2 * t127 + t113 - t118 * t56;
   C[2] = -t128;
   const Scalar t129 = t98 - t121;
-  C[8] = qd_5 * t129 - t39 - t120 + qd_4 * t107;
-  C[10] = qd_3 * t129 - t126 - t28 * t32 - qd_4 * t108;
-  C[26] = -t124 - qd_4 * c_4_3_5;
+  C[8] = qd_4 * t107 + qd_5 * t129 - t39 - t120;
+  C[10] = qd_3 * t129 - qd_4 * t108 - t126 - t28 * t32;
+  C[26] = -qd_4 * c_4_3_5 - t124;
   const Scalar t130 = Scalar(-2.0) * (s_3 * t109 - c_3 * Iu_3_t_d);
-  const Scalar t131 = Scalar(0.8636) * hu_3_t_x + Iu_3_t_d - c_3 * t130 + Scalar(0.800930601);
-  const Scalar t132 = t109 - t38 + s_3 * t130 - Scalar(0.0070992);
+  const Scalar t131 = Iu_3_t_d - c_3 * t130 + Scalar(0.8636) * hu_3_t_x + Scalar(0.800930601);
+  const Scalar t132 = t109 - Scalar(0.0070992) + s_3 * t130 - t38;
   const Scalar t133 = c_2 * (s_2 * t131 - c_2 * t132);
   const Scalar t134 = t133 + s_2 * (s_2 * t132 + c_2 * t131);
-  C[0] = qd_5 * t102 + qd_4 * t83 + qd_3 * t112 - qd_2 * t134;
+  C[0] = qd_4 * t83 + qd_5 * t102 + qd_3 * t112 - qd_2 * t134;
   const Scalar t135 = qd_6 * t20 - qd_1 * t134;
-  const Scalar t136 = s_2 * (t115 + Scalar(0.0118755)) -
+  const Scalar t136 = s_2 * (Scalar(0.0118755) + t115) -
       c_2 * (Scalar(0.000621792) * t12 + t116 + Scalar(0.3451573495));
-  C[1] = t135 + qd_5 * t101 - qd_4 * t88 + qd_3 * t127 - t136 * t105;
-  C[6] = qd_4 * t104 - t135 - qd_5 * t125 + qd_3 * t119;
+  C[1] = qd_5 * t101 - qd_4 * t88 + qd_3 * t127 + t135 - t136 * t105;
+  C[6] = qd_4 * t104 - qd_5 * t125 + qd_3 * t119 - t135;
   C[28] = C[35] = Scalar(0.0);
 }
 
@@ -935,10 +934,10 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
   const Scalar hc_3_x = c_4 * t1 - Scalar(0.24892875);
   const Scalar t3 = t2 + Scalar(8.45420895);
   const Scalar t4 = s_3 * hc_3_x - c_3 * t3;
-  const Scalar hu_3_t_x = s_3 * t3 + c_3 * hc_3_x;
+  const Scalar hu_3_t_x = c_3 * hc_3_x + s_3 * t3;
   g[2] = s_2 * t4 - c_2 * hu_3_t_x;
   const Scalar hc_2_x = hu_3_t_x + Scalar(37.2347379);
-  g[1] = s_2 * (t4 + Scalar(1.024164)) - c_2 * hc_2_x;
+  g[1] = s_2 * (Scalar(1.024164) + t4) - c_2 * hc_2_x;
   g[0] = g[5] = Scalar(0.0);
 }
 
@@ -960,7 +959,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
   const Scalar t1 = qd_1 * (s_2 * c_3 + c_2 * s_3);
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t1;
+  const Scalar omega_r_4_y = s_4 * t1 + c_4 * omega_3_z;
   const Scalar t2 = qd_1 * (c_2 * c_3 - s_2 * s_3);
   const Scalar t3 = omega_3_z * t2;
   const Scalar t4 = c_4 * t3 - qd_4 * omega_r_4_y;
@@ -970,7 +969,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar t7 = omega_3_z * t1;
   const Scalar domega_5_y = c_5 * t7 + s_5 * t4 + qd_5 * t6;
   const Scalar t8 = Scalar(0.00004) * domega_5_y;
-  n[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) - t8;
+  n[5] = Scalar(0.2158232532732) * qd_6 - t8 + Scalar(0.55443978) * detail::sign(qd_6);
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
   const Scalar t9 = c_6 * t6 - s_6 * omega_5_z;
   const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t6;
@@ -990,32 +989,32 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar t21 = omega_3_z * omega_3_z;
   const Scalar t22 = t20 + t21;
   const Scalar t23 = t2 * t1;
-  const Scalar t24 = t19 - Scalar(0.0203) * t22 + Scalar(0.4331) * t23;
+  const Scalar t24 = Scalar(0.4331) * t23 - Scalar(0.0203) * t22 + t19;
   const Scalar t25 = qd_2 * t16;
   const Scalar t26 = qd_1 * qd_1;
   const Scalar t27 = Scalar(0.1501) * t26 + Scalar(0.8636) * t25;
   const Scalar t28 = t27 - Scalar(0.0406) * t7 - Scalar(0.8662) * t3;
   const Scalar t29 = c_3 * t18 - s_3 * t15;
-  const Scalar t30 = t21 + t1 * t1;
-  const Scalar t31 = s_5 * (t29 - Scalar(0.4331) * t30 + Scalar(0.0203) * t23);
+  const Scalar t30 = t1 * t1 + t21;
+  const Scalar t31 = s_5 * (Scalar(0.0203) * t23 + t29 - Scalar(0.4331) * t30);
   const Scalar t32 = c_5 * (c_4 * t24 + s_4 * t28) + t31;
   const Scalar t33 = t6 * omega_r_6_a_z;
   const Scalar t34 = s_4 * t3 + qd_4 * t5;
-  const Scalar t35 = Scalar(0.00064216) * t34 - Scalar(0.00288) * t32 - Scalar(0.00024216) * t33 +
-      t11;
-  n[4] = Scalar(0.4272830209354) * qd_5 + t35 + Scalar(0.85444524) * detail::sign(qd_5);
+  const Scalar t35 = t11 - Scalar(0.00024216) * t33 + Scalar(0.00064216) * t34 -
+      Scalar(0.00288) * t32;
+  n[4] = t35 + Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5;
   const Scalar t36 = (c_6 * omega_r_6_y - s_6 * t9) * t10;
   const Scalar t37 = c_4 * t28 - s_4 * t24;
   const Scalar t38 = c_5 * t4 - s_5 * t7 + qd_5 * omega_r_6_a_z;
   const Scalar t39 = omega_r_6_a_z * omega_5_z;
-  const Scalar t40 = Scalar(0.00288) * t37 - Scalar(0.00024216) * t38 - Scalar(0.00064216) * t39 +
-      t36;
+  const Scalar t40 = t36 - Scalar(0.00024216) * t38 - Scalar(0.00064216) * t39 +
+      Scalar(0.00288) * t37;
   const Scalar mu_5_y = t8 + Scalar(0.0004) * t6 * omega_5_z;
-  const Scalar mu_u_4_a_y = Scalar(0.0016) * t7 - Scalar(0.0003) * t5 * omega_r_4_y + c_5 * mu_5_y +
+  const Scalar mu_u_4_a_y = c_5 * mu_5_y - Scalar(0.0003) * t5 * omega_r_4_y + Scalar(0.0016) * t7 +
       s_5 * t40;
   n[3] = Scalar(0.411645229697152) * qd_4 - mu_u_4_a_y + Scalar(1.06831142) * detail::sign(qd_4);
-  const Scalar t41 = Scalar(0.0003) * t4 - Scalar(0.0016) * omega_r_4_y * omega_4_z - c_5 * t40 +
-      s_5 * mu_5_y;
+  const Scalar t41 = Scalar(0.0003) * t4 + s_5 * mu_5_y - Scalar(0.0016) * omega_r_4_y * omega_4_z -
+      c_5 * t40;
   const Scalar t42 = t35 + Scalar(0.0013) * t5 * omega_4_z;
   const Scalar t43 = t34 - t33;
   const Scalar t44 = Scalar(0.00288) * c_5;
@@ -1025,35 +1024,34 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar t48 = Scalar(0.00288) * (t38 + t39);
   const Scalar t49 = c_4 * t47 - s_4 * t48;
   const Scalar t50 = t45 * t44 + t43 * t46;
-  const Scalar t51 = Scalar(0.861795) * t19 - Scalar(0.025375) * t29 + Scalar(0.299575024) * t23 -
-      Scalar(0.0106736385) * (t22 - t30) + Scalar(0.0203) * t50 - Scalar(0.4331) * t49 - c_4 * t42 +
-      s_4 * t41;
-  n[2] = Scalar(3.9804259903722) * qd_3 - t51 + Scalar(6.36419655) * detail::sign(qd_3);
-  const Scalar t52 = Scalar(0.025375) * t22 - Scalar(0.861795) * t23 + t49;
-  const Scalar t53 = Scalar(0.861795) * t30 - Scalar(0.025375) * t23 + t50;
-  const Scalar t54 = c_3 * t53 + s_3 * t52;
-  const Scalar t55 = t13 + t16 * t16;
-  const Scalar t56 = Scalar(37.2347379) * c_2 - Scalar(1.024164) * s_2 -
-      Scalar(9.496868641825) * qd_2 - Scalar(1.601861202) * t17 - Scalar(0.0070992) * (t14 - t55) +
-      t51 - Scalar(0.4318) * t54 - Scalar(10.6197775) * detail::sign(qd_2);
+  const Scalar t51 = Scalar(0.0203) * t50 - Scalar(0.4331) * t49 - c_4 * t42 + s_4 * t41 -
+      Scalar(0.025375) * t29 - Scalar(0.0106736385) * (t22 - t30) + Scalar(0.299575024) * t23 +
+      Scalar(0.861795) * t19;
+  n[2] = Scalar(6.36419655) * detail::sign(qd_3) - t51 + Scalar(3.9804259903722) * qd_3;
+  const Scalar t52 = t49 + Scalar(0.025375) * t22 - Scalar(0.861795) * t23;
+  const Scalar t53 = t50 - Scalar(0.025375) * t23 + Scalar(0.861795) * t30;
+  const Scalar t54 = s_3 * t52 + c_3 * t53;
+  const Scalar t55 = t16 * t16 + t13;
+  const Scalar t56 = Scalar(-0.0070992) * (t14 - t55) - Scalar(1.024164) * s_2 -
+      Scalar(1.601861202) * t17 + t51 - Scalar(0.4318) * t54 -
+      Scalar(10.6197775) * detail::sign(qd_2) + Scalar(37.2347379) * c_2 -
+      Scalar(9.496868641825) * qd_2;
   n[1] = -t56;
   const Scalar t57 = c_4 * t48 + s_4 * t47;
-  const Scalar mu_3_x = Scalar(0.861795) * t27 - Scalar(0.021347277) * t7 -
-      Scalar(0.612680273) * t3 + Scalar(0.004704) * (t20 - t21) - Scalar(0.4331) * t57 - c_4 * t41 -
-      s_4 * t42;
-  const Scalar t58 = Scalar(0.025375) * t27 + Scalar(0.004704) * t23 - Scalar(0.013530225) * t7 -
-      Scalar(0.021347277) * t3 - mu_u_4_a_y - Scalar(0.0203) * t57;
+  const Scalar mu_3_x = Scalar(-0.4331) * t57 - c_4 * t41 - s_4 * t42 +
+      Scalar(0.004704) * (t20 - t21) - Scalar(0.021347277) * t7 + Scalar(0.861795) * t27 -
+      Scalar(0.612680273) * t3;
+  const Scalar t58 = Scalar(0.004704) * t23 - Scalar(0.0203) * t57 - mu_u_4_a_y -
+      Scalar(0.013530225) * t7 + Scalar(0.025375) * t27 - Scalar(0.021347277) * t3;
   const Scalar t59 = c_3 * t52 - s_3 * t53;
   const Scalar t60 = qd_2 * t12;
-  const Scalar mu_2_y = Scalar(0.023751) * t17 + Scalar(3.349975204) * t25 -
-      Scalar(0.02191385) * t7 - Scalar(0.744246162) * t3 - Scalar(0.690314699) * (t14 - t26) -
-      Scalar(0.4318) * t57 + Scalar(0.1501) * t59 + Scalar(0.0141984) * t60 - c_3 * t58 +
-      s_3 * mu_3_x;
-  const Scalar t61 = Scalar(0.690314699) * t17 + Scalar(0.0141984) * t25 -
-      Scalar(0.023751) * (t55 - t26) + Scalar(0.1501) * t54 - c_3 * mu_3_x - s_3 * t58 +
-      Scalar(0.1462528) * t60;
-  n[0] = Scalar(5.8018217679508) * qd_1 + Scalar(25.9836065) * detail::sign(qd_1) - c_2 * mu_2_y +
-      s_2 * t61;
+  const Scalar mu_2_y = Scalar(0.023751) * t17 - Scalar(0.4318) * t57 + Scalar(0.0141984) * t60 -
+      Scalar(0.02191385) * t7 - c_3 * t58 + Scalar(0.1501) * t59 - Scalar(0.744246162) * t3 +
+      s_3 * mu_3_x - Scalar(0.690314699) * (t14 - t26) + Scalar(3.349975204) * t25;
+  const Scalar t61 = Scalar(0.0141984) * t25 - s_3 * t58 - Scalar(0.023751) * (t55 - t26) +
+      Scalar(0.1462528) * t60 + Scalar(0.1501) * t54 + Scalar(0.690314699) * t17 - c_3 * mu_3_x;
+  n[0] = s_2 * t61 + Scalar(5.8018217679508) * qd_1 + Scalar(25.9836065) * detail::sign(qd_1) -
+      c_2 * mu_2_y;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -1083,7 +1081,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t3 = qd_1 * (c_2 * c_3 - s_2 * s_3);
   const Scalar omega_4_z = qd_4 + t3;
   const Scalar t4 = c_5 * t2 + s_5 * omega_4_z;
-  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t1;
+  const Scalar omega_r_4_y = s_4 * t1 + c_4 * omega_3_z;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
   const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t4;
   const Scalar t5 = c_6 * t4 - s_6 * omega_5_z;
@@ -1103,7 +1101,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t17 = omega_3_z * omega_3_z;
   const Scalar t18 = t16 + t17;
   const Scalar t19 = t3 * t1;
-  const Scalar t20 = t15 - Scalar(0.0203) * t18 + Scalar(0.4331) * t19;
+  const Scalar t20 = Scalar(0.4331) * t19 - Scalar(0.0203) * t18 + t15;
   const Scalar t21 = omega_3_z * t1;
   const Scalar t22 = omega_3_z * t3;
   const Scalar t23 = qd_2 * t12;
@@ -1111,23 +1109,23 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t25 = Scalar(0.1501) * t24 + Scalar(0.8636) * t23;
   const Scalar t26 = t25 - Scalar(0.0406) * t21 - Scalar(0.8662) * t22;
   const Scalar t27 = c_4 * t26 - s_4 * t20;
-  const Scalar t28 = Scalar(0.00288) * t27 - Scalar(0.00088432) * omega_r_6_a_z * omega_5_z + t7;
+  const Scalar t28 = t7 - Scalar(0.00088432) * omega_r_6_a_z * omega_5_z + Scalar(0.00288) * t27;
   const Scalar t29 = c_4 * t22 - qd_4 * omega_r_4_y;
   const Scalar domega_5_y = c_5 * t21 + s_5 * t29 + qd_5 * t4;
   const Scalar t30 = Scalar(0.00020216) * domega_5_y - Scalar(0.00064216) * t4 * omega_5_z;
-  const Scalar mu_4_x = Scalar(0.00238432) * omega_r_4_y * omega_4_z + c_5 * t28 + s_5 * t30;
-  const Scalar y_6 = tau_6 - Scalar(0.2158232532732) * qd_6 + Scalar(0.00004) * domega_5_y -
-      Scalar(0.55443978) * detail::sign(qd_6);
-  const Scalar t31 = s_4 * (mu_4_x + Scalar(0.00019430115597482132) * s_5 * y_6);
+  const Scalar mu_4_x = s_5 * t30 + Scalar(0.00238432) * omega_r_4_y * omega_4_z + c_5 * t28;
+  const Scalar y_6 = Scalar(0.00004) * domega_5_y - Scalar(0.2158232532732) * qd_6 -
+      Scalar(0.55443978) * detail::sign(qd_6) + tau_6;
+  const Scalar t31 = s_4 * (Scalar(0.00019430115597482132) * s_5 * y_6 + mu_4_x);
   const Scalar t32 = t6 * (c_6 * t5 + s_6 * omega_r_6_y);
   const Scalar t33 = c_3 * t14 - s_3 * t11;
-  const Scalar t34 = t17 + t1 * t1;
-  const Scalar t35 = s_5 * (t33 - Scalar(0.4331) * t34 + Scalar(0.0203) * t19);
+  const Scalar t34 = t1 * t1 + t17;
+  const Scalar t35 = s_5 * (Scalar(0.0203) * t19 + t33 - Scalar(0.4331) * t34);
   const Scalar t36 = c_5 * (c_4 * t20 + s_4 * t26) + t35;
   const Scalar t37 = t4 * omega_r_6_a_z;
   const Scalar t38 = s_4 * t22 + qd_4 * t2;
-  const Scalar t39 = Scalar(0.00064216) * t38 - Scalar(0.00288) * t36 - Scalar(0.00024216) * t37 +
-      t32;
+  const Scalar t39 = t32 - Scalar(0.00024216) * t37 + Scalar(0.00064216) * t38 -
+      Scalar(0.00288) * t36;
   const Scalar t40 = Scalar(0.00054216) * t38 - t39 - Scalar(0.00184216) * t2 * omega_4_z;
   const Scalar t41 = t38 - t37;
   const Scalar t42 = Scalar(0.00288) * c_5;
@@ -1137,31 +1135,31 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t46 = Scalar(0.00288) * (c_5 * t29 - s_5 * t21 + omega_r_6_a_z * (qd_5 + omega_5_z));
   const Scalar t47 = c_4 * t45 - s_4 * t46;
   const Scalar t48 = t43 * t42 + t41 * t44;
-  const Scalar t49 = Scalar(0.861795) * t15 - Scalar(0.025375) * t33 + Scalar(0.300117184) * t19 -
-      Scalar(0.0106736385) * (t18 - t34) + Scalar(0.0203) * t48 - Scalar(0.4331) * t47 + c_4 * t40 -
-      t31;
-  const Scalar mu_u_4_a_y = Scalar(0.00184216) * t21 - Scalar(0.00054216) * t2 * omega_r_4_y -
-      c_5 * t30 + s_5 * t28;
+  const Scalar t49 = Scalar(0.0203) * t48 - Scalar(0.4331) * t47 + c_4 * t40 - t31 -
+      Scalar(0.025375) * t33 - Scalar(0.0106736385) * (t18 - t34) + Scalar(0.300117184) * t19 +
+      Scalar(0.861795) * t15;
+  const Scalar mu_u_4_a_y = Scalar(-0.00054216) * t2 * omega_r_4_y - c_5 * t30 +
+      Scalar(0.00184216) * t21 + s_5 * t28;
   const Scalar t50 = Scalar(0.00019430115597482132) * c_5;
-  const Scalar y_6_4 = tau_4 - Scalar(0.411645229697152) * qd_4 + mu_u_4_a_y -
-      Scalar(1.06831142) * detail::sign(qd_4) - y_6 * t50;
+  const Scalar y_6_4 = mu_u_4_a_y - y_6 * t50 - Scalar(0.411645229697152) * qd_4 -
+      Scalar(1.06831142) * detail::sign(qd_4) + tau_4;
   const Scalar t51 = Scalar(0.00020216) * c_5;
   const Scalar t52 = t51 + Scalar(0.001247328);
   const Scalar t53 = s_4 * s_5;
   const Scalar t54 = t52 * t53;
   const Scalar t55 = Scalar(7.772046238992852e-09) * t53;
-  const Scalar t56 = t54 + c_5 * t55;
+  const Scalar t56 = c_5 * t55 + t54;
   const Scalar t57 = Scalar(0.00020216777204623898) * c_5 * c_5 - Scalar(0.2041958543736);
   const Scalar t58 = Scalar(1.0) / t57;
   const Scalar t59 = t56 * t58;
-  const Scalar y_5 = tau_5 - Scalar(0.4272830209354) * qd_5 - t39 -
-      Scalar(0.85444524) * detail::sign(qd_5);
+  const Scalar y_5 = -t39 - Scalar(0.85444524) * detail::sign(qd_5) -
+      Scalar(0.4272830209354) * qd_5 + tau_5;
   const Scalar t60 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
   const Scalar t61 = Scalar(0.000058464) * s_5;
   const Scalar t62 = t61 - c_4 * t60;
   const Scalar t63 = Scalar(5.5037503582353615) * t62;
-  const Scalar y_4_3 = tau_3 - Scalar(3.9804259903722) * qd_3 -
-      Scalar(6.36419655) * detail::sign(qd_3) + t49 + y_5 * t63 - t59 * y_6_4;
+  const Scalar y_4_3 = y_5 * t63 - t59 * y_6_4 - Scalar(6.36419655) * detail::sign(qd_3) + t49 -
+      Scalar(3.9804259903722) * qd_3 + tau_3;
   const Scalar t64 = c_5 * t51;
   const Scalar Iu_5_t_xx = t64 - Scalar(0.00020216);
   const Scalar Iu_4_t_d = Iu_5_t_xx - Scalar(0.0001);
@@ -1170,103 +1168,101 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t67 = c_4 * s_5;
   const Scalar t68 = Scalar(0.000116928) * t67;
   const Scalar t69 = Scalar(0.002494656) * c_5;
-  const Scalar t70 = Iu_5_t_xx - t68 - t66 + t69 - t53 * t55 + Scalar(0.313647409);
-  const Scalar b_4_3_3 = t70 - t62 * t63 + t56 * t59 + Scalar(0.86242563124731);
+  const Scalar t70 = -t53 * t55 - t68 - t66 + Iu_5_t_xx + t69 + Scalar(0.313647409);
+  const Scalar b_4_3_3 = t56 * t59 - t62 * t63 + t70 + Scalar(0.86242563124731);
   const Scalar d_3 = Scalar(1.0) / b_4_3_3;
   const Scalar t71 = Scalar(0.001243584) * t53;
-  const Scalar t72 = t56 + s_3 * t71;
+  const Scalar t72 = s_3 * t71 + t56;
   const Scalar f_u_5_3_t_y = c_3 * t44 + s_3 * c_4 * t42;
   const Scalar t73 = t62 - Scalar(0.4318) * f_u_5_3_t_y;
   const Scalar hc_3_x = Scalar(0.00288) * t67 - Scalar(0.025375);
   const Scalar f_3_3_x = t42 + Scalar(0.861795);
   const Scalar hu_3_t_x = c_3 * hc_3_x + s_3 * f_3_3_x;
-  const Scalar b_4_3_2 = Scalar(0.4318) * hu_3_t_x + t70 - t73 * t63 + t72 * t59;
+  const Scalar b_4_3_2 = t72 * t59 - t73 * t63 + Scalar(0.4318) * hu_3_t_x + t70;
   const Scalar t74 = b_4_3_2 * d_3;
   const Scalar t75 = t72 * t58;
-  const Scalar t76 = Scalar(0.025375) * t18 - Scalar(0.861795) * t19 + t47;
-  const Scalar t77 = Scalar(0.861795) * t34 - Scalar(0.025375) * t19 + t48;
-  const Scalar t78 = c_3 * t77 + s_3 * t76;
+  const Scalar t76 = t47 + Scalar(0.025375) * t18 - Scalar(0.861795) * t19;
+  const Scalar t77 = t48 - Scalar(0.025375) * t19 + Scalar(0.861795) * t34;
+  const Scalar t78 = s_3 * t76 + c_3 * t77;
   const Scalar t79 = Scalar(5.5037503582353615) * t73;
-  const Scalar t80 = t9 + t12 * t12;
-  const Scalar y_3_2 = Scalar(37.2347379) * c_2 - Scalar(1.024164) * s_2 -
-      Scalar(9.496868641825) * qd_2 + tau_2 - Scalar(1.601861202) * t13 -
-      Scalar(0.0070992) * (t10 - t80) - Scalar(0.4318) * t78 -
-      Scalar(10.6197775) * detail::sign(qd_2) + t49 + y_5 * t79 - t75 * y_6_4 - t74 * y_4_3;
-  const Scalar t81 = s_4 * (t65 + t61);
+  const Scalar t80 = t12 * t12 + t9;
+  const Scalar y_3_2 = y_5 * t79 - t75 * y_6_4 - Scalar(0.0070992) * (t10 - t80) -
+      Scalar(1.024164) * s_2 - Scalar(1.601861202) * t13 - Scalar(0.4318) * t78 + t49 + tau_2 -
+      Scalar(10.6197775) * detail::sign(qd_2) - t74 * y_4_3 + Scalar(37.2347379) * c_2 -
+      Scalar(9.496868641825) * qd_2;
+  const Scalar t81 = s_4 * (t61 + t65);
   const Scalar Ic_3_yz = t54 + Scalar(0.004704);
   const Scalar t82 = c_3 * f_3_3_x - s_3 * hc_3_x;
-  const Scalar t83 = Scalar(0.1501) * t82 + c_3 * Ic_3_yz + s_3 * t81;
-  const Scalar t84 = Scalar(0.1501) * hu_3_t_x - c_3 * t81 + s_3 * Ic_3_yz;
+  const Scalar t83 = s_3 * t81 + c_3 * Ic_3_yz + Scalar(0.1501) * t82;
+  const Scalar t84 = s_3 * Ic_3_yz - c_3 * t81 + Scalar(0.1501) * hu_3_t_x;
   const Scalar mu_u_4_4_a_y = t64 - Scalar(0.00184216);
-  const Scalar t85 = mu_u_4_4_a_y + Scalar(0.000058464) * t67 - Scalar(0.000432288) * t53;
+  const Scalar t85 = Scalar(0.000058464) * t67 - Scalar(0.000432288) * t53 + mu_u_4_4_a_y;
   const Scalar t86 = c_2 * (c_3 * t85 - t67 * (s_3 * t52 + Scalar(0.001243584)));
   const Scalar t87 = t67 * t52;
   const Scalar t88 = Scalar(0.00004) * c_3;
   const Scalar t89 = Scalar(0.00004) * s_3;
   const Scalar mu_u_6_3_t_x = t67 * t88 + c_5 * t89;
   const Scalar t90 = c_2 * (c_5 * t88 - t67 * t89) - s_2 * mu_u_6_3_t_x;
-  const Scalar t91 = t86 - s_2 * (c_3 * t87 + s_3 * t85) + t90 * t50;
+  const Scalar t91 = t90 * t50 - s_2 * (c_3 * t87 + s_3 * t85) + t86;
   const Scalar t92 = c_5 * (s_4 - Scalar(0.04701250578971746) * c_3 *
-      (Scalar(7.394088669950739) * c_4 + s_4));
+      (s_4 + Scalar(7.394088669950739) * c_4));
   const Scalar t93 = c_2 * (s_3 * (Scalar(0.000432288) * s_5 + s_4 * t60) +
       Scalar(0.001243584) * t92);
   const Scalar t94 = Scalar(0.000058464) * c_5;
   const Scalar t95 = s_2 * (Scalar(0.1501) * f_u_5_3_t_y + s_4 * (s_3 * t94 + c_3 * t60));
-  const Scalar mu_u_5_2_a_z = t93 + t95;
+  const Scalar mu_u_5_2_a_z = t95 + t93;
   const Scalar t96 = Scalar(-0.00019430115597482132) * t53 * t90;
-  const Scalar t97 = c_2 * t83 - s_2 * t84 - t96 - mu_u_5_2_a_z * t63 - t91 * t59;
-  const Scalar t98 = s_2 * (t84 + t71 + Scalar(0.690314699));
-  const Scalar t99 = t96 - c_2 * (t83 - Scalar(0.023751)) + t98 + mu_u_5_2_a_z * t79 + t91 * t75 +
-      t97 * t74;
+  const Scalar t97 = -t96 - mu_u_5_2_a_z * t63 - t91 * t59 + c_2 * t83 - s_2 * t84;
+  const Scalar t98 = s_2 * (t71 + t84 + Scalar(0.690314699));
+  const Scalar t99 = t96 + mu_u_5_2_a_z * t79 + t91 * t75 + t97 * t74 -
+      c_2 * (t83 - Scalar(0.023751)) + t98;
   const Scalar t100 = Scalar(0.8636) * hu_3_t_x;
-  const Scalar b_3_2_2 = t100 + t70 - t73 * t79 + t72 * t75 - b_4_3_2 * t74 +
+  const Scalar b_3_2_2 = t72 * t75 - t73 * t79 - b_4_3_2 * t74 + t70 + t100 +
       Scalar(6.502360360025);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
   const Scalar t101 = t99 * d_2;
   const Scalar t102 = c_4 * t46 + s_4 * t45;
-  const Scalar mu_3_x = Scalar(0.861795) * t25 - Scalar(0.021347277) * t21 -
-      Scalar(0.613764593) * t22 + Scalar(0.004704) * (t16 - t17) - Scalar(0.4331) * t102 +
-      c_4 * mu_4_x + s_4 * t40;
-  const Scalar t103 = Scalar(0.025375) * t25 + Scalar(0.004704) * t19 - Scalar(0.013530225) * t21 -
-      Scalar(0.021347277) * t22 - mu_u_4_a_y - Scalar(0.0203) * t102;
+  const Scalar mu_3_x = c_4 * mu_4_x - Scalar(0.4331) * t102 + s_4 * t40 +
+      Scalar(0.004704) * (t16 - t17) - Scalar(0.021347277) * t21 + Scalar(0.861795) * t25 -
+      Scalar(0.613764593) * t22;
+  const Scalar t103 = Scalar(0.004704) * t19 - Scalar(0.0203) * t102 - mu_u_4_a_y -
+      Scalar(0.013530225) * t21 + Scalar(0.025375) * t25 - Scalar(0.021347277) * t22;
   const Scalar t104 = c_3 * t76 - s_3 * t77;
   const Scalar t105 = qd_2 * t8;
-  const Scalar mu_2_y = Scalar(0.023751) * t13 + Scalar(3.349975204) * t23 -
-      Scalar(0.02191385) * t21 - Scalar(0.744246162) * t22 - Scalar(0.690314699) * (t10 - t24) -
-      Scalar(0.4318) * t102 + Scalar(0.1501) * t104 + Scalar(0.0141984) * t105 - c_3 * t103 +
-      s_3 * mu_3_x;
-  const Scalar t106 = Scalar(0.690314699) * t13 + Scalar(0.0141984) * t23 -
-      Scalar(0.023751) * (t80 - t24) + Scalar(0.1501) * t78 - c_3 * mu_3_x - s_3 * t103 +
-      Scalar(0.1462528) * t105;
+  const Scalar mu_2_y = Scalar(0.023751) * t13 - Scalar(0.4318) * t102 + Scalar(0.0141984) * t105 -
+      Scalar(0.02191385) * t21 - c_3 * t103 + Scalar(0.1501) * t104 - Scalar(0.744246162) * t22 +
+      s_3 * mu_3_x - Scalar(0.690314699) * (t10 - t24) + Scalar(3.349975204) * t23;
+  const Scalar t106 = Scalar(0.0141984) * t23 - s_3 * t103 - Scalar(0.023751) * (t80 - t24) +
+      Scalar(0.1462528) * t105 + Scalar(0.1501) * t78 + Scalar(0.690314699) * t13 - c_3 * mu_3_x;
   const Scalar t107 = t97 * d_3;
   const Scalar t108 = t91 * t58;
   const Scalar t109 = Scalar(5.5037503582353615) * mu_u_5_2_a_z;
   const Scalar t110 = Scalar(-4.857528899370533) * t90;
-  const Scalar y_2_1 = tau_1 - Scalar(5.8018217679508) * qd_1 -
-      Scalar(25.9836065) * detail::sign(qd_1) + c_2 * mu_2_y - s_2 * t106 + y_6 * t110 -
-      y_5 * t109 - t108 * y_6_4 + t107 * y_4_3 - t101 * y_3_2;
-  const Scalar t111 = mu_u_4_4_a_y + t68 + Scalar(0.300117184);
-  const Scalar Iu_3_t_d = t111 + t66 + t69 + Scalar(0.0001);
+  const Scalar y_2_1 = y_6 * t110 - y_5 * t109 - t108 * y_6_4 + t107 * y_4_3 - t101 * y_3_2 -
+      s_2 * t106 + tau_1 - Scalar(5.8018217679508) * qd_1 -
+      Scalar(25.9836065) * detail::sign(qd_1) + c_2 * mu_2_y;
+  const Scalar t111 = t68 + mu_u_4_4_a_y + Scalar(0.300117184);
+  const Scalar Iu_3_t_d = t66 + Scalar(0.0001) + t69 + t111;
   const Scalar t112 = t87 - t94 - Scalar(0.0106736385);
   const Scalar Iu_3_t_g = c_3 * Iu_3_t_d - Scalar(2.0) * s_3 * t112;
   const Scalar t113 = c_3 * Iu_3_t_g;
-  const Scalar t114 = s_2 * (t112 + Scalar(0.4318) * t82 + s_3 * Iu_3_t_g - Scalar(0.0070992));
-  const Scalar t115 = c_2 * (Iu_3_t_d - Scalar(2.0) * t113 + t100 + Scalar(1.601861202)) +
-      Scalar(2.0) * t114;
-  const Scalar t116 = t111 - Scalar(0.000864576) * t53 - t113 - c_2 * t115 - t90 * t110 +
-      mu_u_5_2_a_z * t109 - t91 * t108 + t97 * t107 + t99 * t101 - Scalar(2.99250185137411);
+  const Scalar t114 = s_2 * (t112 - Scalar(0.0070992) + s_3 * Iu_3_t_g + Scalar(0.4318) * t82);
+  const Scalar t115 = Scalar(2.0) * t114 +
+      c_2 * (Iu_3_t_d - Scalar(2.0) * t113 + t100 + Scalar(1.601861202));
+  const Scalar t116 = mu_u_5_2_a_z * t109 - t90 * t110 - t91 * t108 - Scalar(0.000864576) * t53 +
+      t97 * t107 + t99 * t101 - t113 + t111 - c_2 * t115 - Scalar(2.99250185137411);
   const Scalar t117 = (Scalar(1.0) / t116) * y_2_1;
   qdd[0] = -t117;
-  const Scalar qdd_2 = d_2 * (y_3_2 + t99 * t117);
+  const Scalar qdd_2 = d_2 * (t99 * t117 + y_3_2);
   qdd[1] = qdd_2;
-  const Scalar qdd_3 = d_3 * (y_4_3 - b_4_3_2 * qdd_2 - t97 * t117);
+  const Scalar qdd_3 = d_3 * (-t97 * t117 - b_4_3_2 * qdd_2 + y_4_3);
   qdd[2] = qdd_3;
   const Scalar t118 = t73 * qdd_2 + mu_u_5_2_a_z * t117;
-  qdd[4] = Scalar(5.5037503582353615) * t118 + Scalar(5.5037503582353615) * (y_5 + t62 * qdd_3);
-  const Scalar t119 = t58 * (y_6_4 + t72 * qdd_2 - t91 * t117 + t56 * qdd_3);
+  qdd[4] = Scalar(5.5037503582353615) * t118 + Scalar(5.5037503582353615) * (t62 * qdd_3 + y_5);
+  const Scalar t119 = t58 * (t72 * qdd_2 + t56 * qdd_3 - t91 * t117 + y_6_4);
   qdd[3] = -t119;
   const Scalar t120 = c_5 * t119 - t53 * (qdd_2 + qdd_3);
-  qdd[5] = Scalar(0.00019430115597482132) * t120 + Scalar(4.857528899370533) * (y_6 + t90 * t117);
+  qdd[5] = Scalar(0.00019430115597482132) * t120 + Scalar(4.857528899370533) * (t90 * t117 + y_6);
   bool positive = -t116 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_4_3_3 > Scalar(0.0);
@@ -1290,7 +1286,7 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar t1 = s_2 * qd_1;
-  const Scalar v_o_3_y = Scalar(0.4318) * qd_2 + Scalar(0.1501) * t1;
+  const Scalar v_o_3_y = Scalar(0.1501) * t1 + Scalar(0.4318) * qd_2;
   const Scalar t2 = c_2 * qd_1;
   const Scalar t3 = c_3 * t2;
   const Scalar t4 = Scalar(0.1501) * t3 - s_3 * v_o_3_y;
@@ -1299,35 +1295,34 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
   const Scalar t6 = s_3 * t2;
   const Scalar t7 = t6 + c_3 * t1;
   const Scalar t8 = s_3 * t1 - t3;
-  const Scalar v_o_4_z = Scalar(0.4318) * t2 + Scalar(0.4331) * t7 + Scalar(0.0203) * t8;
+  const Scalar v_o_4_z = Scalar(0.0203) * t8 + Scalar(0.4318) * t2 + Scalar(0.4331) * t7;
   const Scalar v_r_3_y = Scalar(0.1501) * t6 + c_3 * v_o_3_y;
   const Scalar v_o_4_y = v_r_3_y - Scalar(0.0203) * omega_3_z;
   const Scalar t9 = s_5 * v_o_4_y + c_5 * (s_4 * v_o_4_z - c_4 * t5);
-  const Scalar omega_5_z = qd_5 + s_4 * t7 + c_4 * omega_3_z;
-  const Scalar t10 = omega_5_z * (Scalar(0.00576) * t9 + Scalar(0.00064216) * omega_5_z);
-  const Scalar v_r_4_y = s_4 * t5 + c_4 * v_o_4_z;
+  const Scalar omega_5_z = s_4 * t7 + qd_5 + c_4 * omega_3_z;
+  const Scalar t10 = omega_5_z * (Scalar(0.00064216) * omega_5_z + Scalar(0.00576) * t9);
+  const Scalar v_r_4_y = c_4 * v_o_4_z + s_4 * t5;
   const Scalar t11 = s_4 * omega_3_z - c_4 * t7;
   const Scalar t12 = t8 - qd_4;
   const Scalar t13 = s_5 * t12 + c_5 * t11;
   const Scalar t14 = t13 * (Scalar(0.00576) * v_r_4_y - Scalar(0.00024216) * t13);
   const Scalar omega_6_z = qd_6 + s_5 * t11 - c_5 * t12;
-  const Scalar t15 = Scalar(0.004704) * t8 - Scalar(1.72359) * t4 - Scalar(0.05075) * v_r_3_y +
+  const Scalar t15 = Scalar(0.004704) * t8 - Scalar(0.05075) * v_r_3_y - Scalar(1.72359) * t4 +
       Scalar(0.313105249) * omega_3_z;
-  const Scalar L_3_y = Scalar(0.02191385) * t2 + Scalar(0.0106736385) * t7 +
-      Scalar(0.004704) * omega_3_z;
-  const Scalar t16 = t7 * (Scalar(0.744246162) * t2 + Scalar(0.299575024) * t7 +
-      Scalar(0.0106736385) * t8);
+  const Scalar L_3_y = Scalar(0.0106736385) * t7 + Scalar(0.004704) * omega_3_z +
+      Scalar(0.02191385) * t2;
+  const Scalar t16 = t7 * (Scalar(0.0106736385) * t8 + Scalar(0.299575024) * t7 +
+      Scalar(0.744246162) * t2);
   const Scalar t17 = s_2 * (Scalar(0.690314699) * qd_2 - Scalar(0.0070992) * t2 -
       Scalar(1.601861202) * t1);
-  const Scalar t18 = Scalar(4.29424586937411) * qd_1 +
-      c_2 * (Scalar(0.023751) * qd_2 - Scalar(0.0070992) * t1) + t17;
-  const Scalar t19 = qd_2 * (Scalar(6.502360360025) * qd_2 + Scalar(0.023751) * t2 +
-      Scalar(0.690314699) * t1);
-  const Scalar T_2 = Scalar(0.20582599086) * qd_6 * qd_6 + Scalar(0.00004) * omega_6_z * omega_6_z +
-      Scalar(0.181052127515) * qd_5 * qd_5 + t10 - t14 + Scalar(0.2023536943736) * qd_4 * qd_4 +
-      Scalar(0.0016) * t12 * t12 + Scalar(0.0003) * t11 * t11 +
-      Scalar(0.86242563124731) * qd_3 * qd_3 + omega_3_z * t15 + t8 * L_3_y + t16 + t19 +
-      qd_1 * t18;
+  const Scalar t18 = c_2 * (Scalar(0.023751) * qd_2 - Scalar(0.0070992) * t1) + t17 +
+      Scalar(4.29424586937411) * qd_1;
+  const Scalar t19 = qd_2 * (Scalar(0.023751) * t2 + Scalar(0.690314699) * t1 +
+      Scalar(6.502360360025) * qd_2);
+  const Scalar T_2 = Scalar(0.00004) * omega_6_z * omega_6_z + Scalar(0.0003) * t11 * t11 +
+      Scalar(0.0016) * t12 * t12 + t10 - t14 + t8 * L_3_y + Scalar(0.20582599086) * qd_6 * qd_6 +
+      Scalar(0.181052127515) * qd_5 * qd_5 + Scalar(0.2023536943736) * qd_4 * qd_4 + t16 +
+      Scalar(0.86242563124731) * qd_3 * qd_3 + omega_3_z * t15 + t19 + qd_1 * t18;
   return Scalar(0.5) * T_2;
 }
 
@@ -1376,8 +1371,8 @@ inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
   const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
   const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
   const Scalar t1 = Scalar(0.0203) * c_3 - Scalar(0.4331) * s_3 - Scalar(0.4318);
-  const Scalar t2 = Scalar(0.4331) * c_3 + Scalar(0.0203) * s_3;
-  p[2] = s_2 * t1 + c_2 * t2;
+  const Scalar t2 = Scalar(0.0203) * s_3 + Scalar(0.4331) * c_3;
+  p[2] = c_2 * t2 + s_2 * t1;
   const Scalar t3 = s_2 * t2 - c_2 * t1;
   p[1] = Scalar(0.1501) * c_1 + s_1 * t3;
   const Scalar t4 = c_3 * s_5;
@@ -1445,7 +1440,7 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
   const Scalar z_4_y = s_1 * t1;
   J[27] = z_4_y;
   J[34] = s_4 * t1;
-  const Scalar t2 = Scalar(0.4331) * c_3 + Scalar(0.0203) * s_3;
+  const Scalar t2 = Scalar(0.0203) * s_3 + Scalar(0.4331) * c_3;
   const Scalar t3 = Scalar(0.0203) * c_3 - Scalar(0.4331) * s_3 - Scalar(0.4318);
   const Scalar p_2u_a_z = c_2 * t2 + s_2 * t3;
   J[1] = c_1 * p_2u_a_z;
@@ -1475,9 +1470,9 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
   const Scalar z_6_y = c_5 * z_4_y + s_5 * (t7 + z_4_z * t8);
   J[29] = z_6_y;
   J[13] = c_1 * t10 - s_1 * p_1u_t_y;
-  const Scalar t11 = J_P3_z - Scalar(0.0203) * z_4_z + Scalar(0.4331) * t1;
+  const Scalar t11 = Scalar(0.4331) * t1 - Scalar(0.0203) * z_4_z + J_P3_z;
   J[16] = t11 * (c_1 * R_41_y + s_1 * t9);
-  const Scalar r_4_z = r_3_z - Scalar(0.4331) * z_4_z - Scalar(0.0203) * t1;
+  const Scalar r_4_z = Scalar(-0.0203) * t1 - Scalar(0.4331) * z_4_z + r_3_z;
   const Scalar t12 = t1 * r_4_z + z_4_z * t11;
   J[3] = s_1 * t12;
   const Scalar t13 = s_4 * t11;
@@ -1512,7 +1507,7 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexce
   const Scalar t1 = s_2 * c_3;
   const Scalar t2 = qd_1 * (t1 + c_2 * s_3);
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar omega_r_4_y = c_4 * omega_3_z + s_4 * t2;
+  const Scalar omega_r_4_y = s_4 * t2 + c_4 * omega_3_z;
   const Scalar t3 = s_2 * s_3;
   const Scalar t4 = qd_1 * (c_2 * c_3 - t3);
   const Scalar t5 = omega_3_z * t4;
@@ -1544,15 +1539,15 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexce
   const Scalar t23 = qd_1 * t21;
   const Scalar t24 = c_3 * t22 - t3 * t23;
   const Scalar t25 = t4 * t2;
-  const Scalar t26 = Scalar(0.0203) * (t4 * t4 + t20) - Scalar(0.4318) * t24 - Scalar(0.4331) * t25;
+  const Scalar t26 = Scalar(0.0203) * (t4 * t4 + t20) - Scalar(0.4331) * t25 - Scalar(0.4318) * t24;
   const Scalar t27 = qd_1 * (qd_1 + Scalar(5.753497668221186) * s_2 * qd_2);
   const Scalar t28 = Scalar(0.1501) * t27 - Scalar(0.0406) * t8 - Scalar(0.8662) * t5;
   const Scalar t29 = c_4 * t26 - s_4 * t28;
   const Scalar t30 = t1 * t23 + s_3 * t22;
-  const Scalar ddp_o_4_y = Scalar(0.4331) * (t20 + t2 * t2) - Scalar(0.0203) * t25 +
-      Scalar(0.4318) * t30;
+  const Scalar ddp_o_4_y = Scalar(0.4318) * t30 - Scalar(0.0203) * t25 +
+      Scalar(0.4331) * (t2 * t2 + t20);
   const Scalar t31 = c_5 * t29 + s_5 * ddp_o_4_y;
-  const Scalar t32 = c_4 * t28 + s_4 * t26;
+  const Scalar t32 = s_4 * t26 + c_4 * t28;
   const Scalar t33 = c_6 * t31 - s_6 * t32;
   const Scalar t34 = c_6 * t32 + s_6 * t31;
   const Scalar t35 = c_6 * t33 + s_6 * t34;

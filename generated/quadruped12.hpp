@@ -107,12 +107,12 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = t1 * t1;
   const Scalar t3 = qd_2 * qd_2;
-  const Scalar t4 = t3 + t2;
+  const Scalar t4 = t2 + t3;
   const Scalar t5 = Scalar(9.81) * c_1;
   const Scalar t6 = s_3 * (Scalar(0.16) * t4 + c_2 * t5);
   const Scalar t7 = s_2 * qd_1;
   const Scalar t8 = t7 * t1;
-  const Scalar t9 = qdd_2 + t8;
+  const Scalar t9 = t8 + qdd_2;
   const Scalar t10 = t6 + c_3 * (Scalar(0.16) * t9 + s_2 * t5);
   const Scalar t11 = s_3 * t7 - c_3 * t1;
   const Scalar t12 = qd_2 * t7;
@@ -128,19 +128,19 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t21 = t11 * t20;
   const Scalar domega_3_z = qdd_2 + qdd_3;
   const Scalar t22 = domega_3_z - t21;
-  const Scalar U_3_yx = domega_3_z + t21;
-  const Scalar N_3_z = Scalar(0.0038482516772413) * t10 + Scalar(0.0005411142213171667) * t22 -
-      Scalar(0.00023148988883634047) * (t18 - t19) + Scalar(1.505e-06) * U_3_yx;
+  const Scalar U_3_yx = t21 + domega_3_z;
+  const Scalar N_3_z = Scalar(1.505e-06) * U_3_yx - Scalar(0.00023148988883634047) * (t18 - t19) +
+      Scalar(0.0005411142213171667) * t22 + Scalar(0.0038482516772413) * t10;
   tau[2] = N_3_z;
   const Scalar t23 = c_5 * qd_4;
   const Scalar t24 = t23 * t23;
   const Scalar t25 = qd_5 * qd_5;
-  const Scalar t26 = t25 + t24;
+  const Scalar t26 = t24 + t25;
   const Scalar t27 = Scalar(9.81) * c_4;
   const Scalar t28 = s_6 * (Scalar(0.16) * t26 + c_5 * t27);
   const Scalar t29 = s_5 * qd_4;
   const Scalar t30 = t29 * t23;
-  const Scalar t31 = qdd_5 + t30;
+  const Scalar t31 = t30 + qdd_5;
   const Scalar t32 = t28 + c_6 * (Scalar(0.16) * t31 + s_5 * t27);
   const Scalar t33 = s_6 * t29 - c_6 * t23;
   const Scalar t34 = qd_5 * t29;
@@ -156,19 +156,19 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t43 = t33 * t42;
   const Scalar domega_6_z = qdd_5 + qdd_6;
   const Scalar t44 = domega_6_z - t43;
-  const Scalar U_6_yx = domega_6_z + t43;
-  const Scalar N_6_z = Scalar(0.0038482516772413) * t32 + Scalar(0.0005411142213171667) * t44 +
-      Scalar(0.00023148988883634047) * (t40 - t41) + Scalar(1.505e-06) * U_6_yx;
+  const Scalar U_6_yx = t43 + domega_6_z;
+  const Scalar N_6_z = Scalar(1.505e-06) * U_6_yx + Scalar(0.00023148988883634047) * (t40 - t41) +
+      Scalar(0.0005411142213171667) * t44 + Scalar(0.0038482516772413) * t32;
   tau[5] = N_6_z;
   const Scalar t45 = c_8 * qd_7;
   const Scalar t46 = t45 * t45;
   const Scalar t47 = qd_8 * qd_8;
-  const Scalar t48 = t47 + t46;
+  const Scalar t48 = t46 + t47;
   const Scalar t49 = Scalar(9.81) * c_7;
   const Scalar t50 = s_9 * (Scalar(0.16) * t48 + c_8 * t49);
   const Scalar t51 = s_8 * qd_7;
   const Scalar t52 = t51 * t45;
-  const Scalar t53 = qdd_8 + t52;
+  const Scalar t53 = t52 + qdd_8;
   const Scalar t54 = t50 + c_9 * (Scalar(0.16) * t53 + s_8 * t49);
   const Scalar t55 = s_9 * t51 - c_9 * t45;
   const Scalar t56 = qd_8 * t51;
@@ -184,19 +184,19 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t65 = t55 * t64;
   const Scalar domega_9_z = qdd_8 + qdd_9;
   const Scalar t66 = domega_9_z - t65;
-  const Scalar U_9_yx = domega_9_z + t65;
-  const Scalar N_9_z = Scalar(0.0038482516772413) * t54 + Scalar(0.0005411142213171667) * t66 -
-      Scalar(0.00023148988883634047) * (t62 - t63) + Scalar(1.505e-06) * U_9_yx;
+  const Scalar U_9_yx = t65 + domega_9_z;
+  const Scalar N_9_z = Scalar(1.505e-06) * U_9_yx - Scalar(0.00023148988883634047) * (t62 - t63) +
+      Scalar(0.0005411142213171667) * t66 + Scalar(0.0038482516772413) * t54;
   tau[8] = N_9_z;
   const Scalar t67 = c_11 * qd_10;
   const Scalar t68 = t67 * t67;
   const Scalar t69 = qd_11 * qd_11;
-  const Scalar t70 = t69 + t68;
+  const Scalar t70 = t68 + t69;
   const Scalar t71 = Scalar(9.81) * c_10;
   const Scalar t72 = s_12 * (Scalar(0.16) * t70 + c_11 * t71);
   const Scalar t73 = s_11 * qd_10;
   const Scalar t74 = t73 * t67;
-  const Scalar t75 = qdd_11 + t74;
+  const Scalar t75 = t74 + qdd_11;
   const Scalar t76 = t72 + c_12 * (Scalar(0.16) * t75 + s_11 * t71);
   const Scalar t77 = s_12 * t73 - c_12 * t67;
   const Scalar t78 = qd_11 * t73;
@@ -212,122 +212,129 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t87 = t77 * t86;
   const Scalar domega_12_z = qdd_11 + qdd_12;
   const Scalar t88 = domega_12_z - t87;
-  const Scalar U_12_yx = domega_12_z + t87;
-  const Scalar N_12_z = Scalar(0.0038482516772413) * t76 + Scalar(0.0005411142213171667) * t88 +
-      Scalar(0.00023148988883634047) * (t84 - t85) + Scalar(1.505e-06) * U_12_yx;
+  const Scalar U_12_yx = t87 + domega_12_z;
+  const Scalar N_12_z = Scalar(1.505e-06) * U_12_yx + Scalar(0.00023148988883634047) * (t84 - t85) +
+      Scalar(0.0005411142213171667) * t88 + Scalar(0.0038482516772413) * t76;
   tau[11] = N_12_z;
   const Scalar t89 = omega_12_z * omega_12_z;
-  const Scalar t90 = s_12 * (t89 + t77 * t77);
+  const Scalar t90 = s_12 * (t77 * t77 + t89);
   const Scalar t91 = t73 * t73;
-  const Scalar t92 = t69 + t91;
+  const Scalar t92 = t91 + t69;
   const Scalar U_11_yx = qdd_11 - t74;
-  const Scalar t93 = Scalar(6.823068516838894e-08) * t79 + Scalar(0.0007940924716883453) * t82 -
-      Scalar(0.002280028171323094) * t75 - Scalar(0.000015550028164806267) * U_11_yx +
-      Scalar(1.609852873477455e-07) * (t92 - t70) - N_12_z + Scalar(0.000615720268358608) * t90 -
-      Scalar(0.000615720268358608) * c_12 * t88 - Scalar(0.000020065123418265) * c_10 * c_11 -
-      Scalar(0.1737624403145115) * c_10 * s_11;
+  const Scalar t93 = Scalar(6.823068516838894e-08) * t79 +
+      Scalar(1.609852873477455e-07) * (t92 - t70) - Scalar(0.000020065123418265) * c_10 * c_11 -
+      Scalar(0.000015550028164806267) * U_11_yx + Scalar(0.0007940924716883453) * t82 -
+      Scalar(0.000615720268358608) * c_12 * t88 + Scalar(0.000615720268358608) * t90 -
+      Scalar(0.002280028171323094) * t75 - N_12_z - Scalar(0.1737624403145115) * c_10 * s_11;
   tau[10] = -t93;
   const Scalar t94 = omega_9_z * omega_9_z;
-  const Scalar t95 = s_9 * (t94 + t55 * t55);
+  const Scalar t95 = s_9 * (t55 * t55 + t94);
   const Scalar t96 = t51 * t51;
-  const Scalar t97 = t47 + t96;
+  const Scalar t97 = t96 + t47;
   const Scalar U_8_yx = qdd_8 - t52;
-  const Scalar t98 = Scalar(6.823068516838894e-08) * t57 - Scalar(0.0007940924716883453) * t60 -
-      Scalar(0.002280028171323094) * t53 - Scalar(0.000015550028164806267) * U_8_yx -
-      Scalar(1.609852873477455e-07) * (t97 - t48) - N_9_z + Scalar(0.000615720268358608) * t95 -
-      Scalar(0.000615720268358608) * c_9 * t66 + Scalar(0.000020065123418265) * c_7 * c_8 -
-      Scalar(0.1737624403145115) * c_7 * s_8;
+  const Scalar t98 = Scalar(6.823068516838894e-08) * t57 -
+      Scalar(1.609852873477455e-07) * (t97 - t48) + Scalar(0.000020065123418265) * c_7 * c_8 -
+      Scalar(0.000015550028164806267) * U_8_yx - Scalar(0.0007940924716883453) * t60 -
+      Scalar(0.000615720268358608) * c_9 * t66 + Scalar(0.000615720268358608) * t95 -
+      Scalar(0.002280028171323094) * t53 - N_9_z - Scalar(0.1737624403145115) * c_7 * s_8;
   tau[7] = -t98;
   const Scalar t99 = omega_6_z * omega_6_z;
-  const Scalar t100 = s_6 * (t99 + t33 * t33);
+  const Scalar t100 = s_6 * (t33 * t33 + t99);
   const Scalar t101 = t29 * t29;
-  const Scalar t102 = t25 + t101;
+  const Scalar t102 = t101 + t25;
   const Scalar U_5_yx = qdd_5 - t30;
-  const Scalar t103 = Scalar(6.823068516838894e-08) * t35 + Scalar(0.0007940924716883453) * t38 -
-      Scalar(0.002280028171323094) * t31 - Scalar(0.000015550028164806267) * U_5_yx +
-      Scalar(1.609852873477455e-07) * (t102 - t26) - N_6_z + Scalar(0.000615720268358608) * t100 -
-      Scalar(0.000615720268358608) * c_6 * t44 - Scalar(0.000020065123418265) * c_4 * c_5 -
-      Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar t103 = Scalar(6.823068516838894e-08) * t35 +
+      Scalar(1.609852873477455e-07) * (t102 - t26) - Scalar(0.000020065123418265) * c_4 * c_5 -
+      Scalar(0.000015550028164806267) * U_5_yx + Scalar(0.0007940924716883453) * t38 -
+      Scalar(0.000615720268358608) * c_6 * t44 + Scalar(0.000615720268358608) * t100 -
+      Scalar(0.002280028171323094) * t31 - N_6_z - Scalar(0.1737624403145115) * c_4 * s_5;
   tau[4] = -t103;
   const Scalar t104 = omega_3_z * omega_3_z;
-  const Scalar t105 = s_3 * (t104 + t11 * t11);
+  const Scalar t105 = s_3 * (t11 * t11 + t104);
   const Scalar t106 = t7 * t7;
-  const Scalar t107 = t3 + t106;
+  const Scalar t107 = t106 + t3;
   const Scalar U_2_yx = qdd_2 - t8;
-  const Scalar t108 = Scalar(6.823068516838894e-08) * t13 - Scalar(0.0007940924716883453) * t16 -
-      Scalar(0.002280028171323094) * t9 - Scalar(0.000015550028164806267) * U_2_yx -
-      Scalar(1.609852873477455e-07) * (t107 - t4) - N_3_z + Scalar(0.000615720268358608) * t105 -
-      Scalar(0.000615720268358608) * c_3 * t22 + Scalar(0.000020065123418265) * c_1 * c_2 -
-      Scalar(0.1737624403145115) * c_1 * s_2;
+  const Scalar t108 = Scalar(6.823068516838894e-08) * t13 -
+      Scalar(1.609852873477455e-07) * (t107 - t4) + Scalar(0.000020065123418265) * c_1 * c_2 -
+      Scalar(0.000015550028164806267) * U_2_yx - Scalar(0.0007940924716883453) * t16 -
+      Scalar(0.000615720268358608) * c_3 * t22 + Scalar(0.000615720268358608) * t105 -
+      Scalar(0.002280028171323094) * t9 - N_3_z - Scalar(0.1737624403145115) * c_1 * s_2;
   tau[1] = -t108;
   const Scalar t109 = Scalar(0.00023148988883634047) * t66 - Scalar(1.505e-06) * (t62 + t63);
-  const Scalar t110 = t64 * omega_9_z + qd_9 * t64 + s_9 * t61 + c_9 * t58;
+  const Scalar t110 = qd_9 * t64 + s_9 * t61 + c_9 * t58 + t64 * omega_9_z;
   const Scalar t111 = t56 + t58;
-  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 - Scalar(0.000615720268358608) * t111 -
-      Scalar(0.0005411142213171667) * t110 + Scalar(0.00023148988883634047) * (t94 - t64 * t64);
+  const Scalar N_9_x = Scalar(0.00023148988883634047) * (t94 - t64 * t64) -
+      Scalar(0.000615720268358608) * t111 - Scalar(0.0005411142213171667) * t110 +
+      Scalar(0.037751348953737156) * s_7;
   const Scalar U_8_zx = t59 + t61;
   const Scalar t112 = t96 + t46;
   const Scalar U_8_zz_xx = t97 - t112;
-  const Scalar t113 = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t53 +
-      Scalar(0.000015550028164806267) * U_8_zx - Scalar(1.609852873477455e-07) * t111 +
-      Scalar(6.823068516838894e-08) * U_8_zz_xx - s_9 * N_9_x + c_9 * t109;
-  const Scalar mu_8_x = Scalar(0.1737624403145115) * s_7 - Scalar(6.823068516838894e-08) * U_8_yx +
-      Scalar(1.609852873477455e-07) * U_8_zx - Scalar(0.002280028171323094) * t111 -
-      Scalar(0.000615720268358608) * t110 + Scalar(0.0007940924716883453) * (t48 - t112) +
-      s_9 * t109 + c_9 * N_9_x;
-  tau[6] = Scalar(0.08509272390476785) * c_7 + Scalar(0.00035882787553735663) * qdd_7 + s_8 * t113 +
+  const Scalar t113 = Scalar(6.823068516838894e-08) * U_8_zz_xx -
+      Scalar(1.609852873477455e-07) * t111 + Scalar(0.000020065123418265) * s_7 +
+      Scalar(0.000015550028164806267) * U_8_zx + c_9 * t109 + Scalar(0.0007940924716883453) * t53 -
+      s_9 * N_9_x;
+  const Scalar mu_8_x = Scalar(1.609852873477455e-07) * U_8_zx -
+      Scalar(6.823068516838894e-08) * U_8_yx + s_9 * t109 - Scalar(0.000615720268358608) * t110 +
+      Scalar(0.0007940924716883453) * (t48 - t112) - Scalar(0.002280028171323094) * t111 +
+      c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
+  tau[6] = Scalar(0.00035882787553735663) * qdd_7 + s_8 * t113 + Scalar(0.08509272390476785) * c_7 +
       c_8 * mu_8_x;
   const Scalar t114 = Scalar(0.00023148988883634047) * t22 - Scalar(1.505e-06) * (t18 + t19);
-  const Scalar t115 = t20 * omega_3_z + qd_3 * t20 + s_3 * t17 + c_3 * t14;
+  const Scalar t115 = qd_3 * t20 + s_3 * t17 + c_3 * t14 + t20 * omega_3_z;
   const Scalar t116 = t12 + t14;
-  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 - Scalar(0.000615720268358608) * t116 -
-      Scalar(0.0005411142213171667) * t115 + Scalar(0.00023148988883634047) * (t104 - t20 * t20);
+  const Scalar N_3_x = Scalar(0.00023148988883634047) * (t104 - t20 * t20) -
+      Scalar(0.000615720268358608) * t116 - Scalar(0.0005411142213171667) * t115 +
+      Scalar(0.037751348953737156) * s_1;
   const Scalar U_2_zx = t15 + t17;
   const Scalar t117 = t106 + t2;
   const Scalar U_2_zz_xx = t107 - t117;
-  const Scalar t118 = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t9 +
-      Scalar(0.000015550028164806267) * U_2_zx - Scalar(1.609852873477455e-07) * t116 +
-      Scalar(6.823068516838894e-08) * U_2_zz_xx - s_3 * N_3_x + c_3 * t114;
-  const Scalar mu_2_x = Scalar(0.1737624403145115) * s_1 - Scalar(6.823068516838894e-08) * U_2_yx +
-      Scalar(1.609852873477455e-07) * U_2_zx - Scalar(0.002280028171323094) * t116 -
-      Scalar(0.000615720268358608) * t115 + Scalar(0.0007940924716883453) * (t4 - t117) +
-      s_3 * t114 + c_3 * N_3_x;
-  tau[0] = Scalar(0.08509272390476785) * c_1 + Scalar(0.00035882787553735663) * qdd_1 + s_2 * t118 +
+  const Scalar t118 = Scalar(6.823068516838894e-08) * U_2_zz_xx -
+      Scalar(1.609852873477455e-07) * t116 + Scalar(0.000020065123418265) * s_1 +
+      Scalar(0.000015550028164806267) * U_2_zx + c_3 * t114 + Scalar(0.0007940924716883453) * t9 -
+      s_3 * N_3_x;
+  const Scalar mu_2_x = Scalar(1.609852873477455e-07) * U_2_zx -
+      Scalar(6.823068516838894e-08) * U_2_yx + s_3 * t114 - Scalar(0.000615720268358608) * t115 +
+      Scalar(0.0007940924716883453) * (t4 - t117) - Scalar(0.002280028171323094) * t116 +
+      c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
+  tau[0] = Scalar(0.00035882787553735663) * qdd_1 + s_2 * t118 + Scalar(0.08509272390476785) * c_1 +
       c_2 * mu_2_x;
-  const Scalar N_12_y = Scalar(0.00023148988883634047) * t88 + Scalar(1.505e-06) * (t84 + t85);
-  const Scalar t119 = t86 * omega_12_z + qd_12 * t86 + s_12 * t83 + c_12 * t80;
+  const Scalar N_12_y = Scalar(1.505e-06) * (t84 + t85) + Scalar(0.00023148988883634047) * t88;
+  const Scalar t119 = qd_12 * t86 + s_12 * t83 + c_12 * t80 + t86 * omega_12_z;
   const Scalar t120 = t78 + t80;
-  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.000615720268358608) * t120 -
-      Scalar(0.0005411142213171667) * t119 - Scalar(0.00023148988883634047) * (t89 - t86 * t86);
+  const Scalar N_12_x = Scalar(-0.000615720268358608) * t120 -
+      Scalar(0.0005411142213171667) * t119 - Scalar(0.00023148988883634047) * (t89 - t86 * t86) +
+      Scalar(0.037751348953737156) * s_10;
   const Scalar U_11_zx = t81 + t83;
   const Scalar t121 = t91 + t68;
   const Scalar U_11_zz_xx = t92 - t121;
-  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t75 -
-      Scalar(0.000015550028164806267) * U_11_zx - Scalar(1.609852873477455e-07) * t120 -
-      Scalar(6.823068516838894e-08) * U_11_zz_xx + s_12 * N_12_x + c_12 * N_12_y;
-  const Scalar mu_11_x = Scalar(0.1737624403145115) * s_10 -
-      Scalar(6.823068516838894e-08) * U_11_yx - Scalar(1.609852873477455e-07) * U_11_zx -
-      Scalar(0.002280028171323094) * t120 - Scalar(0.000615720268358608) * t119 -
-      Scalar(0.0007940924716883453) * (t70 - t121) - s_12 * N_12_y + c_12 * N_12_x;
-  tau[9] = Scalar(0.00035882787553735663) * qdd_10 - Scalar(0.08509272390476785) * c_10 -
-      s_11 * mu_11_y + c_11 * mu_11_x;
-  const Scalar N_6_y = Scalar(0.00023148988883634047) * t44 + Scalar(1.505e-06) * (t40 + t41);
-  const Scalar t122 = t42 * omega_6_z + qd_6 * t42 + s_6 * t39 + c_6 * t36;
+  const Scalar mu_11_y = Scalar(-6.823068516838894e-08) * U_11_zz_xx -
+      Scalar(1.609852873477455e-07) * t120 + Scalar(0.000020065123418265) * s_10 -
+      Scalar(0.000015550028164806267) * U_11_zx + c_12 * N_12_y +
+      Scalar(0.0007940924716883453) * t75 + s_12 * N_12_x;
+  const Scalar mu_11_x = Scalar(-6.823068516838894e-08) * U_11_yx -
+      Scalar(1.609852873477455e-07) * U_11_zx - s_12 * N_12_y -
+      Scalar(0.000615720268358608) * t119 - Scalar(0.0007940924716883453) * (t70 - t121) -
+      Scalar(0.002280028171323094) * t120 + c_12 * N_12_x + Scalar(0.1737624403145115) * s_10;
+  tau[9] = Scalar(0.00035882787553735663) * qdd_10 - s_11 * mu_11_y -
+      Scalar(0.08509272390476785) * c_10 + c_11 * mu_11_x;
+  const Scalar N_6_y = Scalar(1.505e-06) * (t40 + t41) + Scalar(0.00023148988883634047) * t44;
+  const Scalar t122 = qd_6 * t42 + s_6 * t39 + c_6 * t36 + t42 * omega_6_z;
   const Scalar t123 = t34 + t36;
-  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.000615720268358608) * t123 -
-      Scalar(0.0005411142213171667) * t122 - Scalar(0.00023148988883634047) * (t99 - t42 * t42);
+  const Scalar N_6_x = Scalar(-0.000615720268358608) * t123 - Scalar(0.0005411142213171667) * t122 -
+      Scalar(0.00023148988883634047) * (t99 - t42 * t42) + Scalar(0.037751348953737156) * s_4;
   const Scalar U_5_zx = t37 + t39;
   const Scalar t124 = t101 + t24;
   const Scalar U_5_zz_xx = t102 - t124;
-  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t31 -
-      Scalar(0.000015550028164806267) * U_5_zx - Scalar(1.609852873477455e-07) * t123 -
-      Scalar(6.823068516838894e-08) * U_5_zz_xx + s_6 * N_6_x + c_6 * N_6_y;
-  const Scalar mu_5_x = Scalar(0.1737624403145115) * s_4 - Scalar(6.823068516838894e-08) * U_5_yx -
-      Scalar(1.609852873477455e-07) * U_5_zx - Scalar(0.002280028171323094) * t123 -
-      Scalar(0.000615720268358608) * t122 - Scalar(0.0007940924716883453) * (t26 - t124) -
-      s_6 * N_6_y + c_6 * N_6_x;
-  tau[3] = Scalar(0.00035882787553735663) * qdd_4 - Scalar(0.08509272390476785) * c_4 -
-      s_5 * mu_5_y + c_5 * mu_5_x;
+  const Scalar mu_5_y = Scalar(-6.823068516838894e-08) * U_5_zz_xx -
+      Scalar(1.609852873477455e-07) * t123 + Scalar(0.000020065123418265) * s_4 -
+      Scalar(0.000015550028164806267) * U_5_zx + c_6 * N_6_y + Scalar(0.0007940924716883453) * t31 +
+      s_6 * N_6_x;
+  const Scalar mu_5_x = Scalar(-6.823068516838894e-08) * U_5_yx -
+      Scalar(1.609852873477455e-07) * U_5_zx - s_6 * N_6_y - Scalar(0.000615720268358608) * t122 -
+      Scalar(0.0007940924716883453) * (t26 - t124) - Scalar(0.002280028171323094) * t123 +
+      c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
+  tau[3] = Scalar(0.00035882787553735663) * qdd_4 - s_5 * mu_5_y -
+      Scalar(0.08509272390476785) * c_4 + c_5 * mu_5_x;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -366,12 +373,12 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = t1 * t1;
   const Scalar t3 = qd_2 * qd_2;
-  const Scalar t4 = t3 + t2;
+  const Scalar t4 = t2 + t3;
   const Scalar t5 = Scalar(9.81) * c_1;
   const Scalar t6 = s_3 * (Scalar(0.16) * t4 + c_2 * t5);
   const Scalar t7 = s_2 * qd_1;
   const Scalar t8 = t7 * t1;
-  const Scalar t9 = qdd_2 + t8;
+  const Scalar t9 = t8 + qdd_2;
   const Scalar t10 = t6 + c_3 * (Scalar(0.16) * t9 + s_2 * t5);
   const Scalar t11 = s_3 * t7 - c_3 * t1;
   const Scalar t12 = qd_2 * t7;
@@ -387,19 +394,19 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t21 = t11 * t20;
   const Scalar domega_3_z = qdd_2 + qdd_3;
   const Scalar t22 = domega_3_z - t21;
-  const Scalar U_3_yx = domega_3_z + t21;
-  const Scalar N_3_z = Scalar(0.0038482516772413) * t10 + Scalar(0.0005411142213171667) * t22 -
-      Scalar(0.00023148988883634047) * (t18 - t19) + Scalar(1.505e-06) * U_3_yx;
+  const Scalar U_3_yx = t21 + domega_3_z;
+  const Scalar N_3_z = Scalar(1.505e-06) * U_3_yx - Scalar(0.00023148988883634047) * (t18 - t19) +
+      Scalar(0.0005411142213171667) * t22 + Scalar(0.0038482516772413) * t10;
   tau[2] = N_3_z;
   const Scalar t23 = c_5 * qd_4;
   const Scalar t24 = t23 * t23;
   const Scalar t25 = qd_5 * qd_5;
-  const Scalar t26 = t25 + t24;
+  const Scalar t26 = t24 + t25;
   const Scalar t27 = Scalar(9.81) * c_4;
   const Scalar t28 = s_6 * (Scalar(0.16) * t26 + c_5 * t27);
   const Scalar t29 = s_5 * qd_4;
   const Scalar t30 = t29 * t23;
-  const Scalar t31 = qdd_5 + t30;
+  const Scalar t31 = t30 + qdd_5;
   const Scalar t32 = t28 + c_6 * (Scalar(0.16) * t31 + s_5 * t27);
   const Scalar t33 = s_6 * t29 - c_6 * t23;
   const Scalar t34 = qd_5 * t29;
@@ -415,19 +422,19 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t43 = t33 * t42;
   const Scalar domega_6_z = qdd_5 + qdd_6;
   const Scalar t44 = domega_6_z - t43;
-  const Scalar U_6_yx = domega_6_z + t43;
-  const Scalar N_6_z = Scalar(0.0038482516772413) * t32 + Scalar(0.0005411142213171667) * t44 +
-      Scalar(0.00023148988883634047) * (t40 - t41) + Scalar(1.505e-06) * U_6_yx;
+  const Scalar U_6_yx = t43 + domega_6_z;
+  const Scalar N_6_z = Scalar(1.505e-06) * U_6_yx + Scalar(0.00023148988883634047) * (t40 - t41) +
+      Scalar(0.0005411142213171667) * t44 + Scalar(0.0038482516772413) * t32;
   tau[5] = N_6_z;
   const Scalar t45 = c_8 * qd_7;
   const Scalar t46 = t45 * t45;
   const Scalar t47 = qd_8 * qd_8;
-  const Scalar t48 = t47 + t46;
+  const Scalar t48 = t46 + t47;
   const Scalar t49 = Scalar(9.81) * c_7;
   const Scalar t50 = s_9 * (Scalar(0.16) * t48 + c_8 * t49);
   const Scalar t51 = s_8 * qd_7;
   const Scalar t52 = t51 * t45;
-  const Scalar t53 = qdd_8 + t52;
+  const Scalar t53 = t52 + qdd_8;
   const Scalar t54 = t50 + c_9 * (Scalar(0.16) * t53 + s_8 * t49);
   const Scalar t55 = s_9 * t51 - c_9 * t45;
   const Scalar t56 = qd_8 * t51;
@@ -443,9 +450,9 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t65 = t55 * t64;
   const Scalar domega_9_z = qdd_8 + qdd_9;
   const Scalar t66 = domega_9_z - t65;
-  const Scalar U_9_yx = domega_9_z + t65;
-  const Scalar N_9_z = Scalar(0.0038482516772413) * t54 + Scalar(0.0005411142213171667) * t66 -
-      Scalar(0.00023148988883634047) * (t62 - t63) + Scalar(1.505e-06) * U_9_yx;
+  const Scalar U_9_yx = t65 + domega_9_z;
+  const Scalar N_9_z = Scalar(1.505e-06) * U_9_yx - Scalar(0.00023148988883634047) * (t62 - t63) +
+      Scalar(0.0005411142213171667) * t66 + Scalar(0.0038482516772413) * t54;
   tau[8] = N_9_z;
   const Scalar t67 = s_10 * h_e_2 - c_10 * h_e_3;
   const Scalar t68 = s_11 * h_e_1 - c_11 * t67;
@@ -454,12 +461,12 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t70 = c_11 * qd_10;
   const Scalar t71 = t70 * t70;
   const Scalar t72 = qd_11 * qd_11;
-  const Scalar t73 = t72 + t71;
+  const Scalar t73 = t71 + t72;
   const Scalar t74 = Scalar(9.81) * c_10;
   const Scalar t75 = s_12 * (Scalar(0.16) * t73 + c_11 * t74);
   const Scalar t76 = s_11 * qd_10;
   const Scalar t77 = t76 * t70;
-  const Scalar t78 = qdd_11 + t77;
+  const Scalar t78 = t77 + qdd_11;
   const Scalar t79 = t75 + c_12 * (Scalar(0.16) * t78 + s_11 * t74);
   const Scalar t80 = s_12 * t76 - c_12 * t70;
   const Scalar t81 = qd_11 * t76;
@@ -475,131 +482,139 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t90 = t80 * t89;
   const Scalar domega_12_z = qdd_11 + qdd_12;
   const Scalar t91 = domega_12_z - t90;
-  const Scalar U_12_yx = domega_12_z + t90;
-  const Scalar mu_12_z = Scalar(0.16) * t69 + Scalar(0.0038482516772413) * t79 +
-      Scalar(0.0005411142213171667) * t91 + Scalar(0.00023148988883634047) * (t87 - t88) +
-      Scalar(1.505e-06) * U_12_yx + s_10 * h_e_6 + c_10 * h_e_5;
+  const Scalar U_12_yx = t90 + domega_12_z;
+  const Scalar mu_12_z = Scalar(1.505e-06) * U_12_yx +
+      Scalar(0.00023148988883634047) * (t87 - t88) + Scalar(0.0005411142213171667) * t91 +
+      Scalar(0.0038482516772413) * t79 + Scalar(0.16) * t69 + s_10 * h_e_6 + c_10 * h_e_5;
   tau[11] = mu_12_z;
   const Scalar t92 = omega_9_z * omega_9_z;
-  const Scalar t93 = s_9 * (t92 + t55 * t55);
+  const Scalar t93 = s_9 * (t55 * t55 + t92);
   const Scalar t94 = t51 * t51;
-  const Scalar t95 = t47 + t94;
+  const Scalar t95 = t94 + t47;
   const Scalar U_8_yx = qdd_8 - t52;
-  const Scalar t96 = Scalar(6.823068516838894e-08) * t57 - Scalar(0.0007940924716883453) * t60 -
-      Scalar(0.002280028171323094) * t53 - Scalar(0.000015550028164806267) * U_8_yx -
-      Scalar(1.609852873477455e-07) * (t95 - t48) - N_9_z + Scalar(0.000615720268358608) * t93 -
-      Scalar(0.000615720268358608) * c_9 * t66 + Scalar(0.000020065123418265) * c_7 * c_8 -
-      Scalar(0.1737624403145115) * c_7 * s_8;
+  const Scalar t96 = Scalar(6.823068516838894e-08) * t57 -
+      Scalar(1.609852873477455e-07) * (t95 - t48) + Scalar(0.000020065123418265) * c_7 * c_8 -
+      Scalar(0.000015550028164806267) * U_8_yx - Scalar(0.0007940924716883453) * t60 -
+      Scalar(0.000615720268358608) * c_9 * t66 + Scalar(0.000615720268358608) * t93 -
+      Scalar(0.002280028171323094) * t53 - N_9_z - Scalar(0.1737624403145115) * c_7 * s_8;
   tau[7] = -t96;
   const Scalar t97 = omega_6_z * omega_6_z;
-  const Scalar t98 = s_6 * (t97 + t33 * t33);
+  const Scalar t98 = s_6 * (t33 * t33 + t97);
   const Scalar t99 = t29 * t29;
-  const Scalar t100 = t25 + t99;
+  const Scalar t100 = t99 + t25;
   const Scalar U_5_yx = qdd_5 - t30;
-  const Scalar t101 = Scalar(6.823068516838894e-08) * t35 + Scalar(0.0007940924716883453) * t38 -
-      Scalar(0.002280028171323094) * t31 - Scalar(0.000015550028164806267) * U_5_yx +
-      Scalar(1.609852873477455e-07) * (t100 - t26) - N_6_z + Scalar(0.000615720268358608) * t98 -
-      Scalar(0.000615720268358608) * c_6 * t44 - Scalar(0.000020065123418265) * c_4 * c_5 -
-      Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar t101 = Scalar(6.823068516838894e-08) * t35 +
+      Scalar(1.609852873477455e-07) * (t100 - t26) - Scalar(0.000020065123418265) * c_4 * c_5 -
+      Scalar(0.000015550028164806267) * U_5_yx + Scalar(0.0007940924716883453) * t38 -
+      Scalar(0.000615720268358608) * c_6 * t44 + Scalar(0.000615720268358608) * t98 -
+      Scalar(0.002280028171323094) * t31 - N_6_z - Scalar(0.1737624403145115) * c_4 * s_5;
   tau[4] = -t101;
   const Scalar t102 = omega_3_z * omega_3_z;
-  const Scalar t103 = s_3 * (t102 + t11 * t11);
+  const Scalar t103 = s_3 * (t11 * t11 + t102);
   const Scalar t104 = t7 * t7;
-  const Scalar t105 = t3 + t104;
+  const Scalar t105 = t104 + t3;
   const Scalar U_2_yx = qdd_2 - t8;
-  const Scalar t106 = Scalar(6.823068516838894e-08) * t13 - Scalar(0.0007940924716883453) * t16 -
-      Scalar(0.002280028171323094) * t9 - Scalar(0.000015550028164806267) * U_2_yx -
-      Scalar(1.609852873477455e-07) * (t105 - t4) - N_3_z + Scalar(0.000615720268358608) * t103 -
-      Scalar(0.000615720268358608) * c_3 * t22 + Scalar(0.000020065123418265) * c_1 * c_2 -
-      Scalar(0.1737624403145115) * c_1 * s_2;
+  const Scalar t106 = Scalar(6.823068516838894e-08) * t13 -
+      Scalar(1.609852873477455e-07) * (t105 - t4) + Scalar(0.000020065123418265) * c_1 * c_2 -
+      Scalar(0.000015550028164806267) * U_2_yx - Scalar(0.0007940924716883453) * t16 -
+      Scalar(0.000615720268358608) * c_3 * t22 + Scalar(0.000615720268358608) * t103 -
+      Scalar(0.002280028171323094) * t9 - N_3_z - Scalar(0.1737624403145115) * c_1 * s_2;
   tau[1] = -t106;
   const Scalar t107 = s_12 * f_e11_x + c_12 * t68;
   const Scalar t108 = omega_12_z * omega_12_z;
-  const Scalar t109 = s_12 * (t107 + Scalar(0.0038482516772413) * (t108 + t80 * t80));
-  const Scalar f_u_12_t_x = t109 - c_12 * (t69 + Scalar(0.0038482516772413) * t91);
+  const Scalar t109 = s_12 * (Scalar(0.0038482516772413) * (t80 * t80 + t108) + t107);
+  const Scalar f_u_12_t_x = t109 - c_12 * (Scalar(0.0038482516772413) * t91 + t69);
   const Scalar t110 = t76 * t76;
-  const Scalar t111 = t72 + t110;
+  const Scalar t111 = t110 + t72;
   const Scalar U_11_yx = qdd_11 - t77;
-  const Scalar t112 = Scalar(6.823068516838894e-08) * t82 + Scalar(0.0007940924716883453) * t85 -
-      Scalar(0.002280028171323094) * t78 - Scalar(0.000015550028164806267) * U_11_yx +
-      Scalar(1.609852873477455e-07) * (t111 - t73) - mu_12_z + Scalar(0.16) * f_u_12_t_x -
-      Scalar(0.000020065123418265) * c_10 * c_11 - Scalar(0.1737624403145115) * c_10 * s_11;
+  const Scalar t112 = Scalar(6.823068516838894e-08) * t82 +
+      Scalar(1.609852873477455e-07) * (t111 - t73) - Scalar(0.000020065123418265) * c_10 * c_11 -
+      Scalar(0.000015550028164806267) * U_11_yx + Scalar(0.0007940924716883453) * t85 -
+      Scalar(0.002280028171323094) * t78 - Scalar(0.1737624403145115) * c_10 * s_11 +
+      Scalar(0.16) * f_u_12_t_x - mu_12_z;
   tau[10] = -t112;
   const Scalar t113 = Scalar(0.00023148988883634047) * t66 - Scalar(1.505e-06) * (t62 + t63);
-  const Scalar t114 = t64 * omega_9_z + qd_9 * t64 + s_9 * t61 + c_9 * t58;
+  const Scalar t114 = qd_9 * t64 + s_9 * t61 + c_9 * t58 + t64 * omega_9_z;
   const Scalar t115 = t56 + t58;
-  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 - Scalar(0.000615720268358608) * t115 -
-      Scalar(0.0005411142213171667) * t114 + Scalar(0.00023148988883634047) * (t92 - t64 * t64);
+  const Scalar N_9_x = Scalar(0.00023148988883634047) * (t92 - t64 * t64) -
+      Scalar(0.000615720268358608) * t115 - Scalar(0.0005411142213171667) * t114 +
+      Scalar(0.037751348953737156) * s_7;
   const Scalar U_8_zx = t59 + t61;
   const Scalar t116 = t94 + t46;
   const Scalar U_8_zz_xx = t95 - t116;
-  const Scalar t117 = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t53 +
-      Scalar(0.000015550028164806267) * U_8_zx - Scalar(1.609852873477455e-07) * t115 +
-      Scalar(6.823068516838894e-08) * U_8_zz_xx - s_9 * N_9_x + c_9 * t113;
-  const Scalar mu_8_x = Scalar(0.1737624403145115) * s_7 - Scalar(6.823068516838894e-08) * U_8_yx +
-      Scalar(1.609852873477455e-07) * U_8_zx - Scalar(0.002280028171323094) * t115 -
-      Scalar(0.000615720268358608) * t114 + Scalar(0.0007940924716883453) * (t48 - t116) +
-      s_9 * t113 + c_9 * N_9_x;
-  tau[6] = Scalar(0.08509272390476785) * c_7 + Scalar(0.00035882787553735663) * qdd_7 + s_8 * t117 +
+  const Scalar t117 = Scalar(6.823068516838894e-08) * U_8_zz_xx -
+      Scalar(1.609852873477455e-07) * t115 + Scalar(0.000020065123418265) * s_7 +
+      Scalar(0.000015550028164806267) * U_8_zx + c_9 * t113 + Scalar(0.0007940924716883453) * t53 -
+      s_9 * N_9_x;
+  const Scalar mu_8_x = Scalar(1.609852873477455e-07) * U_8_zx -
+      Scalar(6.823068516838894e-08) * U_8_yx + s_9 * t113 - Scalar(0.000615720268358608) * t114 +
+      Scalar(0.0007940924716883453) * (t48 - t116) - Scalar(0.002280028171323094) * t115 +
+      c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
+  tau[6] = Scalar(0.00035882787553735663) * qdd_7 + s_8 * t117 + Scalar(0.08509272390476785) * c_7 +
       c_8 * mu_8_x;
   const Scalar t118 = Scalar(0.00023148988883634047) * t22 - Scalar(1.505e-06) * (t18 + t19);
-  const Scalar t119 = t20 * omega_3_z + qd_3 * t20 + s_3 * t17 + c_3 * t14;
+  const Scalar t119 = qd_3 * t20 + s_3 * t17 + c_3 * t14 + t20 * omega_3_z;
   const Scalar t120 = t12 + t14;
-  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 - Scalar(0.000615720268358608) * t120 -
-      Scalar(0.0005411142213171667) * t119 + Scalar(0.00023148988883634047) * (t102 - t20 * t20);
+  const Scalar N_3_x = Scalar(0.00023148988883634047) * (t102 - t20 * t20) -
+      Scalar(0.000615720268358608) * t120 - Scalar(0.0005411142213171667) * t119 +
+      Scalar(0.037751348953737156) * s_1;
   const Scalar U_2_zx = t15 + t17;
   const Scalar t121 = t104 + t2;
   const Scalar U_2_zz_xx = t105 - t121;
-  const Scalar t122 = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t9 +
-      Scalar(0.000015550028164806267) * U_2_zx - Scalar(1.609852873477455e-07) * t120 +
-      Scalar(6.823068516838894e-08) * U_2_zz_xx - s_3 * N_3_x + c_3 * t118;
-  const Scalar mu_2_x = Scalar(0.1737624403145115) * s_1 - Scalar(6.823068516838894e-08) * U_2_yx +
-      Scalar(1.609852873477455e-07) * U_2_zx - Scalar(0.002280028171323094) * t120 -
-      Scalar(0.000615720268358608) * t119 + Scalar(0.0007940924716883453) * (t4 - t121) +
-      s_3 * t118 + c_3 * N_3_x;
-  tau[0] = Scalar(0.08509272390476785) * c_1 + Scalar(0.00035882787553735663) * qdd_1 + s_2 * t122 +
+  const Scalar t122 = Scalar(6.823068516838894e-08) * U_2_zz_xx -
+      Scalar(1.609852873477455e-07) * t120 + Scalar(0.000020065123418265) * s_1 +
+      Scalar(0.000015550028164806267) * U_2_zx + c_3 * t118 + Scalar(0.0007940924716883453) * t9 -
+      s_3 * N_3_x;
+  const Scalar mu_2_x = Scalar(1.609852873477455e-07) * U_2_zx -
+      Scalar(6.823068516838894e-08) * U_2_yx + s_3 * t118 - Scalar(0.000615720268358608) * t119 +
+      Scalar(0.0007940924716883453) * (t4 - t121) - Scalar(0.002280028171323094) * t120 +
+      c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
+  tau[0] = Scalar(0.00035882787553735663) * qdd_1 + s_2 * t122 + Scalar(0.08509272390476785) * c_1 +
       c_2 * mu_2_x;
-  const Scalar t123 = t89 * omega_12_z + qd_12 * t89 + s_12 * t86 + c_12 * t83;
+  const Scalar t123 = qd_12 * t89 + s_12 * t86 + c_12 * t83 + t89 * omega_12_z;
   const Scalar t124 = s_10 * h_e_5 - c_10 * h_e_6;
   const Scalar t125 = s_11 * h_e_4 - c_11 * t124;
   const Scalar mu_e11_x = s_11 * t124 + c_11 * h_e_4;
   const Scalar t126 = t81 + t83;
   const Scalar f_e10_y = s_10 * h_e_3 + c_10 * h_e_2;
   const Scalar t127 = Scalar(0.16) * f_e10_y;
-  const Scalar mu_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t107 -
-      Scalar(0.000615720268358608) * t126 - Scalar(0.0005411142213171667) * t123 -
-      Scalar(0.00023148988883634047) * (t108 - t89 * t89) - s_12 * t125 + c_12 * mu_e11_x + t127;
-  const Scalar t128 = Scalar(0.05945) * t69 + Scalar(0.00023148988883634047) * t91 +
-      Scalar(1.505e-06) * (t87 + t88) - s_12 * mu_e11_x - c_12 * t125;
+  const Scalar mu_12_x = Scalar(-0.000615720268358608) * t126 -
+      Scalar(0.0005411142213171667) * t123 - Scalar(0.00023148988883634047) * (t108 - t89 * t89) +
+      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t107 + t127 - s_12 * t125 +
+      c_12 * mu_e11_x;
+  const Scalar t128 = Scalar(1.505e-06) * (t87 + t88) + Scalar(0.00023148988883634047) * t91 +
+      Scalar(0.05945) * t69 - s_12 * mu_e11_x - c_12 * t125;
   const Scalar U_11_zx = t84 + t86;
   const Scalar t129 = t110 + t71;
   const Scalar U_11_zz_xx = t111 - t129;
-  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t78 -
-      Scalar(0.000015550028164806267) * U_11_zx - Scalar(1.609852873477455e-07) * t126 -
-      Scalar(6.823068516838894e-08) * U_11_zz_xx + s_12 * mu_12_x + c_12 * t128;
-  const Scalar mu_11_x = Scalar(0.1737624403145115) * s_10 -
-      Scalar(6.823068516838894e-08) * U_11_yx - Scalar(1.609852873477455e-07) * U_11_zx -
-      Scalar(0.002280028171323094) * t126 - Scalar(0.000615720268358608) * t123 -
-      Scalar(0.0007940924716883453) * (t73 - t129) + t127 - s_12 * t128 + c_12 * mu_12_x;
+  const Scalar mu_11_y = Scalar(-6.823068516838894e-08) * U_11_zz_xx -
+      Scalar(1.609852873477455e-07) * t126 + Scalar(0.000020065123418265) * s_10 -
+      Scalar(0.000015550028164806267) * U_11_zx + Scalar(0.0007940924716883453) * t78 +
+      s_12 * mu_12_x + c_12 * t128;
+  const Scalar mu_11_x = Scalar(-6.823068516838894e-08) * U_11_yx -
+      Scalar(1.609852873477455e-07) * U_11_zx - Scalar(0.000615720268358608) * t123 -
+      Scalar(0.0007940924716883453) * (t73 - t129) - Scalar(0.002280028171323094) * t126 +
+      Scalar(0.1737624403145115) * s_10 + t127 - s_12 * t128 + c_12 * mu_12_x;
   tau[9] = Scalar(0.00035882787553735663) * qdd_10 - Scalar(0.08509272390476785) * c_10 -
       s_11 * mu_11_y + c_11 * mu_11_x;
-  const Scalar N_6_y = Scalar(0.00023148988883634047) * t44 + Scalar(1.505e-06) * (t40 + t41);
-  const Scalar t130 = t42 * omega_6_z + qd_6 * t42 + s_6 * t39 + c_6 * t36;
+  const Scalar N_6_y = Scalar(1.505e-06) * (t40 + t41) + Scalar(0.00023148988883634047) * t44;
+  const Scalar t130 = qd_6 * t42 + s_6 * t39 + c_6 * t36 + t42 * omega_6_z;
   const Scalar t131 = t34 + t36;
-  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.000615720268358608) * t131 -
-      Scalar(0.0005411142213171667) * t130 - Scalar(0.00023148988883634047) * (t97 - t42 * t42);
+  const Scalar N_6_x = Scalar(-0.000615720268358608) * t131 - Scalar(0.0005411142213171667) * t130 -
+      Scalar(0.00023148988883634047) * (t97 - t42 * t42) + Scalar(0.037751348953737156) * s_4;
   const Scalar U_5_zx = t37 + t39;
   const Scalar t132 = t99 + t24;
   const Scalar U_5_zz_xx = t100 - t132;
-  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t31 -
-      Scalar(0.000015550028164806267) * U_5_zx - Scalar(1.609852873477455e-07) * t131 -
-      Scalar(6.823068516838894e-08) * U_5_zz_xx + s_6 * N_6_x + c_6 * N_6_y;
-  const Scalar mu_5_x = Scalar(0.1737624403145115) * s_4 - Scalar(6.823068516838894e-08) * U_5_yx -
-      Scalar(1.609852873477455e-07) * U_5_zx - Scalar(0.002280028171323094) * t131 -
-      Scalar(0.000615720268358608) * t130 - Scalar(0.0007940924716883453) * (t26 - t132) -
-      s_6 * N_6_y + c_6 * N_6_x;
-  tau[3] = Scalar(0.00035882787553735663) * qdd_4 - Scalar(0.08509272390476785) * c_4 -
-      s_5 * mu_5_y + c_5 * mu_5_x;
+  const Scalar mu_5_y = Scalar(-6.823068516838894e-08) * U_5_zz_xx -
+      Scalar(1.609852873477455e-07) * t131 + Scalar(0.000020065123418265) * s_4 -
+      Scalar(0.000015550028164806267) * U_5_zx + c_6 * N_6_y + Scalar(0.0007940924716883453) * t31 +
+      s_6 * N_6_x;
+  const Scalar mu_5_x = Scalar(-6.823068516838894e-08) * U_5_yx -
+      Scalar(1.609852873477455e-07) * U_5_zx - s_6 * N_6_y - Scalar(0.000615720268358608) * t130 -
+      Scalar(0.0007940924716883453) * (t26 - t132) - Scalar(0.002280028171323094) * t131 +
+      c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
+  tau[3] = Scalar(0.00035882787553735663) * qdd_4 - s_5 * mu_5_y -
+      Scalar(0.08509272390476785) * c_4 + c_5 * mu_5_x;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -656,9 +671,9 @@ inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
   const Scalar t8 = Scalar(0.00023148988883634047) * s_9;
   B[80] = B[102] = s_8 * t7 + c_8 * t8;
   const Scalar Ic_8_xz = t8 - Scalar(6.823068516838894e-08);
-  B[79] = B[90] = s_8 * (t7 + Scalar(0.0007940924716883453)) + c_8 * Ic_8_xz;
+  B[79] = B[90] = c_8 * Ic_8_xz + s_8 * (t7 + Scalar(0.0007940924716883453));
   const Scalar Ic_2_xz = t6 - Scalar(6.823068516838894e-08);
-  B[1] = B[12] = s_2 * (t5 + Scalar(0.0007940924716883453)) + c_2 * Ic_2_xz;
+  B[1] = B[12] = c_2 * Ic_2_xz + s_2 * (t5 + Scalar(0.0007940924716883453));
   const Scalar t9 = Scalar(0.00023148988883634047) * c_6;
   const Scalar t10 = Scalar(0.00023148988883634047) * s_6;
   B[41] = B[63] = -s_5 * t9 - c_5 * t10;
@@ -666,41 +681,41 @@ inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
   const Scalar t12 = Scalar(0.00023148988883634047) * s_12;
   B[119] = B[141] = -s_11 * t11 - c_11 * t12;
   const Scalar Ic_11_yz = t11 + Scalar(0.0007940924716883453);
-  B[118] = B[129] = -s_11 * Ic_11_yz - c_11 * (t12 + Scalar(6.823068516838894e-08));
+  B[118] = B[129] = -c_11 * (Scalar(6.823068516838894e-08) + t12) - s_11 * Ic_11_yz;
   const Scalar Ic_5_yz = t9 + Scalar(0.0007940924716883453);
-  B[40] = B[51] = -s_5 * Ic_5_yz - c_5 * (t10 + Scalar(6.823068516838894e-08));
+  B[40] = B[51] = -c_5 * (Scalar(6.823068516838894e-08) + t10) - s_5 * Ic_5_yz;
   const Scalar t13 = Scalar(0.0005396092213171668) * c_12;
   const Scalar t14 = c_12 * t13;
   const Scalar Ic_11_xx = t14 + t1 + Scalar(0.0022644781431582876);
-  const Scalar Iu_11_t_d = t14 + Ic_11_xx - Scalar(0.0005396092213171668);
-  const Scalar Ic_11_xy = Scalar(0.000615720268358608) * s_12 + s_12 * t13 +
-      Scalar(1.609852873477455e-07);
-  const Scalar Iu_11_t_g = s_11 * Iu_11_t_d + Scalar(2.0) * c_11 * Ic_11_xy;
-  B[117] = Ic_11_xx - s_11 * Iu_11_t_g + Scalar(0.00037588290370216287);
+  const Scalar Iu_11_t_d = t14 - Scalar(0.0005396092213171668) + Ic_11_xx;
+  const Scalar Ic_11_xy = Scalar(1.609852873477455e-07) + Scalar(0.000615720268358608) * s_12 +
+      s_12 * t13;
+  const Scalar Iu_11_t_g = Scalar(2.0) * c_11 * Ic_11_xy + s_11 * Iu_11_t_d;
+  B[117] = Scalar(0.00037588290370216287) - s_11 * Iu_11_t_g + Ic_11_xx;
   const Scalar t15 = Scalar(0.0005396092213171668) * c_9;
   const Scalar t16 = c_9 * t15;
   const Scalar Ic_8_xx = t16 + t2 + Scalar(0.0022644781431582876);
-  const Scalar Iu_8_t_d = t16 + Ic_8_xx - Scalar(0.0005396092213171668);
-  const Scalar Ic_8_xy = Scalar(0.000615720268358608) * s_9 + s_9 * t15 -
-      Scalar(1.609852873477455e-07);
-  const Scalar Iu_8_t_g = s_8 * Iu_8_t_d + Scalar(2.0) * c_8 * Ic_8_xy;
-  B[78] = Ic_8_xx - s_8 * Iu_8_t_g + Scalar(0.00037588290370216287);
+  const Scalar Iu_8_t_d = t16 - Scalar(0.0005396092213171668) + Ic_8_xx;
+  const Scalar Ic_8_xy = Scalar(0.000615720268358608) * s_9 - Scalar(1.609852873477455e-07) +
+      s_9 * t15;
+  const Scalar Iu_8_t_g = Scalar(2.0) * c_8 * Ic_8_xy + s_8 * Iu_8_t_d;
+  B[78] = Scalar(0.00037588290370216287) - s_8 * Iu_8_t_g + Ic_8_xx;
   const Scalar t17 = Scalar(0.0005396092213171668) * c_6;
   const Scalar t18 = c_6 * t17;
   const Scalar Ic_5_xx = t18 + t3 + Scalar(0.0022644781431582876);
-  const Scalar Iu_5_t_d = t18 + Ic_5_xx - Scalar(0.0005396092213171668);
-  const Scalar Ic_5_xy = Scalar(0.000615720268358608) * s_6 + s_6 * t17 +
-      Scalar(1.609852873477455e-07);
-  const Scalar Iu_5_t_g = s_5 * Iu_5_t_d + Scalar(2.0) * c_5 * Ic_5_xy;
-  B[39] = Ic_5_xx - s_5 * Iu_5_t_g + Scalar(0.00037588290370216287);
+  const Scalar Iu_5_t_d = t18 - Scalar(0.0005396092213171668) + Ic_5_xx;
+  const Scalar Ic_5_xy = Scalar(1.609852873477455e-07) + Scalar(0.000615720268358608) * s_6 +
+      s_6 * t17;
+  const Scalar Iu_5_t_g = Scalar(2.0) * c_5 * Ic_5_xy + s_5 * Iu_5_t_d;
+  B[39] = Scalar(0.00037588290370216287) - s_5 * Iu_5_t_g + Ic_5_xx;
   const Scalar t19 = Scalar(0.0005396092213171668) * c_3;
   const Scalar t20 = c_3 * t19;
   const Scalar Ic_2_xx = t20 + t4 + Scalar(0.0022644781431582876);
-  const Scalar Iu_2_t_d = t20 + Ic_2_xx - Scalar(0.0005396092213171668);
-  const Scalar Ic_2_xy = Scalar(0.000615720268358608) * s_3 + s_3 * t19 -
-      Scalar(1.609852873477455e-07);
-  const Scalar Iu_2_t_g = s_2 * Iu_2_t_d + Scalar(2.0) * c_2 * Ic_2_xy;
-  B[0] = Ic_2_xx - s_2 * Iu_2_t_g + Scalar(0.00037588290370216287);
+  const Scalar Iu_2_t_d = t20 - Scalar(0.0005396092213171668) + Ic_2_xx;
+  const Scalar Ic_2_xy = Scalar(0.000615720268358608) * s_3 - Scalar(1.609852873477455e-07) +
+      s_3 * t19;
+  const Scalar Iu_2_t_g = Scalar(2.0) * c_2 * Ic_2_xy + s_2 * Iu_2_t_d;
+  B[0] = Scalar(0.00037588290370216287) - s_2 * Iu_2_t_g + Ic_2_xx;
   B[3] = B[4] = B[5] = B[6] = B[7] = B[8] = B[9] = B[10] = Scalar(0.0);
   B[11] = B[15] = B[16] = B[17] = B[18] = B[19] = B[20] = B[21] = Scalar(0.0);
   B[22] = B[23] = B[27] = B[28] = B[29] = B[30] = B[31] = B[32] = Scalar(0.0);
@@ -801,7 +816,7 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   c[156] = c_3_1_1;
   const Scalar Ic_5_yz = Scalar(0.00011574494441817024) * c_6 + Scalar(0.00039704623584417266);
   c[248] = Scalar(-2.0) * (c_5 * Ic_5_yz -
-      s_5 * (Scalar(0.00011574494441817024) * s_6 + Scalar(3.411534258419447e-08)));
+      s_5 * (Scalar(3.411534258419447e-08) + Scalar(0.00011574494441817024) * s_6));
   const Scalar dmu_4_6_y = Scalar(0.000615720268358608) * c_5 + Scalar(0.0005396092213171668) * t2;
   const Scalar c_6_4_4 = (c_5 * s_6 + s_5 * c_6) * dmu_4_6_y;
   c[399] = c_6_4_4;
@@ -813,7 +828,7 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   c[651] = c_9_7_7;
   const Scalar Ic_11_yz = Scalar(0.00011574494441817024) * c_12 + Scalar(0.00039704623584417266);
   c[767] = Scalar(-2.0) * (c_11 * Ic_11_yz -
-      s_11 * (Scalar(0.00011574494441817024) * s_12 + Scalar(3.411534258419447e-08)));
+      s_11 * (Scalar(3.411534258419447e-08) + Scalar(0.00011574494441817024) * s_12));
   const Scalar dmu_10_12_y = Scalar(0.000615720268358608) * c_11 +
       Scalar(0.0005396092213171668) * t4;
   const Scalar c_12_10_10 = (c_11 * s_12 + s_11 * c_12) * dmu_10_12_y;
@@ -829,7 +844,7 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   const Scalar c_2_1_1 = c_2 * Iu_2_t_g + s_2 * (c_2 * Iu_2_t_d - s_2 * Ic_2_xy);
   c[78] = c_2_1_1;
   const Scalar t6 = Scalar(0.0005396092213171668) * c_6 + Scalar(0.000615720268358608);
-  const Scalar Ic_5_xy = s_6 * t6 + Scalar(1.609852873477455e-07);
+  const Scalar Ic_5_xy = Scalar(1.609852873477455e-07) + s_6 * t6;
   const Scalar Iu_5_t_d = c_6 * t6 + Scalar(0.0008624344609205605);
   const Scalar Iu_5_t_g = c_5 * Ic_5_xy + s_5 * Iu_5_t_d;
   const Scalar c_5_4_4 = c_5 * Iu_5_t_g + s_5 * (c_5 * Iu_5_t_d - s_5 * Ic_5_xy);
@@ -841,7 +856,7 @@ inline void christoffel(const Scalar* q, Scalar* c) noexcept {
   const Scalar c_8_7_7 = c_8 * Iu_8_t_g + s_8 * (c_8 * Iu_8_t_d - s_8 * Ic_8_xy);
   c[573] = c_8_7_7;
   const Scalar t8 = Scalar(0.0005396092213171668) * c_12 + Scalar(0.000615720268358608);
-  const Scalar Ic_11_xy = s_12 * t8 + Scalar(1.609852873477455e-07);
+  const Scalar Ic_11_xy = Scalar(1.609852873477455e-07) + s_12 * t8;
   const Scalar Iu_11_t_d = c_12 * t8 + Scalar(0.0008624344609205605);
   const Scalar Iu_11_t_g = c_11 * Ic_11_xy + s_11 * Iu_11_t_d;
   const Scalar c_11_10_10 = c_11 * Iu_11_t_g + s_11 * (c_11 * Iu_11_t_d - s_11 * Ic_11_xy);
@@ -1049,64 +1064,64 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
   C[141] = C_12_10;
   const Scalar t17 = Scalar(-0.00023148988883634047) * t9;
   const Scalar t18 = qd_3 * t17;
-  C[2] = t18 - C_3_1 + qd_2 * t17;
+  C[2] = t18 + qd_2 * t17 - C_3_1;
   const Scalar t19 = Scalar(-0.00023148988883634047) * t13;
   const Scalar t20 = qd_9 * t19;
-  C[80] = t20 - C_9_7 + qd_8 * t19;
+  C[80] = t20 + qd_8 * t19 - C_9_7;
   const Scalar t21 = Scalar(-0.00023148988883634047) * t11;
   const Scalar t22 = qd_6 * t21;
-  C[41] = -t22 - C_6_4 - qd_5 * t21;
+  C[41] = -t22 - qd_5 * t21 - C_6_4;
   const Scalar t23 = Scalar(-0.00023148988883634047) * t15;
   const Scalar t24 = qd_12 * t23;
-  C[119] = -t24 - C_12_10 - qd_11 * t23;
+  C[119] = -t24 - qd_11 * t23 - C_12_10;
   const Scalar t25 = c_3 + Scalar(1.1410484551313946);
   const Scalar Ic_2_xy = Scalar(0.0002698046106585834) * s_3 * t25 - Scalar(8.049264367387275e-08);
   const Scalar t26 = Scalar(2.0) * Ic_2_xy;
   const Scalar Iu_2_t_d = Scalar(0.0005396092213171668) * c_3 * t25 + Scalar(0.0008624344609205605);
-  const Scalar Iu_2_t_g = s_2 * Iu_2_t_d + c_2 * t26;
+  const Scalar Iu_2_t_g = c_2 * t26 + s_2 * Iu_2_t_d;
   const Scalar t27 = s_2 * (s_2 * t26 - c_2 * Iu_2_t_d) - c_2 * Iu_2_t_g;
   const Scalar t28 = qd_1 * t27;
   C[12] = -t28;
   const Scalar Ic_2_xz = Scalar(0.00011574494441817024) * s_3 - Scalar(3.411534258419447e-08);
   const Scalar dI_2_xz = Scalar(0.00011574494441817024) * c_3 + Scalar(0.00039704623584417266);
-  C[1] = t28 + t18 - Scalar(2.0) * qd_2 * (s_2 * Ic_2_xz - c_2 * dI_2_xz);
+  C[1] = t18 - Scalar(2.0) * qd_2 * (s_2 * Ic_2_xz - c_2 * dI_2_xz) + t28;
   const Scalar t29 = c_6 + Scalar(1.1410484551313946);
-  const Scalar Ic_5_xy = Scalar(0.0002698046106585834) * s_6 * t29 + Scalar(8.049264367387275e-08);
+  const Scalar Ic_5_xy = Scalar(8.049264367387275e-08) + Scalar(0.0002698046106585834) * s_6 * t29;
   const Scalar t30 = Scalar(2.0) * Ic_5_xy;
   const Scalar Iu_5_t_d = Scalar(0.0005396092213171668) * c_6 * t29 + Scalar(0.0008624344609205605);
-  const Scalar Iu_5_t_g = s_5 * Iu_5_t_d + c_5 * t30;
+  const Scalar Iu_5_t_g = c_5 * t30 + s_5 * Iu_5_t_d;
   const Scalar t31 = s_5 * (s_5 * t30 - c_5 * Iu_5_t_d) - c_5 * Iu_5_t_g;
   const Scalar t32 = qd_4 * t31;
   C[51] = -t32;
   const Scalar Ic_5_yz = Scalar(0.00011574494441817024) * c_6 + Scalar(0.00039704623584417266);
   const Scalar t33 = qd_5 * (s_5 *
-      (Scalar(0.00011574494441817024) * s_6 + Scalar(3.411534258419447e-08)) - c_5 * Ic_5_yz);
-  C[40] = t32 - t22 + Scalar(2.0) * t33;
+      (Scalar(3.411534258419447e-08) + Scalar(0.00011574494441817024) * s_6) - c_5 * Ic_5_yz);
+  C[40] = Scalar(2.0) * t33 - t22 + t32;
   const Scalar t34 = c_9 + Scalar(1.1410484551313946);
   const Scalar Ic_8_xy = Scalar(0.0002698046106585834) * s_9 * t34 - Scalar(8.049264367387275e-08);
   const Scalar t35 = Scalar(2.0) * Ic_8_xy;
   const Scalar Iu_8_t_d = Scalar(0.0005396092213171668) * c_9 * t34 + Scalar(0.0008624344609205605);
-  const Scalar Iu_8_t_g = s_8 * Iu_8_t_d + c_8 * t35;
+  const Scalar Iu_8_t_g = c_8 * t35 + s_8 * Iu_8_t_d;
   const Scalar t36 = s_8 * (s_8 * t35 - c_8 * Iu_8_t_d) - c_8 * Iu_8_t_g;
   const Scalar t37 = qd_7 * t36;
   C[90] = -t37;
   const Scalar Ic_8_xz = Scalar(0.00011574494441817024) * s_9 - Scalar(3.411534258419447e-08);
   const Scalar dI_8_xz = Scalar(0.00011574494441817024) * c_9 + Scalar(0.00039704623584417266);
-  C[79] = t37 + t20 - Scalar(2.0) * qd_8 * (s_8 * Ic_8_xz - c_8 * dI_8_xz);
+  C[79] = t20 - Scalar(2.0) * qd_8 * (s_8 * Ic_8_xz - c_8 * dI_8_xz) + t37;
   const Scalar t38 = c_12 + Scalar(1.1410484551313946);
-  const Scalar Ic_11_xy = Scalar(0.0002698046106585834) * s_12 * t38 +
-      Scalar(8.049264367387275e-08);
+  const Scalar Ic_11_xy = Scalar(8.049264367387275e-08) +
+      Scalar(0.0002698046106585834) * s_12 * t38;
   const Scalar t39 = Scalar(2.0) * Ic_11_xy;
   const Scalar Iu_11_t_d = Scalar(0.0005396092213171668) * c_12 * t38 +
       Scalar(0.0008624344609205605);
-  const Scalar Iu_11_t_g = s_11 * Iu_11_t_d + c_11 * t39;
+  const Scalar Iu_11_t_g = c_11 * t39 + s_11 * Iu_11_t_d;
   const Scalar t40 = s_11 * (s_11 * t39 - c_11 * Iu_11_t_d) - c_11 * Iu_11_t_g;
   const Scalar t41 = qd_10 * t40;
   C[129] = -t41;
   const Scalar Ic_11_yz = Scalar(0.00011574494441817024) * c_12 + Scalar(0.00039704623584417266);
   const Scalar t42 = qd_11 * (s_11 *
-      (Scalar(0.00011574494441817024) * s_12 + Scalar(3.411534258419447e-08)) - c_11 * Ic_11_yz);
-  C[118] = t41 - t24 + Scalar(2.0) * t42;
+      (Scalar(3.411534258419447e-08) + Scalar(0.00011574494441817024) * s_12) - c_11 * Ic_11_yz);
+  C[118] = Scalar(2.0) * t42 - t24 + t41;
   C[0] = qd_2 * t27 - qd_3 * t10;
   C[39] = qd_5 * t31 - qd_6 * t12;
   C[78] = qd_8 * t36 - qd_9 * t14;
@@ -1163,19 +1178,19 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
   g[11] = c_10 * c_11 * t7 + c_10 * s_11 * t8;
   const Scalar hc_2_y = t2 + Scalar(0.1737624403145115);
   const Scalar t9 = t1 - Scalar(0.000020065123418265);
-  const Scalar hu_2_t_y = s_2 * hc_2_y + c_2 * t9;
+  const Scalar hu_2_t_y = c_2 * t9 + s_2 * hc_2_y;
   g[1] = c_1 * hu_2_t_y;
   const Scalar hc_5_y = t4 + Scalar(0.1737624403145115);
-  const Scalar t10 = t3 + Scalar(0.000020065123418265);
-  const Scalar hu_5_t_y = s_5 * hc_5_y + c_5 * t10;
+  const Scalar t10 = Scalar(0.000020065123418265) + t3;
+  const Scalar hu_5_t_y = c_5 * t10 + s_5 * hc_5_y;
   g[4] = c_4 * hu_5_t_y;
   const Scalar hc_8_y = t6 + Scalar(0.1737624403145115);
   const Scalar t11 = t5 - Scalar(0.000020065123418265);
-  const Scalar hu_8_t_y = s_8 * hc_8_y + c_8 * t11;
+  const Scalar hu_8_t_y = c_8 * t11 + s_8 * hc_8_y;
   g[7] = c_7 * hu_8_t_y;
   const Scalar hc_11_y = t8 + Scalar(0.1737624403145115);
-  const Scalar t12 = t7 + Scalar(0.000020065123418265);
-  const Scalar hu_11_t_y = s_11 * hc_11_y + c_11 * t12;
+  const Scalar t12 = Scalar(0.000020065123418265) + t7;
+  const Scalar hu_11_t_y = c_11 * t12 + s_11 * hc_11_y;
   g[10] = c_10 * hu_11_t_y;
   g[6] = Scalar(0.08509272390476785) * c_7 - s_7 * (s_8 * t11 - c_8 * hc_8_y);
   g[0] = Scalar(0.08509272390476785) * c_1 - s_1 * (s_2 * t9 - c_2 * hc_2_y);
@@ -1215,13 +1230,13 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar t5 = t3 + t4;
   const Scalar t6 = Scalar(9.81) * c_1;
   const Scalar t7 = s_2 * t2;
-  const Scalar t8 = c_3 * (s_2 * t6 + Scalar(0.16) * t7);
+  const Scalar t8 = c_3 * (Scalar(0.16) * t7 + s_2 * t6);
   const Scalar t9 = t8 + s_3 * (Scalar(0.16) * t5 + c_2 * t6);
   const Scalar t10 = c_2 * c_3 - s_2 * s_3;
   const Scalar t11 = t1 * t10;
   const Scalar t12 = s_2 * c_3 + c_2 * s_3;
   const Scalar t13 = t12 * t11;
-  const Scalar N_3_z = Scalar(0.0038482516772413) * t9 + Scalar(0.0005396092213171668) * t13;
+  const Scalar N_3_z = Scalar(0.0005396092213171668) * t13 + Scalar(0.0038482516772413) * t9;
   n[2] = N_3_z;
   const Scalar t14 = qd_4 * qd_4;
   const Scalar t15 = c_5 * t14;
@@ -1230,13 +1245,13 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar t18 = t16 + t17;
   const Scalar t19 = Scalar(9.81) * c_4;
   const Scalar t20 = s_5 * t15;
-  const Scalar t21 = c_6 * (s_5 * t19 + Scalar(0.16) * t20);
+  const Scalar t21 = c_6 * (Scalar(0.16) * t20 + s_5 * t19);
   const Scalar t22 = t21 + s_6 * (Scalar(0.16) * t18 + c_5 * t19);
   const Scalar t23 = c_5 * c_6 - s_5 * s_6;
   const Scalar t24 = t14 * t23;
   const Scalar t25 = s_5 * c_6 + c_5 * s_6;
   const Scalar t26 = t25 * t24;
-  const Scalar N_6_z = Scalar(0.0038482516772413) * t22 + Scalar(0.0005396092213171668) * t26;
+  const Scalar N_6_z = Scalar(0.0005396092213171668) * t26 + Scalar(0.0038482516772413) * t22;
   n[5] = N_6_z;
   const Scalar t27 = qd_7 * qd_7;
   const Scalar t28 = c_8 * t27;
@@ -1245,13 +1260,13 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar t31 = t29 + t30;
   const Scalar t32 = Scalar(9.81) * c_7;
   const Scalar t33 = s_8 * t28;
-  const Scalar t34 = c_9 * (s_8 * t32 + Scalar(0.16) * t33);
+  const Scalar t34 = c_9 * (Scalar(0.16) * t33 + s_8 * t32);
   const Scalar t35 = t34 + s_9 * (Scalar(0.16) * t31 + c_8 * t32);
   const Scalar t36 = c_8 * c_9 - s_8 * s_9;
   const Scalar t37 = t27 * t36;
   const Scalar t38 = s_8 * c_9 + c_8 * s_9;
   const Scalar t39 = t38 * t37;
-  const Scalar N_9_z = Scalar(0.0038482516772413) * t35 + Scalar(0.0005396092213171668) * t39;
+  const Scalar N_9_z = Scalar(0.0005396092213171668) * t39 + Scalar(0.0038482516772413) * t35;
   n[8] = N_9_z;
   const Scalar t40 = qd_10 * qd_10;
   const Scalar t41 = c_11 * t40;
@@ -1260,110 +1275,111 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
   const Scalar t44 = t42 + t43;
   const Scalar t45 = Scalar(9.81) * c_10;
   const Scalar t46 = s_11 * t41;
-  const Scalar t47 = c_12 * (s_11 * t45 + Scalar(0.16) * t46);
+  const Scalar t47 = c_12 * (Scalar(0.16) * t46 + s_11 * t45);
   const Scalar t48 = t47 + s_12 * (Scalar(0.16) * t44 + c_11 * t45);
   const Scalar t49 = c_11 * c_12 - s_11 * s_12;
   const Scalar t50 = t40 * t49;
   const Scalar t51 = s_11 * c_12 + c_11 * s_12;
   const Scalar t52 = t51 * t50;
-  const Scalar N_12_z = Scalar(0.0038482516772413) * t48 + Scalar(0.0005396092213171668) * t52;
+  const Scalar N_12_z = Scalar(0.0005396092213171668) * t52 + Scalar(0.0038482516772413) * t48;
   n[11] = N_12_z;
   const Scalar omega_12_z = qd_11 + qd_12;
   const Scalar t53 = omega_12_z * omega_12_z;
   const Scalar t54 = c_12 * t52 - s_12 * (t49 * t50 + t53);
   const Scalar t55 = t40 - t42 + t43;
-  n[10] = Scalar(0.0022644781431582876) * t46 - Scalar(1.609852873477455e-07) * (t55 - t44) +
-      N_12_z + Scalar(0.000615720268358608) * t54 + Scalar(0.000020065123418265) * c_10 * c_11 +
+  n[10] = Scalar(0.000020065123418265) * c_10 * c_11 - Scalar(1.609852873477455e-07) * (t55 - t44) +
+      Scalar(0.0022644781431582876) * t46 + Scalar(0.000615720268358608) * t54 + N_12_z +
       Scalar(0.1737624403145115) * c_10 * s_11;
   const Scalar omega_9_z = qd_8 + qd_9;
   const Scalar t56 = omega_9_z * omega_9_z;
   const Scalar t57 = c_9 * t39 - s_9 * (t36 * t37 + t56);
   const Scalar t58 = t27 - t29 + t30;
-  n[7] = Scalar(0.0022644781431582876) * t33 + Scalar(1.609852873477455e-07) * (t58 - t31) + N_9_z +
-      Scalar(0.000615720268358608) * t57 - Scalar(0.000020065123418265) * c_7 * c_8 +
+  n[7] = Scalar(1.609852873477455e-07) * (t58 - t31) - Scalar(0.000020065123418265) * c_7 * c_8 +
+      Scalar(0.0022644781431582876) * t33 + Scalar(0.000615720268358608) * t57 + N_9_z +
       Scalar(0.1737624403145115) * c_7 * s_8;
   const Scalar omega_6_z = qd_5 + qd_6;
   const Scalar t59 = omega_6_z * omega_6_z;
   const Scalar t60 = c_6 * t26 - s_6 * (t23 * t24 + t59);
   const Scalar t61 = t14 - t16 + t17;
-  n[4] = Scalar(0.0022644781431582876) * t20 - Scalar(1.609852873477455e-07) * (t61 - t18) + N_6_z +
-      Scalar(0.000615720268358608) * t60 + Scalar(0.000020065123418265) * c_4 * c_5 +
+  n[4] = Scalar(0.000020065123418265) * c_4 * c_5 - Scalar(1.609852873477455e-07) * (t61 - t18) +
+      Scalar(0.0022644781431582876) * t20 + Scalar(0.000615720268358608) * t60 + N_6_z +
       Scalar(0.1737624403145115) * c_4 * s_5;
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t62 = omega_3_z * omega_3_z;
   const Scalar t63 = c_3 * t13 - s_3 * (t10 * t11 + t62);
   const Scalar t64 = t1 - t3 + t4;
-  n[1] = Scalar(0.0022644781431582876) * t7 + Scalar(1.609852873477455e-07) * (t64 - t5) + N_3_z +
-      Scalar(0.000615720268358608) * t63 - Scalar(0.000020065123418265) * c_1 * c_2 +
+  n[1] = Scalar(1.609852873477455e-07) * (t64 - t5) - Scalar(0.000020065123418265) * c_1 * c_2 +
+      Scalar(0.0022644781431582876) * t7 + Scalar(0.000615720268358608) * t63 + N_3_z +
       Scalar(0.1737624403145115) * c_1 * s_2;
   const Scalar t65 = t56 - t27 * t38 * t38;
   const Scalar t66 = qd_7 * omega_9_z;
   const Scalar t67 = t38 * t66;
   const Scalar t68 = qd_7 * qd_8;
   const Scalar t69 = s_8 * t68;
-  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 + Scalar(0.00023148988883634047) * t65 -
-      Scalar(0.001231440536717216) * t69 - Scalar(0.0010822284426343334) * t67;
-  const Scalar t70 = Scalar(0.00023148988883634047) * t39 + Scalar(3.01e-06) * t36 * t66;
+  const Scalar N_9_x = Scalar(0.00023148988883634047) * t65 - Scalar(0.001231440536717216) * t69 -
+      Scalar(0.0010822284426343334) * t67 + Scalar(0.037751348953737156) * s_7;
+  const Scalar t70 = Scalar(3.01e-06) * t36 * t66 + Scalar(0.00023148988883634047) * t39;
   const Scalar t71 = c_8 * t68;
-  const Scalar t72 = Scalar(0.1737624403145115) * s_7 + Scalar(6.823068516838894e-08) * t33 -
-      Scalar(0.0007940924716883453) * (t27 - t31) - Scalar(0.004560056342646188) * t69 -
-      Scalar(0.001231440536717216) * t67 + c_9 * N_9_x + s_9 * t70 +
-      Scalar(3.21970574695491e-07) * t71;
-  const Scalar t73 = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t33 -
-      Scalar(6.823068516838894e-08) * (t27 - t58) - Scalar(3.21970574695491e-07) * t69 +
-      Scalar(0.000031100056329612534) * t71 + c_9 * t70 - s_9 * N_9_x;
-  n[6] = Scalar(0.08509272390476785) * c_7 + c_8 * t72 + s_8 * t73;
+  const Scalar t72 = Scalar(6.823068516838894e-08) * t33 + Scalar(3.21970574695491e-07) * t71 +
+      s_9 * t70 - Scalar(0.0007940924716883453) * (t27 - t31) - Scalar(0.001231440536717216) * t67 -
+      Scalar(0.004560056342646188) * t69 + c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
+  const Scalar t73 = Scalar(-6.823068516838894e-08) * (t27 - t58) -
+      Scalar(3.21970574695491e-07) * t69 + Scalar(0.000020065123418265) * s_7 +
+      Scalar(0.000031100056329612534) * t71 + c_9 * t70 + Scalar(0.0007940924716883453) * t33 -
+      s_9 * N_9_x;
+  n[6] = s_8 * t73 + Scalar(0.08509272390476785) * c_7 + c_8 * t72;
   const Scalar t74 = t62 - t1 * t12 * t12;
   const Scalar t75 = qd_1 * omega_3_z;
   const Scalar t76 = t12 * t75;
   const Scalar t77 = qd_1 * qd_2;
   const Scalar t78 = s_2 * t77;
-  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 + Scalar(0.00023148988883634047) * t74 -
-      Scalar(0.001231440536717216) * t78 - Scalar(0.0010822284426343334) * t76;
-  const Scalar t79 = Scalar(0.00023148988883634047) * t13 + Scalar(3.01e-06) * t10 * t75;
+  const Scalar N_3_x = Scalar(0.00023148988883634047) * t74 - Scalar(0.001231440536717216) * t78 -
+      Scalar(0.0010822284426343334) * t76 + Scalar(0.037751348953737156) * s_1;
+  const Scalar t79 = Scalar(3.01e-06) * t10 * t75 + Scalar(0.00023148988883634047) * t13;
   const Scalar t80 = c_2 * t77;
-  const Scalar t81 = Scalar(0.1737624403145115) * s_1 + Scalar(6.823068516838894e-08) * t7 -
-      Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(0.004560056342646188) * t78 -
-      Scalar(0.001231440536717216) * t76 + c_3 * N_3_x + s_3 * t79 +
-      Scalar(3.21970574695491e-07) * t80;
-  const Scalar t82 = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t7 -
-      Scalar(6.823068516838894e-08) * (t1 - t64) - Scalar(3.21970574695491e-07) * t78 +
-      Scalar(0.000031100056329612534) * t80 + c_3 * t79 - s_3 * N_3_x;
-  n[0] = Scalar(0.08509272390476785) * c_1 + c_2 * t81 + s_2 * t82;
+  const Scalar t81 = Scalar(6.823068516838894e-08) * t7 + Scalar(3.21970574695491e-07) * t80 +
+      s_3 * t79 - Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(0.001231440536717216) * t76 -
+      Scalar(0.004560056342646188) * t78 + c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
+  const Scalar t82 = Scalar(-6.823068516838894e-08) * (t1 - t64) -
+      Scalar(3.21970574695491e-07) * t78 + Scalar(0.000020065123418265) * s_1 +
+      Scalar(0.000031100056329612534) * t80 + c_3 * t79 + Scalar(0.0007940924716883453) * t7 -
+      s_3 * N_3_x;
+  n[0] = s_2 * t82 + Scalar(0.08509272390476785) * c_1 + c_2 * t81;
   const Scalar t83 = t53 - t40 * t51 * t51;
   const Scalar t84 = qd_10 * omega_12_z;
   const Scalar t85 = t51 * t84;
   const Scalar t86 = qd_10 * qd_11;
   const Scalar t87 = s_11 * t86;
-  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.00023148988883634047) * t83 -
-      Scalar(0.001231440536717216) * t87 - Scalar(0.0010822284426343334) * t85;
+  const Scalar N_12_x = Scalar(-0.00023148988883634047) * t83 - Scalar(0.001231440536717216) * t87 -
+      Scalar(0.0010822284426343334) * t85 + Scalar(0.037751348953737156) * s_10;
   const Scalar t88 = Scalar(0.00023148988883634047) * t52 - Scalar(3.01e-06) * t49 * t84;
   const Scalar t89 = c_11 * t86;
-  const Scalar t90 = Scalar(0.1737624403145115) * s_10 + Scalar(6.823068516838894e-08) * t46 +
-      Scalar(0.0007940924716883453) * (t40 - t44) - Scalar(0.004560056342646188) * t87 -
-      Scalar(0.001231440536717216) * t85 + c_12 * N_12_x - s_12 * t88 -
-      Scalar(3.21970574695491e-07) * t89;
-  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t46 +
-      Scalar(6.823068516838894e-08) * (t40 - t55) - Scalar(3.21970574695491e-07) * t87 -
-      Scalar(0.000031100056329612534) * t89 + c_12 * t88 + s_12 * N_12_x;
-  n[9] = c_11 * t90 - Scalar(0.08509272390476785) * c_10 - s_11 * mu_11_y;
+  const Scalar t90 = Scalar(6.823068516838894e-08) * t46 - Scalar(3.21970574695491e-07) * t89 -
+      s_12 * t88 + Scalar(0.0007940924716883453) * (t40 - t44) -
+      Scalar(0.001231440536717216) * t85 - Scalar(0.004560056342646188) * t87 + c_12 * N_12_x +
+      Scalar(0.1737624403145115) * s_10;
+  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t40 - t55) -
+      Scalar(3.21970574695491e-07) * t87 + Scalar(0.000020065123418265) * s_10 -
+      Scalar(0.000031100056329612534) * t89 + c_12 * t88 + Scalar(0.0007940924716883453) * t46 +
+      s_12 * N_12_x;
+  n[9] = -s_11 * mu_11_y - Scalar(0.08509272390476785) * c_10 + c_11 * t90;
   const Scalar t91 = t59 - t14 * t25 * t25;
   const Scalar t92 = qd_4 * omega_6_z;
   const Scalar t93 = t25 * t92;
   const Scalar t94 = qd_4 * qd_5;
   const Scalar t95 = s_5 * t94;
-  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.00023148988883634047) * t91 -
-      Scalar(0.001231440536717216) * t95 - Scalar(0.0010822284426343334) * t93;
+  const Scalar N_6_x = Scalar(-0.00023148988883634047) * t91 - Scalar(0.001231440536717216) * t95 -
+      Scalar(0.0010822284426343334) * t93 + Scalar(0.037751348953737156) * s_4;
   const Scalar t96 = Scalar(0.00023148988883634047) * t26 - Scalar(3.01e-06) * t23 * t92;
   const Scalar t97 = c_5 * t94;
-  const Scalar t98 = Scalar(0.1737624403145115) * s_4 + Scalar(6.823068516838894e-08) * t20 +
-      Scalar(0.0007940924716883453) * (t14 - t18) - Scalar(0.004560056342646188) * t95 -
-      Scalar(0.001231440536717216) * t93 + c_6 * N_6_x - s_6 * t96 -
-      Scalar(3.21970574695491e-07) * t97;
-  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t20 +
-      Scalar(6.823068516838894e-08) * (t14 - t61) - Scalar(3.21970574695491e-07) * t95 -
-      Scalar(0.000031100056329612534) * t97 + c_6 * t96 + s_6 * N_6_x;
-  n[3] = c_5 * t98 - Scalar(0.08509272390476785) * c_4 - s_5 * mu_5_y;
+  const Scalar t98 = Scalar(6.823068516838894e-08) * t20 - Scalar(3.21970574695491e-07) * t97 -
+      s_6 * t96 + Scalar(0.0007940924716883453) * (t14 - t18) - Scalar(0.001231440536717216) * t93 -
+      Scalar(0.004560056342646188) * t95 + c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
+  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t14 - t61) -
+      Scalar(3.21970574695491e-07) * t95 + Scalar(0.000020065123418265) * s_4 -
+      Scalar(0.000031100056329612534) * t97 + c_6 * t96 + Scalar(0.0007940924716883453) * t20 +
+      s_6 * N_6_x;
+  n[3] = -s_5 * mu_5_y - Scalar(0.08509272390476785) * c_4 + c_5 * t98;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -1401,7 +1417,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t2 = c_5 * t1;
   const Scalar t3 = c_5 * t2;
   const Scalar t4 = qd_5 * qd_5;
-  const Scalar t5 = t4 + t3;
+  const Scalar t5 = t3 + t4;
   const Scalar t6 = Scalar(9.81) * c_4;
   const Scalar t7 = s_6 * (Scalar(0.16) * t5 + c_5 * t6);
   const Scalar t8 = s_5 * t2;
@@ -1418,15 +1434,15 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t15 = Scalar(1842.912968642313) * mu_6_5_z;
   const Scalar omega_6_z = qd_5 + qd_6;
   const Scalar t16 = omega_6_z * omega_6_z;
-  const Scalar t17 = s_6 * (t16 + t12 * t13);
-  const Scalar t18 = t4 + t1 - t3;
-  const Scalar y_6_5 = tau_5 - Scalar(0.0022644781431582876) * t8 +
-      Scalar(1.609852873477455e-07) * (t18 - t5) - N_6_z - y_6 * t15 +
-      Scalar(0.000615720268358608) * t17 + Scalar(2.6598149554338075) * c_6 * t14 -
-      Scalar(0.000020065123418265) * c_4 * c_5 - Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar t17 = s_6 * (t12 * t13 + t16);
+  const Scalar t18 = t4 - t3 + t1;
+  const Scalar y_6_5 = Scalar(1.609852873477455e-07) * (t18 - t5) -
+      Scalar(0.000020065123418265) * c_4 * c_5 + Scalar(2.6598149554338075) * c_6 * t14 -
+      Scalar(0.0022644781431582876) * t8 + Scalar(0.000615720268358608) * t17 - N_6_z -
+      Scalar(0.1737624403145115) * c_4 * s_5 + tau_5 - y_6 * t15;
   const Scalar t19 = Scalar(1842.912968642313) * mu_u_6_5_t_y;
   const Scalar Ic_5_yz = t10 + Scalar(0.0007940924716883453);
-  const Scalar t20 = mu_6_5_z * t19 - s_5 * Ic_5_yz - c_5 * (t11 + Scalar(6.823068516838894e-08));
+  const Scalar t20 = mu_6_5_z * t19 - c_5 * (Scalar(6.823068516838894e-08) + t11) - s_5 * Ic_5_yz;
   const Scalar t21 = Scalar(0.001231440536717216) * c_6;
   const Scalar b_6_5_5 = t21 - mu_6_5_z * t15 + Scalar(0.002838197420805067);
   const Scalar d_5 = Scalar(1.0) / b_6_5_5;
@@ -1435,27 +1451,27 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t24 = mu_u_6_5_t_y * t23;
   const Scalar t25 = qd_4 * qd_5;
   const Scalar t26 = s_5 * t25;
-  const Scalar N_6_x = Scalar(0.037751348953737156) * s_4 - Scalar(0.00023148988883634047) * t16 -
-      Scalar(4.675057075168632) * t24 - Scalar(0.001231440536717216) * t26 +
-      Scalar(4319.843104279097) * t1 * mu_u_6_5_t_y * mu_u_6_5_t_y;
+  const Scalar N_6_x = Scalar(4319.843104279097) * t1 * mu_u_6_5_t_y * mu_u_6_5_t_y -
+      Scalar(0.00023148988883634047) * t16 - Scalar(0.001231440536717216) * t26 -
+      Scalar(4.675057075168632) * t24 + Scalar(0.037751348953737156) * s_4;
   const Scalar t27 = t14 - Scalar(3.01e-06) * t12 * t23;
   const Scalar t28 = c_5 * t25;
-  const Scalar mu_5_y = Scalar(0.000020065123418265) * s_4 + Scalar(0.0007940924716883453) * t8 +
-      Scalar(6.823068516838894e-08) * (t1 - t18) - Scalar(3.21970574695491e-07) * t26 -
-      Scalar(0.000031100056329612534) * t28 + s_6 * N_6_x - c_6 * t27;
-  const Scalar t29 = Scalar(0.1737624403145115) * s_4 + Scalar(6.823068516838894e-08) * t8 +
-      Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(5.319629910867615) * t24 -
-      Scalar(0.004560056342646188) * t26 - Scalar(3.21970574695491e-07) * t28 + s_6 * t27 +
-      c_6 * N_6_x;
-  const Scalar y_5_4 = Scalar(0.08509272390476785) * c_4 + tau_4 - t22 * y_6_5 + y_6 * t19 +
-      s_5 * mu_5_y - c_5 * t29;
+  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t1 - t18) -
+      Scalar(3.21970574695491e-07) * t26 + Scalar(0.000020065123418265) * s_4 -
+      Scalar(0.000031100056329612534) * t28 - c_6 * t27 + Scalar(0.0007940924716883453) * t8 +
+      s_6 * N_6_x;
+  const Scalar t29 = Scalar(6.823068516838894e-08) * t8 - Scalar(3.21970574695491e-07) * t28 +
+      s_6 * t27 + Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(5.319629910867615) * t24 -
+      Scalar(0.004560056342646188) * t26 + c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
+  const Scalar y_5_4 = s_5 * mu_5_y + Scalar(0.08509272390476785) * c_4 - c_5 * t29 - t22 * y_6_5 +
+      y_6 * t19 + tau_4;
   const Scalar t30 = Scalar(0.0005396092213171668) * c_6 * c_6;
   const Scalar Ic_5_xx = t30 + t21 + Scalar(0.0022644781431582876);
-  const Scalar Iu_5_t_d = t30 + Ic_5_xx - Scalar(0.0005396092213171668);
-  const Scalar Ic_5_xy = s_6 * (c_6 + Scalar(1.1410484551313946)) + Scalar(0.0002983367981643942);
-  const Scalar Iu_5_t_g = s_5 * Iu_5_t_d + Scalar(0.0010792184426343335) * c_5 * Ic_5_xy;
-  const Scalar b_5_4_4 = Ic_5_xx - t20 * t22 - mu_u_6_5_t_y * t19 - s_5 * Iu_5_t_g +
-      Scalar(0.00037588290370216287);
+  const Scalar Iu_5_t_d = t30 - Scalar(0.0005396092213171668) + Ic_5_xx;
+  const Scalar Ic_5_xy = Scalar(0.0002983367981643942) + s_6 * (c_6 + Scalar(1.1410484551313946));
+  const Scalar Iu_5_t_g = Scalar(0.0010792184426343335) * c_5 * Ic_5_xy + s_5 * Iu_5_t_d;
+  const Scalar b_5_4_4 = -mu_u_6_5_t_y * t19 - t20 * t22 + Scalar(0.00037588290370216287) -
+      s_5 * Iu_5_t_g + Ic_5_xx;
   const Scalar d_4 = Scalar(1.0) / b_5_4_4;
   const Scalar qdd_4 = d_4 * y_5_4;
   qdd[3] = qdd_4;
@@ -1463,7 +1479,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t32 = c_11 * t31;
   const Scalar t33 = c_11 * t32;
   const Scalar t34 = qd_11 * qd_11;
-  const Scalar t35 = t34 + t33;
+  const Scalar t35 = t33 + t34;
   const Scalar t36 = Scalar(9.81) * c_10;
   const Scalar t37 = s_12 * (Scalar(0.16) * t35 + c_11 * t36);
   const Scalar t38 = s_11 * t32;
@@ -1480,16 +1496,16 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t45 = Scalar(1842.912968642313) * mu_12_11_z;
   const Scalar omega_12_z = qd_11 + qd_12;
   const Scalar t46 = omega_12_z * omega_12_z;
-  const Scalar t47 = s_12 * (t46 + t42 * t43);
-  const Scalar t48 = t34 + t31 - t33;
-  const Scalar y_12_11 = tau_11 - Scalar(0.0022644781431582876) * t38 +
-      Scalar(1.609852873477455e-07) * (t48 - t35) - N_12_z - y_12 * t45 +
-      Scalar(0.000615720268358608) * t47 + Scalar(2.6598149554338075) * c_12 * t44 -
-      Scalar(0.000020065123418265) * c_10 * c_11 - Scalar(0.1737624403145115) * c_10 * s_11;
+  const Scalar t47 = s_12 * (t42 * t43 + t46);
+  const Scalar t48 = t34 - t33 + t31;
+  const Scalar y_12_11 = Scalar(1.609852873477455e-07) * (t48 - t35) -
+      Scalar(0.000020065123418265) * c_10 * c_11 + Scalar(2.6598149554338075) * c_12 * t44 -
+      Scalar(0.0022644781431582876) * t38 + Scalar(0.000615720268358608) * t47 - N_12_z -
+      Scalar(0.1737624403145115) * c_10 * s_11 + tau_11 - y_12 * t45;
   const Scalar t49 = Scalar(1842.912968642313) * mu_u_12_11_t_y;
   const Scalar Ic_11_yz = t40 + Scalar(0.0007940924716883453);
-  const Scalar t50 = mu_12_11_z * t49 - s_11 * Ic_11_yz -
-      c_11 * (t41 + Scalar(6.823068516838894e-08));
+  const Scalar t50 = mu_12_11_z * t49 - c_11 * (Scalar(6.823068516838894e-08) + t41) -
+      s_11 * Ic_11_yz;
   const Scalar t51 = Scalar(0.001231440536717216) * c_12;
   const Scalar b_12_11_11 = t51 - mu_12_11_z * t45 + Scalar(0.002838197420805067);
   const Scalar d_11 = Scalar(1.0) / b_12_11_11;
@@ -1498,28 +1514,28 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t54 = mu_u_12_11_t_y * t53;
   const Scalar t55 = qd_10 * qd_11;
   const Scalar t56 = s_11 * t55;
-  const Scalar N_12_x = Scalar(0.037751348953737156) * s_10 - Scalar(0.00023148988883634047) * t46 -
-      Scalar(4.675057075168632) * t54 - Scalar(0.001231440536717216) * t56 +
-      Scalar(4319.843104279097) * t31 * mu_u_12_11_t_y * mu_u_12_11_t_y;
+  const Scalar N_12_x = Scalar(4319.843104279097) * t31 * mu_u_12_11_t_y * mu_u_12_11_t_y -
+      Scalar(0.00023148988883634047) * t46 - Scalar(0.001231440536717216) * t56 -
+      Scalar(4.675057075168632) * t54 + Scalar(0.037751348953737156) * s_10;
   const Scalar t57 = t44 - Scalar(3.01e-06) * t42 * t53;
   const Scalar t58 = c_11 * t55;
-  const Scalar mu_11_y = Scalar(0.000020065123418265) * s_10 + Scalar(0.0007940924716883453) * t38 +
-      Scalar(6.823068516838894e-08) * (t31 - t48) - Scalar(3.21970574695491e-07) * t56 -
-      Scalar(0.000031100056329612534) * t58 + s_12 * N_12_x - c_12 * t57;
-  const Scalar t59 = Scalar(0.1737624403145115) * s_10 + Scalar(6.823068516838894e-08) * t38 +
-      Scalar(0.0007940924716883453) * (t31 - t35) - Scalar(5.319629910867615) * t54 -
-      Scalar(0.004560056342646188) * t56 - Scalar(3.21970574695491e-07) * t58 + s_12 * t57 +
-      c_12 * N_12_x;
-  const Scalar y_11_10 = Scalar(0.08509272390476785) * c_10 + tau_10 - t52 * y_12_11 + y_12 * t49 +
-      s_11 * mu_11_y - c_11 * t59;
+  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t31 - t48) -
+      Scalar(3.21970574695491e-07) * t56 + Scalar(0.000020065123418265) * s_10 -
+      Scalar(0.000031100056329612534) * t58 - c_12 * t57 + Scalar(0.0007940924716883453) * t38 +
+      s_12 * N_12_x;
+  const Scalar t59 = Scalar(6.823068516838894e-08) * t38 - Scalar(3.21970574695491e-07) * t58 +
+      s_12 * t57 + Scalar(0.0007940924716883453) * (t31 - t35) - Scalar(5.319629910867615) * t54 -
+      Scalar(0.004560056342646188) * t56 + c_12 * N_12_x + Scalar(0.1737624403145115) * s_10;
+  const Scalar y_11_10 = s_11 * mu_11_y + Scalar(0.08509272390476785) * c_10 - c_11 * t59 -
+      t52 * y_12_11 + y_12 * t49 + tau_10;
   const Scalar t60 = Scalar(0.0005396092213171668) * c_12 * c_12;
   const Scalar Ic_11_xx = t60 + t51 + Scalar(0.0022644781431582876);
-  const Scalar Iu_11_t_d = t60 + Ic_11_xx - Scalar(0.0005396092213171668);
-  const Scalar Ic_11_xy = s_12 * (c_12 + Scalar(1.1410484551313946)) +
-      Scalar(0.0002983367981643942);
-  const Scalar Iu_11_t_g = s_11 * Iu_11_t_d + Scalar(0.0010792184426343335) * c_11 * Ic_11_xy;
-  const Scalar b_11_10_10 = Ic_11_xx - t50 * t52 - mu_u_12_11_t_y * t49 - s_11 * Iu_11_t_g +
-      Scalar(0.00037588290370216287);
+  const Scalar Iu_11_t_d = t60 - Scalar(0.0005396092213171668) + Ic_11_xx;
+  const Scalar Ic_11_xy = Scalar(0.0002983367981643942) +
+      s_12 * (c_12 + Scalar(1.1410484551313946));
+  const Scalar Iu_11_t_g = Scalar(0.0010792184426343335) * c_11 * Ic_11_xy + s_11 * Iu_11_t_d;
+  const Scalar b_11_10_10 = -mu_u_12_11_t_y * t49 - t50 * t52 + Scalar(0.00037588290370216287) -
+      s_11 * Iu_11_t_g + Ic_11_xx;
   const Scalar d_10 = Scalar(1.0) / b_11_10_10;
   const Scalar qdd_10 = d_10 * y_11_10;
   qdd[9] = qdd_10;
@@ -1527,7 +1543,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t62 = c_2 * t61;
   const Scalar t63 = c_2 * t62;
   const Scalar t64 = qd_2 * qd_2;
-  const Scalar t65 = t64 + t63;
+  const Scalar t65 = t63 + t64;
   const Scalar t66 = Scalar(9.81) * c_1;
   const Scalar t67 = s_3 * (Scalar(0.16) * t65 + c_2 * t66);
   const Scalar t68 = s_2 * t62;
@@ -1544,15 +1560,15 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t75 = Scalar(1842.912968642313) * mu_3_2_z;
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t76 = omega_3_z * omega_3_z;
-  const Scalar t77 = s_3 * (t76 + t72 * t73);
-  const Scalar t78 = t64 + t61 - t63;
-  const Scalar y_3_2 = tau_2 - Scalar(0.0022644781431582876) * t68 -
-      Scalar(1.609852873477455e-07) * (t78 - t65) - N_3_z - y_3 * t75 +
-      Scalar(0.000615720268358608) * t77 + Scalar(2.6598149554338075) * c_3 * t74 +
-      Scalar(0.000020065123418265) * c_1 * c_2 - Scalar(0.1737624403145115) * c_1 * s_2;
+  const Scalar t77 = s_3 * (t72 * t73 + t76);
+  const Scalar t78 = t64 - t63 + t61;
+  const Scalar y_3_2 = Scalar(0.000020065123418265) * c_1 * c_2 -
+      Scalar(1.609852873477455e-07) * (t78 - t65) + Scalar(2.6598149554338075) * c_3 * t74 -
+      Scalar(0.0022644781431582876) * t68 + Scalar(0.000615720268358608) * t77 - N_3_z -
+      Scalar(0.1737624403145115) * c_1 * s_2 + tau_2 - y_3 * t75;
   const Scalar t79 = Scalar(1842.912968642313) * mu_u_3_2_a_z;
   const Scalar Ic_2_xz = t71 - Scalar(6.823068516838894e-08);
-  const Scalar t80 = mu_3_2_z * t79 - s_2 * (t70 + Scalar(0.0007940924716883453)) - c_2 * Ic_2_xz;
+  const Scalar t80 = mu_3_2_z * t79 - c_2 * Ic_2_xz - s_2 * (t70 + Scalar(0.0007940924716883453));
   const Scalar t81 = Scalar(0.001231440536717216) * c_3;
   const Scalar b_3_2_2 = t81 - mu_3_2_z * t75 + Scalar(0.002838197420805067);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
@@ -1561,27 +1577,28 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t84 = mu_u_3_2_a_z * t83;
   const Scalar t85 = qd_1 * qd_2;
   const Scalar t86 = s_2 * t85;
-  const Scalar N_3_x = Scalar(0.037751348953737156) * s_1 + Scalar(0.00023148988883634047) * t76 -
-      Scalar(4.675057075168632) * t84 - Scalar(0.001231440536717216) * t86 -
-      Scalar(4319.843104279097) * t61 * mu_u_3_2_a_z * mu_u_3_2_a_z;
-  const Scalar t87 = t74 + Scalar(3.01e-06) * t72 * t83;
+  const Scalar N_3_x = Scalar(0.00023148988883634047) * t76 -
+      Scalar(4319.843104279097) * t61 * mu_u_3_2_a_z * mu_u_3_2_a_z -
+      Scalar(0.001231440536717216) * t86 - Scalar(4.675057075168632) * t84 +
+      Scalar(0.037751348953737156) * s_1;
+  const Scalar t87 = Scalar(3.01e-06) * t72 * t83 + t74;
   const Scalar t88 = c_2 * t85;
-  const Scalar t89 = Scalar(0.000020065123418265) * s_1 + Scalar(0.0007940924716883453) * t68 -
-      Scalar(6.823068516838894e-08) * (t61 - t78) - Scalar(3.21970574695491e-07) * t86 +
-      Scalar(0.000031100056329612534) * t88 - s_3 * N_3_x - c_3 * t87;
-  const Scalar t90 = Scalar(0.1737624403145115) * s_1 + Scalar(6.823068516838894e-08) * t68 -
-      Scalar(0.0007940924716883453) * (t61 - t65) - Scalar(5.319629910867615) * t84 -
-      Scalar(0.004560056342646188) * t86 + Scalar(3.21970574695491e-07) * t88 - s_3 * t87 +
-      c_3 * N_3_x;
-  const Scalar t91 = Scalar(0.08509272390476785) * c_1 - tau_1 - t82 * y_3_2 + y_3 * t79 +
-      s_2 * t89 + c_2 * t90;
+  const Scalar t89 = Scalar(-6.823068516838894e-08) * (t61 - t78) -
+      Scalar(3.21970574695491e-07) * t86 + Scalar(0.000020065123418265) * s_1 +
+      Scalar(0.000031100056329612534) * t88 - c_3 * t87 + Scalar(0.0007940924716883453) * t68 -
+      s_3 * N_3_x;
+  const Scalar t90 = Scalar(6.823068516838894e-08) * t68 + Scalar(3.21970574695491e-07) * t88 -
+      s_3 * t87 - Scalar(0.0007940924716883453) * (t61 - t65) - Scalar(5.319629910867615) * t84 -
+      Scalar(0.004560056342646188) * t86 + c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
+  const Scalar t91 = s_2 * t89 + Scalar(0.08509272390476785) * c_1 + c_2 * t90 - t82 * y_3_2 +
+      y_3 * t79 - tau_1;
   const Scalar t92 = Scalar(0.0005396092213171668) * c_3 * c_3;
   const Scalar Ic_2_xx = t92 + t81 + Scalar(0.0022644781431582876);
-  const Scalar Iu_2_t_d = t92 + Ic_2_xx - Scalar(0.0005396092213171668);
+  const Scalar Iu_2_t_d = t92 - Scalar(0.0005396092213171668) + Ic_2_xx;
   const Scalar Ic_2_xy = s_3 * (c_3 + Scalar(1.1410484551313946)) - Scalar(0.0002983367981643942);
-  const Scalar Iu_2_t_g = s_2 * Iu_2_t_d + Scalar(0.0010792184426343335) * c_2 * Ic_2_xy;
-  const Scalar b_2_1_1 = Ic_2_xx - t80 * t82 - mu_u_3_2_a_z * t79 - s_2 * Iu_2_t_g +
-      Scalar(0.00037588290370216287);
+  const Scalar Iu_2_t_g = Scalar(0.0010792184426343335) * c_2 * Ic_2_xy + s_2 * Iu_2_t_d;
+  const Scalar b_2_1_1 = -mu_u_3_2_a_z * t79 - t80 * t82 + Scalar(0.00037588290370216287) -
+      s_2 * Iu_2_t_g + Ic_2_xx;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t93 = d_1 * t91;
   qdd[0] = -t93;
@@ -1589,7 +1606,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t95 = c_8 * t94;
   const Scalar t96 = c_8 * t95;
   const Scalar t97 = qd_8 * qd_8;
-  const Scalar t98 = t97 + t96;
+  const Scalar t98 = t96 + t97;
   const Scalar t99 = Scalar(9.81) * c_7;
   const Scalar t100 = s_9 * (Scalar(0.16) * t98 + c_8 * t99);
   const Scalar t101 = s_8 * t95;
@@ -1606,16 +1623,16 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t108 = Scalar(1842.912968642313) * mu_9_8_z;
   const Scalar omega_9_z = qd_8 + qd_9;
   const Scalar t109 = omega_9_z * omega_9_z;
-  const Scalar t110 = s_9 * (t109 + t105 * t106);
-  const Scalar t111 = t97 + t94 - t96;
-  const Scalar y_9_8 = tau_8 - Scalar(0.0022644781431582876) * t101 -
-      Scalar(1.609852873477455e-07) * (t111 - t98) - N_9_z - y_9 * t108 +
-      Scalar(0.000615720268358608) * t110 + Scalar(2.6598149554338075) * c_9 * t107 +
-      Scalar(0.000020065123418265) * c_7 * c_8 - Scalar(0.1737624403145115) * c_7 * s_8;
+  const Scalar t110 = s_9 * (t105 * t106 + t109);
+  const Scalar t111 = t97 - t96 + t94;
+  const Scalar y_9_8 = Scalar(0.000020065123418265) * c_7 * c_8 -
+      Scalar(1.609852873477455e-07) * (t111 - t98) + Scalar(2.6598149554338075) * c_9 * t107 -
+      Scalar(0.0022644781431582876) * t101 + Scalar(0.000615720268358608) * t110 - N_9_z -
+      Scalar(0.1737624403145115) * c_7 * s_8 + tau_8 - y_9 * t108;
   const Scalar t112 = Scalar(1842.912968642313) * mu_u_9_8_a_z;
   const Scalar Ic_8_xz = t104 - Scalar(6.823068516838894e-08);
-  const Scalar t113 = mu_9_8_z * t112 - s_8 * (t103 + Scalar(0.0007940924716883453)) -
-      c_8 * Ic_8_xz;
+  const Scalar t113 = mu_9_8_z * t112 - c_8 * Ic_8_xz -
+      s_8 * (t103 + Scalar(0.0007940924716883453));
   const Scalar t114 = Scalar(0.001231440536717216) * c_9;
   const Scalar b_9_8_8 = t114 - mu_9_8_z * t108 + Scalar(0.002838197420805067);
   const Scalar d_8 = Scalar(1.0) / b_9_8_8;
@@ -1624,27 +1641,28 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t117 = mu_u_9_8_a_z * t116;
   const Scalar t118 = qd_7 * qd_8;
   const Scalar t119 = s_8 * t118;
-  const Scalar N_9_x = Scalar(0.037751348953737156) * s_7 + Scalar(0.00023148988883634047) * t109 -
-      Scalar(4.675057075168632) * t117 - Scalar(0.001231440536717216) * t119 -
-      Scalar(4319.843104279097) * t94 * mu_u_9_8_a_z * mu_u_9_8_a_z;
-  const Scalar t120 = t107 + Scalar(3.01e-06) * t105 * t116;
+  const Scalar N_9_x = Scalar(0.00023148988883634047) * t109 -
+      Scalar(4319.843104279097) * t94 * mu_u_9_8_a_z * mu_u_9_8_a_z -
+      Scalar(0.001231440536717216) * t119 - Scalar(4.675057075168632) * t117 +
+      Scalar(0.037751348953737156) * s_7;
+  const Scalar t120 = Scalar(3.01e-06) * t105 * t116 + t107;
   const Scalar t121 = c_8 * t118;
-  const Scalar t122 = Scalar(0.000020065123418265) * s_7 + Scalar(0.0007940924716883453) * t101 -
-      Scalar(6.823068516838894e-08) * (t94 - t111) - Scalar(3.21970574695491e-07) * t119 +
-      Scalar(0.000031100056329612534) * t121 - s_9 * N_9_x - c_9 * t120;
-  const Scalar t123 = Scalar(0.1737624403145115) * s_7 + Scalar(6.823068516838894e-08) * t101 -
-      Scalar(0.0007940924716883453) * (t94 - t98) - Scalar(5.319629910867615) * t117 -
-      Scalar(0.004560056342646188) * t119 + Scalar(3.21970574695491e-07) * t121 - s_9 * t120 +
-      c_9 * N_9_x;
-  const Scalar t124 = Scalar(0.08509272390476785) * c_7 - tau_7 - t115 * y_9_8 + y_9 * t112 +
-      s_8 * t122 + c_8 * t123;
+  const Scalar t122 = Scalar(-6.823068516838894e-08) * (t94 - t111) -
+      Scalar(3.21970574695491e-07) * t119 + Scalar(0.000020065123418265) * s_7 +
+      Scalar(0.000031100056329612534) * t121 - c_9 * t120 + Scalar(0.0007940924716883453) * t101 -
+      s_9 * N_9_x;
+  const Scalar t123 = Scalar(6.823068516838894e-08) * t101 + Scalar(3.21970574695491e-07) * t121 -
+      s_9 * t120 - Scalar(0.0007940924716883453) * (t94 - t98) - Scalar(5.319629910867615) * t117 -
+      Scalar(0.004560056342646188) * t119 + c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
+  const Scalar t124 = s_8 * t122 + Scalar(0.08509272390476785) * c_7 + c_8 * t123 - t115 * y_9_8 +
+      y_9 * t112 - tau_7;
   const Scalar t125 = Scalar(0.0005396092213171668) * c_9 * c_9;
   const Scalar Ic_8_xx = t125 + t114 + Scalar(0.0022644781431582876);
-  const Scalar Iu_8_t_d = t125 + Ic_8_xx - Scalar(0.0005396092213171668);
+  const Scalar Iu_8_t_d = t125 - Scalar(0.0005396092213171668) + Ic_8_xx;
   const Scalar Ic_8_xy = s_9 * (c_9 + Scalar(1.1410484551313946)) - Scalar(0.0002983367981643942);
-  const Scalar Iu_8_t_g = s_8 * Iu_8_t_d + Scalar(0.0010792184426343335) * c_8 * Ic_8_xy;
-  const Scalar b_8_7_7 = Ic_8_xx - t113 * t115 - mu_u_9_8_a_z * t112 - s_8 * Iu_8_t_g +
-      Scalar(0.00037588290370216287);
+  const Scalar Iu_8_t_g = Scalar(0.0010792184426343335) * c_8 * Ic_8_xy + s_8 * Iu_8_t_d;
+  const Scalar b_8_7_7 = -mu_u_9_8_a_z * t112 - t113 * t115 + Scalar(0.00037588290370216287) -
+      s_8 * Iu_8_t_g + Ic_8_xx;
   const Scalar d_7 = Scalar(1.0) / b_8_7_7;
   const Scalar t126 = d_7 * t124;
   qdd[6] = -t126;
@@ -1656,10 +1674,10 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   qdd[7] = qdd_8;
   const Scalar qdd_11 = d_11 * (y_12_11 - t50 * qdd_10);
   qdd[10] = qdd_11;
-  qdd[2] = Scalar(1842.912968642313) * (y_3 - mu_3_2_z * qdd_2) + t79 * t93;
-  qdd[5] = Scalar(1842.912968642313) * (y_6 - mu_6_5_z * qdd_5) + t19 * qdd_4;
-  qdd[8] = Scalar(1842.912968642313) * (y_9 - mu_9_8_z * qdd_8) + t112 * t126;
-  qdd[11] = Scalar(1842.912968642313) * (y_12 - mu_12_11_z * qdd_11) + t49 * qdd_10;
+  qdd[2] = t79 * t93 + Scalar(1842.912968642313) * (y_3 - mu_3_2_z * qdd_2);
+  qdd[5] = t19 * qdd_4 + Scalar(1842.912968642313) * (y_6 - mu_6_5_z * qdd_5);
+  qdd[8] = t112 * t126 + Scalar(1842.912968642313) * (y_9 - mu_9_8_z * qdd_8);
+  qdd[11] = t49 * qdd_10 + Scalar(1842.912968642313) * (y_12 - mu_12_11_z * qdd_11);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_5_4_4 > Scalar(0.0);
@@ -1696,26 +1714,26 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
   const Scalar t2 = s_11 * qd_10;
   const Scalar t3 = Scalar(0.00023148988883634047) * (s_12 * t1 + c_12 * t2);
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t4 = omega_12_z * (Scalar(0.0005426192213171668) * omega_12_z +
-      Scalar(0.001231440536717216) * c_12 * qd_11 - t3);
+  const Scalar t4 = omega_12_z * (Scalar(0.0005426192213171668) * omega_12_z - t3 +
+      Scalar(0.001231440536717216) * c_12 * qd_11);
   const Scalar t5 = c_8 * qd_7;
   const Scalar t6 = s_8 * qd_7;
   const Scalar t7 = Scalar(0.00023148988883634047) * (s_9 * t5 + c_9 * t6);
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar L_9_z = Scalar(0.0005426192213171668) * omega_9_z +
-      Scalar(0.001231440536717216) * c_9 * qd_8 + t7;
+  const Scalar L_9_z = t7 + Scalar(0.0005426192213171668) * omega_9_z +
+      Scalar(0.001231440536717216) * c_9 * qd_8;
   const Scalar t8 = c_5 * qd_4;
   const Scalar t9 = s_5 * qd_4;
   const Scalar t10 = Scalar(0.00023148988883634047) * (s_6 * t8 + c_6 * t9);
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t11 = omega_6_z * (Scalar(0.0005426192213171668) * omega_6_z +
-      Scalar(0.001231440536717216) * c_6 * qd_5 - t10);
+  const Scalar t11 = omega_6_z * (Scalar(0.0005426192213171668) * omega_6_z - t10 +
+      Scalar(0.001231440536717216) * c_6 * qd_5);
   const Scalar t12 = c_2 * qd_1;
   const Scalar t13 = s_2 * qd_1;
   const Scalar t14 = Scalar(0.00023148988883634047) * (s_3 * t12 + c_3 * t13);
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar L_3_z = Scalar(0.0005426192213171668) * omega_3_z +
-      Scalar(0.001231440536717216) * c_3 * qd_2 + t14;
+  const Scalar L_3_z = t14 + Scalar(0.0005426192213171668) * omega_3_z +
+      Scalar(0.001231440536717216) * c_3 * qd_2;
   const Scalar t15 = s_12 * t2 - c_12 * t1;
   const Scalar L_12_x = Scalar(0.001231440536717216) * t1 - Scalar(0.0005396092213171668) * t15;
   const Scalar t16 = s_9 * t6 - c_9 * t5;
@@ -1724,34 +1742,35 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
   const Scalar L_6_x = Scalar(0.001231440536717216) * t8 - Scalar(0.0005396092213171668) * t17;
   const Scalar t18 = s_3 * t13 - c_3 * t12;
   const Scalar L_3_x = Scalar(0.001231440536717216) * t12 - Scalar(0.0005396092213171668) * t18;
-  const Scalar L_11_y = Scalar(0.0007940924716883453) * qd_11 + Scalar(1.609852873477455e-07) * t1;
+  const Scalar L_11_y = Scalar(1.609852873477455e-07) * t1 + Scalar(0.0007940924716883453) * qd_11;
   const Scalar t19 = t1 * (Scalar(6.823068516838894e-08) * qd_11 +
       Scalar(1.609852873477455e-07) * t2 - Scalar(0.0022644781431582876) * t1);
-  const Scalar L_11_z = Scalar(0.0022955781994879005) * qd_11 - Scalar(0.0007940924716883453) * t2 -
-      Scalar(6.823068516838894e-08) * t1;
-  const Scalar t20 = t6 * (Scalar(0.0007940924716883453) * qd_8 +
-      Scalar(1.609852873477455e-07) * t5);
+  const Scalar L_11_z = Scalar(-6.823068516838894e-08) * t1 - Scalar(0.0007940924716883453) * t2 +
+      Scalar(0.0022955781994879005) * qd_11;
+  const Scalar t20 = t6 * (Scalar(1.609852873477455e-07) * t5 +
+      Scalar(0.0007940924716883453) * qd_8);
   const Scalar t21 = t5 * (Scalar(6.823068516838894e-08) * qd_8 -
       Scalar(1.609852873477455e-07) * t6 - Scalar(0.0022644781431582876) * t5);
-  const Scalar L_8_z = Scalar(0.0022955781994879005) * qd_8 + Scalar(0.0007940924716883453) * t6 -
-      Scalar(6.823068516838894e-08) * t5;
-  const Scalar L_5_y = Scalar(0.0007940924716883453) * qd_5 + Scalar(1.609852873477455e-07) * t8;
+  const Scalar L_8_z = Scalar(0.0007940924716883453) * t6 - Scalar(6.823068516838894e-08) * t5 +
+      Scalar(0.0022955781994879005) * qd_8;
+  const Scalar L_5_y = Scalar(1.609852873477455e-07) * t8 + Scalar(0.0007940924716883453) * qd_5;
   const Scalar t22 = t8 * (Scalar(6.823068516838894e-08) * qd_5 +
       Scalar(1.609852873477455e-07) * t9 - Scalar(0.0022644781431582876) * t8);
-  const Scalar L_5_z = Scalar(0.0022955781994879005) * qd_5 - Scalar(0.0007940924716883453) * t9 -
-      Scalar(6.823068516838894e-08) * t8;
-  const Scalar t23 = t13 * (Scalar(0.0007940924716883453) * qd_2 +
-      Scalar(1.609852873477455e-07) * t12);
+  const Scalar L_5_z = Scalar(-6.823068516838894e-08) * t8 - Scalar(0.0007940924716883453) * t9 +
+      Scalar(0.0022955781994879005) * qd_5;
+  const Scalar t23 = t13 * (Scalar(1.609852873477455e-07) * t12 +
+      Scalar(0.0007940924716883453) * qd_2);
   const Scalar t24 = t12 * (Scalar(6.823068516838894e-08) * qd_2 -
       Scalar(1.609852873477455e-07) * t13 - Scalar(0.0022644781431582876) * t12);
-  const Scalar L_2_z = Scalar(0.0022955781994879005) * qd_2 + Scalar(0.0007940924716883453) * t13 -
-      Scalar(6.823068516838894e-08) * t12;
-  const Scalar T_2 = t4 - omega_12_z * t3 - t15 * L_12_x - t2 * L_11_y - t19 + qd_11 * L_11_z +
-      Scalar(0.00037588290370216287) * qd_10 * qd_10 + omega_9_z * L_9_z + omega_9_z * t7 -
-      t16 * L_9_x + t20 - t21 + qd_8 * L_8_z + Scalar(0.00037588290370216287) * qd_7 * qd_7 + t11 -
-      omega_6_z * t10 - t17 * L_6_x - t9 * L_5_y - t22 + qd_5 * L_5_z +
-      Scalar(0.00037588290370216287) * qd_4 * qd_4 + omega_3_z * L_3_z + omega_3_z * t14 -
-      t18 * L_3_x + t23 - t24 + qd_2 * L_2_z + Scalar(0.00037588290370216287) * qd_1 * qd_1;
+  const Scalar L_2_z = Scalar(0.0007940924716883453) * t13 - Scalar(6.823068516838894e-08) * t12 +
+      Scalar(0.0022955781994879005) * qd_2;
+  const Scalar T_2 = Scalar(0.00037588290370216287) * qd_10 * qd_10 - omega_12_z * t3 +
+      omega_9_z * t7 + Scalar(0.00037588290370216287) * qd_7 * qd_7 - omega_6_z * t10 +
+      Scalar(0.00037588290370216287) * qd_4 * qd_4 + omega_3_z * t14 +
+      Scalar(0.00037588290370216287) * qd_1 * qd_1 - t15 * L_12_x - t2 * L_11_y - t16 * L_9_x +
+      t20 - t17 * L_6_x - t9 * L_5_y - t18 * L_3_x + t23 + t4 - t19 + omega_9_z * L_9_z - t21 +
+      t11 - t22 + omega_3_z * L_3_z - t24 + qd_11 * L_11_z + qd_8 * L_8_z + qd_5 * L_5_z +
+      qd_2 * L_2_z;
   return Scalar(0.5) * T_2;
 }
 
@@ -1779,13 +1798,13 @@ inline Scalar potential_energy(const Scalar* q) noexcept {
   const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
   const Scalar hc_11_y = Scalar(0.0038482516772413) * c_12 + Scalar(0.01771278698415);
   const Scalar t1 = c_10 * (c_11 * hc_11_y -
-      s_11 * (Scalar(0.0038482516772413) * s_12 + Scalar(2.0453744565e-06)));
+      s_11 * (Scalar(2.0453744565e-06) + Scalar(0.0038482516772413) * s_12));
   const Scalar hc_8_y = Scalar(0.0038482516772413) * c_9 + Scalar(0.01771278698415);
   const Scalar t2 = c_7 * (c_8 * hc_8_y -
       s_8 * (Scalar(0.0038482516772413) * s_9 - Scalar(2.0453744565e-06)));
   const Scalar hc_5_y = Scalar(0.0038482516772413) * c_6 + Scalar(0.01771278698415);
   const Scalar t3 = c_4 * (c_5 * hc_5_y -
-      s_5 * (Scalar(0.0038482516772413) * s_6 + Scalar(2.0453744565e-06)));
+      s_5 * (Scalar(2.0453744565e-06) + Scalar(0.0038482516772413) * s_6));
   const Scalar hc_2_y = Scalar(0.0038482516772413) * c_3 + Scalar(0.01771278698415);
   const Scalar t4 = c_1 * (c_2 * hc_2_y -
       s_2 * (Scalar(0.0038482516772413) * s_3 - Scalar(2.0453744565e-06)));
@@ -1860,7 +1879,7 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
   J[70] = J[71] = s_10;
   const Scalar p_12_y = Scalar(0.16) * c_12 + Scalar(0.16);
   const Scalar t1 = Scalar(0.16) * c_11;
-  const Scalar t2 = s_11 * p_12_y + s_12 * t1;
+  const Scalar t2 = s_12 * t1 + s_11 * p_12_y;
   J[34] = c_10 * t2;
   const Scalar t3 = Scalar(0.16) * s_11;
   const Scalar t4 = s_12 * t3 - c_11 * p_12_y;
@@ -1915,11 +1934,11 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexce
   a[4] = -s_10 * t10;
   const Scalar t11 = qd_10 * qd_10;
   const Scalar t12 = c_11 * t11;
-  const Scalar t13 = qd_11 * qd_11 + c_11 * t12;
+  const Scalar t13 = c_11 * t12 + qd_11 * qd_11;
   const Scalar t14 = s_12 * t13 - t11 * (t6 * t1 - s_11 * t5);
   const Scalar t15 = Scalar(0.16) * s_12;
   const Scalar t16 = t11 * t6 * t6;
-  const Scalar t17 = t16 + omega_12_z * omega_12_z - t12 * t4 + c_12 * t13;
+  const Scalar t17 = t16 - t12 * t4 + c_12 * t13 + omega_12_z * omega_12_z;
   const Scalar t18 = Scalar(0.16) * c_12;
   const Scalar t19 = t14 * t15 + t17 * t18;
   const Scalar t20 = t17 * t15 - t14 * t18;

@@ -107,7 +107,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t2 = k_r4 * qdd_4;
   tau[3] = t1 + I_m4 * k_r4 * (domega_2_z + t2);
   const Scalar t3 = k_r3 * qdd_3;
-  const Scalar ddp_s_3_z = qdd_3 + g;
+  const Scalar ddp_s_3_z = g + qdd_3;
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
   tau[2] = ddp_s_3_z * m_3 + I_m3 * k_r3 * (domega_2_z + t3);
   const Scalar t4 = a_2 * (m_m3 + m_3);
@@ -116,9 +116,9 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t6 = t5 + t4;
   const Scalar t7 = qd_1 * qd_1;
   const Scalar t8 = s_2 * t7 + c_2 * qdd_1;
-  const Scalar mu_2_z = t1 + I_m4 * t2 + I_m3 * t3 + domega_2_z * I_2_zz + a_1 * t8 * t6;
+  const Scalar mu_2_z = I_m4 * t2 + I_m3 * t3 + t1 + a_1 * t8 * t6 + domega_2_z * I_2_zz;
   const Scalar t9 = k_r2 * qdd_2;
-  tau[1] = mu_2_z + I_m2 * k_r2 * (qdd_1 + t9);
+  tau[1] = I_m2 * k_r2 * (qdd_1 + t9) + mu_2_z;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t10 = a_1 * m_3;
   const Scalar t11 = (s_2 * qdd_1 - c_2 * t7) * t10 - omega_2_z * omega_2_z * t6;
@@ -126,7 +126,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t12 = a_1 * (s_2 * t11 + c_2 * f_2_y);
   const Scalar t13 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
   const Scalar t14 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t13 + I_m1 * k_r1 * k_r1;
-  tau[0] = mu_2_z + I_m2 * t9 + t12 + qdd_1 * t14;
+  tau[0] = I_m2 * t9 + qdd_1 * t14 + mu_2_z + t12;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -162,7 +162,7 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar t1 = k_r3 * qdd_3;
-  const Scalar ddp_s_3_z = qdd_3 + g;
+  const Scalar ddp_s_3_z = g + qdd_3;
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
   tau[2] = h_e_3 + ddp_s_3_z * m_3 + I_m3 * k_r3 * (domega_2_z + t1);
   const Scalar domega_4_z = qdd_4 + domega_2_z;
@@ -182,10 +182,10 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t10 = t9 + t8;
   const Scalar t11 = qd_1 * qd_1;
   const Scalar t12 = s_2 * t11 + c_2 * qdd_1;
-  const Scalar mu_2_z = mu_4_z + I_m4 * t2 + I_m3 * t1 - a_2 * t7 + domega_2_z * I_2_zz +
-      a_1 * t12 * t10;
+  const Scalar mu_2_z = I_m4 * t2 + I_m3 * t1 - a_2 * t7 + mu_4_z + a_1 * t12 * t10 +
+      domega_2_z * I_2_zz;
   const Scalar t13 = k_r2 * qdd_2;
-  tau[1] = mu_2_z + I_m2 * k_r2 * (qdd_1 + t13);
+  tau[1] = I_m2 * k_r2 * (qdd_1 + t13) + mu_2_z;
   const Scalar t14 = a_1 * m_3;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t15 = (s_2 * qdd_1 - c_2 * t11) * t14;
@@ -193,7 +193,7 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t17 = s_2 * t16 + c_2 * (t7 - t12 * t14 - domega_2_z * t10);
   const Scalar t18 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
   const Scalar t19 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t18 + I_m1 * k_r1 * k_r1;
-  tau[0] = mu_2_z + I_m2 * t13 - a_1 * t17 + qdd_1 * t19;
+  tau[0] = I_m2 * t13 + qdd_1 * t19 + mu_2_z - a_1 * t17;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -239,11 +239,11 @@ inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q
   const Scalar Ic_2_zz = I_l2 + I_l3 + I_m3 + I_l4 + I_m4 + l_2 * t4 + a_2 * t3;
   const Scalar hc_2_x = t4 + t3;
   const Scalar t5 = hc_2_x * a_1 * c_2;
-  const Scalar t6 = a_1 * a_1 * (t2 + (m_l2 + m_m2));
-  B[0] = I_l1 + I_m2 + Ic_2_zz + I_m1 * k_r1 * k_r1 + Scalar(2.0) * t5 + m_l1 * l_1 * l_1 + t6;
+  const Scalar t6 = a_1 * a_1 * ((m_l2 + m_m2) + t2);
+  B[0] = I_l1 + I_m2 + I_m1 * k_r1 * k_r1 + m_l1 * l_1 * l_1 + Ic_2_zz + Scalar(2.0) * t5 + t6;
   const Scalar t7 = I_m2 * k_r2;
-  B[5] = Ic_2_zz + k_r2 * t7;
-  B[1] = B[4] = Ic_2_zz + t5 + t7;
+  B[5] = k_r2 * t7 + Ic_2_zz;
+  B[1] = B[4] = t5 + t7 + Ic_2_zz;
   B[11] = B[14] = Scalar(0.0);
 }
 
@@ -269,7 +269,7 @@ inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, S
       l_2 = parameters.l_2, m_l3 = parameters.m_l3, m_m3 = parameters.m_m3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;
   const Scalar s_2 = sin(q_2);
-  const Scalar hc_2_x = a_2 * ((m_l3 + m_l4) + (m_m3 + m_m4)) + m_l2 * l_2;
+  const Scalar hc_2_x = m_l2 * l_2 + a_2 * ((m_l3 + m_l4) + (m_m3 + m_m4));
   const Scalar c_2_1_1 = a_1 * s_2 * hc_2_x;
   c[10] = c_2_1_1;
   c[1] = c[2] = -c_2_1_1;
@@ -305,7 +305,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
       l_2 = parameters.l_2, m_l3 = parameters.m_l3, m_m3 = parameters.m_m3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;
   const Scalar s_2 = sin(q_2);
-  const Scalar hc_2_x = a_2 * ((m_l3 + m_l4) + (m_m3 + m_m4)) + m_l2 * l_2;
+  const Scalar hc_2_x = m_l2 * l_2 + a_2 * ((m_l3 + m_l4) + (m_m3 + m_m4));
   const Scalar t1 = hc_2_x * a_1 * s_2;
   const Scalar C_21 = qd_1 * t1;
   C[4] = C_21;
@@ -399,19 +399,19 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t5 = m_m3 + m_3;
   const Scalar t6 = a_2 * t5;
   const Scalar t7 = m_l2 * l_2;
-  const Scalar t8 = I_l2 + I_l3 + I_m3 + I_l4 + I_m4 + l_2 * t7 + a_2 * t6 - t1 * t2 -
+  const Scalar t8 = I_l2 - t1 * t2 + I_l3 + I_m3 + I_l4 + I_m4 + l_2 * t7 + a_2 * t6 -
       mu_4_3_z * t4;
   const Scalar t9 = I_m2 * k_r2;
-  const Scalar b_3_2_2 = t8 + k_r2 * t9;
+  const Scalar b_3_2_2 = k_r2 * t9 + t8;
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
   const Scalar hc_2_x = t7 + t6;
   const Scalar t10 = a_1 * hc_2_x;
   const Scalar t11 = c_2 * t10;
-  const Scalar b_3_2_1 = t8 + t9 + t11;
+  const Scalar b_3_2_1 = t9 + t11 + t8;
   const Scalar t12 = b_3_2_1 * d_2;
   const Scalar t13 = a_1 * a_1 * (m_l2 + m_m2 + t5);
-  const Scalar b_2_1_1 = I_l1 + I_m2 + t8 + Scalar(2.0) * t11 - b_3_2_1 * t12 + I_m1 * k_r1 * k_r1 +
-      m_l1 * l_1 * l_1 + t13;
+  const Scalar b_2_1_1 = I_l1 + I_m2 + I_m1 * k_r1 * k_r1 + m_l1 * l_1 * l_1 + t8 +
+      Scalar(2.0) * t11 + t13 - b_3_2_1 * t12;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t14 = s_2 * t10;
   const Scalar y_3 = tau_3 - g * m_3;
@@ -468,15 +468,15 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t6 = I_l1 + I_m2 + I_m1 * k_r1 * k_r1 + t5 + m_l1 * l_1 * l_1;
   const Scalar t7 = Scalar(2.0) * omega_2_z;
   const Scalar t8 = k_r4 * qd_4;
-  const Scalar t9 = I_m4 * t8 * (t7 + t8);
+  const Scalar t9 = I_m4 * t8 * (t8 + t7);
   const Scalar t10 = k_r3 * qd_3;
   const Scalar t11 = I_m3 * t10 * (t10 + t7);
   const Scalar v_v_3 = qd_3 * qd_3 + t3 * t3;
-  const Scalar omega_4_z = omega_2_z + qd_4;
+  const Scalar omega_4_z = qd_4 + omega_2_z;
   const Scalar t12 = k_r2 * qd_2;
-  const Scalar t13 = I_m2 * t12 * (Scalar(2.0) * qd_1 + t12);
-  const Scalar T_2 = t4 + qd_1 * qd_1 * t6 + t9 + I_l4 * omega_4_z * omega_4_z + t11 + m_3 * v_v_3 +
-      t13;
+  const Scalar t13 = I_m2 * t12 * (t12 + Scalar(2.0) * qd_1);
+  const Scalar T_2 = qd_1 * qd_1 * t6 + t9 + I_l4 * omega_4_z * omega_4_z + t11 + m_3 * v_v_3 +
+      t13 + t4;
   return Scalar(0.5) * T_2;
 }
 
@@ -522,9 +522,9 @@ inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scala
   const Scalar n_2_t_y = s_2 * c_4 + c_2 * s_4;
   const Scalar R_12 = s_1 * t1 - c_1 * n_2_t_y;
   R[1] = R_12;
-  const Scalar p_2_x = a_1 + a_2 * c_2;
+  const Scalar p_2_x = a_2 * c_2 + a_1;
   const Scalar t2 = a_2 * s_2;
-  p[1] = s_1 * p_2_x + c_1 * t2;
+  p[1] = c_1 * t2 + s_1 * p_2_x;
   R[0] = R[4] = -s_1 * n_2_t_y - c_1 * t1;
   R[3] = -R_12;
   p[0] = c_1 * p_2_x - s_1 * t2;
@@ -555,11 +555,11 @@ inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
   const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
   const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar p_2_x = a_1 + a_2 * c_2;
+  const Scalar p_2_x = a_2 * c_2 + a_1;
   const Scalar t1 = a_2 * s_2;
   const Scalar t2 = s_1 * t1 - c_1 * p_2_x;
   J[4] = -t2;
-  const Scalar p_1u_t_y = s_1 * p_2_x + c_1 * t1;
+  const Scalar p_1u_t_y = c_1 * t1 + s_1 * p_2_x;
   J[0] = -p_1u_t_y;
   const Scalar t3 = t2 + a_1 * c_1;
   J[5] = -t3;
@@ -592,9 +592,9 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
   const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
   const Scalar t1 = qd_1 * a_1 * qd_1;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t2 = a_2 * omega_2_z * omega_2_z + c_2 * t1;
+  const Scalar t2 = c_2 * t1 + a_2 * omega_2_z * omega_2_z;
   const Scalar t3 = s_2 * t1;
-  const Scalar ddp_4_y = s_4 * t2 + c_4 * t3;
+  const Scalar ddp_4_y = c_4 * t3 + s_4 * t2;
   const Scalar t4 = s_4 * t3 - c_4 * t2;
   const Scalar t5 = s_4 * ddp_4_y - c_4 * t4;
   const Scalar a_4_t_y = s_4 * t4 + c_4 * ddp_4_y;

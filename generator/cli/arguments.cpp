@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "diagnostics/table.hpp"
+#include "report/toml_string.hpp"
 
 namespace flatdyn {
 namespace {
@@ -38,15 +39,6 @@ Number snap_option(const std::string& text) {
   if (value >= 0 && value <= GiNaC::numeric(65, 1000)) return tolerance;
   throw Failure(ExitCode::usage, fmt::format("--snap: {} rad is no tolerance for angles", text),
                 "0 for none, at most 0.065");
-}
-
-std::string toml_string(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
 }
 
 Vec3 vector_option(const std::string& option, const std::string& text) {

@@ -2,6 +2,7 @@
 #include "emit/expression.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "emit/literals.hpp"
@@ -74,29 +75,45 @@ std::vector<Term> readable_order(const Graph& graph, std::vector<Term> terms) {
 
 }  // namespace
 
-// The first positive term comes first, so that signs are subtractions: b - a, not -a + b.
-ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node, bool negated) const {
-  struct Item {
-    Rational coefficient;
-    std::string factor;  // empty: the constant
-    Binding binding;
+// The summands of a sum, signs changed if it is `negated`.
+std::vector<ExpressionPrinter::Summand> ExpressionPrinter::summands(const Node& node, bool negated) const {
+  const auto size_of = [](const Rational& coefficient, double magnitude) {
+    constexpr double kLeast = 1e-300;
+    return std::ilogb(std::max(std::abs(coefficient.convert_to<double>()) * magnitude, kLeast));
   };
-  std::vector<Item> items;
+  std::vector<Summand> result;
   for (const Term& term : readable_order(graph_, node.terms)) {
     const bool plain = abs(term.coefficient) == 1;
-    const std::string factor = operand(term.node, plain ? Binding::quotient : Binding::product);
-    items.push_back(
-        {negated ? Rational(-term.coefficient) : term.coefficient, factor, plain ? Binding::atom : Binding::product});
+    result.push_back({negated ? Rational(-term.coefficient) : term.coefficient,
+                      operand(term.node, plain ? Binding::quotient : Binding::product),
+                      plain ? Binding::atom : Binding::product,
+                      size_of(term.coefficient, magnitudes_[static_cast<std::size_t>(term.node)])});
   }
-  if (node.value != 0) items.push_back({negated ? Rational(-node.value) : node.value, "", Binding::atom});
-  const auto leader = std::find_if(items.begin(), items.end(), [](const Item& item) { return item.coefficient > 0; });
-  if (leader != items.end()) std::rotate(items.begin(), leader, leader + 1);
+  if (node.value != 0) {
+    result.push_back({negated ? Rational(-node.value) : node.value, "", Binding::atom, size_of(node.value, 1)});
+  }
+  return result;
+}
 
-  const auto magnitude = [](const Item& item) {
+// Small terms first, so that few roundings are those of large sums (Higham, Accuracy and Stability of Numerical
+// Algorithms, 4.2); those within a factor of two in a readable order. The first two may change places: a positive one
+// comes first, so that signs are subtractions: b - a, not -a + b.
+std::vector<ExpressionPrinter::Summand> ExpressionPrinter::small_first(std::vector<Summand> items) {
+  std::stable_sort(items.begin(), items.end(), [](const Summand& a, const Summand& b) { return a.size < b.size; });
+  const int reach = items[items.size() > 1 ? 1 : 0].size;
+  const auto leader = std::find_if(items.begin(), items.end(),
+                                   [reach](const Summand& item) { return item.coefficient > 0 && item.size <= reach; });
+  if (leader != items.end()) std::rotate(items.begin(), leader, leader + 1);
+  return items;
+}
+
+ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node, bool negated) const {
+  const std::vector<Summand> items = small_first(summands(node, negated));
+  const auto magnitude = [](const Summand& item) {
     if (item.factor.empty()) return scalar_literal(abs(item.coefficient));
     return item.binding == Binding::atom ? item.factor : scalar_literal(abs(item.coefficient)) + " * " + item.factor;
   };
-  const Item& first = items.front();
+  const Summand& first = items.front();
   const bool leading_minus = first.coefficient < 0 && first.binding == Binding::atom && !first.factor.empty();
   std::string code = magnitude(first);
   if (leading_minus) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/magnitudes.hpp"
 #include "graph/graph.hpp"
 
 namespace flatdyn {
@@ -14,7 +15,8 @@ using VariableNames = std::vector<std::string>;
 
 class ExpressionPrinter {
  public:
-  ExpressionPrinter(const Graph& graph, const VariableNames& names) : graph_(graph), names_(names) {}
+  ExpressionPrinter(const Graph& graph, const VariableNames& names)
+      : graph_(graph), names_(names), magnitudes_(typical_magnitudes(graph)) {}
 
   // What the node's variable is set to: "c_2 * omega_1_x + s_2 * omega_1_y".
   std::string definition(NodeId id) const { return define(id).code; }
@@ -29,16 +31,26 @@ class ExpressionPrinter {
     Binding binding = Binding::atom;
   };
 
+  struct Summand {
+    Rational coefficient;
+    std::string factor;  // empty: the constant
+    Binding binding;
+    int size;  // of its typical magnitude, as a power of two
+  };
+
   Text define(NodeId id) const;
   Text reference(NodeId id) const;
   std::string operand(NodeId id, Binding at_least) const;  // in parentheses if it binds less
   Text sum(const Node& node, bool negated) const;
+  std::vector<Summand> summands(const Node& node, bool negated) const;
+  static std::vector<Summand> small_first(std::vector<Summand> items);
   const Node* negated_sum(const Node& node) const;
   Text product(const Node& node) const;
   Text quotient(const Node& node) const;
 
   const Graph& graph_;
   const VariableNames& names_;
+  std::vector<double> magnitudes_;
 };
 
 // "Scalar(0.0825)": one conversion that the compiler does, whatever Scalar is.

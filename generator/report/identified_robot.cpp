@@ -3,19 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "report/toml_string.hpp"
+
 namespace flatdyn {
 namespace {
 
 Number exact(double value) { return exact_decimal(fmt::format("{}", value)); }
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
 
 // The shortest text of the nearest double. Less than this much of a kg, m or kg m² is what rounding left of nothing.
 std::string number(const Number& value) {
@@ -33,7 +26,7 @@ class RobotText {
     for (const std::string& comment : about.comments) line(comment.empty() ? "#" : "# " + comment);
     const std::filesystem::path folder = std::filesystem::absolute(about.file).parent_path();
     line("");
-    line("robot = " + quoted(std::filesystem::relative(model_.robot.file, folder).generic_string()));
+    line("robot = " + toml_string(std::filesystem::relative(model_.robot.file, folder).generic_string()));
     for (const std::string& setting : about.settings) line(setting);
     if (model_.robot.has_payload) line("payload = { mass = 0 }  # in its link, below");
     for (int i = 0; i < model_.mechanism.size(); ++i) add_link(i);
@@ -84,7 +77,7 @@ class RobotText {
     const InertialParameters link = transformed(body_without_rotors(i), back, expanded(Number(-1) * (back * frame->p)));
     const Vec3 com = (1 / link.mass) * link.first_moment;
     const Mat3 about_com = link.inertia + scaled(-1, steiner(link.mass, com));
-    line("\n[[link]]\nname = " + quoted(body.link));
+    line("\n[[link]]\nname = " + toml_string(body.link));
     line("mass = " + number(link.mass));
     line(fmt::format("com = [{}, {}, {}]", number(com[0]), number(com[1]), number(com[2])));
     line(fmt::format("inertia = {{ xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {} }}", number(about_com[0][0]),
@@ -98,8 +91,8 @@ class RobotText {
     const auto written = std::find_if(model_.robot.links.begin(), model_.robot.links.end(),
                                       [&](const Link& each) { return each.name == link.link; });
     if (written->inertials.empty()) return;
-    line("\n[[link]]\nname = " + quoted(link.link) + "\nmass = 0  # moves with " +
-         quoted(model_.mechanism.bodies[static_cast<std::size_t>(link.body)].link) + ", and is part of it");
+    line("\n[[link]]\nname = " + toml_string(link.link) + "\nmass = 0  # moves with " +
+         toml_string(model_.mechanism.bodies[static_cast<std::size_t>(link.body)].link) + ", and is part of it");
   }
 
   void add_joint(int i) {
@@ -118,7 +111,7 @@ class RobotText {
     } else {
       add(Parameter::Im, "armature", body.armature);
     }
-    if (!values.empty()) text_ += "\n[[joint]]\nname = " + quoted(body.joint) + "\n" + values;
+    if (!values.empty()) text_ += "\n[[joint]]\nname = " + toml_string(body.joint) + "\n" + values;
   }
 
   const Model& model_;

@@ -5,6 +5,7 @@
 
 #include "diagnostics/table.hpp"
 #include "report/numbers.hpp"
+#include "report/toml_string.hpp"
 
 namespace flatdyn {
 namespace {
@@ -12,15 +13,6 @@ namespace {
 constexpr const char* kNames[] = {"m", "m lx", "m ly", "m lz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz"};
 constexpr const char* kUnits[] = {"kg",     "kg m",   "kg m",   "kg m",   "kg m^2",
                                   "kg m^2", "kg m^2", "kg m^2", "kg m^2", "kg m^2"};
-
-std::string in_quotes(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
 
 // Of a body with ten parameters.
 struct Centred {
@@ -67,8 +59,8 @@ std::string payload_robot_text(const Model& robot, const PayloadEstimate& payloa
       "# The payload was identified by flatdyn {} from measured motion.\n\n"
       "robot = {}\n{}{}\n[payload]\nlink = {}\nmass = {}\ncom = [{}, {}, {}]\n"
       "inertia = {{ xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {} }}\ninertia_about = \"com\"\n",
-      FLATDYN_VERSION, in_quotes(std::filesystem::relative(robot.robot.file, folder).generic_string()),
-      fmt::join(settings, "\n"), settings.empty() ? "" : "\n", in_quotes(robot.mechanism.tip.link), body.mass,
+      FLATDYN_VERSION, toml_string(std::filesystem::relative(robot.robot.file, folder).generic_string()),
+      fmt::join(settings, "\n"), settings.empty() ? "" : "\n", toml_string(robot.mechanism.tip.link), body.mass,
       body.com.x(), body.com.y(), body.com.z(), I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
 }
 

@@ -15,8 +15,8 @@ class Frames {
   Vec3 down(int i, const Vec3& v, const std::string& name);
   // A vector given in frame i, in the parent's frame.
   Vec3 up(int i, const Vec3& v, const std::string& name);
-  // down() and up() in two steps, with a stop where only the joint's own angle is left to turn by. There z is z of frame
-  // i, and the other axes do not depend on q_i.
+  // down() and up() in two steps, with a stop where only the joint's own angle is left to turn by. There z is z of
+  // frame i, and the other axes do not depend on q_i.
   Vec3 down_to_axis(int i, const Vec3& v, const std::string& name);
   Vec3 up_to_axis(int i, const Vec3& v, const std::string& name);
   Vec3 up_from_axis(int i, const Vec3& v, const std::string& name);

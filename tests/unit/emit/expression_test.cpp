@@ -49,6 +49,13 @@ TEST_F(Expressions, SumsAreInParenthesesWithinProducts) {
   EXPECT_EQ(text(build.plus({a, negative(build.plus({b, c}))})), "a - (b + c)");
 }
 
+TEST_F(Expressions, SmallTermsOfASumComeFirst) {
+  EXPECT_EQ(text(build.plus({build.scaled("100", a), b, build.scaled("-1/100", c)})),
+            "b - Scalar(0.01) * c + Scalar(100.0) * a");
+  EXPECT_EQ(text(build.plus({build.scaled("-100", a), build.scaled("-1/100", b), build.number("1000")})),
+            "Scalar(-0.01) * b - Scalar(100.0) * a + Scalar(1000.0)");
+}
+
 TEST_F(Expressions, PowersAreProducts) { EXPECT_EQ(text(build.times({a, a, a})), "a * a * a"); }
 
 TEST_F(Expressions, QuotientsKeepTheirStructure) {
