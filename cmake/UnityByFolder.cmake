@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Most of a compiler's time goes into the headers of GiNaC, Eigen and Boost. So sources of one folder are compiled
-# together, a few at a time: a build from nothing takes half the time. -DFLATDYN_UNITY_BUILD=OFF: one by one, which is
-# faster for who changes single files over and over.
+# together, a few at a time, which parses them less often. -DFLATDYN_UNITY_BUILD=OFF: one by one, for who changes single
+# files over and over.
 option(FLATDYN_UNITY_BUILD "Compile sources of one folder together" ON)
 
 # flatdyn_unity_by_folder(TARGET SIZE SOURCES...): at most SIZE of a folder at a time; other sources stay alone.

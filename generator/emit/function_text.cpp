@@ -26,7 +26,8 @@ class FunctionWriter {
         scope_(scope),
         inputs_(inputs_read(function)),
         schedule_(make_schedule(function)),
-        names_(names_in_scope()) {
+        names_(names_in_scope()),
+        printer_(function.graph, variables_) {
     for (const Output& output : function_.outputs) output_names_.push_back(names_.unique(output.name));
     variables_ = name_variables(function_, schedule_, scope_.parameters, names_);
   }
@@ -168,26 +169,23 @@ class FunctionWriter {
   }
 
   std::string statements() const {
-    const ExpressionPrinter printer(function_.graph, variables_);
     std::string text;
     for (std::size_t k = 0; k < schedule_.statements.size(); ++k) {
       const Statement& statement = schedule_.statements[k];
       if (!statement.targets.empty()) {
-        text += store(statement, printer);
+        text += store(statement);
         continue;
       }
-      std::string code = "const Scalar " + definition(statement.node, printer);
+      std::string code = "const Scalar " + definition(statement.node);
       if (k + 1 < schedule_.statements.size() && is_sine_and_cosine(statement, schedule_.statements[k + 1])) {
-        code += ", " + definition(schedule_.statements[++k].node, printer);
+        code += ", " + definition(schedule_.statements[++k].node);
       }
       text += code_line(code + ";", kIndent);
     }
     return text;
   }
 
-  std::string definition(NodeId id, const ExpressionPrinter& printer) const {
-    return variable(id) + " = " + printer.definition(id);
-  }
+  std::string definition(NodeId id) const { return variable(id) + " = " + printer_.definition(id); }
 
   bool is_sine_and_cosine(const Statement& a, const Statement& b) const {
     const Node& first = function_.graph[a.node];
@@ -196,9 +194,9 @@ class FunctionWriter {
   }
 
   // "B[1] = B[7] = b_12;"
-  std::string store(const Statement& statement, const ExpressionPrinter& printer) const {
+  std::string store(const Statement& statement) const {
     constexpr std::size_t kMostTargets = 8;
-    const std::string value = printer.use(statement.node);
+    const std::string value = printer_.use(statement.node);
     if (returns_value(function_)) return code_line("return " + value + ";", kIndent);
     std::string text, code;
     const std::vector<Target>& targets = statement.targets;
@@ -216,11 +214,10 @@ class FunctionWriter {
   // Not a number compares false; & does not branch. Constants are known to be positive.
   std::string condition() const {
     if (function_.positive.empty()) return "";
-    const ExpressionPrinter printer(function_.graph, variables_);
     std::string text;
     for (NodeId id : function_.positive) {
       if (function_.graph.is_constant(id) && function_.graph[id].value > 0) continue;
-      text += code_line((text.empty() ? "bool positive = " : "positive &= ") + printer.use(id) + " > Scalar(0.0);",
+      text += code_line((text.empty() ? "bool positive = " : "positive &= ") + printer_.use(id) + " > Scalar(0.0);",
                         kIndent);
     }
     return text + code_line(text.empty() ? "return true;" : "return positive;", kIndent);
@@ -233,6 +230,7 @@ class FunctionWriter {
   NameTable names_;
   std::vector<std::string> output_names_;
   VariableNames variables_;
+  ExpressionPrinter printer_;
 };
 
 }  // namespace

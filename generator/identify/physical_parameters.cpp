@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
+#include <memory>
 
 namespace flatdyn {
 namespace {
@@ -185,7 +185,7 @@ class BodySearch {
       : shapes_(std::move(shapes)), K_(K), target_(target), theta_(shapes_.links.size()) {
     constexpr int kParameters = kLogCholesky + kOthers, kStride = 13;
     using Dynamic = ceres::DynamicAutoDiffCostFunction<BaseResidual, kStride>;
-    auto* agreement = new Dynamic(new BaseResidual{shapes_, K_, target_});
+    auto agreement = std::make_unique<Dynamic>(new BaseResidual{shapes_, K_, target_});
     std::vector<double*> blocks;
     for (auto& theta : theta_) {
       theta.fill(0);
@@ -196,11 +196,7 @@ class BodySearch {
           theta.data());
     }
     agreement->SetNumResiduals(static_cast<int>(K_.rows()));
-    if (K_.rows() > 0) {
-      problem_.AddResidualBlock(agreement, nullptr, blocks);
-    } else {
-      delete agreement;
-    }
+    if (K_.rows() > 0) problem_.AddResidualBlock(agreement.release(), nullptr, blocks);
     for (double* const theta : blocks) bound(theta);
   }
 

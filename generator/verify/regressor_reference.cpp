@@ -175,8 +175,9 @@ std::vector<double> magnitudes(const RegressorReference<double>& of, const State
             ? adaptive_magnitude(units[k], state)
             : reference::torque_magnitude(units[k], vector_of(state.q), vector_of(state.qd), vector_of(state.qdd));
   }
-  if (of.function() == "inverse_dynamics_base")
+  if (of.function() == "inverse_dynamics_base") {
     return row_by_row(reference::VectorX<double>(M * vector_of(state.pi_b).cwiseAbs()));
+  }
   return row_by_row(M);
 }
 

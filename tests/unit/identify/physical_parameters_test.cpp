@@ -69,6 +69,18 @@ TEST(PhysicalParameters, OfTheFilesOwnBaseParametersAreTheFiles) {
   EXPECT_LT(found.distance, 1e-3);
 }
 
+TEST(PhysicalParameters, AreTheFilesWhereNothingIsKnown) {
+  const Model model = testing::model_of("ur5.urdf");
+  const BaseParameters base = base_parameters(model.mechanism);
+  Estimate nothing;
+  nothing.values = VectorXd::Ones(base.size());
+  nothing.root_information = MatrixXd(0, base.size());
+  const PhysicalParameters found = physical_parameters(model.mechanism, base, nothing);
+  expect_bodies(found.pi);
+  EXPECT_EQ(found.largest_misfit, 0);
+  EXPECT_LT(found.distance, 1e-9);
+}
+
 // The masses of another robot: what π_b says is met, by links that a body can have.
 TEST(PhysicalParameters, MeetBaseParametersFarFromTheFile) {
   const Model truth = testing::model_of("panda.urdf");
