@@ -59,6 +59,30 @@ TEST(Identify, WritesARobotFileWhoseTorquesAreThoseMeasured) {
   }
 }
 
+// The robot has neither friction nor rotors, the file has both: where only inertias are asked for, the robot that is
+// written has neither.
+TEST(Identify, LeavesFrictionAndRotorsOutWhereOnlyInertiasAreAskedFor) {
+  const Scratch scratch;
+  const std::string log = scratch.path("log.csv"), output = scratch.path("identified.toml");
+  Model bare = model_of("puma560.toml");
+  for (Joint& joint : bare.robot.joints) {
+    joint.viscous = joint.coulomb = joint.armature = Value{};
+    joint.motor.reset();
+  }
+  const auto samples = simulated(bare, {.samples = 600, .noise = 0.01});
+  write_log(log, samples);
+  const Outcome outcome =
+      run_flatdyn(fmt::format("identify {} -q --parameters inertial --data {} -o {}", kPuma, log, output));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto found = torques(output, log);
+  ASSERT_EQ(found.size(), samples.size());
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      EXPECT_NEAR(found[k][found[k].size() - 6 + i], samples[k].tau(static_cast<Eigen::Index>(i)), 0.1);
+    }
+  }
+}
+
 TEST(Identify, SaysItInJsonToo) {
   const Scratch scratch;
   write_log(scratch.path("log.csv"), simulated(model_of("puma560.toml"), {.samples = 300}));
