@@ -93,6 +93,23 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
   return result;
 }
 
+OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress) {
+  check_names(model.mechanism, functions);
+  progress.step("deriving functions together");
+  std::optional<Fusion> best;
+  for (const Grouping grouping : kGroupings) {
+    std::vector<Function> derived;
+    for (const std::string& name : functions) derived.push_back(derive_function(model.mechanism, name, {&grouping, 1}));
+    Fusion candidate = fused(derived);
+    if (!best || cost(candidate.function) < cost(best->function)) best = std::move(candidate);
+  }
+  progress.step("optimising functions together");
+  OptimisedFusion result{std::move(*best), {}, {}};
+  result.derived = count_operations(result.fusion.function);
+  result.fusion.function = run_passes(result.fusion.function, &result.passes);
+  return result;
+}
+
 std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised) {
   std::vector<Function> functions;
   for (const OptimisedFunction& each : optimised) functions.push_back(each.function);

@@ -8,6 +8,7 @@
 
 #include "diagnostics/progress.hpp"
 #include "emit/emit.hpp"
+#include "graph/fusion.hpp"
 #include "input/reader.hpp"
 #include "passes/passes.hpp"
 #include "symbolic/functions.hpp"
@@ -48,6 +49,14 @@ struct OptimisedFunction {
 // Those that options.functions names; or all that the robot allows: what is left out is a warning in `findings`.
 std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress,
                                               Diagnostics& findings);
+
+// These functions as one, made from one grouping of the parameters, so that they share what they can.
+struct OptimisedFusion {
+  Fusion fusion;
+  OperationCount derived;
+  std::vector<PassRecord> passes;
+};
+OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress);
 
 std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised);
 

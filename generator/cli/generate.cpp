@@ -11,7 +11,7 @@ namespace {
 
 struct GenerateArguments : RobotArguments {
   std::string folder;
-  std::vector<std::string> functions;
+  std::vector<std::string> functions, staged, fused;
   std::string scalar = "double";
   std::string name_space;
 };
@@ -23,6 +23,8 @@ std::string stamp_of(const GenerateArguments& arguments) {
     if (!value.empty()) stamp += (stamp.empty() ? "" : " ") + option + " " + value;
   };
   add("--functions", fmt::format("{}", fmt::join(arguments.functions, ",")));
+  add("--stages", fmt::format("{}", fmt::join(arguments.staged, ",")));
+  add("--fuse", fmt::format("{}", fmt::join(arguments.fused, ",")));
   add("--scalar", arguments.scalar == "double" ? "" : arguments.scalar);
   add("--namespace", arguments.name_space);
   add("--snap", arguments.snap == "1e-5" ? "" : arguments.snap);
@@ -36,11 +38,17 @@ ExitCode generate(const GenerateArguments& arguments) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   std::vector<OptimisedFunction> functions;
+  std::optional<Stages> stages;
   Diagnostics findings;
   const Model model = read_model(arguments.robot, options);
   {
     Progress progress(arguments.quiet);
     functions = make_functions(model, options, progress, findings);
+    if (!arguments.fused.empty()) {
+      OptimisedFusion fused = make_fusion(model, arguments.fused, progress);
+      functions.push_back({std::move(fused.fusion.function), fused.derived, std::move(fused.passes)});
+    }
+    if (!arguments.staged.empty()) stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
   }
   const EmitOptions emit{arguments.name_space, arguments.scalar, stamp_of(arguments), model.input_hash};
   const std::filesystem::path folder = arguments.folder;
@@ -49,15 +57,18 @@ ExitCode generate(const GenerateArguments& arguments) {
   nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
   manifest.update(model_json(model, effects));
   manifest["functions"] = functions_json(functions, symbol_names(model.mechanism));
-  write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit)},
+  if (stages) manifest["stages"] = stages_json(*stages);
+  write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit, stages)},
                {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
   print_diagnostics(model.diagnostics, arguments.quiet);
   print_diagnostics(findings, arguments.quiet);
   if (arguments.json) {
     fmt::print("{}\n", manifest.dump(2));
   } else {
-    fmt::print("{}\n{}\nwrote {}\n", describe_model(model, effects),
-               describe_functions(functions, symbol_names(model.mechanism)), (folder / header).string());
+    fmt::print("{}\n{}\n", describe_model(model, effects),
+               describe_functions(functions, symbol_names(model.mechanism)));
+    if (stages) fmt::print("{}\n", describe_stages(*stages));
+    fmt::print("wrote {}\n", (folder / header).string());
   }
   return ExitCode::ok;
 }
@@ -77,6 +88,18 @@ Run add_generate(CLI::App& app) {
       ->check(kNotEmpty)
       ->type_name("FOLDER");
   add_functions_option(*command, arguments->functions);
+  command
+      ->add_option(
+          "--stages", arguments->staged,
+          "these functions once more as members of what at(q) and with(qd) return: what they share at the same "
+          "positions, or positions and velocities, is computed once")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
+  command->add_option("--fuse", arguments->fused, "one more function that computes all of these at once")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
   command->add_option("--scalar", arguments->scalar, "scalar of the constants")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();

@@ -27,9 +27,10 @@ InputArgument input_argument(InputKind kind, int joints, int base_parameters) {
     case InputKind::pi_b:
       return {"pi_b", base_parameters, "base parameters, SI units; which they are is said above"};
     case InputKind::parameter:
+    case InputKind::stored:
       break;
   }
-  throw std::logic_error("parameters are no array argument");
+  throw std::logic_error("parameters and stored values are no array arguments");
 }
 
 std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters) {
@@ -66,6 +67,7 @@ std::string layout_text(const Output& output) {
   switch (output.layout) {
     case Layout::scalar:
     case Layout::vector:
+    case Layout::fields:
       return "";
     case Layout::matrix:
       return fmt::format("{} x {}, row by row: entry (i, j) is {}[{} * i + j]", output.rows, output.cols, output.name,

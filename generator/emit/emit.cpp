@@ -14,6 +14,8 @@
 #include "emit/joints.hpp"
 #include "emit/name_space.hpp"
 #include "emit/names.hpp"
+#include "emit/sections.hpp"
+#include "emit/stage_section.hpp"
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
 #include "symbolic/number_text.hpp"
@@ -26,18 +28,6 @@ namespace {
 using kainjow::mustache::data;
 
 constexpr std::size_t kConstantIndent = 4;
-
-data list_of(const std::vector<std::string>& lines) {
-  data list(data::type::list);
-  for (const std::string& line : lines) list << data(line);
-  return list;
-}
-
-// Text that ends in a newline, for a template that has its own.
-std::string without_newline(std::string text) {
-  if (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
 
 // One blank line where there are several: a section of a template that is left out leaves its own.
 std::string squeezed(const std::string& text) {
@@ -52,13 +42,15 @@ std::string squeezed(const std::string& text) {
 
 class HeaderWriter {
  public:
-  HeaderWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options)
+  HeaderWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
+               const std::optional<Stages>& stages)
       : mechanism_(mechanism),
         functions_(functions),
         options_(options),
+        stages_(stages),
         namespace_(namespace_of(mechanism.name, options.name_space)),
-        names_({"Scalar", "Real", "Parameters", "SinCos", "Joints", "LibrarySinCos", "GivenSinCos", "detail", "std",
-                "sin", "cos", "joint_count", "joint_names"}) {
+        names_({"Scalar", "Real", "Parameters", "SinCos", "Joints", "LibrarySinCos", "GivenSinCos", "at",
+                "Configuration", "Motion", "detail", "std", "sin", "cos", "joint_count", "joint_names"}) {
     if (options.scalar != "double" && options.scalar != "float") {
       throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
     }
@@ -71,6 +63,9 @@ class HeaderWriter {
     write_documentation(header);
     write_constants(header);
     write_functions(header);
+    write_stages(header);
+    header["uses_sign"] = uses_sign_;
+    header["uses_trigonometry"] = uses_trigonometry_;
     kainjow::mustache::mustache page(templates::header_hpp);
     page.set_custom_escape([](const std::string& text) { return text; });
     const std::string result = page.render(header);
@@ -158,37 +153,39 @@ class HeaderWriter {
     return item;
   }
 
-  void write_functions(data& header) const {
+  void write_functions(data& header) {
     data list(data::type::list);
-    bool uses_sign = false, uses_trigonometry = false;
     std::size_t next_nonzero = 0;
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       const FunctionText text = function_text(functions_[k], function_names_[k], scope_);
-      uses_sign = uses_sign || text.uses_sign;
-      uses_trigonometry = uses_trigonometry || text.uses_trigonometry;
+      note_needs(text);
       if (k == 0) header["example"] = list_of(example(text));
       data item;
       item["nonzero"] = nonzero(k, next_nonzero);
-      item["comment"] = list_of(comment(functions_[k], text));
-      item["template_parameters"] =
-          std::string(text.uses_trigonometry ? "class Scalar, class SinCos = LibrarySinCos" : "class Scalar");
+      item["comment"] = list_of(function_comment(functions_[k], text));
+      item["template_parameters"] = template_parameters(text);
       item["signature"] = signature(text);
       item["body"] = without_newline(text.body);
       list << item;
       next_nonzero += functions_[k].outputs.size();
     }
     header["functions"] = data(list);
-    header["uses_sign"] = uses_sign;
-    header["uses_trigonometry"] = uses_trigonometry;
   }
 
-  static std::string signature(const FunctionText& text) {
-    return without_newline(
-        list_line(fmt::format("inline {} {}(", text.returns, text.name), text.parameters, ") noexcept {", 0));
+  void write_stages(data& header) {
+    header["staged?"] = stages_.has_value();
+    if (!stages_) return;
+    const std::vector<StageText> stages = stage_texts(*stages_, scope_);
+    flatdyn::write_stages(header, stages, namespace_);
+    for (const StageText& stage : stages) {
+      note_needs(stage.make);
+      for (const StageMember& member : stage.members) note_needs(member.text);
+    }
   }
 
-  static bool is_array_of_arrays(const Output& output) {
-    return !output.entries.empty() && (output.layout == Layout::matrix || output.layout == Layout::christoffel);
+  void note_needs(const FunctionText& text) {
+    uses_sign_ = uses_sign_ || text.uses_sign;
+    uses_trigonometry_ = uses_trigonometry_ || text.uses_trigonometry;
   }
 
   // The structural zeros of the matrices of function k, a row per line.
@@ -215,33 +212,6 @@ class HeaderWriter {
       list << item;
     }
     return list;
-  }
-
-  static std::vector<std::string> comment(const Function& function, const FunctionText& text) {
-    const std::string equation = function.equation.empty() ? "" : " " + function.equation;
-    std::vector<std::string> lines = wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth);
-    for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
-    const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
-    for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
-    std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
-    for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
-    for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
-    return lines;
-  }
-
-  // " Always zero: 6 of 9 entries of B." or, of a vector, " Always zero: g[0]."
-  static std::string zeros(const Function& function, std::size_t o, const FunctionText& text) {
-    const Output& output = function.outputs[o];
-    std::string list;
-    int count = 0;
-    for (std::size_t e = 0; e < output.entries.size() && !text.outputs.empty(); ++e) {
-      if (!function.graph.is_zero(output.entries[e])) continue;
-      list += fmt::format("{}{}[{}]", count == 0 ? "" : ", ", text.outputs[o].name, e);
-      ++count;
-    }
-    if (count == 0) return "";
-    if (!is_array_of_arrays(output)) return " Always zero: " + list + ".";
-    return fmt::format(" Always zero: {} of the {} entries of {}.", count, output.entries.size(), text.outputs[o].name);
   }
 
   std::vector<std::string> example(const FunctionText& text) const {
@@ -272,12 +242,14 @@ class HeaderWriter {
   const Mechanism& mechanism_;
   const std::vector<Function>& functions_;
   const EmitOptions& options_;
+  const std::optional<Stages>& stages_;
   std::string namespace_;
   NameTable names_;
   std::vector<std::string> function_names_;
   std::vector<std::string> nonzero_names_;  // of all outputs of all functions, in order
   std::vector<std::string> base_names_;     // of kBaseConstants; empty where no function needs them
   HeaderScope scope_;
+  bool uses_sign_ = false, uses_trigonometry_ = false;
 };
 
 }  // namespace
@@ -286,8 +258,9 @@ std::string header_name(const Mechanism& mechanism, const EmitOptions&) {
   return cpp_identifier(mechanism.name) + ".hpp";
 }
 
-std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
-  return HeaderWriter(mechanism, functions, options).text();
+std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
+                     const std::optional<Stages>& stages) {
+  return HeaderWriter(mechanism, functions, options, stages).text();
 }
 
 }  // namespace flatdyn

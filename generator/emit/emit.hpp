@@ -2,9 +2,11 @@
 // Functions → text of a self-contained C++17 header.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "emit/stages.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 
@@ -20,7 +22,8 @@ struct EmitOptions {
 // The header's file name for this mechanism: "panda.hpp".
 std::string header_name(const Mechanism& mechanism, const EmitOptions& options);
 
-// The whole header: documentation, constants, one function template per Function. Deterministic.
-std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options);
+// The whole header: documentation, constants, one function template per Function, and the stages. Deterministic.
+std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
+                     const std::optional<Stages>& stages = std::nullopt);
 
 }  // namespace flatdyn

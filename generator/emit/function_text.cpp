@@ -24,12 +24,12 @@ class FunctionWriter {
   FunctionWriter(const Function& function, const HeaderScope& scope)
       : function_(function),
         scope_(scope),
-        inputs_(inputs_read(function)),
+        inputs_(arguments_read(function)),
         schedule_(make_schedule(function)),
         names_(names_in_scope()),
         printer_(function.graph, variables_) {
     for (const Output& output : function_.outputs) output_names_.push_back(names_.unique(output.name));
-    variables_ = name_variables(function_, schedule_, scope_.parameters, names_);
+    variables_ = name_variables(function_, schedule_, scope_.parameters, scope_.stored, names_);
     for (const Statement& statement : schedule_.statements) {
       if (is_angle_function(statement)) turning_joints_.insert(joint_of_angle(statement.node));
     }
@@ -38,22 +38,42 @@ class FunctionWriter {
   FunctionText text(const std::string& name) {
     FunctionText text;
     text.name = name;
-    text.returns = returns_value(function_) ? "Scalar" : function_.positive.empty() ? "void" : "bool";
+    text.returns = return_type();
     text.parameters = parameters();
     text.inputs = input_arrays();
     text.outputs = output_arrays();
     text.arguments = argument_lines();
-    text.reads = list_of_inputs(inputs_, scope_.parameters);
+    text.reads = reads_text();
     text.result = result_text();
-    text.body = loads() + trigonometry() + statements() + condition();
+    text.body = loads() + trigonometry() + stage() + statements() + condition();
     text.uses_sign = has_op(Op::sign);
     text.uses_trigonometry = !turning_joints_.empty();
     return text;
   }
 
  private:
+  // What an earlier stage has stored is at hand.
+  static std::vector<Input> arguments_read(const Function& function) {
+    std::vector<Input> inputs = inputs_read(function);
+    std::erase_if(inputs, [](const Input& input) { return input.kind == InputKind::stored; });
+    return inputs;
+  }
+
+  std::string reads_text() const {
+    if (scope_.stored.empty()) return list_of_inputs(inputs_, scope_.parameters);
+    return (inputs_.empty() ? "" : list_of_inputs(inputs_, scope_.parameters) + " and ") + "what is stored";
+  }
+
+  bool makes_stage() const { return !scope_.made.empty(); }
+
+  std::string return_type() const {
+    if (makes_stage()) return scope_.made + "<Scalar>";
+    return returns_value(function_) ? "Scalar" : function_.positive.empty() ? "void" : "bool";
+  }
+
   NameTable names_in_scope() const {
     std::set<std::string> taken = scope_.names;
+    taken.insert(scope_.stored.begin(), scope_.stored.end());
     for (InputKind kind : function_.inputs) taken.insert(input_argument(kind, 0).name);
     taken.insert({"parameters", "positive", "sin_cos", "sine", "cosine"});
     return NameTable(taken);
@@ -107,7 +127,7 @@ class FunctionWriter {
     for (InputKind kind : function_.inputs) {
       list.push_back(parameter("const Scalar*", input_argument(kind, 0).name, reads(kind)));
     }
-    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_); ++k) {
+    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
       list.push_back(parameter("Scalar*", output_names_[k], !function_.outputs[k].entries.empty()));
     }
     if (!turning_joints_.empty()) list.emplace_back("const SinCos& sin_cos = {}");
@@ -125,7 +145,7 @@ class FunctionWriter {
 
   std::vector<ArrayArgument> output_arrays() const {
     std::vector<ArrayArgument> arrays;
-    if (returns_value(function_)) return arrays;
+    if (returns_value(function_) || makes_stage()) return arrays;
     for (std::size_t k = 0; k < function_.outputs.size(); ++k) {
       arrays.push_back({output_names_[k], function_.outputs[k].entries.size()});
     }
@@ -138,7 +158,7 @@ class FunctionWriter {
       const InputArgument argument = input_argument(kind, scope_.joints, function_.base_parameters);
       rows.push_back({fmt::format("{}[{}]", argument.name, argument.length), "in", argument.meaning});
     }
-    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_); ++k) {
+    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
       const Output& output = function_.outputs[k];
       rows.push_back({fmt::format("{}[{}]", output_names_[k], output.entries.size()), "out", output.meaning});
       Output renamed = output;
@@ -216,6 +236,10 @@ class FunctionWriter {
     throw std::logic_error("input that is read is not in the graph");
   }
 
+  std::string stage() const {
+    return makes_stage() ? code_line(fmt::format("{}<Scalar> {};", scope_.made, output_names_[0]), kIndent) : "";
+  }
+
   std::string statements() const {
     std::string text;
     for (const Statement& statement : schedule_.statements) {
@@ -239,7 +263,7 @@ class FunctionWriter {
     const std::vector<Target>& targets = statement.targets;
     for (std::size_t k = 0; k < targets.size(); ++k) {
       const Target& target = targets[k];
-      code += fmt::format("{}[{}] = ", output_names_[static_cast<std::size_t>(target.output)], target.entry);
+      code += target_text(target) + " = ";
       const bool full = function_.graph.is_constant(statement.node) && (k + 1) % kMostTargets == 0;
       if (k + 1 < targets.size() && !full) continue;
       text += code_line(code + value + ";", kIndent);
@@ -248,8 +272,16 @@ class FunctionWriter {
     return text;
   }
 
+  // "B[1]", or "stage.x1".
+  std::string target_text(const Target& target) const {
+    const std::string& output = output_names_[static_cast<std::size_t>(target.output)];
+    if (!makes_stage()) return fmt::format("{}[{}]", output, target.entry);
+    return output + "." + scope_.fields.at(static_cast<std::size_t>(target.entry));
+  }
+
   // Not a number compares false; & does not branch. Constants are known to be positive.
   std::string condition() const {
+    if (makes_stage()) return code_line(fmt::format("return {};", output_names_[0]), kIndent);
     if (function_.positive.empty()) return "";
     std::string text;
     for (NodeId id : function_.positive) {

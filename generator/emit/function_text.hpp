@@ -15,6 +15,9 @@ struct HeaderScope {
   int joints = 0;
   std::vector<std::string> parameters;  // members of Parameters, by index of the free symbol
   std::set<std::string> names;          // taken at namespace scope
+  std::vector<std::string> stored;      // fields that a member of a stage reads, by index
+  std::string made;                     // the stage that a function makes, if it does: its name,
+  std::vector<std::string> fields;      // and those of its fields
 };
 
 struct ArrayArgument {

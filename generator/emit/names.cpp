@@ -22,6 +22,7 @@ std::string name_of_christoffel(const Output& output, int entry) {
 // "tau_1", "B_12": the entry that the node is stored in, counted from 1.
 std::string name_of_entry(const Output& output, int entry) {
   if (output.layout == Layout::scalar) return output.name;
+  if (output.layout == Layout::fields) return "";
   if (output.layout == Layout::christoffel) return name_of_christoffel(output, entry);
   if (output.layout == Layout::vector || output.cols == 0) return output.name + "_" + std::to_string(entry + 1);
   const std::string separator = output.rows > 9 || output.cols > 9 ? "_" : "";
@@ -69,14 +70,16 @@ std::string NameTable::temporary() {
 }
 
 VariableNames name_variables(const Function& function, const Schedule& schedule,
-                             const std::vector<std::string>& parameters, NameTable& names) {
+                             const std::vector<std::string>& parameters, const std::vector<std::string>& stored,
+                             NameTable& names) {
   const Graph& graph = function.graph;
   VariableNames result(schedule.is_variable.size());
   for (NodeId id = 0; id < graph.size(); ++id) {
     const auto k = static_cast<std::size_t>(id);
-    if (schedule.is_variable[k] && graph[id].op == Op::input) {
-      result[k] = names.unique(variable_of_input(graph[id].input, parameters));
-    }
+    if (!schedule.is_variable[k] || graph[id].op != Op::input) continue;
+    const Input& input = graph[id].input;
+    result[k] = input.kind == InputKind::stored ? stored.at(static_cast<std::size_t>(input.index))
+                                                : names.unique(variable_of_input(input, parameters));
   }
   const std::map<NodeId, std::string> entries = names_of_entries(function);
   for (const Statement& statement : schedule.statements) {

@@ -29,9 +29,10 @@ class NameTable {
   int temporaries_ = 0;
 };
 
-// Inputs: q_1 = q[0], as in the textbook; parameters by `parameters`. Nodes: the name given to them, else s_1, c_1 (of
-// q_1), tau_1 (stored in tau[0]), else t1, t2, … in the order of the statements.
+// Inputs: q_1 = q[0], as in the textbook; parameters by `parameters`, stored values by `stored`. Nodes: the name given
+// to them, else s_1, c_1 (of q_1), tau_1 (stored in tau[0]), else t1, t2, … in the order of the statements.
 VariableNames name_variables(const Function& function, const Schedule& schedule,
-                             const std::vector<std::string>& parameters, NameTable& names);
+                             const std::vector<std::string>& parameters, const std::vector<std::string>& stored,
+                             NameTable& names);
 
 }  // namespace flatdyn

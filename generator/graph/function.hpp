@@ -14,6 +14,7 @@ enum class Layout {
   scalar,       // one entry
   vector,       // rows entries
   matrix,       // rows × cols, row by row, in full
+  fields,       // rows members of a struct, each with its own name
   christoffel,  // c_ijk for j <= k: rows = n, cols = n(n+1)/2, entry (i, k(k+1)/2 + j) with j <= k, 0-based
 };
 

@@ -23,8 +23,8 @@ namespace flatdyn {
 using NodeId = std::int32_t;
 
 // What a function is given. parameter: a free symbol of the robot; qd_r, qdd_r: reference rates and accelerations;
-// pi_b: base parameters.
-enum class InputKind : std::uint8_t { q, qd, qdd, tau, h_e, parameter, qd_r, qdd_r, pi_b };
+// pi_b: base parameters; stored: a value that an earlier stage has computed.
+enum class InputKind : std::uint8_t { q, qd, qdd, tau, h_e, parameter, qd_r, qdd_r, pi_b, stored };
 
 struct Input {
   InputKind kind = InputKind::q;

@@ -197,6 +197,51 @@ std::string describe_functions(const std::vector<OptimisedFunction>& functions,
   return aligned_table(rows);
 }
 
+namespace {
+
+struct StagePiece {
+  std::string name;
+  const Function* function;
+};
+
+// at, its members, with, its members: in the order in which they are called.
+std::vector<StagePiece> pieces_of(const Stages& stages) {
+  std::vector<StagePiece> pieces = {{"at", &stages.configuration.make}};
+  for (const Function& member : stages.configuration.members)
+    pieces.push_back({"Configuration::" + member.name, &member});
+  if (stages.motion.members.empty()) return pieces;
+  pieces.push_back({"with", &stages.motion.make});
+  for (const Function& member : stages.motion.members) pieces.push_back({"Motion::" + member.name, &member});
+  return pieces;
+}
+
+}  // namespace
+
+std::string describe_stages(const Stages& stages) {
+  std::vector<std::vector<std::string>> rows = {{"stage", "mul", "add", "div", "sin/cos", "stores"}};
+  for (const StagePiece& piece : pieces_of(stages)) {
+    const OperationCount count = count_operations(*piece.function);
+    const Output& output = piece.function->outputs[0];
+    rows.push_back({piece.name, std::to_string(count.multiplications), std::to_string(count.additions),
+                    std::to_string(count.divisions), std::to_string(count.trigonometric),
+                    output.layout == Layout::fields ? std::to_string(output.entries.size()) : ""});
+  }
+  return aligned_table(rows);
+}
+
+nlohmann::ordered_json stages_json(const Stages& stages) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const StagePiece& piece : pieces_of(stages)) {
+    const OperationCount count = count_operations(*piece.function);
+    json.push_back({{"name", piece.name},
+                    {"multiplications", count.multiplications},
+                    {"additions", count.additions},
+                    {"divisions", count.divisions},
+                    {"sin_cos", count.trigonometric}});
+  }
+  return json;
+}
+
 nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions,
                                       const std::vector<std::string>& symbols) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();

@@ -19,6 +19,11 @@ std::string describe_bodies(const Mechanism& mechanism);
 // Per function: operation counts, inputs read, structural zeros.
 std::string describe_functions(const std::vector<OptimisedFunction>& functions,
                                const std::vector<std::string>& symbols);
+
+// What each stage and each of its members costs.
+std::string describe_stages(const Stages& stages);
+nlohmann::ordered_json stages_json(const Stages& stages);
+
 nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions,
                                       const std::vector<std::string>& symbols);
 

@@ -22,10 +22,11 @@
 namespace flatdyn {
 namespace {
 
-// The same function from every grouping of the parameters; the cheapest counts. The first of equals is kept.
-Function cheapest(const Mechanism& mechanism, const std::function<Function(const Mechanism&)>& derive) {
+// The same function from each of these groupings of the parameters; the cheapest counts. The first of equals is kept.
+Function cheapest(const Mechanism& mechanism, Groupings groupings,
+                  const std::function<Function(const Mechanism&)>& derive) {
   std::optional<Function> best;
-  for (const Grouping grouping : kGroupings) {
+  for (const Grouping grouping : groupings) {
     Function candidate = derive(regrouped(mechanism, grouping));
     if (!best || count_operations(candidate).arithmetic() < count_operations(*best).arithmetic()) {
       best = std::move(candidate);
@@ -34,8 +35,8 @@ Function cheapest(const Mechanism& mechanism, const std::function<Function(const
   return *best;
 }
 
-Function inverse_dynamics(const Mechanism& mechanism) {
-  return cheapest(mechanism, [](const Mechanism& m) {
+Function inverse_dynamics(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), m.gravity, true};
     const std::vector<Number> tau = torques(bench.frames, motion);
@@ -44,8 +45,8 @@ Function inverse_dynamics(const Mechanism& mechanism) {
   });
 }
 
-Function inverse_dynamics_tip_force(const Mechanism& mechanism) {
-  return cheapest(mechanism, [](const Mechanism& m) {
+Function inverse_dynamics_tip_force(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const std::vector<Number> h = inputs(bench.derivation, InputKind::h_e, 6);
     const Wrench tip = wrench_on_body(bench.frames, m.tip, {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}});
@@ -56,8 +57,8 @@ Function inverse_dynamics_tip_force(const Mechanism& mechanism) {
   });
 }
 
-Function inertia_matrix_function(const Mechanism& mechanism) {
-  return cheapest(mechanism, [](const Mechanism& m) {
+Function inertia_matrix_function(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     std::vector<NodeId> entries;
     for (const std::vector<Number>& row : inertia_matrix(bench.frames)) {
@@ -69,8 +70,8 @@ Function inertia_matrix_function(const Mechanism& mechanism) {
   });
 }
 
-Function christoffel(const Mechanism& mechanism) {
-  return cheapest(with_half_inertia(mechanism), [](const Mechanism& m) {
+Function christoffel(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(with_half_inertia(mechanism), groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const int n = m.size(), columns = n * (n + 1) / 2;
     std::vector<NodeId> entries(static_cast<std::size_t>(n * columns), bench.node(0));
@@ -89,8 +90,8 @@ Function finished_coriolis(Workbench& bench, const std::vector<NodeId>& entries)
                                  "c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric")});
 }
 
-Function coriolis_from_christoffel(const Mechanism& mechanism) {
-  return cheapest(with_half_inertia(mechanism), [](const Mechanism& m) {
+Function coriolis_from_christoffel(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(with_half_inertia(mechanism), groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const auto n = static_cast<std::size_t>(m.size());
     const std::vector<Number> qd = bench.all(InputKind::qd);
@@ -106,32 +107,32 @@ Function coriolis_from_christoffel(const Mechanism& mechanism) {
 }
 
 // C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative.
-Function coriolis_from_momenta(const Mechanism& mechanism) {
-  return cheapest(with_half_inertia(mechanism), [](const Mechanism& m) {
+Function coriolis_from_momenta(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(with_half_inertia(mechanism), groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const Motion motion{bench.all(InputKind::qd), bench.none(), zero_vector(), false};
     return finished_coriolis(bench, bench.nodes(torque_derivatives(bench.frames, motion).dqd));
   });
 }
 
-Function gravity(const Mechanism& mechanism) {
-  return cheapest(mechanism, [](const Mechanism& m) {
+Function gravity(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     return finished(bench, {InputKind::q},
                     {vector_output("g", bench.nodes(gravity_torques(bench.frames)), kTorqueMeaning)});
   });
 }
 
-Function bias(const Mechanism& mechanism) {
-  return cheapest(mechanism, [](const Mechanism& m) {
+Function bias(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     return finished(bench, {InputKind::q, InputKind::qd},
                     {vector_output("n", bench.nodes(bias_torques(bench)), kTorqueMeaning)});
   });
 }
 
-Function forward_dynamics(const Mechanism& mechanism) {
-  return cheapest(mechanism, [](const Mechanism& m) {
+Function forward_dynamics(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const Factorisation B(bench.frames, inertia_matrix(bench.frames));
     const std::vector<NodeId> qdd = bench.nodes(accelerations(bench, B)), pivots = bench.nodes(B.pivots());
@@ -140,24 +141,24 @@ Function forward_dynamics(const Mechanism& mechanism) {
   });
 }
 
-Function inverse_dynamics_derivatives(const Mechanism& mechanism) {
-  return cheapest(mechanism, torque_derivatives_function);
+Function inverse_dynamics_derivatives(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, torque_derivatives_function);
 }
 
-Function forward_dynamics_derivatives(const Mechanism& mechanism) {
-  return cheapest(mechanism, acceleration_derivatives_function);
+Function forward_dynamics_derivatives(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, acceleration_derivatives_function);
 }
 
-Function kinetic_energy_function(const Mechanism& mechanism) {
-  return cheapest(mechanism, [](const Mechanism& m) {
+Function kinetic_energy_function(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const NodeId T = bench.node(kinetic_energy(bench.frames));
     return finished(bench, {InputKind::q, InputKind::qd}, {scalar_output("T", T, "kinetic energy, J")});
   });
 }
 
-Function potential_energy_function(const Mechanism& mechanism) {
-  return cheapest(mechanism, [](const Mechanism& m) {
+Function potential_energy_function(const Mechanism& mechanism, Groupings groupings) {
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const NodeId U = bench.node(potential_energy(bench.frames));
     return finished(bench, {InputKind::q},
@@ -202,9 +203,15 @@ Function jacobian_dot_qd_of(const Mechanism& mechanism, const LinkFrame& link) {
       {vector_output("a", bench.nodes(entries), "(dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2")});
 }
 
-Function forward_kinematics_tip(const Mechanism& m) { return forward_kinematics_of(m, m.tip); }
-Function jacobian_tip(const Mechanism& m) { return jacobian_of(m, m.tip); }
-Function jacobian_dot_qd_tip(const Mechanism& m) { return jacobian_dot_qd_of(m, m.tip); }
+Function forward_kinematics_tip(const Mechanism& m, Groupings) { return forward_kinematics_of(m, m.tip); }
+Function jacobian_tip(const Mechanism& m, Groupings) { return jacobian_of(m, m.tip); }
+Function jacobian_dot_qd_tip(const Mechanism& m, Groupings) { return jacobian_dot_qd_of(m, m.tip); }
+
+// Regressors choose their own parameters.
+template <Function (*derive)(const Mechanism&)>
+Function ungrouped(const Mechanism& mechanism, Groupings) {
+  return derive(mechanism);
+}
 
 using LinkDerivation = Function (*)(const Mechanism&, const LinkFrame&);
 
@@ -277,29 +284,29 @@ const std::vector<FunctionEntry>& function_table() {
       {"forward_dynamics_derivatives",
        "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant", "",
        forward_dynamics_derivatives, nullptr, true},
-      {"regressor", "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint", "(7.81)", regressor_function, nullptr,
-       true},
+      {"regressor", "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint", "(7.81)", ungrouped<regressor_function>,
+       nullptr, true},
       {"base_regressor", "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters", "(7.81)",
-       base_regressor_function, nullptr, true},
+       ungrouped<base_regressor_function>, nullptr, true},
       {"inverse_dynamics_base", "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
-       "(7.42)", inverse_dynamics_base_function, nullptr, true},
+       "(7.42)", ungrouped<inverse_dynamics_base_function>, nullptr, true},
       {"adaptive_regressor", "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
-       "(7.81)", adaptive_regressor_function, nullptr, true},
+       "(7.81)", ungrouped<adaptive_regressor_function>, nullptr, true},
   };
   return table;
 }
 
 void check_function_name(const Mechanism& mechanism, const std::string& name) { parsed(mechanism, name); }
 
-std::vector<Function> formulations(const Mechanism& mechanism, const std::string& name) {
+std::vector<Function> formulations(const Mechanism& mechanism, const std::string& name, Groupings groupings) {
   const Request request = parsed(mechanism, name);
   const FunctionEntry& entry = *request.entry;
   std::vector<Function> result;
   if (request.link != nullptr) {
     result.push_back(link_derivation(entry.name)(mechanism, *request.link));
   } else {
-    result.push_back(entry.derive(mechanism));
-    if (entry.alternative != nullptr) result.push_back(entry.alternative(mechanism));
+    result.push_back(entry.derive(mechanism, groupings));
+    if (entry.alternative != nullptr) result.push_back(entry.alternative(mechanism, groupings));
   }
   for (Function& function : result) {
     function.name = name;
@@ -309,8 +316,8 @@ std::vector<Function> formulations(const Mechanism& mechanism, const std::string
   return result;
 }
 
-Function derive_function(const Mechanism& mechanism, const std::string& name) {
-  return formulations(mechanism, name).front();
+Function derive_function(const Mechanism& mechanism, const std::string& name, Groupings groupings) {
+  return formulations(mechanism, name, groupings).front();
 }
 
 }  // namespace flatdyn

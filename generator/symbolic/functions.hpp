@@ -2,22 +2,27 @@
 // The functions that flatdyn knows, and their derivation from a mechanism (recursive route).
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
+#include "symbolic/regroup.hpp"
 
 namespace flatdyn {
+
+// Those of which the cheapest is taken.
+using Groupings = std::span<const Grouping>;
 
 // One row per function: its name, one line of help, and how it is derived.
 struct FunctionEntry {
   const char* name;
   const char* summary;
   const char* equation;
-  Function (*derive)(const Mechanism&);
+  Function (*derive)(const Mechanism&, Groupings);
   // Another formulation of the same, where which one costs less depends on the robot.
-  Function (*alternative)(const Mechanism&) = nullptr;
+  Function (*alternative)(const Mechanism&, Groupings) = nullptr;
   // Left out unless asked for by name: the regressors serve identification and adaptive control, and are larger than
   // all other functions of a controller together.
   bool on_request = false;
@@ -34,9 +39,10 @@ void check_function_name(const Mechanism& mechanism, const std::string& name);
 
 // By name, in every formulation that there is; also "forward_kinematics:LINK", "jacobian:LINK" and
 // "jacobian_dot_qd:LINK" for any named link. Throws as check_function_name does.
-std::vector<Function> formulations(const Mechanism& mechanism, const std::string& name);
+std::vector<Function> formulations(const Mechanism& mechanism, const std::string& name,
+                                   Groupings groupings = kGroupings);
 
 // The first of them.
-Function derive_function(const Mechanism& mechanism, const std::string& name);
+Function derive_function(const Mechanism& mechanism, const std::string& name, Groupings groupings = kGroupings);
 
 }  // namespace flatdyn

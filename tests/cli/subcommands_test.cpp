@@ -33,6 +33,55 @@ TEST(Generate, WritesAHeaderThatCompilesAloneAndReportsWhatItDid) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
+// Called as its comment says, with -Wshadow and -Wunused on top; members agree with the functions.
+TEST(Generate, WritesStagesAndFusedFunctions) {
+  const Scratch scratch;
+  const std::string functions = "inertia_matrix,gravity,bias,forward_dynamics,kinetic_energy";
+  const Outcome outcome =
+      run_flatdyn(fmt::format("generate robots/scara.toml -o {} --functions {} --stages {} --fuse {}", scratch.path(),
+                              functions, functions, "inertia_matrix,gravity"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* text : {"inertia_matrix_gravity ", "at ", "with ", "Motion::bias "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+  scratch.write("main.cpp", R"(
+#include <cstring>
+#include "scara.hpp"
+double difference(const double* a, const double* b, int n) {
+  double largest = 0;
+  for (int i = 0; i < n; ++i) largest = std::fmax(largest, std::fabs(a[i] - b[i]));
+  return largest;
+}
+int main() {
+  scara::Parameters<> parameters;
+  double values[sizeof parameters / sizeof(double)];
+  for (double& value : values) value = 1 + 0.1 * static_cast<double>(&value - values);
+  std::memcpy(&parameters, values, sizeof parameters);
+  const double q[4] = {0.3, -0.7, 0.2, 1.1}, qd[4] = {0.5, -1.5, 2.0, 0.1}, tau[4] = {1, 2, 3, 4};
+  double B[16], B2[16], B3[16], g[4], g2[4], g3[4], n[4], n2[4], qdd[4], qdd2[4];
+  const auto here = scara::at(parameters, q);
+  here.inertia_matrix(B);
+  here.gravity(g);
+  const auto moving = here.with(qd);
+  moving.bias(n);
+  const bool ok = moving.forward_dynamics(tau, qdd);
+  scara::inertia_matrix(parameters, q, B2);
+  scara::gravity(parameters, q, g2);
+  scara::inertia_matrix_gravity(parameters, q, B3, g3);
+  scara::bias(parameters, q, qd, n2);
+  const bool ok2 = scara::forward_dynamics(parameters, q, qd, tau, qdd2);
+  const double T = moving.kinetic_energy() - scara::kinetic_energy(parameters, q, qd);
+  return ok && ok2 && difference(B, B2, 16) + difference(B, B3, 16) + difference(g, g2, 4) + difference(g, g3, 4) +
+                 difference(n, n2, 4) + difference(qdd, qdd2, 4) + std::fabs(T) < 1e-9 ? 0 : 1;
+}
+)");
+  const std::string command = fmt::format(
+      "g++ -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Wunused -Werror -fno-exceptions -fno-rtti -I'{0}' "
+      "'{0}/main.cpp' -o '{0}/main' && '{0}/main'",
+      scratch.path());
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
 // Two runs have different addresses, so GiNaC sorts differently in each.
 TEST(Generate, GivesTheSameBytesInEveryRunFromEveryFolder) {
   const Scratch scratch;

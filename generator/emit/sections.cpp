@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/sections.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/writer.hpp"
+#include "graph/count.hpp"
+
+namespace flatdyn {
+
+using kainjow::mustache::data;
+
+data list_of(const std::vector<std::string>& lines) {
+  data list(data::type::list);
+  for (const std::string& line : lines) list << data(line);
+  return list;
+}
+
+std::string without_newline(std::string text) {
+  if (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+bool is_array_of_arrays(const Output& output) {
+  return !output.entries.empty() && (output.layout == Layout::matrix || output.layout == Layout::christoffel);
+}
+
+namespace {
+
+// " Always zero: 6 of 9 entries of B." or, of a vector, " Always zero: g[0]."
+std::string zeros(const Function& function, std::size_t o, const FunctionText& text) {
+  const Output& output = function.outputs[o];
+  std::string list;
+  int count = 0;
+  for (std::size_t e = 0; e < output.entries.size() && !text.outputs.empty(); ++e) {
+    if (!function.graph.is_zero(output.entries[e])) continue;
+    list += fmt::format("{}{}[{}]", count == 0 ? "" : ", ", text.outputs[o].name, e);
+    ++count;
+  }
+  if (count == 0) return "";
+  if (!is_array_of_arrays(output)) return " Always zero: " + list + ".";
+  return fmt::format(" Always zero: {} of the {} entries of {}.", count, output.entries.size(), text.outputs[o].name);
+}
+
+}  // namespace
+
+std::vector<std::string> function_comment(const Function& function, const FunctionText& text) {
+  const std::string equation = function.equation.empty() ? "" : " " + function.equation;
+  std::vector<std::string> lines = wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth);
+  for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
+  const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
+  for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
+  std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
+  for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
+  for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
+  return lines;
+}
+
+std::string template_parameters(const FunctionText& text) {
+  return text.uses_trigonometry ? "class Scalar, class SinCos = LibrarySinCos" : "class Scalar";
+}
+
+std::string signature(const FunctionText& text, const std::string& stage) {
+  const std::string scope = stage.empty() ? "" : stage + "<Scalar>::";
+  return without_newline(list_line(fmt::format("inline {} {}{}(", text.returns, scope, text.name), text.parameters,
+                                   stage.empty() ? ") noexcept {" : ") const noexcept {", 0));
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pieces of text that the sections of a header have in common.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <string>
+#include <vector>
+
+#include "emit/function_text.hpp"
+
+namespace flatdyn {
+
+kainjow::mustache::data list_of(const std::vector<std::string>& lines);
+
+// Text that ends in a newline, for a template that has its own.
+std::string without_newline(std::string text);
+
+// What a function is, its arguments, its result, what it reads and costs, and which entries are always zero.
+std::vector<std::string> function_comment(const Function& function, const FunctionText& text);
+
+// "class Scalar", and the source of sines and cosines if the function asks for any.
+std::string template_parameters(const FunctionText& text);
+
+// "inline void gravity(const Scalar* q, Scalar* g) noexcept {"; of a member of `stage`, "… Motion<Scalar>::bias(…
+// const".
+std::string signature(const FunctionText& text, const std::string& stage = "");
+
+// An array of arrays: its structural zeros are worth a constant.
+bool is_array_of_arrays(const Output& output);
+
+}  // namespace flatdyn

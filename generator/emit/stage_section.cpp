@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/stage_section.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+
+namespace flatdyn {
+namespace {
+
+using kainjow::mustache::data;
+
+// "here.inertia_matrix(B);", as a user would write it.
+std::string call(const std::string& receiver, const FunctionText& text) {
+  std::string arguments;
+  for (const auto* arrays : {&text.inputs, &text.outputs}) {
+    for (const ArrayArgument& array : *arrays) arguments += (arguments.empty() ? "" : ", ") + array.name;
+  }
+  const std::string result = text.returns == "void" ? "" : fmt::format("const auto {}_result = ", text.name);
+  return fmt::format("{}{}.{}({});", result, receiver, text.name, arguments);
+}
+
+std::vector<std::string> example(const std::vector<StageText>& stages, const std::string& name_space) {
+  static const char* const kNames[] = {"here", "moving"};
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    const FunctionText& make = stages[k].make;
+    const bool first_has_parameters = k == 0 && make.parameters.size() > make.inputs.size() + 1;
+    lines.push_back(
+        k == 0 ? fmt::format("const auto here = {}::at({}q);", name_space, first_has_parameters ? "parameters, " : "")
+               : "const auto moving = here.with(qd);");
+    for (const StageMember& member : stages[k].members) lines.push_back(call(kNames[k], member.text));
+  }
+  return lines;
+}
+
+// In the struct, `indent` deep: "void bias(Scalar* n) const noexcept;"
+std::string declaration(const FunctionText& text) {
+  constexpr std::size_t kIndent = 2;
+  const std::string line =
+      list_line(fmt::format("{} {}(", text.returns, text.name), text.parameters, ") const noexcept;", kIndent);
+  return without_newline(line);
+}
+
+data struct_of(const std::vector<StageText>& stages, std::size_t k) {
+  static const char* const kComments[] = {"The robot at given positions.",
+                                          "The robot at given positions and velocities."};
+  data item, declarations(data::type::list);
+  for (const StageMember& member : stages[k].members) declarations << data("declaration", declaration(member.text));
+  if (k + 1 < stages.size()) declarations << data("declaration", declaration(stages[k + 1].make));
+  item["name"] = stages[k].name;
+  item["comment"] = std::string(kComments[k]);
+  item["declarations"] = data(declarations);
+  item["fields?"] = !stages[k].fields.empty();
+  item["fields"] = without_newline(stages[k].fields);
+  return item;
+}
+
+data definition(const FunctionText& text, const std::vector<std::string>& comment, const std::string& stage) {
+  data item;
+  item["comment"] = list_of(comment);
+  item["template_parameters"] = template_parameters(text);
+  item["signature"] = signature(text, stage);
+  item["body"] = without_newline(text.body);
+  return item;
+}
+
+std::vector<std::string> comment_of_maker(const StageText& stage) {
+  const std::string what = stage.make.name == "at" ? "What depends on positions only and is needed more than once."
+                                                   : "What depends on velocities, too, and is needed more than once.";
+  std::vector<std::string> lines = {what};
+  for (const std::string& argument : stage.make.arguments) lines.push_back("  " + comment_text(argument));
+  lines.push_back("Reads " + stage.make.reads + ". Operations: " + stage.operations + ".");
+  return lines;
+}
+
+}  // namespace
+
+void write_stages(data& header, const std::vector<StageText>& stages, const std::string& name_space) {
+  header["staged?"] = true;
+  header["stage_example"] = list_of(example(stages, name_space));
+  data structs(data::type::list), definitions(data::type::list);
+  for (std::size_t k = stages.size(); k-- > 0;) structs << struct_of(stages, k);
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    definitions << definition(stages[k].make, comment_of_maker(stages[k]), k == 0 ? "" : stages[k - 1].name);
+    for (const StageMember& member : stages[k].members) {
+      definitions << definition(member.text, function_comment(member.function, member.text), stages[k].name);
+    }
+  }
+  header["structs"] = data(structs);
+  header["definitions"] = data(definitions);
+}
+
+}  // namespace flatdyn

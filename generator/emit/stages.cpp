@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/stages.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace flatdyn {
+namespace {
+
+enum Level { kPosition = 1, kVelocity = 2, kRest = 3 };
+
+int level_of(InputKind kind) {
+  if (kind == InputKind::q || kind == InputKind::parameter) return kPosition;
+  return kind == InputKind::qd ? kVelocity : kRest;
+}
+
+std::size_t at(NodeId id) { return static_cast<std::size_t>(id); }
+
+bool is_negation(const Node& node) { return is_scaled(node) && node.terms[0].coefficient == -1; }
+
+// Values that only their own stage can compute: inputs, and what is asked from the source of sines and cosines.
+bool is_source(const Node& node) { return node.op == Op::input || node.op == Op::sin || node.op == Op::cos; }
+
+using Places = std::map<NodeId, int>;  // nodes of the whole → fields
+
+class Splitter {
+ public:
+  explicit Splitter(const Fusion& fusion)
+      : graph_(fusion.function.graph), levels_(at(graph_.size()), 0), users_(at(graph_.size()), 0) {
+    for (NodeId id = 0; id < graph_.size(); ++id) levels_[at(id)] = level(id);
+    for (std::size_t k = 0; k < fusion.parts.size(); ++k) {
+      parts_.push_back(function_of(fusion, k));
+      part_levels_.push_back(0);
+      for (const InputKind kind : parts_.back().inputs) {
+        part_levels_.back() = std::max(part_levels_.back(), level_of(kind));
+      }
+    }
+  }
+
+  Stages run() {
+    Stages stages;
+    const std::vector<NodeId> in_configuration = stored(kPosition);
+    const std::vector<NodeId> in_motion = stored(kVelocity);
+    Places configuration = places(in_configuration);
+    stages.configuration.fields = names_of(in_configuration, "x");
+    stages.configuration.make = maker("at", {InputKind::q}, in_configuration, {});
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      if (part_levels_[k] <= kPosition) stages.configuration.members.push_back(member(parts_[k], configuration));
+    }
+    add_motion(stages, in_motion, configuration);
+    return stages;
+  }
+
+ private:
+  int level(NodeId id) const {
+    const Node& node = graph_[id];
+    if (node.op == Op::input) return level_of(node.input.kind);
+    int highest = 0;
+    for (const NodeId operand : operands_of(node)) highest = std::max(highest, levels_[at(operand)]);
+    return highest;
+  }
+
+  // Who needs each node of this level: a part counts 1; where a part may be called again and again for one value of
+  // this level, 2.
+  void count_users(int level) {
+    std::fill(users_.begin(), users_.end(), 0);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      const std::vector<bool> needed = reachable_from(graph_, roots(parts_[k]));
+      for (NodeId id = 0; id < graph_.size(); ++id) {
+        if (needed[at(id)] && levels_[at(id)] == level) users_[at(id)] += part_levels_[k] > level ? 2 : 1;
+      }
+    }
+  }
+
+  bool is_shared(NodeId id, int level) const {
+    if (levels_[at(id)] != level || is_negation(graph_[id])) return false;
+    return users_[at(id)] > 1 || (users_[at(id)] > 0 && is_source(graph_[id]));
+  }
+
+  // Shared values that are used where they are not computed, in the order of ids.
+  std::vector<NodeId> stored(int level) {
+    count_users(level);
+    std::vector<bool> needed(users_.size(), false);
+    const auto use = [&](NodeId id) {
+      while (is_negation(graph_[id])) id = graph_[id].terms[0].node;
+      if (is_shared(id, level)) needed[at(id)] = true;
+    };
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      const std::vector<bool> of_part = reachable_from(graph_, roots(parts_[k]));
+      for (NodeId id = 0; id < graph_.size(); ++id) {
+        if (!of_part[at(id)] || is_shared(id, level) || levels_[at(id)] < level) continue;
+        for (const NodeId operand : operands_of(graph_[id])) use(operand);
+      }
+      for (const NodeId root : roots(parts_[k])) use(root);
+    }
+    std::vector<NodeId> result;
+    for (NodeId id = 0; id < graph_.size(); ++id) {
+      if (needed[at(id)]) result.push_back(id);
+    }
+    return result;
+  }
+
+  static Places places(const std::vector<NodeId>& fields) {
+    Places result;
+    for (std::size_t k = 0; k < fields.size(); ++k) result[fields[k]] = static_cast<int>(k);
+    return result;
+  }
+
+  // s_2, c_2, or x1, x2, …
+  std::vector<std::string> names_of(const std::vector<NodeId>& fields, const std::string& prefix) const {
+    std::vector<std::string> names;
+    int next = 0;
+    for (const NodeId id : fields) {
+      const Node& node = graph_[id];
+      const bool angle = node.op == Op::sin || node.op == Op::cos;
+      names.push_back(angle ? (node.op == Op::sin ? "s_" : "c_") +
+                                  std::to_string(graph_[node.operands[0]].input.index + 1)
+                            : prefix + std::to_string(++next));
+    }
+    return names;
+  }
+
+  // A function with these roots, what is stored taken as given.
+  struct Copy {
+    Graph graph;
+    std::vector<NodeId> image;
+  };
+  Copy copy(const std::vector<NodeId>& wanted, const Places& given) const {
+    std::vector<bool> needed(users_.size(), false);
+    for (const NodeId id : wanted) needed[at(id)] = true;
+    for (NodeId id = graph_.size() - 1; id >= 0; --id) {
+      if (!needed[at(id)] || given.count(id) != 0) continue;
+      for (const NodeId operand : operands_of(graph_[id])) needed[at(operand)] = true;
+    }
+    Copy result;
+    result.image.assign(users_.size(), 0);
+    for (NodeId id = 0; id < graph_.size(); ++id) {
+      if (!needed[at(id)]) continue;
+      const auto place = given.find(id);
+      NodeId& here = result.image[at(id)];
+      here = place != given.end() ? result.graph.input({InputKind::stored, place->second})
+                                  : result.graph.copy(graph_[id], result.image);
+      const Op op = result.graph[here].op;
+      const std::string* name = graph_.name(id);
+      if (name != nullptr && op != Op::constant && op != Op::input) result.graph.set_name(here, *name);
+    }
+    return result;
+  }
+
+  Function maker(const std::string& name, std::vector<InputKind> inputs, const std::vector<NodeId>& fields,
+                 const Places& given) const {
+    Copy made = copy(fields, given);
+    Output output{"stage", Layout::fields, static_cast<int>(fields.size()), 1, {}, ""};
+    for (const NodeId id : fields) output.entries.push_back(made.image[at(id)]);
+    return {.name = name,
+            .summary = "",
+            .equation = "",
+            .inputs = std::move(inputs),
+            .graph = std::move(made.graph),
+            .outputs = {output},
+            .positive = {}};
+  }
+
+  Function member(const Function& part, const Places& given) const {
+    Copy made = copy(roots(part), given);
+    Function result = part;
+    std::erase_if(result.inputs, [](InputKind kind) { return kind == InputKind::q || kind == InputKind::qd; });
+    result.graph = std::move(made.graph);
+    for (Output& output : result.outputs) {
+      for (NodeId& entry : output.entries) entry = made.image[at(entry)];
+    }
+    for (NodeId& condition : result.positive) condition = made.image[at(condition)];
+    return result;
+  }
+
+  // Fields: its own, and those of the configuration that its functions read.
+  void add_motion(Stages& stages, std::vector<NodeId> own, const Places& configuration) {
+    std::vector<std::string> names = names_of(own, "v");
+    std::map<NodeId, int> given = places(own);
+    for (const auto& [id, place] : configuration) given.emplace(id, -1);
+    std::vector<bool> read(users_.size(), false);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      if (part_levels_[k] <= kPosition) continue;
+      mark_given(roots(parts_[k]), given, read);
+    }
+    for (const auto& [id, place] : configuration) {
+      if (!read[at(id)]) continue;
+      own.push_back(id);
+      names.push_back(stages.configuration.fields[static_cast<std::size_t>(place)]);
+    }
+    const Places motion = places(own);
+    stages.motion.fields = names;
+    stages.motion.make = maker("with", {InputKind::qd}, own, configuration);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      if (part_levels_[k] > kPosition) stages.motion.members.push_back(member(parts_[k], motion));
+    }
+  }
+
+  // Which of the given nodes are met first on the way from these roots.
+  void mark_given(const std::vector<NodeId>& wanted, const std::map<NodeId, int>& given,
+                  std::vector<bool>& read) const {
+    std::vector<bool> needed(users_.size(), false);
+    for (const NodeId id : wanted) needed[at(id)] = true;
+    for (NodeId id = graph_.size() - 1; id >= 0; --id) {
+      if (!needed[at(id)]) continue;
+      if (given.count(id) != 0) {
+        read[at(id)] = true;
+        continue;
+      }
+      for (const NodeId operand : operands_of(graph_[id])) needed[at(operand)] = true;
+    }
+  }
+
+  const Graph& graph_;
+  std::vector<int> levels_;
+  std::vector<int> users_;
+  std::vector<Function> parts_;
+  std::vector<int> part_levels_;
+};
+
+}  // namespace
+
+Stages stages_of(const Fusion& fusion) { return Splitter(fusion).run(); }
+
+}  // namespace flatdyn

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "graph/fusion.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace flatdyn {
+namespace {
+
+// Where each node of `from` is in `to`.
+std::vector<NodeId> copied(const Graph& from, Graph& to) {
+  std::vector<NodeId> image;
+  for (NodeId id = 0; id < from.size(); ++id) {
+    image.push_back(to.copy(from[id], image));
+    const std::string* name = from.name(id);
+    if (name != nullptr && to[image.back()].op != Op::constant && to[image.back()].op != Op::input) {
+      to.set_name(image.back(), *name);
+    }
+  }
+  return image;
+}
+
+std::vector<NodeId> images(const std::vector<NodeId>& ids, const std::vector<NodeId>& image) {
+  std::vector<NodeId> result;
+  for (const NodeId id : ids) result.push_back(image[static_cast<std::size_t>(id)]);
+  return result;
+}
+
+}  // namespace
+
+Fusion fused(const std::vector<Function>& functions) {
+  Fusion fusion;
+  Function& whole = fusion.function;
+  std::set<InputKind> inputs;
+  for (const Function& function : functions) {
+    const std::vector<NodeId> image = copied(function.graph, whole.graph);
+    for (Output output : function.outputs) {
+      output.entries = images(output.entries, image);
+      whole.outputs.push_back(std::move(output));
+    }
+    const std::vector<NodeId> conditions = images(function.positive, image);
+    whole.positive.insert(whole.positive.end(), conditions.begin(), conditions.end());
+    inputs.insert(function.inputs.begin(), function.inputs.end());
+    whole.base_parameters = std::max(whole.base_parameters, function.base_parameters);
+    whole.name += (whole.name.empty() ? "" : "_") + function.name;
+    whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
+    fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs,
+                            function.outputs.size(), function.positive.size()});
+  }
+  whole.inputs.assign(inputs.begin(), inputs.end());
+  return fusion;
+}
+
+Function function_of(const Fusion& fusion, std::size_t k) {
+  std::size_t output = 0, condition = 0;
+  for (std::size_t before = 0; before < k; ++before) {
+    output += fusion.parts[before].outputs;
+    condition += fusion.parts[before].conditions;
+  }
+  const FusedFunction& part = fusion.parts[k];
+  const auto slice = [](const auto& all, std::size_t first, std::size_t count) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::decay_t<decltype(all)>(begin, begin + static_cast<std::ptrdiff_t>(count));
+  };
+  return {.name = part.name,
+          .summary = part.summary,
+          .equation = part.equation,
+          .inputs = part.inputs,
+          .base_parameters = fusion.function.base_parameters,
+          .graph = fusion.function.graph,
+          .outputs = slice(fusion.function.outputs, output, part.outputs),
+          .positive = slice(fusion.function.positive, condition, part.conditions)};
+}
+
+}  // namespace flatdyn
