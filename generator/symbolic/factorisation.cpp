@@ -11,13 +11,13 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-[[noreturn]] void fail_as_singular(const Body& body) {
+}  // namespace
+
+void fail_as_singular(const Body& body) {
   throw Failure(ExitCode::unsupported,
                 fmt::format("forward_dynamics: B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
                 "give the links that it moves their inertia, or its motor a rotor");
 }
-
-}  // namespace
 
 Factorisation::Factorisation(Frames& frames, std::vector<std::vector<Number>> B)
     : frames_(frames), L_(std::move(B)), inverse_(L_.size()) {

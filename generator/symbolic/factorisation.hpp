@@ -7,6 +7,9 @@
 
 namespace flatdyn {
 
+// What to say of a joint whose pivot is exactly zero.
+[[noreturn]] void fail_as_singular(const Body& body);
+
 class Factorisation {
  public:
   // B as from inertia_matrix. Throws Failure(unsupported) if a pivot is exactly zero.

@@ -10,6 +10,7 @@
 #include "diagnostics/nearest.hpp"
 #include "graph/count.hpp"
 #include "symbolic/accelerations.hpp"
+#include "symbolic/articulated.hpp"
 #include "symbolic/composite.hpp"
 #include "symbolic/derivative_functions.hpp"
 #include "symbolic/derivatives.hpp"
@@ -107,7 +108,7 @@ Function coriolis_from_christoffel(const Mechanism& mechanism, Groupings groupin
 }
 
 // C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative.
-Function coriolis_from_momenta(const Mechanism& mechanism, Groupings groupings) {
+std::optional<Function> coriolis_from_momenta(const Mechanism& mechanism, Groupings groupings) {
   return cheapest(with_half_inertia(mechanism), groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const Motion motion{bench.all(InputKind::qd), bench.none(), zero_vector(), false};
@@ -131,13 +132,29 @@ Function bias(const Mechanism& mechanism, Groupings groupings) {
   });
 }
 
+Function finished_accelerations(Workbench& bench, const std::vector<Number>& qdd, const std::vector<Number>& pivots) {
+  const std::vector<NodeId> entries = bench.nodes(qdd), positive = bench.nodes(pivots);
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
+                  {vector_output("qdd", entries, "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)")},
+                  positive);
+}
+
 Function forward_dynamics(const Mechanism& mechanism, Groupings groupings) {
   return cheapest(mechanism, groupings, [](const Mechanism& m) {
     Workbench bench(m);
     const Factorisation B(bench.frames, inertia_matrix(bench.frames));
-    const std::vector<NodeId> qdd = bench.nodes(accelerations(bench, B)), pivots = bench.nodes(B.pivots());
-    return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
-                    {vector_output("qdd", qdd, "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)")}, pivots);
+    return finished_accelerations(bench, accelerations(bench, B), B.pivots());
+  });
+}
+
+std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& mechanism, Groupings groupings) {
+  if (!has_articulated_form(mechanism)) return std::nullopt;
+  return cheapest(mechanism, groupings, [](const Mechanism& m) {
+    Workbench bench(m);
+    const Motion motion{bench.all(InputKind::qd), bench.none(), m.gravity, true};
+    const std::vector<Number> tau = bench.all(InputKind::tau);
+    const ArticulatedSolution solution = articulated_accelerations(bench.frames, motion, tau);
+    return finished_accelerations(bench, solution.qdd, solution.pivots);
   });
 }
 
@@ -272,7 +289,8 @@ const std::vector<FunctionEntry>& function_table() {
        coriolis_from_momenta},
       {"gravity", "Gravity torques g(q)", "(7.39)", gravity},
       {"bias", "C(q, qd) qd + g(q) + friction", "(7.116)", bias},
-      {"forward_dynamics", "qdd from B(q) qdd = tau - bias(q, qd)", "(7.115)", forward_dynamics},
+      {"forward_dynamics", "qdd from B(q) qdd = tau - bias(q, qd)", "(7.115)", forward_dynamics,
+       forward_dynamics_by_articulated_bodies},
       {"kinetic_energy", "Kinetic energy of links and rotors", "(7.31)", kinetic_energy_function},
       {"potential_energy", "Potential energy of links and rotors", "(7.36)", potential_energy_function},
       {"forward_kinematics", "Pose of the tip", "(2.50)", forward_kinematics_tip},
@@ -306,7 +324,9 @@ std::vector<Function> formulations(const Mechanism& mechanism, const std::string
     result.push_back(link_derivation(entry.name)(mechanism, *request.link));
   } else {
     result.push_back(entry.derive(mechanism, groupings));
-    if (entry.alternative != nullptr) result.push_back(entry.alternative(mechanism, groupings));
+    std::optional<Function> other;
+    if (entry.alternative != nullptr) other = entry.alternative(mechanism, groupings);
+    if (other) result.push_back(std::move(*other));
   }
   for (Function& function : result) {
     function.name = name;

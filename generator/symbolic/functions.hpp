@@ -2,6 +2,7 @@
 // The functions that flatdyn knows, and their derivation from a mechanism (recursive route).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,8 +22,8 @@ struct FunctionEntry {
   const char* summary;
   const char* equation;
   Function (*derive)(const Mechanism&, Groupings);
-  // Another formulation of the same, where which one costs less depends on the robot.
-  Function (*alternative)(const Mechanism&, Groupings) = nullptr;
+  // Another formulation of the same, where which one costs less depends on the robot; not every robot has it.
+  std::optional<Function> (*alternative)(const Mechanism&, Groupings) = nullptr;
   // Left out unless asked for by name: the regressors serve identification and adaptive control, and are larger than
   // all other functions of a controller together.
   bool on_request = false;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "diagnostics/diagnostics.hpp"
+#include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "symbolic/functions.hpp"
 #include "verify/degree.hpp"
@@ -18,6 +19,12 @@ std::vector<std::string> function_names() {
   std::vector<std::string> names;
   for (const FunctionEntry& entry : function_table()) names.emplace_back(entry.name);
   return names;
+}
+
+// The pivots of two factorisations differ.
+Function with_accelerations_only(Function function) {
+  function.positive.clear();
+  return function;
 }
 
 TEST(ProveExactly, AcceptsEveryDerivedFunctionOfRandomTrees) {
@@ -35,6 +42,18 @@ TEST(ProveExactly, AcceptsEveryDerivedFunctionOfRandomTrees) {
         EXPECT_GT(result.entries, 0);
       }
     }
+  }
+}
+
+// With rotors on their parents, prismatic joints, branches, and nothing of these.
+TEST(ProveExactly, AcceptsForwardDynamicsByArticulatedBodies) {
+  for (const char* robot : {"planar_2r_example_7_2.toml", "scara.toml", "ur5.urdf", "quadruped12.urdf"}) {
+    const Mechanism mechanism = testing::model_of(robot).mechanism;
+    const std::vector<Function> both = formulations(mechanism, "forward_dynamics");
+    ASSERT_EQ(both.size(), 2u) << robot;
+    const ExactResult result = prove_exactly(mechanism, both[1]);
+    EXPECT_TRUE(result.equal) << robot << ": " << result.summary();
+    EXPECT_TRUE(prove_equal(with_accelerations_only(both[0]), with_accelerations_only(both[1])).equal) << robot;
   }
 }
 

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "scene/error_budget.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "diagnostics/diagnostics.hpp"
+#include "graph/count.hpp"
+#include "symbolic/functions.hpp"
+#include "symbolic/parameters.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Covers the roundings of the bounds themselves.
+constexpr double kUpward = 1 + 1e-9;
+
+// Largest norms within the limits: of ω, ω̇ and p̈ - g_0 of a body, and how far its origin is from that of its parent.
+struct LargestMotion {
+  double omega = 0, domega = 0, ddp = 0, step = 0;
+
+  double swing() const { return domega + omega * omega; }  // of a point at distance 1
+};
+
+double limit_of(const Body& body, const std::optional<Value>& limit, const char* what) {
+  if (!limit) {
+    throw Failure(ExitCode::unsupported, fmt::format("error budget: joint \"{}\" has no limit of {}", body.joint, what),
+                  "give it in the robot file, or in [limits] of the scene");
+  }
+  return std::abs(nearest_double(limit->number));
+}
+
+double norm(const Vec3& v) { return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2])); }
+
+LargestMotion moved(const LargestMotion& parent, const Body& body, bool at_rest) {
+  const double qd = at_rest ? 0 : limit_of(body, body.limits.velocity, "velocity");
+  const double qdd = limit_of(body, body.limits.acceleration, "acceleration");
+  LargestMotion motion = parent;
+  motion.step = norm(body.p);
+  if (body.prismatic) {
+    motion.step +=
+        std::max(limit_of(body, body.limits.lower, "position"), limit_of(body, body.limits.upper, "position"));
+    motion.ddp += motion.step * parent.swing() + 2 * qd * parent.omega + qdd;
+    return motion;
+  }
+  motion.ddp += motion.step * parent.swing();
+  motion.omega += qd;
+  motion.domega += qdd + qd * parent.omega;
+  return motion;
+}
+
+std::vector<LargestMotion> largest_motions(const Mechanism& mechanism, bool at_rest) {
+  std::vector<LargestMotion> motions;
+  for (const Body& body : mechanism.bodies) {
+    LargestMotion parent;
+    if (body.parent < 0) {
+      parent.ddp = norm(mechanism.gravity);
+    } else {
+      parent = motions[static_cast<std::size_t>(body.parent)];
+    }
+    motions.push_back(moved(parent, body, at_rest));
+  }
+  return motions;
+}
+
+struct Pull {
+  double force = 0, moment = 0;  // about the origin of the body's frame
+};
+
+// Of a unit of the parameter. ω × Î ω of a unit moment about an axis is ω_a (ω × a), at most half of ω² long.
+Pull unit_pull(Parameter parameter, const LargestMotion& motion) {
+  switch (parameter) {
+    case Parameter::m:
+      return {motion.ddp, 0};
+    case Parameter::mlx:
+    case Parameter::mly:
+    case Parameter::mlz:
+      return {motion.swing(), motion.ddp};
+    case Parameter::Ixx:
+    case Parameter::Iyy:
+    case Parameter::Izz:
+      return {0, motion.domega + motion.omega * motion.omega / 2};
+    default:
+      return {0, motion.swing()};
+  }
+}
+
+// How much arithmetic of the recursion a parameter brings along, roughly: a mass makes a force, a first moment acts on
+// forces and moments, an inertia on moments only.
+double weight(Parameter parameter) {
+  switch (parameter) {
+    case Parameter::m:
+    case Parameter::Ixy:
+    case Parameter::Ixz:
+    case Parameter::Iyz:
+      return 6;
+    case Parameter::mlx:
+    case Parameter::mly:
+    case Parameter::mlz:
+      return 8;
+    default:
+      return 3;
+  }
+}
+
+bool holds_b_positive(const Body& body, Parameter parameter) {
+  return parameter == (body.prismatic ? Parameter::m : Parameter::Izz);
+}
+
+class Abbreviator {
+ public:
+  Abbreviator(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest)
+      : motions_(largest_motions(mechanism, at_rest)) {
+    result_.mechanism = mechanism;
+    for (const Body& body : mechanism.bodies) {
+      result_.budget.push_back(budget.relative ? budget.value * limit_of(body, body.limits.effort, "effort")
+                                               : budget.value);
+    }
+    result_.bound.assign(mechanism.bodies.size(), 0);
+  }
+
+  Abbreviation run() {
+    std::vector<Candidate> candidates = all_candidates();
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.price < b.price; });
+    for (const Candidate& candidate : candidates) drop_if_it_fits(candidate);
+    return std::move(result_);
+  }
+
+ private:
+  struct Candidate {
+    DroppedParameter parameter;
+    Parameter kind;
+    double price = 0;  // largest part of a joint's budget, per operation saved
+  };
+
+  std::vector<Candidate> all_candidates() const {
+    std::vector<Candidate> candidates;
+    for (int k = 0; k < result_.mechanism.size(); ++k) {
+      const Body& body = result_.mechanism.bodies[static_cast<std::size_t>(k)];
+      const std::vector<Number> values = entries_of(body.inertia);
+      for (int p = 0; p < kInertialPerBody; ++p) {
+        const auto kind = static_cast<Parameter>(p);
+        const Number& value = values[static_cast<std::size_t>(p)];
+        if (vanishes(value) || holds_b_positive(body, kind)) continue;
+        candidates.push_back(candidate(k, kind, nearest_double(value)));
+      }
+    }
+    return candidates;
+  }
+
+  Candidate candidate(int k, Parameter kind, double value) const {
+    Candidate result{{k, parameter_name(index_of(k, kind)), value, bounds(k, kind, std::abs(value))}, kind, 0};
+    for (std::size_t i = 0; i < result_.budget.size(); ++i) {
+      const double part = result.parameter.bound[i] == 0 ? 0 : result.parameter.bound[i] / result_.budget[i];
+      result.price = std::max(result.price, part / weight(kind));
+    }
+    return result;
+  }
+
+  // By joint: only those from body k to the base feel it.
+  std::vector<double> bounds(int k, Parameter kind, double value) const {
+    std::vector<double> result(result_.budget.size(), 0);
+    const Pull pull = unit_pull(kind, motions_[static_cast<std::size_t>(k)]);
+    double lever = 0;
+    for (int i = k; i >= 0;) {
+      const auto at = static_cast<std::size_t>(i);
+      const Body& body = result_.mechanism.bodies[at];
+      result[at] = kUpward * value * (body.prismatic ? pull.force : pull.moment + lever * pull.force);
+      lever += motions_[at].step;
+      i = body.parent;
+    }
+    return result;
+  }
+
+  void drop_if_it_fits(const Candidate& candidate) {
+    const DroppedParameter& parameter = candidate.parameter;
+    for (std::size_t i = 0; i < result_.bound.size(); ++i) {
+      if (kUpward * (result_.bound[i] + parameter.bound[i]) > result_.budget[i]) return;
+    }
+    for (std::size_t i = 0; i < result_.bound.size(); ++i) result_.bound[i] += parameter.bound[i];
+    result_.dropped.push_back(parameter);
+    remove(result_.mechanism.bodies[static_cast<std::size_t>(parameter.body)].inertia, candidate.kind);
+  }
+
+  static void remove(InertialParameters& inertia, Parameter kind) {
+    const InertialParameters unit = unit_parameter(kind);
+    const auto keep = [](Number& entry, const Number& in_unit) {
+      if (!vanishes(in_unit)) entry = 0;
+    };
+    keep(inertia.mass, unit.mass);
+    for (std::size_t a = 0; a < 3; ++a) {
+      keep(inertia.first_moment[a], unit.first_moment[a]);
+      for (std::size_t b = 0; b < 3; ++b) keep(inertia.inertia[a][b], unit.inertia[a][b]);
+    }
+  }
+
+  std::vector<LargestMotion> motions_;
+  Abbreviation result_;
+};
+
+}  // namespace
+
+ErrorBudget error_budget(const std::string& text) {
+  const bool relative = !text.empty() && text.back() == '%';
+  try {
+    const double value = nearest_double(exact_decimal(relative ? text.substr(0, text.size() - 1) : text));
+    if (value >= 0 && value <= (relative ? 100 : 1e30)) return {relative ? value / 100 : value, relative};
+  } catch (const std::invalid_argument&) {
+  }
+  throw Failure(ExitCode::usage, fmt::format("error budget: \"{}\" is neither a percentage nor a torque", text),
+                "write it as 0.1% (of each joint's torque limit) or 0.05 (N m)");
+}
+
+// From the grouping of the parameters that leaves the cheapest inverse dynamics.
+Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest) {
+  if (!mechanism.symbols.empty()) {
+    throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
+  }
+  std::optional<Abbreviation> best;
+  int best_cost = 0;
+  for (const Grouping grouping : kGroupings) {
+    Abbreviation candidate = Abbreviator(regrouped(mechanism, grouping), budget, at_rest).run();
+    const Function torques = derive_function(candidate.mechanism, "inverse_dynamics");
+    const int cost = count_operations(torques).arithmetic();
+    if (best && cost >= best_cost) continue;
+    best = std::move(candidate);
+    best_cost = cost;
+  }
+  return *best;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// An abbreviated model: inertial parameters whose part in the torques is too small to matter are left out, with a
+// proven bound of what that changes. (After Armstrong, Khatib and Burdick, "The explicit dynamic model and inertial
+// parameters of the PUMA 560 arm", 1986, who abbreviated by hand.)
+//
+// Torques are linear in the parameters (7.81), so leaving some out changes a torque by no more than the sum of the
+// largest parts that each of them can have. These follow from norms, which rotations keep: with W, D, A the largest
+// |ω|, |ω̇| and |p̈ - g_0| of a body within the limits of velocity and acceleration, a unit of
+//     mass                       pulls with A;
+//     a first moment             pulls with D + W² and turns with A;
+//     a moment of inertia        turns with D + W²/2, a product of inertia with D + W²;
+// a pull acts on joint i with the distance between the two origins at most.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+// What may be given up at each joint: a part of its torque limit ("0.1%"), or N m (N for prismatic joints): "0.05".
+struct ErrorBudget {
+  double value = 0;
+  bool relative = false;  // to the joint's effort limit
+};
+
+// Throws Failure(usage) for any other text.
+ErrorBudget error_budget(const std::string& text);
+
+struct DroppedParameter {
+  int body = 0;
+  std::string name;           // "I3xy", after regrouping
+  double value = 0;           // SI
+  std::vector<double> bound;  // by joint: the largest change of its torque, N m or N
+};
+
+struct Abbreviation {
+  Mechanism mechanism;
+  std::vector<DroppedParameter> dropped;  // in the order in which they were given up
+  std::vector<double> budget, bound;      // by joint, N m or N; bound <= budget
+};
+
+// The mechanism without what fits into the budget, the largest saving for its part of the budget first. `at_rest`: q̇ =
+// 0. What holds B positive, I_zz of a revolute link and the mass of a prismatic one, stays. Throws Failure(unsupported)
+// where limits are missing, or numbers are not known.
+Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest = false);
+
+}  // namespace flatdyn
