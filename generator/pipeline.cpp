@@ -7,6 +7,7 @@
 
 #include "input/content_hash.hpp"
 #include "passes/draft.hpp"
+#include "scene/specialise.hpp"
 #include "symbolic/closed_functions.hpp"
 
 namespace flatdyn {
@@ -28,23 +29,34 @@ OptimisedFunction optimised(const Function& derived) {
   return result;
 }
 
-// By the recursive route, or from the closed form where that costs less.
-OptimisedFunction make_function(const Mechanism& mechanism, const std::string& name, Progress& progress) {
-  progress.step("deriving " + name);
-  const Function recursive = derive_function(mechanism, name);
-  const std::optional<Function> closed = closed_variant(mechanism, recursive);
-  progress.step("optimising " + name);
-  OptimisedFunction best = optimised(recursive);
-  if (closed) {
-    OptimisedFunction candidate = optimised(*closed);
-    if (cost(candidate.function) < cost(best.function)) best = std::move(candidate);
-  }
-  return best;
-}
-
 ExitCode code_of(const Diagnostics& errors) {
   if (errors.only_on_command_line()) return ExitCode::usage;
   return errors.only_unsupported() ? ExitCode::unsupported : ExitCode::input;
+}
+
+void stop_at_errors(const Diagnostics& found) {
+  if (found.has_errors()) throw BadInput(code_of(found), found);
+}
+
+// By the recursive route, or from the closed form where that costs less.
+OptimisedFunction make_function(const Model& model, const std::string& name, Progress& progress) {
+  const Mechanism& mechanism = model.mechanism;
+  Diagnostics found;
+  const auto as_needed = [&](const Function& general) {
+    return specialised(general, mechanism, model.robot.scene, found);
+  };
+  progress.step("deriving " + name);
+  const Function recursive = derive_function(mechanism, name);
+  const std::optional<Function> closed = closed_variant(mechanism, recursive);
+  const Function needed = as_needed(recursive);
+  stop_at_errors(found);
+  progress.step("optimising " + name);
+  OptimisedFunction best = optimised(needed);
+  if (closed) {
+    OptimisedFunction candidate = optimised(as_needed(*closed));
+    if (cost(candidate.function) < cost(best.function)) best = std::move(candidate);
+  }
+  return best;
 }
 
 std::vector<std::string> names_of_functions(bool on_request) {
@@ -52,6 +64,36 @@ std::vector<std::string> names_of_functions(bool on_request) {
   for (const FunctionEntry& entry : function_table()) {
     if (entry.on_request == on_request) names.emplace_back(entry.name);
   }
+  return names;
+}
+
+// Names that a scene gives, with their places.
+void check_scene_names(const Model& model) {
+  std::vector<Reference> functions = model.robot.scene.functions;
+  Diagnostics found;
+  for (auto function = functions.begin(); function != functions.end(); ++function) {
+    const bool is_again = std::any_of(functions.begin(), function,
+                                      [&](const Reference& before) { return before.name == function->name; });
+    if (is_again) found.error(function->place, "functions: \"" + function->name + "\" is there twice", "name it once");
+  }
+  for (const SceneOutputs& outputs : model.robot.scene.outputs) functions.push_back(outputs.function);
+  for (const Reference& function : functions) {
+    try {
+      check_function_name(model.mechanism, function.name);
+    } catch (const Failure& failure) {
+      found.error(function.place, failure.what(), failure.hint());
+    }
+  }
+  stop_at_errors(found);
+}
+
+// What the command line asks for, else the scene; empty if neither asks for anything.
+std::vector<std::string> functions_asked_for(const PipelineOptions& options, const Scene& scene) {
+  if (!options.functions.empty()) return options.functions;
+  std::vector<std::string> names;
+  for (const Reference& function : scene.functions) names.push_back(function.name);
+  if (!names.empty()) return names;
+  for (const SceneOutputs& outputs : scene.outputs) names.push_back(outputs.function.name);
   return names;
 }
 
@@ -75,13 +117,15 @@ std::vector<std::string> requested_function_names() { return names_of_functions(
 
 std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress,
                                               Diagnostics& findings) {
-  const bool asked = !options.functions.empty();
-  const std::vector<std::string> names = asked ? options.functions : default_function_names();
+  check_scene_names(model);
+  const std::vector<std::string> wanted = functions_asked_for(options, model.robot.scene);
+  const bool asked = !wanted.empty();
+  const std::vector<std::string> names = asked ? wanted : default_function_names();
   check_names(model.mechanism, names);
   std::vector<OptimisedFunction> result;
   for (const std::string& name : names) {
     try {
-      result.push_back(make_function(model.mechanism, name, progress));
+      result.push_back(make_function(model, name, progress));
     } catch (const Failure& failure) {
       if (asked || failure.code() != ExitCode::unsupported) throw;
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());

@@ -16,6 +16,7 @@
 #include "emit/names.hpp"
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
+#include "scene/entries.hpp"
 #include "symbolic/number_text.hpp"
 #include "templates.hpp"
 
@@ -105,12 +106,25 @@ class HeaderWriter {
     std::vector<std::string> stamp;
     if (!options_.options_stamp.empty()) stamp.push_back("Options: " + comment_text(options_.options_stamp));
     if (!options_.input_hash.empty()) stamp.push_back("Input: " + comment_text(options_.input_hash));
+    for (const std::string& line : wrapped_words(comment_text(options_.scene_stamp), kCommentWidth)) {
+      stamp.push_back(line);
+    }
     header["stamp"] = list_of(stamp);
     header["joint_table"] = list_of(joint_table(mechanism_));
+    header["writes"] = list_of(writes());
     header["facts"] = list_of(wrapped_words(facts(), kCommentWidth));
     header["guard"] = guard_of(namespace_);
     header["namespace"] = namespace_;
     header["scalar"] = options_.scalar;
+  }
+
+  std::vector<std::string> writes() const {
+    const std::string next = " All inputs are read before anything is written:";
+    if (std::all_of(functions_.begin(), functions_.end(), is_whole)) {
+      return {"Every entry of an output is written, zeros too." + next};
+    }
+    return {"Arrays have their full length, but entries that nobody asked for are left as they are: the",
+            "comment of the function says which are written." + next};
   }
 
   std::string facts() const {
@@ -122,6 +136,7 @@ class HeaderWriter {
       for (std::size_t k = 0; k < mechanism_.merged.size(); ++k) text += (k == 0 ? " " : ", ") + mechanism_.merged[k];
       text += ".";
     }
+    if (!options_.scene_facts.empty()) text += " " + options_.scene_facts;
     return comment_text(text);
   }
 
@@ -199,7 +214,7 @@ class HeaderWriter {
         std::vector<std::string> row;
         for (int j = 0; j < output.cols; ++j) {
           const NodeId entry = output.entries[static_cast<std::size_t>(i * output.cols + j)];
-          row.push_back(function.graph.is_zero(entry) ? "0" : "1");
+          row.push_back(function.graph.is_zero(entry) ? "0" : "1");  // 0 also where it is left out
         }
         text += list_line("", row, i + 1 < output.rows ? "," : "};", kConstantIndent);
       }
@@ -219,9 +234,20 @@ class HeaderWriter {
     const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
     for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
     std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
+    if (function.at_rest) facts += " Holds where qd = 0, and does not read it.";
+    for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += written(function, o, text);
     for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
     for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
     return lines;
+  }
+
+  // " Written: tau[0..2] and nothing else." of an output of which entries are left out.
+  static std::string written(const Function& function, std::size_t o, const FunctionText& text) {
+    Output output = function.outputs[o];
+    if (output.left_out.empty()) return "";
+    output.name = text.outputs[o].name;
+    if (!output.is_written()) return " Of " + output.name + " nothing is written.";
+    return " Written: " + written_entries(output) + ", and nothing else of " + output.name + ".";
   }
 
   // " Always zero: 6 of 9 entries of B." or, of a vector, " Always zero: g[0]."
@@ -230,7 +256,7 @@ class HeaderWriter {
     std::string list;
     int count = 0;
     for (std::size_t e = 0; e < output.entries.size() && !text.outputs.empty(); ++e) {
-      if (!function.graph.is_zero(output.entries[e])) continue;
+      if (!function.graph.is_zero(output.entries[e]) || output.leaves_out(e)) continue;
       list += fmt::format("{}{}[{}]", count == 0 ? "" : ", ", text.outputs[o].name, e);
       ++count;
     }

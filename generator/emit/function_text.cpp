@@ -89,7 +89,7 @@ class FunctionWriter {
     }
     if (returns_value(function_)) return list;
     for (std::size_t k = 0; k < function_.outputs.size(); ++k) {
-      list.push_back(parameter("Scalar*", output_names_[k], !function_.outputs[k].entries.empty()));
+      list.push_back(parameter("Scalar*", output_names_[k], function_.outputs[k].is_written()));
     }
     return list;
   }

@@ -29,13 +29,13 @@ class LagrangianOutputs {
     if (is_regressor(stem_)) regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, joint_points());
   }
 
-  // The function's own values, brought to a form that can be compared: for forward_dynamics, B times them, which has no
-  // denominators; for a base regressor, all columns of Y made of them.
+  // The function's own values, brought to a form that can be compared: for forward_dynamics, if no entry is left out, B
+  // times them, which has no denominators; for a base regressor, all columns of Y made of them.
   Values found(const Output& output) {
     Values result;
     for (const NodeId entry : output.entries) result.push_back(values_[static_cast<std::size_t>(entry)]);
     if (regressor_) return regressor_->found(result);
-    return stem_ == "forward_dynamics" ? times(lagrangian_.inertia(), result) : result;
+    return stem_ == "forward_dynamics" && output.left_out.empty() ? times(lagrangian_.inertia(), result) : result;
   }
 
   // What found() has to be.
@@ -48,7 +48,8 @@ class LagrangianOutputs {
     if (stem_ == "coriolis_matrix") return lagrangian_.coriolis_matrix(rates()).entries();
     if (stem_ == "gravity") return lagrangian_.gravity();
     if (stem_ == "bias") return lagrangian_.bias(rates(), signs());
-    if (stem_ == "forward_dynamics") return net_torques();
+    if (stem_ == "forward_dynamics" && output.left_out.empty()) return net_torques();
+    if (stem_ == "forward_dynamics") return solution(lagrangian_.inertia(), net_torques());
     if (stem_ == "kinetic_energy") return {lagrangian_.kinetic_energy(rates())};
     if (stem_ == "potential_energy") return {lagrangian_.potential_energy()};
     if (stem_ == "forward_kinematics") return pose(output.name);
@@ -107,6 +108,23 @@ class LagrangianOutputs {
     const Values bias = lagrangian_.bias(rates(), signs());
     for (std::size_t i = 0; i < bias.size(); ++i) result[i] += -bias[i];
     return result;
+  }
+
+  // x of A x = b by elimination. B is singular at few points of a field: then the division says so.
+  static Values solution(Matrix<F> A, Values b) {
+    const int n = A.rows();
+    const auto at = [](int i) { return static_cast<std::size_t>(i); };
+    for (int k = 0; k < n; ++k) {
+      const F reciprocal = F(1) / A(k, k);
+      for (int i = 0; i < n; ++i) {
+        if (i == k) continue;
+        const F factor = A(i, k) * reciprocal;
+        for (int j = k; j < n; ++j) A(i, j) += -(factor * A(k, j));
+        b[at(i)] += -(factor * b[at(k)]);
+      }
+    }
+    for (int k = 0; k < n; ++k) b[at(k)] = b[at(k)] * (F(1) / A(k, k));
+    return b;
   }
 
   // In the order of Layout::christoffel.
