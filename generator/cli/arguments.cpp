@@ -64,7 +64,9 @@ Number expression_option(const std::string& option, const std::string& text) {
     throw ExpressionError("\"" + std::string(name) + "\" is a symbol, which only a file may have", column);
   };
   try {
-    return parse_expression(text, no_symbol);
+    const Number value = parse_expression(text, no_symbol);
+    if (is_reasonable(GiNaC::ex_to<GiNaC::numeric>(value.evalf()))) return value;
+    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not between 1e-30 and 1e30", option, text));
   } catch (const ExpressionError& error) {
     throw Failure(ExitCode::usage, fmt::format("{}: \"{}\": {}", option, text, error.what()),
                   "write a number or an expression such as pi/2");
@@ -106,6 +108,15 @@ std::vector<LockedJoint> fixed_options(const std::vector<std::string>& texts) {
     }
   }
   return all;
+}
+
+// As an expression, which is never snapped: what it was taken for is written.
+std::string position_text(const LockedJoint& lock, const Robot& robot) {
+  for (const Joint& joint : robot.joints) {
+    const bool is_snapped = joint.name == lock.joint && joint.held && !vanishes(joint.held->position - lock.position);
+    if (is_snapped) return plain_number_text(joint.held->position);
+  }
+  return lock.written;
 }
 
 }  // namespace
@@ -219,8 +230,7 @@ std::vector<std::string> RobotArguments::settings(const Model& model) const {
   if (!tip.empty()) lines.push_back(fmt::format("tip = {{ link = {} }}", toml_string(tip)));
   std::vector<std::string> fixed;
   for (const LockedJoint& lock : wanted.locked) {
-    const std::string position = lock.is_decimal ? lock.written : toml_string(lock.written);
-    fixed.push_back(fmt::format("{} = {}", toml_string(lock.joint), position));
+    fixed.push_back(fmt::format("{} = {}", toml_string(lock.joint), toml_string(position_text(lock, model.robot))));
   }
   if (!fixed.empty()) lines.push_back(fmt::format("fixed = {{ {} }}", fmt::join(fixed, ", ")));
   return lines;

@@ -15,8 +15,8 @@
 #include "emit/name_space.hpp"
 #include "emit/names.hpp"
 #include "emit/writer.hpp"
+#include "emit/written.hpp"
 #include "graph/count.hpp"
-#include "scene/entries.hpp"
 #include "symbolic/number_text.hpp"
 #include "templates.hpp"
 
@@ -111,20 +111,11 @@ class HeaderWriter {
     }
     header["stamp"] = list_of(stamp);
     header["joint_table"] = list_of(joint_table(mechanism_));
-    header["writes"] = list_of(writes());
+    header["writes"] = list_of(writing_rule(functions_));
     header["facts"] = list_of(wrapped_words(facts(), kCommentWidth));
     header["guard"] = guard_of(namespace_);
     header["namespace"] = namespace_;
     header["scalar"] = options_.scalar;
-  }
-
-  std::vector<std::string> writes() const {
-    const std::string next = " All inputs are read before anything is written:";
-    if (std::all_of(functions_.begin(), functions_.end(), is_whole)) {
-      return {"Every entry of an output is written, zeros too." + next};
-    }
-    return {"Arrays have their full length, but entries that nobody asked for are left as they are: the",
-            "comment of the function says which are written." + next};
   }
 
   std::string facts() const {
@@ -235,19 +226,10 @@ class HeaderWriter {
     for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
     std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
     if (function.at_rest) facts += " Holds where qd = 0, and does not read it.";
-    for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += written(function, o, text);
+    facts += written_text(function, text.outputs);
     for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
     for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
     return lines;
-  }
-
-  // " Written: tau[0..2] and nothing else." of an output of which entries are left out.
-  static std::string written(const Function& function, std::size_t o, const FunctionText& text) {
-    Output output = function.outputs[o];
-    if (output.left_out.empty()) return "";
-    output.name = text.outputs[o].name;
-    if (!output.is_written()) return " Of " + output.name + " nothing is written.";
-    return " Written: " + written_entries(output) + ", and nothing else of " + output.name + ".";
   }
 
   // " Always zero: 6 of 9 entries of B." or, of a vector, " Always zero: g[0]."

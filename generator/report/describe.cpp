@@ -50,7 +50,7 @@ std::string describe_model(const Model& model, const std::vector<double>& snap_e
   }
   text += aligned_table(rows);
   const std::vector<std::string> scene = scene_items(model);
-  if (!scene.empty()) text += fmt::format("\nfixed by the scene:\n  {}\n", fmt::join(scene, "\n  "));
+  if (!scene.empty()) text += fmt::format("\nfixed by scene or options:\n  {}\n", fmt::join(scene, "\n  "));
   if (!mechanism.merged.empty())
     text += fmt::format("\nmerged by fixed joints: {}\n", fmt::join(mechanism.merged, ", "));
   if (!mechanism.symbols.empty()) {

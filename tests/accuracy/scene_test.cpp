@@ -194,5 +194,22 @@ INSTANTIATE_TEST_SUITE_P(Robots, InAScene,
                                            Case{"scara.toml", "d_3", 2, "0.05"}),
                          name_of);
 
+// What README.md says of the example.
+TEST(ExampleScene, TakesNoMoreOperations) {
+  const std::string folder = FLATDYN_SOURCE_DIR;
+  PipelineOptions options;
+  options.read.scene_file = folder + "/docs/examples/panda_scene.toml";
+  const Model model = read_model(folder + "/robots/panda.urdf", options);
+  Progress quiet(true);
+  Diagnostics findings;
+  const std::vector<Function> functions = functions_of(make_functions(model, options, quiet, findings));
+  ASSERT_EQ(functions.size(), 3U);
+  const OperationCount torques = count_operations(functions[0]), inertia = count_operations(functions[1]);
+  EXPECT_LE(torques.multiplications, 122);
+  EXPECT_LE(torques.additions, 90);
+  EXPECT_LE(inertia.multiplications, 52);
+  EXPECT_LE(inertia.additions, 54);
+}
+
 }  // namespace
 }  // namespace flatdyn

@@ -15,13 +15,13 @@
 namespace flatdyn {
 namespace {
 
-namespace scene_fs = std::filesystem;
+namespace fs = std::filesystem;
 
-const scene_fs::path kScenes = scene_fs::path(FLATDYN_SOURCE_DIR) / "tests" / "errors" / "scenes";
+const fs::path kScenes = fs::path(FLATDYN_SOURCE_DIR) / "tests" / "errors" / "scenes";
 
 std::vector<std::string> scene_files() {
   std::vector<std::string> files;
-  for (const scene_fs::directory_entry& entry : scene_fs::directory_iterator(kScenes)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(kScenes)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path().filename().string());
   }
   std::sort(files.begin(), files.end());
@@ -30,7 +30,7 @@ std::vector<std::string> scene_files() {
 
 class SceneErrors : public ::testing::TestWithParam<std::string> {
  protected:
-  SceneErrors() { scene_fs::current_path(kScenes); }
+  SceneErrors() { fs::current_path(kScenes); }
 
   // All that is said from the reader to the functions.
   static Diagnostics found() {
@@ -59,7 +59,7 @@ TEST_P(SceneErrors, HaveTheExactTextAndAHint) {
     EXPECT_FALSE(diagnostic.place.file.empty()) << to_string(diagnostic);
   }
   EXPECT_FALSE(text.empty());
-  const scene_fs::path expected = kScenes / scene_fs::path(GetParam()).replace_extension(".expected");
+  const fs::path expected = kScenes / fs::path(GetParam()).replace_extension(".expected");
   if (std::getenv("FLATDYN_UPDATE_EXPECTED") != nullptr) std::ofstream(expected, std::ios::binary) << text;
   std::ostringstream wanted;
   wanted << std::ifstream(expected, std::ios::binary).rdbuf();
@@ -67,7 +67,7 @@ TEST_P(SceneErrors, HaveTheExactTextAndAHint) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneErrors, ::testing::ValuesIn(scene_files()),
-                         [](const auto& test) { return scene_fs::path(test.param).stem().string(); });
+                         [](const auto& test) { return fs::path(test.param).stem().string(); });
 
 }  // namespace
 }  // namespace flatdyn
