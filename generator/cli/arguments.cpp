@@ -172,7 +172,8 @@ void RobotArguments::add_to(CLI::App& command) {
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {
   command
       .add_option("--functions", functions,
-                  "what to compute, separated by commas; default: all below down to the blank line")
+                  "what to compute, separated by commas; default: what the scene names, else all below down to the "
+                  "blank line")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
