@@ -19,7 +19,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   double q[7] = {}, qd[7] = {}, qdd[7] = {}, tau[7];
 //   panda::inverse_dynamics(q, qd, qdd, tau);
@@ -28,10 +28,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PANDA_HPP
 #define FLATDYN_PANDA_HPP
@@ -72,28 +72,53 @@ inline constexpr Real acceleration_limit[joint_count] = {
 inline constexpr Real effort_limit[joint_count] = {
     Real(87.0), Real(87.0), Real(87.0), Real(87.0), Real(12.0), Real(12.0), Real(12.0)};
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[7]    in   joint positions, rad or m
 //   qd[7]   in   joint velocities, rad/s or m/s
 //   qdd[7]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..6], qd[0..6], qdd[0..6]. Operations: 308 mul, 290 add, 12 sin/cos.
-template <class Scalar>
-inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
       qdd_6 = qdd[5], qdd_7 = qdd[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = qd_2 * t1;
   const Scalar t3 = s_2 * qdd_1;
@@ -342,25 +367,20 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..6], qd[0..6], qdd[0..6], h_e[0..5]. Operations: 366 mul, 326 add, 14 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    const Scalar* h_e, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+    const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
       qdd_6 = qdd[5], qdd_7 = qdd[6];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_3 = h_e[2], h_e_4 = h_e[3], h_e_5 = h_e[4],
       h_e_6 = h_e[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = qd_2 * t1;
   const Scalar t3 = s_2 * qdd_1;
@@ -646,17 +666,13 @@ inline constexpr bool inertia_matrix_nonzero[49] = {
 //   B[49]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //               7 x 7, row by row: entry (i, j) is B[7 * i + j]
 // Reads q[1..6]. Operations: 182 mul, 157 add, 12 sin/cos.
-template <class Scalar>
-inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar Iu_7_a_xy = Scalar(0.0012555365982728983) * c_7 +
       Scalar(0.0009653051699191118) * s_7;
   B[41] = B[47] = -Iu_7_a_xy;
@@ -821,17 +837,13 @@ inline constexpr bool christoffel_nonzero[196] = {
 //   c[196]  out  Christoffel symbols c_ijk = c_ikj, j <= k
 //                c_ijk = c_ikj is c[28 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1..6]. Operations: 770 mul, 622 add, 12 sin/cos. Always zero: 28 of the 196 entries of c.
-template <class Scalar>
-inline void christoffel(const Scalar* q, Scalar* c) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar Iu_7_a_xz = Scalar(0.0004826525849595559) * c_7 -
       Scalar(0.0006277682991364491) * s_7;
   c[167] = Scalar(-2.0) * Iu_7_a_xz;
@@ -1472,603 +1484,521 @@ inline constexpr bool coriolis_matrix_nonzero[49] = {
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   C[49]  out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
 //               7 x 7, row by row: entry (i, j) is C[7 * i + j]
-// Reads q[1..6], qd[0..6]. Operations: 994 mul, 833 add, 12 sin/cos. Always zero: 1 of the 49
+// Reads q[1..6], qd[0..6]. Operations: 808 mul, 667 add, 12 sin/cos. Always zero: 1 of the 49
 // entries of C.
-template <class Scalar>
-inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar t1 = Scalar(0.000391391281684248) * c_7 + Scalar(0.001210471889260615) * s_7;
-  const Scalar dmu_6_7_y = t1 - Scalar(0.00008951535818111907);
-  const Scalar t2 = Scalar(0.001210471889260615) * c_7 - Scalar(0.000391391281684248) * s_7;
-  const Scalar t3 = t2 - Scalar(0.00011323863633888094);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
+  const Scalar t1 = s_2 * qd_1;
+  const Scalar t2 = c_3 * t1 - s_3 * qd_2;
+  const Scalar t3 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t3;
+  const Scalar t4 = c_4 * t2 - s_4 * omega_3_z;
+  const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
+  const Scalar omega_4_z = qd_4 - omega_r_3_y;
+  const Scalar t5 = c_5 * t4 + s_5 * omega_4_z;
+  const Scalar t6 = s_4 * t2 + c_4 * omega_3_z;
+  const Scalar omega_5_z = qd_5 + t6;
+  const Scalar t7 = c_6 * t5 - s_6 * omega_5_z;
+  const Scalar omega_r_6_a_z = c_5 * omega_4_z - s_5 * t4;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t8 = c_7 * omega_6_z + s_7 * t7;
+  const Scalar t9 = Scalar(-0.000195695640842124) * t8;
+  const Scalar t10 = c_7 * t7 - s_7 * omega_6_z;
+  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t5;
+  const Scalar omega_7_z = qd_7 - omega_r_6_y;
+  const Scalar t11 = Scalar(0.0004826525849595559) * omega_7_z;
+  const Scalar t12 = t9 + t11 + Scalar(0.001210471889260615) * t10;
+  const Scalar t13 = t9 - t11 + Scalar(0.003342075983680473) * t10;
+  const Scalar t14 = Scalar(0.000391391281684248) * t8 - t12 + t13;
+  const Scalar t15 = Scalar(-0.000195695640842124) * t10;
+  const Scalar t16 = Scalar(0.0006277682991364491) * omega_7_z;
+  const Scalar t17 = t16 - t15;
+  const Scalar t18 = t15 + t16 + Scalar(0.002131604094419858) * t8;
+  const Scalar t19 = Scalar(0.000391391281684248) * t10 + t17 + Scalar(0.00242094377852123) * t8 +
+      t18;
+  const Scalar t20 = Scalar(0.002573605371338203) * t10 - Scalar(0.002034439958661797) * t8;
+  const Scalar dtau_qd6_7 = Scalar(0.088) * t20 + c_7 * t14 + s_7 * t19;
+  C[41] = dtau_qd6_7;
+  const Scalar t21 = t12 + t13;
+  const Scalar t22 = t17 - t18;
   const Scalar hu_7_t_y = Scalar(0.0010172199793308985) * c_7 + Scalar(0.0012868026856691014) * s_7;
-  const Scalar t4 = Scalar(0.088) * hu_7_t_y;
-  const Scalar c_7_6_6 = t4 - c_7 * dmu_6_7_y - s_7 * t3;
-  C[40] = -qd_7 * c_7_6_6;
-  const Scalar t5 = c_7 * t2;
-  const Scalar t6 = t5 - Scalar(0.001210471889260615);
-  const Scalar t7 = Scalar(0.0012868026856691014) * c_7 - Scalar(0.0010172199793308985) * s_7;
-  const Scalar t8 = Scalar(0.176) * t7;
-  const Scalar Ic_6_yy = t8 - Scalar(0.00264028154032624);
-  const Scalar t9 = t6 - Ic_6_yy;
+  const Scalar t23 = Scalar(0.176) * hu_7_t_y;
+  const Scalar t24 = omega_6_z * t23 - s_7 * t22 + c_7 * t21;
   const Scalar Iu_7_a_xz = Scalar(0.0004826525849595559) * c_7 -
       Scalar(0.0006277682991364491) * s_7;
-  const Scalar Ic_6_xy = Iu_7_a_xz + Scalar(0.007374285191337658);
-  const Scalar t10 = Scalar(2.0) * Ic_6_xy;
-  const Scalar t11 = c_6 * t9 - s_6 * t10;
-  const Scalar t12 = s_6 * t11;
-  const Scalar t13 = s_6 * t9 + c_6 * t10;
-  const Scalar t14 = t12 + c_6 * t13;
-  const Scalar t15 = Scalar(0.0006277682991364491) * c_6 + s_6 * t1;
-  const Scalar dmu_5_7_y = Scalar(0.0004826525849595559) * c_6 + s_6 * t2;
-  const Scalar t16 = c_6 * hu_7_t_y;
-  const Scalar t17 = Scalar(0.088) * t16;
+  const Scalar hu_7_t_x = Scalar(0.0012868026856691014) * c_7 - Scalar(0.0010172199793308985) * s_7;
+  const Scalar t25 = Scalar(0.088) * hu_7_t_x;
+  const Scalar t26 = t25 + Scalar(0.003342075983680473);
+  C[47] = t24 - Scalar(2.0) * (omega_r_6_y * Iu_7_a_xz + t7 * t26);
+  const Scalar mu_u_qd7_7_t_x = c_7 * t19 - s_7 * t14;
+  const Scalar t27 = omega_7_z * hu_7_t_y;
+  const Scalar t28 = Scalar(0.176) * t27;
+  const Scalar mu_u_qd7_6_t_y = c_6 * t28 + s_6 * mu_u_qd7_7_t_x;
+  C[34] = mu_u_qd7_6_t_y;
+  const Scalar t29 = Scalar(-0.0009653051699191118) * t8;
+  const Scalar t30 = Scalar(0.000391391281684248) * omega_7_z;
+  const Scalar t31 = t30 - t29;
+  const Scalar t32 = Scalar(-0.0012555365982728983) * t10;
+  const Scalar t33 = t30 + t32;
+  const Scalar t34 = Scalar(-0.0006277682991364491) * t8;
+  const Scalar t35 = Scalar(-0.0004826525849595559) * t10;
+  const Scalar t36 = t34 + t35 + Scalar(0.001210471889260615) * omega_7_z;
+  const Scalar t37 = c_7 * (t31 + t33) + Scalar(2.0) * s_7 * t36;
+  const Scalar t38 = c_7 * t37;
+  const Scalar t39 = Scalar(-0.000093569097314605) * t7;
+  const Scalar t40 = Scalar(0.000103758917218685) * omega_r_6_y + t39 - t28 - t31 + t38;
+  const Scalar Iu_7_t_g = Scalar(0.001210471889260615) * c_7 - Scalar(0.000391391281684248) * s_7;
+  const Scalar t41 = Scalar(0.088) * hu_7_t_y;
+  const Scalar t42 = Scalar(0.0001438161822327815) - t41 + s_7 * Iu_7_t_g;
   const Scalar Iu_7_a_xy = Scalar(0.0006277682991364491) * c_7 +
       Scalar(0.0004826525849595559) * s_7;
-  const Scalar db_57_7 = t17 + s_6 * Iu_7_a_xy;
-  const Scalar c_7_5_5 = c_6 * (t17 + db_57_7) + s_6 * (c_7 * t15 + s_7 * dmu_5_7_y);
-  C[32] = qd_6 * t14 - qd_7 * c_7_5_5;
-  const Scalar t18 = c_6 * t11;
-  const Scalar t19 = t7 + Scalar(0.1159237763475);
-  const Scalar f_u_6_6_t_x = Scalar(0.0869023527845) * c_6 - s_6 * t19;
-  const Scalar t20 = Scalar(0.384) * f_u_6_6_t_x;
-  const Scalar t21 = Scalar(0.0001438161822327815) - t4 + s_7 * t2;
   const Scalar Ic_6_yz = Scalar(0.0000467845486573025) + Iu_7_a_xy;
-  const Scalar t22 = c_6 * t21 - s_6 * Ic_6_yz;
-  const Scalar t23 = c_5 * t22;
-  const Scalar t24 = t23 - s_5 * (t18 - s_6 * t13 - t20);
-  const Scalar t25 = t5 - t8 - Scalar(0.027504612894594268);
-  const Scalar t26 = s_5 * (t25 + t20) - t23;
-  const Scalar t27 = t26 - t24;
-  const Scalar t28 = s_5 * t22 + c_5 * t25;
-  const Scalar t29 = c_4 - Scalar(1.0);
-  const Scalar v_o_3_5_z = Scalar(0.0825) * t29 + Scalar(0.384) * s_4;
-  const Scalar t30 = c_5 * v_o_3_5_z;
-  const Scalar t31 = f_u_6_6_t_x * t30;
-  const Scalar t32 = s_4 * t28 + t31;
-  const Scalar t33 = s_4 * c_5;
-  const Scalar w_3_6_x = c_4 * s_6 + c_6 * t33;
-  const Scalar t34 = c_4 * c_6 - s_6 * t33;
-  const Scalar t35 = s_4 * s_5;
-  const Scalar t36 = -t22 * t35 - t11 * w_3_6_x - t34 * t13 + t31;
-  const Scalar t37 = t32 - t36;
-  const Scalar t38 = s_2 * c_3;
-  const Scalar t39 = c_2 * s_4 - c_4 * t38;
-  const Scalar t40 = s_2 * s_3;
-  const Scalar t41 = s_5 * t40;
-  const Scalar w_1_5_x = c_5 * t39 + t41;
-  const Scalar w_1_4_y = c_2 * c_4 + s_4 * t38;
-  const Scalar w_1_6_x = c_6 * w_1_5_x + s_6 * w_1_4_y;
-  const Scalar t42 = c_6 * w_1_4_y - s_6 * w_1_5_x;
-  const Scalar v_o_1_4_y = Scalar(0.0825) * c_2 + Scalar(0.316) * t38;
-  const Scalar v_1_5_a_y = v_o_1_4_y - Scalar(0.0825) * w_1_4_y - Scalar(0.384) * t39;
-  const Scalar t43 = Scalar(0.316) * c_4;
-  const Scalar t44 = Scalar(0.0825) * s_4 - t43;
-  const Scalar t45 = t44 - Scalar(0.384);
-  const Scalar t46 = c_5 * v_1_5_a_y + t45 * t41;
-  const Scalar t47 = f_u_6_6_t_x * t46;
-  const Scalar w_1_5_y = c_5 * t40 - s_5 * t39;
-  const Scalar t48 = t22 * w_1_5_y;
-  const Scalar db_15_6r = t11 * w_1_6_x - t48 + t42 * t13 + t47;
-  const Scalar t49 = t25 * w_1_5_x - t48 - t47;
-  const Scalar t50 = t49 + db_15_6r;
-  const Scalar t51 = s_3 * c_4;
-  const Scalar t52 = c_3 * s_5;
-  const Scalar w_2_5_x = t52 + c_5 * t51;
-  const Scalar t53 = s_3 * s_4;
-  const Scalar t54 = c_6 * w_2_5_x - s_6 * t53;
-  const Scalar w_2_7_a_z = c_6 * t53 + s_6 * w_2_5_x;
-  const Scalar t55 = s_3 * (c_4 - Scalar(0.21484375) * s_4 + Scalar(0.8229166666666666));
-  const Scalar t56 = Scalar(0.384) * c_5;
-  const Scalar v_2_6_a_z = t55 * t56 - t45 * t52;
-  const Scalar t57 = f_u_6_6_t_x * v_2_6_a_z;
-  const Scalar t58 = c_3 * c_5 - s_5 * t51;
-  const Scalar t59 = t22 * t58;
-  const Scalar t60 = t59 - t11 * t54 + w_2_7_a_z * t13 + t57;
-  const Scalar t61 = t25 * w_2_5_x - t59 + t57;
-  const Scalar t62 = t61 - t60;
-  const Scalar t63 = qd_5 * t14 + qd_3 * t37 + qd_1 * t50 + qd_2 * t62 - qd_4 * t27;
-  const Scalar t64 = c_6 * Iu_7_a_xz;
-  const Scalar db_56_7r = t64 + s_6 * (c_7 * t3 - s_7 * dmu_6_7_y);
-  const Scalar t65 = Scalar(0.088) * t7 + Scalar(0.003342075983680473);
-  const Scalar t66 = t64 - s_6 * t65;
-  const Scalar t67 = t66 - db_56_7r;
-  const Scalar t68 = Scalar(2.0) * qd_6;
-  C[33] = t22 * t68 - qd_7 * t67 + t63;
-  const Scalar t69 = c_5 * t45;
-  const Scalar t70 = t40 * t69 - s_5 * v_1_5_a_y;
-  const Scalar t71 = Scalar(0.0825) * c_4 + Scalar(0.316) * s_4;
-  const Scalar t72 = t71 - Scalar(0.0825);
-  const Scalar t73 = t72 * t40;
-  const Scalar t74 = c_6 * t73 - s_6 * t70;
-  const Scalar v_1_7_a_z = Scalar(0.088) * w_1_5_y + t74;
-  const Scalar t75 = c_7 * w_1_6_x - s_7 * w_1_5_y;
-  const Scalar t76 = c_7 * w_1_5_y + s_7 * w_1_6_x;
-  const Scalar t77 = Iu_7_a_xz * t42;
-  const Scalar t78 = hu_7_t_y * v_1_7_a_z + t77 + t75 * t3 - t76 * dmu_6_7_y;
-  const Scalar t79 = hu_7_t_y * t74 - t77 + w_1_6_x * t65;
-  const Scalar t80 = t79 - t78;
-  const Scalar t81 = c_3 * t69 + Scalar(0.384) * s_5 * t55;
-  const Scalar t82 = c_3 * t72;
-  const Scalar t83 = c_6 * t82 - s_6 * t81;
-  const Scalar t84 = Scalar(0.088) * t58 + t83;
-  const Scalar w_2_7_x = c_7 * t54 - s_7 * t58;
-  const Scalar t85 = c_7 * t58 + s_7 * t54;
-  const Scalar t86 = Iu_7_a_xz * w_2_7_a_z;
-  const Scalar t87 = t86 - hu_7_t_y * t84 - w_2_7_x * t3 + t85 * dmu_6_7_y;
-  const Scalar t88 = hu_7_t_y * t83 + t86 + t54 * t65;
-  const Scalar t89 = t87 + t88;
-  const Scalar t90 = Scalar(0.088) * s_4 + s_6 * v_o_3_5_z;
-  const Scalar t91 = s_5 * t90;
-  const Scalar w_3_7_x = c_7 * w_3_6_x + s_7 * t35;
-  const Scalar t92 = c_7 * t35 - s_7 * w_3_6_x;
-  const Scalar t93 = Iu_7_a_xz * t34;
-  const Scalar t94 = t93 - hu_7_t_y * t91 + w_3_7_x * t3 + t92 * dmu_6_7_y;
-  const Scalar t95 = s_5 * s_6;
-  const Scalar t96 = hu_7_t_y * v_o_3_5_z * t95 + t93 - w_3_6_x * t65;
-  const Scalar t97 = t94 + t96;
-  const Scalar t98 = db_56_7r + t66;
-  const Scalar t99 = s_6 * Iu_7_a_xz + c_6 * t65;
-  const Scalar t100 = Scalar(0.0825) * c_6 - s_6 * t56;
-  const Scalar t101 = s_5 * t99 - hu_7_t_y * t100;
-  const Scalar v_o_4_7_y = Scalar(0.088) * c_5 - t100;
-  const Scalar t102 = s_5 * c_6;
-  const Scalar t103 = c_7 * t102;
-  const Scalar t104 = t103 - c_5 * s_7;
-  const Scalar t105 = s_7 * t102;
-  const Scalar w_4_7_y = t105 + c_5 * c_7;
-  const Scalar t106 = hu_7_t_y * v_o_4_7_y - Iu_7_a_xz * t95 + t104 * t3 - w_4_7_y * dmu_6_7_y;
-  const Scalar t107 = t101 - t106;
-  const Scalar C_76 = qd_6 * c_7_6_6 + qd_1 * t80 + qd_2 * t89 - qd_5 * t98 - qd_3 * t97 -
-      qd_4 * t107;
-  C[47] = C_76;
-  C[39] = qd_7 * t98 - t63;
-  const Scalar Iu_6_t_xx = Ic_6_yy + t18;
-  const Scalar t108 = t25 + Scalar(0.021040501090947756);
-  const Scalar Iu_5_t_d = Iu_6_t_xx + t108;
-  const Scalar t109 = t22 + Scalar(0.000757622236663515);
-  const Scalar t110 = Scalar(-2.0) * t109;
-  const Scalar t111 = c_5 * t110 + s_5 * Iu_5_t_d;
-  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0339353157125);
-  const Scalar dmu_4_5_y = Scalar(0.0825) * f_5_5_x - t111;
-  const Scalar t112 = c_5 * Iu_5_t_d - s_5 * t110;
-  const Scalar hu_6_t_x = Scalar(0.0869023527845) * s_6 + c_6 * t19;
+  const Scalar C_66 = Scalar(2.0) * (omega_r_6_y * t42 + t7 * Ic_6_yz) + t40;
+  C[40] = C_66;
+  const Scalar t43 = Scalar(0.176) * hu_7_t_x;
+  const Scalar t44 = c_7 * t22 - omega_6_z * t43 + s_7 * t21;
+  const Scalar t45 = omega_r_6_y * t23 + (t29 + t32);
+  const Scalar t46 = c_6 * t45 - s_6 * t44;
+  const Scalar t47 = c_6 * Iu_7_a_xz - s_6 * t26;
+  C[46] = t46 + Scalar(2.0) * (t5 * Iu_7_a_xy + omega_r_6_a_z * t47);
+  const Scalar t48 = c_6 * mu_u_qd7_7_t_x - s_6 * t28;
+  const Scalar t49 = omega_7_z * hu_7_t_x;
+  const Scalar t50 = Scalar(2.0) * c_6 * t49 + s_6 * t20;
+  const Scalar t51 = Scalar(2.0) * s_5;
+  const Scalar t52 = c_5 * t50 + t51 * t27;
+  const Scalar t53 = Scalar(2.0) * s_6;
+  const Scalar t54 = c_6 * t20 - t53 * t49;
+  const Scalar t55 = Scalar(0.0825) * t54 - Scalar(0.384) * t52 + s_5 * t48 - c_5 * dtau_qd6_7;
+  C[27] = -t55;
+  const Scalar t56 = omega_7_z * t25 + (Scalar(0.007374285191337658) * t7 - omega_r_6_y * t25);
+  const Scalar t57 = Scalar(0.0000467845486573025) * omega_6_z;
+  const Scalar t58 = t36 - t57 - s_7 * t37 - t56 + Scalar(0.021522255370587554) * omega_r_6_y;
+  const Scalar t59 = t34 - t57 - t35 + Scalar(0.003342075983680473) * omega_7_z + t56;
+  const Scalar t60 = t59 - t58;
+  const Scalar t61 = Scalar(0.007374285191337658) * omega_r_6_y;
+  const Scalar t62 = Scalar(0.0000518794586093425) + t41;
+  const Scalar t63 = omega_6_z * t62;
+  const Scalar t64 = t63 - s_7 * t17 + c_7 * t12 + Scalar(0.004771885634746098) * t7 - t61;
+  const Scalar t65 = -t63 - s_7 * t18 - c_7 * t13 - t61 + Scalar(0.026294141005333654) * t7;
+  const Scalar t66 = t64 + t65;
+  const Scalar t67 = c_6 * t66 - s_6 * t60;
+  const Scalar t68 = c_7 * Iu_7_t_g;
+  const Scalar t69 = t68 - t43 - Scalar(0.027504612894594268);
+  const Scalar t70 = t5 * t69;
+  const Scalar t71 = c_6 * t42 - s_6 * Ic_6_yz;
+  C[39] = t67 + Scalar(2.0) * (t70 - omega_r_6_a_z * t71);
+  const Scalar Ic_6_xx = t68 + Scalar(0.004771885634746098);
+  const Scalar Ic_6_xy = Iu_7_a_xz + Scalar(0.007374285191337658);
+  const Scalar t72 = t59 + t58 + Scalar(2.0) * (omega_r_6_y * Ic_6_xx + t7 * Ic_6_xy);
+  const Scalar Ic_6_yy = t43 + Scalar(0.003342075983680473);
+  const Scalar t73 = t64 - t65 - Scalar(2.0) * (t7 * Ic_6_yy + omega_r_6_y * Ic_6_xy);
+  const Scalar t74 = c_6 * t73 - s_6 * t72;
+  C[33] = -t74;
+  const Scalar t75 = s_6 * t45 + c_6 * t44;
+  const Scalar t76 = Scalar(0.165) * omega_4_z;
+  const Scalar t77 = c_6 * hu_7_t_y;
+  const Scalar t78 = c_5 * t77 - s_5 * hu_7_t_x;
+  const Scalar t79 = s_6 * hu_7_t_y;
+  const Scalar t80 = t76 * (t78 - Scalar(4.654545454545454) * t79) - s_5 * t75 - c_5 * t24;
+  const Scalar f_u_7_4k_a_z = c_5 * hu_7_t_x + s_5 * t77;
+  const Scalar mu_7_4_x = Scalar(0.384) * f_u_7_4k_a_z - s_5 * Iu_7_a_xy - c_5 * t47;
+  const Scalar t81 = Scalar(0.0825) * f_u_7_4k_a_z;
+  const Scalar t82 = s_6 * Iu_7_a_xz - t81 + c_6 * t26;
+  C[45] = Scalar(2.0) * (t6 * mu_7_4_x - t4 * t82) - t80;
+  const Scalar f_u_qd7_5_t_y = Scalar(2.0) * c_5 * t27 - s_5 * t50;
+  const Scalar t83 = Scalar(0.384) * f_u_qd7_5_t_y - c_5 * t48 - s_5 * dtau_qd6_7;
+  const Scalar t84 = Scalar(0.0825) * f_u_qd7_5_t_y;
+  const Scalar dmu_qd7_4_y = mu_u_qd7_6_t_y - t84;
+  const Scalar dtau_qd3_7 = t84 + c_4 * dmu_qd7_4_y - s_4 * t83;
+  C[20] = dtau_qd3_7;
+  const Scalar t85 = Scalar(0.768) * t4 - Scalar(0.165) * t6;
+  const Scalar t86 = t76 * f_u_7_4k_a_z + t85 * t79 + c_5 * t75 - s_5 * t24;
+  const Scalar t87 = Scalar(0.768) * omega_4_z;
+  const Scalar t88 = t85 * t78 + t87 * f_u_7_4k_a_z + t46;
+  const Scalar t89 = c_4 * t78 - s_4 * t79;
+  const Scalar t90 = Scalar(0.165) * omega_3_z;
+  const Scalar t91 = t90 * t89 + c_4 * t88 - s_4 * t86;
+  const Scalar t92 = c_4 * mu_7_4_x + s_4 * t82;
+  const Scalar t93 = c_4 * t79 + s_4 * t78;
+  const Scalar t94 = Scalar(0.0825) * (t79 - t93) + Scalar(0.384) * t78 - c_5 * Iu_7_a_xy +
+      s_5 * t47;
+  C[44] = t91 + Scalar(2.0) * (omega_r_3_y * t92 - t2 * t94);
+  const Scalar t95 = c_6 * t60 + s_6 * t66;
+  const Scalar hc_6_x = hu_7_t_x + Scalar(0.1159237763475);
+  const Scalar f_u_6_5k_t_x = Scalar(0.0869023527845) * c_6 - s_6 * hc_6_x;
+  const Scalar t96 = f_u_6_5k_t_x * t76;
+  const Scalar t97 = t40 + t96;
+  const Scalar hu_6_t_x = Scalar(0.0869023527845) * s_6 + c_6 * hc_6_x;
+  const Scalar t98 = c_5 * t97 + s_5 * t95 - hu_6_t_x * t87;
+  const Scalar t99 = Scalar(0.384) * f_u_6_5k_t_x;
+  const Scalar t100 = t69 + t99;
+  const Scalar t101 = s_5 * t100 - c_5 * t71;
+  const Scalar t102 = s_5 * f_u_6_5k_t_x;
+  const Scalar t103 = Scalar(0.0825) * t102;
+  const Scalar t104 = c_6 * Ic_6_yz + s_6 * t42;
+  const Scalar t105 = t104 - t103;
+  C[38] = t98 - Scalar(2.0) * (t6 * t101 - t4 * t105);
+  const Scalar t106 = c_6 * t72 + s_6 * t73;
+  const Scalar t107 = Scalar(0.0010172199793308985) * t10 + Scalar(0.0012868026856691014) * t8;
+  const Scalar P_6_y = t107 + Scalar(0.1159237763475) * omega_6_z;
+  const Scalar t108 = Scalar(-2.0) * t7;
+  const Scalar t109 = hu_7_t_y * t108 + Scalar(2.0) * P_6_y;
+  const Scalar P_6_x = Scalar(0.0869023527845) * omega_6_z - t27;
+  const Scalar t110 = Scalar(2.0) * omega_r_6_y;
+  const Scalar df_qd6_6_y = Scalar(2.0) * P_6_x - hu_7_t_y * t110;
+  const Scalar t111 = c_6 * t109 + s_6 * df_qd6_6_y;
+  const Scalar f_u_qd6_6_a_y = Scalar(0.173804705569) * omega_r_6_y - hc_6_x * t108;
+  const Scalar t112 = c_5 * t111 + s_5 * f_u_qd6_6_a_y;
+  const Scalar t113 = c_6 * df_qd6_6_y - s_6 * t109;
+  const Scalar t114 = Scalar(0.0825) * t113 - c_5 * C_66 + s_5 * t106 - Scalar(0.384) * t112;
+  C[26] = -t114;
+  const Scalar t115 = Scalar(0.014748570382675316) * omega_6_z;
+  const Scalar t116 = t33 - t62 * t110 - t38 - t115;
+  const Scalar t117 = -t39 - t28 - t45 + t115;
+  const Scalar t118 = Scalar(0.088) * t107 + (Scalar(0.0000518794586093425) * t7 + omega_6_z * t25);
+  const Scalar t119 = Scalar(0.0000467845486573025) * omega_r_6_y;
+  const Scalar t120 = t119 - t118 - c_7 * t18 + s_7 * t13 +
+      Scalar(0.004771885634746098) * omega_6_z;
+  const Scalar t121 = c_6 * (t116 - t117) - t53 * t120;
+  const Scalar t122 = Scalar(0.004600245517563106) * omega_r_6_a_z + c_6 * t121;
+  const Scalar t123 = Scalar(0.00216405205209813) * t5;
+  const Scalar t124 = -t123 - t122 + t116;
+  const Scalar Iu_6_t_d = Ic_6_xx - Ic_6_yy;
+  const Scalar t125 = c_6 * Iu_6_t_d - Ic_6_xy * t53;
+  const Scalar Ic_5_xz = Ic_6_xy - Scalar(0.002300122758781553) + s_6 * t125;
+  const Scalar t126 = t104 - Scalar(0.001082026026049065);
+  const Scalar C_55 = t124 - Scalar(2.0) * (t5 * t126 + omega_r_6_a_z * Ic_5_xz);
+  C[32] = C_55;
+  const Scalar t127 = omega_3_z * t93 + omega_r_3_y * f_u_7_4k_a_z;
+  const Scalar t128 = Scalar(0.165) * t127 + s_4 * t88 + c_4 * t86;
+  const Scalar t129 = Scalar(0.165) * omega_r_3_y;
+  const Scalar t130 = t129 * t89 + t80;
+  const Scalar t131 = c_3 * f_u_7_4k_a_z + s_3 * t89;
+  const Scalar t132 = c_2 * (Scalar(0.316) * t131 + c_3 * t92 + s_3 * t94);
+  const Scalar mu_u_7_2k_a_y = t81 + c_4 * t82 - s_4 * mu_7_4_x;
+  const Scalar t133 = Scalar(2.0) * qd_1;
+  const Scalar t134 = t133 * (t132 - s_2 * mu_u_7_2k_a_y);
+  const Scalar t135 = Scalar(0.632) * qd_2;
+  C[43] = t135 * t93 - t134 + c_3 * t130 - s_3 * t128;
+  const Scalar t136 = s_4 * dmu_qd7_4_y + c_4 * t83;
+  const Scalar t137 = t55 - Scalar(0.0825) * (c_4 * t54 - s_4 * t52);
+  const Scalar t138 = c_4 * t52 + s_4 * t54;
+  const Scalar t139 = c_3 * t138 + s_3 * f_u_qd7_5_t_y;
+  C[13] = c_3 * t137 - Scalar(0.316) * t139 - s_3 * t136;
+  const Scalar t140 = Scalar(0.000757622236663515) * t5;
+  const Scalar t141 = Scalar(0.001082026026049065) * omega_5_z;
+  const Scalar t142 = Scalar(0.001451156065026714) * omega_r_6_a_z - t140 + t141 - t120 -
+      s_6 * t121;
+  const Scalar t143 = t119 + t118 - c_7 * t17 - t140 - s_7 * t12 - t141 +
+      Scalar(0.026294141005333654) * omega_6_z;
+  const Scalar t144 = c_6 * t125;
+  const Scalar Ic_5_xx = Ic_6_yy + t144 + Scalar(0.015058143566941042);
+  const Scalar t145 = t71 + Scalar(0.000757622236663515);
+  const Scalar t146 = t143 - t142 - Scalar(2.0) * (t5 * t145 + omega_r_6_a_z * Ic_5_xx);
+  const Scalar t147 = Scalar(0.000757622236663515) * omega_r_6_a_z;
+  const Scalar t148 = Scalar(0.002300122758781553) * omega_5_z;
+  const Scalar dI_5_yz = -t147 - t148 + Scalar(0.016509299631967757) * t5 - c_6 * t65 - s_6 * t58;
+  const Scalar t149 = t148 - t147 + c_6 * t64 - s_6 * t59 + Scalar(0.015058143566941042) * t5;
+  const Scalar t150 = t149 - dI_5_yz + Scalar(2.0) * (t70 - omega_r_6_a_z * t145);
+  const Scalar t151 = Scalar(0.0339353157125) * omega_5_z - c_6 * P_6_x + s_6 * P_6_y;
+  const Scalar t152 = Scalar(2.0) * omega_r_6_a_z;
+  const Scalar t153 = Scalar(2.0) * t151 + f_u_6_5k_t_x * t152;
+  const Scalar t154 = t49 + Scalar(0.007326866269) * omega_5_z + Scalar(0.0869023527845) * t7 -
+      Scalar(0.1159237763475) * omega_r_6_y;
+  const Scalar t155 = Scalar(2.0) * t5;
+  const Scalar df_qd5_5_x = Scalar(2.0) * t154 - f_u_6_5k_t_x * t155;
+  const Scalar f_u_qd5_5_t_x = c_5 * df_qd5_5_x + s_5 * t153;
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.007326866269);
-  const Scalar t113 = Scalar(0.0825) * hc_5_x + t112;
-  const Scalar t114 = c_5 * f_5_5_x - s_5 * hc_5_x;
-  const Scalar t115 = Scalar(-0.0825) * t114;
-  const Scalar t116 = t115 - c_5 * dmu_4_5_y + s_5 * t113;
-  const Scalar t117 = c_5 * Ic_6_yz + s_5 * (Scalar(0.384) * t19 - t13);
-  const Scalar t118 = s_5 * (t11 - Scalar(0.033370503469248)) - c_5 * t21;
-  const Scalar t119 = s_5 * hu_6_t_x;
-  const Scalar t120 = s_5 * (Scalar(0.384) * t119 + c_6 * t117 - s_6 * t118);
-  const Scalar t121 = c_6 * Ic_6_yz + s_6 * t21;
-  const Scalar t122 = Scalar(0.0825) * s_6 + c_6 * t56;
-  const Scalar t123 = Scalar(0.0869023527845) * t100 - t19 * t122;
-  const Scalar t124 = t123 - s_5 * t121;
-  const Scalar t125 = t120 - c_5 * (t123 + t124);
-  const Scalar t126 = t7 * t122 + s_5 * t4 * (s_6 + Scalar(4.363636363636363));
-  const Scalar t127 = Scalar(0.0006277682991364491) * t104 +
-      Scalar(0.0004826525849595559) * w_4_7_y - t126;
-  const Scalar t128 = Scalar(0.0012868026856691014) * v_o_4_7_y -
-      Scalar(0.000391391281684248) * t104 + Scalar(0.0006277682991364491) * t95 -
-      Scalar(0.001210471889260615) * w_4_7_y;
-  const Scalar t129 = Scalar(0.0010172199793308985) * v_o_4_7_y -
-      Scalar(0.000391391281684248) * w_4_7_y - Scalar(0.0004826525849595559) * t95 +
-      Scalar(0.001210471889260615) * t104;
-  const Scalar t130 = Scalar(0.0012868026856691014) * t104 -
-      Scalar(0.0010172199793308985) * w_4_7_y;
-  const Scalar t131 = t95 * (t126 - t127) - v_o_4_7_y * t130 - t104 * t128 + w_4_7_y * t129;
-  C[24] = qd_5 * t116 - qd_7 * t131 + qd_6 * t125;
-  const Scalar t132 = s_6 * t73 + c_6 * t70;
-  const Scalar t133 = Scalar(0.0869023527845) * t74 - t19 * t132;
-  const Scalar t134 = t42 * t118 - w_1_5_y * t124 + c_5 * t133 - t46 * t119 + w_1_6_x * t117;
-  const Scalar t135 = Scalar(0.0825) * f_u_6_6_t_x;
-  const Scalar t136 = s_5 * t135;
-  const Scalar t137 = t121 - t136;
-  const Scalar t138 = c_5 * f_u_6_6_t_x;
-  const Scalar t139 = hu_6_t_x * t44 - t71 * t138;
-  const Scalar t140 = t39 * t137 - t40 * t139 + w_1_4_y * t26;
-  const Scalar t141 = t140 - t134;
-  const Scalar t142 = c_4 * t137 - s_4 * t26;
-  const Scalar t143 = s_3 * t142 - c_3 * t139;
-  const Scalar t144 = s_6 * t82 + c_6 * t81;
-  const Scalar t145 = Scalar(0.0869023527845) * t83 - t19 * t144;
-  const Scalar t146 = c_5 * t145 - w_2_7_a_z * t118 - t58 * t124 + v_2_6_a_z * t119 + t54 * t117;
-  const Scalar c_4_2_6 = t143 - t146;
-  const Scalar t147 = t35 * t124 + t34 * t118 + w_3_6_x * t117;
-  const Scalar t148 = s_4 * t137 + c_4 * t26;
-  const Scalar t149 = t148 - t147;
-  const Scalar t150 = qd_3 * t149 + qd_4 * t125 + qd_1 * t141 + qd_2 * c_4_2_6;
-  const Scalar t151 = t24 + t26;
-  const Scalar t152 = t106 + t101;
-  C[26] = qd_5 * t151 - qd_7 * t152 - t124 * t68 + t150;
-  const Scalar t153 = Scalar(2.0) * qd_7;
-  C[41] = -Iu_7_a_xz * t153 - C_76;
-  const Scalar t154 = c_4 * t138 - s_4 * hu_6_t_x;
-  const Scalar t155 = f_u_6_6_t_x * t52 + s_3 * t154;
-  const Scalar t156 = t28 - Scalar(0.0825) * (f_u_6_6_t_x * t33 + hu_6_t_x * t29) +
-      f_u_6_6_t_x * t56;
-  const Scalar t157 = Scalar(0.316) * t155 + c_3 * t148 + s_3 * t156;
-  const Scalar mu_6_3_z = t136 + t142;
-  const Scalar t158 = c_2 * t157 - s_2 * mu_6_3_z;
-  const Scalar t159 = t21 * w_2_7_a_z + Ic_6_yz * t54 + t145;
-  const Scalar df_2_6_z = Scalar(0.0869023527845) * w_2_7_a_z + t19 * t54;
-  const Scalar t160 = Ic_6_yz * t58 - t9 * w_2_7_a_z - t10 * t54 + t19 * v_2_6_a_z;
-  const Scalar t161 = t21 * t58 - t9 * t54 + t10 * w_2_7_a_z + Scalar(0.0869023527845) * v_2_6_a_z;
-  const Scalar t162 = t58 * t133 - t42 * t161 + w_1_5_y * t159 - t46 * df_2_6_z + w_1_6_x * t160;
-  const Scalar t163 = t158 + t162;
-  const Scalar t164 = s_3 * (t148 + Scalar(0.316) * s_5 * f_u_6_6_t_x);
-  const Scalar t165 = s_2 * (c_3 * (Scalar(0.316) * t154 + t156) - t164);
-  const Scalar t166 = v_o_3_5_z * t119;
-  const Scalar t167 = t21 * t34 - Ic_6_yz * w_3_6_x + t166;
-  const Scalar t168 = t9 * t34 - Ic_6_yz * t35 - t10 * w_3_6_x + t19 * t30;
-  const Scalar t169 = -t21 * t35 - t9 * w_3_6_x - t10 * t34 + Scalar(0.0869023527845) * t30;
-  const Scalar t170 = Scalar(0.0869023527845) * t34 - t19 * w_3_6_x;
-  const Scalar t171 = t35 * t133 + w_1_5_y * t167 - w_1_6_x * t168 + t42 * t169 - t46 * t170;
-  const Scalar t172 = t171 - t165;
-  const Scalar t173 = Ic_6_yz * w_1_6_x - t21 * t42 + t133;
-  const Scalar t174 = t46 * (Scalar(0.0869023527845) * t42 - t19 * w_1_6_x);
-  const Scalar t175 = -Ic_6_yz * w_1_5_y - t9 * t42 + t10 * w_1_6_x + t19 * t46;
-  const Scalar t176 = t9 * w_1_6_x - t21 * w_1_5_y + t10 * t42 + Scalar(0.0869023527845) * t46;
-  const Scalar t177 = t42 * t176 + w_1_5_y * (t133 + t173) + t174 - w_1_6_x * t175;
-  const Scalar t178 = qd_1 * t177;
-  const Scalar t179 = t140 + t134;
-  const Scalar t180 = t78 + t79;
-  const Scalar t181 = t49 - db_15_6r;
-  C[5] = qd_7 * t180 + t178 - qd_5 * t181 + qd_2 * t163 - qd_3 * t172 - qd_4 * t179 - t173 * t68;
-  const Scalar v_o_2_7_z = Scalar(0.088) * w_2_7_a_z + v_2_6_a_z;
-  const Scalar t182 = c_7 * t144 - s_7 * v_o_2_7_z;
-  const Scalar t183 = Scalar(0.0012868026856691014) * t182 -
-      Scalar(0.0010172199793308985) * (c_7 * v_o_2_7_z + s_7 * t144);
-  const Scalar t184 = s_6 * t7;
-  const Scalar t185 = -w_2_7_a_z * db_57_7 - t84 * t184 + c_6 * t183 + w_2_7_x * t15 +
-      t85 * dmu_5_7_y;
-  const Scalar t186 = t7 * t81 - v_2_6_a_z * t16 + Iu_7_a_xy * w_2_5_x + t58 * t66;
-  const Scalar t187 = t186 - t185;
-  const Scalar t188 = Scalar(0.088) * t42 + t46;
-  const Scalar t189 = c_7 * t132 + s_7 * t188;
-  const Scalar t190 = Scalar(0.0010172199793308985) * (c_7 * t188 - s_7 * t132) +
-      Scalar(0.0012868026856691014) * t189;
-  const Scalar t191 = t42 * db_57_7 - v_1_7_a_z * t184 + c_6 * t190 + t75 * t15 + t76 * dmu_5_7_y;
-  const Scalar t192 = t46 * t16 + t7 * t70 + Iu_7_a_xy * w_1_5_x + w_1_5_y * t66;
-  const Scalar t193 = t192 - t191;
-  const Scalar t194 = Scalar(0.088) * t34 - t30;
-  const Scalar t195 = v_o_3_5_z * t103 + s_7 * t194;
-  const Scalar t196 = Scalar(0.0012868026856691014) * t195 +
-      Scalar(0.0010172199793308985) * (c_7 * t194 - v_o_3_5_z * t105);
-  const Scalar t197 = t7 * t90 * t95 + c_6 * t196 + t34 * db_57_7 + w_3_7_x * t15 - t92 * dmu_5_7_y;
-  const Scalar t198 = c_5 * Iu_7_a_xy - s_5 * t66;
-  const Scalar t199 = c_5 * t16 - s_5 * t7;
-  const Scalar t200 = s_4 * t198 - v_o_3_5_z * t199;
-  const Scalar t201 = t200 - t197;
-  const Scalar t202 = s_6 * (t7 * v_o_4_7_y + s_5 * db_57_7);
-  const Scalar t203 = t202 + c_6 * t126 - t104 * t15 - w_4_7_y * dmu_5_7_y;
-  const Scalar t204 = c_5 * t7 + hu_7_t_y * t102;
-  const Scalar t205 = Scalar(0.384) * t204 - s_5 * Iu_7_a_xy - c_5 * t66;
-  const Scalar t206 = t205 - t203;
-  const Scalar t207 = qd_2 * t187 - qd_5 * c_7_5_5 + qd_3 * t201 + qd_1 * t193 + qd_4 * t206;
-  C[34] = db_57_7 * t153 - qd_6 * t67 + t207;
-  C[38] = qd_7 * t107 + qd_5 * t27 - t150;
-  const Scalar t208 = Scalar(0.0006277682991364491) * t75 + Scalar(0.0004826525849595559) * t76 +
-      t190;
-  const Scalar t209 = v_1_7_a_z * (Scalar(0.0012868026856691014) * t75 -
-      Scalar(0.0010172199793308985) * t76);
-  const Scalar t210 = Scalar(0.000391391281684248) * t75 + Scalar(0.0006277682991364491) * t42 -
-      Scalar(0.0012868026856691014) * v_1_7_a_z + Scalar(0.001210471889260615) * t76;
-  const Scalar t211 = Scalar(0.0010172199793308985) * v_1_7_a_z -
-      Scalar(0.000391391281684248) * t76 + Scalar(0.0004826525849595559) * t42 +
-      Scalar(0.001210471889260615) * t75;
-  const Scalar t212 = t42 * (t190 + t208) - t209 + t75 * t210 + t76 * t211;
-  const Scalar t213 = qd_1 * t212;
-  const Scalar db_27_7 = Scalar(0.0006277682991364491) * w_2_7_x +
-      Scalar(0.0004826525849595559) * t85 + t183;
-  const Scalar dmu_2_7_x = Scalar(0.0006277682991364491) * w_2_7_a_z -
-      Scalar(0.000391391281684248) * w_2_7_x + Scalar(0.0012868026856691014) * t84 -
-      Scalar(0.001210471889260615) * t85;
-  const Scalar t214 = Scalar(0.000391391281684248) * t85 +
-      Scalar(0.0004826525849595559) * w_2_7_a_z - Scalar(0.0010172199793308985) * t84 -
-      Scalar(0.001210471889260615) * w_2_7_x;
-  const Scalar df_2_7_z = Scalar(0.0012868026856691014) * w_2_7_x -
-      Scalar(0.0010172199793308985) * t85;
-  const Scalar t215 = w_2_7_a_z * t190 + v_1_7_a_z * df_2_7_z - t42 * db_27_7 + t75 * dmu_2_7_x +
-      t76 * t214;
-  const Scalar t216 = Scalar(0.0825) * t204;
-  const Scalar t217 = t99 - t216;
-  const Scalar t218 = c_4 * t205 + s_4 * t217;
-  const Scalar t219 = s_6 * hu_7_t_y;
-  const Scalar t220 = c_4 * t199 - s_4 * t219;
-  const Scalar t221 = c_3 * t204 + s_3 * t220;
-  const Scalar t222 = Scalar(0.0825) * (s_4 * t199 + t29 * t219) - Scalar(0.384) * t199 + t198;
-  const Scalar t223 = Scalar(0.316) * t221 + c_3 * t218 - s_3 * t222;
-  const Scalar t224 = c_4 * t217 - s_4 * t205;
-  const Scalar mu_u_7_3_a_y = t216 + t224;
-  const Scalar t225 = c_2 * t223 - s_2 * mu_u_7_3_a_y;
-  const Scalar t226 = t215 + t225;
-  const Scalar df_3_7_z = Scalar(0.0012868026856691014) * w_3_7_x +
-      Scalar(0.0010172199793308985) * t92;
-  const Scalar t227 = Scalar(0.000391391281684248) * w_3_7_x + Scalar(0.0012868026856691014) * t91 +
-      Scalar(0.0006277682991364491) * t34 - Scalar(0.001210471889260615) * t92;
-  const Scalar t228 = Scalar(0.000391391281684248) * t92 - Scalar(0.0010172199793308985) * t91 +
-      Scalar(0.0004826525849595559) * t34 + Scalar(0.001210471889260615) * w_3_7_x;
-  const Scalar db_37_7 = Scalar(0.0006277682991364491) * w_3_7_x -
-      Scalar(0.0004826525849595559) * t92 + t196;
-  const Scalar t229 = t34 * t190 - v_1_7_a_z * df_3_7_z + t42 * db_37_7 + t75 * t227 + t76 * t228;
-  const Scalar t230 = s_3 * t204 - c_3 * t220;
-  const Scalar t231 = s_2 * (Scalar(0.316) * t230 + c_3 * t222 + s_3 * t218);
-  const Scalar t232 = t229 + t231;
-  const Scalar t233 = t190 * t95 + v_1_7_a_z * t130 - t42 * t127 + t75 * t128 - t76 * t129;
-  const Scalar t234 = t44 * t219 - t71 * t199;
-  const Scalar t235 = t39 * t217 - t40 * t234 + w_1_4_y * t205;
-  const Scalar t236 = t233 + t235;
-  C[42] = t213 - qd_2 * t226 + qd_3 * t232 + qd_4 * t236 - qd_5 * t193 + qd_6 * t80;
-  const Scalar t237 = t34 * t183 - t84 * df_3_7_z - w_2_7_a_z * db_37_7 + w_2_7_x * t227 +
-      t85 * t228;
-  const Scalar t238 = t237 + t223;
-  const Scalar t239 = df_3_7_z * t91 + t34 * (t196 + db_37_7) + w_3_7_x * t227 - t92 * t228;
-  const Scalar t240 = qd_3 * t239 + qd_1 * t232 + qd_2 * t238;
-  const Scalar t241 = s_5 * (s_6 * t196 - t90 * t130);
-  const Scalar t242 = t34 * t127 - t241 - w_3_7_x * t128 - t92 * t129;
-  const Scalar t243 = t218 - t242;
-  C[44] = qd_4 * t243 - qd_5 * t201 - qd_6 * t97 + t240;
-  const Scalar t244 = t183 * t95 + t84 * t130 + w_2_7_a_z * t127 + w_2_7_x * t128 - t85 * t129;
-  const Scalar t245 = s_3 * t224 - c_3 * t234;
-  const Scalar t246 = t244 + t245;
-  const Scalar t247 = qd_4 * t131 + qd_3 * t243 + qd_1 * t236 + qd_2 * t246;
-  C[45] = -qd_5 * t206 - qd_6 * t107 + t247;
-  const Scalar t248 = t225 - t215;
-  const Scalar t249 = t229 - t231;
-  const Scalar t250 = t235 - t233;
-  const Scalar t251 = t191 + t192;
-  const Scalar t252 = t213 - t208 * t153 + qd_2 * t248 + qd_3 * t249 - qd_4 * t250 + qd_5 * t251 -
-      qd_6 * t180;
-  C[6] = -t252;
-  const Scalar t253 = t84 * df_2_7_z + w_2_7_a_z * (t183 + db_27_7) + w_2_7_x * dmu_2_7_x +
-      t85 * t214;
-  const Scalar t254 = qd_2 * t253 + qd_1 * t226;
-  const Scalar t255 = t223 - t237;
-  const Scalar t256 = t245 - t244;
-  const Scalar t257 = t185 + t186;
-  const Scalar t258 = t88 - t87;
-  C[13] = db_27_7 * t153 + t254 + qd_3 * t255 + qd_4 * t256 - qd_5 * t257 + qd_6 * t258;
-  const Scalar t259 = t242 + t218;
-  const Scalar t260 = t197 + t200;
-  const Scalar t261 = t96 - t94;
-  const Scalar t262 = qd_5 * t260 - db_37_7 * t153 - qd_4 * t259 + qd_6 * t261 + t240;
-  C[20] = -t262;
-  const Scalar t263 = t203 + t205;
-  C[27] = -t127 * t153 - qd_5 * t263 - qd_6 * t152 - t247;
-  const Scalar t264 = t158 - t162;
-  const Scalar t265 = t165 + t171;
-  const Scalar t266 = qd_7 * t80 + t178 + qd_5 * t50 - qd_2 * t264 - qd_3 * t265 + qd_4 * t141;
-  C[35] = -t266;
-  const Scalar t267 = w_2_7_a_z * t161 + t58 * (t145 + t159) + v_2_6_a_z * df_2_6_z + t54 * t160;
-  const Scalar t268 = qd_1 * t264 - qd_2 * t267;
-  const Scalar t269 = t58 * t167 - t54 * t168 - w_2_7_a_z * t169 + t35 * t145 + v_2_6_a_z * t170;
-  const Scalar t270 = t157 - t269;
-  C[36] = t268 - qd_7 * t89 - qd_3 * t270 - qd_4 * c_4_2_6 - qd_5 * t62;
-  const Scalar db_33_6r = t35 * (t166 + t167) + w_3_6_x * t168 - t34 * t169 - t30 * t170;
-  const Scalar t271 = qd_1 * t265 - qd_3 * db_33_6r - qd_2 * t270;
-  C[37] = qd_7 * t97 - qd_4 * t149 - qd_5 * t37 + t271;
-  C[46] = -qd_6 * t98 - t207;
-  const Scalar Ic_5_xz = Ic_6_xy - Scalar(0.002300122758781553) + t12;
+  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0339353157125);
+  const Scalar t156 = hc_5_x * t155 - f_5_5_x * t152;
+  const Scalar dtau_qd4_5 = Scalar(0.0825) * t156 + c_5 * t150 - s_5 * t146 -
+      Scalar(0.384) * f_u_qd5_5_t_x;
+  C[25] = dtau_qd4_5;
+  const Scalar t157 = s_5 * t97 - c_5 * t95 + hu_6_t_x * t85;
+  const Scalar t158 = c_5 * f_u_6_5k_t_x;
+  const Scalar t159 = t67 - t85 * t158 - t87 * t102;
+  const Scalar t160 = c_4 * t158 - s_4 * hu_6_t_x;
+  const Scalar kappa_6_3_z = c_4 * t159 - t90 * t160 + s_4 * t157;
+  const Scalar t161 = s_4 * t105 + c_4 * t101;
+  const Scalar f_u_6_3k_t_y = s_4 * t158 + c_4 * hu_6_t_x;
+  const Scalar mu_6_3_y = s_5 * t71 + Scalar(0.0825) * (hu_6_t_x - f_u_6_3k_t_y) + c_5 * t100;
+  C[37] = kappa_6_3_z - Scalar(2.0) * (omega_r_3_y * t161 - t2 * mu_6_3_y);
+  const Scalar t162 = c_5 * f_u_qd6_6_a_y - s_5 * t111;
+  const Scalar t163 = -s_5 * C_66 - c_5 * t106 + Scalar(0.384) * t162;
+  const Scalar t164 = Scalar(-0.0825) * t162;
+  const Scalar t165 = t74 - t164;
+  const Scalar t166 = t164 + c_4 * t165 + s_4 * t163;
+  C[19] = -t166;
+  const Scalar t167 = Scalar(0.632) * t1;
+  const Scalar t168 = s_2 * (t167 * t93 + c_3 * t128 + s_3 * t130);
+  const Scalar t169 = qd_2 * t131 - t1 * (c_3 * t89 - s_3 * f_u_7_4k_a_z);
+  C[42] = c_2 * (t91 - Scalar(0.632) * t169) + t168;
+  const Scalar t170 = c_3 * f_u_qd7_5_t_y - s_3 * t138;
+  const Scalar t171 = s_2 * (Scalar(0.316) * t170 + c_3 * t136 + s_3 * t137);
+  C[6] = c_2 * dtau_qd3_7 + t171;
+  const Scalar t172 = omega_r_3_y * t102 + omega_3_z * f_u_6_3k_t_y;
+  const Scalar t173 = Scalar(0.165) * t172 + c_4 * t157 - s_4 * t159;
+  const Scalar t174 = t129 * t160 + t98;
+  const Scalar t175 = c_3 * t102 + s_3 * t160;
+  const Scalar t176 = c_2 * (Scalar(0.316) * t175 + c_3 * t161 + s_3 * mu_6_3_y);
+  const Scalar mu_6_3_z = t103 + c_4 * t105 - s_4 * t101;
+  const Scalar t177 = t133 * (t176 - s_2 * mu_6_3_z);
+  C[36] = t177 - c_3 * t174 + s_3 * t173 - t135 * f_u_6_3k_t_y;
+  const Scalar t178 = t142 + t143;
+  const Scalar kappa_5_5_y = t149 + dI_5_yz;
+  const Scalar t179 = c_5 * f_5_5_x - s_5 * hc_5_x;
+  const Scalar t180 = c_5 * kappa_5_5_y - t179 * t76 - s_5 * t178;
   const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar t272 = t121 - Scalar(0.001082026026049065);
-  const Scalar db_45_5 = -s_5 * t272 - c_5 * Ic_5_xz + Scalar(0.384) * hu_5_t_x;
-  const Scalar t273 = c_4 * db_45_5;
-  const Scalar t274 = t6 - t18 + Scalar(0.02249165715597447);
-  const Scalar t275 = Scalar(0.0825) * hu_5_t_x;
-  const Scalar t276 = t274 - t275;
-  const Scalar t277 = t273 + s_4 * t276;
-  const Scalar t278 = c_5 * t272 - s_5 * Ic_5_xz;
-  const Scalar t279 = Scalar(0.384) * t114 - t278;
-  const Scalar t280 = s_4 * t115 + t279;
-  const Scalar t281 = c_3 * hu_5_t_x + t114 * t51;
-  const Scalar t282 = Scalar(0.316) * t281 + c_3 * t277 + s_3 * t280;
-  const Scalar t283 = c_4 * t276 - s_4 * db_45_5;
-  const Scalar mu_5_3_z = t275 + t283;
-  const Scalar t284 = c_2 * t282 - s_2 * mu_5_3_z;
-  const Scalar t285 = t272 * t53 + t110 * w_2_5_x + hc_5_x * t82 - Iu_5_t_d * t58;
-  const Scalar t286 = t110 * t58 + f_5_5_x * t82 - Ic_5_xz * t53 + Iu_5_t_d * w_2_5_x;
-  const Scalar t287 = hc_5_x * t81 - f_5_5_x * v_2_6_a_z;
-  const Scalar t288 = t272 * w_2_5_x + Ic_5_xz * t58 + t287;
-  const Scalar t289 = f_5_5_x * t46 + hc_5_x * t70;
-  const Scalar df_2_5_z = hc_5_x * w_2_5_x - f_5_5_x * t58;
-  const Scalar t290 = t73 * df_2_5_z + t53 * t289 + w_1_5_x * t285 - w_1_5_y * t286 -
-      w_1_4_y * t288;
-  const Scalar t291 = t284 - t290;
-  const Scalar t292 = s_3 * (Scalar(0.316) * hu_5_t_x + t277) - c_3 * (t280 + t114 * t43);
-  const Scalar t293 = s_2 * t292;
-  const Scalar t294 = s_4 * t111 - c_4 * t272;
-  const Scalar t295 = c_4 * Ic_5_xz + s_4 * t112;
-  const Scalar t296 = t114 * v_o_3_5_z;
-  const Scalar t297 = s_4 * t278 - t296;
-  const Scalar t298 = w_1_4_y * t297 - s_4 * hu_5_t_x * t73 - w_1_5_x * t294 + w_1_5_y * t295 +
-      c_4 * t289;
-  const Scalar t299 = t298 - t293;
-  const Scalar t300 = db_45_5 * w_1_4_y;
-  const Scalar db_14_5r = w_1_5_y * dmu_4_5_y - t114 * t73 - w_1_5_x * t113 + t300;
-  const Scalar t301 = t114 * t71;
-  const Scalar t302 = t40 * t301 + t39 * t276 + t300;
-  const Scalar t303 = t302 - db_14_5r;
-  const Scalar t304 = t272 * w_1_5_x + Ic_5_xz * w_1_5_y + t289;
-  const Scalar t305 = t110 * w_1_5_x - t272 * w_1_4_y + hc_5_x * t73 - Iu_5_t_d * w_1_5_y;
-  const Scalar t306 = t110 * w_1_5_y + f_5_5_x * t73 + Ic_5_xz * w_1_4_y + Iu_5_t_d * w_1_5_x;
-  const Scalar t307 = t73 * (hc_5_x * w_1_5_x - f_5_5_x * w_1_5_y);
-  const Scalar t308 = w_1_5_y * t306 - t307 - w_1_5_x * t305 + w_1_4_y * (t289 + t304);
-  const Scalar t309 = qd_1 * t308;
-  const Scalar t310 = Scalar(2.0) * qd_5;
-  C[4] = t309 - qd_7 * t251 + qd_3 * t299 - qd_4 * t303 - qd_6 * t181 + qd_2 * t291 + t304 * t310;
-  const Scalar t311 = t157 + t269;
-  const Scalar t312 = t143 + t146;
-  const Scalar t313 = t61 + t60;
-  const Scalar t314 = t268 - qd_7 * t258 + qd_3 * t311 + qd_4 * t312 + qd_5 * t313 + t159 * t68;
-  C[12] = -t314;
-  const Scalar t315 = t148 + t147;
-  const Scalar t316 = t32 + t36;
-  const Scalar t317 = qd_7 * t261 + qd_4 * t315 + qd_5 * t316 - t167 * t68 + t271;
-  C[19] = -t317;
-  const Scalar t318 = t254 - qd_3 * t238 - qd_4 * t246 + qd_5 * t187 - qd_6 * t89;
-  C[43] = -t318;
-  const Scalar t319 = t298 + t293;
-  const Scalar t320 = s_4 * (s_3 * t297 + hu_5_t_x * t82);
-  const Scalar t321 = t320 + w_2_5_x * t294 - t58 * t295 - c_4 * t287;
-  const Scalar t322 = t282 - t321;
-  const Scalar t323 = s_4 * (c_5 * t294 + s_5 * t295) + c_4 * (t296 - t297);
-  const Scalar t324 = qd_1 * t319 - qd_3 * t323 + qd_2 * t322;
-  const Scalar t325 = t273 - s_4 * (c_5 * t113 + s_5 * dmu_4_5_y);
-  const Scalar t326 = t277 - t325;
-  C[18] = -qd_7 * t260 - qd_4 * t326 - qd_6 * t316 + t324 + t297 * t310;
-  const Scalar t327 = t277 + t325;
-  const Scalar c_4_1_5 = t302 + db_14_5r;
-  const Scalar t328 = c_3 * t301 + s_3 * t283;
-  const Scalar t329 = t114 * t82 + db_45_5 * t53 - t58 * dmu_4_5_y + w_2_5_x * t113;
-  const Scalar t330 = t328 - t329;
-  const Scalar t331 = qd_3 * t327 + qd_4 * t116 + qd_1 * c_4_1_5 + qd_2 * t330;
-  C[25] = t331 - qd_7 * t263 + db_45_5 * t310 + qd_6 * t151;
-  const Scalar t332 = t284 + t290;
-  const Scalar t333 = t309 - qd_7 * t193 + qd_3 * t319 + qd_4 * c_4_1_5 - qd_6 * t50 - qd_2 * t332;
-  C[28] = -t333;
-  const Scalar t334 = t82 * df_2_5_z - t58 * t286 + t53 * (t287 + t288) + w_2_5_x * t285;
-  const Scalar t335 = qd_2 * t334 + qd_1 * t332;
-  C[29] = qd_7 * t187 - qd_4 * t330 + t335 - qd_3 * t322 + qd_6 * t62;
-  const Scalar t336 = t321 + t282;
-  const Scalar t337 = t328 + t329;
-  const Scalar t338 = qd_7 * t257 + qd_4 * t337 + t335 + qd_3 * t336 - t288 * t310 + qd_6 * t313;
-  C[11] = -t338;
-  C[30] = qd_7 * t201 - qd_4 * t327 + qd_6 * t37 - t324;
-  C[31] = qd_7 * t206 - t331 - qd_6 * t27;
-  const Scalar t339 = c_5 * t112;
-  const Scalar t340 = Scalar(0.768) * f_u_6_6_t_x;
-  const Scalar t341 = t108 - t339 + t340;
-  const Scalar t342 = Scalar(0.165) * hu_5_t_x;
-  const Scalar t343 = t274 - t342 - Scalar(0.34490204856053924);
-  const Scalar t344 = t341 + t343;
-  const Scalar t345 = t135 + db_45_5 - Scalar(0.08142043634273043);
-  const Scalar t346 = Scalar(2.0) * t345;
-  const Scalar t347 = c_4 * t346 + s_4 * t344;
-  const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(1.0062617768015);
-  const Scalar dmu_3_4_y = Scalar(0.0825) * f_4_4_x - t347;
-  const Scalar t348 = c_4 * t344 - s_4 * t346;
+  const Scalar t181 = Scalar(0.384) * hu_5_t_x - (s_5 * t126 + c_5 * Ic_5_xz);
+  const Scalar Ic_5_zz = Ic_6_xx - t144 + Scalar(0.016509299631967757);
+  const Scalar t182 = Scalar(0.0825) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t182;
+  C[31] = -t180 - Scalar(2.0) * (t6 * t181 - t4 * mu_5_4_y);
+  const Scalar t183 = c_5 * t153 - s_5 * df_qd5_5_x;
+  const Scalar t184 = Scalar(-0.0825) * t183;
+  const Scalar t185 = C_55 - t184;
+  const Scalar t186 = c_5 * t146 + s_5 * t150 + Scalar(0.384) * t183;
+  const Scalar C_35 = t184 + c_4 * t185 + s_4 * t186;
+  C[18] = C_35;
+  const Scalar t187 = c_4 * t163 - s_4 * t165;
+  const Scalar t188 = t114 - Scalar(0.0825) * (c_4 * t113 - s_4 * t112);
+  const Scalar t189 = c_4 * t112 + s_4 * t113;
+  const Scalar t190 = c_3 * t189 + s_3 * t162;
+  C[12] = c_3 * t188 - s_3 * t187 - Scalar(0.316) * t190;
+  const Scalar t191 = t179 * t85;
+  const Scalar t192 = hu_5_t_x * t87;
+  const Scalar t193 = t124 - (t191 + t192);
+  const Scalar t194 = t193 - t179 * t90;
+  const Scalar t195 = c_5 * t178 - hu_5_t_x * t76 + s_5 * kappa_5_5_y;
+  const Scalar t196 = c_4 * t194 - s_4 * t195;
+  const Scalar t197 = s_4 * mu_5_4_y + c_4 * t181;
+  const Scalar t198 = c_5 * t126 - s_5 * Ic_5_xz;
+  const Scalar t199 = Scalar(-0.0825) * t179;
+  const Scalar t200 = t198 - t199 * (s_4 - Scalar(4.654545454545454));
+  C[30] = t196 - Scalar(2.0) * (omega_r_3_y * t197 + t2 * t200);
+  const Scalar t201 = s_2 * (t167 * f_u_6_3k_t_y + c_3 * t173 + s_3 * t174);
+  const Scalar t202 = qd_2 * t175 - t1 * (c_3 * t160 - s_3 * t102);
+  C[35] = c_2 * (Scalar(0.632) * t202 + kappa_6_3_z) - t201;
+  const Scalar t203 = c_4 * t195 - hu_5_t_x * t129 + s_4 * t194;
+  const Scalar t204 = c_4 * t179;
+  const Scalar t205 = t180 - t129 * t204;
+  const Scalar t206 = c_3 * hu_5_t_x + s_3 * t204;
+  const Scalar t207 = c_2 * (Scalar(0.316) * t206 + c_3 * t197 - s_3 * t200);
+  const Scalar mu_5_3_z = t182 + c_4 * mu_5_4_y - s_4 * t181;
+  const Scalar t208 = t133 * (t207 - s_2 * mu_5_3_z);
+  const Scalar t209 = s_4 * t179;
+  C[29] = c_3 * t205 - t135 * t209 + t208 - s_3 * t203;
+  const Scalar t210 = c_4 * t186 - s_4 * t185;
+  const Scalar t211 = dtau_qd4_5 - Scalar(0.0825) * (c_4 * t156 - s_4 * f_u_qd5_5_t_x);
+  const Scalar t212 = c_4 * f_u_qd5_5_t_x + s_4 * t156;
+  const Scalar t213 = c_3 * t212 + s_3 * t183;
+  C[11] = Scalar(0.316) * t213 - c_3 * t211 + s_3 * t210;
+  const Scalar f_u_qd6_3_t_y = c_3 * t162 - s_3 * t189;
+  const Scalar t214 = s_2 * (c_3 * t187 + Scalar(0.316) * f_u_qd6_3_t_y + s_3 * t188);
+  C[5] = t214 - c_2 * t166;
+  const Scalar t215 = Scalar(0.00151524447332703) * omega_5_z;
+  const Scalar dI_5_xx = t215 + t122 + t117;
+  const Scalar t216 = t123 - t215 + t40;
+  const Scalar dI_u5_t_d = dI_5_xx - t216;
+  const Scalar t217 = Scalar(0.001082026026049065) * omega_r_6_a_z;
+  const Scalar t218 = Scalar(0.002300122758781553) * t5;
+  const Scalar t219 = -t217 - t218 + Scalar(0.015058143566941042) * omega_5_z - c_6 * t58 +
+      s_6 * t65;
+  const Scalar t220 = c_5 * dI_u5_t_d - t51 * t219;
+  const Scalar t221 = Scalar(0.0039053550262761) * t6 + c_5 * t220;
+  const Scalar t222 = c_5 * t151 - s_5 * t154;
+  const Scalar t223 = Scalar(-0.165) * t222;
+  const Scalar t224 = Scalar(0.007326866269) * omega_r_6_a_z + Scalar(0.0339353157125) * t5 -
+      c_6 * P_6_y - s_6 * P_6_x;
+  const Scalar t225 = Scalar(0.768) * t224 - t96;
+  const Scalar t226 = Scalar(-0.00164448757736927) * t4;
+  const Scalar t227 = dI_5_xx - t226 - t221 - t223 - t192 - t225;
+  const Scalar t228 = t145 * t51 + c_5 * (t69 + Ic_5_xx);
+  const Scalar t229 = t199 - Scalar(0.00195267751313805);
+  const Scalar t230 = t145 - t229 - s_5 * t228;
+  const Scalar t231 = Scalar(0.000822243788684635) + Scalar(0.384) * t179;
+  const Scalar t232 = t198 - t231;
+  const Scalar dtaud_4_4 = Scalar(2.0) * (t6 * t230 + t4 * t232) + t227;
+  C[24] = dtaud_4_4;
+  const Scalar t233 = s_2 * (s_3 * t205 - t167 * t209 + c_3 * t203);
+  const Scalar t234 = qd_2 * t206 - t1 * (c_3 * t204 - s_3 * hu_5_t_x);
+  C[28] = c_2 * (t196 + Scalar(0.632) * t234) + t233;
+  const Scalar t235 = c_3 * t183 - s_3 * t212;
+  const Scalar dmu_qd5_2_x = Scalar(0.316) * t235 + c_3 * t210 + s_3 * t211;
+  C[4] = c_2 * C_35 - s_2 * dmu_qd5_2_x;
+  const Scalar P_u5_a_z = c_5 * t154 + s_5 * t151;
+  const Scalar t236 = Scalar(-0.5) * t85;
+  const Scalar t237 = hu_5_t_x * t236 +
+      (Scalar(0.08142043634273043) * t4 - Scalar(0.0825) * P_u5_a_z);
+  const Scalar t238 = omega_4_z * t231;
+  const Scalar t239 = t238 - t219 - s_5 * t220 + Scalar(0.0510201361568155) * t6 - t237;
+  const Scalar t240 = t218 - t217 - c_6 * t59 - s_6 * t64 +
+      Scalar(0.016509299631967757) * omega_5_z - t238 - t237;
+  const Scalar t241 = t240 + t239;
+  const Scalar t242 = (Scalar(0.384) * P_u5_a_z + Scalar(0.08142043634273043) * t6) -
+      f_u_6_5k_t_x * t236;
+  const Scalar t243 = omega_4_z * t229;
+  const Scalar t244 = s_5 * t142 - t243 - c_5 * dI_5_yz - t242 + Scalar(0.374881683626407) * t4;
+  const Scalar t245 = t243 + c_5 * t149 - s_5 * t143 - t242 + Scalar(0.3238615474695915) * t4;
+  const Scalar t246 = t245 + t244;
   const Scalar hc_4_x = hu_5_t_x - Scalar(0.276390137325);
-  const Scalar t349 = Scalar(0.0825) * hc_4_x + t348;
-  const Scalar t350 = c_4 * f_4_4_x - s_4 * hc_4_x;
-  const Scalar t351 = Scalar(-0.0825) * t350;
-  const Scalar t352 = t351 - c_4 * dmu_3_4_y + s_4 * t349;
-  C[16] = qd_6 * db_33_6r - qd_7 * t239 - qd_5 * t323 - qd_4 * t352;
-  const Scalar t353 = t109 + Scalar(0.00195267751313805) - t115 - s_5 * t112;
-  const Scalar t354 = Scalar(0.000822243788684635) + t279;
-  const Scalar Iu_4_a_xy = c_4 * t354 - s_4 * t353;
-  const Scalar t355 = hc_4_x * t44 - f_4_4_x * t71;
-  const Scalar t356 = c_3 * t355;
-  const Scalar t357 = s_3 * Iu_4_a_xy + t356;
+  const Scalar f_4_4_x = f_u_6_5k_t_x - Scalar(1.0062617768015);
+  const Scalar t247 = c_4 * f_4_4_x - s_4 * hc_4_x;
+  const Scalar t248 = s_4 * t241 - t247 * t90 + c_4 * t246;
+  const Scalar t249 = c_4 * t230 - s_4 * t232;
+  const Scalar t250 = c_5 * t228;
+  const Scalar t251 = Scalar(0.165) * hu_5_t_x;
+  const Scalar t252 = Scalar(0.768) * f_u_6_5k_t_x;
+  const Scalar t253 = Ic_5_xx - t251 - t250 - t252 + Scalar(0.374881683626407);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t358 = s_3 * (s_2 * t357 + hu_4_t_x * v_o_1_4_y);
-  const Scalar t359 = s_3 * (Scalar(0.316) * hc_4_x + t347) - c_3 * t354;
-  const Scalar t360 = c_3 * t353 + s_3 * (Scalar(0.316) * f_4_4_x + t348);
-  const Scalar t361 = t358 + t40 * t356 - t39 * t359 + w_1_4_y * t360;
-  const Scalar t362 = c_4 * t353 + s_4 * t354;
-  const Scalar t363 = c_3 * t362;
-  const Scalar t364 = Iu_6_t_xx - t342 - t339 - t340 + Scalar(0.39592218471735474);
-  const Scalar t365 = Scalar(-0.316) * t350;
-  const Scalar t366 = Scalar(0.0825) * hu_4_t_x + t365 + t364;
-  const Scalar t367 = t363 + s_3 * t366;
-  const Scalar t368 = c_2 * t367 - s_2 * Iu_4_a_xy;
-  const Scalar t369 = t368 - t361;
-  const Scalar t370 = t362 * t40;
-  const Scalar t371 = t370 - t350 * v_o_1_4_y + t39 * t349 - w_1_4_y * dmu_3_4_y;
-  const Scalar t372 = t38 * t366 - t370;
-  const Scalar t373 = t372 - t371;
-  const Scalar t374 = t40 * t355;
-  const Scalar t375 = t353 * w_1_4_y + t354 * t39 + t374;
-  const Scalar t376 = t354 * t40 + hc_4_x * v_o_1_4_y - t346 * t39 + t344 * w_1_4_y;
-  const Scalar t377 = -t353 * t40 - t346 * w_1_4_y + f_4_4_x * v_o_1_4_y - t344 * t39;
-  const Scalar t378 = v_o_1_4_y * (hc_4_x * t39 - f_4_4_x * w_1_4_y);
-  const Scalar t379 = t40 * (t374 + t375) + t378 + t39 * t376 - w_1_4_y * t377;
-  const Scalar t380 = qd_1 * t379;
-  C[21] = qd_5 * c_4_1_5 - qd_7 * t236 + qd_6 * t141 + t380 - qd_2 * t369 - qd_3 * t373;
-  const Scalar t381 = t368 + t361;
-  const Scalar t382 = t372 + t371;
-  const Scalar t383 = Scalar(2.0) * qd_4;
-  const Scalar t384 = qd_5 * t303 - qd_7 * t250 + qd_6 * t179 + t380 - t375 * t383 + qd_2 * t381 +
-      qd_3 * t382;
-  C[3] = -t384;
-  const Scalar t385 = s_3 * (c_4 * t359 + s_4 * t360 + Scalar(0.316) * s_3 * hu_4_t_x);
-  const Scalar db_22_4r = t385 - c_3 * (t356 + t357);
-  const Scalar t386 = c_4 * t348;
-  const Scalar t387 = Scalar(0.165) * hu_4_t_x;
-  const Scalar t388 = t387 + t364 - Scalar(0.35069998060812224);
-  const Scalar t389 = t343 - t386 - t388;
-  const Scalar t390 = Scalar(0.000060956210475372) + t115 + t362;
-  const Scalar t391 = Scalar(2.0) * t390;
-  const Scalar t392 = s_3 * t391 + c_3 * t389;
-  const Scalar t393 = s_3 * t392;
-  const Scalar t394 = c_3 * t391 - s_3 * t389;
-  const Scalar t395 = t393 - c_3 * t394;
-  C[8] = qd_7 * t253 - qd_5 * t334 + qd_6 * t267 + qd_4 * db_22_4r + qd_3 * t395;
-  const Scalar t396 = t363 - s_3 * (t365 - c_4 * t349 - s_4 * dmu_3_4_y);
-  const Scalar t397 = t367 + t396;
-  const Scalar t398 = qd_1 * t373 - qd_3 * t352 - qd_2 * t397;
-  C[17] = qd_7 * t259 - qd_5 * t326 - qd_6 * t315 + t362 * t383 + t398;
-  const Scalar t399 = qd_2 * db_22_4r + qd_1 * t369;
-  const Scalar t400 = t367 - t396;
-  C[10] = qd_7 * t256 - qd_5 * t337 - qd_6 * t312 + t399 + qd_3 * t400 + t357 * t383;
-  C[23] = qd_5 * t327 - qd_7 * t243 + qd_6 * t149 - t398;
-  const Scalar t401 = qd_7 * t246 - qd_5 * t330 - qd_6 * c_4_2_6 + t399 - qd_3 * t397;
-  C[22] = -t401;
-  const Scalar Ic_3_yz = Iu_4_a_xy - Scalar(0.002188628560919792);
-  const Scalar t402 = c_3 * (c_2 * Ic_3_yz + s_2 * t394);
-  const Scalar t403 = Scalar(0.002743824053281128) + t351 + t345 + s_4 * t348;
-  const Scalar t404 = t402 - s_3 * (c_2 * t403 + s_2 * t392);
+  const Scalar t254 = Scalar(0.0825) * hu_4_t_x;
+  const Scalar t255 = t254 + t253;
+  C[23] = t248 + Scalar(2.0) * (omega_r_3_y * t249 - t2 * t255);
+  const Scalar t256 = t69 - t250 + t252 - Scalar(0.3238615474695915);
+  const Scalar t257 = Scalar(0.0825) * f_u_6_5k_t_x + t181 - Scalar(0.08142043634273043);
+  const Scalar t258 = t240 - t239 + Scalar(2.0) * (t4 * t257 + t6 * t256);
+  const Scalar Ic_4_yy = Ic_5_zz - t251;
+  const Scalar t259 = Scalar(2.0) * (t6 * t257 - t4 * Ic_4_yy) + t245 - t244;
+  const Scalar t260 = Scalar(-2.0) * t4;
+  const Scalar t261 = Scalar(-2.0) * t6;
+  const Scalar t262 = hc_4_x * t260 + f_4_4_x * t261;
+  const Scalar t263 = Scalar(0.0825) * t262 + c_4 * t259 + s_4 * t258;
+  C[17] = -t263;
+  const Scalar t264 = t222 + Scalar(1.0062617768015) * omega_4_z;
+  const Scalar t265 = Scalar(2.0) * t264 - t179 * t261;
+  const Scalar t266 = t224 + Scalar(0.276390137325) * omega_4_z;
+  const Scalar df_qd4_4_x = Scalar(2.0) * t266 - t179 * t260;
+  const Scalar t267 = dtaud_4_4 - Scalar(0.0825) * (c_4 * t265 - s_4 * df_qd4_4_x);
+  const Scalar t268 = c_4 * t258 - s_4 * t259;
+  const Scalar f_u_qd4_4_t_x = c_4 * df_qd4_4_x + s_4 * t265;
+  const Scalar t269 = c_3 * f_u_qd4_4_t_x + s_3 * t262;
+  C[10] = Scalar(0.316) * t269 - c_3 * t267 - s_3 * t268;
+  const Scalar kappa_4_3_x = c_4 * t241 + hu_4_t_x * t90 - s_4 * t246;
+  const Scalar t270 = t227 + t247 * t129;
+  const Scalar t271 = c_2 * (s_3 * (Scalar(0.316) * t247 - t255) - c_3 * t249);
+  const Scalar t272 = s_4 * t230 + c_4 * t232;
+  const Scalar t273 = t133 * (s_2 * t272 - t271);
+  C[22] = s_3 * kappa_4_3_x - c_3 * t270 - t273 - hu_4_t_x * t135;
+  const Scalar t274 = Scalar(0.16284087268546085) * omega_4_z;
+  const Scalar t275 = t216 + t221 - t191 - t225 - t274;
+  const Scalar t276 = t226 - t223 + t193 + t274;
+  const Scalar t277 = Scalar(0.384) * t222 - (Scalar(0.000822243788684635) * t6 + omega_4_z * t99);
+  const Scalar t278 = Scalar(0.0825) * t224 - (Scalar(0.00195267751313805) * t4 + omega_4_z * t182);
+  const Scalar t279 = -t278 - c_5 * t142 - s_5 * dI_5_yz + t277 +
+      Scalar(0.3238615474695915) * omega_4_z;
+  const Scalar t280 = Scalar(2.0) * s_4;
+  const Scalar t281 = c_4 * (t275 - t276) - t280 * t279;
+  const Scalar t282 = c_4 * t281;
+  const Scalar t283 = c_4 * t264 - s_4 * t266;
+  const Scalar t284 = Scalar(-0.004377257121839584) * t2;
+  const Scalar t285 = Scalar(0.005487648106562256) * omega_r_3_y - t284 -
+      Scalar(0.165) * (omega_3_z * t179 + t283) + t275 - t282;
+  const Scalar t286 = c_4 * (Ic_4_yy + t256) - t257 * t280;
+  const Scalar t287 = Scalar(0.0825) * t247 - Scalar(0.002743824053281128);
+  const Scalar t288 = t257 - t287 + s_4 * t286;
+  const Scalar t289 = Scalar(0.002188628560919792) + t272;
+  const Scalar dtaud_3_3 = t285 - Scalar(2.0) * (t2 * t289 + omega_r_3_y * t288);
+  C[16] = dtaud_3_3;
+  const Scalar kappa_4_2_x = s_3 * t270 + c_3 * kappa_4_3_x + hu_4_t_x * t167;
+  const Scalar t290 = Scalar(-0.632) * t247;
+  C[21] = c_2 * (t248 + t2 * t290) - s_2 * kappa_4_2_x;
+  const Scalar t291 = c_3 * t262 - s_3 * f_u_qd4_4_t_x;
+  const Scalar t292 = s_2 * (s_3 * t267 + Scalar(0.316) * t291 - c_3 * t268);
+  C[3] = -c_2 * t263 - t292;
+  const Scalar t293 = c_4 * t266 + s_4 * t264;
+  const Scalar t294 = Scalar(0.0825) * t293 +
+      (Scalar(0.000060956210475372) * t2 + omega_r_3_y * t254);
+  const Scalar t295 = Scalar(0.002188628560919792) * omega_3_z;
+  const Scalar t296 = t295 + Scalar(0.061602421026527694) * omega_r_3_y + t294 + t279 + s_4 * t281;
+  const Scalar t297 = t295 + t278 + s_5 * t149 + c_5 * t143 + t277 - t294 +
+      Scalar(0.374881683626407) * omega_4_z;
+  const Scalar t298 = t297 - t296;
+  const Scalar t299 = omega_3_z * t287;
+  const Scalar t300 = Scalar(0.000060956210475372) + t199;
+  const Scalar t301 = omega_r_3_y * t300;
+  const Scalar t302 = t301 + Scalar(0.06740035307411071) * t2 + t299 - s_4 * t239 - c_4 * t244;
+  const Scalar t303 = Scalar(0.00579793204758302) * t2 + t301 - t299 + s_4 * t240 + c_4 * t245;
+  const Scalar t304 = t303 + t302;
   const Scalar hc_3_x = Scalar(0.373428979936) + hu_4_t_x;
-  const Scalar t405 = t114 - Scalar(0.014113547439);
-  const Scalar t406 = Scalar(-0.316) * (c_3 * t405 - s_3 * hc_3_x);
-  const Scalar t407 = c_3 * Ic_3_yz - s_3 * t403 - t406;
-  const Scalar t408 = s_2 * (t404 - c_2 * (t406 - t407));
-  const Scalar t409 = qd_1 * t408;
-  const Scalar t410 = c_3 * t392;
-  const Scalar t411 = s_3 * t405 + c_3 * hc_3_x;
-  const Scalar t412 = s_3 * Ic_3_yz + Scalar(0.316) * t411 + c_3 * t403;
-  const Scalar t413 = c_2 * t412;
-  const Scalar t414 = t413 + s_2 * (t410 + s_3 * t394);
-  const Scalar t415 = t341 - t387 - t386 - Scalar(0.41230240163465);
-  const Scalar t416 = t413 + s_2 * t415;
-  const Scalar t417 = t416 - t414;
-  const Scalar t418 = Scalar(2.0) * s_2;
-  C[2] = qd_5 * t299 - qd_7 * t249 - qd_6 * t172 + t409 + qd_2 * t417 + qd_3 * t407 * t418 -
-      qd_4 * t382;
-  const Scalar t419 = Scalar(0.632) * t350 - t415 - t410 - t388 - Scalar(0.8860432804898606);
-  const Scalar t420 = t412 - Scalar(0.00199167944196776);
-  const Scalar t421 = c_2 * (Scalar(2.0) * c_2 * t420 - s_2 * t419);
-  const Scalar t422 = s_2 * (t420 * t418 + c_2 * t419) - t421;
-  const Scalar t423 = qd_1 * t422;
-  const Scalar t424 = t416 + t414;
-  C[7] = qd_7 * t226 - qd_5 * t332 - qd_6 * t264 - qd_3 * t424 + qd_4 * t369 + t423;
-  const Scalar t425 = qd_1 * t424 - qd_2 * t395;
-  C[15] = qd_5 * t322 - qd_7 * t238 + qd_6 * t270 - qd_4 * t397 + t425;
-  const Scalar t426 = qd_7 * t212 - qd_5 * t308 - qd_6 * t177 - qd_3 * t408 + qd_4 * t379 +
-      qd_2 * t422;
-  C[0] = -t426;
-  const Scalar t427 = qd_2 * (c_2 * (t390 - Scalar(0.005130550910504085) - t393) -
-      s_2 * (t407 - Scalar(0.0003844680514732)));
-  const Scalar t428 = qd_7 * t248 - qd_5 * t291 - qd_6 * t163 - Scalar(2.0) * t427 - qd_3 * t417 +
-      qd_4 * t381 + t423;
-  C[1] = -t428;
-  const Scalar t429 = qd_5 * t336 - qd_7 * t255 + qd_6 * t311 + Scalar(2.0) * qd_3 * t412 -
-      qd_4 * t400 + t425;
-  C[9] = -t429;
-  const Scalar t430 = qd_7 * t232 - qd_5 * t319 + qd_6 * t265 + t409 - qd_2 * t424 - qd_4 * t373;
-  C[14] = -t430;
+  const Scalar t305 = t179 - Scalar(0.014113547439);
+  const Scalar t306 = s_3 * t305 + c_3 * hc_3_x;
+  const Scalar t307 = Scalar(-0.316) * t306;
+  const Scalar t308 = (c_3 * t288 - s_3 * t289) - t307;
+  const Scalar t309 = c_2 * t133;
+  const Scalar t310 = c_4 * t286;
+  const Scalar t311 = Scalar(0.165) * hu_4_t_x;
+  const Scalar t312 = Scalar(-2.0) * t1 * (-t311 - Scalar(0.06740035307411071) - t310 + t256);
+  C[15] = c_3 * t304 + t308 * t309 - t312 - s_3 * t298;
+  const Scalar Ic_3_xx = Scalar(0.00579793204758302) + Ic_4_yy - t310;
+  const Scalar t313 = t300 + t249;
+  const Scalar t314 = Scalar(2.0) * (omega_r_3_y * Ic_3_xx - t2 * t313) + t297 + t296;
+  const Scalar t315 = t311 + t253;
+  const Scalar t316 = t303 - t302 + Scalar(2.0) * (omega_r_3_y * t313 - t2 * t315);
+  const Scalar t317 = Scalar(0.014113547439) * omega_3_z + t283;
+  const Scalar t318 = Scalar(-2.0) * t247;
+  const Scalar t319 = omega_r_3_y * t318 + Scalar(2.0) * t317;
+  const Scalar t320 = Scalar(-0.276390137325) * t6 - P_u5_a_z + Scalar(1.0062617768015) * t4;
+  const Scalar P_3_y = Scalar(0.373428979936) * omega_3_z + t320;
+  const Scalar t321 = Scalar(2.0) * P_3_y - t2 * t318;
+  const Scalar t322 = c_3 * t321 - s_3 * t319;
+  C[9] = s_3 * t314 - c_3 * t316 - Scalar(0.316) * t322;
+  const Scalar t323 = c_3 * t305 - s_3 * hc_3_x;
+  const Scalar t324 = t1 * t323;
+  const Scalar t325 = qd_2 * t306;
+  const Scalar t326 = t285 - Scalar(0.632) * (t324 - t325);
+  C[14] = c_2 * t326 + s_2 * (s_3 * t304 + c_3 * t298);
+  const Scalar t327 = c_3 * t319 + s_3 * t321;
+  const Scalar dmu_qd3_2_x = c_3 * t314 + s_3 * t316 + Scalar(0.316) * t327;
+  C[2] = c_2 * dtaud_3_3 - s_2 * dmu_qd3_2_x;
+  const Scalar t328 = Scalar(2.0) * (omega_3_z * t300 + omega_r_3_y * t287) + t276 + t282;
+  const Scalar t329 = Scalar(0.000121912420950744) * omega_3_z - t284 + Scalar(0.165) * t283 - t270;
+  const Scalar t330 = (Scalar(0.002743824053281128) * t2 + omega_3_z * t254) +
+      Scalar(0.0825) * t320;
+  const Scalar t331 = Scalar(0.002188628560919792) * omega_r_3_y;
+  const Scalar t332 = Scalar(0.00579793204758302) * omega_3_z - t331 - t330 - c_4 * t239 +
+      s_4 * t244;
+  const Scalar t333 = Scalar(2.0) * s_3;
+  const Scalar t334 = c_3 * (t329 + t328) - t333 * t332;
+  const Scalar t335 = Scalar(0.01026110182100817) * t3 - c_3 * t334;
+  const Scalar Iu_3_t_d = Ic_3_xx - t315;
+  const Scalar t336 = t313 * t333 + c_3 * Iu_3_t_d;
+  const Scalar t337 = Scalar(0.316) * t323 - Scalar(0.0003844680514732);
+  const Scalar t338 = s_2 * (t337 - c_3 * t289 - s_3 * t288);
+  const Scalar t339 = (c_2 * (t313 - Scalar(0.005130550910504085) - s_3 * t336) - t338) * t133;
+  const Scalar t340 = Scalar(0.014113547439) * t2 + Scalar(0.373428979936) * omega_r_3_y + t293;
+  const Scalar t341 = Scalar(0.0007689361029464) * t1;
+  C[8] = t328 - t341 + t335 + t339 - Scalar(0.632) * (t340 - t325);
+  const Scalar t342 = qd_2 * t337;
+  const Scalar t343 = t1 * t307;
+  const Scalar t344 = Scalar(0.00199167944196776) * t1;
+  const Scalar t345 = Scalar(0.023077882494931805) * t3 - t344 - t343 - t332 - t342 - s_3 * t334;
+  const Scalar t346 = t308 - Scalar(0.00199167944196776);
+  const Scalar t347 = c_2 * (c_3 * t336 + t315 + t290 + Scalar(0.5353432998817383)) - s_2 * t346;
+  const Scalar t348 = -t331 - t344 + Scalar(0.06740035307411071) * omega_3_z + c_4 * t240 + t330 -
+      t343 + t342 - s_4 * t245;
+  const Scalar t349 = (c_3 * P_3_y - s_3 * t317) - t1 * t247;
+  const Scalar t350 = Scalar(0.00199167944196776) * t3 - Scalar(0.316) * t349;
+  const Scalar t351 = Scalar(0.005130550910504085) * qd_2;
+  const Scalar dI_2_yz = t351 - c_3 * t302 + Scalar(0.5584211823766702) * t1 - t350 - s_3 * t296;
+  const Scalar t352 = c_3 * t303 - t351 + Scalar(0.5353432998817383) * t1 - t350 - s_3 * t297;
+  const Scalar t353 = c_2 * (t346 * t309 - t312 + t352 - dI_2_yz);
+  C[1] = t353 - s_2 * (t348 - t345 - t133 * t347);
+  C[7] = s_2 * (t348 + t345) - c_2 * (t352 + dI_2_yz);
+  const Scalar t354 = Scalar(0.00398335888393552) * qd_2;
+  const Scalar t355 = t329 - t354 + t335 + Scalar(0.632) * (t324 + t340);
+  const Scalar dI_u2_t_d = t354 - t341 - t355 - t326;
+  const Scalar t356 = (c_3 * t317 + s_3 * P_3_y) + qd_2 * (t247 - Scalar(1.694124366714362));
+  const Scalar t357 = Scalar(0.005130550910504085) * t1 - Scalar(0.0003844680514732) * t3 +
+      s_3 * t302 - c_3 * t296 - Scalar(0.316) * t356;
+  C[0] = -t355 - c_2 * (c_2 * dI_u2_t_d - Scalar(2.0) * s_2 * t357);
   C[48] = Scalar(0.0);
 }
 
@@ -2076,17 +2006,13 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 //   q[7]  in   joint positions, rad or m
 //   g[7]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..6]. Operations: 43 mul, 29 add, 12 sin/cos. Always zero: g[0].
-template <class Scalar>
-inline void gravity(const Scalar* q, Scalar* g) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * c_3;
   const Scalar t2 = c_4 * t1 - c_2 * s_4;
   const Scalar t3 = s_2 * s_3;
@@ -2123,19 +2049,16 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   n[7]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..6], qd[0..6]. Operations: 300 mul, 273 add, 12 sin/cos.
-template <class Scalar>
-inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar t2 = s_3 * qd_2 - c_3 * t1;
   const Scalar t3 = c_2 * qd_1;
@@ -2374,22 +2297,18 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[7]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[1..6], qd[0..6], tau[0..6]. Operations: 610 mul, 538 add, 6 div, 12 sin/cos.
-template <class Scalar>
-inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
-    Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2], tau_4 = tau[3], tau_5 = tau[4],
       tau_6 = tau[5], tau_7 = tau[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar t2 = c_3 * t1 - s_3 * qd_2;
   const Scalar t3 = c_2 * qd_1;
@@ -2508,7 +2427,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.021522255370587554) * t64 - Scalar(0.028934422545659894) * U_6_xy -
       Scalar(0.014748570382675316) * (t40 - t72) + Scalar(0.173804705569) * ddp_6_x +
       Scalar(0.231847552695) * t62;
-  const Scalar y_7_6 = y_7 * t61 - mu_6_z + tau_6;
+  const Scalar y_7_6 = t61 * y_7 - mu_6_z + tau_6;
   const Scalar Iu_7_t_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar hu_7_t_y = Scalar(0.002034439958661797) * c_7 + Scalar(0.002573605371338203) * s_7;
   const Scalar t73 = Scalar(0.088) * hu_7_t_y - Scalar(0.000287632364465563) - s_7 * Iu_7_t_g;
@@ -2556,7 +2475,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.014653732538) * t41 + Scalar(0.010045187828321245) * U_5_xy +
       Scalar(0.067870631425) * ddp_5_x - c_6 * t88 - s_6 * t89;
   const Scalar t100 = Scalar(149.60760989322966) * t76;
-  const Scalar y_6_5 = t83 * y_7_6 + t99 + y_7 * t100 + tau_5;
+  const Scalar y_6_5 = t83 * y_7_6 + t99 + t100 * y_7 + tau_5;
   const Scalar Ic_6_xx = t78 + Scalar(0.03106602664007975);
   const Scalar Ic_6_yy = t79 + Scalar(0.028206407337948502);
   const Scalar Iu_6_t_d = Ic_6_xx - Ic_6_yy;
@@ -2614,7 +2533,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(2.012523553603) * ddp_4_x + Scalar(0.6972920750309718) * t24;
   const Scalar t121 = t111 * t82;
   const Scalar t122 = Scalar(-149.60760989322966) * t110;
-  const Scalar y_5_4 = y_7 * t122 + tau_4 - t121 * y_7_6 + mu_u_4_a_y + t114 * y_6_5;
+  const Scalar y_5_4 = t122 * y_7 + tau_4 - t121 * y_7_6 + mu_u_4_a_y + t114 * y_6_5;
   const Scalar Ic_5_xx = Scalar(0.010045187828321245) + Ic_6_yy + t113;
   const Scalar t123 = t80 - Scalar(0.001451156065026714);
   const Scalar Iu_5_t_d = Ic_5_xx + t123;
@@ -2673,7 +2592,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t151 = b_6_5_3 * d_5;
   const Scalar t152 = b_7_6_3 * t82;
   const Scalar t153 = Scalar(149.60760989322966) * mu_u_7_3_a_y;
-  const Scalar y_4_3 = y_7 * t153 + t143 * y_5_4 + tau_3 + t150 + t152 * y_7_6 - t151 * y_6_5;
+  const Scalar y_4_3 = t153 * y_7 + t143 * y_5_4 + tau_3 + t150 + t152 * y_7_6 - t151 * y_6_5;
   const Scalar t154 = t123 - t137 + t139 - Scalar(0.6972920750309718);
   const Scalar Ic_4_yy = Ic_5_zz - t138 + Scalar(0.0510201361568155);
   const Scalar t155 = Scalar(0.0825) * f_u_6_6_t_x + t128 - Scalar(0.16284087268546085);
@@ -2737,7 +2656,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t196 = Scalar(-149.60760989322966) * t168;
   const Scalar t197 = t3 * t3 + t8;
   const Scalar t198 = Scalar(0.01993386669246) * c_2 + Scalar(0.00398335888393552) * (t197 - t9) -
-      Scalar(1.0090841787369491) * t11 + y_7 * t196 - tau_2 - Scalar(0.316) * t192 - c_3 * t193 +
+      Scalar(1.0090841787369491) * t11 + t196 * y_7 - tau_2 - Scalar(0.316) * t192 - c_3 * t193 +
       s_3 * mu_3_x - t195 * y_7_6 - t185 * y_4_3 - Scalar(32.80954542685272) * s_2 + t194 * y_6_5 -
       t188 * y_5_4;
   const Scalar Ic_3_xx = Scalar(0.022178148964878235) + Ic_4_yy - t180;
@@ -2782,7 +2701,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t228 = t217 * d_5;
   const Scalar t229 = b_7_6_1 * t82;
   const Scalar t230 = Scalar(-149.60760989322966) * t214;
-  const Scalar y_2_1 = tau_1 - y_7 * t230 - c_2 * t226 + t229 * y_7_6 + s_2 * t224 - t228 * y_6_5 +
+  const Scalar y_2_1 = tau_1 - t230 * y_7 - c_2 * t226 + t229 * y_7_6 + s_2 * t224 - t228 * y_6_5 +
       t227 * y_5_4 - t225 * y_4_3 + t221 * t198;
   const Scalar t231 = t202 + t199 + t203 + Scalar(1.032162061231881);
   const Scalar t232 = c_2 * (t182 - Scalar(0.023077882494931805) + t231) -
@@ -2820,19 +2739,16 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   qd[7]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
 // Reads q[1..6], qd[0..6]. Operations: 133 mul, 94 add, 12 sin/cos.
-template <class Scalar>
-inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
   const Scalar t2 = Scalar(0.0825) * omega_r_3_y;
@@ -2917,17 +2833,13 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
 //   q[7]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[1..6]. Operations: 21 mul, 20 add, 12 sin/cos.
-template <class Scalar>
-inline Scalar potential_energy(const Scalar* q) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar hu_7_t_x = Scalar(0.002573605371338203) * c_7 - Scalar(0.002034439958661797) * s_7;
   const Scalar hc_6_x = hu_7_t_x + Scalar(0.231847552695);
   const Scalar hu_6_t_x = Scalar(0.173804705569) * s_6 + c_6 * hc_6_x;
@@ -2960,18 +2872,14 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //              3 x 3, row by row: entry (i, j) is R[3 * i + j]
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..6]. Operations: 86 mul, 45 add, 14 sin/cos.
-template <class Scalar>
-inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
+    const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = c_4 * s_6;
   const Scalar a_4_t_x = s_4 * c_6 + c_5 * t1;
   const Scalar t2 = s_3 * s_5;
@@ -3036,17 +2944,13 @@ inline constexpr bool jacobian_nonzero[42] = {
 //   J[42]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 7, row by row: entry (i, j) is J[7 * i + j]
 // Reads q[0..5]. Operations: 121 mul, 67 add, 12 sin/cos. Always zero: 4 of the 42 entries of J.
-template <class Scalar>
-inline void jacobian(const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5];
   J[29] = c_1;
   J[37] = c_2;
   J[22] = -s_1;
@@ -3144,20 +3048,16 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[0..6], qd[0..6]. Operations: 164 mul, 102 add, 14 sin/cos.
-template <class Scalar>
-inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar t2 = c_3 * t1;
   const Scalar t3 = s_3 * qd_2;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "input/content_hash.hpp"
 #include "passes/draft.hpp"
@@ -38,25 +39,24 @@ void stop_at_errors(const Diagnostics& found) {
   if (found.has_errors()) throw BadInput(code_of(found), found);
 }
 
-// By the recursive route, or from the closed form where that costs less.
+// In the formulation, recursive or the closed form, that costs least once what the scene does not need is taken out and
+// the passes are through with it.
 OptimisedFunction make_function(const Model& model, const std::string& name, Progress& progress) {
   const Mechanism& mechanism = model.mechanism;
   Diagnostics found;
-  const auto as_needed = [&](const Function& general) {
-    return specialised(general, mechanism, model.robot.scene, found);
-  };
   progress.step("deriving " + name);
-  const Function recursive = derive_function(mechanism, name);
-  const std::optional<Function> closed = closed_variant(mechanism, recursive);
-  const Function needed = as_needed(recursive);
-  stop_at_errors(found);
+  std::vector<Function> candidates = formulations(mechanism, name);
+  std::optional<Function> closed = closed_variant(mechanism, candidates.front());
+  if (closed) candidates.push_back(std::move(*closed));
   progress.step("optimising " + name);
-  OptimisedFunction best = optimised(needed);
-  if (closed) {
-    OptimisedFunction candidate = optimised(as_needed(*closed));
-    if (cost(candidate.function) < cost(best.function)) best = std::move(candidate);
+  std::optional<OptimisedFunction> best;
+  for (const Function& candidate : candidates) {
+    const Function needed = specialised(candidate, mechanism, model.robot.scene, found);
+    stop_at_errors(found);
+    OptimisedFunction made = optimised(needed);
+    if (!best || cost(made.function) < cost(best->function)) best = std::move(made);
   }
-  return best;
+  return *best;
 }
 
 std::vector<std::string> names_of_functions(bool on_request) {

@@ -36,9 +36,11 @@ Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
   return result;
 }
 
-// Its entries cannot be compared one by one with what they have to be: a base regressor is right as a whole.
+// Its entries cannot be compared one by one with what they have to be: a base regressor is right as a whole, and
+// derivatives of accelerations by the inverse of B that comes with them.
 bool is_one_whole(const Function& function) {
-  return function.name == "base_regressor" || function.name == "adaptive_regressor";
+  return function.name == "base_regressor" || function.name == "adaptive_regressor" ||
+         function.name == "forward_dynamics_derivatives";
 }
 
 void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function) {
@@ -74,7 +76,7 @@ Function with_outputs(const Function& function, const Mechanism& mechanism, cons
                       Diagnostics& diagnostics) {
   if (is_one_whole(function)) {
     diagnostics.unsupported(wanted.function.place, "outputs: " + function.name + " cannot be made in part",
-                            "ask for the function in `functions`, or for entries of regressor");
+                            "ask for the function in `functions`");
     return function;
   }
   std::vector<std::vector<bool>> is_wanted;

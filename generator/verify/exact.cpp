@@ -87,7 +87,9 @@ double in_drawn_values(double degree, double angles, double reciprocals) {
 }
 
 // Of single accelerations B^-1 (tau - n), numerator and denominator have n factors of B or of what it is multiplied by.
+// The derivatives of forward dynamics are compared at a q̈ of their own making, which is B⁻¹ times a torque.
 double degree_factor(const Mechanism& mechanism, const Function& function) {
+  if (function.name == "forward_dynamics_derivatives") return 2;
   const bool is_solved = function.name == "forward_dynamics" && !is_whole(function);
   return is_solved ? 2.0 * mechanism.size() : 1;
 }
@@ -120,9 +122,9 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
   const MechanismDegrees lagrangian =
       is_regressor(function.name) ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
   const FunctionDegrees own = function_degrees(function);
-  const double of_lagrangian = lagrangian.degree * degree_factor(mechanism, function);
-  const double degree = in_drawn_values(of_lagrangian + own.numerator + own.denominator,
-                                        drawn_angles(function, mechanism), lagrangian.reciprocals);
+  const double degree =
+      in_drawn_values(degree_factor(mechanism, function) * (lagrangian.degree + own.numerator + own.denominator),
+                      drawn_angles(function, mechanism), lagrangian.reciprocals);
   return finished(function, mismatches, entries, degree, options);
 }
 
