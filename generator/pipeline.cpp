@@ -8,6 +8,7 @@
 
 #include "input/content_hash.hpp"
 #include "passes/draft.hpp"
+#include "scene/specialise.hpp"
 #include "symbolic/closed_functions.hpp"
 
 namespace flatdyn {
@@ -29,24 +30,43 @@ OptimisedFunction optimised(const Function& derived) {
   return result;
 }
 
-// In the formulation, recursive or the closed form, that costs least once the passes are through with it.
-OptimisedFunction make_function(const Mechanism& mechanism, const std::string& name, Progress& progress) {
+ExitCode code_of(const Diagnostics& errors) {
+  if (errors.only_on_command_line()) return ExitCode::usage;
+  return errors.only_unsupported() ? ExitCode::unsupported : ExitCode::input;
+}
+
+void stop_at_errors(const Diagnostics& found) {
+  if (found.has_errors()) throw BadInput(code_of(found), found);
+}
+
+// Without those that cost so much more than the cheapest that no pass makes up for it.
+std::vector<Function> within_reach(std::vector<Function> candidates) {
+  constexpr double kReach = 1.5;
+  const auto operations = [](const Function& function) { return count_operations(function).arithmetic(); };
+  int least = operations(candidates.front());
+  for (const Function& candidate : candidates) least = std::min(least, operations(candidate));
+  std::erase_if(candidates, [&](const Function& candidate) { return operations(candidate) > kReach * least; });
+  return candidates;
+}
+
+// In the formulation, recursive or the closed form, that costs least once what the scene does not need is taken out and
+// the passes are through with it.
+OptimisedFunction make_function(const Model& model, const std::string& name, Progress& progress) {
+  const Mechanism& mechanism = model.mechanism;
+  Diagnostics found;
   progress.step("deriving " + name);
-  std::vector<Function> candidates = formulations(mechanism, name);
+  std::vector<Function> candidates = within_reach(formulations(mechanism, name));
   std::optional<Function> closed = closed_variant(mechanism, candidates.front());
   if (closed) candidates.push_back(std::move(*closed));
   progress.step("optimising " + name);
   std::optional<OptimisedFunction> best;
   for (const Function& candidate : candidates) {
-    OptimisedFunction made = optimised(candidate);
+    const Function needed = specialised(candidate, mechanism, model.robot.scene, found);
+    stop_at_errors(found);
+    OptimisedFunction made = optimised(needed);
     if (!best || cost(made.function) < cost(best->function)) best = std::move(made);
   }
   return *best;
-}
-
-ExitCode code_of(const Diagnostics& errors) {
-  if (errors.only_on_command_line()) return ExitCode::usage;
-  return errors.only_unsupported() ? ExitCode::unsupported : ExitCode::input;
 }
 
 std::vector<std::string> names_of_functions(bool on_request) {
@@ -54,6 +74,36 @@ std::vector<std::string> names_of_functions(bool on_request) {
   for (const FunctionEntry& entry : function_table()) {
     if (entry.on_request == on_request) names.emplace_back(entry.name);
   }
+  return names;
+}
+
+// Names that a scene gives, with their places.
+void check_scene_names(const Model& model) {
+  std::vector<Reference> functions = model.robot.scene.functions;
+  Diagnostics found;
+  for (auto function = functions.begin(); function != functions.end(); ++function) {
+    const bool is_again = std::any_of(functions.begin(), function,
+                                      [&](const Reference& before) { return before.name == function->name; });
+    if (is_again) found.error(function->place, "functions: \"" + function->name + "\" is there twice", "name it once");
+  }
+  for (const SceneOutputs& outputs : model.robot.scene.outputs) functions.push_back(outputs.function);
+  for (const Reference& function : functions) {
+    try {
+      check_function_name(model.mechanism, function.name);
+    } catch (const Failure& failure) {
+      found.error(function.place, failure.what(), failure.hint());
+    }
+  }
+  stop_at_errors(found);
+}
+
+// What the command line asks for, else the scene; empty if neither asks for anything.
+std::vector<std::string> functions_asked_for(const PipelineOptions& options, const Scene& scene) {
+  if (!options.functions.empty()) return options.functions;
+  std::vector<std::string> names;
+  for (const Reference& function : scene.functions) names.push_back(function.name);
+  if (!names.empty()) return names;
+  for (const SceneOutputs& outputs : scene.outputs) names.push_back(outputs.function.name);
   return names;
 }
 
@@ -77,13 +127,15 @@ std::vector<std::string> requested_function_names() { return names_of_functions(
 
 std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress,
                                               Diagnostics& findings) {
-  const bool asked = !options.functions.empty();
-  const std::vector<std::string> names = asked ? options.functions : default_function_names();
+  check_scene_names(model);
+  const std::vector<std::string> wanted = functions_asked_for(options, model.robot.scene);
+  const bool asked = !wanted.empty();
+  const std::vector<std::string> names = asked ? wanted : default_function_names();
   check_names(model.mechanism, names);
   std::vector<OptimisedFunction> result;
   for (const std::string& name : names) {
     try {
-      result.push_back(make_function(model.mechanism, name, progress));
+      result.push_back(make_function(model, name, progress));
     } catch (const Failure& failure) {
       if (asked || failure.code() != ExitCode::unsupported) throw;
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
@@ -96,10 +148,15 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
 OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress) {
   check_names(model.mechanism, functions);
   progress.step("deriving functions together");
+  Diagnostics found;
   std::optional<Fusion> best;
   for (const Grouping grouping : kGroupings) {
     std::vector<Function> derived;
-    for (const std::string& name : functions) derived.push_back(derive_function(model.mechanism, name, {&grouping, 1}));
+    for (const std::string& name : functions) {
+      const Function general = derive_function(model.mechanism, name, {&grouping, 1});
+      derived.push_back(specialised(general, model.mechanism, model.robot.scene, found));
+    }
+    stop_at_errors(found);
     Fusion candidate = fused(derived);
     if (!best || cost(candidate.function) < cost(best->function)) best = std::move(candidate);
   }

@@ -18,7 +18,7 @@ namespace flatdyn {
 struct PipelineOptions {
   ReadOptions read;
   bool warnings_are_errors = false;
-  std::vector<std::string> functions;  // empty: default_function_names()
+  std::vector<std::string> functions;  // empty: those of the scene; without one: default_function_names()
 };
 
 // A robot as read, and as made canonical. Diagnostics (warnings, notes) are kept for whoever reports.
@@ -26,7 +26,7 @@ struct Model {
   Robot robot;
   Mechanism mechanism;
   Diagnostics diagnostics;
-  std::string input_hash;  // of the bytes of the robot file, and of a URDF that it names
+  std::string input_hash;  // of the bytes of the robot file, of one that it names, and of the scene file
 };
 
 // Reads and makes canonical. Errors in the input end in BadInput, which carries the diagnostics.
@@ -46,7 +46,8 @@ struct OptimisedFunction {
   std::vector<PassRecord> passes;
 };
 
-// Those that options.functions names; or all that the robot allows: what is left out is a warning in `findings`.
+// Those that options.functions or the scene names, made as the scene needs them; or all that the robot allows: what is
+// left out is a warning in `findings`.
 std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress,
                                               Diagnostics& findings);
 

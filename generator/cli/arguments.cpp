@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 
 #include "cli/commands.hpp"
 #include "diagnostics/table.hpp"
+#include "input/expression.hpp"
 #include "report/toml_string.hpp"
+#include "symbolic/number_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -52,6 +55,70 @@ Vec3 vector_option(const std::string& option, const std::string& text) {
   return {entries[0], entries[1], entries[2]};
 }
 
+Vec3 gravity_option(const std::string& text) {
+  return text == "off" ? zero_vector() : vector_option("--gravity", text);
+}
+
+Number expression_option(const std::string& option, const std::string& text) {
+  const auto no_symbol = [](std::string_view name, std::size_t column) -> Number {
+    throw ExpressionError("\"" + std::string(name) + "\" is a symbol, which only a file may have", column);
+  };
+  try {
+    const Number value = parse_expression(text, no_symbol);
+    if (is_reasonable(GiNaC::ex_to<GiNaC::numeric>(value.evalf()))) return value;
+    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not between 1e-30 and 1e30", option, text));
+  } catch (const ExpressionError& error) {
+    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\": {}", option, text, error.what()),
+                  "write a number or an expression such as pi/2");
+  }
+}
+
+bool is_decimal(const std::string& text) {
+  try {
+    exact_decimal(text);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+// "JOINT" or "JOINT=POSITION".
+LockedJoint fixed_option(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos) return {text};
+  LockedJoint lock{text.substr(0, sign), 0, text.substr(sign + 1)};
+  lock.is_decimal = is_decimal(lock.written);
+  lock.position = lock.is_decimal ? decimal_option("--fix", lock.written) : expression_option("--fix", lock.written);
+  return lock;
+}
+
+std::vector<LockedJoint> fixed_options(const std::vector<std::string>& texts) {
+  std::vector<LockedJoint> all;
+  for (const std::string& text : texts) {
+    const LockedJoint lock = fixed_option(text);
+    const auto before =
+        std::find_if(all.begin(), all.end(), [&lock](const LockedJoint& each) { return each.joint == lock.joint; });
+    if (before == all.end()) {
+      all.push_back(lock);
+    } else if (!vanishes(before->position - lock.position)) {
+      throw Failure(
+          ExitCode::usage,
+          fmt::format("--fix: joint \"{}\" is held at {} and at {}", lock.joint, before->written, lock.written),
+          "give it one position");
+    }
+  }
+  return all;
+}
+
+// As an expression, which is never snapped: what it was taken for is written.
+std::string position_text(const LockedJoint& lock, const Robot& robot) {
+  for (const Joint& joint : robot.joints) {
+    const bool is_snapped = joint.name == lock.joint && joint.held && !vanishes(joint.held->position - lock.position);
+    if (is_snapped) return plain_number_text(joint.held->position);
+  }
+  return lock.written;
+}
+
 }  // namespace
 
 CLI::Validator positive_number() {
@@ -79,12 +146,19 @@ void RobotArguments::add_to(CLI::App& command) {
   command.add_option("--snap", snap, "take angles this near to a multiple of pi/12 for it; 0: never")
       ->capture_default_str()
       ->type_name("RAD");
-  command.add_option("--gravity", gravity, "g_0 in the base frame, m/s^2; overrides the file")->type_name("X,Y,Z");
+  command.add_option("--scene", scene, "what is wanted of the robot here: docs/scene-format.md (TOML)")
+      ->check(kNotEmpty)
+      ->type_name("FILE");
+  command.add_option("--gravity", gravity, "g_0 in the base frame, m/s^2, or off; overrides the files")
+      ->type_name("X,Y,Z");
   command.add_option("--tip", tip, "link whose frame is the tip; default: the last, depth-first, of those that move")
       ->type_name("LINK");
-  command.add_option("--fix", fixed_joints, "hold this joint at q = 0, as if it were a fixed one; may be repeated")
+  command
+      .add_option("--fix", fixed_joints,
+                  "hold this joint at q = 0, or at a position (rad or m, such as pi/2), as if it were a fixed one; "
+                  "may be repeated")
       ->allow_extra_args(false)
-      ->type_name("JOINT");
+      ->type_name("JOINT[=POSITION]");
   // As compilers spell it: -W takes the rest of -Werror for its value.
   command
       .add_option_function<std::string>(
@@ -98,7 +172,8 @@ void RobotArguments::add_to(CLI::App& command) {
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {
   command
       .add_option("--functions", functions,
-                  "what to compute, separated by commas; default: all below down to the blank line")
+                  "what to compute, separated by commas; default: what the scene names, else all below down to the "
+                  "blank line")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
@@ -138,14 +213,37 @@ void add_parameters_option(CLI::App& command, std::string& name, const std::stri
 
 ParameterSet parameter_set(const std::string& name) { return kParameterSets.at(name); }
 
-std::vector<std::string> RobotArguments::settings() const {
+std::vector<std::string> RobotArguments::settings(const Model& model) const {
+  const Scene& wanted = model.robot.scene;
+  if (wanted.payload || !wanted.friction || !wanted.limits.empty()) {
+    throw Failure(ExitCode::unsupported,
+                  "a robot file cannot repeat what the scene says of payload, friction and limits",
+                  "use a scene with gravity and [locked] only, or write these into the robot file");
+  }
   std::vector<std::string> lines;
-  if (!gravity.empty()) lines.push_back(fmt::format("gravity = [{}]", gravity));
+  if (!gravity.empty() && gravity != "off") {
+    lines.push_back(fmt::format("gravity = [{}]", gravity));
+  } else if (wanted.gravity) {
+    std::vector<std::string> entries;
+    for (const Number& entry : *wanted.gravity) entries.push_back(plain_number_text(entry, 17));
+    lines.push_back(fmt::format("gravity = [{}]", fmt::join(entries, ", ")));
+  }
   if (!tip.empty()) lines.push_back(fmt::format("tip = {{ link = {} }}", toml_string(tip)));
   std::vector<std::string> fixed;
-  for (const std::string& joint : fixed_joints) fixed.push_back(toml_string(joint));
-  if (!fixed.empty()) lines.push_back(fmt::format("fixed = [{}]", fmt::join(fixed, ", ")));
+  for (const LockedJoint& lock : wanted.locked) {
+    fixed.push_back(fmt::format("{} = {}", toml_string(lock.joint), toml_string(position_text(lock, model.robot))));
+  }
+  if (!fixed.empty()) lines.push_back(fmt::format("fixed = {{ {} }}", fmt::join(fixed, ", ")));
   return lines;
+}
+
+void RobotArguments::note_function_keys(const Model& model) const {
+  const Scene& wanted = model.robot.scene;
+  if (!wanted.at_rest && wanted.functions.empty() && wanted.outputs.empty()) return;
+  Diagnostics notes;
+  notes.note({wanted.file, 0}, "static, functions and outputs have no effect here",
+             "they concern generate, verify and eval");
+  print_diagnostics(notes, quiet);
 }
 
 void RobotArguments::report(const Diagnostics& found) const {
@@ -156,9 +254,10 @@ void RobotArguments::report(const Diagnostics& found) const {
 PipelineOptions RobotArguments::options() const {
   PipelineOptions options;
   options.read.snap_tolerance = snap_option(snap);
-  if (!gravity.empty()) options.read.gravity = vector_option("--gravity", gravity);
+  options.read.scene_file = scene;
+  if (!gravity.empty()) options.read.scene.gravity = gravity_option(gravity);
   if (!tip.empty()) options.read.tip = tip;
-  options.read.fixed_joints = fixed_joints;
+  options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;
   return options;
 }

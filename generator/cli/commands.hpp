@@ -17,6 +17,7 @@ using Run = std::function<ExitCode()>;
 struct RobotArguments {
   std::string robot;
   std::string snap = "1e-5";
+  std::string scene;
   std::string gravity;
   std::string tip;
   std::vector<std::string> fixed_joints;
@@ -26,8 +27,11 @@ struct RobotArguments {
 
   void add_to(CLI::App& command);
   PipelineOptions options() const;
-  // TOML lines that repeat --gravity, --tip and --fix, for a file over the robot file.
-  std::vector<std::string> settings() const;
+  // TOML lines that repeat --gravity, --tip and --fix, and what the scene says of these, for a file over the robot
+  // file. Throws Failure(unsupported) if the scene says more.
+  std::vector<std::string> settings(const Model& model) const;
+  // For subcommands that make no functions: what of the scene has no effect.
+  void note_function_keys(const Model& model) const;
   // Ends the run with BadInput after an error, or after a warning if these are errors; else prints what was found.
   void report(const Diagnostics& found) const;
 };

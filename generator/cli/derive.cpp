@@ -36,6 +36,7 @@ nlohmann::ordered_json json_of(const DerivedModel& model) {
 ExitCode run_derive(const DeriveArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments.quiet);
+  arguments.note_function_keys(model);
   if (arguments.json) {
     const Notation notation = arguments.latex ? Notation::latex : Notation::text;
     fmt::print("{}\n", json_of(derive_model(model.mechanism, arguments.derive, notation)).dump(2));

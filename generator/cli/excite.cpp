@@ -17,6 +17,7 @@ struct ExciteArguments : RobotArguments {
 ExitCode excite(const ExciteArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments.quiet);
+  arguments.note_function_keys(model);
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (model.mechanism.name + "_excitation");
   const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg";
   check_outputs({csv, svg}, model.robot.files);

@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "report/describe.hpp"
+#include "report/scene_report.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
@@ -50,7 +51,8 @@ ExitCode generate(const GenerateArguments& arguments) {
     }
     if (!arguments.staged.empty()) stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
   }
-  const EmitOptions emit{arguments.name_space, arguments.scalar, stamp_of(arguments), model.input_hash};
+  const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments),
+                         model.input_hash,     scene_stamp(model), scene_facts(model)};
   const std::filesystem::path folder = arguments.folder;
   const std::string header = header_name(model.mechanism, emit);
   const std::vector<double> effects = snap_effects(model, options.read);

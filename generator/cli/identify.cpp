@@ -106,8 +106,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
                     const Identification& found) {
-  IdentifiedRobot about{
-      arguments.output, {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""}, arguments.settings()};
+  IdentifiedRobot about{arguments.output,
+                        {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""},
+                        arguments.settings(robot)};
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
   return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
 }
@@ -127,6 +128,8 @@ ExitCode identify(const IdentifyArguments& arguments) {
   const Model robot = read_model(arguments.robot, arguments.options());
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments.quiet);
+  arguments.note_function_keys(robot);
+  if (!arguments.output.empty()) arguments.settings(robot);  // what cannot be written is said before logs are read
   Identification found;
   {
     Progress progress(arguments.quiet);

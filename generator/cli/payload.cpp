@@ -86,13 +86,16 @@ ExitCode payload(const PayloadArguments& arguments) {
   const Model robot = read_model(arguments.robot, arguments.options());
   check_usage(arguments, robot);
   print_diagnostics(robot.diagnostics, arguments.quiet);
+  arguments.note_function_keys(robot);
+  const std::vector<std::string> settings =
+      arguments.output.empty() ? std::vector<std::string>() : arguments.settings(robot);
   PayloadEstimate found;
   {
     Progress progress(arguments.quiet);
     found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
   }
   if (!arguments.output.empty()) {
-    write_files({{arguments.output, payload_robot_text(robot, found, arguments.output, arguments.settings())}});
+    write_files({{arguments.output, payload_robot_text(robot, found, arguments.output, settings)}});
   }
   fmt::print("{}", arguments.json ? payload_json(robot, found).dump(2) + "\n" : describe_payload(robot, found));
   if (!arguments.output.empty() && !arguments.json) fmt::print("\nwrote {}\n", arguments.output);

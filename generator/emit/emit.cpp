@@ -17,6 +17,7 @@
 #include "emit/sections.hpp"
 #include "emit/stage_section.hpp"
 #include "emit/writer.hpp"
+#include "emit/written.hpp"
 #include "graph/count.hpp"
 #include "symbolic/number_text.hpp"
 #include "templates.hpp"
@@ -101,8 +102,12 @@ class HeaderWriter {
     std::vector<std::string> stamp;
     if (!options_.options_stamp.empty()) stamp.push_back("Options: " + comment_text(options_.options_stamp));
     if (!options_.input_hash.empty()) stamp.push_back("Input: " + comment_text(options_.input_hash));
+    for (const std::string& line : wrapped_words(comment_text(options_.scene_stamp), kCommentWidth)) {
+      stamp.push_back(line);
+    }
     header["stamp"] = list_of(stamp);
     header["joint_table"] = list_of(joint_table(mechanism_));
+    header["writes"] = list_of(writing_rule(functions_));
     header["facts"] = list_of(wrapped_words(facts(), kCommentWidth));
     header["guard"] = guard_of(namespace_);
     header["namespace"] = namespace_;
@@ -118,6 +123,7 @@ class HeaderWriter {
       for (std::size_t k = 0; k < mechanism_.merged.size(); ++k) text += (k == 0 ? " " : ", ") + mechanism_.merged[k];
       text += ".";
     }
+    if (!options_.scene_facts.empty()) text += " " + options_.scene_facts;
     return comment_text(text);
   }
 
@@ -201,7 +207,7 @@ class HeaderWriter {
         std::vector<std::string> row;
         for (int j = 0; j < output.cols; ++j) {
           const NodeId entry = output.entries[static_cast<std::size_t>(i * output.cols + j)];
-          row.push_back(function.graph.is_zero(entry) ? "0" : "1");
+          row.push_back(function.graph.is_zero(entry) ? "0" : "1");  // 0 also where it is left out
         }
         text += list_line("", row, i + 1 < output.rows ? "," : "};", kConstantIndent);
       }

@@ -17,6 +17,8 @@ struct EmitOptions {
   std::string scalar = "double";  // default of the template parameter: "double" or "float"
   std::string options_stamp;      // the options that shaped the output, for the stamp
   std::string input_hash;         // of the robot file's content (and what it includes)
+  std::string scene_stamp;        // the content of the scene file
+  std::string scene_facts;        // sentences that say what a scene fixed
 };
 
 // The header's file name for this mechanism: "panda.hpp".

@@ -128,7 +128,7 @@ class FunctionWriter {
       list.push_back(parameter("const Scalar*", input_argument(kind, 0).name, reads(kind)));
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
-      list.push_back(parameter("Scalar*", output_names_[k], !function_.outputs[k].entries.empty()));
+      list.push_back(parameter("Scalar*", output_names_[k], function_.outputs[k].is_written()));
     }
     if (!turning_joints_.empty()) list.emplace_back("const SinCos& sin_cos = {}");
     return list;

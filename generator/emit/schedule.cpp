@@ -21,13 +21,14 @@ bool is_worth_its_name(const Node& node) {
   return node.op == Op::quotient || (node.op == Op::sum && node.terms.size() + (node.value != 0 ? 1 : 0) > 1);
 }
 
-// Output entries by the node that they hold: equal entries (symmetric matrices) are stored together.
+// Output entries by the node that they hold: equal entries (symmetric matrices) are stored together. Entries that are
+// left out are not stored.
 std::map<NodeId, std::vector<Target>> stores_of(const Function& function) {
   std::map<NodeId, std::vector<Target>> stores;
   for (std::size_t k = 0; k < function.outputs.size(); ++k) {
     const std::vector<NodeId>& entries = function.outputs[k].entries;
     for (std::size_t e = 0; e < entries.size(); ++e) {
-      stores[entries[e]].push_back({static_cast<int>(k), static_cast<int>(e)});
+      if (!function.outputs[k].leaves_out(e)) stores[entries[e]].push_back({static_cast<int>(k), static_cast<int>(e)});
     }
   }
   return stores;

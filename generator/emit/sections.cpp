@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "emit/writer.hpp"
+#include "emit/written.hpp"
 #include "graph/count.hpp"
 
 namespace flatdyn {
@@ -33,7 +34,7 @@ std::string zeros(const Function& function, std::size_t o, const FunctionText& t
   std::string list;
   int count = 0;
   for (std::size_t e = 0; e < output.entries.size() && !text.outputs.empty(); ++e) {
-    if (!function.graph.is_zero(output.entries[e])) continue;
+    if (!function.graph.is_zero(output.entries[e]) || output.leaves_out(e)) continue;
     list += fmt::format("{}{}[{}]", count == 0 ? "" : ", ", text.outputs[o].name, e);
     ++count;
   }
@@ -51,6 +52,8 @@ std::vector<std::string> function_comment(const Function& function, const Functi
   const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
   for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
   std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
+  if (function.at_rest) facts += " Holds where qd = 0, and does not read it.";
+  facts += written_text(function, text.outputs);
   for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
   for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
   return lines;

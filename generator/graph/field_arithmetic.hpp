@@ -42,9 +42,17 @@ class FieldArithmetic {
 
   explicit FieldArithmetic(std::uint64_t seed) : seed_(seed) {}
 
+  // The same point, but with joint velocities of 0.
+  FieldArithmetic at_rest() const {
+    FieldArithmetic result = *this;
+    result.at_rest_ = true;
+    return result;
+  }
+
   F constant(const Rational& value) const { return Traits::from(value); }
 
   F input(const Input& input) const {
+    if (at_rest_ && input.kind == InputKind::qd) return F(0);
     const auto kind = static_cast<std::uint64_t>(input.kind);
     return Traits::draw(scrambled(seed_, (kind << 32) + static_cast<std::uint64_t>(input.index)));
   }
@@ -127,6 +135,7 @@ class FieldArithmetic {
   }
 
   std::uint64_t seed_;
+  bool at_rest_ = false;
 };
 
 template <>

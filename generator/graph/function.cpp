@@ -6,11 +6,20 @@
 
 namespace flatdyn {
 
+bool Output::is_written() const {
+  return left_out.empty() ? !entries.empty() : std::find(left_out.begin(), left_out.end(), false) != left_out.end();
+}
+
 std::vector<NodeId> roots(const Function& function) {
   std::vector<NodeId> all;
   for (const Output& output : function.outputs) all.insert(all.end(), output.entries.begin(), output.entries.end());
   all.insert(all.end(), function.positive.begin(), function.positive.end());
   return all;
+}
+
+bool is_whole(const Function& function) {
+  return std::all_of(function.outputs.begin(), function.outputs.end(),
+                     [](const Output& output) { return output.left_out.empty(); });
 }
 
 std::vector<Input> inputs_read(const Function& function) {

@@ -22,8 +22,12 @@ struct Output {
   std::string name;  // "B", "tau", …
   Layout layout = Layout::vector;
   int rows = 1, cols = 1;
-  std::vector<NodeId> entries;  // rows · cols of them; a structural zero is the constant 0
-  std::string meaning;          // one line: what, unit, frame
+  std::vector<NodeId> entries;   // rows · cols of them; a structural zero is the constant 0
+  std::string meaning;           // one line: what, unit, frame
+  std::vector<bool> left_out{};  // by entry: nobody needs it, it is the constant 0 here and is not written; empty: none
+
+  bool leaves_out(std::size_t entry) const { return !left_out.empty() && left_out[entry]; }
+  bool is_written() const;  // any entry of it
 };
 
 struct Function {
@@ -32,6 +36,7 @@ struct Function {
   std::string equation;           // "(7.42)"
   std::vector<InputKind> inputs;  // the arguments in order, whether or not every entry is read
   int base_parameters = 0;        // length of pi_b, where it is one of them
+  bool at_rest = false;           // holds where qd = 0, and does not read it
   Graph graph;
   std::vector<Output> outputs;
   // Values that must all be positive for the result to mean anything (pivots of B); then the function returns bool.
@@ -40,6 +45,9 @@ struct Function {
 
 // Output entries and conditions, in order: what keeps a node alive.
 std::vector<NodeId> roots(const Function& function);
+
+// Whether every entry of every output is computed.
+bool is_whole(const Function& function);
 
 // The inputs that the function really reads, in order of kind and index.
 std::vector<Input> inputs_read(const Function& function);

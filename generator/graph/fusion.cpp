@@ -44,7 +44,7 @@ Fusion fused(const std::vector<Function>& functions) {
     whole.base_parameters = std::max(whole.base_parameters, function.base_parameters);
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
-    fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs,
+    fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
                             function.outputs.size(), function.positive.size()});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
@@ -67,6 +67,7 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .equation = part.equation,
           .inputs = part.inputs,
           .base_parameters = fusion.function.base_parameters,
+          .at_rest = part.at_rest,
           .graph = fusion.function.graph,
           .outputs = slice(fusion.function.outputs, output, part.outputs),
           .positive = slice(fusion.function.positive, condition, part.conditions)};

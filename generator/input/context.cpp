@@ -44,7 +44,7 @@ GiNaC::numeric magnitude_of(const Number& value) {
 
 bool is_held(const std::string& joint, const ReadContext& context) {
   return std::any_of(context.held_joints.begin(), context.held_joints.end(),
-                     [&](const Reference& held) { return held.name == joint; });
+                     [&](const LockedJoint& held) { return held.joint == joint; });
 }
 
 std::string line_seen_from(const Place& here, const Place& place) {
@@ -95,6 +95,18 @@ FileKind kind_of(const std::filesystem::path& path) {
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
   if (extension == ".urdf" || extension == ".xml") return FileKind::urdf;
   return extension == ".toml" ? FileKind::toml : FileKind::unknown;
+}
+
+Number canonical_angle(const Number& angle, const Spot& spot, Diagnostics& diagnostics) {
+  constexpr int kDigits = 80;
+  if (GiNaC::is_a<GiNaC::symbol>(angle)) return angle;
+  if (has_symbols(angle)) {
+    diagnostics.unsupported(spot.place, spot.what + ": an angle with a symbol in it must be the bare symbol",
+                            "give the whole angle a symbol of its own");
+    return 0;
+  }
+  if (is_rational(angle) || is_rational(angle / GiNaC::Pi)) return angle;
+  return exact_decimal(to_decimal(angle, kDigits));
 }
 
 std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, Diagnostics& diagnostics) {

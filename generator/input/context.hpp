@@ -16,20 +16,14 @@
 
 namespace flatdyn {
 
-// A name that refers to a link or joint, and where it is said.
-struct Reference {
-  std::string name;
-  Place place;
-};
-
 struct ReadContext {
   const ReadOptions& options;
   Diagnostics& diagnostics;
   SymbolTable symbols;
   std::vector<Snap> snaps;
-  std::size_t angles_near = 0;         // to a multiple of pi/12, so far
-  std::vector<Reference> held_joints;  // that the options or the file want held at q = 0
-  std::set<std::string> rotor_joints;  // whose armature is gear_ratio^2 rotor_inertia of a URDF
+  std::size_t angles_near = 0;           // to a multiple of pi/12, so far
+  std::vector<LockedJoint> held_joints;  // that options, scene or robot file want held; of two for one joint the first
+  std::set<std::string> rotor_joints;    // whose armature is gear_ratio^2 rotor_inertia of a URDF
 };
 
 bool is_held(const std::string& joint, const ReadContext& context);
@@ -53,6 +47,11 @@ std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, D
 // A decimal angle: the exact multiple of pi/12 if it is within the tolerance of one, which is then recorded, else
 // the decimal as it is. `written` is the text that `angle` was read from.
 Number snapped_angle(const Number& angle, std::string_view written, const Spot& spot, ReadContext& context);
+
+// The number that an expression stands for, if it may be an angle: a multiple of Pi by a rational, a rational, or a
+// symbol. Other numbers (sqrt(2), pi/2 - 0.1) become a rational that is equal to many more digits than are kept of a
+// rotation.
+Number canonical_angle(const Number& angle, const Spot& spot, Diagnostics& diagnostics);
 
 // True if the number is 0 or of a magnitude from 1e-30 to 1e30: products and squares of such numbers stay within
 // double. Else a diagnostic. No symbols may be in it.

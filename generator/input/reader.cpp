@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "diagnostics/nearest.hpp"
 #include "input/context.hpp"
+#include "input/held_joints.hpp"
+#include "input/scene_application.hpp"
+#include "input/scene_reader.hpp"
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
 #include "input/utf8.hpp"
@@ -16,49 +18,6 @@ namespace flatdyn {
 namespace {
 
 const Place kCommandLine;
-
-// The inertia of a rotor that no longer turns, as a body fixed to the link that carries it.
-Inertial as_inertial(const Motor& motor) {
-  Inertial inertial;
-  inertial.mass = motor.mass;
-  inertial.centre_of_mass = motor.position;
-  inertial.place = motor.place;
-  // I_t E + (I_a - I_t) z z^T / (z^T z)
-  const Number& transverse = motor.inertia_transverse.number;
-  const Number along = (motor.inertia_axial.number - transverse) / dot(motor.axis, motor.axis);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      inertial.tensor[i][j] = (i == j ? transverse : Number(0)) + along * motor.axis[i] * motor.axis[j];
-    }
-  }
-  return inertial;
-}
-
-void hold(Joint& joint, Robot& robot) {
-  joint.type = JointType::fixed;
-  if (!joint.motor) return;
-  const int carrier = joint.motor->carrier >= 0 ? joint.motor->carrier : joint.parent;
-  const bool has_axis = !vanishes(dot(joint.motor->axis, joint.motor->axis));
-  if (carrier >= 0 && has_axis) {
-    robot.links[static_cast<std::size_t>(carrier)].inertials.push_back(as_inertial(*joint.motor));
-  }
-  joint.motor.reset();
-}
-
-void hold_joints(const ReadContext& context, Robot& robot) {
-  std::vector<std::string> known;
-  for (const Joint& joint : robot.joints) known.push_back(joint.name);
-  for (const auto& [name, place] : context.held_joints) {
-    const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                    [&wanted = name](const Joint& joint) { return joint.name == wanted; });
-    if (found != robot.joints.end()) {
-      hold(*found, robot);
-    } else if (!robot.joints.empty()) {
-      context.diagnostics.error(place, "there is no joint \"" + name + "\" to be fixed",
-                                hint_for_unknown(name, known, "joints"));
-    }
-  }
-}
 
 // The last link in depth-first order of those that move: a sensor that is fixed to the base is nobody's tip.
 int last_moving_link(const Robot& robot) {
@@ -90,6 +49,17 @@ void attach(const Attachments& attachments, ReadContext& context, Robot& robot) 
     robot.tip = index_of(Reference{*context.options.tip, kCommandLine}, "--tip");
     robot.tip_offset = {};
   }
+  if (const std::optional<ScenePayload>& payload = robot.scene.payload) {
+    const int link = index_of(payload->link, "payload, link");
+    robot.links[static_cast<std::size_t>(link)].inertials.push_back(payload->inertial);
+  }
+}
+
+std::vector<Place> payload_places(const Attachments& attachments, const Scene& scene) {
+  std::vector<Place> places;
+  if (attachments.payload) places.push_back(attachments.payload->inertial.place);
+  if (scene.payload) places.push_back(scene.payload->inertial.place);
+  return places;
 }
 
 // File by file and line by line, the order in which a person works through them.
@@ -118,11 +88,11 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
     attachments = read_toml(*text, file, context, robot);
   }
   if (robot.links.empty() && context.diagnostics.has_errors()) return;
+  apply_to_joints(robot.scene, context.diagnostics, robot);
   hold_joints(context, robot);
   if (!validate_tree(robot, context.diagnostics)) return;
   attach(attachments, context, robot);
-  const Place payload = attachments.payload ? attachments.payload->inertial.place : Place{};
-  validate_values(robot, payload, context.diagnostics);
+  validate_values(robot, payload_places(attachments, robot.scene), context.diagnostics);
 }
 
 void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnostics, Robot& robot) {
@@ -137,15 +107,18 @@ void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnosti
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
                                 Diagnostics& diagnostics) {
   Diagnostics found;
-  ReadContext context{options, found, {}, {}, 0, {}, {}};
-  for (const std::string& joint : options.fixed_joints) context.held_joints.push_back({joint, kCommandLine});
+  ReadContext context{options, found, SymbolTable(options.scene_file), {}, 0, {}, {}};
   Robot robot;
   robot.file = path.string();
+  robot.scene = options.scene;
+  if (!options.scene_file.empty()) add_scene(read_scene(options.scene_file, context), robot.scene);
+  context.held_joints = robot.scene.locked;
   read_into(path, context, robot);
+  if (!options.scene_file.empty()) robot.files.push_back(options.scene_file);
   robot.symbols = context.symbols.in_order();
   robot.snaps = context.snaps;
   if (robot.name.empty()) take_name_of_file(path, found, robot);
-  if (options.gravity) robot.gravity = *options.gravity;
+  if (robot.scene.gravity) robot.gravity = *robot.scene.gravity;
   hand_over(found, diagnostics);
   if (found.has_errors()) return std::nullopt;
   return robot;

@@ -15,9 +15,9 @@ namespace flatdyn {
 struct ReadOptions {
   Number snap_tolerance = exact_decimal("1e-5");  // rad; 0 turns snapping off
   std::optional<std::size_t> left_unsnapped;      // index of the one angle that keeps its decimal: what did it change?
-  std::optional<Vec3> gravity;                    // --gravity: overrides the file, m/s^2
   std::optional<std::string> tip;                 // --tip: name of the tip link
-  std::vector<std::string> fixed_joints;          // --fix: joints held at q = 0, as if they were fixed ones
+  std::string scene_file;                         // --scene; empty: none
+  Scene scene;                                    // --gravity, --fix: goes before what the scene file says
 };
 
 // Reads a URDF (tinyxml2) or TOML (toml++) file, by its content's kind (extension .urdf/.xml or .toml), checks it

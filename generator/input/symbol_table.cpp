@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <regex>
-#include <tuple>
 
 #include "emit/identifiers.hpp"
 #include "input/context.hpp"
@@ -49,12 +48,16 @@ void add_linear_symbols(const Number& value, std::vector<GiNaC::symbol>& symbols
 
 }  // namespace
 
+SymbolTable::Rank SymbolTable::rank(const Place& place, std::size_t column) const {
+  return {!scene_file_.empty() && place.file == scene_file_, place.line, column};
+}
+
 GiNaC::symbol SymbolTable::get(std::string_view name, const Place& place, std::size_t column,
                                Diagnostics& diagnostics) {
   const auto found =
       std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.symbol.name == name; });
   if (found != entries_.end()) {
-    if (std::tie(place.line, column) < std::tie(found->symbol.place.line, found->column)) {
+    if (rank(place, column) < rank(found->symbol.place, found->column)) {
       found->symbol.place = place;
       found->column = column;
     }
@@ -110,8 +113,8 @@ void SymbolTable::check_quantity(Entry& entry, Quantity quantity, const Place& p
 
 std::vector<FreeSymbol> SymbolTable::in_order() const {
   std::vector<Entry> sorted = entries_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.symbol.place.line, a.column) < std::tie(b.symbol.place.line, b.column);
+  std::stable_sort(sorted.begin(), sorted.end(), [this](const Entry& a, const Entry& b) {
+    return rank(a.symbol.place, a.column) < rank(b.symbol.place, b.column);
   });
   std::vector<FreeSymbol> symbols;
   for (const Entry& entry : sorted) symbols.push_back(entry.symbol);

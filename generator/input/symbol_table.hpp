@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "diagnostics/diagnostics.hpp"
@@ -27,6 +28,8 @@ enum class Quantity {
 
 class SymbolTable {
  public:
+  explicit SymbolTable(std::string scene_file = {}) : scene_file_(std::move(scene_file)) {}
+
   // The symbol of this name, made at its first use. `column` orders symbols of one line.
   GiNaC::symbol get(std::string_view name, const Place& place, std::size_t column, Diagnostics& diagnostics);
 
@@ -35,7 +38,7 @@ class SymbolTable {
   // and powers nothing is known: the numbers there may have units of their own.
   void check_quantity(const Number& value, Quantity quantity, const Place& place, Diagnostics& diagnostics);
 
-  // In order of first appearance in the file.
+  // In order of first appearance in the file; those of the scene alone behind them.
   std::vector<FreeSymbol> in_order() const;
 
  private:
@@ -46,9 +49,12 @@ class SymbolTable {
     Place quantity_place;
   };
 
+  using Rank = std::tuple<bool, int, std::size_t>;
+  Rank rank(const Place& place, std::size_t column) const;
   static void check_quantity(Entry& entry, Quantity quantity, const Place& place, Diagnostics& diagnostics);
   void report_bad_name(const std::string& name, const Place& place, Diagnostics& diagnostics) const;
 
+  std::string scene_file_;
   std::vector<Entry> entries_;
 };
 

@@ -41,18 +41,6 @@ Motor read_motor(TomlTable& table, Motor motor, std::optional<Reference>& carrie
   return motor;
 }
 
-Limits read_limits(TomlTable& table, JointType type) {
-  const Quantity position = type == JointType::prismatic ? Quantity::length : Quantity::angle;
-  Limits limits;
-  limits.lower = table.limit("lower", position, Bound::lower);
-  limits.upper = table.limit("upper", position, Bound::upper);
-  limits.velocity = table.limit("velocity", Quantity::other, Bound::magnitude);
-  limits.acceleration = table.limit("acceleration", Quantity::other, Bound::magnitude);
-  limits.effort = table.limit("effort", Quantity::other, Bound::magnitude);
-  table.reject_unknown_keys();
-  return limits;
-}
-
 Motor motor_with_defaults(const Place& place) {
   Motor motor;
   for (Value* value : {&motor.mass, &motor.inertia_axial, &motor.inertia_transverse}) *value = {0, place};
@@ -127,6 +115,18 @@ std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics
   read_about(table, tensor.has_value(), inertial, diagnostics);
   const bool given = table.has("mass") || table.has("com") || tensor;
   return given ? std::optional<Inertial>(inertial) : std::nullopt;
+}
+
+Limits read_limits(TomlTable& table, JointType type) {
+  const Quantity position = type == JointType::prismatic ? Quantity::length : Quantity::angle;
+  Limits limits;
+  limits.lower = table.limit("lower", position, Bound::lower);
+  limits.upper = table.limit("upper", position, Bound::upper);
+  limits.velocity = table.limit("velocity", Quantity::other, Bound::magnitude);
+  limits.acceleration = table.limit("acceleration", Quantity::other, Bound::magnitude);
+  limits.effort = table.limit("effort", Quantity::other, Bound::magnitude);
+  table.reject_unknown_keys();
+  return limits;
 }
 
 void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, Carriers& carriers) {

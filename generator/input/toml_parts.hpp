@@ -42,6 +42,8 @@ class Carriers {
 // mass, com, inertia, inertia_about of a [[link]] or of [payload]; nothing if none of them is there.
 std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics);
 
+Limits read_limits(TomlTable& table, JointType type);
+
 // viscous, coulomb, armature, limits, motor of a [[link]] or [[joint]]; what is not there stays as it is.
 void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, Carriers& carriers);
 

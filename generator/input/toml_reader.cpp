@@ -5,6 +5,7 @@
 #include <map>
 
 #include "diagnostics/nearest.hpp"
+#include "input/held_joints.hpp"
 #include "input/toml_overlay.hpp"
 #include "input/toml_parts.hpp"
 #include "input/urdf_values.hpp"
@@ -50,9 +51,7 @@ class TomlReader {
     const std::optional<std::string> name = table.text("name");
     table.text("description");
     table.text("source");
-    for (const std::string& joint : table.texts("fixed")) {
-      context_.held_joints.push_back({joint, table.place_of("fixed")});
-    }
+    read_fixed(table);
     Attachments attachments;
     if (is_overlay(table)) {
       attachments = read_overlay(table, file_, context_, robot_, carriers_);
@@ -68,6 +67,16 @@ class TomlReader {
   }
 
  private:
+  // A list of joints, held at 0, or a table with their positions.
+  void read_fixed(TomlTable& table) {
+    std::vector<LockedJoint>& held = context_.held_joints;
+    if (!table.is_table("fixed")) {
+      for (const Reference& joint : table.references("fixed")) held.push_back({joint.name, 0, "0", true, joint.place});
+      return;
+    }
+    for (const LockedJoint& lock : read_locked(*table.table("fixed"))) held.push_back(lock);
+  }
+
   // ---- links of the file itself
 
   void read_links(TomlTable& table) {

@@ -20,20 +20,6 @@ bool is_infinite(const toml::node& node) {
   return number != nullptr && (number->get() > 1e300 || number->get() < -1e300);
 }
 
-// A multiple of Pi by a rational, a rational, or a symbol: what an angle may be. Other numbers (sqrt(2), pi/2 - 0.1)
-// become a rational that is equal to many more digits than are kept of a rotation.
-Number canonical_angle(const Number& angle, const Spot& spot, Diagnostics& diagnostics) {
-  constexpr int kDigits = 80;
-  if (GiNaC::is_a<GiNaC::symbol>(angle)) return angle;
-  if (has_symbols(angle)) {
-    diagnostics.unsupported(spot.place, spot.what + ": an angle with a symbol in it must be the bare symbol",
-                            "give the whole angle a symbol of its own");
-    return 0;
-  }
-  if (is_rational(angle) || is_rational(angle / GiNaC::Pi)) return angle;
-  return exact_decimal(to_decimal(angle, kDigits));
-}
-
 // Of the value, or of each number that is a term or factor beside its symbols.
 bool check_magnitudes(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
   if (!has_symbols(value)) return check_magnitude(value, shown, spot, diagnostics);
@@ -52,8 +38,8 @@ std::string hint_for_malformed(const std::string& description) {
 
 }  // namespace
 
-TomlSource::TomlSource(std::string text, std::string file, ReadContext& context)
-    : text_(std::move(text)), file_(std::move(file)), context_(context) {
+TomlSource::TomlSource(std::string text, std::string file, ReadContext& context, std::string documentation)
+    : text_(std::move(text)), file_(std::move(file)), context_(context), documentation_(std::move(documentation)) {
   if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);  // a byte order mark counts as no column
   line_starts_.push_back(0);
   for (std::size_t i = 0; i < text_.size(); ++i) {
@@ -109,7 +95,7 @@ Spot TomlTable::spot(const toml::node& node, std::string_view key) const {
 void TomlTable::report_kind(const toml::node& node, std::string_view key, const std::string& expected) const {
   const Spot where = spot(node, key);
   source_.context().diagnostics.error(where.place, where.what + ": " + expected + " is expected",
-                                      "docs/robot-format.md lists the keys and their values");
+                                      source_.documentation() + " lists the keys and their values");
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key) {
@@ -125,17 +111,40 @@ std::optional<Reference> TomlTable::reference(std::string_view key) {
   return name ? std::optional<Reference>({*name, place_of(key)}) : std::nullopt;
 }
 
-std::vector<std::string> TomlTable::texts(std::string_view key) {
+std::vector<Reference> TomlTable::references(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
-  std::vector<std::string> all;
+  std::vector<Reference> all;
   const toml::array* array = node->as_array();
   if (array == nullptr || !std::all_of(array->begin(), array->end(), [](const auto& e) { return e.is_string(); })) {
     report_kind(*node, key, "a list of texts in quotes");
     return {};
   }
-  for (const toml::node& element : *array) all.push_back(element.as_string()->get());
+  for (const toml::node& element : *array) all.push_back({element.as_string()->get(), source_.place(element.source())});
   return all;
+}
+
+std::optional<bool> TomlTable::boolean(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (const auto* value = node->as_boolean()) return value->get();
+  report_kind(*node, key, "true or false");
+  return std::nullopt;
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> all;
+  for (const auto& [key, node] : table_) all.emplace_back(key.str());
+  return all;
+}
+
+std::optional<LockedJoint> TomlTable::locked_joint(const std::string& joint) {
+  const toml::node* node = find(joint);
+  const std::optional<Number> position = node == nullptr ? std::nullopt : number_of(*node, joint);
+  if (!position) return std::nullopt;
+  const bool is_decimal = !node->is_string();
+  const std::string written = is_decimal ? source_.text_of(node->source()) : node->as_string()->get();
+  return LockedJoint{joint, *position, written, is_decimal, source_.place(node->source())};
 }
 
 std::optional<Number> TomlTable::expression_of(const toml::node& node, const std::string& text, const Spot& spot) {

@@ -17,7 +17,9 @@ namespace flatdyn {
 // The file that tables belong to. The text is kept: numbers are read from it, not from toml++'s doubles.
 class TomlSource {
  public:
-  TomlSource(std::string text, std::string file, ReadContext& context);
+  // documentation: of the file's keys, for hints.
+  TomlSource(std::string text, std::string file, ReadContext& context,
+             std::string documentation = "docs/robot-format.md");
 
   // nullopt and a diagnostic if the text is no TOML.
   std::optional<toml::table> parse() const;
@@ -26,11 +28,13 @@ class TomlSource {
   // What stands between the region's begin and end, which are in one line.
   std::string text_of(const toml::source_region& region) const;
   ReadContext& context() const { return context_; }
+  const std::string& documentation() const { return documentation_; }
 
  private:
   std::string text_;
   std::string file_;
   ReadContext& context_;
+  std::string documentation_;
   std::vector<std::size_t> line_starts_;
 };
 
@@ -48,7 +52,16 @@ class TomlTable {
 
   std::optional<std::string> text(std::string_view key);
   std::optional<Reference> reference(std::string_view key);
-  std::vector<std::string> texts(std::string_view key);
+  std::vector<Reference> references(std::string_view key);
+  std::optional<bool> boolean(std::string_view key);
+  bool is_text(std::string_view key) const { return has(key) && table_.get(key)->is_string(); }
+  bool is_table(std::string_view key) const { return has(key) && table_.get(key)->is_table(); }
+  bool is_list(std::string_view key) const { return has(key) && table_.get(key)->is_array(); }
+
+  // For tables whose keys are names.
+  std::vector<std::string> keys() const;
+  // JOINT = POSITION
+  std::optional<LockedJoint> locked_joint(const std::string& joint);
 
   // nullopt if the key is not there, or, with an error, if it is no number or expression.
   std::optional<Value> number(std::string_view key, Quantity quantity);

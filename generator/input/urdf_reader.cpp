@@ -85,7 +85,7 @@ class UrdfReader {
     joint.place = values_.place(element);
     joint.name = values_.required_text(element, "name", "joint");
     const std::string what = "joint \"" + joint.name + "\"";
-    joint.type = read_type(element, joint.name);
+    joint.type = read_type(element, joint);
     joint.parent = read_link_name(element, "parent", what);
     joint.child = read_link_name(element, "child", what);
     joint.origin = values_.origin(element, what);
@@ -94,24 +94,31 @@ class UrdfReader {
       read_axis(element, what, joint);
       read_limits(element, what, joint);
       read_friction(element, what, joint);
+    } else if (joint.held) {
+      read_axis(element, what, joint);
+      read_limits(element, what, joint);
     }
     robot_.joints.push_back(std::move(joint));
   }
 
-  JointType read_type(const XMLElement& element, const std::string& name) {
+  // How a joint would move that is held is kept beside its type.
+  JointType read_type(const XMLElement& element, Joint& joint) {
     static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
                                                             {"revolute", JointType::revolute},
                                                             {"continuous", JointType::continuous},
                                                             {"prismatic", JointType::prismatic}};
-    const std::string what = "joint \"" + name + "\"";
+    const std::string what = "joint \"" + joint.name + "\"";
     const std::string type = values_.required_text(element, "type", what);
-    if (is_held(name, context_) || type.empty()) return JointType::fixed;
     const auto found = kTypes.find(type);
-    if (found == kTypes.end()) {
-      report_type(element, what, name, type);
+    if (is_held(joint.name, context_) || type.empty()) {
+      if (found != kTypes.end() && found->second != JointType::fixed) joint.held = Held{found->second};
       return JointType::fixed;
     }
-    if (found->second != JointType::fixed) report_mimic(element, what, name);
+    if (found == kTypes.end()) {
+      report_type(element, what, joint.name, type);
+      return JointType::fixed;
+    }
+    if (found->second != JointType::fixed) report_mimic(element, what, joint.name);
     return found->second;
   }
 
@@ -169,7 +176,7 @@ class UrdfReader {
     const XMLElement* limit = element.FirstChildElement("limit");
     if (limit == nullptr) return;
     const std::string where = what + ", limit";
-    if (joint.type != JointType::continuous) {
+    if (joint.type != JointType::continuous && !(joint.held && joint.held->type == JointType::continuous)) {
       joint.limits.lower = values_.limit(*limit, "lower", Bound::lower, where);
       joint.limits.upper = values_.limit(*limit, "upper", Bound::upper, where);
     }

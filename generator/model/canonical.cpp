@@ -39,6 +39,17 @@ Transform exact_transform(const Pose& pose) {
   return result;
 }
 
+// The motion of a joint that is held still.
+Transform held_motion(const Joint& joint) {
+  if (!joint.held || vanishes(joint.held->position)) return {};
+  if (joint.held->type == JointType::prismatic) {
+    return {identity_matrix(), expanded(rationalised(joint.held->position) * unit(joint.axis))};
+  }
+  const Mat3 onto_axis = rotation_onto(joint.axis);
+  return {expanded(onto_axis * rotation_z(planar_rotation(joint.held->position)) * transpose(onto_axis)),
+          zero_vector()};
+}
+
 // Parameters of a written inertial, in the frame of its link.
 InertialParameters in_link_frame(const Inertial& inertial) {
   const Number m = rationalised(inertial.mass.number);
@@ -94,7 +105,7 @@ class RawTree {
     const Transform offset = exact_transform(joint.link_offset);
     if (joint.type == JointType::fixed) {
       body_of_[child] = body_of_[parent];
-      link_pose_[child] = compose(frame, offset);
+      link_pose_[child] = compose(compose(frame, held_motion(joint)), offset);
       merged_.push_back(robot_.links[child].name);
     } else {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};

@@ -7,42 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/diagnostics.hpp"
-#include "model/number.hpp"
+#include "model/parts.hpp"
+#include "model/scene.hpp"
 
 namespace flatdyn {
-
-struct Value {
-  Number number = 0;
-  Place place;
-};
-
-// One elementary displacement. A Pose is a product of them, leftmost first.
-struct Displacement {
-  enum class Kind { translation, rotation_x, rotation_y, rotation_z };
-  Kind kind = Kind::translation;
-  Vec3 translation = zero_vector();  // m; only for translation
-  Number angle = 0;                  // rad; only for rotations: rational, multiple of Pi, or free symbol
-};
-
-// Product of displacements, in order: URDF's origin is {translation xyz, rotation_z yaw, rotation_y pitch,
-// rotation_x roll}. Empty: identity.
-struct Pose {
-  std::vector<Displacement> displacements;
-  Place place;
-};
-
-// Inertia of a rigid body, (7.11): tensor = [ixx, ixy, ixz; ixy, iyy, iyz; ixz, iyz, izz] with the products of
-// inertia as matrix entries, as URDF writes them (ixy = -∫ x y dm).
-struct Inertial {
-  enum class About { centre_of_mass, frame_origin };
-  Value mass;                           // kg
-  Pose frame;                           // of the inertial frame in the link frame; axes of `tensor`
-  Vec3 centre_of_mass = zero_vector();  // in the inertial frame, m (URDF: zero)
-  Mat3 tensor = zero_matrix();          // kg m^2, along the axes of the inertial frame
-  About about = About::centre_of_mass;  // the point it is about; frame_origin: the inertial frame's origin
-  Place place;
-};
 
 struct Link {
   std::string name;
@@ -62,20 +30,20 @@ struct Motor {
   Place place;
 };
 
-struct Limits {
-  std::optional<Value> lower, upper;  // rad or m
-  std::optional<Value> velocity;      // rad/s or m/s
-  std::optional<Value> acceleration;  // rad/s^2 or m/s^2
-  std::optional<Value> effort;        // N·m or N
-};
-
 enum class JointType { fixed, revolute, continuous, prismatic };
 
-// Child link frame = parent link frame · origin · motion(axis, q) · link_offset.
+// How a joint that is held still would move, and where it is held.
+struct Held {
+  JointType type = JointType::revolute;
+  Number position = 0;  // rad or m
+};
+
+// Child link frame = parent link frame · origin · motion(axis, q) · link_offset. A joint that is held keeps its motion.
 // URDF and modified DH: link_offset is the identity. Standard DH: origin is the identity.
 struct Joint {
   std::string name;
-  JointType type = JointType::fixed;
+  JointType type = JointType::fixed;  // fixed also where it is held
+  std::optional<Held> held;
   int parent = -1, child = -1;  // indices of links
   Pose origin;
   Vec3 axis = {0, 0, 1};  // in the joint frame; need not be normalised
@@ -116,6 +84,7 @@ struct Robot {
   Vec3 gravity = {0, 0, Number(-981) / 100};  // g_0 in the base frame, m/s^2
   std::vector<FreeSymbol> symbols;            // in order of first appearance
   std::vector<Snap> snaps;
+  Scene scene;  // what the user wants of this robot; applied as far as it concerns the robot
 };
 
 // Indices of all joints, fixed ones too, in depth-first file order. Defined for a valid tree.

@@ -14,7 +14,7 @@ bool validate_tree(Robot& robot, Diagnostics& diagnostics);
 // Axes, masses, inertias, friction, motors, limits, C++ names. Numeric values are decided exactly; symbolic ones are
 // not checked. Limits that say nothing (a speed or effort of 0, lower = upper = 0) are taken away, and that is noted.
 // Where there are errors already, values may be missing that could not be read: nothing is said of their absence.
-// payload: where the inertia of the payload stands, which is one of its link's; no file if there is none.
-void validate_values(Robot& robot, const Place& payload, Diagnostics& diagnostics);
+// payloads: where the inertias of payloads stand, which are among their links'.
+void validate_values(Robot& robot, const std::vector<Place>& payloads, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

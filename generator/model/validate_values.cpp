@@ -226,11 +226,11 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void validate_values(Robot& robot, const Place& payload, Diagnostics& diagnostics) {
+void validate_values(Robot& robot, const std::vector<Place>& payloads, Diagnostics& diagnostics) {
   const bool complete = !diagnostics.has_errors();
   for (const Link& link : robot.links) {
     for (const Inertial& inertial : link.inertials) {
-      const bool is_payload = !payload.file.empty() && inertial.place == payload;
+      const bool is_payload = std::find(payloads.begin(), payloads.end(), inertial.place) != payloads.end();
       const std::string what = is_payload ? "payload" : named(link);
       check_inertia(what, inertial, diagnostics);
       if (complete) check_inertia_without_mass(what, inertial, diagnostics);
@@ -241,7 +241,8 @@ void validate_values(Robot& robot, const Place& payload, Diagnostics& diagnostic
   if (!complete) return;
   if (moving_joints(robot).empty()) {
     diagnostics.error({robot.file, 0}, "no joint of this robot moves",
-                      "make a joint revolute, continuous or prismatic");
+                      robot.scene.locked.empty() ? "make a joint revolute, continuous or prismatic"
+                                                 : "leave a joint free that [locked] or --fix holds");
   }
   check_moved_inertia(robot, diagnostics);
 }

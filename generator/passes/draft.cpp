@@ -21,6 +21,7 @@ Function with_graph(const Function& source, Graph graph, const std::vector<NodeI
   result.equation = source.equation;
   result.inputs = source.inputs;
   result.base_parameters = source.base_parameters;
+  result.at_rest = source.at_rest;
   result.graph = std::move(graph);
   result.outputs = source.outputs;
   result.positive = source.positive;

@@ -7,6 +7,7 @@
 
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
+#include "report/scene_report.hpp"
 #include "symbolic/number_text.hpp"
 
 namespace flatdyn {
@@ -48,6 +49,8 @@ std::string describe_model(const Model& model, const std::vector<double>& snap_e
                     limit_text(body.limits.velocity, number), limit_text(body.limits.effort, number)});
   }
   text += aligned_table(rows);
+  const std::vector<std::string> scene = scene_items(model);
+  if (!scene.empty()) text += fmt::format("\nfixed by scene or options:\n  {}\n", fmt::join(scene, "\n  "));
   if (!mechanism.merged.empty())
     text += fmt::format("\nmerged by fixed joints: {}\n", fmt::join(mechanism.merged, ", "));
   if (!mechanism.symbols.empty()) {
@@ -156,6 +159,7 @@ nlohmann::ordered_json model_json(const Model& model, const std::vector<double>&
   json["joints"] = nlohmann::ordered_json::array();
   for (const Body& body : model.mechanism.bodies) json["joints"].push_back(joint_json(body, text));
   json["merged_links"] = model.mechanism.merged;
+  if (const std::vector<std::string> scene = scene_items(model); !scene.empty()) json["scene"] = scene;
   json["symbols"] = symbol_names(model.mechanism);
   json["snapped"] = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < snap_effects.size(); ++k) {
@@ -178,7 +182,9 @@ std::vector<std::string> symbol_names(const Mechanism& mechanism) {
 int structural_zeros(const Function& function) {
   int zeros = 0;
   for (const Output& output : function.outputs) {
-    for (const NodeId id : output.entries) zeros += function.graph.is_zero(id) ? 1 : 0;
+    for (std::size_t e = 0; e < output.entries.size(); ++e) {
+      zeros += function.graph.is_zero(output.entries[e]) && !output.leaves_out(e) ? 1 : 0;
+    }
   }
   return zeros;
 }

@@ -130,7 +130,7 @@ CompiledFunctions::~CompiledFunctions() = default;
 std::vector<double> CompiledFunctions::call(std::size_t index, const State& state) const {
   std::size_t length = 0;
   for (const Output& output : functions_[index].outputs) length += output.entries.size();
-  std::vector<double> out(length);
+  std::vector<double> out(length, std::numeric_limits<double>::quiet_NaN());
   std::vector<const double*> in;
   for (const InputKind kind : functions_[index].inputs) in.push_back(state.of(kind).data());
   in.push_back(state.parameters.data());

@@ -45,7 +45,7 @@ class Columns {
   std::map<std::string, std::size_t> index_;
 };
 
-std::vector<std::string> output_columns(const Output& output) {
+std::vector<std::string> all_columns(const Output& output) {
   if (output.layout == Layout::scalar) return {output.name};
   std::vector<std::string> names;
   for (int i = 1; i <= output.rows; ++i) {
@@ -62,12 +62,23 @@ std::vector<std::string> output_columns(const Output& output) {
   return names;
 }
 
+// Of the entries that are not left out.
+std::vector<std::string> output_columns(const Output& output) {
+  const std::vector<std::string> all = all_columns(output);
+  std::vector<std::string> kept;
+  for (std::size_t e = 0; e < all.size(); ++e) {
+    if (!output.leaves_out(e)) kept.push_back(all[e]);
+  }
+  return kept;
+}
+
 // All inputs that a function is documented to take: the reference reads them even where the graph does not.
 std::vector<Input> inputs_of(const Mechanism& mechanism, const Function& function, bool all) {
   if (!all) return inputs_read(function);
   std::vector<Input> inputs;
   for (const InputKind kind : function.inputs) {
     if (kind == InputKind::parameter) continue;  // all of them below
+    if (kind == InputKind::qd && function.at_rest) continue;
     const int length = input_argument(kind, mechanism.size(), function.base_parameters).length;
     for (int i = 0; i < length; ++i) inputs.push_back({kind, i});
   }
@@ -96,7 +107,7 @@ class Evaluator {
     const auto values = options_.reference ? std::optional(from_reference(state)) : graph_(state);
     if (!values) return std::nullopt;
     std::vector<std::string> texts;
-    for (const S& value : *values) texts.push_back(text_of(value, options_.digits));
+    for (const S& value : kept_values(function_, *values)) texts.push_back(text_of(value, options_.digits));
     return texts;
   }
 

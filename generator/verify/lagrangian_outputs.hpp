@@ -31,12 +31,13 @@ class LagrangianOutputs {
     if (is_regressor(stem_)) regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, joint_points());
   }
 
-  // The function's own values, brought to a form that can be compared: for forward_dynamics and its derivatives, B
-  // times them, which has no denominators; for a base regressor, all columns of Y made of them.
+  // The function's own values, brought to a form that can be compared: for forward_dynamics, if no entry is left out,
+  // and for its derivatives, B times them, which has no denominators; for a base regressor, all columns of Y made of
+  // them.
   Values found(const Output& output) {
     const Values result = own(output);
     if (regressor_) return regressor_->found(result);
-    if (stem_ == "forward_dynamics") return times(lagrangian_.inertia(), result);
+    if (stem_ == "forward_dynamics" && output.left_out.empty()) return times(lagrangian_.inertia(), result);
     if (stem_ == "forward_dynamics_derivatives") {
       return times(lagrangian_.inertia(), Matrix<F>(output.cols, result)).entries();
     }
@@ -53,7 +54,8 @@ class LagrangianOutputs {
     if (stem_ == "coriolis_matrix") return lagrangian_.coriolis_matrix(rates()).entries();
     if (stem_ == "gravity") return lagrangian_.gravity();
     if (stem_ == "bias") return lagrangian_.bias(rates(), signs());
-    if (stem_ == "forward_dynamics") return net_torques();
+    if (stem_ == "forward_dynamics" && output.left_out.empty()) return net_torques();
+    if (stem_ == "forward_dynamics") return solution(lagrangian_.inertia(), net_torques());
     if (stem_ == "inverse_dynamics_derivatives") {
       return torque_derivatives(output.name == "dtau_dq", drawn(InputKind::qdd, mechanism_.size()));
     }
@@ -122,6 +124,23 @@ class LagrangianOutputs {
     const Values bias = lagrangian_.bias(rates(), signs());
     for (std::size_t i = 0; i < bias.size(); ++i) result[i] += -bias[i];
     return result;
+  }
+
+  // x of A x = b by elimination. B is singular at few points of a field: then the division says so.
+  static Values solution(Matrix<F> A, Values b) {
+    const int n = A.rows();
+    const auto at = [](int i) { return static_cast<std::size_t>(i); };
+    for (int k = 0; k < n; ++k) {
+      const F reciprocal = F(1) / A(k, k);
+      for (int i = 0; i < n; ++i) {
+        if (i == k) continue;
+        const F factor = A(i, k) * reciprocal;
+        for (int j = k; j < n; ++j) A(i, j) += -(factor * A(k, j));
+        b[at(i)] += -(factor * b[at(k)]);
+      }
+    }
+    for (int k = 0; k < n; ++k) b[at(k)] = b[at(k)] * (F(1) / A(k, k));
+    return b;
   }
 
   Values torque_derivatives(bool by_position, const Values& qdd) {

@@ -33,12 +33,18 @@ Vector50 exact_vector(const std::vector<double>& values) {
 class Functions {
  public:
   explicit Functions(const std::vector<Function>& functions) {
-    for (const Function& function : functions) by_name_[function.name] = &function;
+    for (const Function& function : functions) {
+      is_at_rest_ = is_at_rest_ || function.at_rest;
+      if (is_whole(function)) by_name_[function.name] = &function;
+    }
   }
 
   bool has(std::initializer_list<const char*> names) const {
     return std::all_of(names.begin(), names.end(), [this](const char* name) { return by_name_.contains(name); });
   }
+
+  // Identities in velocities say nothing of functions that have none.
+  bool are_at_rest() const { return is_at_rest_; }
 
   // Entries of the (only) output.
   Vector50 operator()(const std::string& name, const ExactState& state) const {
@@ -76,7 +82,8 @@ class Functions {
   }
 
  private:
-  std::map<std::string, const Function*> by_name_;
+  std::map<std::string, const Function*> by_name_;  // those that have all entries
+  bool is_at_rest_ = false;
 };
 
 ExactState after(const ExactState& state, const Real50& time) {
@@ -158,8 +165,9 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
     for (const ExactState& state : exact) pivot = std::min(pivot, smallest_pivot(f, state));
     properties.push_back(definiteness(pivot));
   }
-  if (f.has({"inertia_matrix", "coriolis_matrix"})) vanishing("w'(dB/dt - 2C)w = 0, (7.48)", skewness);
-  if (f.has({"inverse_dynamics", "bias", "coriolis_matrix", "kinetic_energy"})) {
+  const bool moves = !f.are_at_rest();
+  if (moves && f.has({"inertia_matrix", "coriolis_matrix"})) vanishing("w'(dB/dt - 2C)w = 0, (7.48)", skewness);
+  if (moves && f.has({"inverse_dynamics", "bias", "coriolis_matrix", "kinetic_energy"})) {
     vanishing("energy balance, (7.50)", energy_imbalance);
   }
   if (f.has({"inverse_dynamics", "forward_dynamics"})) {

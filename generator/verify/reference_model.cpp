@@ -111,9 +111,23 @@ class Converter {
         result.coulomb = number(joint.coulomb.number);
         result.armature = number(joint.armature.number);
         if (joint.motor) result.rotor = rotor(joint);
+      } else if (joint.held) {
+        hold(joint, result);
       }
       result_.joints.push_back(std::move(result));
       attach_joints_of(joint.child);
+    }
+  }
+
+  // The motion of a joint that is held still becomes part of the way to it.
+  void hold(const Joint& joint, reference::Joint<S>& result) const {
+    const S position = number(joint.held->position);
+    if (position == 0) return;
+    const Vector axis = unit(joint.axis);
+    if (joint.held->type == JointType::prismatic) {
+      result.p_0 += result.R_0 * axis * position;
+    } else {
+      result.R_0 = Matrix(result.R_0 * reference::rotation_about(axis, position));
     }
   }
 

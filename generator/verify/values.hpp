@@ -46,6 +46,26 @@ reference::Robot<S> seen_by(const Function& function, const Robot& written, refe
   return robot;
 }
 
+// The values that are not left out, of all entries of all outputs.
+template <class T>
+std::vector<T> kept_values(const Function& function, const std::vector<T>& all) {
+  std::vector<T> kept;
+  std::size_t k = 0;
+  for (const Output& output : function.outputs) {
+    for (std::size_t e = 0; e < output.entries.size(); ++e, ++k) {
+      if (!output.leaves_out(e)) kept.push_back(all[k]);
+    }
+  }
+  return kept;
+}
+
+// The state in which the function holds.
+template <class S>
+StateOf<S> state_for(const Function& function, StateOf<S> state) {
+  if (function.at_rest) state.qd.assign(state.qd.size(), S(0));
+  return state;
+}
+
 // The sum of the absolute values of each entry's own terms (flatdyn/reference/magnitude.hpp).
 std::vector<double> magnitudes(const Function& function, const reference::Robot<double>& robot, const State& state);
 

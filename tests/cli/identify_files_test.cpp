@@ -127,6 +127,22 @@ TEST_F(IdentifyFiles, PayloadKeepsTheSettingsAndQuotesNames) {
   EXPECT_EQ(loaded.mechanism.gravity[1], Number(-2));
 }
 
+// The decimal is taken for pi/2, and the file says so.
+TEST_F(IdentifyFiles, PayloadRepeatsTheScene) {
+  const Model before = read_model(scratch.path("rob.toml"), {});
+  const std::string joint = before.mechanism.bodies[0].joint;
+  scratch.write("scene.toml", "gravity = \"off\"\n[locked]\n" + joint + " = 1.5707963\n");
+  std::string log = "t,q1,tau1\n";
+  for (int k = 0; k < 400; ++k) log += fmt::format("{},{},{}\n", 0.01 * k, std::sin(0.03 * k), std::cos(0.03 * k));
+  scratch.write("one.csv", log);
+  const Outcome outcome = run("payload {0}/rob.toml -q --scene {0}/scene.toml --data {0}/one.csv -o {0}/loaded.toml");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(scratch.read("loaded.toml"), HasSubstr("fixed = { \"" + joint + "\" = \"pi/2\" }\n"));
+  const Model loaded = read_model(scratch.path("loaded.toml"), {});
+  EXPECT_EQ(loaded.mechanism.size(), before.mechanism.size() - 1);
+  EXPECT_TRUE(vanishes(loaded.mechanism.gravity[2]));
+}
+
 TEST_F(IdentifyFiles, AWristNeedsNoTorques) {
   std::string log = "t,q1,q2,fx,fy,fz,mx,my,mz\n";
   for (int k = 0; k < 400; ++k) {

@@ -42,7 +42,7 @@ TEST_P(ExtraRobots, AreReadOrRefusedWithTheReason) {
     ASSERT_NE(first, diagnostics.all().end());
     EXPECT_NE(first->hint.find("--fix " + GetParam().held), std::string::npos);
     EXPECT_GT(first->place.line, 0);
-    options.fixed_joints = {GetParam().held};
+    options.scene.locked = {{GetParam().held}};
     diagnostics = {};
     robot = read_robot(path_, options, diagnostics);
   }

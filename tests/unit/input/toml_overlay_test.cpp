@@ -179,7 +179,7 @@ TEST_F(TomlOverlay, AnArmatureStandsForTheInertiaThatAMotorDoesNotGive) {
 
 TEST_F(TomlOverlay, ServesAJointThatIsHeldToo) {
   ReadOptions options;
-  options.fixed_joints = {"elbow"};
+  options.scene.locked = {{"elbow"}};
   const std::string text = "[[joint]]\nname = \"elbow\"\nviscous = 1\nmotor = { mass = 2 }\n";
   EXPECT_EQ(moving_joints(over_arm(text, options)).size(), 1U);
   write("two.urdf", one_joint_urdf("revolute", "", R"(<link name="hand"/><joint name="elbow" type="revolute">

@@ -154,7 +154,7 @@ TEST_F(TomlReader, APayloadStaysWhenTheTipIsChosen) {
 
 TEST_F(TomlReader, ARotorHeldStillIsABody) {
   ReadOptions options;
-  options.fixed_joints = {"joint2"};
+  options.scene.locked = {{"joint2"}};
   const Robot robot = read("r.toml",
                            "[[link]]\nmass = 1\n[[link]]\nmass = 1\n[link.motor]\nmass = 2\ninertia = 4\n"
                            "inertia_transverse = 3\naxis = [0, 3, 4]\nposition = [1, 0, 0]\n",

@@ -176,8 +176,8 @@ TEST_F(UrdfReader, OrdersJointsDepthFirst) {
 TEST_F(UrdfReader, TakesTheOptions) {
   ReadOptions options;
   options.tip = "e";
-  options.gravity = Vec3{0, 1, 2};
-  options.fixed_joints = {"ab"};
+  options.scene.gravity = Vec3{0, 1, 2};
+  options.scene.locked = {{"ab"}};
   const Robot robot = read("tree.urdf", kTree, options);
   EXPECT_EQ(robot.links[static_cast<std::size_t>(robot.tip)].name, "e");
   EXPECT_TRUE(robot.gravity[2].is_equal(2));
@@ -188,7 +188,7 @@ TEST_F(UrdfReader, TakesTheOptions) {
 TEST_F(UrdfReader, ReportsUnknownNamesOfTheOptions) {
   ReadOptions options;
   options.tip = "f";
-  options.fixed_joints = {"ax"};
+  options.scene.locked = {{"ax"}};
   const auto path = write("tree.urdf", kTree);
   EXPECT_FALSE(read_robot(path, options, diagnostics_).has_value());
   ASSERT_GE(diagnostics_.all().size(), 2U);
@@ -200,7 +200,7 @@ TEST_F(UrdfReader, ReportsUnknownNamesOfTheOptions) {
 
 TEST_F(UrdfReader, HoldsMimicAndFloatingJointsIfTold) {
   ReadOptions options;
-  options.fixed_joints = {"k", "f"};
+  options.scene.locked = {{"k"}, {"f"}};
   const std::string more = R"(<link name="hand"/><joint name="k" type="revolute"><parent link="arm"/>
       <child link="hand"/><mimic joint="j"/></joint><link name="eye"/><joint name="f" type="floating">
       <parent link="hand"/><child link="eye"/></joint>)";

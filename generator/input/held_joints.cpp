@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/held_joints.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "diagnostics/nearest.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+// The inertia of a rotor that no longer turns, as a body fixed to the link that carries it.
+Inertial as_inertial(const Motor& motor) {
+  Inertial inertial;
+  inertial.mass = motor.mass;
+  inertial.centre_of_mass = motor.position;
+  inertial.place = motor.place;
+  // I_t E + (I_a - I_t) z z^T / (z^T z)
+  const Number& transverse = motor.inertia_transverse.number;
+  const Number along = (motor.inertia_axial.number - transverse) / dot(motor.axis, motor.axis);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      inertial.tensor[i][j] = (i == j ? transverse : Number(0)) + along * motor.axis[i] * motor.axis[j];
+    }
+  }
+  return inertial;
+}
+
+void hold_rotor(Joint& joint, Robot& robot) {
+  if (!joint.motor) return;
+  const int carrier = joint.motor->carrier >= 0 ? joint.motor->carrier : joint.parent;
+  const bool has_axis = !vanishes(dot(joint.motor->axis, joint.motor->axis));
+  if (carrier >= 0 && has_axis) {
+    robot.links[static_cast<std::size_t>(carrier)].inertials.push_back(as_inertial(*joint.motor));
+  }
+  joint.motor.reset();
+}
+
+std::string held_at(const LockedJoint& lock) { return "joint \"" + lock.joint + "\", held at " + lock.written; }
+
+Number position_of(const LockedJoint& lock, JointType type, ReadContext& context) {
+  const Spot spot{lock.place, held_at(lock)};
+  const Quantity quantity = type == JointType::prismatic ? Quantity::length : Quantity::angle;
+  context.symbols.check_quantity(lock.position, quantity, lock.place, context.diagnostics);
+  if (type == JointType::prismatic) return lock.position;
+  if (lock.is_decimal) return snapped_angle(lock.position, lock.written, spot, context);
+  return canonical_angle(lock.position, spot, context.diagnostics);
+}
+
+bool is_below(const Number& a, const Number& b) {
+  const Number difference = b - a;
+  return !has_symbols(difference) && nearest_double(difference) > 0;
+}
+
+// Exporters write lower = upper = 0 where nobody gave limits.
+bool has_no_range(const Limits& limits) {
+  return limits.lower && limits.upper && vanishes(limits.lower->number) && vanishes(limits.upper->number);
+}
+
+void warn_outside_limits(const LockedJoint& lock, const Joint& joint, Diagnostics& diagnostics) {
+  const Limits& limits = joint.limits;
+  if (has_no_range(limits)) return;
+  const auto warn = [&](const char* what, const Number& limit) {
+    diagnostics.warning(lock.place, held_at(lock) + ", is " + what + " limit (" + to_decimal(limit, 6) + ")",
+                        "the robot cannot be there; correct the position or the limits");
+  };
+  if (limits.lower && is_below(joint.held->position, limits.lower->number))
+    warn("below its lower", limits.lower->number);
+  if (limits.upper && is_below(limits.upper->number, joint.held->position))
+    warn("above its upper", limits.upper->number);
+}
+
+// False, and an error, where there is no motion by which the joint could get to its position.
+bool can_move(const LockedJoint& lock, const Joint& joint, JointType type, Diagnostics& diagnostics) {
+  if (type == JointType::fixed) {
+    diagnostics.error(lock.place, held_at(lock) + ": it is a fixed joint, or of a type that can be held at 0 only",
+                      "leave the position out");
+    return false;
+  }
+  if (!vanishes(dot(joint.axis, joint.axis))) return true;
+  diagnostics.error(joint.place, "joint \"" + joint.name + "\": its axis is zero", "give the axis a direction");
+  return false;
+}
+
+void hold(const LockedJoint& lock, Joint& joint, ReadContext& context, Robot& robot) {
+  const JointType type = joint.held ? joint.held->type : joint.type;
+  joint.type = JointType::fixed;
+  joint.held.reset();
+  hold_rotor(joint, robot);
+  if (type == JointType::fixed && vanishes(lock.position)) return;
+  if (!vanishes(lock.position) && !can_move(lock, joint, type, context.diagnostics)) return;
+  joint.held = Held{type, position_of(lock, type, context)};
+  warn_outside_limits(lock, joint, context.diagnostics);
+}
+
+}  // namespace
+
+std::vector<LockedJoint> read_locked(TomlTable table) {
+  std::vector<LockedJoint> all;
+  for (const std::string& joint : table.keys()) {
+    if (std::optional<LockedJoint> lock = table.locked_joint(joint)) all.push_back(*lock);
+  }
+  return all;
+}
+
+void hold_joints(ReadContext& context, Robot& robot) {
+  std::vector<std::string> known;
+  for (const Joint& joint : robot.joints) known.push_back(joint.name);
+  std::set<std::string> done;
+  for (const LockedJoint& lock : context.held_joints) {
+    if (!done.insert(lock.joint).second) continue;
+    const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                    [&lock](const Joint& joint) { return joint.name == lock.joint; });
+    if (found != robot.joints.end()) {
+      hold(lock, *found, context, robot);
+    } else if (!robot.joints.empty()) {
+      context.diagnostics.error(lock.place, "there is no joint \"" + lock.joint + "\" to be fixed",
+                                hint_for_unknown(lock.joint, known, "joints"));
+    }
+  }
+}
+
+}  // namespace flatdyn

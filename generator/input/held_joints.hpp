@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Joints that are held still: --fix, `fixed` of TOML robot files, [locked] of scenes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "input/toml_table.hpp"
+
+namespace flatdyn {
+
+// JOINT = POSITION, ... of a table.
+std::vector<LockedJoint> read_locked(TomlTable table);
+
+// Makes fixed joints of context.held_joints. The rotor of one that no longer turns becomes a body of its carrier.
+void hold_joints(ReadContext& context, Robot& robot);
+
+}  // namespace flatdyn

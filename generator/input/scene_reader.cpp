@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/scene_reader.hpp"
+
+#include <algorithm>
+
+#include "input/held_joints.hpp"
+#include "input/toml_parts.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+std::optional<Vec3> read_gravity(TomlTable& table, Diagnostics& diagnostics) {
+  if (!table.is_text("gravity")) {
+    const Vec3 given = table.vector("gravity", Quantity::acceleration, zero_vector());
+    return table.has("gravity") ? std::optional<Vec3>(given) : std::nullopt;
+  }
+  const std::optional<std::string> text = table.text("gravity");
+  if (text != "off") {
+    diagnostics.error(table.place_of("gravity"), "gravity: " + quoted(*text) + " is no gravity",
+                      "write \"off\", or [x, y, z] in m/s^2");
+  }
+  return zero_vector();
+}
+
+std::optional<ScenePayload> read_payload(TomlTable& table, Diagnostics& diagnostics) {
+  std::optional<TomlTable> payload = table.table("payload");
+  if (!payload) return std::nullopt;
+  const std::optional<Reference> link = payload->reference("link");
+  const std::optional<Inertial> inertial = read_inertial(*payload, diagnostics);
+  payload->reject_unknown_keys();
+  if (inertial) return ScenePayload{link, *inertial};
+  diagnostics.error(payload->place(), "payload: it has neither mass nor inertia",
+                    "give its mass (kg), com (m) and inertia, or leave [payload] out");
+  return std::nullopt;
+}
+
+std::vector<SceneLimits> read_all_limits(TomlTable table) {
+  std::vector<SceneLimits> all;
+  for (const std::string& joint : table.keys()) {
+    std::optional<TomlTable> limits = table.table(joint);
+    // Which quantity a limit is does not matter: it is a number.
+    if (limits) all.push_back({{joint, table.place_of(joint)}, read_limits(*limits, JointType::revolute)});
+  }
+  return all;
+}
+
+void require_some(const std::vector<Reference>& list, const Place& place, const std::string& what,
+                  Diagnostics& diagnostics) {
+  if (list.empty()) diagnostics.error(place, what + ": nothing is asked for", "name what is needed, or leave it out");
+}
+
+std::vector<SceneOutputs> read_outputs(TomlTable table, Diagnostics& diagnostics) {
+  std::vector<SceneOutputs> all;
+  for (const std::string& function : table.keys()) {
+    const Place place = table.place_of(function);
+    all.push_back({{function, place}, table.references(function)});
+    if (table.is_list(function)) require_some(all.back().entries, place, "outputs, " + function, diagnostics);
+  }
+  return all;
+}
+
+// With `functions`, what is asked of another function would have no effect.
+void check_outputs_are_made(const Scene& scene, Diagnostics& diagnostics) {
+  if (scene.functions.empty()) return;
+  for (const SceneOutputs& outputs : scene.outputs) {
+    const bool is_made =
+        std::any_of(scene.functions.begin(), scene.functions.end(),
+                    [&outputs](const Reference& function) { return function.name == outputs.function.name; });
+    if (is_made) continue;
+    diagnostics.error(outputs.function.place,
+                      "outputs: function " + quoted(outputs.function.name) + " is not among `functions`",
+                      "add it there, or take it out here");
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& file, ReadContext& context) {
+  Scene scene;
+  scene.file = file;
+  Diagnostics& diagnostics = context.diagnostics;
+  const std::optional<std::string> text = file_text(file, diagnostics);
+  if (!text) return scene;
+  const TomlSource source(*text, file, context, "docs/scene-format.md");
+  const std::optional<toml::table> root = source.parse();
+  if (!root) return scene;
+  TomlTable table(*root, "", source);
+  table.text("description");
+  scene.gravity = read_gravity(table, diagnostics);
+  if (const std::optional<TomlTable> locked = table.table("locked")) scene.locked = read_locked(*locked);
+  scene.payload = read_payload(table, diagnostics);
+  if (const std::optional<TomlTable> limits = table.table("limits")) scene.limits = read_all_limits(*limits);
+  scene.at_rest = table.boolean("static").value_or(false);
+  scene.friction = table.boolean("friction").value_or(true);
+  scene.functions = table.references("functions");
+  if (table.is_list("functions")) {
+    require_some(scene.functions, table.place_of("functions"), "functions", diagnostics);
+  }
+  if (const std::optional<TomlTable> outputs = table.table("outputs")) {
+    scene.outputs = read_outputs(*outputs, diagnostics);
+  }
+  check_outputs_are_made(scene, diagnostics);
+  table.reject_unknown_keys();
+  return scene;
+}
+
+}  // namespace flatdyn

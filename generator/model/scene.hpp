@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a user wants of a robot in one place of use: which joints are held, gravity, payload, limits, and which results
+// are needed. From a scene file (docs/scene-format.md) and from --gravity and --fix, which go before it. Where each
+// part is applied: gravity, locked, payload, friction and limits when the robot is read (input/scene_application.hpp);
+// at_rest and outputs to each function (scene/specialise.hpp).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/parts.hpp"
+
+namespace flatdyn {
+
+// A joint that is held still.
+struct LockedJoint {
+  std::string joint;
+  Number position = 0;        // rad or m, as written
+  std::string written = "0";  // the text of it
+  bool is_decimal = true;     // an angle near to a multiple of pi/12 is then taken for it
+  Place place{};
+};
+
+struct ScenePayload {
+  std::optional<Reference> link;  // the tip's if it is not given
+  Inertial inertial;
+};
+
+// Limits that replace those of the robot.
+struct SceneLimits {
+  Reference joint;
+  Limits limits;
+};
+
+// The entries that are needed of a function: "tau[0..2]", "B[shoulder][elbow]".
+struct SceneOutputs {
+  Reference function;
+  std::vector<Reference> entries;
+};
+
+struct Scene {
+  std::string file;  // empty if there is none
+  std::optional<Vec3> gravity;
+  std::vector<LockedJoint> locked;  // of two for one joint the first counts
+  std::optional<ScenePayload> payload;
+  std::vector<SceneLimits> limits;
+  bool at_rest = false;              // joint velocities are 0
+  bool friction = true;              // false: none at all
+  std::vector<Reference> functions;  // empty: those of `outputs`; if these are none: the usual ones
+  std::vector<SceneOutputs> outputs;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/scene_report.hpp"
+
+#include <fmt/format.h>
+
+#include "symbolic/number_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Reference>& references) {
+  std::vector<std::string> names;
+  for (const Reference& reference : references) names.push_back(reference.name);
+  return names;
+}
+
+class SceneText {
+ public:
+  explicit SceneText(const Mechanism& mechanism) : number_(mechanism, 17) {}
+
+  std::vector<std::string> items(const Scene& scene) {
+    if (scene.gravity) add("gravity", list(*scene.gravity));
+    for (const LockedJoint& lock : scene.locked) add("locked." + lock.joint, lock.written);
+    if (scene.payload) add_payload(*scene.payload);
+    if (scene.at_rest) add("static", "true");
+    if (!scene.friction) add("friction", "false");
+    for (const SceneLimits& limits : scene.limits) add_limits(limits);
+    if (!scene.functions.empty()) {
+      add("functions", fmt::format("[{}]", fmt::join(names_of(scene.functions), ", ")));
+    }
+    for (const SceneOutputs& outputs : scene.outputs) {
+      add("outputs." + outputs.function.name, fmt::format("[{}]", fmt::join(names_of(outputs.entries), ", ")));
+    }
+    return std::move(items_);
+  }
+
+ private:
+  void add(const std::string& key, const std::string& value) { items_.push_back(key + " = " + value); }
+
+  std::string list(const Vec3& v) const {
+    return fmt::format("[{}, {}, {}]", number_(v[0]), number_(v[1]), number_(v[2]));
+  }
+
+  void add_payload(const ScenePayload& payload) {
+    if (payload.link) add("payload.link", payload.link->name);
+    const Inertial& body = payload.inertial;
+    add("payload.mass", number_(body.mass.number));
+    add("payload.com", list(body.centre_of_mass));
+    const Mat3& I = body.tensor;
+    const bool about_com = body.about == Inertial::About::centre_of_mass;
+    add("payload.inertia", fmt::format("{{xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {}}} about {}",
+                                       number_(I[0][0]), number_(I[1][1]), number_(I[2][2]), number_(I[0][1]),
+                                       number_(I[0][2]), number_(I[1][2]), about_com ? "com" : "origin"));
+  }
+
+  void add_limits(const SceneLimits& limits) {
+    const auto add_one = [&](const char* key, const std::optional<Value>& value) {
+      if (value) add("limits." + limits.joint.name + "." + key, number_(value->number));
+    };
+    add_one("lower", limits.limits.lower);
+    add_one("upper", limits.limits.upper);
+    add_one("velocity", limits.limits.velocity);
+    add_one("acceleration", limits.limits.acceleration);
+    add_one("effort", limits.limits.effort);
+  }
+
+  NumberText number_;
+  std::vector<std::string> items_;
+};
+
+}  // namespace
+
+std::vector<std::string> scene_items(const Model& model) { return SceneText(model.mechanism).items(model.robot.scene); }
+
+std::string scene_stamp(const Model& model) {
+  if (model.robot.scene.file.empty()) return "";
+  return fmt::format("Scene: {}", fmt::join(scene_items(model), "; "));
+}
+
+std::string scene_facts(const Model& model) {
+  std::vector<std::string> facts;
+  for (const Joint& joint : model.robot.joints) {
+    if (!joint.held) continue;
+    const char* unit = joint.held->type == JointType::prismatic ? "m" : "rad";
+    facts.push_back(fmt::format("Joint \"{}\" is held at {} {}.", joint.name,
+                                NumberText(model.mechanism, 17)(joint.held->position), unit));
+  }
+  const Scene& scene = model.robot.scene;
+  if (scene.payload) facts.emplace_back("A payload is part of the link that carries it.");
+  if (!scene.friction) facts.emplace_back("Friction is left out.");
+  if (scene.at_rest) facts.emplace_back("The robot is at rest: functions hold where all joint velocities are 0.");
+  return fmt::format("{}", fmt::join(facts, " "));
+}
+
+}  // namespace flatdyn

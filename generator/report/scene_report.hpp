@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a scene fixed, for people, for the stamp of a header and for its documentation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline.hpp"
+
+namespace flatdyn {
+
+// One text per key, by content and never by path: "gravity = [0, 0, 0]", "locked.elbow = pi/2", "static = true". Of
+// --gravity and --fix, too. Empty if nothing is fixed.
+std::vector<std::string> scene_items(const Model& model);
+
+// The same of a scene file as one text, "Scene: gravity = [0, 0, 0]; static = true"; empty if there is no such file.
+std::string scene_stamp(const Model& model);
+
+// Sentences for the header: "Joint elbow is held at pi/2 rad. Friction is left out." Empty if there is nothing to say.
+std::string scene_facts(const Model& model);
+
+}  // namespace flatdyn

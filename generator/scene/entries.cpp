@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "scene/entries.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "diagnostics/diagnostics.hpp"
+#include "diagnostics/nearest.hpp"
+
+namespace flatdyn {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, const std::string& hint) {
+  throw Failure(ExitCode::input, what, hint);
+}
+
+struct Range {
+  int first = 0, last = 0;
+};
+
+// How many indices an output has, and how far each goes.
+std::vector<int> dimensions(const Output& output) {
+  switch (output.layout) {
+    case Layout::scalar:
+      return {};
+    case Layout::vector:
+    case Layout::fields:
+      return {output.rows};
+    case Layout::matrix:
+      return {output.rows, output.cols};
+    case Layout::christoffel:
+      return {output.rows, output.rows, output.rows};
+  }
+  return {};
+}
+
+// Poses and accelerations of the tip, and the rows of a Jacobian, are along axes.
+bool counts_joints(const Output& output, std::size_t dimension) {
+  if (output.name == "J") return dimension == 1;
+  if (output.name == "Y") return dimension == 0;
+  return output.name != "R" && output.name != "p" && output.name != "a";
+}
+
+std::size_t place_of(const Output& output, const std::vector<int>& indices) {
+  int place = indices.empty() ? 0 : indices[0];
+  if (output.layout == Layout::matrix) place = indices[0] * output.cols + indices[1];
+  if (output.layout == Layout::christoffel) {
+    const auto [j, k] = std::minmax(indices[1], indices[2]);
+    place = indices[0] * output.cols + k * (k + 1) / 2 + j;
+  }
+  return static_cast<std::size_t>(place);
+}
+
+// "tau" and "0..2" of "tau[0..2]".
+struct Parts {
+  std::string name;
+  std::vector<std::string> indices;
+};
+
+Parts parts_of(const std::string& text) {
+  const std::size_t open = text.find('[');
+  Parts parts{text.substr(0, open), {}};
+  for (std::size_t at = open; at < text.size();) {
+    const std::size_t close = text.find(']', at);
+    if (text[at] != '[' || close == std::string::npos) {
+      refuse("\"" + text + "\" is no entry of an output", "write it as tau[0..2] or B[0][1]");
+    }
+    parts.indices.push_back(text.substr(at + 1, close - at - 1));
+    at = close + 1;
+  }
+  return parts;
+}
+
+class IndexReader {
+ public:
+  IndexReader(const Mechanism& mechanism, const Output& output, std::size_t dimension)
+      : mechanism_(mechanism),
+        output_(output),
+        by_joint_(counts_joints(output, dimension)),
+        size_(dimensions(output)[dimension]) {}
+
+  Range range(const std::string& text) const {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos) return {index(text), index(text)};
+    const Range result{index(text.substr(0, dots)), index(text.substr(dots + 2))};
+    if (result.first > result.last) refuse("the range \"" + text + "\" is empty", "write the smaller index first");
+    return result;
+  }
+
+ private:
+  int index(const std::string& text) const {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size()) {
+      if (value >= 0 && value < size_) return value;
+      refuse(fmt::format("there is no index {} of {}", value, output_.name),
+             fmt::format("indices here go from 0 to {}", size_ - 1));
+    }
+    return index_of_joint(text);
+  }
+
+  int index_of_joint(const std::string& name) const {
+    if (!by_joint_) {
+      refuse(fmt::format("\"{}\" is no index of {}", name, output_.name), fmt::format("write 0 to {}", size_ - 1));
+    }
+    std::vector<std::string> known;
+    for (const Body& body : mechanism_.bodies) {
+      if (body.joint == name) return static_cast<int>(known.size());
+      known.push_back(body.joint);
+    }
+    refuse("there is no joint \"" + name + "\" that moves", hint_for_unknown(name, known, "joints"));
+  }
+
+  const Mechanism& mechanism_;
+  const Output& output_;
+  bool by_joint_;
+  int size_;
+};
+
+std::size_t output_of(const Function& function, const std::string& name) {
+  std::vector<std::string> known;
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    if (function.outputs[k].name == name) return k;
+    known.push_back(function.outputs[k].name);
+  }
+  refuse("there is no output \"" + name + "\"", hint_for_unknown(name, known, "outputs"));
+}
+
+void add_entries(const Output& output, const std::vector<Range>& ranges, std::vector<int>& indices,
+                 std::vector<std::size_t>& entries) {
+  if (indices.size() == ranges.size()) {
+    entries.push_back(place_of(output, indices));
+    return;
+  }
+  const Range range = ranges[indices.size()];
+  for (int i = range.first; i <= range.last; ++i) {
+    indices.push_back(i);
+    add_entries(output, ranges, indices, entries);
+    indices.pop_back();
+  }
+}
+
+// "0..2, 5" of the entries of one row that are not left out, each as `form` has it.
+void add_runs(const Output& output, std::size_t begin, std::size_t count, const std::string& stem, std::string& text) {
+  for (std::size_t first = 0, last = 0; first < count; first = last + 1) {
+    last = first;
+    if (output.leaves_out(begin + first)) continue;
+    while (last + 1 < count && !output.leaves_out(begin + last + 1)) ++last;
+    text += text.empty() ? "" : ", ";
+    text += last == first ? fmt::format("{}[{}]", stem, first) : fmt::format("{}[{}..{}]", stem, first, last);
+  }
+}
+
+}  // namespace
+
+EntrySelection selected_entries(const Function& function, const Mechanism& mechanism, const std::string& text) {
+  const Parts parts = parts_of(text);
+  EntrySelection selection{output_of(function, parts.name), {}};
+  const Output& output = function.outputs[selection.output];
+  const std::vector<int> sizes = dimensions(output);
+  if (parts.indices.size() > sizes.size()) {
+    refuse(fmt::format("{} has {} and not {} indices", output.name, sizes.size(), parts.indices.size()),
+           "leave out what is too much");
+  }
+  std::vector<Range> ranges;
+  for (std::size_t d = 0; d < sizes.size(); ++d) {
+    const bool is_given = d < parts.indices.size();
+    ranges.push_back(is_given ? IndexReader(mechanism, output, d).range(parts.indices[d]) : Range{0, sizes[d] - 1});
+  }
+  std::vector<int> indices;
+  add_entries(output, ranges, indices, selection.entries);
+  return selection;
+}
+
+std::string written_entries(const Output& output) {
+  std::string text;
+  if (output.layout != Layout::matrix) {
+    add_runs(output, 0, output.entries.size(), output.name, text);
+    return text;
+  }
+  const auto columns = static_cast<std::size_t>(output.cols);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(output.rows); ++i) {
+    add_runs(output, i * columns, columns, fmt::format("{}[{}]", output.name, i), text);
+  }
+  return text;
+}
+
+}  // namespace flatdyn

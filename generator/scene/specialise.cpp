@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "scene/specialise.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "passes/draft.hpp"
+#include "scene/entries.hpp"
+
+namespace flatdyn {
+namespace {
+
+std::size_t slot(NodeId id) { return static_cast<std::size_t>(id); }
+
+// The graph with 0 for each velocity, in normal form again: whatever becomes 0 or equal is so at once.
+Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
+  Graph result;
+  const auto at = [&image](NodeId id) { return image[slot(id)]; };
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& node = graph[id];
+    if (node.op == Op::input && node.input.kind == InputKind::qd) {
+      image[slot(id)] = result.constant(0);
+    } else if (node.op == Op::sum) {
+      std::vector<Term> terms = node.terms;
+      for (Term& term : terms) term.node = at(term.node);
+      image[slot(id)] = result.sum(std::move(terms), node.value);
+    } else if (node.op == Op::product) {
+      std::vector<NodeId> factors = node.operands;
+      for (NodeId& factor : factors) factor = at(factor);
+      image[slot(id)] = result.product(std::move(factors));
+    } else {
+      image[slot(id)] = result.copy(node, image);
+    }
+    if (const std::string* name = graph.name(id)) result.set_name(image[slot(id)], *name);
+  }
+  return result;
+}
+
+// Its entries cannot be compared one by one with what they have to be: a base regressor is right as a whole, and
+// derivatives of accelerations by the inverse of B that comes with them.
+bool is_one_whole(const Function& function) {
+  return function.name == "base_regressor" || function.name == "adaptive_regressor" ||
+         function.name == "forward_dynamics_derivatives";
+}
+
+void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function) {
+  const NodeId zero = function.graph.constant(0);
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    Output& output = function.outputs[k];
+    if (std::find(wanted[k].begin(), wanted[k].end(), false) == wanted[k].end()) continue;
+    output.left_out.resize(output.entries.size());
+    for (std::size_t e = 0; e < output.entries.size(); ++e) {
+      output.left_out[e] = !wanted[k][e];
+      if (output.left_out[e]) output.entries[e] = zero;
+    }
+  }
+}
+
+}  // namespace
+
+Function at_rest(const Function& function) {
+  const std::vector<InputKind>& inputs = function.inputs;
+  if (std::find(inputs.begin(), inputs.end(), InputKind::qd) == inputs.end()) return function;
+  Function result = function;
+  std::vector<NodeId> image(slot(function.graph.size()));
+  result.graph = without_velocities(function.graph, image);
+  for (Output& output : result.outputs) {
+    for (NodeId& entry : output.entries) entry = image[slot(entry)];
+  }
+  for (NodeId& pivot : result.positive) pivot = image[slot(pivot)];
+  result.at_rest = true;
+  return without_dead_code(result);
+}
+
+Function with_outputs(const Function& function, const Mechanism& mechanism, const SceneOutputs& wanted,
+                      Diagnostics& diagnostics) {
+  if (is_one_whole(function)) {
+    diagnostics.unsupported(wanted.function.place, "outputs: " + function.name + " cannot be made in part",
+                            "ask for the function in `functions`");
+    return function;
+  }
+  std::vector<std::vector<bool>> is_wanted;
+  for (const Output& output : function.outputs) is_wanted.emplace_back(output.entries.size(), false);
+  for (const Reference& text : wanted.entries) {
+    try {
+      const EntrySelection selection = selected_entries(function, mechanism, text.name);
+      for (const std::size_t entry : selection.entries) is_wanted[selection.output][entry] = true;
+    } catch (const Failure& failure) {
+      diagnostics.error(text.place, "outputs, " + function.name + ", \"" + text.name + "\": " + failure.what(),
+                        failure.hint());
+    }
+  }
+  Function result = function;
+  leave_out(is_wanted, result);
+  return without_dead_code(result);
+}
+
+Function specialised(const Function& function, const Mechanism& mechanism, const Scene& scene,
+                     Diagnostics& diagnostics) {
+  Function result = scene.at_rest ? at_rest(function) : function;
+  for (const SceneOutputs& wanted : scene.outputs) {
+    if (wanted.function.name == function.name) result = with_outputs(result, mechanism, wanted, diagnostics);
+  }
+  return result;
+}
+
+}  // namespace flatdyn
