@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/errors.hpp"
+#include "bench/program.hpp"
+#include "diagnostics/temporary_folder.hpp"
+
+namespace flatdyn {
+namespace {
+
+// How many states the calls go through.
+constexpr int kCalledStates = 1024;
+
+// What a peer's own rounding stays far below, and a wrong model far above.
+constexpr double kPeerBound = 1e6;
+
+const char* unit_of(const std::string& function) {
+  const auto begins = [&function](const char* with) { return function.rfind(with, 0) == 0; };
+  if (begins("inertia_matrix") || begins("christoffel")) return "kg m^2";
+  if (begins("coriolis_matrix")) return "N m s";
+  if (begins("forward_dynamics")) return "rad/s^2";
+  if (begins("kinetic_energy") || begins("potential_energy")) return "J";
+  if (begins("forward_kinematics")) return "m";
+  if (begins("jacobian_dot_qd")) return "m/s^2";
+  if (begins("jacobian")) return "m";
+  return begins("regressor") || begins("base_regressor") || begins("adaptive_regressor") ? "N m per parameter" : "N m";
+}
+
+std::vector<State> states_for(const Mechanism& mechanism, const std::vector<Function>& functions,
+                              const SymbolValues& symbols, unsigned seed) {
+  std::vector<State> states = with_parameters(random_states(mechanism, kCalledStates, seed), symbols);
+  for (const Function& function : functions) {
+    if (function.base_parameters > 0) draw_base_parameters(states, function.base_parameters, seed);
+  }
+  return states;
+}
+
+void check_peer(const BenchCase& peer, const std::string& name, const BenchErrors& errors) {
+  if (!peer.is_peer || errors.scaled.largest <= kPeerBound) return;
+  throw Failure(ExitCode::bug, fmt::format("{}: its numbers differ from the reference in 50 digits by {:.2g} units of "
+                                           "the last place: its model is another one",
+                                           name, errors.scaled.largest));
+}
+
+void sort_rows(BenchFunction& function) {
+  const double base = function.rows.front().time.median;
+  std::vector<Cost> costs;
+  for (BenchRow& row : function.rows) {
+    row.ratio = row.time.median / base;
+    costs.push_back({row.time.median, row.scaled.percentile_99});
+  }
+  const std::vector<bool> front = pareto_front(costs);
+  for (std::size_t k = 0; k < function.rows.size(); ++k) function.rows[k].on_front = front[k];
+  std::stable_sort(function.rows.begin(), function.rows.end(),
+                   [](const BenchRow& a, const BenchRow& b) { return a.time.median < b.time.median; });
+}
+
+// One run of a robot's program, in its steps.
+class BenchRun {
+ public:
+  BenchRun(const Model& model, const std::vector<Function>& functions, const BenchOptions& options, Progress& progress)
+      : model_(model),
+        functions_(functions),
+        options_(options),
+        progress_(progress),
+        toolchain_(find_toolchain()),
+        expected_(model.robot, model.mechanism, options.seed),
+        states_(states_for(model.mechanism, functions, expected_.symbols(), options.seed)),
+        peers_(find_peers(toolchain_, model.mechanism)) {}
+
+  BenchReport run() {
+    const BenchSubject subject{model_.mechanism, functions_, states_, toolchain_, peers_.found, expected_.symbols()};
+    const TemporaryFolder folder;
+    progress_.step("compiling the benchmark of " + model_.mechanism.name);
+    const BenchProgram program(subject, folder.path());
+    const std::vector<BenchErrors> errors = errors_of(subject, program);
+    progress_.step("timing " + model_.mechanism.name);
+    const std::vector<std::vector<double>> times = program.times(options_.seconds, options_.seed);
+    return report(program.cases(), errors, times, program.sizes());
+  }
+
+ private:
+  std::vector<BenchErrors> errors_of(const BenchSubject& subject, const BenchProgram& program) const {
+    progress_.step("comparing " + model_.mechanism.name + " with 50 digits");
+    const auto wanted = static_cast<std::size_t>(std::min(options_.states, kCalledStates));
+    std::vector<BenchErrors> errors = bench_errors(subject, expected_, program.cases(), program.values(wanted), wanted);
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      const BenchCase& each = program.cases()[k];
+      check_peer(each, each.name(functions_), errors[k]);
+    }
+    return errors;
+  }
+
+  BenchReport report(const std::vector<BenchCase>& cases, const std::vector<BenchErrors>& errors,
+                     const std::vector<std::vector<double>>& times, const std::vector<long>& sizes) const {
+    BenchReport report{model_.mechanism.name, toolchain_.version(), kBenchFlags, options_.seconds, {}, peers_.left_out};
+    if (!toolchain_.has_xsimd) report.left_out.emplace_back("batch: it needs xsimd (libxsimd-dev)");
+    for (const Function& function : functions_) {
+      report.functions.push_back({function.name, unit_of(function.name), count_operations(function), {}});
+    }
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      BenchRow row;
+      row.variant = cases[k].variant;
+      row.is_peer = cases[k].is_peer;
+      row.time = quartiles(times[k]);
+      row.rounds = times[k].size();
+      row.scaled = errors[k].scaled;
+      row.absolute = errors[k].absolute;
+      row.states = errors[k].states;
+      row.bytes = sizes[k];
+      report.functions[cases[k].function].rows.push_back(row);
+    }
+    for (BenchFunction& function : report.functions) sort_rows(function);
+    return report;
+  }
+
+  const Model& model_;
+  const std::vector<Function>& functions_;
+  BenchOptions options_;
+  Progress& progress_;
+  Toolchain toolchain_;
+  ExpectedValues expected_;
+  std::vector<State> states_;
+  BenchPeers peers_;
+};
+
+}  // namespace
+
+BenchReport bench(const Model& model, const std::vector<Function>& functions, const BenchOptions& options,
+                  Progress& progress) {
+  return BenchRun(model, functions, options, progress).run();
+}
+
+}  // namespace flatdyn

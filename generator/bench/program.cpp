@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/program.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "bench/calls.hpp"
+#include "diagnostics/diagnostics.hpp"
+
+namespace flatdyn {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check(const Finished& finished, const fs::path& folder) {
+  if (finished.status == 0) return;
+  throw Failure(ExitCode::bug, fmt::format("the benchmark's program ended with {}\n{}", finished.status,
+                                           content_of_file(folder / "log")));
+}
+
+// The generated functions in all variants, then what the peers have of them.
+std::vector<BenchCase> cases_of(const BenchSubject& subject) {
+  std::vector<BenchCase> cases;
+  for (std::size_t k = 0; k < subject.functions.size(); ++k) {
+    for (const BenchVariant& variant : bench_variants()) {
+      if (is_made(variant, subject.toolchain)) cases.push_back({k, variant.name, variant.scalar, false});
+    }
+    for (const BenchPeer& peer : subject.peers) {
+      if (peer.functions.count(subject.functions[k].name) > 0) cases.push_back({k, peer.name, "double", true});
+    }
+  }
+  return cases;
+}
+
+}  // namespace
+
+BenchProgram::BenchProgram(const BenchSubject& subject, fs::path folder)
+    : subject_(subject), folder_(std::move(folder)), cases_(cases_of(subject)) {
+  for (const SourceFile& file : bench_sources(subject)) {
+    const fs::path path = folder_ / file.path;
+    fs::create_directories(path.parent_path());
+    write_file(path, file.text);
+  }
+  build();
+}
+
+void BenchProgram::build() const {
+  std::vector<CompileJob> jobs = {{"main", kBenchFlags}, {"robot", kBenchFlags}, {"sizes", kBenchFlags}};
+  std::vector<std::string> linked = {"main", "robot"};
+  std::string libraries;
+  for (const BenchPeer& peer : subject_.peers) {
+    jobs.push_back({peer.stem, peer.flags});
+    linked.push_back(peer.stem);
+    libraries += " " + peer.libraries;
+  }
+  compile_objects(subject_.toolchain, folder_, jobs);
+  link_program(subject_.toolchain, folder_, linked, libraries);
+}
+
+std::map<std::string, std::size_t> BenchProgram::index_by_name() const {
+  std::map<std::string, std::size_t> index;
+  for (std::size_t k = 0; k < cases_.size(); ++k) index[cases_[k].name(subject_.functions)] = k;
+  return index;
+}
+
+std::vector<std::vector<double>> BenchProgram::values(std::size_t states) const {
+  check(run_command(fmt::format("./program values {} > names 2> log", states), folder_), folder_);
+  const std::map<std::string, std::size_t> index = index_by_name();
+  const std::string bytes = content_of_file(folder_ / "values");
+  std::vector<std::vector<double>> values(cases_.size());
+  std::istringstream names(content_of_file(folder_ / "names"));
+  std::size_t offset = 0;
+  for (std::string name; std::getline(names, name);) {
+    const std::size_t k = index.at(name), count = states * entry_count(subject_.functions[cases_[k].function]);
+    values[k].resize(count);
+    bytes.copy(reinterpret_cast<char*>(values[k].data()), count * sizeof(double), offset);
+    offset += count * sizeof(double);
+  }
+  if (offset != bytes.size()) throw Failure(ExitCode::bug, "the benchmark's program wrote other values than expected");
+  return values;
+}
+
+std::vector<std::vector<double>> BenchProgram::times(double seconds, unsigned seed) const {
+  check(run_command(fmt::format("./program times {} {} > times 2> log", seconds, seed), folder_, true), folder_);
+  const std::map<std::string, std::size_t> index = index_by_name();
+  std::vector<std::vector<double>> samples(cases_.size());
+  std::istringstream lines(content_of_file(folder_ / "times"));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t blank = line.rfind(' ');
+    samples[index.at(line.substr(0, blank))].push_back(std::stod(line.substr(blank + 1)));
+  }
+  return samples;
+}
+
+std::vector<long> BenchProgram::sizes() const {
+  check(run_command("nm -S --defined-only sizes.o > symbols 2> log", folder_), folder_);
+  std::map<std::string, long> bytes;
+  std::istringstream lines(content_of_file(folder_ / "symbols"));
+  for (std::string line; std::getline(lines, line);) {
+    std::string address, size, type, name;
+    if (std::istringstream(line) >> address >> size >> type >> name) bytes[name] = std::stol(size, nullptr, 16);
+  }
+  std::vector<long> sizes;
+  for (const BenchCase& each : cases_) {
+    sizes.push_back(each.is_peer ? 0 : bytes.at(plain_symbol(subject_.functions[each.function], each.variant)));
+  }
+  return sizes;
+}
+
+}  // namespace flatdyn
