@@ -12,7 +12,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   cartesian_2::Parameters<> parameters = {};  // then set its members
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
@@ -22,10 +22,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_CARTESIAN_2_HPP
 #define FLATDYN_CARTESIAN_2_HPP

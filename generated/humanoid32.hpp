@@ -46,7 +46,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   double q[32] = {}, qd[32] = {}, qdd[32] = {}, tau[32];
 //   humanoid32::inverse_dynamics(q, qd, qdd, tau);
@@ -55,10 +55,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_HUMANOID32_HPP
 #define FLATDYN_HUMANOID32_HPP
@@ -119,22 +119,44 @@ inline constexpr Real effort_limit[joint_count] = {
     Real(100.0), Real(100.0), Real(100.0), Real(100.0), Real(100.0), Real(100.0), Real(100.0),
     Real(100.0), Real(100.0), Real(100.0), Real(100.0)};
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[32]    in   joint positions, rad or m
 //   qd[32]   in   joint velocities, rad/s or m/s
 //   qdd[32]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[32]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..11], q[13..31], qd[0..31], qdd[0..31]. Operations: 1143 mul, 868 add, 62 sin/cos.
-template <class Scalar>
-inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11], q_14 = q[13], q_15 = q[14],
-      q_16 = q[15], q_17 = q[16], q_18 = q[17], q_19 = q[18], q_20 = q[19], q_21 = q[20],
-      q_22 = q[21], q_23 = q[22], q_24 = q[23], q_25 = q[24], q_26 = q[25], q_27 = q[26],
-      q_28 = q[27], q_29 = q[28], q_30 = q[29], q_31 = q[30], q_32 = q[31];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11],
       qd_13 = qd[12], qd_14 = qd[13], qd_15 = qd[14], qd_16 = qd[15], qd_17 = qd[16],
@@ -148,37 +170,21 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
       qdd_21 = qdd[20], qdd_22 = qdd[21], qdd_23 = qdd[22], qdd_24 = qdd[23], qdd_25 = qdd[24],
       qdd_26 = qdd[25], qdd_27 = qdd[26], qdd_28 = qdd[27], qdd_29 = qdd[28], qdd_30 = qdd[29],
       qdd_31 = qdd[30], qdd_32 = qdd[31];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
-  const Scalar s_14 = sin(q_14), c_14 = cos(q_14);
-  const Scalar s_15 = sin(q_15), c_15 = cos(q_15);
-  const Scalar s_16 = sin(q_16), c_16 = cos(q_16);
-  const Scalar s_17 = sin(q_17), c_17 = cos(q_17);
-  const Scalar s_18 = sin(q_18), c_18 = cos(q_18);
-  const Scalar s_19 = sin(q_19), c_19 = cos(q_19);
-  const Scalar s_20 = sin(q_20), c_20 = cos(q_20);
-  const Scalar s_21 = sin(q_21), c_21 = cos(q_21);
-  const Scalar s_22 = sin(q_22), c_22 = cos(q_22);
-  const Scalar s_23 = sin(q_23), c_23 = cos(q_23);
-  const Scalar s_24 = sin(q_24), c_24 = cos(q_24);
-  const Scalar s_25 = sin(q_25), c_25 = cos(q_25);
-  const Scalar s_26 = sin(q_26), c_26 = cos(q_26);
-  const Scalar s_27 = sin(q_27), c_27 = cos(q_27);
-  const Scalar s_28 = sin(q_28), c_28 = cos(q_28);
-  const Scalar s_29 = sin(q_29), c_29 = cos(q_29);
-  const Scalar s_30 = sin(q_30), c_30 = cos(q_30);
-  const Scalar s_31 = sin(q_31), c_31 = cos(q_31);
-  const Scalar s_32 = sin(q_32), c_32 = cos(q_32);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11], s_14 = sine[13],
+      c_14 = cosine[13], s_15 = sine[14], c_15 = cosine[14], s_16 = sine[15], c_16 = cosine[15],
+      s_17 = sine[16], c_17 = cosine[16], s_18 = sine[17], c_18 = cosine[17], s_19 = sine[18],
+      c_19 = cosine[18], s_20 = sine[19], c_20 = cosine[19], s_21 = sine[20], c_21 = cosine[20],
+      s_22 = sine[21], c_22 = cosine[21], s_23 = sine[22], c_23 = cosine[22], s_24 = sine[23],
+      c_24 = cosine[23], s_25 = sine[24], c_25 = cosine[24], s_26 = sine[25], c_26 = cosine[25],
+      s_27 = sine[26], c_27 = cosine[26], s_28 = sine[27], c_28 = cosine[27], s_29 = sine[28],
+      c_29 = cosine[28], s_30 = sine[29], c_30 = cosine[29], s_31 = sine[30], c_31 = cosine[30],
+      s_32 = sine[31], c_32 = cosine[31];
   const Scalar t1 = c_14 * qd_13;
   const Scalar t2 = s_15 * qd_14 - c_15 * t1;
   const Scalar t3 = s_14 * qd_13;
@@ -898,44 +904,22 @@ inline constexpr bool inertia_matrix_nonzero[1024] = {
 //                 32 x 32, row by row: entry (i, j) is B[32 * i + j]
 // Reads q[1..5], q[7..11], q[13..31]. Operations: 991 mul, 726 add, 58 sin/cos. Always zero: 740 of
 // the 1024 entries of B.
-template <class Scalar>
-inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_8 = q[7], q_9 = q[8],
-      q_10 = q[9], q_11 = q[10], q_12 = q[11], q_14 = q[13], q_15 = q[14], q_16 = q[15],
-      q_17 = q[16], q_18 = q[17], q_19 = q[18], q_20 = q[19], q_21 = q[20], q_22 = q[21],
-      q_23 = q[22], q_24 = q[23], q_25 = q[24], q_26 = q[25], q_27 = q[26], q_28 = q[27],
-      q_29 = q[28], q_30 = q[29], q_31 = q[30], q_32 = q[31];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
-  const Scalar s_14 = sin(q_14), c_14 = cos(q_14);
-  const Scalar s_15 = sin(q_15), c_15 = cos(q_15);
-  const Scalar s_16 = sin(q_16), c_16 = cos(q_16);
-  const Scalar s_17 = sin(q_17), c_17 = cos(q_17);
-  const Scalar s_18 = sin(q_18), c_18 = cos(q_18);
-  const Scalar s_19 = sin(q_19), c_19 = cos(q_19);
-  const Scalar s_20 = sin(q_20), c_20 = cos(q_20);
-  const Scalar s_21 = sin(q_21), c_21 = cos(q_21);
-  const Scalar s_22 = sin(q_22), c_22 = cos(q_22);
-  const Scalar s_23 = sin(q_23), c_23 = cos(q_23);
-  const Scalar s_24 = sin(q_24), c_24 = cos(q_24);
-  const Scalar s_25 = sin(q_25), c_25 = cos(q_25);
-  const Scalar s_26 = sin(q_26), c_26 = cos(q_26);
-  const Scalar s_27 = sin(q_27), c_27 = cos(q_27);
-  const Scalar s_28 = sin(q_28), c_28 = cos(q_28);
-  const Scalar s_29 = sin(q_29), c_29 = cos(q_29);
-  const Scalar s_30 = sin(q_30), c_30 = cos(q_30);
-  const Scalar s_31 = sin(q_31), c_31 = cos(q_31);
-  const Scalar s_32 = sin(q_32), c_32 = cos(q_32);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_8 = sine[7], c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9],
+      c_10 = cosine[9], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11],
+      s_14 = sine[13], c_14 = cosine[13], s_15 = sine[14], c_15 = cosine[14], s_16 = sine[15],
+      c_16 = cosine[15], s_17 = sine[16], c_17 = cosine[16], s_18 = sine[17], c_18 = cosine[17],
+      s_19 = sine[18], c_19 = cosine[18], s_20 = sine[19], c_20 = cosine[19], s_21 = sine[20],
+      c_21 = cosine[20], s_22 = sine[21], c_22 = cosine[21], s_23 = sine[22], c_23 = cosine[22],
+      s_24 = sine[23], c_24 = cosine[23], s_25 = sine[24], c_25 = cosine[24], s_26 = sine[25],
+      c_26 = cosine[25], s_27 = sine[26], c_27 = cosine[26], s_28 = sine[27], c_28 = cosine[27],
+      s_29 = sine[28], c_29 = cosine[28], s_30 = sine[29], c_30 = cosine[29], s_31 = sine[30],
+      c_31 = cosine[30], s_32 = sine[31], c_32 = cosine[31];
   const Scalar Iu_32_a_xy = Scalar(0.0007482) * s_32;
   B[991] = B[1022] = Iu_32_a_xy;
   B[760] = B[791] = Scalar(-0.0007482) * s_25;
@@ -1762,46 +1746,23 @@ inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
 //   q[32]  in   joint positions, rad or m
 //   g[32]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..11], q[13..31]. Operations: 237 mul, 133 add, 62 sin/cos. Always zero: g[12].
-template <class Scalar>
-inline void gravity(const Scalar* q, Scalar* g) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11], q_14 = q[13], q_15 = q[14],
-      q_16 = q[15], q_17 = q[16], q_18 = q[17], q_19 = q[18], q_20 = q[19], q_21 = q[20],
-      q_22 = q[21], q_23 = q[22], q_24 = q[23], q_25 = q[24], q_26 = q[25], q_27 = q[26],
-      q_28 = q[27], q_29 = q[28], q_30 = q[29], q_31 = q[30], q_32 = q[31];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
-  const Scalar s_14 = sin(q_14), c_14 = cos(q_14);
-  const Scalar s_15 = sin(q_15), c_15 = cos(q_15);
-  const Scalar s_16 = sin(q_16), c_16 = cos(q_16);
-  const Scalar s_17 = sin(q_17), c_17 = cos(q_17);
-  const Scalar s_18 = sin(q_18), c_18 = cos(q_18);
-  const Scalar s_19 = sin(q_19), c_19 = cos(q_19);
-  const Scalar s_20 = sin(q_20), c_20 = cos(q_20);
-  const Scalar s_21 = sin(q_21), c_21 = cos(q_21);
-  const Scalar s_22 = sin(q_22), c_22 = cos(q_22);
-  const Scalar s_23 = sin(q_23), c_23 = cos(q_23);
-  const Scalar s_24 = sin(q_24), c_24 = cos(q_24);
-  const Scalar s_25 = sin(q_25), c_25 = cos(q_25);
-  const Scalar s_26 = sin(q_26), c_26 = cos(q_26);
-  const Scalar s_27 = sin(q_27), c_27 = cos(q_27);
-  const Scalar s_28 = sin(q_28), c_28 = cos(q_28);
-  const Scalar s_29 = sin(q_29), c_29 = cos(q_29);
-  const Scalar s_30 = sin(q_30), c_30 = cos(q_30);
-  const Scalar s_31 = sin(q_31), c_31 = cos(q_31);
-  const Scalar s_32 = sin(q_32), c_32 = cos(q_32);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11], s_14 = sine[13],
+      c_14 = cosine[13], s_15 = sine[14], c_15 = cosine[14], s_16 = sine[15], c_16 = cosine[15],
+      s_17 = sine[16], c_17 = cosine[16], s_18 = sine[17], c_18 = cosine[17], s_19 = sine[18],
+      c_19 = cosine[18], s_20 = sine[19], c_20 = cosine[19], s_21 = sine[20], c_21 = cosine[20],
+      s_22 = sine[21], c_22 = cosine[21], s_23 = sine[22], c_23 = cosine[22], s_24 = sine[23],
+      c_24 = cosine[23], s_25 = sine[24], c_25 = cosine[24], s_26 = sine[25], c_26 = cosine[25],
+      s_27 = sine[26], c_27 = cosine[26], s_28 = sine[27], c_28 = cosine[27], s_29 = sine[28],
+      c_29 = cosine[28], s_30 = sine[29], c_30 = cosine[29], s_31 = sine[30], c_31 = cosine[30],
+      s_32 = sine[31], c_32 = cosine[31];
   const Scalar t1 = Scalar(2.1582) * c_18 - Scalar(0.1962) * s_18;
   const Scalar t2 = s_17 * t1;
   const Scalar hu_18_a_z = Scalar(0.1962) * c_18 + Scalar(2.1582) * s_18;
@@ -1950,52 +1911,30 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   qd[32]  in   joint velocities, rad/s or m/s
 //   n[32]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..11], q[13..31], qd[0..31]. Operations: 1121 mul, 817 add, 62 sin/cos.
-template <class Scalar>
-inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11], q_14 = q[13], q_15 = q[14],
-      q_16 = q[15], q_17 = q[16], q_18 = q[17], q_19 = q[18], q_20 = q[19], q_21 = q[20],
-      q_22 = q[21], q_23 = q[22], q_24 = q[23], q_25 = q[24], q_26 = q[25], q_27 = q[26],
-      q_28 = q[27], q_29 = q[28], q_30 = q[29], q_31 = q[30], q_32 = q[31];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11],
       qd_13 = qd[12], qd_14 = qd[13], qd_15 = qd[14], qd_16 = qd[15], qd_17 = qd[16],
       qd_18 = qd[17], qd_19 = qd[18], qd_20 = qd[19], qd_21 = qd[20], qd_22 = qd[21],
       qd_23 = qd[22], qd_24 = qd[23], qd_25 = qd[24], qd_26 = qd[25], qd_27 = qd[26],
       qd_28 = qd[27], qd_29 = qd[28], qd_30 = qd[29], qd_31 = qd[30], qd_32 = qd[31];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
-  const Scalar s_14 = sin(q_14), c_14 = cos(q_14);
-  const Scalar s_15 = sin(q_15), c_15 = cos(q_15);
-  const Scalar s_16 = sin(q_16), c_16 = cos(q_16);
-  const Scalar s_17 = sin(q_17), c_17 = cos(q_17);
-  const Scalar s_18 = sin(q_18), c_18 = cos(q_18);
-  const Scalar s_19 = sin(q_19), c_19 = cos(q_19);
-  const Scalar s_20 = sin(q_20), c_20 = cos(q_20);
-  const Scalar s_21 = sin(q_21), c_21 = cos(q_21);
-  const Scalar s_22 = sin(q_22), c_22 = cos(q_22);
-  const Scalar s_23 = sin(q_23), c_23 = cos(q_23);
-  const Scalar s_24 = sin(q_24), c_24 = cos(q_24);
-  const Scalar s_25 = sin(q_25), c_25 = cos(q_25);
-  const Scalar s_26 = sin(q_26), c_26 = cos(q_26);
-  const Scalar s_27 = sin(q_27), c_27 = cos(q_27);
-  const Scalar s_28 = sin(q_28), c_28 = cos(q_28);
-  const Scalar s_29 = sin(q_29), c_29 = cos(q_29);
-  const Scalar s_30 = sin(q_30), c_30 = cos(q_30);
-  const Scalar s_31 = sin(q_31), c_31 = cos(q_31);
-  const Scalar s_32 = sin(q_32), c_32 = cos(q_32);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11], s_14 = sine[13],
+      c_14 = cosine[13], s_15 = sine[14], c_15 = cosine[14], s_16 = sine[15], c_16 = cosine[15],
+      s_17 = sine[16], c_17 = cosine[16], s_18 = sine[17], c_18 = cosine[17], s_19 = sine[18],
+      c_19 = cosine[18], s_20 = sine[19], c_20 = cosine[19], s_21 = sine[20], c_21 = cosine[20],
+      s_22 = sine[21], c_22 = cosine[21], s_23 = sine[22], c_23 = cosine[22], s_24 = sine[23],
+      c_24 = cosine[23], s_25 = sine[24], c_25 = cosine[24], s_26 = sine[25], c_26 = cosine[25],
+      s_27 = sine[26], c_27 = cosine[26], s_28 = sine[27], c_28 = cosine[27], s_29 = sine[28],
+      c_29 = cosine[28], s_30 = sine[29], c_30 = cosine[29], s_31 = sine[30], c_31 = cosine[30],
+      s_32 = sine[31], c_32 = cosine[31];
   const Scalar t1 = c_14 * c_15;
   const Scalar t2 = s_15 * qd_14 - qd_13 * t1;
   const Scalar t3 = qd_13 * qd_14;
@@ -2669,16 +2608,9 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0..11], q[13..31], qd[0..31], tau[0..31]. Operations: 2939 mul, 2240 add, 27 div, 62
 // sin/cos.
-template <class Scalar>
-inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
-    Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11], q_14 = q[13], q_15 = q[14],
-      q_16 = q[15], q_17 = q[16], q_18 = q[17], q_19 = q[18], q_20 = q[19], q_21 = q[20],
-      q_22 = q[21], q_23 = q[22], q_24 = q[23], q_25 = q[24], q_26 = q[25], q_27 = q[26],
-      q_28 = q[27], q_29 = q[28], q_30 = q[29], q_31 = q[30], q_32 = q[31];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11],
       qd_13 = qd[12], qd_14 = qd[13], qd_15 = qd[14], qd_16 = qd[15], qd_17 = qd[16],
@@ -2692,37 +2624,21 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       tau_21 = tau[20], tau_22 = tau[21], tau_23 = tau[22], tau_24 = tau[23], tau_25 = tau[24],
       tau_26 = tau[25], tau_27 = tau[26], tau_28 = tau[27], tau_29 = tau[28], tau_30 = tau[29],
       tau_31 = tau[30], tau_32 = tau[31];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
-  const Scalar s_14 = sin(q_14), c_14 = cos(q_14);
-  const Scalar s_15 = sin(q_15), c_15 = cos(q_15);
-  const Scalar s_16 = sin(q_16), c_16 = cos(q_16);
-  const Scalar s_17 = sin(q_17), c_17 = cos(q_17);
-  const Scalar s_18 = sin(q_18), c_18 = cos(q_18);
-  const Scalar s_19 = sin(q_19), c_19 = cos(q_19);
-  const Scalar s_20 = sin(q_20), c_20 = cos(q_20);
-  const Scalar s_21 = sin(q_21), c_21 = cos(q_21);
-  const Scalar s_22 = sin(q_22), c_22 = cos(q_22);
-  const Scalar s_23 = sin(q_23), c_23 = cos(q_23);
-  const Scalar s_24 = sin(q_24), c_24 = cos(q_24);
-  const Scalar s_25 = sin(q_25), c_25 = cos(q_25);
-  const Scalar s_26 = sin(q_26), c_26 = cos(q_26);
-  const Scalar s_27 = sin(q_27), c_27 = cos(q_27);
-  const Scalar s_28 = sin(q_28), c_28 = cos(q_28);
-  const Scalar s_29 = sin(q_29), c_29 = cos(q_29);
-  const Scalar s_30 = sin(q_30), c_30 = cos(q_30);
-  const Scalar s_31 = sin(q_31), c_31 = cos(q_31);
-  const Scalar s_32 = sin(q_32), c_32 = cos(q_32);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11], s_14 = sine[13],
+      c_14 = cosine[13], s_15 = sine[14], c_15 = cosine[14], s_16 = sine[15], c_16 = cosine[15],
+      s_17 = sine[16], c_17 = cosine[16], s_18 = sine[17], c_18 = cosine[17], s_19 = sine[18],
+      c_19 = cosine[18], s_20 = sine[19], c_20 = cosine[19], s_21 = sine[20], c_21 = cosine[20],
+      s_22 = sine[21], c_22 = cosine[21], s_23 = sine[22], c_23 = cosine[22], s_24 = sine[23],
+      c_24 = cosine[23], s_25 = sine[24], c_25 = cosine[24], s_26 = sine[25], c_26 = cosine[25],
+      s_27 = sine[26], c_27 = cosine[26], s_28 = sine[27], c_28 = cosine[27], s_29 = sine[28],
+      c_29 = cosine[28], s_30 = sine[29], c_30 = cosine[29], s_31 = sine[30], c_31 = cosine[30],
+      s_32 = sine[31], c_32 = cosine[31];
   const Scalar t1 = c_2 * qd_1;
   const Scalar omega_r_3_x = s_3 * t1 + c_3 * qd_2;
   const Scalar t2 = s_2 * qd_1;
@@ -4465,22 +4381,16 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //               3 x 3, row by row: entry (i, j) is R[3 * i + j]
 //   p[3]   out  position of the frame's origin in the base frame, m
 // Reads q[12..14], q[25..31]. Operations: 136 mul, 73 add, 20 sin/cos.
-template <class Scalar>
-inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_13 = q[12], q_14 = q[13], q_15 = q[14], q_26 = q[25], q_27 = q[26], q_28 = q[27],
-      q_29 = q[28], q_30 = q[29], q_31 = q[30], q_32 = q[31];
-  const Scalar s_13 = sin(q_13), c_13 = cos(q_13);
-  const Scalar s_14 = sin(q_14), c_14 = cos(q_14);
-  const Scalar s_15 = sin(q_15), c_15 = cos(q_15);
-  const Scalar s_26 = sin(q_26), c_26 = cos(q_26);
-  const Scalar s_27 = sin(q_27), c_27 = cos(q_27);
-  const Scalar s_28 = sin(q_28), c_28 = cos(q_28);
-  const Scalar s_29 = sin(q_29), c_29 = cos(q_29);
-  const Scalar s_30 = sin(q_30), c_30 = cos(q_30);
-  const Scalar s_31 = sin(q_31), c_31 = cos(q_31);
-  const Scalar s_32 = sin(q_32), c_32 = cos(q_32);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
+    const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<12, 13, 14, 25, 26, 27, 28, 29, 30, 31>(), sine, cosine);
+  const Scalar s_13 = sine[12], c_13 = cosine[12], s_14 = sine[13], c_14 = cosine[13],
+      s_15 = sine[14], c_15 = cosine[14], s_26 = sine[25], c_26 = cosine[25], s_27 = sine[26],
+      c_27 = cosine[26], s_28 = sine[27], c_28 = cosine[27], s_29 = sine[28], c_29 = cosine[28],
+      s_30 = sine[29], c_30 = cosine[29], s_31 = sine[30], c_31 = cosine[30], s_32 = sine[31],
+      c_32 = cosine[31];
   const Scalar t1 = c_29 * s_31;
   const Scalar a_29_t_x = s_29 * c_31 + s_30 * t1;
   const Scalar t2 = c_30 * s_31;
@@ -4570,22 +4480,15 @@ inline constexpr bool jacobian_nonzero[192] = {
 //                6 x 32, row by row: entry (i, j) is J[32 * i + j]
 // Reads q[12..14], q[25..31]. Operations: 190 mul, 106 add, 20 sin/cos. Always zero: 136 of the 192
 // entries of J.
-template <class Scalar>
-inline void jacobian(const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_13 = q[12], q_14 = q[13], q_15 = q[14], q_26 = q[25], q_27 = q[26], q_28 = q[27],
-      q_29 = q[28], q_30 = q[29], q_31 = q[30], q_32 = q[31];
-  const Scalar s_13 = sin(q_13), c_13 = cos(q_13);
-  const Scalar s_14 = sin(q_14), c_14 = cos(q_14);
-  const Scalar s_15 = sin(q_15), c_15 = cos(q_15);
-  const Scalar s_26 = sin(q_26), c_26 = cos(q_26);
-  const Scalar s_27 = sin(q_27), c_27 = cos(q_27);
-  const Scalar s_28 = sin(q_28), c_28 = cos(q_28);
-  const Scalar s_29 = sin(q_29), c_29 = cos(q_29);
-  const Scalar s_30 = sin(q_30), c_30 = cos(q_30);
-  const Scalar s_31 = sin(q_31), c_31 = cos(q_31);
-  const Scalar s_32 = sin(q_32), c_32 = cos(q_32);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<12, 13, 14, 25, 26, 27, 28, 29, 30, 31>(), sine, cosine);
+  const Scalar s_13 = sine[12], c_13 = cosine[12], s_14 = sine[13], c_14 = cosine[13],
+      s_15 = sine[14], c_15 = cosine[14], s_26 = sine[25], c_26 = cosine[25], s_27 = sine[26],
+      c_27 = cosine[26], s_28 = sine[27], c_28 = cosine[27], s_29 = sine[28], c_29 = cosine[28],
+      s_30 = sine[29], c_30 = cosine[29], s_31 = sine[30], c_31 = cosine[30], s_32 = sine[31],
+      c_32 = cosine[31];
   J[141] = c_13;
   J[174] = -s_14;
   J[109] = -s_13;

@@ -19,7 +19,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   double q[7] = {}, qd[7] = {}, qdd[7] = {}, tau[7];
 //   panda::inverse_dynamics(q, qd, qdd, tau);
@@ -28,10 +28,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PANDA_HPP
 #define FLATDYN_PANDA_HPP
@@ -72,28 +72,53 @@ inline constexpr Real acceleration_limit[joint_count] = {
 inline constexpr Real effort_limit[joint_count] = {
     Real(87.0), Real(87.0), Real(87.0), Real(87.0), Real(12.0), Real(12.0), Real(12.0)};
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[7]    in   joint positions, rad or m
 //   qd[7]   in   joint velocities, rad/s or m/s
 //   qdd[7]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..6], qd[0..6], qdd[0..6]. Operations: 308 mul, 290 add, 12 sin/cos.
-template <class Scalar>
-inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
       qdd_6 = qdd[5], qdd_7 = qdd[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = qd_2 * t1;
   const Scalar t3 = s_2 * qdd_1;
@@ -342,25 +367,20 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..6], qd[0..6], qdd[0..6], h_e[0..5]. Operations: 366 mul, 326 add, 14 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    const Scalar* h_e, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+    const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
       qdd_6 = qdd[5], qdd_7 = qdd[6];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_3 = h_e[2], h_e_4 = h_e[3], h_e_5 = h_e[4],
       h_e_6 = h_e[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = qd_2 * t1;
   const Scalar t3 = s_2 * qdd_1;
@@ -646,17 +666,13 @@ inline constexpr bool inertia_matrix_nonzero[49] = {
 //   B[49]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //               7 x 7, row by row: entry (i, j) is B[7 * i + j]
 // Reads q[1..6]. Operations: 182 mul, 157 add, 12 sin/cos.
-template <class Scalar>
-inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar Iu_7_a_xy = Scalar(0.0012555365982728983) * c_7 +
       Scalar(0.0009653051699191118) * s_7;
   B[41] = B[47] = -Iu_7_a_xy;
@@ -821,17 +837,13 @@ inline constexpr bool christoffel_nonzero[196] = {
 //   c[196]  out  Christoffel symbols c_ijk = c_ikj, j <= k
 //                c_ijk = c_ikj is c[28 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1..6]. Operations: 770 mul, 622 add, 12 sin/cos. Always zero: 28 of the 196 entries of c.
-template <class Scalar>
-inline void christoffel(const Scalar* q, Scalar* c) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar Iu_7_a_xz = Scalar(0.0004826525849595559) * c_7 -
       Scalar(0.0006277682991364491) * s_7;
   c[167] = Scalar(-2.0) * Iu_7_a_xz;
@@ -1474,19 +1486,16 @@ inline constexpr bool coriolis_matrix_nonzero[49] = {
 //               7 x 7, row by row: entry (i, j) is C[7 * i + j]
 // Reads q[1..6], qd[0..6]. Operations: 994 mul, 833 add, 12 sin/cos. Always zero: 1 of the 49
 // entries of C.
-template <class Scalar>
-inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = Scalar(0.000391391281684248) * c_7 + Scalar(0.001210471889260615) * s_7;
   const Scalar dmu_6_7_y = t1 - Scalar(0.00008951535818111907);
   const Scalar t2 = Scalar(0.001210471889260615) * c_7 - Scalar(0.000391391281684248) * s_7;
@@ -2076,17 +2085,13 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 //   q[7]  in   joint positions, rad or m
 //   g[7]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..6]. Operations: 43 mul, 29 add, 12 sin/cos. Always zero: g[0].
-template <class Scalar>
-inline void gravity(const Scalar* q, Scalar* g) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * c_3;
   const Scalar t2 = c_4 * t1 - c_2 * s_4;
   const Scalar t3 = s_2 * s_3;
@@ -2123,19 +2128,16 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   n[7]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..6], qd[0..6]. Operations: 300 mul, 273 add, 12 sin/cos.
-template <class Scalar>
-inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar t2 = s_3 * qd_2 - c_3 * t1;
   const Scalar t3 = c_2 * qd_1;
@@ -2374,22 +2376,18 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[7]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[1..6], qd[0..6], tau[0..6]. Operations: 610 mul, 538 add, 6 div, 12 sin/cos.
-template <class Scalar>
-inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
-    Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2], tau_4 = tau[3], tau_5 = tau[4],
       tau_6 = tau[5], tau_7 = tau[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar t2 = c_3 * t1 - s_3 * qd_2;
   const Scalar t3 = c_2 * qd_1;
@@ -2820,19 +2818,16 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   qd[7]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
 // Reads q[1..6], qd[0..6]. Operations: 133 mul, 94 add, 12 sin/cos.
-template <class Scalar>
-inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
   const Scalar t2 = Scalar(0.0825) * omega_r_3_y;
@@ -2917,17 +2912,13 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
 //   q[7]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[1..6]. Operations: 21 mul, 20 add, 12 sin/cos.
-template <class Scalar>
-inline Scalar potential_energy(const Scalar* q) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
+      s_7 = sine[6], c_7 = cosine[6];
   const Scalar hu_7_t_x = Scalar(0.002573605371338203) * c_7 - Scalar(0.002034439958661797) * s_7;
   const Scalar hc_6_x = hu_7_t_x + Scalar(0.231847552695);
   const Scalar hu_6_t_x = Scalar(0.173804705569) * s_6 + c_6 * hc_6_x;
@@ -2960,18 +2951,14 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //              3 x 3, row by row: entry (i, j) is R[3 * i + j]
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..6]. Operations: 86 mul, 45 add, 14 sin/cos.
-template <class Scalar>
-inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
+    const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = c_4 * s_6;
   const Scalar a_4_t_x = s_4 * c_6 + c_5 * t1;
   const Scalar t2 = s_3 * s_5;
@@ -3036,17 +3023,13 @@ inline constexpr bool jacobian_nonzero[42] = {
 //   J[42]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 7, row by row: entry (i, j) is J[7 * i + j]
 // Reads q[0..5]. Operations: 121 mul, 67 add, 12 sin/cos. Always zero: 4 of the 42 entries of J.
-template <class Scalar>
-inline void jacobian(const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5];
   J[29] = c_1;
   J[37] = c_2;
   J[22] = -s_1;
@@ -3144,20 +3127,16 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[0..6], qd[0..6]. Operations: 164 mul, 102 add, 14 sin/cos.
-template <class Scalar>
-inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar t2 = c_3 * t1;
   const Scalar t3 = s_3 * qd_2;

@@ -11,7 +11,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   pendulum_motor::Parameters<> parameters = {};  // then set its members
 //   double q[1] = {}, qd[1] = {}, qdd[1] = {}, tau[1];
@@ -21,10 +21,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PENDULUM_MOTOR_HPP
 #define FLATDYN_PENDULUM_MOTOR_HPP
@@ -54,6 +54,35 @@ struct Parameters {
   Scalar I_m;
 };
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[1]    in   joint positions, rad or m
 //   qd[1]   in   joint velocities, rad/s or m/s
@@ -61,16 +90,16 @@ struct Parameters {
 //   tau[1]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0], qd[0], qdd[0], parameters.g, parameters.m, parameters.l, parameters.I, parameters.F,
 // parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 4 add, 1 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, Scalar* tau) noexcept {
-  using std::sin;
-  const Scalar q_1 = q[0];
+    const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l, I = parameters.I,
       F = parameters.F, F_m = parameters.F_m, k_r = parameters.k_r, I_m = parameters.I_m;
-  const Scalar s_1 = sin(q_1);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0>(), sine, cosine);
+  const Scalar s_1 = sine[0];
   const Scalar t1 = k_r * k_r;
   const Scalar F_v1 = F + F_m * t1;
   const Scalar t2 = g * m * l * s_1;
@@ -86,17 +115,18 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // Reads q[0], qd[0], qdd[0], h_e[5], parameters.g, parameters.m, parameters.l, parameters.I,
 // parameters.F, parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 5 add, 1
 // sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau) noexcept {
-  using std::sin;
-  const Scalar q_1 = q[0];
+    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar h_e_6 = h_e[5];
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l, I = parameters.I,
       F = parameters.F, F_m = parameters.F_m, k_r = parameters.k_r, I_m = parameters.I_m;
-  const Scalar s_1 = sin(q_1);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0>(), sine, cosine);
+  const Scalar s_1 = sine[0];
   const Scalar t1 = k_r * k_r;
   const Scalar F_v1 = F + F_m * t1;
   const Scalar t2 = g * m * l * s_1;
@@ -154,12 +184,13 @@ inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Sc
 //   q[1]  in   joint positions, rad or m
 //   g[1]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0], parameters.g, parameters.m, parameters.l. Operations: 3 mul, 0 add, 1 sin/cos.
-template <class Scalar>
-inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g) noexcept {
-  using std::sin;
-  const Scalar q_1 = q[0];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar g_2 = parameters.g, m = parameters.m, l = parameters.l;
-  const Scalar s_1 = sin(q_1);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0>(), sine, cosine);
+  const Scalar s_1 = sine[0];
   g[0] = g_2 * m * l * s_1;
 }
 
@@ -169,15 +200,15 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 //   n[1]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0], qd[0], parameters.g, parameters.m, parameters.l, parameters.F, parameters.F_m,
 // parameters.k_r. Operations: 6 mul, 2 add, 1 sin/cos.
-template <class Scalar>
-inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* n) noexcept {
-  using std::sin;
-  const Scalar q_1 = q[0];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0];
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l, F = parameters.F,
       F_m = parameters.F_m, k_r = parameters.k_r;
-  const Scalar s_1 = sin(q_1);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0>(), sine, cosine);
+  const Scalar s_1 = sine[0];
   const Scalar F_v1 = F + F_m * k_r * k_r;
   n[0] = g * m * l * s_1 + qd_1 * F_v1;
 }
@@ -190,16 +221,16 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0], qd[0], tau[0], parameters.g, parameters.m, parameters.l, parameters.I, parameters.F,
 // parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 4 add, 1 div, 1 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* tau, Scalar* qdd) noexcept {
-  using std::sin;
-  const Scalar q_1 = q[0];
+    const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0];
   const Scalar tau_1 = tau[0];
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l, I = parameters.I,
       F = parameters.F, F_m = parameters.F_m, k_r = parameters.k_r, I_m = parameters.I_m;
-  const Scalar s_1 = sin(q_1);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0>(), sine, cosine);
+  const Scalar s_1 = sine[0];
   const Scalar t1 = k_r * k_r;
   const Scalar F_v1 = F + F_m * t1;
   const Scalar y_1 = -g * m * l * s_1 - qd_1 * F_v1 + tau_1;
@@ -227,12 +258,13 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 //   q[1]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0], parameters.g, parameters.m, parameters.l. Operations: 3 mul, 0 add, 1 sin/cos.
-template <class Scalar>
-inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q) noexcept {
-  using std::cos;
-  const Scalar q_1 = q[0];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l;
-  const Scalar c_1 = cos(q_1);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0>(), sine, cosine);
+  const Scalar c_1 = cosine[0];
   return -g * m * l * c_1;
 }
 
@@ -249,13 +281,12 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0]. Operations: 0 mul, 0 add, 2 sin/cos. Always zero: 4 of the 9 entries of R. Always
 // zero: p[0], p[1], p[2].
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Parameters<Scalar>& /* parameters */, const Scalar* q,
-    Scalar* R, Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
+    Scalar* R, Scalar* p, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0];
   R[0] = R[4] = c_1;
   R[3] = s_1;
   R[1] = -s_1;

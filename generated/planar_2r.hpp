@@ -12,7 +12,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   planar_2r::Parameters<> parameters = {};  // then set its members
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
@@ -22,10 +22,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PLANAR_2R_HPP
 #define FLATDYN_PLANAR_2R_HPP
@@ -62,6 +62,35 @@ struct Parameters {
   Scalar k_r2;
 };
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
@@ -71,20 +100,18 @@ struct Parameters {
 // parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
 // 28 mul, 20 add, 4 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+    const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = g * c_1;
   const Scalar ddp_o_2_y = t1 + a_1 * qdd_1;
   const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
@@ -114,12 +141,10 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // parameters.m_l1, parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1,
 // parameters.a_2, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
 // parameters.I_m2, parameters.k_r2. Operations: 38 mul, 28 add, 4 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
@@ -127,8 +152,9 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1, a_2 = parameters.a_2,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
   const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
   const Scalar t2 = s_2 * f_e1_x + c_2 * t1;
@@ -164,16 +190,16 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 // Reads q[1], parameters.a_1, parameters.m_l1, parameters.l_1, parameters.I_l1, parameters.I_m1,
 // parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
 // parameters.I_m2, parameters.k_r2. Operations: 13 mul, 11 add, 1 sin/cos.
-template <class Scalar>
-inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q,
-    Scalar* B) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   const Scalar t1 = m_l2 * l_2;
   const Scalar Ic_2_zz = I_l2 + l_2 * t1;
   const Scalar t2 = t1 * a_1 * c_2;
@@ -195,12 +221,13 @@ inline constexpr bool christoffel_nonzero[6] = {
 //              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos.
 // Always zero: 3 of the 6 entries of c.
-template <class Scalar>
-inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   const Scalar c_2_1_1 = a_1 * m_l2 * l_2 * s_2;
   c[3] = c_2_1_1;
   c[1] = c[2] = -c_2_1_1;
@@ -219,14 +246,14 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 //               2 x 2, row by row: entry (i, j) is C[2 * i + j]
 // Reads q[1], qd[0..1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 5 mul, 1 add,
 // 1 sin/cos. Always zero: 1 of the 4 entries of C.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* C) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+    Scalar* C, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   const Scalar t1 = l_2 * s_2 * a_1 * m_l2;
   const Scalar C_21 = qd_1 * t1;
   C[2] = C_21;
@@ -241,15 +268,14 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
 // parameters.l_2, parameters.m_m2. Operations: 9 mul, 4 add, 4 sin/cos.
-template <class Scalar>
-inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar g_2 = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1,
       l_1 = parameters.l_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = g_2 * m_l2 * l_2 * (s_1 * s_2 - c_1 * c_2);
   g[1] = -t1;
   g[0] = g_2 * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2)) - t1;
@@ -261,17 +287,15 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1,
 // parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 15 mul, 7 add, 4 sin/cos.
-template <class Scalar>
-inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* n) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = g * c_1;
   const Scalar ddp_2_y = c_2 * t1 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
   const Scalar t2 = m_l2 * l_2;
@@ -292,20 +316,18 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
 // 30 mul, 22 add, 2 div, 4 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* tau, Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+    const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + l_2 * t1;
   const Scalar t2 = I_m2 * k_r2;
@@ -343,17 +365,17 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // Reads q[1], qd[0..1], parameters.a_1, parameters.m_l1, parameters.l_1, parameters.I_l1,
 // parameters.I_m1, parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2,
 // parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 20 mul, 11 add, 1 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+    const Scalar* qd, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   const Scalar t1 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + l_2 * t1;
   const Scalar omega_2_z = qd_1 + qd_2;
@@ -372,15 +394,14 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
 // parameters.l_2, parameters.m_m2. Operations: 8 mul, 4 add, 4 sin/cos.
-template <class Scalar>
-inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = m_l2 * l_2;
   const Scalar hc_1_x = c_2 * t1 + m_l1 * l_1 + a_1 * (m_l2 + m_m2);
   const Scalar hu_1_t_y = c_1 * s_2 * t1 + s_1 * hc_1_x;
@@ -400,15 +421,13 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 9 mul, 5 add, 4 sin/cos. Always zero:
 // 4 of the 9 entries of R. Always zero: p[2].
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
-    Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+    Scalar* p, const SinCos& sin_cos = {}) noexcept {
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = c_1 * s_2;
   const Scalar n_1_t_y = s_1 * c_2 + t1;
   R[3] = n_1_t_y;
@@ -437,14 +456,13 @@ inline constexpr bool jacobian_nonzero[12] = {
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
 // Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 8 mul, 5 add, 4 sin/cos. Always zero:
 // 6 of the 12 entries of J.
-template <class Scalar>
-inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar p_2_x = a_2 * c_2 + a_1;
   const Scalar t1 = a_2 * s_2;
   const Scalar t2 = s_1 * t1 - c_1 * p_2_x;
@@ -463,16 +481,14 @@ inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[0..1], qd[0..1], parameters.a_1, parameters.a_2. Operations: 13 mul, 5 add, 4 sin/cos.
 // Always zero: a[2], a[3], a[4], a[5].
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* a) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+    Scalar* a, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t1 = omega_2_z * a_2 * omega_2_z;
   const Scalar t2 = qd_1 * a_1 * qd_1;

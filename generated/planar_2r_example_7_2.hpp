@@ -12,7 +12,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
 //   planar_2r_example_7_2::inverse_dynamics(q, qd, qdd, tau);
@@ -21,10 +21,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
 #define FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
@@ -41,22 +41,49 @@ inline constexpr int joint_count = 2;
 // As the robot file names them.
 inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1], qdd[0..1]. Operations: 14 mul, 13 add, 4 sin/cos.
-template <class Scalar>
-inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
   const Scalar domega_2_z = qdd_1 + qdd_2;
@@ -74,17 +101,15 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1], qdd[0..1], h_e[0..1], h_e[5]. Operations: 23 mul, 21 add, 4 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    const Scalar* h_e, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+    const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
   const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
   const Scalar t2 = s_2 * f_e1_x + c_2 * t1;
@@ -110,11 +135,11 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 //   B[4]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //              2 x 2, row by row: entry (i, j) is B[2 * i + j]
 // Reads q[1]. Operations: 2 mul, 2 add, 1 sin/cos.
-template <class Scalar>
-inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
-  const Scalar c_2 = cos(q_2);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   B[0] = Scalar(50.0) * c_2 + Scalar(200.01);
   B[1] = B[2] = Scalar(25.0) * c_2 + Scalar(23.5);
   B[3] = Scalar(122.5);
@@ -130,11 +155,11 @@ inline constexpr bool christoffel_nonzero[6] = {
 //   c[6]  out  Christoffel symbols c_ijk = c_ikj, j <= k
 //              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1]. Operations: 2 mul, 0 add, 1 sin/cos. Always zero: 3 of the 6 entries of c.
-template <class Scalar>
-inline void christoffel(const Scalar* q, Scalar* c) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
-  const Scalar s_2 = sin(q_2);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   c[1] = c[2] = Scalar(-25.0) * s_2;
   c[3] = Scalar(25.0) * s_2;
   c[0] = c[4] = c[5] = Scalar(0.0);
@@ -151,12 +176,13 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 //   C[4]   out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
 //               2 x 2, row by row: entry (i, j) is C[2 * i + j]
 // Reads q[1], qd[0..1]. Operations: 3 mul, 1 add, 1 sin/cos. Always zero: 1 of the 4 entries of C.
-template <class Scalar>
-inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   const Scalar t1 = Scalar(25.0) * s_2;
   const Scalar C_21 = qd_1 * t1;
   C[2] = C_21;
@@ -170,13 +196,11 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 //   q[2]  in   joint positions, rad or m
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1]. Operations: 4 mul, 2 add, 4 sin/cos.
-template <class Scalar>
-inline void gravity(const Scalar* q, Scalar* g) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar g_2 = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
   g[1] = g_2;
   g[0] = g_2 + Scalar(784.8) * c_1;
@@ -187,14 +211,13 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1]. Operations: 9 mul, 5 add, 4 sin/cos.
-template <class Scalar>
-inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar t1 = Scalar(25.0) * s_2;
   const Scalar N_2_z = Scalar(245.25) * c_1 * c_2 - ddp_o_2_x * t1;
@@ -210,16 +233,14 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0..1], qd[0..1], tau[0..1]. Operations: 17 mul, 12 add, 1 div, 4 sin/cos.
-template <class Scalar>
-inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
-    Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar t1 = Scalar(25.0) * s_2;
   const Scalar t2 = Scalar(245.25) * c_1 * c_2 - ddp_o_2_x * t1;
@@ -242,12 +263,13 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   qd[2]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
 // Reads q[1], qd[0..1]. Operations: 7 mul, 4 add, 1 sin/cos.
-template <class Scalar>
-inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   const Scalar b_2_1 = Scalar(25.0) * c_2 + Scalar(23.5);
   const Scalar b_1_1 = c_2 + Scalar(4.0002);
   const Scalar t1 = qd_1 * (qd_2 * b_2_1 + Scalar(25.0) * qd_1 * b_1_1);
@@ -258,13 +280,11 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
 //   q[2]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0..1]. Operations: 5 mul, 2 add, 4 sin/cos.
-template <class Scalar>
-inline Scalar potential_energy(const Scalar* q) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar hc_1_x = Scalar(25.0) * c_2 + Scalar(80.0);
   const Scalar hu_1_t_y = Scalar(25.0) * c_1 * s_2 + s_1 * hc_1_x;
   return Scalar(9.81) * hu_1_t_y;
@@ -283,13 +303,12 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..1]. Operations: 6 mul, 5 add, 4 sin/cos. Always zero: 4 of the 9 entries of R. Always
 // zero: p[2].
-template <class Scalar>
-inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
+    const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = s_1 * s_2;
   R[0] = R[4] = c_1 * c_2 - t1;
   const Scalar t2 = c_1 * s_2;
@@ -317,13 +336,11 @@ inline constexpr bool jacobian_nonzero[12] = {
 //   J[12]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
 // Reads q[0..1]. Operations: 4 mul, 5 add, 4 sin/cos. Always zero: 6 of the 12 entries of J.
-template <class Scalar>
-inline void jacobian(const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar p_2_x = c_2 + Scalar(1.0);
   const Scalar p_1u_t_x = c_1 * p_2_x - s_1 * s_2;
   J[2] = p_1u_t_x;
@@ -341,14 +358,13 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[0..1], qd[0..1]. Operations: 11 mul, 5 add, 4 sin/cos. Always zero: a[2], a[3], a[4],
 // a[5].
-template <class Scalar>
-inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t1 = omega_2_z * omega_2_z;
   const Scalar t2 = qd_1 * qd_1;

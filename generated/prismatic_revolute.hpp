@@ -12,7 +12,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   prismatic_revolute::Parameters<> parameters = {};  // then set its members
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
@@ -22,10 +22,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PRISMATIC_REVOLUTE_HPP
 #define FLATDYN_PRISMATIC_REVOLUTE_HPP
@@ -59,6 +59,35 @@ struct Parameters {
   Scalar a_2;
 };
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
@@ -67,18 +96,17 @@ struct Parameters {
 // Reads q[1], qd[1], qdd[0..1], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
 // parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2,
 // parameters.k_r2. Operations: 15 mul, 9 add, 2 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1];
+    const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2,
       m_m2 = parameters.m_m2, I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = m_l2 * l_2;
   const Scalar t2 = t1 * (s_2 * qdd_2 + c_2 * qd_2 * qd_2);
   const Scalar m_1 = m_l1 + m_l2 + m_m2;
@@ -97,19 +125,19 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // Reads q[1], qd[1], qdd[0..1], h_e[0..1], h_e[5], parameters.g, parameters.m_l1, parameters.I_m1,
 // parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
 // parameters.I_m2, parameters.k_r2, parameters.a_2. Operations: 21 mul, 15 add, 2 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1];
+    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2,
       m_m2 = parameters.m_m2, I_m2 = parameters.I_m2, k_r2 = parameters.k_r2, a_2 = parameters.a_2;
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + l_2 * t1;
   const Scalar t2 = qdd_2 * (I_2_zz + I_m2 * k_r2 * k_r2);
@@ -134,15 +162,15 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 // Reads q[1], parameters.m_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2, parameters.l_2,
 // parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 7 mul, 5 add, 1
 // sin/cos.
-template <class Scalar>
-inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q,
-    Scalar* B) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar m_l1 = parameters.m_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   B[0] = m_l1 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1;
   const Scalar t1 = m_l2 * l_2;
   B[1] = B[2] = -s_2 * t1;
@@ -160,12 +188,13 @@ inline constexpr bool christoffel_nonzero[6] = {
 //              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1], parameters.m_l2, parameters.l_2. Operations: 2 mul, 0 add, 1 sin/cos. Always zero: 5
 // of the 6 entries of c.
-template <class Scalar>
-inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar m_l2 = parameters.m_l2, l_2 = parameters.l_2;
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   c[2] = -m_l2 * l_2 * c_2;
   c[0] = c[1] = c[3] = c[4] = c[5] = Scalar(0.0);
 }
@@ -182,14 +211,14 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 //               2 x 2, row by row: entry (i, j) is C[2 * i + j]
 // Reads q[1], qd[1], parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos. Always
 // zero: 3 of the 4 entries of C.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* C) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+    Scalar* C, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_2 = qd[1];
   const Scalar m_l2 = parameters.m_l2, l_2 = parameters.l_2;
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   C[1] = -m_l2 * l_2 * c_2 * qd_2;
   C[0] = C[2] = C[3] = Scalar(0.0);
 }
@@ -199,12 +228,13 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1], parameters.g, parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos.
 // Always zero: g[0].
-template <class Scalar>
-inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar g_2 = parameters.g, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   g[1] = g_2 * m_l2 * l_2 * c_2;
   g[0] = Scalar(0.0);
 }
@@ -215,14 +245,14 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1], qd[1], parameters.g, parameters.m_l2, parameters.l_2. Operations: 5 mul, 0 add, 1
 // sin/cos.
-template <class Scalar>
-inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* n) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_2 = qd[1];
   const Scalar g = parameters.g, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   const Scalar t1 = c_2 * m_l2 * l_2;
   n[1] = g * t1;
   n[0] = -qd_2 * qd_2 * t1;
@@ -237,18 +267,17 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // Reads q[1], qd[1], tau[0..1], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
 // parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2,
 // parameters.k_r2. Operations: 17 mul, 10 add, 2 div, 2 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* tau, Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1];
+    const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_2 = qd[1];
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2,
       m_m2 = parameters.m_m2, I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = m_l2 * l_2;
   const Scalar b_2_2 = I_l2 + I_m2 * k_r2 * k_r2 + l_2 * t1;
   const Scalar d_2 = Scalar(1.0) / b_2_2;
@@ -274,16 +303,16 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // Reads q[1], qd[0..1], parameters.m_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
 // 14 mul, 7 add, 1 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+    const Scalar* qd, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar m_l1 = parameters.m_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   const Scalar t1 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + l_2 * t1;
   const Scalar t2 = qd_2 * (I_2_zz + I_m2 * k_r2 * k_r2);
@@ -296,12 +325,13 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 //   q[2]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[1], parameters.g, parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos.
-template <class Scalar>
-inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar g = parameters.g, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   return g * m_l2 * l_2 * s_2;
 }
 
@@ -318,14 +348,14 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..1], parameters.a_2. Operations: 2 mul, 1 add, 2 sin/cos. Always zero: 4 of the 9
 // entries of R. Always zero: p[2].
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
-    Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+    Scalar* p, const SinCos& sin_cos = {}) noexcept {
+  const Scalar q_1 = q[0];
   const Scalar a_2 = parameters.a_2;
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1];
   R[0] = R[4] = c_2;
   R[3] = s_2;
   R[1] = -s_2;
@@ -350,13 +380,13 @@ inline constexpr bool jacobian_nonzero[12] = {
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
 // Reads q[1], parameters.a_2. Operations: 2 mul, 0 add, 2 sin/cos. Always zero: 8 of the 12 entries
 // of J.
-template <class Scalar>
-inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar a_2 = parameters.a_2;
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1];
   J[3] = a_2 * c_2;
   J[1] = -a_2 * s_2;
   J[2] = J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = J[10] = Scalar(0.0);
@@ -369,15 +399,14 @@ inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[1], qd[1], parameters.a_2. Operations: 4 mul, 0 add, 2 sin/cos. Always zero: a[2], a[3],
 // a[4], a[5].
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* a) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1];
+    Scalar* a, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_2 = qd[1];
   const Scalar a_2 = parameters.a_2;
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = qd_2 * a_2 * qd_2;
   a[1] = -s_2 * t1;
   a[0] = -c_2 * t1;

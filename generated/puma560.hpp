@@ -16,7 +16,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   double q[6] = {}, qd[6] = {}, qdd[6] = {}, tau[6];
 //   puma560::inverse_dynamics(q, qd, qdd, tau);
@@ -25,10 +25,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PUMA560_HPP
 #define FLATDYN_PUMA560_HPP
@@ -66,26 +66,51 @@ inline Scalar sign(const Scalar& x) noexcept {
 
 }  // namespace detail
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[6]    in   joint positions, rad or m
 //   qd[6]   in   joint velocities, rad/s or m/s
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..5], qd[0..5], qdd[0..5]. Operations: 193 mul, 157 add, 10 sin/cos.
-template <class Scalar>
-inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
       qdd_6 = qdd[5];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5];
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = s_2 * qd_1;
   const Scalar t3 = s_3 * t1 + c_3 * t2;
@@ -213,23 +238,19 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 245 mul, 189 add, 12 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    const Scalar* h_e, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5];
+    const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
       qdd_6 = qdd[5];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_3 = h_e[2], h_e_4 = h_e[3], h_e_5 = h_e[4],
       h_e_6 = h_e[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5];
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = s_2 * qd_1;
   const Scalar t3 = s_3 * t1 + c_3 * t2;
@@ -384,15 +405,12 @@ inline constexpr bool inertia_matrix_nonzero[36] = {
 //   B[36]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //               6 x 6, row by row: entry (i, j) is B[6 * i + j]
 // Reads q[1..4]. Operations: 83 mul, 68 add, 8 sin/cos. Always zero: 4 of the 36 entries of B.
-template <class Scalar>
-inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   B[23] = B[33] = Scalar(0.00004) * c_5;
   const Scalar t1 = s_4 * s_5;
   B[11] = B[17] = B[31] = B[32] = Scalar(0.00004) * t1;
@@ -476,15 +494,12 @@ inline constexpr bool christoffel_nonzero[126] = {
 //   c[126]  out  Christoffel symbols c_ijk = c_ikj, j <= k
 //                c_ijk = c_ikj is c[21 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1..4]. Operations: 211 mul, 130 add, 8 sin/cos. Always zero: 40 of the 126 entries of c.
-template <class Scalar>
-inline void christoffel(const Scalar* q, Scalar* c) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   c[102] = Scalar(0.00002) * s_5;
   c[82] = c[118] = Scalar(-0.00002) * s_5;
   const Scalar t1 = Scalar(0.00020216) * s_5;
@@ -705,16 +720,14 @@ inline constexpr bool coriolis_matrix_nonzero[36] = {
 //               6 x 6, row by row: entry (i, j) is C[6 * i + j]
 // Reads q[1..4], qd[0..5]. Operations: 296 mul, 218 add, 8 sin/cos. Always zero: 2 of the 36
 // entries of C.
-template <class Scalar>
-inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   const Scalar t1 = Scalar(0.00020216) * s_5;
   C[21] = c_5 * qd_5 * t1;
   const Scalar t2 = s_2 * c_3 + c_2 * s_3;
@@ -917,15 +930,12 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 //   q[6]  in   joint positions, rad or m
 //   g[6]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..4]. Operations: 20 mul, 11 add, 8 sin/cos. Always zero: g[0], g[5].
-template <class Scalar>
-inline void gravity(const Scalar* q, Scalar* g) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   const Scalar g_3_x = s_2 * c_3 + c_2 * s_3;
   const Scalar t1 = Scalar(0.0282528) * s_5;
   g[3] = s_4 * t1 * g_3_x;
@@ -946,17 +956,14 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   qd[6]  in   joint velocities, rad/s or m/s
 //   n[6]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[1..5], qd[0..5]. Operations: 172 mul, 121 add, 10 sin/cos.
-template <class Scalar>
-inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5];
   const Scalar t1 = qd_1 * (s_2 * c_3 + c_2 * s_3);
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar omega_r_4_y = s_4 * t1 + c_4 * omega_3_z;
@@ -1061,20 +1068,16 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[1..5], qd[0..5], tau[0..5]. Operations: 322 mul, 241 add, 4 div, 10 sin/cos.
-template <class Scalar>
-inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
-    Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2], tau_4 = tau[3], tau_5 = tau[4],
       tau_6 = tau[5];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4, 5>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5];
   const Scalar t1 = qd_1 * (s_2 * c_3 + c_2 * s_3);
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t2 = c_4 * t1 - s_4 * omega_3_z;
@@ -1275,16 +1278,14 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   qd[6]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
 // Reads q[1..4], qd[0..5]. Operations: 78 mul, 49 add, 8 sin/cos.
-template <class Scalar>
-inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
+      c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   const Scalar t1 = s_2 * qd_1;
   const Scalar v_o_3_y = Scalar(0.1501) * t1 + Scalar(0.4318) * qd_2;
   const Scalar t2 = c_2 * qd_1;
@@ -1330,15 +1331,12 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
 //   q[6]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[1..4]. Operations: 10 mul, 7 add, 7 sin/cos.
-template <class Scalar>
-inline Scalar potential_energy(const Scalar* q) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], c_4 = cosine[3],
+      s_5 = sine[4], c_5 = cosine[4];
   const Scalar hc_3_x = Scalar(0.00288) * c_4 * s_5 - Scalar(0.025375);
   const Scalar t1 = Scalar(0.00288) * c_5 + Scalar(0.861795);
   const Scalar hu_3_t_x = c_3 * hc_3_x + s_3 * t1;
@@ -1359,17 +1357,14 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //              3 x 3, row by row: entry (i, j) is R[3 * i + j]
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..5]. Operations: 60 mul, 29 add, 12 sin/cos.
-template <class Scalar>
-inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
+    const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5];
   const Scalar t1 = Scalar(0.0203) * c_3 - Scalar(0.4331) * s_3 - Scalar(0.4318);
   const Scalar t2 = Scalar(0.0203) * s_3 + Scalar(0.4331) * c_3;
   p[2] = c_2 * t2 + s_2 * t1;
@@ -1420,16 +1415,12 @@ inline constexpr bool jacobian_nonzero[36] = {
 //   J[36]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 6, row by row: entry (i, j) is J[6 * i + j]
 // Reads q[0..4]. Operations: 66 mul, 30 add, 10 sin/cos. Always zero: 6 of the 36 entries of J.
-template <class Scalar>
-inline void jacobian(const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   J[25] = J[26] = c_1;
   J[19] = J[20] = -s_1;
   const Scalar z_4_z = c_2 * c_3 - s_2 * s_3;
@@ -1492,18 +1483,15 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
 //   qd[6]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[0..5], qd[0..5]. Operations: 120 mul, 63 add, 12 sin/cos.
-template <class Scalar>
-inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5];
   const Scalar t1 = s_2 * c_3;
   const Scalar t2 = qd_1 * (t1 + c_2 * s_3);
   const Scalar omega_3_z = qd_2 + qd_3;

@@ -23,7 +23,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   double q[12] = {}, qd[12] = {}, qdd[12] = {}, tau[12];
 //   quadruped12::inverse_dynamics(q, qd, qdd, tau);
@@ -32,10 +32,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_QUADRUPED12_HPP
 #define FLATDYN_QUADRUPED12_HPP
@@ -74,36 +74,56 @@ inline constexpr Real effort_limit[joint_count] = {
     Real(2.7), Real(2.7), Real(2.7), Real(2.7), Real(2.7), Real(2.7), Real(2.7), Real(2.7),
     Real(2.7), Real(2.7), Real(2.7), Real(2.7)};
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[12]    in   joint positions, rad or m
 //   qd[12]   in   joint velocities, rad/s or m/s
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..11], qd[0..11], qdd[0..11]. Operations: 300 mul, 248 add, 24 sin/cos.
-template <class Scalar>
-inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
       qdd_6 = qdd[5], qdd_7 = qdd[6], qdd_8 = qdd[7], qdd_9 = qdd[8], qdd_10 = qdd[9],
       qdd_11 = qdd[10], qdd_12 = qdd[11];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = t1 * t1;
   const Scalar t3 = qd_2 * qd_2;
@@ -344,13 +364,9 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   h_e[6]   in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 329 mul, 270 add, 24 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    const Scalar* h_e, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11];
+    const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
@@ -358,18 +374,13 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
       qdd_11 = qdd[10], qdd_12 = qdd[11];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_3 = h_e[2], h_e_4 = h_e[3], h_e_5 = h_e[4],
       h_e_6 = h_e[5];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = t1 * t1;
   const Scalar t3 = qd_2 * qd_2;
@@ -638,20 +649,14 @@ inline constexpr bool inertia_matrix_nonzero[144] = {
 //                12 x 12, row by row: entry (i, j) is B[12 * i + j]
 // Reads q[1..2], q[4..5], q[7..8], q[10..11]. Operations: 64 mul, 60 add, 16 sin/cos. Always zero:
 // 108 of the 144 entries of B.
-template <class Scalar>
-inline void inertia_matrix(const Scalar* q, Scalar* B) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_5 = q[4], q_6 = q[5], q_8 = q[7], q_9 = q[8], q_11 = q[10],
-      q_12 = q[11];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 4, 5, 7, 8, 10, 11>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_5 = sine[4],
+      c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
+      s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
+      c_12 = cosine[11];
   B[14] = B[25] = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
   B[53] = B[64] = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
   B[92] = B[103] = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
@@ -778,20 +783,14 @@ inline constexpr bool christoffel_nonzero[936] = {
 //                c_ijk = c_ikj is c[78 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1..2], q[4..5], q[7..8], q[10..11]. Operations: 96 mul, 48 add, 16 sin/cos. Always zero:
 // 896 of the 936 entries of c.
-template <class Scalar>
-inline void christoffel(const Scalar* q, Scalar* c) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_5 = q[4], q_6 = q[5], q_8 = q[7], q_9 = q[8], q_11 = q[10],
-      q_12 = q[11];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 4, 5, 7, 8, 10, 11>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_5 = sine[4],
+      c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
+      s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
+      c_12 = cosine[11];
   c[158] = Scalar(0.000615720268358608) * s_3;
   c[82] = c[83] = Scalar(-0.000615720268358608) * s_3;
   c[404] = Scalar(0.000615720268358608) * s_6;
@@ -1001,22 +1000,17 @@ inline constexpr bool coriolis_matrix_nonzero[144] = {
 //                12 x 12, row by row: entry (i, j) is C[12 * i + j]
 // Reads q[1..2], q[4..5], q[7..8], q[10..11], qd[0..11]. Operations: 140 mul, 72 add, 16 sin/cos.
 // Always zero: 112 of the 144 entries of C.
-template <class Scalar>
-inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_5 = q[4], q_6 = q[5], q_8 = q[7], q_9 = q[8], q_11 = q[10],
-      q_12 = q[11];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 4, 5, 7, 8, 10, 11>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_5 = sine[4],
+      c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
+      s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
+      c_12 = cosine[11];
   const Scalar t1 = Scalar(0.000615720268358608) * s_3;
   const Scalar C_3_2 = qd_2 * t1;
   C[25] = C_3_2;
@@ -1146,24 +1140,15 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C) noexce
 //   q[12]  in   joint positions, rad or m
 //   g[12]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..11]. Operations: 52 mul, 24 add, 24 sin/cos.
-template <class Scalar>
-inline void gravity(const Scalar* q, Scalar* g) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
   const Scalar t1 = Scalar(0.037751348953737156) * s_3;
   const Scalar t2 = Scalar(0.037751348953737156) * c_3;
   g[2] = c_1 * c_2 * t1 + c_1 * s_2 * t2;
@@ -1203,26 +1188,18 @@ inline void gravity(const Scalar* q, Scalar* g) noexcept {
 //   qd[12]  in   joint velocities, rad/s or m/s
 //   n[12]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..11], qd[0..11]. Operations: 252 mul, 160 add, 24 sin/cos.
-template <class Scalar>
-inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
   const Scalar t1 = qd_1 * qd_1;
   const Scalar t2 = c_2 * t1;
   const Scalar t3 = c_2 * t2;
@@ -1389,30 +1366,21 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n) noexcept {
 //   qdd[12]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0..11], qd[0..11], tau[0..11]. Operations: 372 mul, 268 add, 8 div, 24 sin/cos.
-template <class Scalar>
-inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
-    Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2], tau_4 = tau[3], tau_5 = tau[4],
       tau_6 = tau[5], tau_7 = tau[6], tau_8 = tau[7], tau_9 = tau[8], tau_10 = tau[9],
       tau_11 = tau[10], tau_12 = tau[11];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
   const Scalar t1 = qd_4 * qd_4;
   const Scalar t2 = c_5 * t1;
   const Scalar t3 = c_5 * t2;
@@ -1694,22 +1662,17 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   qd[12]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
 // Reads q[1..2], q[4..5], q[7..8], q[10..11], qd[0..11]. Operations: 113 mul, 71 add, 16 sin/cos.
-template <class Scalar>
-inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1], q_3 = q[2], q_5 = q[4], q_6 = q[5], q_8 = q[7], q_9 = q[8], q_11 = q[10],
-      q_12 = q[11];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1, 2, 4, 5, 7, 8, 10, 11>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_5 = sine[4],
+      c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
+      s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
+      c_12 = cosine[11];
   const Scalar t1 = c_11 * qd_10;
   const Scalar t2 = s_11 * qd_10;
   const Scalar t3 = Scalar(0.00023148988883634047) * (s_12 * t1 + c_12 * t2);
@@ -1778,24 +1741,15 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd) noexcept {
 //   q[12]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0..11]. Operations: 22 mul, 19 add, 24 sin/cos.
-template <class Scalar>
-inline Scalar potential_energy(const Scalar* q) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3], q_5 = q[4], q_6 = q[5], q_7 = q[6],
-      q_8 = q[7], q_9 = q[8], q_10 = q[9], q_11 = q[10], q_12 = q[11];
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_3 = sin(q_3), c_3 = cos(q_3);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
-  const Scalar s_5 = sin(q_5), c_5 = cos(q_5);
-  const Scalar s_6 = sin(q_6), c_6 = cos(q_6);
-  const Scalar s_7 = sin(q_7), c_7 = cos(q_7);
-  const Scalar s_8 = sin(q_8), c_8 = cos(q_8);
-  const Scalar s_9 = sin(q_9), c_9 = cos(q_9);
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
+      c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
+      s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
+      c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
+      s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
   const Scalar hc_11_y = Scalar(0.0038482516772413) * c_12 + Scalar(0.01771278698415);
   const Scalar t1 = c_10 * (c_11 * hc_11_y -
       s_11 * (Scalar(2.0453744565e-06) + Scalar(0.0038482516772413) * s_12));
@@ -1824,14 +1778,13 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //               3 x 3, row by row: entry (i, j) is R[3 * i + j]
 //   p[3]   out  position of the frame's origin in the base frame, m
 // Reads q[9..11]. Operations: 17 mul, 9 add, 6 sin/cos. Always zero: 1 of the 9 entries of R.
-template <class Scalar>
-inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_10 = q[9], q_11 = q[10], q_12 = q[11];
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
+    const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<9, 10, 11>(), sine, cosine);
+  const Scalar s_10 = sine[9], c_10 = cosine[9], s_11 = sine[10], c_11 = cosine[10],
+      s_12 = sine[11], c_12 = cosine[11];
   R[4] = c_10;
   R[7] = s_10;
   const Scalar t1 = c_11 * s_12;
@@ -1867,14 +1820,12 @@ inline constexpr bool jacobian_nonzero[72] = {
 //   J[72]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 12, row by row: entry (i, j) is J[12 * i + j]
 // Reads q[9..11]. Operations: 21 mul, 10 add, 6 sin/cos. Always zero: 59 of the 72 entries of J.
-template <class Scalar>
-inline void jacobian(const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_10 = q[9], q_11 = q[10], q_12 = q[11];
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<9, 10, 11>(), sine, cosine);
+  const Scalar s_10 = sine[9], c_10 = cosine[9], s_11 = sine[10], c_11 = cosine[10],
+      s_12 = sine[11], c_12 = cosine[11];
   J[58] = J[59] = c_10;
   J[70] = J[71] = s_10;
   const Scalar p_12_y = Scalar(0.16) * c_12 + Scalar(0.16);
@@ -1909,15 +1860,14 @@ inline void jacobian(const Scalar* q, Scalar* J) noexcept {
 //   qd[12]  in   joint velocities, rad/s or m/s
 //   a[6]    out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[9..11], qd[9..11]. Operations: 51 mul, 22 add, 6 sin/cos.
-template <class Scalar>
-inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_10 = q[9], q_11 = q[10], q_12 = q[11];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
-  const Scalar s_10 = sin(q_10), c_10 = cos(q_10);
-  const Scalar s_11 = sin(q_11), c_11 = cos(q_11);
-  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<9, 10, 11>(), sine, cosine);
+  const Scalar s_10 = sine[9], c_10 = cosine[9], s_11 = sine[10], c_11 = cosine[10],
+      s_12 = sine[11], c_12 = cosine[11];
   const Scalar t1 = c_11 * s_12 + s_11 * c_12;
   const Scalar omega_12_z = qd_11 + qd_12;
   const Scalar t2 = qd_10 * omega_12_z;

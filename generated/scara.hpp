@@ -14,7 +14,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
-// finds them. Arguments are plain arrays:
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
 //
 //   scara::Parameters<> parameters = {};  // then set its members
 //   double q[4] = {}, qd[4] = {}, qdd[4] = {}, tau[4];
@@ -24,10 +24,10 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_12 the sine of q_1 + q_2. Of link i: omega_i and domega_i are its angular
-// velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i
-// the force and moment that it gets from the link before, hc_i and hu_i the first moment of all that
-// its joint carries (in gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
+// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
+// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
+// gravity() times the size of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_SCARA_HPP
 #define FLATDYN_SCARA_HPP
@@ -74,6 +74,35 @@ struct Parameters {
   Scalar k_r4;
 };
 
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[4]    in   joint positions, rad or m
 //   qd[4]   in   joint velocities, rad/s or m/s
@@ -85,12 +114,9 @@ struct Parameters {
 // parameters.m_l3, parameters.I_l3, parameters.m_m3, parameters.I_m3, parameters.k_r3,
 // parameters.m_l4, parameters.I_l4, parameters.m_m4, parameters.I_m4, parameters.k_r4. Operations:
 // 42 mul, 37 add, 2 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1];
+    const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
@@ -100,7 +126,9 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       I_l3 = parameters.I_l3, m_m3 = parameters.m_m3, I_m3 = parameters.I_m3,
       k_r3 = parameters.k_r3, m_l4 = parameters.m_l4, I_l4 = parameters.I_l4,
       m_m4 = parameters.m_m4, I_m4 = parameters.I_m4, k_r4 = parameters.k_r4;
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1];
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar domega_4_z = qdd_4 + domega_2_z;
   const Scalar t1 = I_l4 * domega_4_z;
@@ -141,12 +169,10 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // parameters.I_m2, parameters.k_r2, parameters.m_l3, parameters.I_l3, parameters.m_m3,
 // parameters.I_m3, parameters.k_r3, parameters.m_l4, parameters.I_l4, parameters.m_m4,
 // parameters.I_m4, parameters.k_r4. Operations: 59 mul, 50 add, 6 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_4 = q[3];
+    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_3 = h_e[2], h_e_6 = h_e[5];
@@ -157,9 +183,10 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
       I_l3 = parameters.I_l3, m_m3 = parameters.m_m3, I_m3 = parameters.I_m3,
       k_r3 = parameters.k_r3, m_l4 = parameters.m_l4, I_l4 = parameters.I_l4,
       m_m4 = parameters.m_m4, I_m4 = parameters.I_m4, k_r4 = parameters.k_r4;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 3>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_4 = sine[3],
+      c_4 = cosine[3];
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar t1 = k_r3 * qdd_3;
   const Scalar ddp_s_3_z = g + qdd_3;
@@ -213,11 +240,9 @@ inline constexpr bool inertia_matrix_nonzero[16] = {
 // parameters.m_m3, parameters.I_m3, parameters.k_r3, parameters.m_l4, parameters.I_l4,
 // parameters.m_m4, parameters.I_m4, parameters.k_r4. Operations: 19 mul, 24 add, 1 sin/cos. Always
 // zero: 2 of the 16 entries of B.
-template <class Scalar>
-inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q,
-    Scalar* B) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1, a_2 = parameters.a_2,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
@@ -225,7 +250,9 @@ inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q
       I_l3 = parameters.I_l3, m_m3 = parameters.m_m3, I_m3 = parameters.I_m3,
       k_r3 = parameters.k_r3, m_l4 = parameters.m_l4, I_l4 = parameters.I_l4,
       m_m4 = parameters.m_m4, I_m4 = parameters.I_m4, k_r4 = parameters.k_r4;
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   const Scalar kI_3 = I_m3 * k_r3;
   B[2] = B[6] = B[8] = B[9] = kI_3;
   const Scalar t1 = I_m4 * k_r4;
@@ -261,14 +288,15 @@ inline constexpr bool christoffel_nonzero[40] = {
 // Reads q[1], parameters.a_1, parameters.a_2, parameters.m_l2, parameters.l_2, parameters.m_l3,
 // parameters.m_m3, parameters.m_l4, parameters.m_m4. Operations: 4 mul, 4 add, 1 sin/cos. Always
 // zero: 37 of the 40 entries of c.
-template <class Scalar>
-inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2, m_l2 = parameters.m_l2,
       l_2 = parameters.l_2, m_l3 = parameters.m_l3, m_m3 = parameters.m_m3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   const Scalar hc_2_x = m_l2 * l_2 + a_2 * ((m_l3 + m_l4) + (m_m3 + m_m4));
   const Scalar c_2_1_1 = a_1 * s_2 * hc_2_x;
   c[10] = c_2_1_1;
@@ -295,16 +323,16 @@ inline constexpr bool coriolis_matrix_nonzero[16] = {
 // Reads q[1], qd[0..1], parameters.a_1, parameters.a_2, parameters.m_l2, parameters.l_2,
 // parameters.m_l3, parameters.m_m3, parameters.m_l4, parameters.m_m4. Operations: 6 mul, 5 add, 1
 // sin/cos. Always zero: 13 of the 16 entries of C.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* C) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+    Scalar* C, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2, m_l2 = parameters.m_l2,
       l_2 = parameters.l_2, m_l3 = parameters.m_l3, m_m3 = parameters.m_m3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   const Scalar hc_2_x = m_l2 * l_2 + a_2 * ((m_l3 + m_l4) + (m_m3 + m_m4));
   const Scalar t1 = hc_2_x * a_1 * s_2;
   const Scalar C_21 = qd_1 * t1;
@@ -338,16 +366,16 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
 // Reads q[1], qd[0..1], parameters.g, parameters.a_1, parameters.a_2, parameters.m_l2,
 // parameters.l_2, parameters.m_l3, parameters.m_m3, parameters.m_l4, parameters.m_m4. Operations: 9
 // mul, 6 add, 1 sin/cos. Always zero: n[3].
-template <class Scalar>
-inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* n) noexcept {
-  using std::sin;
-  const Scalar q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar g = parameters.g, a_1 = parameters.a_1, a_2 = parameters.a_2, m_l2 = parameters.m_l2,
       l_2 = parameters.l_2, m_l3 = parameters.m_l3, m_m3 = parameters.m_m3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;
-  const Scalar s_2 = sin(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1];
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
   n[2] = g * m_3;
   const Scalar t1 = (m_l2 * l_2 + a_2 * (m_m3 + m_3)) * a_1 * s_2;
@@ -370,12 +398,9 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // parameters.m_l3, parameters.I_l3, parameters.m_m3, parameters.I_m3, parameters.k_r3,
 // parameters.m_l4, parameters.I_l4, parameters.m_m4, parameters.I_m4, parameters.k_r4. Operations:
 // 41 mul, 39 add, 4 div, 2 sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* tau, Scalar* qdd) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_2 = q[1];
+    const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2], tau_4 = tau[3];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
@@ -385,7 +410,9 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       I_l3 = parameters.I_l3, m_m3 = parameters.m_m3, I_m3 = parameters.I_m3,
       k_r3 = parameters.k_r3, m_l4 = parameters.m_l4, I_l4 = parameters.I_l4,
       m_m4 = parameters.m_m4, I_m4 = parameters.I_m4, k_r4 = parameters.k_r4;
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = I_m3 * k_r3;
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
   const Scalar b_3_3 = m_3 + k_r3 * t1;
@@ -443,11 +470,9 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // parameters.I_l3, parameters.m_m3, parameters.I_m3, parameters.k_r3, parameters.m_l4,
 // parameters.I_l4, parameters.m_m4, parameters.I_m4, parameters.k_r4. Operations: 35 mul, 28 add, 1
 // sin/cos.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd) noexcept {
-  using std::cos;
-  const Scalar q_2 = q[1];
+    const Scalar* qd, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3];
   const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1, a_2 = parameters.a_2,
@@ -456,7 +481,9 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
       I_l3 = parameters.I_l3, m_m3 = parameters.m_m3, I_m3 = parameters.I_m3,
       k_r3 = parameters.k_r3, m_l4 = parameters.m_l4, I_l4 = parameters.I_l4,
       m_m4 = parameters.m_m4, I_m4 = parameters.I_m4, k_r4 = parameters.k_r4;
-  const Scalar c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<1>(), sine, cosine);
+  const Scalar c_2 = cosine[1];
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
   const Scalar t1 = a_2 * (m_m3 + m_3);
   const Scalar t2 = m_l2 * l_2;
@@ -507,16 +534,15 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..3], parameters.a_1, parameters.a_2. Operations: 14 mul, 7 add, 6 sin/cos. Always zero:
 // 4 of the 9 entries of R.
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
-    Scalar* p) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3];
+    Scalar* p, const SinCos& sin_cos = {}) noexcept {
+  const Scalar q_3 = q[2];
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 3>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_4 = sine[3],
+      c_4 = cosine[3];
   p[2] = q_3;
   const Scalar t1 = s_2 * s_4 - c_2 * c_4;
   const Scalar n_2_t_y = s_2 * c_4 + c_2 * s_4;
@@ -547,14 +573,13 @@ inline constexpr bool jacobian_nonzero[24] = {
 //               6 x 4, row by row: entry (i, j) is J[4 * i + j]
 // Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 14 mul, 9 add, 4 sin/cos. Always zero:
 // 14 of the 24 entries of J.
-template <class Scalar>
-inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1];
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
+    const SinCos& sin_cos = {}) noexcept {
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar p_2_x = a_2 * c_2 + a_1;
   const Scalar t1 = a_2 * s_2;
   const Scalar t2 = s_1 * t1 - c_1 * p_2_x;
@@ -579,17 +604,15 @@ inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[0..1], q[3], qd[0..1], parameters.a_1, parameters.a_2. Operations: 22 mul, 10 add, 6
 // sin/cos. Always zero: a[2], a[3], a[4], a[5].
-template <class Scalar>
+template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* a) noexcept {
-  using std::cos;
-  using std::sin;
-  const Scalar q_1 = q[0], q_2 = q[1], q_4 = q[3];
+    Scalar* a, const SinCos& sin_cos = {}) noexcept {
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
-  const Scalar s_1 = sin(q_1), c_1 = cos(q_1);
-  const Scalar s_2 = sin(q_2), c_2 = cos(q_2);
-  const Scalar s_4 = sin(q_4), c_4 = cos(q_4);
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1, 3>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_4 = sine[3],
+      c_4 = cosine[3];
   const Scalar t1 = qd_1 * a_1 * qd_1;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t2 = c_2 * t1 + a_2 * omega_2_z * omega_2_z;

@@ -57,7 +57,8 @@ class HeaderWriter {
         functions_(functions),
         options_(options),
         namespace_(namespace_of(mechanism.name, options.name_space)),
-        names_({"Scalar", "Real", "Parameters", "detail", "std", "sin", "cos", "joint_count", "joint_names"}) {
+        names_({"Scalar", "Real", "Parameters", "SinCos", "Joints", "LibrarySinCos", "GivenSinCos", "detail", "std",
+                "sin", "cos", "joint_count", "joint_names"}) {
     if (options.scalar != "double" && options.scalar != "float") {
       throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
     }
@@ -159,15 +160,18 @@ class HeaderWriter {
 
   void write_functions(data& header) const {
     data list(data::type::list);
-    bool uses_sign = false;
+    bool uses_sign = false, uses_trigonometry = false;
     std::size_t next_nonzero = 0;
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       const FunctionText text = function_text(functions_[k], function_names_[k], scope_);
       uses_sign = uses_sign || text.uses_sign;
+      uses_trigonometry = uses_trigonometry || text.uses_trigonometry;
       if (k == 0) header["example"] = list_of(example(text));
       data item;
       item["nonzero"] = nonzero(k, next_nonzero);
       item["comment"] = list_of(comment(functions_[k], text));
+      item["template_parameters"] =
+          std::string(text.uses_trigonometry ? "class Scalar, class SinCos = LibrarySinCos" : "class Scalar");
       item["signature"] = signature(text);
       item["body"] = without_newline(text.body);
       list << item;
@@ -175,6 +179,7 @@ class HeaderWriter {
     }
     header["functions"] = data(list);
     header["uses_sign"] = uses_sign;
+    header["uses_trigonometry"] = uses_trigonometry;
   }
 
   static std::string signature(const FunctionText& text) {

@@ -23,14 +23,12 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
       return product(node);
     case Op::quotient:
       return quotient(node);
-    case Op::sin:
-      return {"sin(" + use(node.operands[0]) + ")", Binding::atom};
-    case Op::cos:
-      return {"cos(" + use(node.operands[0]) + ")", Binding::atom};
     case Op::sign:
       return {"detail::sign(" + use(node.operands[0]) + ")", Binding::atom};
+    case Op::sin:
+    case Op::cos:
     case Op::input:
-      break;  // always a variable
+      break;  // always variables
   }
   return reference(id);
 }

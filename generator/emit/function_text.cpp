@@ -30,6 +30,9 @@ class FunctionWriter {
         printer_(function.graph, variables_) {
     for (const Output& output : function_.outputs) output_names_.push_back(names_.unique(output.name));
     variables_ = name_variables(function_, schedule_, scope_.parameters, names_);
+    for (const Statement& statement : schedule_.statements) {
+      if (is_angle_function(statement)) turning_joints_.insert(joint_of_angle(statement.node));
+    }
   }
 
   FunctionText text(const std::string& name) {
@@ -42,8 +45,9 @@ class FunctionWriter {
     text.arguments = argument_lines();
     text.reads = list_of_inputs(inputs_, scope_.parameters);
     text.result = result_text();
-    text.body = using_declarations() + loads() + statements() + condition();
+    text.body = loads() + trigonometry() + statements() + condition();
     text.uses_sign = has_op(Op::sign);
+    text.uses_trigonometry = !turning_joints_.empty();
     return text;
   }
 
@@ -51,7 +55,7 @@ class FunctionWriter {
   NameTable names_in_scope() const {
     std::set<std::string> taken = scope_.names;
     for (InputKind kind : function_.inputs) taken.insert(input_argument(kind, 0).name);
-    taken.insert({"parameters", "positive"});
+    taken.insert({"parameters", "positive", "sin_cos", "sine", "cosine"});
     return NameTable(taken);
   }
 
@@ -65,10 +69,26 @@ class FunctionWriter {
     const Node& node = function_.graph[id];
     if (node.op == op) return true;
     const std::vector<NodeId> parts = operands_of(node);
-    return std::any_of(parts.begin(), parts.end(), [&](NodeId part) {
-      return !schedule_.is_variable[static_cast<std::size_t>(part)] && contains(part, op);
-    });
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](NodeId part) { return !is_variable(part) && contains(part, op); });
   }
+
+  // Makes a variable of a sine or a cosine.
+  bool is_angle_function(const Statement& statement) const {
+    const Op op = function_.graph[statement.node].op;
+    return statement.targets.empty() && (op == Op::sin || op == Op::cos);
+  }
+
+  // Sines and cosines come joint by joint from whoever knows them: sums of angles are the derivation's own business.
+  int joint_of_angle(NodeId id) const {
+    const Node& angle = function_.graph[function_.graph[id].operands[0]];
+    if (angle.op != Op::input || angle.input.kind != InputKind::q) {
+      throw std::logic_error("sine or cosine of what is no joint's position");
+    }
+    return angle.input.index;
+  }
+
+  bool is_variable(NodeId id) const { return schedule_.is_variable[static_cast<std::size_t>(id)]; }
 
   bool reads(InputKind kind) const {
     return std::any_of(inputs_.begin(), inputs_.end(), [kind](const Input& input) { return input.kind == kind; });
@@ -87,10 +107,10 @@ class FunctionWriter {
     for (InputKind kind : function_.inputs) {
       list.push_back(parameter("const Scalar*", input_argument(kind, 0).name, reads(kind)));
     }
-    if (returns_value(function_)) return list;
-    for (std::size_t k = 0; k < function_.outputs.size(); ++k) {
+    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_); ++k) {
       list.push_back(parameter("Scalar*", output_names_[k], !function_.outputs[k].entries.empty()));
     }
+    if (!turning_joints_.empty()) list.emplace_back("const SinCos& sin_cos = {}");
     return list;
   }
 
@@ -138,26 +158,54 @@ class FunctionWriter {
     return "false if the result means nothing, because a pivot of B is not positive or not a number";
   }
 
-  std::string using_declarations() const {
-    std::string text;
-    if (has_op(Op::cos)) text += code_line("using std::cos;", kIndent);
-    if (has_op(Op::sin)) text += code_line("using std::sin;", kIndent);
-    return text;
-  }
-
   const std::string& variable(NodeId id) const { return variables_[static_cast<std::size_t>(id)]; }
 
-  // All inputs are read here, before any output is written: so outputs may overlap inputs, and no value is read twice.
+  // All inputs are read first, before any output is written: so outputs may overlap inputs, and no value is read twice.
   std::string loads() const {
     std::string text;
     std::vector<std::string> items;
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      items.push_back(variable(find_input(inputs_[k])) + " = " + access_of_input(inputs_[k], scope_.parameters));
-      if (k + 1 < inputs_.size() && inputs_[k + 1].kind == inputs_[k].kind) continue;
+      const NodeId input = find_input(inputs_[k]);
+      if (is_used_by_itself(input)) {
+        items.push_back(variable(input) + " = " + access_of_input(inputs_[k], scope_.parameters));
+      }
+      const bool last_of_kind = k + 1 == inputs_.size() || inputs_[k + 1].kind != inputs_[k].kind;
+      if (!last_of_kind || items.empty()) continue;
       text += list_line("const Scalar ", items, ";", kIndent);
       items.clear();
     }
     return text;
+  }
+
+  // Not only as an angle whose sine or cosine is wanted.
+  bool is_used_by_itself(NodeId input) const {
+    return std::any_of(schedule_.statements.begin(), schedule_.statements.end(), [&](const Statement& statement) {
+      if (is_angle_function(statement)) return false;
+      const bool stores_variable = !statement.targets.empty() && is_variable(statement.node);
+      return stores_variable ? statement.node == input : mentions(statement.node, input);
+    });
+  }
+
+  // Whether the definition of `id` has the variable in it.
+  bool mentions(NodeId id, NodeId wanted) const {
+    const std::vector<NodeId> parts = operands_of(function_.graph[id]);
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](NodeId part) { return part == wanted || (!is_variable(part) && mentions(part, wanted)); });
+  }
+
+  // One call for the sines and cosines of all joints, so that they can be evaluated together.
+  std::string trigonometry() const {
+    if (turning_joints_.empty()) return "";
+    std::vector<std::string> variables;
+    for (const Statement& statement : schedule_.statements) {
+      if (!is_angle_function(statement)) continue;
+      const char* array = function_.graph[statement.node].op == Op::sin ? "sine" : "cosine";
+      variables.push_back(fmt::format("{} = {}[{}]", variable(statement.node), array, joint_of_angle(statement.node)));
+    }
+    return code_line("Scalar sine[joint_count], cosine[joint_count];", kIndent) +
+           code_line(fmt::format("sin_cos(q, Joints<{}>(), sine, cosine);", fmt::join(turning_joints_, ", ")),
+                     kIndent) +
+           list_line("const Scalar ", variables, ";", kIndent);
   }
 
   NodeId find_input(const Input& input) const {
@@ -170,27 +218,16 @@ class FunctionWriter {
 
   std::string statements() const {
     std::string text;
-    for (std::size_t k = 0; k < schedule_.statements.size(); ++k) {
-      const Statement& statement = schedule_.statements[k];
+    for (const Statement& statement : schedule_.statements) {
       if (!statement.targets.empty()) {
         text += store(statement);
-        continue;
+      } else if (!is_angle_function(statement)) {
+        text += code_line(
+            fmt::format("const Scalar {} = {};", variable(statement.node), printer_.definition(statement.node)),
+            kIndent);
       }
-      std::string code = "const Scalar " + definition(statement.node);
-      if (k + 1 < schedule_.statements.size() && is_sine_and_cosine(statement, schedule_.statements[k + 1])) {
-        code += ", " + definition(schedule_.statements[++k].node);
-      }
-      text += code_line(code + ";", kIndent);
     }
     return text;
-  }
-
-  std::string definition(NodeId id) const { return variable(id) + " = " + printer_.definition(id); }
-
-  bool is_sine_and_cosine(const Statement& a, const Statement& b) const {
-    const Node& first = function_.graph[a.node];
-    const Node& second = function_.graph[b.node];
-    return b.targets.empty() && first.op == Op::sin && second.op == Op::cos && first.operands == second.operands;
   }
 
   // "B[1] = B[7] = b_12;"
@@ -231,6 +268,7 @@ class FunctionWriter {
   std::vector<std::string> output_names_;
   VariableNames variables_;
   ExpressionPrinter printer_;
+  std::set<int> turning_joints_;  // whose sines or cosines are used
 };
 
 }  // namespace

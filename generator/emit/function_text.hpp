@@ -33,6 +33,7 @@ struct FunctionText {
   std::string result;                   // what is returned; empty for void
   std::string body;                     // indented lines
   bool uses_sign = false;
+  bool uses_trigonometry = false;  // then it has SinCos as a template parameter, and is passed one
 };
 
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope);

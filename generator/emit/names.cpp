@@ -11,24 +11,6 @@ namespace flatdyn {
 
 namespace {
 
-bool is_position(const Node& node) { return node.op == Op::input && node.input.kind == InputKind::q; }
-
-// The joints of an angle q_i + q_j + …, as the textbook writes them: "1", "23", "9_10"; empty for any other angle.
-std::string joints_of_angle(const Graph& graph, NodeId angle) {
-  const Node& node = graph[angle];
-  if (is_position(node)) return std::to_string(node.input.index + 1);
-  if (node.op != Op::sum || node.value != 0) return "";
-  std::vector<int> joints;
-  for (const Term& term : node.terms) {
-    if (term.coefficient != 1 || !is_position(graph[term.node])) return "";
-    joints.push_back(graph[term.node].input.index + 1);
-  }
-  std::sort(joints.begin(), joints.end());
-  std::string text;
-  for (int joint : joints) text += (joints.back() > 9 && !text.empty() ? "_" : "") + std::to_string(joint);
-  return text;
-}
-
 // c_ijk of row i and packed column k (k + 1) / 2 + j: "c_3_1_2".
 std::string name_of_christoffel(const Output& output, int entry) {
   int k = 0, j = entry % output.cols;
@@ -61,9 +43,9 @@ std::map<NodeId, std::string> names_of_entries(const Function& function) {
 std::string wanted_name(const Graph& graph, NodeId id, const std::map<NodeId, std::string>& entries) {
   if (const std::string* given = graph.name(id)) return *given;
   const Node& node = graph[id];
-  const bool trigonometric = node.op == Op::sin || node.op == Op::cos;
-  const std::string joints = joints_of_angle(graph, trigonometric ? node.operands[0] : id);
-  if (!joints.empty()) return (node.op == Op::sin ? "s_" : node.op == Op::cos ? "c_" : "q_") + joints;
+  if (node.op == Op::sin || node.op == Op::cos) {
+    return (node.op == Op::sin ? "s_" : "c_") + std::to_string(graph[node.operands[0]].input.index + 1);
+  }
   const auto entry = entries.find(id);
   return entry == entries.end() ? "" : entry->second;
 }

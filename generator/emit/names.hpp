@@ -30,7 +30,7 @@ class NameTable {
 };
 
 // Inputs: q_1 = q[0], as in the textbook; parameters by `parameters`. Nodes: the name given to them, else s_1, c_1 (of
-// q_1), s_23 (of q_2 + q_3), tau_1 (stored in tau[0]), else t1, t2, … in the order of the statements.
+// q_1), tau_1 (stored in tau[0]), else t1, t2, … in the order of the statements.
 VariableNames name_variables(const Function& function, const Schedule& schedule,
                              const std::vector<std::string>& parameters, NameTable& names);
 

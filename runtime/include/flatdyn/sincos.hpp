@@ -62,15 +62,21 @@ inline Batch cosine_near_zero(const Batch& r, const Batch& rest) noexcept {
   return leading + (((Batch(1.0) - leading) - half) + (z * (z * p) - r * rest));
 }
 
-// sin(x + quarters π/2).
 template <class Batch>
-inline Batch sine_after_quarters(const Batch& x, double quarters) noexcept {
+struct SineAndCosine {
+  Batch sine, cosine;
+};
+
+template <class Batch>
+inline SineAndCosine<Batch> sine_and_cosine(const Batch& x) noexcept {
   const Reduced<Batch> a = reduced(x);
   const Batch s = sine_near_zero(a.r, a.rest), c = cosine_near_zero(a.r, a.rest);
-  const Batch m = a.n + Batch(quarters);
-  const Batch quadrant = m - Batch(4.0) * nearest_integer(Batch(0.25) * m);  // -2 … 2
-  const Batch value = xsimd::select(quadrant * quadrant == Batch(1.0), c, s);
-  return xsimd::select((quadrant < Batch(-0.5)) | (quadrant > Batch(1.5)), -value, value);
+  const Batch quadrant = a.n - Batch(4.0) * nearest_integer(Batch(0.25) * a.n);  // -2 … 2
+  const auto swapped = quadrant * quadrant == Batch(1.0);
+  const Batch sine = xsimd::select(swapped, c, s), cosine = xsimd::select(swapped, s, c);
+  const auto sine_flips = (quadrant < Batch(-0.5)) | (quadrant > Batch(1.5));
+  const auto cosine_flips = (quadrant < Batch(-1.5)) | (quadrant > Batch(0.5));
+  return {xsimd::select(sine_flips, -sine, sine), xsimd::select(cosine_flips, -cosine, cosine)};
 }
 
 // `value`, but where x is too large the function of <cmath>.
@@ -88,16 +94,29 @@ inline Batch or_library(const Batch& x, const Batch& value, Function function) n
 
 // To 1 ulp; NaN of what is not finite.
 template <class A>
+inline detail::SineAndCosine<xsimd::batch<double, A>> sin_cos(const xsimd::batch<double, A>& x) noexcept {
+  const auto both = detail::sine_and_cosine(x);
+  return {detail::or_library(x, both.sine, [](double a) { return std::sin(a); }),
+          detail::or_library(x, both.cosine, [](double a) { return std::cos(a); })};
+}
+
+template <class A>
 inline xsimd::batch<double, A> sin(const xsimd::batch<double, A>& x) noexcept {
-  return detail::or_library(x, detail::sine_after_quarters(x, 0), [](double a) { return std::sin(a); });
+  return detail::or_library(x, detail::sine_and_cosine(x).sine, [](double a) { return std::sin(a); });
 }
 
 template <class A>
 inline xsimd::batch<double, A> cos(const xsimd::batch<double, A>& x) noexcept {
-  return detail::or_library(x, detail::sine_after_quarters(x, 1), [](double a) { return std::cos(a); });
+  return detail::or_library(x, detail::sine_and_cosine(x).cosine, [](double a) { return std::cos(a); });
 }
 
 // In float, xsimd's own.
+template <class A>
+inline detail::SineAndCosine<xsimd::batch<float, A>> sin_cos(const xsimd::batch<float, A>& x) noexcept {
+  const auto both = xsimd::sincos(x);
+  return {both.first, both.second};
+}
+
 template <class A>
 inline xsimd::batch<float, A> sin(const xsimd::batch<float, A>& x) noexcept {
   return xsimd::sin(x);

@@ -83,8 +83,11 @@ Function two_link_inverse_dynamics() {
   Builder b;
   const std::vector<NodeId> B = inertia_entries(b);
   const NodeId h = b.named(b.scaled("-3/5", b.graph.sin(b.q(1))), "h");
-  const NodeId g_2 = b.named(b.scaled("2943/500", b.graph.cos(b.plus({b.q(0), b.q(1)}))), "g_2");
-  const NodeId g_1 = b.plus({b.scaled("981/50", b.graph.cos(b.q(0))), g_2});
+  const NodeId c_1 = b.graph.cos(b.q(0)), c_2 = b.graph.cos(b.q(1)), s_1 = b.graph.sin(b.q(0)),
+               s_2 = b.graph.sin(b.q(1));
+  const NodeId c_12 = b.plus({b.times({c_1, c_2}), b.scaled("-1", b.times({s_1, s_2}))});
+  const NodeId g_2 = b.named(b.scaled("2943/500", c_12), "g_2");
+  const NodeId g_1 = b.plus({b.scaled("981/50", c_1), g_2});
   const NodeId qd_1 = b.qd(0), qd_2 = b.qd(1);
   const NodeId friction = b.scaled("1/20", b.graph.sign(qd_1));
   const NodeId tau_1 = b.plus({b.times({B[0], b.qdd(0)}), b.times({B[1], b.qdd(1)}),

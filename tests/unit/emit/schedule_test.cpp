@@ -34,17 +34,21 @@ TEST_F(Schedules, ShareWhatIsUsedTwiceAndInlineTheRest) {
             "  y[1] = t1 * (q_3 + q_4);\n");
 }
 
-TEST_F(Schedules, PutSineAndCosineOfAnAngleFirstAndTogether) {
+TEST_F(Schedules, AskForAllSinesAndCosinesFirstInOneCall) {
+  EXPECT_EQ(body({build.times({build.graph.cos(build.q(0)), build.graph.cos(build.q(2))}), build.graph.sin(build.q(2)),
+                  build.q(1)}),
+            "  const Scalar q_2 = q[1];\n"
+            "  Scalar sine[joint_count], cosine[joint_count];\n"
+            "  sin_cos(q, Joints<0, 2>(), sine, cosine);\n"
+            "  const Scalar c_1 = cosine[0], s_3 = sine[2], c_3 = cosine[2];\n"
+            "  y[2] = q_2;\n"
+            "  y[1] = s_3;\n"
+            "  y[0] = c_1 * c_3;\n");
+}
+
+TEST_F(Schedules, LeaveSumsOfAnglesToTheDerivation) {
   const NodeId sum = build.plus({build.q(0), build.q(1)});
-  EXPECT_EQ(body({build.times({build.graph.cos(build.q(0)), build.graph.cos(sum)}), build.graph.sin(sum)}),
-            "  using std::cos;\n"
-            "  using std::sin;\n"
-            "  const Scalar q_1 = q[0], q_2 = q[1];\n"
-            "  const Scalar c_1 = cos(q_1);\n"
-            "  const Scalar q_12 = q_1 + q_2;\n"
-            "  const Scalar s_12 = sin(q_12), c_12 = cos(q_12);\n"
-            "  y[1] = s_12;\n"
-            "  y[0] = c_1 * c_12;\n");
+  EXPECT_THROW(body({build.graph.sin(sum)}), std::logic_error);
 }
 
 TEST_F(Schedules, StoreEqualEntriesTogetherAndZerosLast) {
