@@ -98,7 +98,7 @@ class BenchRun {
   BenchReport report(const std::vector<BenchCase>& cases, const std::vector<BenchErrors>& errors,
                      const std::vector<std::vector<double>>& times, const std::vector<long>& sizes) const {
     BenchReport report{model_.mechanism.name, toolchain_.version(), kBenchFlags, options_.seconds, {}, peers_.left_out};
-    if (!toolchain_.has_xsimd) report.left_out.emplace_back("batch: it needs xsimd (libxsimd-dev)");
+    if (!toolchain_.has_xsimd) report.left_out.emplace_back("batch, together: they need xsimd (libxsimd-dev)");
     for (const Function& function : functions_) {
       report.functions.push_back({function.name, unit_of(function.name), count_operations(function), {}});
     }

@@ -34,6 +34,8 @@ struct PlainFunction {
 };
 
 std::string plain_symbol(const Function& function, const std::string& variant);
+// "robot::gravity<double, robot::LibrarySinCos>": what it calls, as nm -C names it.
+std::string template_symbol(const Function& function, const BenchVariant& variant);
 PlainFunction plain_function(const Mechanism& mechanism, const Function& function, const BenchVariant& variant);
 
 }  // namespace flatdyn

@@ -24,13 +24,29 @@ std::vector<BenchCase> cases_of(const BenchSubject& subject) {
   std::vector<BenchCase> cases;
   for (std::size_t k = 0; k < subject.functions.size(); ++k) {
     for (const BenchVariant& variant : bench_variants()) {
-      if (is_made(variant, subject.toolchain)) cases.push_back({k, variant.name, variant.scalar, false});
+      if (is_made(variant, subject.functions[k], subject.toolchain.has_xsimd))
+        cases.push_back({k, variant.name, variant.scalar, false, &variant});
     }
     for (const BenchPeer& peer : subject.peers) {
-      if (peer.functions.count(subject.functions[k].name) > 0) cases.push_back({k, peer.name, "double", true});
+      if (peer.functions.count(subject.functions[k].name) > 0) cases.push_back({k, peer.name, "double", true, nullptr});
     }
   }
   return cases;
+}
+
+// Of lines such as "0000 001a W void robot::gravity<double>(double const*, double*)": the name up to the arguments.
+std::map<std::string, long> bytes_by_symbol(const std::string& text) {
+  std::map<std::string, long> bytes;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::string address, size, type, name;
+    std::istringstream words(line);
+    if (!(words >> address >> size >> type) || !std::getline(words >> std::ws, name)) continue;
+    const std::size_t inner = name.find(kBenchNamespace + std::string("::"));
+    const std::size_t first = inner == std::string::npos ? 0 : inner;
+    bytes[name.substr(first, name.find('(') - first)] = std::stol(size, nullptr, 16);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -94,16 +110,14 @@ std::vector<std::vector<double>> BenchProgram::times(double seconds, unsigned se
 }
 
 std::vector<long> BenchProgram::sizes() const {
-  check(run_command("nm -S --defined-only sizes.o > symbols 2> log", folder_), folder_);
-  std::map<std::string, long> bytes;
-  std::istringstream lines(content_of_file(folder_ / "symbols"));
-  for (std::string line; std::getline(lines, line);) {
-    std::string address, size, type, name;
-    if (std::istringstream(line) >> address >> size >> type >> name) bytes[name] = std::stol(size, nullptr, 16);
-  }
+  check(run_command("nm -S -C --defined-only sizes.o > symbols 2> log", folder_), folder_);
+  const std::map<std::string, long> bytes = bytes_by_symbol(content_of_file(folder_ / "symbols"));
   std::vector<long> sizes;
   for (const BenchCase& each : cases_) {
-    sizes.push_back(each.is_peer ? 0 : bytes.at(plain_symbol(subject_.functions[each.function], each.variant)));
+    const Function& function = subject_.functions[each.function];
+    const auto own = each.is_peer ? bytes.end() : bytes.find(template_symbol(function, *each.of));
+    const bool written_out = own == bytes.end();
+    sizes.push_back(each.is_peer ? 0 : written_out ? bytes.at(plain_symbol(function, each.variant)) : own->second);
   }
   return sizes;
 }

@@ -17,6 +17,7 @@ struct BenchCase {
   std::string variant;       // or the peer's name
   std::string scalar = "double";
   bool is_peer = false;
+  const BenchVariant* of = nullptr;  // none for a peer
 
   // As the program names it: "gravity/batch double".
   std::string name(const std::vector<Function>& functions) const { return functions[function].name + "/" + variant; }
@@ -33,7 +34,7 @@ class BenchProgram {
   std::vector<std::vector<double>> values(std::size_t states) const;
   // Samples of the time of one call in ns, by case. Takes about `seconds`.
   std::vector<std::vector<double>> times(double seconds, unsigned seed) const;
-  // Bytes of machine code, by case; 0 for a peer.
+  // Bytes of machine code, by case, without what it calls; 0 for a peer.
   std::vector<long> sizes() const;
 
  private:

@@ -19,14 +19,6 @@ using kainjow::mustache::data;
 constexpr InputKind kKinds[] = {InputKind::q,   InputKind::qd,   InputKind::qdd,   InputKind::tau,
                                 InputKind::h_e, InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b};
 
-std::vector<BenchVariant> variants_made(const BenchSubject& subject) {
-  std::vector<BenchVariant> made;
-  for (const BenchVariant& variant : bench_variants()) {
-    if (is_made(variant, subject.toolchain)) made.push_back(variant);
-  }
-  return made;
-}
-
 std::string states_text(const std::vector<State>& states) {
   std::string bytes;
   const auto add = [&](const auto& numbers_of) {
@@ -105,7 +97,8 @@ data size_row(const BenchSubject& subject, const Function& function, const Bench
 data robot_page(const BenchSubject& subject) {
   data singles(data::type::list), lanes(data::type::list), functions(data::type::list);
   for (const Function& function : subject.functions) {
-    for (const BenchVariant& variant : variants_made(subject)) {
+    for (const BenchVariant& variant : bench_variants()) {
+      if (!is_made(variant, function, subject.toolchain.has_xsimd)) continue;
       (variant.batch ? lanes : singles) << (variant.batch ? batch_row(subject, function, variant)
                                                           : single_row(subject, function, variant));
       functions << size_row(subject, function, variant);
@@ -113,7 +106,9 @@ data robot_page(const BenchSubject& subject) {
   }
   data page;
   page["robot"] = comment_text(subject.mechanism.name);
-  page["batches"] = subject.toolchain.has_xsimd;
+  std::vector<std::string> headers;
+  if (subject.toolchain.has_xsimd) headers = {"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"};
+  page["headers"] = list_of_texts(headers);
   page["singles"] = data(singles);
   page["lanes"] = data(lanes);
   page["functions"] = data(functions);
@@ -129,8 +124,6 @@ SourceFile peer_source(const BenchSubject& subject, const BenchPeer& peer) {
 }
 
 }  // namespace
-
-bool is_made(const BenchVariant& variant, const Toolchain& toolchain) { return !variant.batch || toolchain.has_xsimd; }
 
 std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
   EmitOptions emit;

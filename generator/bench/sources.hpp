@@ -29,9 +29,6 @@ struct SourceFile {
   std::string text;
 };
 
-// Whether the variant can be had on this machine.
-bool is_made(const BenchVariant& variant, const Toolchain& toolchain);
-
 // All that the program is made of, with the states that it reads.
 std::vector<SourceFile> bench_sources(const BenchSubject& subject);
 

@@ -5,15 +5,25 @@
 #include <string>
 #include <vector>
 
+#include "graph/function.hpp"
+
 namespace flatdyn {
+
+// Where the sines and cosines come from, the last argument of generated functions: the library, all joints' by one
+// call over SIMD lanes, or the caller, so that the time is that of the rest.
+enum class Trigonometry { library, together, given };
 
 struct BenchVariant {
   const char* name;
   const char* scalar;  // "double" or "float"
   bool batch;          // over SIMD lanes, all states by one call
+  Trigonometry trigonometry;
 };
 
 // One line each. The first one is what the others' times are compared with.
 const std::vector<BenchVariant>& bench_variants();
+
+// Whether there is something of this kind in the function, and whether the machine has what it needs.
+bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd);
 
 }  // namespace flatdyn
