@@ -46,16 +46,24 @@ void check_peer(const BenchCase& peer, const std::string& name, const BenchError
                                            name, errors.scaled.largest));
 }
 
-void sort_rows(BenchFunction& function) {
-  const double base = function.rows.front().time.median;
+// Of the rows that do the whole work.
+void mark_front(std::vector<BenchRow>& rows) {
+  std::vector<BenchRow*> whole;
   std::vector<Cost> costs;
-  for (BenchRow& row : function.rows) {
-    row.ratio = row.time.median / base;
+  for (BenchRow& row : rows) {
+    if (!row.is_whole) continue;
+    whole.push_back(&row);
     costs.push_back({row.time.median, row.scaled.percentile_99});
   }
   const std::vector<bool> front = pareto_front(costs);
-  for (std::size_t k = 0; k < function.rows.size(); ++k) function.rows[k].on_front = front[k];
-  std::stable_sort(function.rows.begin(), function.rows.end(),
+  for (std::size_t k = 0; k < whole.size(); ++k) whole[k]->on_front = front[k];
+}
+
+void sort_rows(std::vector<BenchRow>& rows) {
+  const double base = rows.front().time.median;
+  for (BenchRow& row : rows) row.ratio = row.time.median / base;
+  mark_front(rows);
+  std::stable_sort(rows.begin(), rows.end(),
                    [](const BenchRow& a, const BenchRow& b) { return a.time.median < b.time.median; });
 }
 
@@ -73,7 +81,8 @@ class BenchRun {
         peers_(find_peers(toolchain_, model.mechanism)) {}
 
   BenchReport run() {
-    const BenchSubject subject{model_.mechanism, functions_, states_, toolchain_, peers_.found, expected_.symbols()};
+    const BenchSubject subject{model_.mechanism, functions_,         states_, toolchain_, bench_variants(),
+                               peers_.found,     expected_.symbols()};
     const TemporaryFolder folder;
     progress_.step("compiling the benchmark of " + model_.mechanism.name);
     const BenchProgram program(subject, folder.path());
@@ -106,6 +115,7 @@ class BenchRun {
       BenchRow row;
       row.variant = cases[k].variant;
       row.is_peer = cases[k].is_peer;
+      row.is_whole = cases[k].is_peer || cases[k].of.trigonometry != Trigonometry::given;
       row.time = quartiles(times[k]);
       row.rounds = times[k].size();
       row.scaled = errors[k].scaled;
@@ -114,7 +124,7 @@ class BenchRun {
       row.bytes = sizes[k];
       report.functions[cases[k].function].rows.push_back(row);
     }
-    for (BenchFunction& function : report.functions) sort_rows(function);
+    for (BenchFunction& function : report.functions) sort_rows(function.rows);
     return report;
   }
 

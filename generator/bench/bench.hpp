@@ -22,14 +22,15 @@ struct BenchOptions {
 struct BenchRow {
   std::string variant;  // or the peer's name
   bool is_peer = false;
-  Quartiles time;  // of one call, ns; in a batch, of one state
+  bool is_whole = true;  // false where sines and cosines are given: time without them
+  Quartiles time;        // of one call, ns; in a batch, of one state
   std::size_t rounds = 0;
   double ratio = 1;        // of the median time to that of the first variant
   ErrorSummary scaled;     // in units of the last place of double, of the terms' size
   ErrorSummary absolute;   // in the function's unit, of the worst entry
   std::size_t states = 0;  // at which errors were measured
   long bytes = 0;          // of code; 0 for a peer
-  bool on_front = false;   // nothing is both faster and more accurate
+  bool on_front = false;   // nothing that is whole is both faster and more accurate
 };
 
 struct BenchFunction {

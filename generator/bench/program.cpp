@@ -23,12 +23,12 @@ void check(const Finished& finished, const fs::path& folder) {
 std::vector<BenchCase> cases_of(const BenchSubject& subject) {
   std::vector<BenchCase> cases;
   for (std::size_t k = 0; k < subject.functions.size(); ++k) {
-    for (const BenchVariant& variant : bench_variants()) {
+    for (const BenchVariant& variant : subject.variants) {
       if (is_made(variant, subject.functions[k], subject.toolchain.has_xsimd))
-        cases.push_back({k, variant.name, variant.scalar, false, &variant});
+        cases.push_back({k, variant.name, variant.scalar, false, variant});
     }
     for (const BenchPeer& peer : subject.peers) {
-      if (peer.functions.count(subject.functions[k].name) > 0) cases.push_back({k, peer.name, "double", true, nullptr});
+      if (peer.functions.count(subject.functions[k].name) > 0) cases.push_back({k, peer.name, "double", true, {}});
     }
   }
   return cases;
@@ -61,8 +61,8 @@ BenchProgram::BenchProgram(const BenchSubject& subject, fs::path folder)
   build();
 }
 
-void BenchProgram::build() const {
-  std::vector<CompileJob> jobs = {{"main", kBenchFlags}, {"robot", kBenchFlags}, {"sizes", kBenchFlags}};
+void BenchProgram::build() {
+  std::vector<CompileJob> jobs = {{"sizes", kBenchFlags}, {"robot", kBenchFlags}, {"main", kBenchFlags}};
   std::vector<std::string> linked = {"main", "robot"};
   std::string libraries;
   for (const BenchPeer& peer : subject_.peers) {
@@ -70,7 +70,7 @@ void BenchProgram::build() const {
     linked.push_back(peer.stem);
     libraries += " " + peer.libraries;
   }
-  compile_objects(subject_.toolchain, folder_, jobs);
+  compilation_ = compile_objects(subject_.toolchain, folder_, jobs).front();
   link_program(subject_.toolchain, folder_, linked, libraries);
 }
 
@@ -115,7 +115,7 @@ std::vector<long> BenchProgram::sizes() const {
   std::vector<long> sizes;
   for (const BenchCase& each : cases_) {
     const Function& function = subject_.functions[each.function];
-    const auto own = each.is_peer ? bytes.end() : bytes.find(template_symbol(function, *each.of));
+    const auto own = each.is_peer ? bytes.end() : bytes.find(template_symbol(function, each.of));
     const bool written_out = own == bytes.end();
     sizes.push_back(each.is_peer ? 0 : written_out ? bytes.at(plain_symbol(function, each.variant)) : own->second);
   }

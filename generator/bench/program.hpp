@@ -17,7 +17,7 @@ struct BenchCase {
   std::string variant;       // or the peer's name
   std::string scalar = "double";
   bool is_peer = false;
-  const BenchVariant* of = nullptr;  // none for a peer
+  BenchVariant of = {};  // of a peer nothing
 
   // As the program names it: "gravity/batch double".
   std::string name(const std::vector<Function>& functions) const { return functions[function].name + "/" + variant; }
@@ -36,12 +36,15 @@ class BenchProgram {
   std::vector<std::vector<double>> times(double seconds, unsigned seed) const;
   // Bytes of machine code, by case, without what it calls; 0 for a peer.
   std::vector<long> sizes() const;
+  // Of the functions alone, each once per variant.
+  const Finished& compilation() const { return compilation_; }
 
  private:
-  void build() const;
+  void build();
   std::map<std::string, std::size_t> index_by_name() const;
 
   BenchSubject subject_;
+  Finished compilation_;
   std::filesystem::path folder_;
   std::vector<BenchCase> cases_;
 };

@@ -97,7 +97,7 @@ data size_row(const BenchSubject& subject, const Function& function, const Bench
 data robot_page(const BenchSubject& subject) {
   data singles(data::type::list), lanes(data::type::list), functions(data::type::list);
   for (const Function& function : subject.functions) {
-    for (const BenchVariant& variant : bench_variants()) {
+    for (const BenchVariant& variant : subject.variants) {
       if (!is_made(variant, function, subject.toolchain.has_xsimd)) continue;
       (variant.batch ? lanes : singles) << (variant.batch ? batch_row(subject, function, variant)
                                                           : single_row(subject, function, variant));
@@ -107,7 +107,8 @@ data robot_page(const BenchSubject& subject) {
   data page;
   page["robot"] = comment_text(subject.mechanism.name);
   std::vector<std::string> headers;
-  if (subject.toolchain.has_xsimd) headers = {"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"};
+  const bool over_lanes = std::any_of(subject.variants.begin(), subject.variants.end(), needs_xsimd);
+  if (over_lanes && subject.toolchain.has_xsimd) headers = {"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"};
   page["headers"] = list_of_texts(headers);
   page["singles"] = data(singles);
   page["lanes"] = data(lanes);

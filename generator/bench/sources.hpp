@@ -20,7 +20,8 @@ struct BenchSubject {
   const std::vector<Function>& functions;
   const std::vector<State>& states;
   const Toolchain& toolchain;
-  const std::vector<BenchPeer>& peers;
+  std::vector<BenchVariant> variants;
+  std::vector<BenchPeer> peers;
   const SymbolValues& symbols;
 };
 

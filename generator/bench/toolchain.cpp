@@ -57,14 +57,17 @@ Finished compile_object(const Toolchain& toolchain, const fs::path& folder, cons
                       stem + ".log");
 }
 
-void compile_objects(const Toolchain& toolchain, const fs::path& folder, const std::vector<CompileJob>& jobs) {
+std::vector<Finished> compile_objects(const Toolchain& toolchain, const fs::path& folder,
+                                      const std::vector<CompileJob>& jobs) {
   std::vector<std::future<Finished>> running;
   for (const CompileJob& job : jobs) {
     running.push_back(std::async(std::launch::async, [&toolchain, &folder, &job] {
       return compile_object(toolchain, folder, job.stem, job.flags);
     }));
   }
-  for (std::future<Finished>& each : running) each.get();
+  std::vector<Finished> finished;
+  for (std::future<Finished>& each : running) finished.push_back(each.get());
+  return finished;
 }
 
 void link_program(const Toolchain& toolchain, const fs::path& folder, const std::vector<std::string>& stems,

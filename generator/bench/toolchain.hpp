@@ -35,8 +35,8 @@ struct CompileJob {
 };
 
 // All of them at the same time.
-void compile_objects(const Toolchain& toolchain, const std::filesystem::path& folder,
-                     const std::vector<CompileJob>& jobs);
+std::vector<Finished> compile_objects(const Toolchain& toolchain, const std::filesystem::path& folder,
+                                      const std::vector<CompileJob>& jobs);
 
 // Links folder/program.
 void link_program(const Toolchain& toolchain, const std::filesystem::path& folder,

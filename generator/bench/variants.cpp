@@ -21,10 +21,13 @@ const std::vector<BenchVariant>& bench_variants() {
   return table;
 }
 
+bool needs_xsimd(const BenchVariant& variant) {
+  return variant.batch || variant.trigonometry == Trigonometry::together;
+}
+
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd) {
-  const bool needs_xsimd = variant.batch || variant.trigonometry == Trigonometry::together;
   const bool has_angles = count_operations(function).trigonometric > 0;
-  return (has_xsimd || !needs_xsimd) && (has_angles || variant.trigonometry == Trigonometry::library);
+  return (has_xsimd || !needs_xsimd(variant)) && (has_angles || variant.trigonometry == Trigonometry::library);
 }
 
 }  // namespace flatdyn

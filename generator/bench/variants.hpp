@@ -23,6 +23,7 @@ struct BenchVariant {
 // One line each. The first one is what the others' times are compared with.
 const std::vector<BenchVariant>& bench_variants();
 
+bool needs_xsimd(const BenchVariant& variant);
 // Whether there is something of this kind in the function, and whether the machine has what it needs.
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd);
 
