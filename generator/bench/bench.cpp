@@ -7,6 +7,7 @@
 
 #include "bench/errors.hpp"
 #include "bench/program.hpp"
+#include "diagnostics/nearest.hpp"
 #include "diagnostics/temporary_folder.hpp"
 
 namespace flatdyn {
@@ -37,6 +38,35 @@ std::vector<State> states_for(const Mechanism& mechanism, const std::vector<Func
     if (function.base_parameters > 0) draw_base_parameters(states, function.base_parameters, seed);
   }
   return states;
+}
+
+bool is_wanted(const BenchOptions& options, const std::string& name) {
+  const std::vector<std::string>& wanted = options.variants;
+  return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+}
+
+std::vector<BenchVariant> wanted_variants(const BenchOptions& options) {
+  std::vector<BenchVariant> variants;
+  for (const BenchVariant& variant : bench_variants()) {
+    if (is_wanted(options, variant.name)) variants.push_back(variant);
+  }
+  return variants;
+}
+
+BenchPeers wanted_peers(const BenchOptions& options, const Toolchain& toolchain, const Mechanism& mechanism) {
+  BenchPeers peers = find_peers(toolchain, mechanism);
+  std::erase_if(peers.found, [&](const BenchPeer& peer) { return !is_wanted(options, peer.name); });
+  std::erase_if(peers.left_out,
+                [&](const std::string& line) { return !is_wanted(options, line.substr(0, line.find(':'))); });
+  return peers;
+}
+
+void check_variants(const BenchOptions& options) {
+  const std::vector<std::string> known = bench_variant_names();
+  for (const std::string& name : options.variants) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw Failure(ExitCode::usage, "no variant named \"" + name + "\"", hint_for_unknown(name, known, "variants"));
+  }
 }
 
 void check_peer(const BenchCase& peer, const std::string& name, const BenchErrors& errors) {
@@ -78,10 +108,10 @@ class BenchRun {
         toolchain_(find_toolchain()),
         expected_(model.robot, model.mechanism, options.seed),
         states_(states_for(model.mechanism, functions, expected_.symbols(), options.seed)),
-        peers_(find_peers(toolchain_, model.mechanism)) {}
+        peers_(wanted_peers(options, toolchain_, model.mechanism)) {}
 
   BenchReport run() {
-    const BenchSubject subject{model_.mechanism, functions_,         states_, toolchain_, bench_variants(),
+    const BenchSubject subject{model_.mechanism, functions_,         states_, toolchain_, wanted_variants(options_),
                                peers_.found,     expected_.symbols()};
     const TemporaryFolder folder;
     progress_.step("compiling the benchmark of " + model_.mechanism.name);
@@ -107,7 +137,8 @@ class BenchRun {
   BenchReport report(const std::vector<BenchCase>& cases, const std::vector<BenchErrors>& errors,
                      const std::vector<std::vector<double>>& times, const std::vector<long>& sizes) const {
     BenchReport report{model_.mechanism.name, toolchain_.version(), kBenchFlags, options_.seconds, {}, peers_.left_out};
-    if (!toolchain_.has_xsimd) report.left_out.emplace_back("batch, together: they need xsimd (libxsimd-dev)");
+    if (!toolchain_.has_xsimd && !wanted_variants(options_).empty())
+      report.left_out.emplace_back("batch, together: they need xsimd (libxsimd-dev)");
     for (const Function& function : functions_) {
       report.functions.push_back({function.name, unit_of(function.name), count_operations(function), {}});
     }
@@ -124,6 +155,7 @@ class BenchRun {
       row.bytes = sizes[k];
       report.functions[cases[k].function].rows.push_back(row);
     }
+    std::erase_if(report.functions, [](const BenchFunction& function) { return function.rows.empty(); });
     for (BenchFunction& function : report.functions) sort_rows(function.rows);
     return report;
   }
@@ -140,8 +172,16 @@ class BenchRun {
 
 }  // namespace
 
+std::vector<std::string> bench_variant_names() {
+  std::vector<std::string> names;
+  for (const BenchVariant& variant : bench_variants()) names.emplace_back(variant.name);
+  names.insert(names.end(), std::begin(kBenchPeers), std::end(kBenchPeers));
+  return names;
+}
+
 BenchReport bench(const Model& model, const std::vector<Function>& functions, const BenchOptions& options,
                   Progress& progress) {
+  check_variants(options);
   return BenchRun(model, functions, options, progress).run();
 }
 

@@ -17,7 +17,11 @@ struct BenchOptions {
   double seconds = 10;  // of timing, per robot
   int states = 300;     // at which errors are measured, at most
   unsigned seed = 1;
+  std::vector<std::string> variants;  // and peers, by name; empty: all
 };
+
+// Names of all variants and of all peers that there may be.
+std::vector<std::string> bench_variant_names();
 
 struct BenchRow {
   std::string variant;  // or the peer's name
@@ -47,7 +51,8 @@ struct BenchReport {
   std::vector<std::string> left_out;  // peers and variants that are not there, and why
 };
 
-// Throws Failure(bug) if a peer's numbers are others than those of the reference in 50 digits.
+// Throws Failure(usage) for an unknown variant, Failure(bug) if a peer's numbers are others than those of the reference
+// in 50 digits.
 BenchReport bench(const Model& model, const std::vector<Function>& functions, const BenchOptions& options,
                   Progress& progress);
 

@@ -56,13 +56,14 @@ GrowthRow measured(const Model& model, const std::string& function, const Toolch
   if (!(errors.scaled.largest <= kRoundingBound)) {
     throw Failure(ExitCode::bug, fmt::format("{} of {} is wrong", function, model.mechanism.name));
   }
+  const CompilerUsage compiler = program.compilation();
   return {model.mechanism.size(),
           count_operations(made.functions[0]),
           quartiles(program.times(seconds, 1).front()),
           errors.scaled.largest,
           made.seconds,
-          program.compilation().seconds,
-          program.compilation().peak_kilobytes};
+          compiler.seconds,
+          compiler.peak_kilobytes};
 }
 
 void fit(GrowthCurve& curve) {

@@ -26,6 +26,9 @@ struct BenchPeers {
   std::vector<std::string> left_out;  // a line each
 };
 
+// Of all that there may be.
+inline constexpr const char* kBenchPeers[] = {"reference", "KDL"};
+
 // Those that are installed and know all that the mechanism has.
 BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism);
 

@@ -2,7 +2,6 @@
 #include "bench/process.hpp"
 
 #include <sched.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,13 +30,9 @@ void pin_to_last_core() {
   }
 }
 
-double seconds_of(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 }  // namespace
 
-Finished run_command(const std::string& command, const fs::path& folder, bool pinned) {
+int run_command(const std::string& command, const fs::path& folder, bool pinned) {
   const pid_t child = ::fork();
   if (child < 0) throw Failure(ExitCode::io, "no process can be started");
   if (child == 0) {
@@ -46,12 +41,10 @@ Finished run_command(const std::string& command, const fs::path& folder, bool pi
     ::_exit(127);
   }
   int status = 0;
-  rusage usage{};
-  while (::wait4(child, &status, 0, &usage) < 0) {
+  while (::waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw Failure(ExitCode::io, "a process was lost");
   }
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime), usage.ru_maxrss};
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 std::string content_of_file(const fs::path& path) {

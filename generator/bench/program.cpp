@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check(const Finished& finished, const fs::path& folder) {
-  if (finished.status == 0) return;
-  throw Failure(ExitCode::bug, fmt::format("the benchmark's program ended with {}\n{}", finished.status,
-                                           content_of_file(folder / "log")));
+void check(int status, const fs::path& folder) {
+  if (status == 0) return;
+  throw Failure(ExitCode::bug,
+                fmt::format("the benchmark's program ended with {}\n{}", status, content_of_file(folder / "log")));
 }
 
 // The generated functions in all variants, then what the peers have of them.
@@ -61,8 +61,8 @@ BenchProgram::BenchProgram(const BenchSubject& subject, fs::path folder)
   build();
 }
 
-void BenchProgram::build() {
-  std::vector<CompileJob> jobs = {{"sizes", kBenchFlags}, {"robot", kBenchFlags}, {"main", kBenchFlags}};
+void BenchProgram::build() const {
+  std::vector<CompileJob> jobs = {{"sizes", kBenchFlags}, {"robot", kBenchFlags}, {"main", "-std=c++17 -O1"}};
   std::vector<std::string> linked = {"main", "robot"};
   std::string libraries;
   for (const BenchPeer& peer : subject_.peers) {
@@ -70,8 +70,12 @@ void BenchProgram::build() {
     linked.push_back(peer.stem);
     libraries += " " + peer.libraries;
   }
-  compilation_ = compile_objects(subject_.toolchain, folder_, jobs).front();
+  compile_objects(subject_.toolchain, folder_, jobs);
   link_program(subject_.toolchain, folder_, linked, libraries);
+}
+
+CompilerUsage BenchProgram::compilation() const {
+  return compiler_usage(subject_.toolchain, folder_, {"sizes", kBenchFlags});
 }
 
 std::map<std::string, std::size_t> BenchProgram::index_by_name() const {

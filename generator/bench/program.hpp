@@ -19,7 +19,7 @@ struct BenchCase {
   bool is_peer = false;
   BenchVariant of = {};  // of a peer nothing
 
-  // As the program names it: "gravity/batch double".
+  // As the program names it: "gravity/batch-double".
   std::string name(const std::vector<Function>& functions) const { return functions[function].name + "/" + variant; }
 };
 
@@ -36,15 +36,14 @@ class BenchProgram {
   std::vector<std::vector<double>> times(double seconds, unsigned seed) const;
   // Bytes of machine code, by case, without what it calls; 0 for a peer.
   std::vector<long> sizes() const;
-  // Of the functions alone, each once per variant.
-  const Finished& compilation() const { return compilation_; }
+  // Compiles the functions alone, each once per variant.
+  CompilerUsage compilation() const;
 
  private:
-  void build();
+  void build() const;
   std::map<std::string, std::size_t> index_by_name() const;
 
   BenchSubject subject_;
-  Finished compilation_;
   std::filesystem::path folder_;
   std::vector<BenchCase> cases_;
 };

@@ -134,6 +134,7 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
                                    {"cases.hpp", rendered(templates::bench_cases_hpp, main)},
                                    {"main.cpp", rendered(templates::bench_main_cpp, main)},
                                    {"robot.cpp", rendered(templates::bench_robot_cpp, robot)},
+                                   {"usage.cpp", templates::bench_usage_cpp},
                                    {"sizes.cpp", rendered(templates::bench_sizes_cpp, robot)},
                                    {"mechanism.hpp", mechanism_numbers(subject.mechanism, subject.symbols)},
                                    {"states", states_text(subject.states)}};

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <future>
+#include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/temporary_folder.hpp"
@@ -16,16 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 
 bool succeeds(const std::string& command) {
-  return run_command(command + " > /dev/null 2>&1", fs::temp_directory_path()).status == 0;
+  return run_command(command + " > /dev/null 2>&1", fs::temp_directory_path()) == 0;
 }
 
-Finished compiler_run(const std::string& command, const fs::path& folder, const std::string& log) {
-  // A cached object would say nothing about the compiler's time.
-  const Finished finished = run_command(fmt::format("CCACHE_DISABLE=1 {} > {} 2>&1", command, log), folder);
-  if (finished.status != 0) {
-    throw Failure(ExitCode::bug, fmt::format("{}\ndoes not compile:\n{}", command, content_of_file(folder / log)));
-  }
-  return finished;
+void compiler_run(const std::string& command, const fs::path& folder, const std::string& log) {
+  if (run_command(fmt::format("{} > {} 2>&1", command, log), folder) == 0) return;
+  throw Failure(ExitCode::bug, fmt::format("{}\ndoes not compile:\n{}", command, content_of_file(folder / log)));
+}
+
+std::string compile_command(const Toolchain& toolchain, const CompileJob& job) {
+  return fmt::format("{0} {1} -I. -c {2}.cpp -o {2}.o", toolchain.compiler, job.flags, job.stem);
 }
 
 }  // namespace
@@ -51,23 +52,23 @@ Toolchain find_toolchain() {
   return toolchain;
 }
 
-Finished compile_object(const Toolchain& toolchain, const fs::path& folder, const std::string& stem,
-                        const std::string& flags) {
-  return compiler_run(fmt::format("{0} {1} -I. -c {2}.cpp -o {2}.o", toolchain.compiler, flags, stem), folder,
-                      stem + ".log");
-}
-
-std::vector<Finished> compile_objects(const Toolchain& toolchain, const fs::path& folder,
-                                      const std::vector<CompileJob>& jobs) {
-  std::vector<std::future<Finished>> running;
+void compile_objects(const Toolchain& toolchain, const fs::path& folder, const std::vector<CompileJob>& jobs) {
+  std::vector<std::future<void>> running;
   for (const CompileJob& job : jobs) {
     running.push_back(std::async(std::launch::async, [&toolchain, &folder, &job] {
-      return compile_object(toolchain, folder, job.stem, job.flags);
+      compiler_run(compile_command(toolchain, job), folder, job.stem + ".log");
     }));
   }
-  std::vector<Finished> finished;
-  for (std::future<Finished>& each : running) finished.push_back(each.get());
-  return finished;
+  for (std::future<void>& each : running) each.get();
+}
+
+CompilerUsage compiler_usage(const Toolchain& toolchain, const fs::path& folder, const CompileJob& job) {
+  compiler_run(fmt::format("{} -O1 usage.cpp -o usage", toolchain.compiler), folder, "usage.log");
+  // A cached object would say nothing about the compiler.
+  compiler_run(fmt::format("CCACHE_DISABLE=1 ./usage '{}'", compile_command(toolchain, job)), folder, "used");
+  CompilerUsage usage;
+  std::istringstream(content_of_file(folder / "used")) >> usage.seconds >> usage.peak_kilobytes;
+  return usage;
 }
 
 void link_program(const Toolchain& toolchain, const fs::path& folder, const std::vector<std::string>& stems,

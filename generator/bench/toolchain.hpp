@@ -26,17 +26,22 @@ Toolchain find_toolchain();
 // What generated code is timed with.
 inline constexpr const char* kBenchFlags = "-std=c++17 -O3 -march=native -ffp-contract=off";
 
-// Compiles folder/STEM.cpp to folder/STEM.o. Throws Failure(bug) with what the compiler says.
-Finished compile_object(const Toolchain& toolchain, const std::filesystem::path& folder, const std::string& stem,
-                        const std::string& flags);
-
 struct CompileJob {
   std::string stem, flags;
 };
 
-// All of them at the same time.
-std::vector<Finished> compile_objects(const Toolchain& toolchain, const std::filesystem::path& folder,
-                                      const std::vector<CompileJob>& jobs);
+// Compiles folder/STEM.cpp to folder/STEM.o, all of them at the same time. Throws Failure(bug) with what the compiler
+// says.
+void compile_objects(const Toolchain& toolchain, const std::filesystem::path& folder,
+                     const std::vector<CompileJob>& jobs);
+
+struct CompilerUsage {
+  double seconds = 0;       // of processor time
+  long peak_kilobytes = 0;  // of its largest process
+};
+
+// Compiles folder/STEM.cpp alone; the folder has the sources of the benchmark's program.
+CompilerUsage compiler_usage(const Toolchain& toolchain, const std::filesystem::path& folder, const CompileJob& job);
 
 // Links folder/program.
 void link_program(const Toolchain& toolchain, const std::filesystem::path& folder,

@@ -8,15 +8,15 @@ namespace flatdyn {
 const std::vector<BenchVariant>& bench_variants() {
   static const std::vector<BenchVariant> table = {
       {"double", "double", false, Trigonometry::library},
-      {"double, together", "double", false, Trigonometry::together},
-      {"double, given", "double", false, Trigonometry::given},
+      {"double-together", "double", false, Trigonometry::together},
+      {"double-given", "double", false, Trigonometry::given},
       {"float", "float", false, Trigonometry::library},
-      {"float, together", "float", false, Trigonometry::together},
-      {"float, given", "float", false, Trigonometry::given},
-      {"batch double", "double", true, Trigonometry::library},
-      {"batch double, given", "double", true, Trigonometry::given},
-      {"batch float", "float", true, Trigonometry::library},
-      {"batch float, given", "float", true, Trigonometry::given},
+      {"float-together", "float", false, Trigonometry::together},
+      {"float-given", "float", false, Trigonometry::given},
+      {"batch-double", "double", true, Trigonometry::library},
+      {"batch-double-given", "double", true, Trigonometry::given},
+      {"batch-float", "float", true, Trigonometry::library},
+      {"batch-float-given", "float", true, Trigonometry::given},
   };
   return table;
 }

@@ -97,6 +97,13 @@ Run add_bench(CLI::App& app) {
       ->capture_default_str()
       ->type_name("S")
       ->check(number_between(0.001, 1e5));
+  command
+      ->add_option("--variants", arguments->bench.variants,
+                   fmt::format("ways to call, and peers, separated by commas; default: all of {}",
+                               fmt::join(bench_variant_names(), ", ")))
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
   command->add_option("--states", arguments->bench.states, "random states at which errors are measured, at most")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));

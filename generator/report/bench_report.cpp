@@ -59,7 +59,8 @@ std::string bench_text(const BenchReport& report) {
   std::string text = fmt::format("{}: {}, {}\n\n", report.robot, report.compiler, report.flags);
   for (const BenchFunction& function : report.functions) text += table_of(function);
   text +=
-      "ns: one call, in a batch one state; median and quartiles over the rounds. ratio: to \"double\"\n"
+      "ns: one call, in a batch one state; median and quartiles over the rounds. ratio: to \"double\", or the first "
+      "one asked for\n"
       "scaled: error in units of the last place of double, of the terms' size; then in the function's unit\n"
       "front: nothing here that computes its sines is both faster and more accurate (p99)\n";
   for (const std::string& line : report.left_out) text += "left out: " + line + "\n";

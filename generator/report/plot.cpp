@@ -60,7 +60,10 @@ std::string panel_text(const Panel& panel, std::size_t index) {
                                  kPlotColours[k % kColourCount], k / kColourCount + 1,
                                  gnuplot_string(panel.series[k].name)));
   }
-  text += panel.logarithmic ? "set logscale xy\nset offsets 0, 0, 0, 0\n" : "";
+  if (panel.logarithmic) {
+    text += fmt::format("set logscale xy\nset offsets 0, 0, 0, 0\nset xtics ({})\n",
+                        fmt::join(panel.series.front().x, ", "));
+  }
   return text + fmt::format("plot {}\n", fmt::join(curves, ", "));
 }
 
