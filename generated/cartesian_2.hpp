@@ -92,10 +92,10 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  tau[1] = h_e_1 + qdd_2 * (m_l2 + I_m2 * k_r2 * k_r2);
   const Scalar m_1 = m_l1 + m_m2;
   const Scalar ddp_s_1_z = g + qdd_1;
   tau[0] = h_e_3 + I_m1 * k_r1 * k_r1 * qdd_1 + ddp_s_1_z * (m_l2 + m_1);
+  tau[1] = h_e_1 + qdd_2 * (m_l2 + I_m2 * k_r2 * k_r2);
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -203,13 +203,13 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
   const Scalar b_2_2 = m_l2 + I_m2 * k_r2 * k_r2;
   const Scalar d_2 = Scalar(1.0) / b_2_2;
-  qdd[1] = tau_2 * d_2;
+  qdd[1] = d_2 * tau_2;
   const Scalar m_1 = m_l1 + m_m2;
   const Scalar mc_1 = m_l2 + m_1;
-  const Scalar y_1 = tau_1 - g * mc_1;
   const Scalar b_1_1 = mc_1 + I_m1 * k_r1 * k_r1;
   const Scalar d_1 = Scalar(1.0) / b_1_1;
-  qdd[0] = y_1 * d_1;
+  const Scalar y_1 = tau_1 - g * mc_1;
+  qdd[0] = d_1 * y_1;
   bool positive = b_1_1 > Scalar(0.0);
   positive &= b_2_2 > Scalar(0.0);
   return positive;

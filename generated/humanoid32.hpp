@@ -2752,7 +2752,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t69 = Scalar(0.04) * hu_6_t_x + c_6 * t67 - Scalar(0.00315);
   const Scalar t70 = s_5 * t69;
   const Scalar t71 = d_5 * t70;
-  const Scalar y_5_4 = y_5 * t71 + tau_4 + t63 - y_6 * t66;
+  const Scalar y_5_4 = t71 * y_5 + tau_4 + t63 - t66 * y_6;
   const Scalar t72 = Scalar(0.0012) + t68;
   const Scalar t73 = c_5 * (t72 + Scalar(0.00555));
   const Scalar t74 = t73 + t65;
@@ -2774,7 +2774,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t90 = Scalar(1.0) / t89;
   const Scalar t91 = t84 * t90;
   const Scalar t92 = Scalar(-69.84866123397676) * t83;
-  const Scalar y_4_3 = tau_3 - t91 * y_5_4 + t60 + y_6 * t92 + y_5 * t81;
+  const Scalar y_4_3 = tau_3 - t91 * y_5_4 + t60 + t92 * y_6 + t81 * y_5;
   const Scalar t93 = t85 - t87 - Scalar(0.00555);
   const Scalar Ic_4_yy = Ic_5_zz + t86 + Scalar(0.40049083333333);
   const Scalar Ic_4_xy = t77 + t82 + Scalar(0.0549);
@@ -2826,7 +2826,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.03800666666667) * t29 + Scalar(0.02) * t125 - t63;
   const Scalar t126 = t114 * t90;
   const Scalar y_3_2 = s_3 * mu_3_y - Scalar(1.03624716666667) * t33 - c_3 * mu_3_x + tau_2 -
-      Scalar(0.389) * f_u_3_t_x - Scalar(27.463095) * c_1 * s_2 + y_6 * t115 - y_5 * t105 -
+      Scalar(0.389) * f_u_3_t_x - Scalar(27.463095) * c_1 * s_2 + t115 * y_6 - t105 * y_5 -
       t126 * y_5_4 + t122 * y_4_3;
   const Scalar Iu_4_t_xx = t117 + Ic_4_yy;
   const Scalar t127 = Scalar(0.02175666666667) - t118 + t88;
@@ -2860,7 +2860,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t145 = s_2 * (Scalar(0.00196) * t11 + t60);
   const Scalar t146 = t139 * t121;
   const Scalar t147 = t137 * t90;
-  const Scalar y_2_1 = tau_1 - t145 - c_2 * mu_2_x - y_6 * t138 + y_5 * t135 - t147 * y_5_4 +
+  const Scalar y_2_1 = tau_1 - t145 - c_2 * mu_2_x - t138 * y_6 + t135 * y_5 - t147 * y_5_4 +
       t146 * y_4_3 + t143 * y_3_2;
   const Scalar t148 = t127 - t141 - t142;
   const Scalar t149 = s_2 * (Scalar(2.0) * t132 + s_2 * (t119 - t148 + Scalar(1.03624716666667)));
@@ -2982,7 +2982,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t220 = Scalar(0.04) * hu_12_t_x + c_12 * t218 - Scalar(0.00315);
   const Scalar t221 = s_11 * t220;
   const Scalar t222 = d_11 * t221;
-  const Scalar y_11_10 = y_11 * t222 + tau_10 + t214 - y_12 * t217;
+  const Scalar y_11_10 = t222 * y_11 + tau_10 + t214 - t217 * y_12;
   const Scalar t223 = Scalar(0.0012) + t219;
   const Scalar t224 = c_11 * (t223 + Scalar(0.00555));
   const Scalar t225 = t224 + t216;
@@ -3004,7 +3004,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t241 = Scalar(1.0) / t240;
   const Scalar t242 = t235 * t241;
   const Scalar t243 = Scalar(-69.84866123397676) * t234;
-  const Scalar y_10_9 = tau_9 - t242 * y_11_10 + t211 + y_12 * t243 + y_11 * t232;
+  const Scalar y_10_9 = tau_9 - t242 * y_11_10 + t211 + t243 * y_12 + t232 * y_11;
   const Scalar t244 = t236 - t238 - Scalar(0.00555);
   const Scalar Ic_10_yy = Ic_11_zz + t237 + Scalar(0.40049083333333);
   const Scalar Ic_10_xy = t228 + t233 + Scalar(0.0549);
@@ -3056,7 +3056,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.03800666666667) * t180 + Scalar(0.02) * t276 - t214;
   const Scalar t277 = t265 * t241;
   const Scalar y_9_8 = s_9 * mu_9_y - Scalar(1.03624716666667) * t184 - c_9 * mu_9_x + tau_8 -
-      Scalar(0.389) * f_u_9_t_x - Scalar(27.463095) * c_7 * s_8 + y_12 * t266 - y_11 * t256 -
+      Scalar(0.389) * f_u_9_t_x - Scalar(27.463095) * c_7 * s_8 + t266 * y_12 - t256 * y_11 -
       t277 * y_11_10 + t273 * y_10_9;
   const Scalar Iu_10_t_xx = t268 + Ic_10_yy;
   const Scalar t278 = Scalar(0.02175666666667) - t269 + t239;
@@ -3090,7 +3090,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t296 = s_8 * (Scalar(0.00196) * t162 + t211);
   const Scalar t297 = t290 * t272;
   const Scalar t298 = t288 * t241;
-  const Scalar y_8_7 = tau_7 - t296 - c_8 * mu_8_x - y_12 * t289 + y_11 * t286 - t298 * y_11_10 +
+  const Scalar y_8_7 = tau_7 - t296 - c_8 * mu_8_x - t289 * y_12 + t286 * y_11 - t298 * y_11_10 +
       t297 * y_10_9 + t294 * y_9_8;
   const Scalar t299 = t278 - t292 - t293;
   const Scalar t300 = s_8 * (Scalar(2.0) * t283 + s_8 * (t270 - t299 + Scalar(1.03624716666667)));
@@ -3945,7 +3945,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t915 = Scalar(-0.0253235000000002) * t903;
   const Scalar t916 = s_32 * t913 - c_32 * t912 - Scalar(0.0250035000000002) * t914 + t915 +
       Scalar(0.1902) * t897;
-  const Scalar y_32_31 = -t916 - y_32 * t530 + tau_31;
+  const Scalar y_32_31 = -t916 - t530 * y_32 + tau_31;
   const Scalar mu_31_y = Scalar(0.0250035000000002) * t908 - t909 -
       Scalar(0.0253235000000002) * omega_r_31_x * omega_31_z;
   const Scalar t917 = t901 * omega_31_z;
@@ -3953,7 +3953,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.1902) * t898;
   const Scalar mu_u_30_a_y = Scalar(0.0259635000000002) * domega_29_y -
       Scalar(0.0253235000000002) * omega_r_30_x * omega_r_31_a_z - c_31 * mu_31_y - s_31 * t918;
-  const Scalar y_31_30 = t552 * y_32_31 + mu_u_30_a_y - y_32 * t556 + tau_30;
+  const Scalar y_31_30 = t552 * y_32_31 + mu_u_30_a_y - t556 * y_32 + tau_30;
   const Scalar t919 = s_31 * mu_31_y + Scalar(0.0512870000000004) * omega_r_31_a_z * omega_30_z -
       c_31 * t918;
   const Scalar t920 = t915 - Scalar(0.0259635000000002) * omega_r_30_x * omega_30_z - t916;
@@ -3971,7 +3971,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t925 = Scalar(0.0050592) * (t877 - t895) - Scalar(0.004) * f_u_31_t_y -
       Scalar(0.0328) * t893 + Scalar(0.239) * f_u_30_t_x + c_30 * t919 + s_30 * t920 +
       Scalar(0.2298769000000002) * t873 - Scalar(0.2262745000000002) * t879 - Scalar(0.8648) * t875;
-  const Scalar y_30_29 = tau_29 + t925 - y_32 * t563 + t562 * y_32_31 + t560 * y_31_30;
+  const Scalar y_30_29 = tau_29 + t925 - t563 * y_32 + t562 * y_32_31 + t560 * y_31_30;
   const Scalar t926 = c_30 * t924 - s_30 * f_31_z;
   const Scalar t927 = Scalar(0.0050592) * t887 - Scalar(0.239) * t926 - c_30 * t920 + s_30 * t919 +
       Scalar(0.8648) * t884 - Scalar(0.4561514000000004) * t889;
@@ -3983,7 +3983,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t930 = Scalar(0.0032) * t881 + Scalar(0.0023) * U_28_yz - Scalar(0.004) * f_29_z +
       Scalar(0.2360429000000002) * domega_r_29_a_y + Scalar(0.2282085000000002) * t882 +
       c_29 * t928 + s_29 * t927;
-  const Scalar y_29_28 = t569 * y_30_29 + tau_28 + t930 - y_32 * t574 + t573 * y_32_31 -
+  const Scalar y_29_28 = t569 * y_30_29 + tau_28 + t930 - t574 * y_32 + t573 * y_32_31 -
       t572 * y_31_30;
   const Scalar t931 = Scalar(0.0023) * t883 + s_29 * t928 - Scalar(0.4642514000000004) * t929 -
       c_29 * t927;
@@ -3999,7 +3999,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t932 = Scalar(0.7079407000000002) * domega_26_y;
   const Scalar t933 = Scalar(0.305) * f_u_28_t_x + Scalar(1.661) * t857 -
       Scalar(0.7059807000000002) * t860 - c_28 * t931 - s_28 * mu_28_y - t932;
-  const Scalar y_28_27 = tau_27 - y_32 * t583 + t581 * y_31_30 - t579 * y_29_28 - t933 +
+  const Scalar y_28_27 = tau_27 - t583 * y_32 + t581 * y_31_30 - t579 * y_29_28 - t933 +
       t582 * y_32_31 - t580 * y_30_29;
   const Scalar t934 = c_28 * f_28_x - s_28 * f_28_y;
   const Scalar t935 = Scalar(1.661) * t862 - Scalar(0.305) * t934 + c_28 * mu_28_y - s_28 * t931 +
@@ -4009,7 +4009,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t936 = Scalar(0.7099007000000002) * t832;
   const Scalar t937 = Scalar(0.7079407000000002) * t858 * omega_r_27_a_z + t936 + s_27 * mu_27_y -
       c_27 * t935;
-  const Scalar y_27_26 = tau_26 + y_32 * t596 + t595 * y_32_31 + t594 * y_31_30 - t593 * y_30_29 +
+  const Scalar y_27_26 = tau_26 + t596 * y_32 + t595 * y_32_31 + t594 * y_31_30 - t593 * y_30_29 +
       t591 * y_28_27 + t937 - t592 * y_29_28;
   const Scalar ddp_19_a_y = t839 + t836;
   const Scalar t938 = t845 - t848;
@@ -4104,7 +4104,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t998 = Scalar(-0.0253235000000002) * t986;
   const Scalar t999 = s_25 * t996 + c_25 * t995 - Scalar(0.0250035000000002) * t997 + t998 +
       Scalar(0.1902) * t980;
-  const Scalar y_25_24 = y_25 * t659 - t999 + tau_24;
+  const Scalar y_25_24 = t659 * y_25 - t999 + tau_24;
   const Scalar mu_24_y = Scalar(0.0250035000000002) * t991 - t992 -
       Scalar(0.0253235000000002) * omega_r_24_x * omega_24_z;
   const Scalar t1000 = t984 * omega_24_z;
@@ -4112,7 +4112,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.1902) * t981;
   const Scalar mu_u_23_a_y = Scalar(0.0259635000000002) * domega_22_y -
       Scalar(0.0253235000000002) * omega_r_23_x * omega_r_24_a_z - c_24 * mu_24_y - s_24 * t1001;
-  const Scalar y_24_23 = mu_u_23_a_y - t681 * y_25_24 - y_25 * t685 + tau_23;
+  const Scalar y_24_23 = mu_u_23_a_y - t681 * y_25_24 - t685 * y_25 + tau_23;
   const Scalar t1002 = s_24 * mu_24_y + Scalar(0.0512870000000004) * omega_r_24_a_z * omega_23_z -
       c_24 * t1001;
   const Scalar t1003 = t998 - Scalar(0.0259635000000002) * omega_r_23_x * omega_23_z - t999;
@@ -4130,7 +4130,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t1008 = Scalar(0.0050592) * (t961 - t978) - Scalar(0.004) * f_u_24_t_y -
       Scalar(0.0328) * t976 + Scalar(0.239) * f_u_23_t_x + c_23 * t1002 + s_23 * t1003 +
       Scalar(0.2298769000000002) * t957 - Scalar(0.2262745000000002) * t963 - Scalar(0.8648) * t959;
-  const Scalar y_23_22 = tau_22 + t1008 + y_25 * t694 + t693 * y_25_24 + t690 * y_24_23;
+  const Scalar y_23_22 = tau_22 + t1008 + t694 * y_25 + t693 * y_25_24 + t690 * y_24_23;
   const Scalar t1009 = c_23 * t1007 - s_23 * f_24_z;
   const Scalar t1010 = Scalar(0.0050592) * t971 - Scalar(0.239) * t1009 - c_23 * t1003 +
       s_23 * t1002 + Scalar(0.8648) * t968 - Scalar(0.4561514000000004) * t973;
@@ -4142,7 +4142,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t1013 = Scalar(0.0032) * t965 + Scalar(0.0023) * U_21_yz - Scalar(0.004) * f_22_z +
       Scalar(0.2360429000000002) * domega_r_22_a_y + Scalar(0.2282085000000002) * t966 +
       c_22 * t1011 + s_22 * t1010;
-  const Scalar y_22_21 = t700 * y_23_22 + tau_21 + t1013 + y_25 * t703 + t702 * y_25_24 -
+  const Scalar y_22_21 = t700 * y_23_22 + tau_21 + t1013 + t703 * y_25 + t702 * y_25_24 -
       t701 * y_24_23;
   const Scalar t1014 = Scalar(0.0023) * t967 + s_22 * t1011 - Scalar(0.4642514000000004) * t1012 -
       c_22 * t1010;
@@ -4158,7 +4158,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t1015 = Scalar(0.7079407000000002) * domega_19_y;
   const Scalar t1016 = Scalar(0.305) * f_u_21_t_x + Scalar(1.661) * t941 -
       Scalar(0.7059807000000002) * t944 - c_21 * t1014 - s_21 * mu_21_y - t1015;
-  const Scalar y_21_20 = tau_20 + y_25 * t714 - t712 * y_24_23 + t710 * y_22_21 - t1016 +
+  const Scalar y_21_20 = tau_20 + t714 * y_25 - t712 * y_24_23 + t710 * y_22_21 - t1016 +
       t713 * y_25_24 + t711 * y_23_22;
   const Scalar t1017 = c_21 * f_21_x - s_21 * f_21_y;
   const Scalar t1018 = Scalar(1.661) * t946 - Scalar(0.305) * t1017 + c_21 * mu_21_y -
@@ -4167,7 +4167,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.7079407000000002) * omega_r_20_x * omega_20_z;
   const Scalar t1019 = t936 + Scalar(0.7079407000000002) * t942 * omega_r_20_a_z + s_20 * mu_20_y -
       c_20 * t1018;
-  const Scalar y_20_19 = tau_19 - y_25 * t727 + t726 * y_25_24 + t725 * y_24_23 + t724 * y_23_22 -
+  const Scalar y_20_19 = tau_19 - t727 * y_25 + t726 * y_25_24 + t725 * y_24_23 + t724 * y_23_22 -
       t722 * y_21_20 + t1019 - t723 * y_22_21;
   const Scalar t1020 = c_27 * mu_27_y + Scalar(1.4178414000000004) * omega_r_27_a_z * omega_26_z +
       s_27 * t935;
@@ -4241,15 +4241,15 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.5912714333326666) * t846 - Scalar(0.453) * t1048 - Scalar(0.24) * t1026 -
       Scalar(0.33) * t1029 - c_26 * t1027 - s_26 * t1020 - c_19 * t1028 - s_19 * t1021 +
       Scalar(89.72226) * t837 + Scalar(5.512820899999667) * t847;
-  const Scalar t1066 = y_32 * t529 - y_25 * t657;
+  const Scalar t1066 = t529 * y_32 - t657 * y_25;
   const Scalar mu_u_16_x = Scalar(0.035005) * domega_15_x -
       Scalar(0.03438) * t1030 * omega_r_17_a_z + c_17 * mu_17_x - s_17 * t1057;
   const Scalar y_17 = tau_17 - t1063;
   const Scalar y_18 = t1056 + tau_18;
-  const Scalar y_17_16 = mu_u_16_x - y_17 * t754 - s_17 * y_18 + tau_16;
-  const Scalar y_16_15 = tau_15 - y_17 * t766 + Scalar(707.7641729774637) * t1066 - t744 * y_32_31 -
+  const Scalar y_17_16 = mu_u_16_x - t754 * y_17 - s_17 * y_18 + tau_16;
+  const Scalar y_16_15 = tau_15 - t766 * y_17 + Scalar(707.7641729774637) * t1066 - t744 * y_32_31 -
       t742 * y_31_30 + t740 * y_30_29 - t738 * y_29_28 - t605 * y_27_26 - t745 * y_25_24 +
-      t743 * y_24_23 + t741 * y_23_22 - t739 * y_22_21 - t735 * y_20_19 + y_18 * t767 +
+      t743 * y_24_23 + t741 * y_23_22 - t739 * y_22_21 - t735 * y_20_19 + t767 * y_18 +
       t765 * y_17_16 - t736 * y_28_27 - t737 * y_21_20 + t1065;
   const Scalar t1067 = c_26 * f_27_z + s_26 * t1023;
   const Scalar t1068 = c_19 * f_20_z + s_19 * t1025;
@@ -4262,19 +4262,19 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t1072 = Scalar(0.003) * t1048 + Scalar(0.043998) * t851 - mu_u_16_x -
       Scalar(0.24) * (t1067 - t1068) + c_26 * t1020 - s_26 * t1027 + c_19 * t1021 - s_19 * t1028 -
       Scalar(4.921549466667001) * t838;
-  const Scalar t1073 = y_32 * t769 - y_25 * mu_u_25_15_t_y;
+  const Scalar t1073 = t769 * y_32 - mu_u_25_15_t_y * y_25;
   const Scalar t1074 = c_14 * (qd_13 * t833 - Scalar(0.7479551597079861));
-  const Scalar y_15_14 = tau_14 + y_18 * t804 - y_17 * t803 - Scalar(2.5051100666670005) * t1074 +
+  const Scalar y_15_14 = tau_14 + t804 * y_18 - t803 * y_17 - Scalar(2.5051100666670005) * t1074 +
       Scalar(707.7641729774637) * t1073 + t799 * y_32_31 + t797 * y_31_30 - t795 * y_30_29 -
       t793 * y_29_28 + t791 * y_28_27 + t800 * y_25_24 + t798 * y_24_23 + t796 * y_23_22 -
       t794 * y_22_21 - t792 * y_21_20 - t802 * y_17_16 + t788 * y_16_15 + s_15 * t1072 -
       t789 * y_27_26 - t790 * y_20_19 + c_15 * t1071;
   const Scalar t1075 = c_14 * (Scalar(5.012670133334001) * t831 - c_15 * t1072 + s_15 * t1071);
   const Scalar mu_14_y = Scalar(0.00245) * t847 + t1065;
-  const Scalar t1076 = y_32 * mu_u_32_14_t_y + y_25 * t658;
-  const Scalar y_14_13 = tau_13 - y_17 * t825 + Scalar(707.7641729774637) * t1076 + t821 * y_32_31 +
+  const Scalar t1076 = mu_u_32_14_t_y * y_32 + t658 * y_25;
+  const Scalar y_14_13 = tau_13 - t825 * y_17 + Scalar(707.7641729774637) * t1076 + t821 * y_32_31 +
       t819 * y_31_30 + t817 * y_30_29 - t815 * y_29_28 - t822 * y_25_24 - t820 * y_24_23 -
-      t818 * y_23_22 + t816 * y_22_21 - y_18 * t826 - t824 * y_17_16 + t1075 - s_14 * mu_14_y +
+      t818 * y_23_22 + t816 * y_22_21 - t826 * y_18 - t824 * y_17_16 + t1075 - s_14 * mu_14_y +
       t813 * y_28_27 + t811 * y_27_26 - t814 * y_21_20 - t812 * y_20_19 - t810 * y_16_15 -
       t809 * y_15_14;
   const Scalar t1077 = (Scalar(1.0) / t827) * y_14_13;

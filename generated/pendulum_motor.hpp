@@ -236,7 +236,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar y_1 = -g * m * l * s_1 - qd_1 * F_v1 + tau_1;
   const Scalar b_1_1 = I + I_m * t1;
   const Scalar d_1 = Scalar(1.0) / b_1_1;
-  qdd[0] = y_1 * d_1;
+  qdd[0] = d_1 * y_1;
   bool positive = b_1_1 > Scalar(0.0);
   return positive;
 }

@@ -119,16 +119,16 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar I_2_zz = I_l2 + l_2 * t2;
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar N_2_z = ddp_2_y * t2 + domega_2_z * I_2_zz;
-  const Scalar t3 = k_r2 * qdd_2;
-  tau[1] = I_m2 * k_r2 * (qdd_1 + t3) + N_2_z;
-  const Scalar t4 = a_1 * (m_l2 + m_m2);
-  const Scalar t5 = m_l1 * l_1;
-  const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t5 + a_1 * t4;
-  const Scalar t6 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
+  const Scalar t3 = a_1 * (m_l2 + m_m2);
+  const Scalar t4 = m_l1 * l_1;
+  const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t4 + a_1 * t3;
+  const Scalar t5 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t7 = a_1 * t2 * (s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z);
-  const Scalar mr_1_x = t5 + t4;
-  tau[0] = t1 * mr_1_x + I_m2 * t3 + N_2_z - t7 + t6;
+  const Scalar t6 = a_1 * t2 * (s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z);
+  const Scalar mr_1_x = t4 + t3;
+  const Scalar t7 = I_m2 * k_r2;
+  tau[0] = t1 * mr_1_x + qdd_2 * t7 + N_2_z - t6 + t5;
+  tau[1] = t7 * (qdd_1 + k_r2 * qdd_2) + N_2_z;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -165,8 +165,8 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar I_2_zz = I_l2 + l_2 * t4;
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar mu_2_z = h_e_6 - a_2 * t2 + ddp_2_y * t4 + domega_2_z * I_2_zz;
-  const Scalar t5 = k_r2 * qdd_2;
-  tau[1] = I_m2 * k_r2 * (qdd_1 + t5) + mu_2_z;
+  const Scalar t5 = I_m2 * k_r2;
+  tau[1] = t5 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t6 = s_2 * (s_2 * t1 - c_2 * f_e1_x + omega_2_z * omega_2_z * t4);
   const Scalar t7 = a_1 * (t6 + c_2 * (t2 - domega_2_z * t4));
@@ -175,7 +175,7 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t9 + a_1 * t8;
   const Scalar t10 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
   const Scalar mr_1_x = t9 + t8;
-  tau[0] = t3 * mr_1_x + I_m2 * t5 + mu_2_z - t7 + t10;
+  tau[0] = t3 * mr_1_x + qdd_2 * t5 + mu_2_z - t7 + t10;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -329,27 +329,27 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = m_l2 * l_2;
-  const Scalar I_2_zz = I_l2 + l_2 * t1;
+  const Scalar Ic_2_zz = I_l2 + l_2 * t1;
   const Scalar t2 = I_m2 * k_r2;
-  const Scalar b_2_2 = I_2_zz + k_r2 * t2;
+  const Scalar b_2_2 = Ic_2_zz + k_r2 * t2;
   const Scalar d_2 = Scalar(1.0) / b_2_2;
   const Scalar t3 = a_1 * t1;
   const Scalar t4 = c_2 * t3;
-  const Scalar mu_2_1_z = t4 + I_2_zz + t2;
+  const Scalar mu_2_1_z = t4 + Ic_2_zz + t2;
   const Scalar t5 = mu_2_1_z * d_2;
   const Scalar t6 = a_1 * (m_l2 + m_m2);
   const Scalar t7 = m_l1 * l_1;
-  const Scalar b_2_1_1 = I_l1 + I_m2 + I_2_zz + Scalar(2.0) * t4 + I_m1 * k_r1 * k_r1 + l_1 * t7 +
+  const Scalar b_2_1_1 = I_l1 + I_m2 + Ic_2_zz + Scalar(2.0) * t4 + I_m1 * k_r1 * k_r1 + l_1 * t7 +
       a_1 * t6 - mu_2_1_z * t5;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t8 = g * c_1;
   const Scalar ddp_2_y = c_2 * t8 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
-  const Scalar t9 = ddp_2_y * t1;
+  const Scalar t9 = t1 * ddp_2_y;
   const Scalar y_2 = tau_2 - t9;
   const Scalar mr_1_x = t7 + t6;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t10 = s_2 * omega_2_z * omega_2_z * t3;
-  const Scalar y_2_1 = -t8 * mr_1_x - t9 + tau_1 - y_2 * t5 + t10;
+  const Scalar t10 = s_2 * t3 * omega_2_z * omega_2_z;
+  const Scalar y_2_1 = -t8 * mr_1_x - t9 + tau_1 - t5 * y_2 + t10;
   const Scalar qdd_1 = d_1 * y_2_1;
   qdd[0] = qdd_1;
   qdd[1] = d_2 * (y_2 - mu_2_1_z * qdd_1);

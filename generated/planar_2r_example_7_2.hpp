@@ -88,10 +88,10 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar t1 = Scalar(25.0) * (s_2 * ddp_o_2_x - c_2 * ddp_o_2_y) - Scalar(22.5) * domega_2_z;
-  tau[1] = qdd_1 - t1 + Scalar(100.0) * qdd_2;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t2 = s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z;
   tau[0] = qdd_2 - t1 - Scalar(25.0) * t2 + Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1;
+  tau[1] = qdd_1 - t1 + Scalar(100.0) * qdd_2;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -248,7 +248,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar mu_2_1_z = Scalar(25.0) * c_2 + Scalar(23.5);
   const Scalar t3 = Scalar(0.00816326530612245) * mu_2_1_z;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t4 = y_2 * t3 - tau_1 + t2 - t1 * omega_2_z * omega_2_z + Scalar(784.8) * c_1;
+  const Scalar t4 = t3 * y_2 - tau_1 + t2 - t1 * omega_2_z * omega_2_z + Scalar(784.8) * c_1;
   const Scalar b_2_1_1 = Scalar(50.0) * c_2 - mu_2_1_z * t3 + Scalar(200.01);
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t5 = d_1 * t4;

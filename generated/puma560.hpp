@@ -1134,17 +1134,17 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t42 = Scalar(0.00288) * c_5;
   const Scalar t43 = t4 * t4 + omega_5_z * omega_5_z;
   const Scalar t44 = Scalar(0.00288) * s_5;
-  const Scalar t45 = t41 * t42 - t43 * t44;
+  const Scalar t45 = t42 * t41 - t44 * t43;
   const Scalar t46 = Scalar(0.00288) * (c_5 * t29 - s_5 * t21 + omega_r_6_a_z * (qd_5 + omega_5_z));
   const Scalar t47 = c_4 * t45 - s_4 * t46;
-  const Scalar t48 = t43 * t42 + t41 * t44;
+  const Scalar t48 = t42 * t43 + t44 * t41;
   const Scalar t49 = Scalar(0.0203) * t48 - Scalar(0.4331) * t47 + c_4 * t40 - t31 -
       Scalar(0.025375) * t33 - Scalar(0.0106736385) * (t18 - t34) + Scalar(0.300117184) * t19 +
       Scalar(0.861795) * t15;
   const Scalar mu_u_4_a_y = Scalar(-0.00054216) * t2 * omega_r_4_y - c_5 * t30 +
       Scalar(0.00184216) * t21 + s_5 * t28;
   const Scalar t50 = Scalar(0.00019430115597482132) * c_5;
-  const Scalar y_6_4 = mu_u_4_a_y - y_6 * t50 - Scalar(0.411645229697152) * qd_4 -
+  const Scalar y_6_4 = mu_u_4_a_y - t50 * y_6 - Scalar(0.411645229697152) * qd_4 -
       Scalar(1.06831142) * detail::sign(qd_4) + tau_4;
   const Scalar t51 = Scalar(0.00020216) * c_5;
   const Scalar t52 = t51 + Scalar(0.001247328);
@@ -1161,7 +1161,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t61 = Scalar(0.000058464) * s_5;
   const Scalar t62 = t61 - c_4 * t60;
   const Scalar t63 = Scalar(5.5037503582353615) * t62;
-  const Scalar y_4_3 = y_5 * t63 - t59 * y_6_4 - Scalar(6.36419655) * detail::sign(qd_3) + t49 -
+  const Scalar y_4_3 = t63 * y_5 - t59 * y_6_4 - Scalar(6.36419655) * detail::sign(qd_3) + t49 -
       Scalar(3.9804259903722) * qd_3 + tau_3;
   const Scalar t64 = c_5 * t51;
   const Scalar Iu_5_t_xx = t64 - Scalar(0.00020216);
@@ -1189,7 +1189,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t78 = s_3 * t76 + c_3 * t77;
   const Scalar t79 = Scalar(5.5037503582353615) * t73;
   const Scalar t80 = t12 * t12 + t9;
-  const Scalar y_3_2 = y_5 * t79 - t75 * y_6_4 - Scalar(0.0070992) * (t10 - t80) -
+  const Scalar y_3_2 = t79 * y_5 - t75 * y_6_4 - Scalar(0.0070992) * (t10 - t80) -
       Scalar(1.024164) * s_2 - Scalar(1.601861202) * t13 - Scalar(0.4318) * t78 + t49 + tau_2 -
       Scalar(10.6197775) * detail::sign(qd_2) - t74 * y_4_3 + Scalar(37.2347379) * c_2 -
       Scalar(9.496868641825) * qd_2;
@@ -1241,7 +1241,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t108 = t91 * t58;
   const Scalar t109 = Scalar(5.5037503582353615) * mu_u_5_2_a_z;
   const Scalar t110 = Scalar(-4.857528899370533) * t90;
-  const Scalar y_2_1 = y_6 * t110 - y_5 * t109 - t108 * y_6_4 + t107 * y_4_3 - t101 * y_3_2 -
+  const Scalar y_2_1 = t110 * y_6 - t109 * y_5 - t108 * y_6_4 + t107 * y_4_3 - t101 * y_3_2 -
       s_2 * t106 + tau_1 - Scalar(5.8018217679508) * qd_1 -
       Scalar(25.9836065) * detail::sign(qd_1) + c_2 * mu_2_y;
   const Scalar t111 = t68 + mu_u_4_4_a_y + Scalar(0.300117184);

@@ -1407,7 +1407,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar y_6_5 = Scalar(1.609852873477455e-07) * (t18 - t5) -
       Scalar(0.000020065123418265) * c_4 * c_5 + Scalar(2.6598149554338075) * c_6 * t14 -
       Scalar(0.0022644781431582876) * t8 + Scalar(0.000615720268358608) * t17 - N_6_z -
-      Scalar(0.1737624403145115) * c_4 * s_5 + tau_5 - y_6 * t15;
+      Scalar(0.1737624403145115) * c_4 * s_5 + tau_5 - t15 * y_6;
   const Scalar t19 = Scalar(1842.912968642313) * mu_u_6_5_t_y;
   const Scalar Ic_5_yz = t10 + Scalar(0.0007940924716883453);
   const Scalar t20 = mu_6_5_z * t19 - c_5 * (Scalar(6.823068516838894e-08) + t11) - s_5 * Ic_5_yz;
@@ -1419,7 +1419,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t24 = mu_u_6_5_t_y * t23;
   const Scalar t25 = qd_4 * qd_5;
   const Scalar t26 = s_5 * t25;
-  const Scalar N_6_x = Scalar(4319.843104279097) * t1 * mu_u_6_5_t_y * mu_u_6_5_t_y -
+  const Scalar N_6_x = Scalar(4319.843104279097) * mu_u_6_5_t_y * mu_u_6_5_t_y * t1 -
       Scalar(0.00023148988883634047) * t16 - Scalar(0.001231440536717216) * t26 -
       Scalar(4.675057075168632) * t24 + Scalar(0.037751348953737156) * s_4;
   const Scalar t27 = t14 - Scalar(3.01e-06) * t12 * t23;
@@ -1432,7 +1432,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_6 * t27 + Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(5.319629910867615) * t24 -
       Scalar(0.004560056342646188) * t26 + c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
   const Scalar y_5_4 = s_5 * mu_5_y + Scalar(0.08509272390476785) * c_4 - c_5 * t29 - t22 * y_6_5 +
-      y_6 * t19 + tau_4;
+      t19 * y_6 + tau_4;
   const Scalar t30 = Scalar(0.0005396092213171668) * c_6 * c_6;
   const Scalar Ic_5_xx = t30 + t21 + Scalar(0.0022644781431582876);
   const Scalar Iu_5_t_d = t30 - Scalar(0.0005396092213171668) + Ic_5_xx;
@@ -1469,7 +1469,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar y_12_11 = Scalar(1.609852873477455e-07) * (t48 - t35) -
       Scalar(0.000020065123418265) * c_10 * c_11 + Scalar(2.6598149554338075) * c_12 * t44 -
       Scalar(0.0022644781431582876) * t38 + Scalar(0.000615720268358608) * t47 - N_12_z -
-      Scalar(0.1737624403145115) * c_10 * s_11 + tau_11 - y_12 * t45;
+      Scalar(0.1737624403145115) * c_10 * s_11 + tau_11 - t45 * y_12;
   const Scalar t49 = Scalar(1842.912968642313) * mu_u_12_11_t_y;
   const Scalar Ic_11_yz = t40 + Scalar(0.0007940924716883453);
   const Scalar t50 = mu_12_11_z * t49 - c_11 * (Scalar(6.823068516838894e-08) + t41) -
@@ -1482,7 +1482,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t54 = mu_u_12_11_t_y * t53;
   const Scalar t55 = qd_10 * qd_11;
   const Scalar t56 = s_11 * t55;
-  const Scalar N_12_x = Scalar(4319.843104279097) * t31 * mu_u_12_11_t_y * mu_u_12_11_t_y -
+  const Scalar N_12_x = Scalar(4319.843104279097) * mu_u_12_11_t_y * mu_u_12_11_t_y * t31 -
       Scalar(0.00023148988883634047) * t46 - Scalar(0.001231440536717216) * t56 -
       Scalar(4.675057075168632) * t54 + Scalar(0.037751348953737156) * s_10;
   const Scalar t57 = t44 - Scalar(3.01e-06) * t42 * t53;
@@ -1495,7 +1495,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_12 * t57 + Scalar(0.0007940924716883453) * (t31 - t35) - Scalar(5.319629910867615) * t54 -
       Scalar(0.004560056342646188) * t56 + c_12 * N_12_x + Scalar(0.1737624403145115) * s_10;
   const Scalar y_11_10 = s_11 * mu_11_y + Scalar(0.08509272390476785) * c_10 - c_11 * t59 -
-      t52 * y_12_11 + y_12 * t49 + tau_10;
+      t52 * y_12_11 + t49 * y_12 + tau_10;
   const Scalar t60 = Scalar(0.0005396092213171668) * c_12 * c_12;
   const Scalar Ic_11_xx = t60 + t51 + Scalar(0.0022644781431582876);
   const Scalar Iu_11_t_d = t60 - Scalar(0.0005396092213171668) + Ic_11_xx;
@@ -1533,7 +1533,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar y_3_2 = Scalar(0.000020065123418265) * c_1 * c_2 -
       Scalar(1.609852873477455e-07) * (t78 - t65) + Scalar(2.6598149554338075) * c_3 * t74 -
       Scalar(0.0022644781431582876) * t68 + Scalar(0.000615720268358608) * t77 - N_3_z -
-      Scalar(0.1737624403145115) * c_1 * s_2 + tau_2 - y_3 * t75;
+      Scalar(0.1737624403145115) * c_1 * s_2 + tau_2 - t75 * y_3;
   const Scalar t79 = Scalar(1842.912968642313) * mu_u_3_2_a_z;
   const Scalar Ic_2_xz = t71 - Scalar(6.823068516838894e-08);
   const Scalar t80 = mu_3_2_z * t79 - c_2 * Ic_2_xz - s_2 * (t70 + Scalar(0.0007940924716883453));
@@ -1546,7 +1546,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t85 = qd_1 * qd_2;
   const Scalar t86 = s_2 * t85;
   const Scalar N_3_x = Scalar(0.00023148988883634047) * t76 -
-      Scalar(4319.843104279097) * t61 * mu_u_3_2_a_z * mu_u_3_2_a_z -
+      Scalar(4319.843104279097) * mu_u_3_2_a_z * mu_u_3_2_a_z * t61 -
       Scalar(0.001231440536717216) * t86 - Scalar(4.675057075168632) * t84 +
       Scalar(0.037751348953737156) * s_1;
   const Scalar t87 = Scalar(3.01e-06) * t72 * t83 + t74;
@@ -1559,7 +1559,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_3 * t87 - Scalar(0.0007940924716883453) * (t61 - t65) - Scalar(5.319629910867615) * t84 -
       Scalar(0.004560056342646188) * t86 + c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
   const Scalar t91 = s_2 * t89 + Scalar(0.08509272390476785) * c_1 + c_2 * t90 - t82 * y_3_2 +
-      y_3 * t79 - tau_1;
+      t79 * y_3 - tau_1;
   const Scalar t92 = Scalar(0.0005396092213171668) * c_3 * c_3;
   const Scalar Ic_2_xx = t92 + t81 + Scalar(0.0022644781431582876);
   const Scalar Iu_2_t_d = t92 - Scalar(0.0005396092213171668) + Ic_2_xx;
@@ -1596,7 +1596,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar y_9_8 = Scalar(0.000020065123418265) * c_7 * c_8 -
       Scalar(1.609852873477455e-07) * (t111 - t98) + Scalar(2.6598149554338075) * c_9 * t107 -
       Scalar(0.0022644781431582876) * t101 + Scalar(0.000615720268358608) * t110 - N_9_z -
-      Scalar(0.1737624403145115) * c_7 * s_8 + tau_8 - y_9 * t108;
+      Scalar(0.1737624403145115) * c_7 * s_8 + tau_8 - t108 * y_9;
   const Scalar t112 = Scalar(1842.912968642313) * mu_u_9_8_a_z;
   const Scalar Ic_8_xz = t104 - Scalar(6.823068516838894e-08);
   const Scalar t113 = mu_9_8_z * t112 - c_8 * Ic_8_xz -
@@ -1610,7 +1610,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t118 = qd_7 * qd_8;
   const Scalar t119 = s_8 * t118;
   const Scalar N_9_x = Scalar(0.00023148988883634047) * t109 -
-      Scalar(4319.843104279097) * t94 * mu_u_9_8_a_z * mu_u_9_8_a_z -
+      Scalar(4319.843104279097) * mu_u_9_8_a_z * mu_u_9_8_a_z * t94 -
       Scalar(0.001231440536717216) * t119 - Scalar(4.675057075168632) * t117 +
       Scalar(0.037751348953737156) * s_7;
   const Scalar t120 = Scalar(3.01e-06) * t105 * t116 + t107;
@@ -1623,7 +1623,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_9 * t120 - Scalar(0.0007940924716883453) * (t94 - t98) - Scalar(5.319629910867615) * t117 -
       Scalar(0.004560056342646188) * t119 + c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
   const Scalar t124 = s_8 * t122 + Scalar(0.08509272390476785) * c_7 + c_8 * t123 - t115 * y_9_8 +
-      y_9 * t112 - tau_7;
+      t112 * y_9 - tau_7;
   const Scalar t125 = Scalar(0.0005396092213171668) * c_9 * c_9;
   const Scalar Ic_8_xx = t125 + t114 + Scalar(0.0022644781431582876);
   const Scalar Iu_8_t_d = t125 - Scalar(0.0005396092213171668) + Ic_8_xx;

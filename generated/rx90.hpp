@@ -1582,7 +1582,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t57 = Scalar(0.0007639) * (domega_5_x - t48) + Scalar(0.0016163) * (t37 - t47) -
       Scalar(0.0029421) * t56 + Scalar(0.0010857) * (t51 - t53) + c_6 * t45 + s_6 * t46 -
       Scalar(0.0203) * t44 - Scalar(0.0123285) * t55 + Scalar(0.0317) * t18;
-  const Scalar y_6_5 = t57 - y_6 * t40 + tau_5;
+  const Scalar y_6_5 = t57 - t40 * y_6 + tau_5;
   const Scalar Iu_6_t_g = Scalar(0.0002546) * c_6 - Scalar(0.000512) * s_6;
   const Scalar t58 = s_6 * Iu_6_t_g + Scalar(0.0010199);
   const Scalar Ic_5_yz = Iu_6_a_xy + Scalar(0.0016163);
@@ -1618,7 +1618,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.0110896) * (t21 + t68) + c_5 * t66 - Scalar(0.0316473) * t75 - s_5 * mu_5_x +
       Scalar(0.0523608) * (t25 - t67) + Scalar(0.2145) * t12 - Scalar(0.1164) * ddp_5_a_z;
   const Scalar t78 = Scalar(754.9448890231013) * mu_u_6_5_t_y;
-  const Scalar y_5_4 = t64 * y_6_5 + t77 + tau_4 - y_6 * t78;
+  const Scalar y_5_4 = t64 * y_6_5 + t77 + tau_4 - t78 * y_6;
   const Scalar Ic_5_xx = t61 + Scalar(0.0128635);
   const Scalar Iu_5_t_d = Ic_5_xx - Scalar(0.0042667);
   const Scalar Ic_5_xy = Iu_6_t_xz + Scalar(0.0010857);
@@ -1673,7 +1673,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_4 * t103 - Scalar(0.2745) * t13 + Scalar(1.8912169) * t8 + Scalar(3.8308) * ddp_3_x;
   const Scalar t108 = t93 * t63;
   const Scalar t109 = Scalar(-754.9448890231013) * t92;
-  const Scalar y_4_3 = tau_3 + t108 * y_6_5 + t107 + y_6 * t109 - t96 * y_5_4;
+  const Scalar y_4_3 = tau_3 + t108 * y_6_5 + t107 + t109 * y_6 - t96 * y_5_4;
   const Scalar t110 = t95 + Scalar(0.035914);
   const Scalar t111 = mu_u_5_5_a_y - Scalar(0.0123968);
   const Scalar Ic_4_xy = Iu_5_a_xz - Scalar(0.0009736);
@@ -1702,7 +1702,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t130 = t4 * t4 + t2;
   const Scalar t131 = Scalar(4.102542) * s_2 - Scalar(0.0684948) * (t3 - t130) - tau_2 -
       t128 * y_6_5 - t107 - Scalar(0.45) * t126 + t127 * y_5_4 + Scalar(8.4002222) * t5 -
-      y_6 * t129 + t124 * y_4_3 + Scalar(194.232114) * c_2;
+      t129 * y_6 + t124 * y_4_3 + Scalar(194.232114) * c_2;
   const Scalar t132 = Ic_4_xy + s_4 * t112 - Scalar(0.016137);
   const Scalar t133 = t85 - Scalar(0.0408384);
   const Scalar t134 = c_3 * t133 - s_3 * t132;
@@ -1749,7 +1749,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t162 = t147 * d_4;
   const Scalar t163 = t146 * t63;
   const Scalar t164 = Scalar(754.9448890231013) * t145;
-  const Scalar y_2_1 = t152 * t131 - t161 * y_4_3 + tau_1 - t163 * y_6_5 + s_2 * t160 + y_6 * t164 +
+  const Scalar y_2_1 = t152 * t131 - t161 * y_4_3 + tau_1 - t163 * y_6_5 + s_2 * t160 + t164 * y_6 +
       t162 * y_5_4 + c_2 * t159;
   const Scalar t165 = t111 - t113 - t114 - Scalar(1.9653344);
   const Scalar Ic_3_yy = Ic_4_zz + Scalar(0.0741175);

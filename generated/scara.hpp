@@ -130,23 +130,23 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1];
   const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar domega_4_z = qdd_4 + domega_2_z;
-  const Scalar t1 = I_l4 * domega_4_z;
-  const Scalar t2 = k_r4 * qdd_4;
-  tau[3] = t1 + I_m4 * k_r4 * (domega_2_z + t2);
-  const Scalar t3 = k_r3 * qdd_3;
+  const Scalar t1 = I_m3 * k_r3;
   const Scalar ddp_s_3_z = g + qdd_3;
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
-  tau[2] = ddp_s_3_z * m_3 + I_m3 * k_r3 * (domega_2_z + t3);
+  tau[2] = ddp_s_3_z * m_3 + t1 * (domega_2_z + k_r3 * qdd_3);
+  const Scalar domega_4_z = qdd_4 + domega_2_z;
+  const Scalar t2 = I_l4 * domega_4_z;
+  const Scalar t3 = I_m4 * k_r4;
+  tau[3] = t2 + t3 * (domega_2_z + k_r4 * qdd_4);
   const Scalar t4 = a_2 * (m_m3 + m_3);
   const Scalar t5 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + I_l3 + I_m3 + I_m4 + l_2 * t5 + a_2 * t4;
   const Scalar t6 = t5 + t4;
   const Scalar t7 = qd_1 * qd_1;
   const Scalar t8 = s_2 * t7 + c_2 * qdd_1;
-  const Scalar mu_2_z = I_m4 * t2 + I_m3 * t3 + t1 + a_1 * t8 * t6 + domega_2_z * I_2_zz;
-  const Scalar t9 = k_r2 * qdd_2;
-  tau[1] = I_m2 * k_r2 * (qdd_1 + t9) + mu_2_z;
+  const Scalar mu_2_z = qdd_4 * t3 + qdd_3 * t1 + t2 + a_1 * t8 * t6 + domega_2_z * I_2_zz;
+  const Scalar t9 = I_m2 * k_r2;
+  tau[1] = t9 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t10 = a_1 * m_3;
   const Scalar t11 = (s_2 * qdd_1 - c_2 * t7) * t10 - omega_2_z * omega_2_z * t6;
@@ -154,7 +154,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t12 = a_1 * (s_2 * t11 + c_2 * f_2_y);
   const Scalar t13 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
   const Scalar t14 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t13 + I_m1 * k_r1 * k_r1;
-  tau[0] = I_m2 * t9 + qdd_1 * t14 + mu_2_z + t12;
+  tau[0] = qdd_2 * t9 + qdd_1 * t14 + mu_2_z + t12;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -188,14 +188,14 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_4 = sine[3],
       c_4 = cosine[3];
   const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar t1 = k_r3 * qdd_3;
+  const Scalar t1 = I_m3 * k_r3;
   const Scalar ddp_s_3_z = g + qdd_3;
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
-  tau[2] = h_e_3 + ddp_s_3_z * m_3 + I_m3 * k_r3 * (domega_2_z + t1);
+  tau[2] = h_e_3 + ddp_s_3_z * m_3 + t1 * (domega_2_z + k_r3 * qdd_3);
   const Scalar domega_4_z = qdd_4 + domega_2_z;
   const Scalar mu_4_z = h_e_6 + I_l4 * domega_4_z;
-  const Scalar t2 = k_r4 * qdd_4;
-  tau[3] = mu_4_z + I_m4 * k_r4 * (domega_2_z + t2);
+  const Scalar t2 = I_m4 * k_r4;
+  tau[3] = mu_4_z + t2 * (domega_2_z + k_r4 * qdd_4);
   const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
   const Scalar t3 = s_1 * h_e_1 - c_1 * h_e_2;
   const Scalar t4 = s_2 * f_e1_x + c_2 * t3;
@@ -209,10 +209,10 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t10 = t9 + t8;
   const Scalar t11 = qd_1 * qd_1;
   const Scalar t12 = s_2 * t11 + c_2 * qdd_1;
-  const Scalar mu_2_z = I_m4 * t2 + I_m3 * t1 - a_2 * t7 + mu_4_z + a_1 * t12 * t10 +
+  const Scalar mu_2_z = qdd_4 * t2 - a_2 * t7 + qdd_3 * t1 + mu_4_z + a_1 * t12 * t10 +
       domega_2_z * I_2_zz;
-  const Scalar t13 = k_r2 * qdd_2;
-  tau[1] = I_m2 * k_r2 * (qdd_1 + t13) + mu_2_z;
+  const Scalar t13 = I_m2 * k_r2;
+  tau[1] = t13 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
   const Scalar t14 = a_1 * m_3;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t15 = (s_2 * qdd_1 - c_2 * t11) * t14;
@@ -220,7 +220,7 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t17 = s_2 * t16 + c_2 * (t7 - t12 * t14 - domega_2_z * t10);
   const Scalar t18 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
   const Scalar t19 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t18 + I_m1 * k_r1 * k_r1;
-  tau[0] = I_m2 * t13 + qdd_1 * t19 + mu_2_z - a_1 * t17;
+  tau[0] = qdd_2 * t13 + qdd_1 * t19 + mu_2_z - a_1 * t17;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -414,8 +414,8 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = I_m3 * k_r3;
-  const Scalar m_3 = m_l3 + m_l4 + m_m4;
-  const Scalar b_3_3 = m_3 + k_r3 * t1;
+  const Scalar mc_3 = m_l3 + m_l4 + m_m4;
+  const Scalar b_3_3 = mc_3 + k_r3 * t1;
   const Scalar d_3 = Scalar(1.0) / b_3_3;
   const Scalar t2 = t1 * d_3;
   const Scalar t3 = I_m4 * k_r4;
@@ -423,7 +423,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar d_4 = Scalar(1.0) / b_4_4;
   const Scalar mu_4_3_z = I_l4 + t3;
   const Scalar t4 = mu_4_3_z * d_4;
-  const Scalar t5 = m_m3 + m_3;
+  const Scalar t5 = m_m3 + mc_3;
   const Scalar t6 = a_2 * t5;
   const Scalar t7 = m_l2 * l_2;
   const Scalar t8 = I_l2 - t1 * t2 + I_l3 + I_m3 + I_l4 + I_m4 + l_2 * t7 + a_2 * t6 -
@@ -441,8 +441,8 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       Scalar(2.0) * t11 + t13 - b_3_2_1 * t12;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t14 = s_2 * t10;
-  const Scalar y_3 = tau_3 - g * m_3;
-  const Scalar t15 = y_3 * t2 + tau_4 * t4 + qd_1 * qd_1 * t14;
+  const Scalar y_3 = tau_3 - g * mc_3;
+  const Scalar t15 = t2 * y_3 + t4 * tau_4 + qd_1 * qd_1 * t14;
   const Scalar y_3_2 = tau_2 - t15;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar y_2_1 = tau_1 - t15 - t12 * y_3_2 + omega_2_z * omega_2_z * t14;

@@ -1098,7 +1098,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       Scalar(0.0038374000421699) * t28 + Scalar(0.0351648539) * t43;
   const Scalar y_5 = tau_5 - t45;
   const Scalar t46 = Scalar(0.8580028554367816) * c_5;
-  const Scalar y_5_4 = t36 + y_5 * t46 + tau_4;
+  const Scalar y_5_4 = t36 + t46 * y_5 + tau_4;
   const Scalar t47 = c_5 * c_5;
   const Scalar t48 = Scalar(0.0015110828546699) * t47;
   const Scalar t49 = t48 - Scalar(0.0181863807738199);
@@ -1118,7 +1118,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t60 = Scalar(0.39225) * t59 - Scalar(0.56787913724375) * t16 - t36 +
       Scalar(1.594451775) * t14;
   const Scalar t61 = Scalar(3.594468596105858) * c_5 * t52;
-  const Scalar y_4_3 = tau_3 - t60 - y_5 * t61 - t57 * y_5_4;
+  const Scalar y_4_3 = tau_3 - t60 - t61 * y_5 - t57 * y_5_4;
   const Scalar t62 = Scalar(0.7845) * hu_4_t_x;
   const Scalar t63 = Scalar(0.0016432000421699) * t47 + t62 - Scalar(0.5901605180175699);
   const Scalar t64 = Scalar(0.04957999324859619) * t52 * t53 - t54 * t57 + t63;
@@ -1143,7 +1143,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t77 = t72 * t56;
   const Scalar t78 = Scalar(3.8945803781899033) * c_5 * t70;
   const Scalar y_3_2 = tau_2 - Scalar(1.39293427915) * t13 + Scalar(0.425) * t76 - t60 +
-      Scalar(38.1586437) * c_2 - y_5 * t78 - t74 * y_4_3 - t77 * y_5_4;
+      Scalar(38.1586437) * c_2 - t78 * y_5 - t74 * y_4_3 - t77 * y_5_4;
   const Scalar t79 = Scalar(0.003292500193635) * s_5;
   const Scalar t80 = Scalar(0.003838243803185) * c_5 + Scalar(0.0038374000421699);
   const Scalar t81 = t79 * (s_4 - Scalar(4.189343395921486)) - c_4 * t80;
@@ -1196,8 +1196,8 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t111 = t96 * t65;
   const Scalar t112 = t92 * t56;
   const Scalar t113 = Scalar(260.5931070544678) * t83;
-  const Scalar y_2_1 = t111 * y_4_3 - y_6 * t84 - s_2 * mu_2_x + tau_1 + t103 * y_3_2 -
-      t112 * y_5_4 + y_5 * t113 + c_2 * t110;
+  const Scalar y_2_1 = t111 * y_4_3 - t84 * y_6 - s_2 * mu_2_x + tau_1 + t103 * y_3_2 -
+      t112 * y_5_4 + t113 * y_5 + c_2 * t110;
   const Scalar Iu_5_t_xx = t48 - Scalar(0.0015110828546699);
   const Scalar Iu_4_t_d = Iu_5_t_xx + Scalar(0.01215478073165);
   const Scalar Iu_4_t_g = Scalar(0.00658500038727) * t66 + c_4 * Iu_4_t_d;

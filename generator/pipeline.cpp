@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "input/content_hash.hpp"
 #include "passes/draft.hpp"
@@ -28,18 +29,19 @@ OptimisedFunction optimised(const Function& derived) {
   return result;
 }
 
-// By the recursive route, or from the closed form where that costs less.
+// In the formulation, recursive or the closed form, that costs least once the passes are through with it.
 OptimisedFunction make_function(const Mechanism& mechanism, const std::string& name, Progress& progress) {
   progress.step("deriving " + name);
-  const Function recursive = derive_function(mechanism, name);
-  const std::optional<Function> closed = closed_variant(mechanism, recursive);
+  std::vector<Function> candidates = formulations(mechanism, name);
+  std::optional<Function> closed = closed_variant(mechanism, candidates.front());
+  if (closed) candidates.push_back(std::move(*closed));
   progress.step("optimising " + name);
-  OptimisedFunction best = optimised(recursive);
-  if (closed) {
-    OptimisedFunction candidate = optimised(*closed);
-    if (cost(candidate.function) < cost(best.function)) best = std::move(candidate);
+  std::optional<OptimisedFunction> best;
+  for (const Function& candidate : candidates) {
+    OptimisedFunction made = optimised(candidate);
+    if (!best || cost(made.function) < cost(best->function)) best = std::move(made);
   }
-  return best;
+  return *best;
 }
 
 ExitCode code_of(const Diagnostics& errors) {

@@ -37,18 +37,6 @@ InertialParameters composite_in_parent(Frames& frames, int i, const InertialPara
   return {composite.mass, h + composite.mass * p, I + moved_pole(composite.mass, h, p)};
 }
 
-// The wrench that gives composite body i a unit acceleration of joint i, rotor and all; in frame i.
-Wrench unit_wrench(Frames& frames, int i, const InertialParameters& composite) {
-  const Vec3& h = composite.first_moment;
-  if (frames.body(i).prismatic) return {{0, 0, composite.mass}, {h[1], -h[0], 0}};
-  return {{-h[1], h[0], 0}, {composite.inertia[0][2], composite.inertia[1][2], composite.inertia[2][2]}};
-}
-
-// Component of a wrench that joint i feels.
-Number felt(Frames& frames, int i, const Wrench& wrench) {
-  return frames.body(i).prismatic ? wrench.f[2] : wrench.mu[2];
-}
-
 // Calls visit(k, wrench) for i and every body k between it and the base, with the unit wrench of i in frame k.
 template <class Visit>
 void climb(Frames& frames, int i, Wrench wrench, Visit visit) {
@@ -74,6 +62,18 @@ Number reflected_inertia(const Body& body) {
 }
 
 }  // namespace
+
+Wrench unit_wrench(Frames& frames, int i, const InertialParameters& composite) {
+  const Vec3& h = composite.first_moment;
+  if (frames.body(i).prismatic) return {{0, 0, composite.mass}, {h[1], -h[0], 0}};
+  return {{-h[1], h[0], 0}, {composite.inertia[0][2], composite.inertia[1][2], composite.inertia[2][2]}};
+}
+
+Wrench swept_by(const Body& body, const Wrench& wrench) {
+  const Vec3 &f = wrench.f, &mu = wrench.mu;
+  if (body.prismatic) return {zero_vector(), {-f[1], f[0], 0}};
+  return {{-f[1], f[0], 0}, {-mu[1], mu[0], 0}};
+}
 
 std::vector<InertialParameters> composites(Frames& frames) {
   Derivation& d = frames.derivation();
@@ -132,13 +132,6 @@ InertialParameters rate_of(Derivation& d, const Body& body, const InertialParame
 // (rate of inertia) · twist. The mass does not change, so v acts on the first moment only.
 Wrench applied(const InertialParameters& rate, const Twist& twist) {
   return {cross(twist.omega, rate.first_moment), rate.inertia * twist.omega + cross(rate.first_moment, twist.v)};
-}
-
-// S_k ×* wrench: how a wrench that moves with joint k changes, in frame k.
-Wrench swept_by(const Body& body, const Wrench& wrench) {
-  const Vec3 &f = wrench.f, &mu = wrench.mu;
-  if (body.prismatic) return {zero_vector(), {-f[1], f[0], 0}};
-  return {{-f[1], f[0], 0}, {-mu[1], mu[0], 0}};
 }
 
 // Half derivatives of B: swept[{i, k, j}] = ½ ∂b_ij/∂q_k for i < k <= j, turned[{i, j, k}] = ½ ∂b_ij/∂q_k for

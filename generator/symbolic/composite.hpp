@@ -12,6 +12,12 @@ namespace flatdyn {
 // Composite of body i and all behind it, about the origin of frame i, in frame i.
 std::vector<InertialParameters> composites(Frames& frames);
 
+// The wrench that gives composite body i a unit acceleration of joint i; in frame i. Without its rotor.
+Wrench unit_wrench(Frames& frames, int i, const InertialParameters& composite);
+
+// S_i ×* wrench: how a wrench that moves with joint i changes with q_i, in frame i.
+Wrench swept_by(const Body& body, const Wrench& wrench);
+
 // Upper and lower entries are the same Number. Entries of joints on different branches are 0.
 std::vector<std::vector<Number>> inertia_matrix(Frames& frames);
 

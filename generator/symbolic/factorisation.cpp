@@ -7,43 +7,67 @@
 
 namespace flatdyn {
 
-Solution solve_factorised(Frames& frames, std::vector<std::vector<Number>> B, std::vector<Number> b) {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+[[noreturn]] void fail_as_singular(const Body& body) {
+  throw Failure(ExitCode::unsupported,
+                fmt::format("forward_dynamics: B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
+                "give the links that it moves their inertia, or its motor a rotor");
+}
+
+}  // namespace
+
+Factorisation::Factorisation(Frames& frames, std::vector<std::vector<Number>> B)
+    : frames_(frames), L_(std::move(B)), inverse_(L_.size()) {
   Derivation& d = frames.derivation();
-  const auto n = b.size();
-  const auto parent = [&](std::size_t i) { return frames.mechanism().bodies[i].parent; };
-  const auto index = [](int i) { return static_cast<std::size_t>(i); };
-  std::vector<Number> inverse(n);
-  for (std::size_t k = n; k-- > 0;) {
+  for (std::size_t k = L_.size(); k-- > 0;) {
     const std::string row = label(static_cast<int>(k));
-    if (vanishes(B[k][k])) {
-      throw Failure(ExitCode::unsupported,
-                    fmt::format("forward_dynamics: B(q) is singular, because joint \"{}\" moves no inertia",
-                                frames.mechanism().bodies[k].joint),
-                    "give the links that it moves their inertia, or its motor a rotor");
-    }
-    inverse[k] = d.quotient(1, B[k][k], "d_" + row);
+    if (vanishes(L_[k][k])) fail_as_singular(frames.body(static_cast<int>(k)));
+    inverse_[k] = d.quotient(1, L_[k][k], "d_" + row);
     for (int i = parent(k); i >= 0; i = parent(index(i))) {
-      const Number l = d.named(B[k][index(i)] * inverse[k], "l_" + row + "_" + label(i));
+      const Number l = d.named(L_[k][index(i)] * inverse_[k], "l_" + row + "_" + label(i));
       for (int j = i; j >= 0; j = parent(index(j))) {
-        B[index(i)][index(j)] =
-            d.named(B[index(i)][index(j)] - l * B[k][index(j)], "b_" + row + "_" + label(i) + "_" + label(j));
+        L_[index(i)][index(j)] =
+            d.named(L_[index(i)][index(j)] - l * L_[k][index(j)], "b_" + row + "_" + label(i) + "_" + label(j));
       }
-      B[k][index(i)] = l;
+      L_[k][index(i)] = l;
     }
   }
-  Solution solution;
-  for (std::size_t k = 0; k < n; ++k) solution.pivots.push_back(B[k][k]);
-  for (std::size_t k = n; k-- > 0;) {  // Lᵀ y = b
+  for (std::size_t k = 0; k < L_.size(); ++k) pivots_.push_back(L_[k][k]);
+}
+
+std::vector<Number> Factorisation::solve(std::vector<Number> b, const std::string& name) const {
+  Derivation& d = frames_.derivation();
+  for (std::size_t k = b.size(); k-- > 0;) {  // Lᵀ y = b
     for (int i = parent(k); i >= 0; i = parent(index(i))) {
-      b[index(i)] = d.named(b[index(i)] - B[k][index(i)] * b[k], "y_" + label(static_cast<int>(k)) + "_" + label(i));
+      b[index(i)] = d.named(b[index(i)] - L_[k][index(i)] * b[k], "y_" + label(static_cast<int>(k)) + "_" + label(i));
     }
   }
-  for (std::size_t k = 0; k < n; ++k) {  // L x = D⁻¹ y
-    Number x = inverse[k] * b[k];
-    for (int i = parent(k); i >= 0; i = parent(index(i))) x -= B[k][index(i)] * solution.x[index(i)];
-    solution.x.push_back(d.named(x, "qdd_" + label(static_cast<int>(k))));
+  std::vector<Number> result;
+  for (std::size_t k = 0; k < b.size(); ++k) {  // L x = D⁻¹ y
+    Number x = inverse_[k] * b[k];
+    for (int i = parent(k); i >= 0; i = parent(index(i))) x -= L_[k][index(i)] * result[index(i)];
+    result.push_back(d.named(x, name + "_" + label(static_cast<int>(k))));
   }
-  return solution;
+  return result;
+}
+
+// Column k from L x = D⁻¹ y, Lᵀ y = e_k. Of x all before entry k is known from the columns before, by symmetry, and of
+// y no more is needed than its end, which is that of e_k.
+std::vector<std::vector<Number>> Factorisation::inverse(const std::string& name) const {
+  const std::size_t n = L_.size();
+  std::vector<std::vector<Number>> result(n, std::vector<Number>(n, 0));
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t j = k; j < n; ++j) {
+      Number x = j == k ? inverse_[k] : Number(0);
+      for (int i = parent(j); i >= 0; i = parent(index(i))) x -= L_[j][index(i)] * result[index(i)][k];
+      const std::string entry = name + "_" + label(static_cast<int>(j)) + "_" + label(static_cast<int>(k));
+      result[j][k] = result[k][j] = frames_.derivation().named(x, entry);
+    }
+  }
+  return result;
 }
 
 }  // namespace flatdyn

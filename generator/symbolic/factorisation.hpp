@@ -7,13 +7,26 @@
 
 namespace flatdyn {
 
-struct Solution {
-  std::vector<Number> x;       // B x = b
-  std::vector<Number> pivots;  // D: all positive if and only if B is positive definite
-};
+class Factorisation {
+ public:
+  // B as from inertia_matrix. Throws Failure(unsupported) if a pivot is exactly zero.
+  Factorisation(Frames& frames, std::vector<std::vector<Number>> B);
 
-// B as from inertia_matrix; overwritten by its factors.
-// Throws Failure(unsupported) if a pivot is exactly zero.
-Solution solve_factorised(Frames& frames, std::vector<std::vector<Number>> B, std::vector<Number> b);
+  // x of B x = b. `name`: of the entries of x, as emitted.
+  std::vector<Number> solve(std::vector<Number> b, const std::string& name) const;
+
+  // B⁻¹, symmetric: entries named name_ik.
+  std::vector<std::vector<Number>> inverse(const std::string& name) const;
+
+  // D: all positive if and only if B is positive definite.
+  const std::vector<Number>& pivots() const { return pivots_; }
+
+ private:
+  int parent(std::size_t i) const { return frames_.mechanism().bodies[i].parent; }
+
+  Frames& frames_;
+  std::vector<std::vector<Number>> L_;  // below the diagonal
+  std::vector<Number> pivots_, inverse_;
+};
 
 }  // namespace flatdyn

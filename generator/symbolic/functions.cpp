@@ -9,9 +9,11 @@
 
 #include "diagnostics/nearest.hpp"
 #include "graph/count.hpp"
+#include "symbolic/accelerations.hpp"
 #include "symbolic/composite.hpp"
+#include "symbolic/derivative_functions.hpp"
+#include "symbolic/derivatives.hpp"
 #include "symbolic/energy.hpp"
-#include "symbolic/factorisation.hpp"
 #include "symbolic/kinematics.hpp"
 #include "symbolic/regressor_functions.hpp"
 #include "symbolic/regroup.hpp"
@@ -81,7 +83,13 @@ Function christoffel(const Mechanism& mechanism) {
   });
 }
 
-Function coriolis_matrix(const Mechanism& mechanism) {
+Function finished_coriolis(Workbench& bench, const std::vector<NodeId>& entries) {
+  return finished(bench, {InputKind::q, InputKind::qd},
+                  {matrix_output("C", bench.size(), bench.size(), entries,
+                                 "c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric")});
+}
+
+Function coriolis_from_christoffel(const Mechanism& mechanism) {
   return cheapest(with_half_inertia(mechanism), [](const Mechanism& m) {
     Workbench bench(m);
     const auto n = static_cast<std::size_t>(m.size());
@@ -93,13 +101,16 @@ Function coriolis_matrix(const Mechanism& mechanism) {
       C[i][j] += c * qd[k];
       if (j != k) C[i][k] += c * qd[j];
     }
-    std::vector<NodeId> entries;
-    for (const std::vector<Number>& row : C) {
-      for (const Number& entry : row) entries.push_back(bench.node(entry));
-    }
-    return finished(bench, {InputKind::q, InputKind::qd},
-                    {matrix_output("C", m.size(), m.size(), entries,
-                                   "c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric")});
+    return finished_coriolis(bench, bench.nodes(C));
+  });
+}
+
+// C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative.
+Function coriolis_from_momenta(const Mechanism& mechanism) {
+  return cheapest(with_half_inertia(mechanism), [](const Mechanism& m) {
+    Workbench bench(m);
+    const Motion motion{bench.all(InputKind::qd), bench.none(), zero_vector(), false};
+    return finished_coriolis(bench, bench.nodes(torque_derivatives(bench.frames, motion).dqd));
   });
 }
 
@@ -109,11 +120,6 @@ Function gravity(const Mechanism& mechanism) {
     return finished(bench, {InputKind::q},
                     {vector_output("g", bench.nodes(gravity_torques(bench.frames)), kTorqueMeaning)});
   });
-}
-
-std::vector<Number> bias_torques(Workbench& bench) {
-  const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
-  return torques(bench.frames, motion);
 }
 
 Function bias(const Mechanism& mechanism) {
@@ -127,16 +133,19 @@ Function bias(const Mechanism& mechanism) {
 Function forward_dynamics(const Mechanism& mechanism) {
   return cheapest(mechanism, [](const Mechanism& m) {
     Workbench bench(m);
-    const std::vector<Number> tau = bench.all(InputKind::tau);
-    std::vector<Number> b = bias_torques(bench);
-    for (std::size_t i = 0; i < b.size(); ++i) {
-      b[i] = bench.derivation.named(tau[i] - b[i], "y_" + label(static_cast<int>(i)));
-    }
-    const Solution solution = solve_factorised(bench.frames, inertia_matrix(bench.frames), b);
-    const std::vector<NodeId> qdd = bench.nodes(solution.x), pivots = bench.nodes(solution.pivots);
+    const Factorisation B(bench.frames, inertia_matrix(bench.frames));
+    const std::vector<NodeId> qdd = bench.nodes(accelerations(bench, B)), pivots = bench.nodes(B.pivots());
     return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
                     {vector_output("qdd", qdd, "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)")}, pivots);
   });
+}
+
+Function inverse_dynamics_derivatives(const Mechanism& mechanism) {
+  return cheapest(mechanism, torque_derivatives_function);
+}
+
+Function forward_dynamics_derivatives(const Mechanism& mechanism) {
+  return cheapest(mechanism, acceleration_derivatives_function);
 }
 
 Function kinetic_energy_function(const Mechanism& mechanism) {
@@ -252,7 +261,8 @@ const std::vector<FunctionEntry>& function_table() {
        "(7.42)", inverse_dynamics_tip_force},
       {"inertia_matrix", "Joint-space inertia matrix B(q)", "(7.32)", inertia_matrix_function},
       {"christoffel", "Christoffel symbols of the first kind c_ijk(q)", "(7.45)", christoffel},
-      {"coriolis_matrix", "C(q, qd) from the Christoffel symbols", "(7.44)", coriolis_matrix},
+      {"coriolis_matrix", "C(q, qd) from the Christoffel symbols", "(7.44)", coriolis_from_christoffel,
+       coriolis_from_momenta},
       {"gravity", "Gravity torques g(q)", "(7.39)", gravity},
       {"bias", "C(q, qd) qd + g(q) + friction", "(7.116)", bias},
       {"forward_dynamics", "qdd from B(q) qdd = tau - bias(q, qd)", "(7.115)", forward_dynamics},
@@ -261,28 +271,46 @@ const std::vector<FunctionEntry>& function_table() {
       {"forward_kinematics", "Pose of the tip", "(2.50)", forward_kinematics_tip},
       {"jacobian", "Geometric Jacobian of the tip", "(7.14), (7.15)", jacobian_tip},
       {"jacobian_dot_qd", "(dJ/dt) qd of the tip", "", jacobian_dot_qd_tip},
-      {"regressor", "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint", "(7.81)", regressor_function, true},
+      {"inverse_dynamics_derivatives",
+       "Derivatives of tau(q, qd, qdd) by q and by qd; Coulomb friction counts as constant", "",
+       inverse_dynamics_derivatives, nullptr, true},
+      {"forward_dynamics_derivatives",
+       "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant", "",
+       forward_dynamics_derivatives, nullptr, true},
+      {"regressor", "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint", "(7.81)", regressor_function, nullptr,
+       true},
       {"base_regressor", "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters", "(7.81)",
-       base_regressor_function, true},
+       base_regressor_function, nullptr, true},
       {"inverse_dynamics_base", "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
-       "(7.42)", inverse_dynamics_base_function, true},
+       "(7.42)", inverse_dynamics_base_function, nullptr, true},
       {"adaptive_regressor", "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
-       "(7.81)", adaptive_regressor_function, true},
+       "(7.81)", adaptive_regressor_function, nullptr, true},
   };
   return table;
 }
 
 void check_function_name(const Mechanism& mechanism, const std::string& name) { parsed(mechanism, name); }
 
-Function derive_function(const Mechanism& mechanism, const std::string& name) {
+std::vector<Function> formulations(const Mechanism& mechanism, const std::string& name) {
   const Request request = parsed(mechanism, name);
   const FunctionEntry& entry = *request.entry;
-  Function function =
-      request.link == nullptr ? entry.derive(mechanism) : link_derivation(entry.name)(mechanism, *request.link);
-  function.name = name;
-  function.summary = entry.summary;
-  function.equation = entry.equation;
-  return function;
+  std::vector<Function> result;
+  if (request.link != nullptr) {
+    result.push_back(link_derivation(entry.name)(mechanism, *request.link));
+  } else {
+    result.push_back(entry.derive(mechanism));
+    if (entry.alternative != nullptr) result.push_back(entry.alternative(mechanism));
+  }
+  for (Function& function : result) {
+    function.name = name;
+    function.summary = entry.summary;
+    function.equation = entry.equation;
+  }
+  return result;
+}
+
+Function derive_function(const Mechanism& mechanism, const std::string& name) {
+  return formulations(mechanism, name).front();
 }
 
 }  // namespace flatdyn

@@ -16,6 +16,8 @@ struct FunctionEntry {
   const char* summary;
   const char* equation;
   Function (*derive)(const Mechanism&);
+  // Another formulation of the same, where which one costs less depends on the robot.
+  Function (*alternative)(const Mechanism&) = nullptr;
   // Left out unless asked for by name: the regressors serve identification and adaptive control, and are larger than
   // all other functions of a controller together.
   bool on_request = false;
@@ -23,14 +25,18 @@ struct FunctionEntry {
 
 // In the order in which they are emitted: inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel,
 // coriolis_matrix, gravity, bias, forward_dynamics, kinetic_energy, potential_energy, forward_kinematics, jacobian,
-// jacobian_dot_qd; then regressor, base_regressor, inverse_dynamics_base, adaptive_regressor on request.
+// jacobian_dot_qd; then on request inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor,
+// base_regressor, inverse_dynamics_base, adaptive_regressor.
 const std::vector<FunctionEntry>& function_table();
 
 // Throws Failure(usage) for the name of no function, and for no link of the robot.
 void check_function_name(const Mechanism& mechanism, const std::string& name);
 
-// By name; also "forward_kinematics:LINK", "jacobian:LINK" and "jacobian_dot_qd:LINK" for any named link.
-// Throws as check_function_name does.
+// By name, in every formulation that there is; also "forward_kinematics:LINK", "jacobian:LINK" and
+// "jacobian_dot_qd:LINK" for any named link. Throws as check_function_name does.
+std::vector<Function> formulations(const Mechanism& mechanism, const std::string& name);
+
+// The first of them.
 Function derive_function(const Mechanism& mechanism, const std::string& name);
 
 }  // namespace flatdyn

@@ -102,7 +102,7 @@ Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vect
   const Body& body = frames.body(i);
   const auto k = static_cast<std::size_t>(i);
   const std::string n = label(i);
-  Number tau = body.prismatic ? wrench.f[2] : wrench.mu[2];
+  Number tau = felt(frames, i, wrench);
   Number reflected = body.armature;
   if (body.rotor) {
     const Rotor& rotor = *body.rotor;
@@ -151,11 +151,14 @@ Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string&
   return {f, turned + cross(frames.p(i), f)};
 }
 
-std::vector<Number> torques(Frames& frames, const Motion& motion, const std::optional<Wrench>& tip) {
+Number felt(Frames& frames, int i, const Wrench& wrench) {
+  return frames.body(i).prismatic ? wrench.f[2] : wrench.mu[2];
+}
+
+std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links,
+                                   const std::optional<Wrench>& tip) {
   Derivation& d = frames.derivation();
   const Mechanism& mechanism = frames.mechanism();
-  const std::vector<LinkMotion> links = link_motions(frames, motion);
-  const auto n = links.size();
   std::vector<Wrench> wrenches;
   for (int i = 0; i < mechanism.size(); ++i) {
     wrenches.push_back(inertial_wrench(frames, i, links[static_cast<std::size_t>(i)]));
@@ -170,16 +173,24 @@ std::vector<Number> torques(Frames& frames, const Motion& motion, const std::opt
     Wrench& at_tip = wrenches[static_cast<std::size_t>(mechanism.tip.body)];
     at_tip = {at_tip.f + tip->f, at_tip.mu + tip->mu};
   }
-  std::vector<Number> tau(n);
-  for (std::size_t i = n; i-- > 0;) {
+  for (std::size_t i = wrenches.size(); i-- > 0;) {
     const std::string name = label(static_cast<int>(i));
-    const Wrench total = {d.named(wrenches[i].f, "f_" + name), d.named(wrenches[i].mu, "mu_" + name)};
-    tau[i] = joint_torque(frames, static_cast<int>(i), total, links, motion);
+    wrenches[i] = {d.named(wrenches[i].f, "f_" + name), d.named(wrenches[i].mu, "mu_" + name)};
     const int parent = mechanism.bodies[i].parent;
     if (parent < 0) continue;
-    const Wrench carried = to_parent(frames, static_cast<int>(i), total, name);
+    const Wrench carried = to_parent(frames, static_cast<int>(i), wrenches[i], name);
     Wrench& at_parent = wrenches[static_cast<std::size_t>(parent)];
     at_parent = {at_parent.f + carried.f, at_parent.mu + carried.mu};
+  }
+  return wrenches;
+}
+
+std::vector<Number> torques(Frames& frames, const Motion& motion, const std::optional<Wrench>& tip) {
+  const std::vector<LinkMotion> links = link_motions(frames, motion);
+  const std::vector<Wrench> wrenches = joint_wrenches(frames, motion, links, tip);
+  std::vector<Number> tau;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    tau.push_back(joint_torque(frames, static_cast<int>(i), wrenches[i], links, motion));
   }
   return tau;
 }

@@ -34,8 +34,16 @@ struct Wrench {
   Vec3 mu = zero_vector();  // N m
 };
 
-// Generalised forces τ, (7.114). `tip`: wrench that the tip exerts on the environment, on the tip's body.
+// The wrench f_i, μ_i that each body gets through its joint, (7.112), (7.113), in its own frame. `tip`: wrench that the
+// tip exerts on the environment, on the tip's body.
+std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links,
+                                   const std::optional<Wrench>& tip = std::nullopt);
+
+// Generalised forces τ, (7.114).
 std::vector<Number> torques(Frames& frames, const Motion& motion, const std::optional<Wrench>& tip = std::nullopt);
+
+// Component of a wrench that joint i feels.
+Number felt(Frames& frames, int i, const Wrench& wrench);
 
 // A wrench on body i, given about its frame's origin, in the frame of its parent about the parent's origin.
 Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string& name);

@@ -111,7 +111,9 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
   const MechanismDegrees lagrangian =
       is_regressor(function.name) ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
   const FunctionDegrees own = function_degrees(function);
-  const double degree = in_drawn_values(lagrangian.degree + own.numerator + own.denominator,
+  // The derivatives of forward dynamics are compared at a q̈ of their own making, which is B⁻¹ times a torque.
+  const double factors = function.name == "forward_dynamics_derivatives" ? 2 : 1;
+  const double degree = in_drawn_values(factors * (lagrangian.degree + own.numerator + own.denominator),
                                         drawn_angles(function, mechanism), lagrangian.reciprocals);
   return finished(function, mismatches, entries, degree, options);
 }

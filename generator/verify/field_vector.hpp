@@ -16,6 +16,7 @@ struct Dual {
   F value = F(0), derivative = F(0);
 
   Dual() = default;
+  explicit Dual(int v) : value(v) {}
   explicit Dual(const F& v) : value(v) {}
   Dual(const F& v, const F& d) : value(v), derivative(d) {}
 
@@ -29,6 +30,10 @@ struct Dual {
   friend Dual operator-(const Dual& a, const Dual& b) { return a + -b; }
   friend Dual operator*(const Dual& a, const Dual& b) {
     return {a.value * b.value, a.value * b.derivative + a.derivative * b.value};
+  }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const F quotient = a.value / b.value;
+    return {quotient, (a.derivative - quotient * b.derivative) / b.value};
   }
   friend Dual operator*(const Dual& a, const F& b) { return {a.value * b, a.derivative * b}; }
   friend Dual operator*(const F& a, const Dual& b) { return b * a; }
@@ -95,6 +100,8 @@ class Matrix {
 
   F& operator()(int row, int col) { return entries_[static_cast<std::size_t>(row * cols_ + col)]; }
   const F& operator()(int row, int col) const { return entries_[static_cast<std::size_t>(row * cols_ + col)]; }
+  Matrix(int cols, std::vector<F> entries) : cols_(cols), entries_(std::move(entries)) {}
+
   int cols() const { return cols_; }
   int rows() const { return cols_ == 0 ? 0 : static_cast<int>(entries_.size()) / cols_; }
   const std::vector<F>& entries() const { return entries_; }
@@ -103,6 +110,17 @@ class Matrix {
   int cols_ = 0;
   std::vector<F> entries_;
 };
+
+template <class F>
+Matrix<F> times(const Matrix<F>& a, const Matrix<F>& b) {
+  Matrix<F> result(a.rows(), b.cols());
+  for (int i = 0; i < a.rows(); ++i) {
+    for (int j = 0; j < b.cols(); ++j) {
+      for (int k = 0; k < a.cols(); ++k) result(i, j) += a(i, k) * b(k, j);
+    }
+  }
+  return result;
+}
 
 template <class F>
 std::vector<F> times(const Matrix<F>& a, const std::vector<F>& x) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "verify/derivative_outputs.hpp"
 #include "verify/regressor_outputs.hpp"
 
 namespace flatdyn {
@@ -25,17 +26,21 @@ class LagrangianOutputs {
         values_(values),
         stem_(function.name.substr(0, function.name.find(':'))),
         link_(function.name == stem_ ? "" : function.name.substr(stem_.size() + 1)),
+        function_(function),
         lagrangian_(field_mechanism(mechanism, arithmetic), joint_points()) {
     if (is_regressor(stem_)) regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, joint_points());
   }
 
-  // The function's own values, brought to a form that can be compared: for forward_dynamics, B times them, which has no
-  // denominators; for a base regressor, all columns of Y made of them.
+  // The function's own values, brought to a form that can be compared: for forward_dynamics and its derivatives, B
+  // times them, which has no denominators; for a base regressor, all columns of Y made of them.
   Values found(const Output& output) {
-    Values result;
-    for (const NodeId entry : output.entries) result.push_back(values_[static_cast<std::size_t>(entry)]);
+    const Values result = own(output);
     if (regressor_) return regressor_->found(result);
-    return stem_ == "forward_dynamics" ? times(lagrangian_.inertia(), result) : result;
+    if (stem_ == "forward_dynamics") return times(lagrangian_.inertia(), result);
+    if (stem_ == "forward_dynamics_derivatives") {
+      return times(lagrangian_.inertia(), Matrix<F>(output.cols, result)).entries();
+    }
+    return result;
   }
 
   // What found() has to be.
@@ -49,6 +54,10 @@ class LagrangianOutputs {
     if (stem_ == "gravity") return lagrangian_.gravity();
     if (stem_ == "bias") return lagrangian_.bias(rates(), signs());
     if (stem_ == "forward_dynamics") return net_torques();
+    if (stem_ == "inverse_dynamics_derivatives") {
+      return torque_derivatives(output.name == "dtau_dq", drawn(InputKind::qdd, mechanism_.size()));
+    }
+    if (stem_ == "forward_dynamics_derivatives") return acceleration_derivatives(output);
     if (stem_ == "kinetic_energy") return {lagrangian_.kinetic_energy(rates())};
     if (stem_ == "potential_energy") return {lagrangian_.potential_energy()};
     if (stem_ == "forward_kinematics") return pose(output.name);
@@ -58,6 +67,12 @@ class LagrangianOutputs {
   }
 
  private:
+  Values own(const Output& output) const {
+    Values result;
+    for (const NodeId entry : output.entries) result.push_back(values_[static_cast<std::size_t>(entry)]);
+    return result;
+  }
+
   std::vector<JointPoint<F>> joint_points() {
     Graph graph;  // of the bare joint angles
     std::vector<JointPoint<F>> points;
@@ -109,6 +124,26 @@ class LagrangianOutputs {
     return result;
   }
 
+  Values torque_derivatives(bool by_position, const Values& qdd) {
+    if (!by_position) return torques_by_rate(lagrangian_, rates()).entries();
+    return torques_by_position(mechanism_, arithmetic_, {joint_points(), rates(), qdd, signs()}).entries();
+  }
+
+  // What B times the derivatives has to be. Where q̈ is needed, it is B⁻¹ (τ - n) with the function's own B⁻¹, which is
+  // compared, too.
+  Values acceleration_derivatives(const Output& output) {
+    const int n = mechanism_.size();
+    if (output.name == "dqdd_dtau") {
+      Matrix<F> unit(n, n);
+      for (int i = 0; i < n; ++i) unit(i, i) = F(1);
+      return unit.entries();
+    }
+    const Matrix<F> inverse(n, own(function_.outputs.back()));
+    Values result = torque_derivatives(output.name == "dqdd_dq", times(inverse, net_torques()));
+    for (F& entry : result) entry = -entry;
+    return result;
+  }
+
   // In the order of Layout::christoffel.
   Values christoffel() {
     Values result;
@@ -140,6 +175,7 @@ class LagrangianOutputs {
   Arithmetic& arithmetic_;
   const Values& values_;
   std::string stem_, link_;
+  const Function& function_;
   Lagrangian<F> lagrangian_;
   std::optional<RegressorOutputs<Arithmetic>> regressor_;
 };

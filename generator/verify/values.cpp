@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "flatdyn/reference/derivatives.hpp"
 #include "flatdyn/reference/magnitude.hpp"
 #include "graph/arithmetic.hpp"
 
@@ -58,6 +59,28 @@ std::vector<S> pose_entries(const reference::Robot<S>& robot, const Arguments<S>
 }
 
 template <class S>
+std::vector<S> one_after_the_other(const std::vector<reference::MatrixX<S>>& matrices) {
+  std::vector<S> entries;
+  for (const reference::MatrixX<S>& m : matrices) {
+    const std::vector<S> more = row_by_row(m);
+    entries.insert(entries.end(), more.begin(), more.end());
+  }
+  return entries;
+}
+
+template <class S>
+std::vector<S> torque_derivative_entries(const reference::Robot<S>& robot, const Arguments<S>& a) {
+  const auto d = reference::inverse_dynamics_derivatives(robot, a.q, a.qd, a.qdd);
+  return one_after_the_other<S>({d.dq, d.dqd});
+}
+
+template <class S>
+std::vector<S> acceleration_derivative_entries(const reference::Robot<S>& robot, const Arguments<S>& a) {
+  const auto d = reference::forward_dynamics_derivatives(robot, a.q, a.qd, a.tau);
+  return one_after_the_other<S>({d.dq, d.dqd, d.dtau});
+}
+
+template <class S>
 const std::map<std::string, Evaluation<S>>& reference_table() {
   using R = reference::Robot<S>;
   using A = Arguments<S>;
@@ -74,6 +97,8 @@ const std::map<std::string, Evaluation<S>>& reference_table() {
       {"bias", [](const R& r, const A& a) { return row_by_row(ref::bias(r, a.q, a.qd)); }},
       {"forward_dynamics",
        [](const R& r, const A& a) { return row_by_row(ref::forward_dynamics(r, a.q, a.qd, a.tau)); }},
+      {"inverse_dynamics_derivatives", torque_derivative_entries<S>},
+      {"forward_dynamics_derivatives", acceleration_derivative_entries<S>},
       {"kinetic_energy", [](const R& r, const A& a) { return std::vector<S>{ref::kinetic_energy(r, a.q, a.qd)}; }},
       {"potential_energy", [](const R& r, const A& a) { return std::vector<S>{ref::potential_energy(r, a.q)}; }},
       {"forward_kinematics", pose_entries<S>},
@@ -91,14 +116,34 @@ std::vector<double> absolute(std::vector<double> values) {
   return values;
 }
 
+reference::MatrixX<double> absolute_inverse(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  return reference::inertia_matrix(r, a.q).inverse().cwiseAbs();
+}
+
 // Of q̈ = B⁻¹ (τ - n): what an error of the size of the terms of B q̈ + n - τ becomes.
-std::vector<double> acceleration_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+reference::VectorX<double> acceleration_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
   const auto zero = reference::VectorX<double>::Zero(a.q.size());
   const reference::VectorX<double> qdd = reference::forward_dynamics(r, a.q, a.qd, a.tau).cwiseAbs();
-  const reference::MatrixX<double> inverse = reference::inertia_matrix(r, a.q).inverse().cwiseAbs();
   const reference::VectorX<double> terms =
       reference::torque_magnitude(r, a.q, a.qd, zero) + a.tau.cwiseAbs() + reference::inertia_magnitude(r, a.q) * qdd;
-  return row_by_row(reference::VectorX<double>(inverse * terms));
+  return absolute_inverse(r, a) * terms;
+}
+
+std::vector<double> torque_derivative_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  return one_after_the_other<double>({reference::position_derivative_magnitude(r, a.q, a.qd, a.qdd),
+                                      reference::rate_derivative_magnitude(r, a.q, a.qd)});
+}
+
+// Of ∂q̈ = -B⁻¹ ∂(B q̈ + n): an error of the size of the terms of B ∂q̈ + ∂(B q̈ + n), q̈ itself in error, too.
+std::vector<double> acceleration_derivative_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  using Matrix = reference::MatrixX<double>;
+  const Matrix inverse = absolute_inverse(r, a), inertia = reference::inertia_magnitude(r, a.q);
+  const auto d = reference::forward_dynamics_derivatives(r, a.q, a.qd, a.tau);
+  const Matrix by_q = reference::position_derivative_magnitude(r, a.q, a.qd, acceleration_magnitude(r, a));
+  const Matrix by_qd = reference::rate_derivative_magnitude(r, a.q, a.qd);
+  return one_after_the_other<double>({inverse * (by_q + inertia * d.dq.cwiseAbs()),
+                                      inverse * (by_qd + inertia * d.dqd.cwiseAbs()),
+                                      inverse * inertia * d.dtau.cwiseAbs()});
 }
 
 // T = ½ q̇ᵀ B q̇ with magnitudes.
@@ -148,7 +193,9 @@ const std::map<std::string, Evaluation<double>>& magnitude_table() {
          const ref::VectorX<double> zero = ref::VectorX<double>::Zero(a.q.size());
          return row_by_row(ref::torque_magnitude(r, a.q, a.qd, zero));
        }},
-      {"forward_dynamics", acceleration_magnitude},
+      {"forward_dynamics", [](const R& r, const A& a) { return row_by_row(acceleration_magnitude(r, a)); }},
+      {"inverse_dynamics_derivatives", torque_derivative_magnitude},
+      {"forward_dynamics_derivatives", acceleration_derivative_magnitude},
       {"kinetic_energy", kinetic_magnitude},
       {"potential_energy",
        [](const R& r, const A& a) { return std::vector<double>{ref::potential_magnitude(r, a.q)}; }},

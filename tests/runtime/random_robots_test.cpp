@@ -3,6 +3,7 @@
 // with rotors on any link. Derivatives are central differences in 60 digits, with a step of 1e-18: right to 1e-34.
 #include <gtest/gtest.h>
 
+#include "flatdyn/reference/derivatives.hpp"
 #include "flatdyn/reference/magnitude.hpp"
 #include "support/reference_robots.hpp"
 
@@ -127,6 +128,35 @@ TEST_P(RandomRobots, CoriolisMatrixIsTheSkewSymmetricOne) {
 TEST_P(RandomRobots, ForwardDynamicsUndoInverseDynamics) {
   const Vector tau = ref::inverse_dynamics(robot, state.q, state.qd, state.qdd);
   EXPECT_SMALL(ref::forward_dynamics(robot, state.q, state.qd, tau) - state.qdd, state.qdd, S("1e-42"));
+}
+
+TEST_P(RandomRobots, DerivativesOfInverseDynamicsAreItsSlopes) {
+  const auto d = ref::inverse_dynamics_derivatives(robot, state.q, state.qd, state.qdd);
+  for (int k = 0; k < n; ++k) {
+    const auto by_q = slope([&](const Vector& q) { return ref::inverse_dynamics(robot, q, state.qd, state.qdd); }, k);
+    const Vector step = kStep * unit(k);
+    const Vector by_qd = (ref::inverse_dynamics(robot, state.q, Vector(state.qd + step), state.qdd) -
+                          ref::inverse_dynamics(robot, state.q, Vector(state.qd - step), state.qdd)) /
+                         (2 * kStep);
+    EXPECT_SMALL(d.dq.col(k) - by_q, by_q, kDifferenced);
+    EXPECT_SMALL(d.dqd.col(k) - by_qd, by_qd, kDifferenced);
+  }
+}
+
+TEST_P(RandomRobots, DerivativesOfForwardDynamicsAreItsSlopes) {
+  const Vector tau = ref::inverse_dynamics(robot, state.q, state.qd, state.qdd);
+  const auto d = ref::forward_dynamics_derivatives(robot, state.q, state.qd, tau);
+  for (int k = 0; k < n; ++k) {
+    const auto by_q = slope([&](const Vector& q) { return ref::forward_dynamics(robot, q, state.qd, tau); }, k);
+    const Vector step = kStep * unit(k);
+    const Vector by_qd = (ref::forward_dynamics(robot, state.q, Vector(state.qd + step), tau) -
+                          ref::forward_dynamics(robot, state.q, Vector(state.qd - step), tau)) /
+                         (2 * kStep);
+    const Vector by_tau = ref::forward_dynamics(robot, state.q, state.qd, Vector(tau + unit(k))) - state.qdd;
+    EXPECT_SMALL(d.dq.col(k) - by_q, by_q, kDifferenced);
+    EXPECT_SMALL(d.dqd.col(k) - by_qd, by_qd, kDifferenced);
+    EXPECT_SMALL(d.dtau.col(k) - by_tau, by_tau, kDifferenced);
+  }
 }
 
 TEST_P(RandomRobots, JacobianIsTheSlopeOfTheTipsPose) {

@@ -130,6 +130,32 @@ inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const Vect
   return C;
 }
 
+// Of the derivatives of inverse_dynamics by q. A turn by a small angle changes a term by no more than its size times
+// the angle; a slide by a unit is taken as it is.
+inline MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
+                                                     const VectorX<double>& qd, const VectorX<double>& qdd) {
+  const MagnitudeOptions options{.friction = false};
+  const VectorX<double> here = torque_magnitude(robot, q, qd, qdd, options);
+  MatrixX<double> result = here.replicate(1, q.size());
+  for (const Joint<double>& joint : robot.joints) {
+    if (joint.type != JointType::prismatic || joint.index < 0) continue;
+    VectorX<double> further = q.cwiseAbs();
+    further[joint.index] += 1;
+    result.col(joint.index) = torque_magnitude(robot, further, qd, qdd, options) - here;
+  }
+  return result;
+}
+
+// By q̇: 2 C and viscous friction.
+inline MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
+                                                 const VectorX<double>& qd) {
+  MatrixX<double> result = 2 * coriolis_magnitude(robot, q, qd);
+  for (const Joint<double>& joint : robot.joints) {
+    if (joint.index >= 0) result(joint.index, joint.index) += std::abs(joint.viscous);
+  }
+  return result;
+}
+
 // Length of the way from the base to the tip's origin.
 inline double reach(const Robot<double>& robot, const VectorX<double>& q) {
   double length = robot.p_tip.norm();

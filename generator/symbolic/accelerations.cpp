@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/accelerations.hpp"
+
+namespace flatdyn {
+
+std::vector<Number> bias_torques(Workbench& bench) {
+  const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
+  return torques(bench.frames, motion);
+}
+
+std::vector<Number> accelerations(Workbench& bench, const Factorisation& B) {
+  const std::vector<Number> tau = bench.all(InputKind::tau);
+  std::vector<Number> b = bias_torques(bench);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    b[i] = bench.derivation.named(tau[i] - b[i], "y_" + label(static_cast<int>(i)));
+  }
+  return B.solve(b, "qdd");
+}
+
+}  // namespace flatdyn

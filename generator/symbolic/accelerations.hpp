@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// q̈ from torques, (7.115), (7.116).
+#pragma once
+
+#include "symbolic/factorisation.hpp"
+#include "symbolic/workbench.hpp"
+
+namespace flatdyn {
+
+// C q̇ + g + friction.
+std::vector<Number> bias_torques(Workbench& bench);
+
+// q̈ of B q̈ = τ - bias, B factorised.
+std::vector<Number> accelerations(Workbench& bench, const Factorisation& B);
+
+}  // namespace flatdyn

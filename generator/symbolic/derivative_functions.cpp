@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/derivative_functions.hpp"
+
+#include "symbolic/accelerations.hpp"
+#include "symbolic/composite.hpp"
+#include "symbolic/derivatives.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Rows = std::vector<std::vector<Number>>;
+
+Output derivative_output(Workbench& bench, const std::string& name, const Rows& rows, const std::string& meaning) {
+  return matrix_output(name, bench.size(), bench.size(), bench.nodes(rows), meaning);
+}
+
+// -B⁻¹ times a matrix.
+Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name) {
+  Rows result = matrix;
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    std::vector<Number> column;
+    for (const std::vector<Number>& row : matrix) column.push_back(-row[k]);
+    column = B.solve(column, name + "_" + label(static_cast<int>(k)));
+    for (std::size_t i = 0; i < matrix.size(); ++i) result[i][k] = column[i];
+  }
+  return result;
+}
+
+}  // namespace
+
+Function torque_derivatives_function(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
+  const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), mechanism.gravity, true};
+  const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
+                  {derivative_output(bench, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
+                   derivative_output(bench, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
+}
+
+// From B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
+Function acceleration_derivatives_function(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
+  const Factorisation B(bench.frames, inertia_matrix(bench.frames));
+  const Motion motion{bench.all(InputKind::qd), accelerations(bench, B), mechanism.gravity, true};
+  const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
+  const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
+  const Rows dtau = B.inverse("a");
+  const std::vector<NodeId> pivots = bench.nodes(B.pivots());
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
+                  {derivative_output(bench, "dqdd_dq", dq, "row i, column k: of qdd[i] by q[k]"),
+                   derivative_output(bench, "dqdd_dqd", dqd, "row i, column k: of qdd[i] by qd[k]"),
+                   derivative_output(bench, "dqdd_dtau", dtau, "the inverse of B")},
+                  pivots);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Derivatives of the reference's functions by positions and velocities, one direction at a time.
+#pragma once
+
+#include "flatdyn/reference/newton_euler.hpp"
+#include "flatdyn/reference/tangent.hpp"
+
+namespace flatdyn::reference {
+
+// By q (per rad or m) and by q̇ (per rad/s or m/s): row i is of entry i, column k by joint k.
+template <class S>
+struct Derivatives {
+  MatrixX<S> dq, dqd;
+};
+
+// Of inverse_dynamics; sgn counts as constant.
+template <class S>
+Derivatives<S> inverse_dynamics_derivatives(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
+                                            const VectorX<S>& qdd) {
+  using T = Tangent<S>;
+  const Robot<T> lifted = with_tangents(robot);
+  const Eigen::Index n = q.size();
+  const auto slope = [n](const VectorX<T>& tau) {
+    VectorX<S> column(n);
+    for (Eigen::Index i = 0; i < n; ++i) column[i] = tau[i].slope;
+    return column;
+  };
+  const auto constant = [n](const VectorX<S>& x) {
+    VectorX<T> result(n);
+    for (Eigen::Index i = 0; i < n; ++i) result[i] = T(x[i]);
+    return result;
+  };
+  VectorX<T> q_t = constant(q), qd_t = constant(qd);
+  const VectorX<T> qdd_t = constant(qdd);
+  Derivatives<S> result{MatrixX<S>(n, n), MatrixX<S>(n, n)};
+  for (Eigen::Index k = 0; k < n; ++k) {
+    q_t[k].slope = S(1);
+    result.dq.col(k) = slope(inverse_dynamics(lifted, q_t, qd_t, qdd_t));
+    q_t[k].slope = S(0);
+    qd_t[k].slope = S(1);
+    result.dqd.col(k) = slope(inverse_dynamics(lifted, q_t, qd_t, qdd_t));
+    qd_t[k].slope = S(0);
+  }
+  return result;
+}
+
+// Of forward_dynamics, from B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n). B⁻¹ is the derivative by τ.
+template <class S>
+struct AccelerationDerivatives {
+  MatrixX<S> dq, dqd, dtau;
+};
+
+template <class S>
+AccelerationDerivatives<S> forward_dynamics_derivatives(const Robot<S>& robot, const VectorX<S>& q,
+                                                        const VectorX<S>& qd, const VectorX<S>& tau) {
+  const Eigen::Index n = q.size();
+  const VectorX<S> qdd = forward_dynamics(robot, q, qd, tau);
+  const Derivatives<S> torques = inverse_dynamics_derivatives(robot, q, qd, qdd);
+  const auto B = inertia_matrix(robot, q).llt();
+  return {-B.solve(torques.dq), -B.solve(torques.dqd), B.solve(MatrixX<S>(MatrixX<S>::Identity(n, n)))};
+}
+
+}  // namespace flatdyn::reference
