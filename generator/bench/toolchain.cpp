@@ -46,9 +46,13 @@ Toolchain find_toolchain() {
     throw Failure(ExitCode::io, fmt::format("no C++ compiler: {} cannot be run", toolchain.compiler),
                   "install g++ or set CXX");
   }
-  toolchain.has_xsimd = succeeds("echo '#include <xsimd/xsimd.hpp>' | " + toolchain.compiler + " -M -x c++ -");
+  const auto has_header = [&toolchain](const std::string& name) {
+    return succeeds(fmt::format("echo '#include <{}>' | {} -M -x c++ -", name, toolchain.compiler));
+  };
+  toolchain.has_xsimd = has_header("xsimd/xsimd.hpp");
   toolchain.has_eigen = succeeds("pkg-config --exists eigen3");
   toolchain.has_kdl = toolchain.has_eigen && succeeds("pkg-config --exists orocos-kdl");
+  toolchain.has_mujoco = has_header("mujoco/mujoco.h");
   return toolchain;
 }
 
