@@ -23,15 +23,15 @@ struct BenchArguments : RobotArguments {
   GrowthOptions growth_plan;
 };
 
-// The result to where it is wanted, as text or as JSON.
+// The result to where it is wanted. Printed first: measurements are not to be lost with a file that cannot be written.
 void deliver(const BenchArguments& arguments, const std::string& name, const nlohmann::ordered_json& json,
-             std::string text, const std::function<std::string()>& picture) {
-  if (!arguments.folder.empty()) {
-    const std::string stem = (std::filesystem::path(arguments.folder) / name).string();
-    write_files({{stem + ".json", json.dump(2) + "\n"}, {stem + ".svg", picture()}});
-    text += fmt::format("wrote {0}.json\nwrote {0}.svg\n", stem);
-  }
+             const std::string& text, const std::function<std::string()>& picture) {
   fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+  std::fflush(stdout);
+  if (arguments.folder.empty()) return;
+  const std::string stem = (std::filesystem::path(arguments.folder) / name).string();
+  write_files({{stem + ".json", json.dump(2) + "\n"}, {stem + ".svg", picture()}});
+  if (!arguments.json) fmt::print("wrote {0}.json\nwrote {0}.svg\n", stem);
 }
 
 BenchReport bench_robot(const BenchArguments& arguments, const std::string& robot) {
