@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# flatdyn_embed_templates(target folder): makes every folder/*.mustache a string in namespace flatdyn::templates of
-# `target` ("header.hpp.mustache" → `header_hpp`), declared in "templates.hpp", so that the program needs no files.
+# flatdyn_embed_templates(target folder include_dir): makes every folder/*.mustache a string in namespace
+# flatdyn::templates of `target` ("header.hpp.mustache" → `header_hpp`), declared in "templates.hpp", so that the program
+# needs no files. Every *.hpp below include_dir becomes a row of the table `headers` there, with the path that it is
+# included by.
 #
 # The same file is the script that the build runs when a template changes:
-#   cmake -D TEMPLATES=a;b -D OUTPUT_DIR=dir -P EmbedTemplates.cmake
+#   cmake -D TEMPLATES=a;b -D HEADERS=c;d -D INCLUDE_DIR=dir -D OUTPUT_DIR=dir -P EmbedTemplates.cmake
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(declarations "")
@@ -15,8 +17,17 @@ if(CMAKE_SCRIPT_MODE_FILE)
     string(APPEND declarations "extern const char* const ${name};\n")
     string(APPEND definitions "const char* const ${name} = R\"mustache(${text})mustache\";\n")
   endforeach()
+  set(rows "")
+  foreach(header ${HEADERS})
+    cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${INCLUDE_DIR} OUTPUT_VARIABLE path)
+    file(READ ${header} text)
+    string(APPEND rows "    {\"${path}\", R\"header(${text})header\"},\n")
+  endforeach()
+  string(APPEND declarations "struct Header {\n  const char *path, *text;\n};\n"
+                             "extern const std::vector<Header> headers;\n")
+  string(APPEND definitions "const std::vector<Header> headers = {\n${rows}};\n")
   file(WRITE ${OUTPUT_DIR}/templates.hpp
-       "#pragma once\n\nnamespace flatdyn::templates {\n${declarations}}  // namespace flatdyn::templates\n")
+       "#pragma once\n\n#include <vector>\n\nnamespace flatdyn::templates {\n${declarations}}  // namespace flatdyn::templates\n")
   file(WRITE ${OUTPUT_DIR}/templates.cpp
        "#include \"templates.hpp\"\n\nnamespace flatdyn::templates {\n${definitions}}  // namespace flatdyn::templates\n")
   return()
@@ -24,14 +35,16 @@ endif()
 
 set(FLATDYN_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
-function(flatdyn_embed_templates target folder)
+function(flatdyn_embed_templates target folder include_dir)
   file(GLOB templates CONFIGURE_DEPENDS ${folder}/*.mustache)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include_dir}/*.hpp)
   set(output_dir ${CMAKE_CURRENT_BINARY_DIR}/templates)
   add_custom_command(
     OUTPUT ${output_dir}/templates.cpp ${output_dir}/templates.hpp
-    COMMAND ${CMAKE_COMMAND} -D "TEMPLATES=${templates}" -D OUTPUT_DIR=${output_dir} -P ${FLATDYN_EMBED_SCRIPT}
-    DEPENDS ${templates} ${FLATDYN_EMBED_SCRIPT}
-    COMMENT "Embedding templates"
+    COMMAND ${CMAKE_COMMAND} -D "TEMPLATES=${templates}" -D "HEADERS=${headers}" -D INCLUDE_DIR=${include_dir}
+            -D OUTPUT_DIR=${output_dir} -P ${FLATDYN_EMBED_SCRIPT}
+    DEPENDS ${templates} ${headers} ${FLATDYN_EMBED_SCRIPT}
+    COMMENT "Embedding templates and headers"
     VERBATIM)
   target_sources(${target} PRIVATE ${output_dir}/templates.cpp ${output_dir}/templates.hpp)
   target_include_directories(${target} PRIVATE ${output_dir})

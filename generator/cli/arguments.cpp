@@ -143,6 +143,10 @@ CLI::Validator number_between(double least, double most) {
 
 void RobotArguments::add_to(CLI::App& command) {
   command.add_option("robot", robot, "robot file: URDF or TOML")->required()->type_name("FILE");
+  add_settings_to(command);
+}
+
+void RobotArguments::add_settings_to(CLI::App& command) {
   command.add_option("--snap", snap, "take angles this near to a multiple of pi/12 for it; 0: never")
       ->capture_default_str()
       ->type_name("RAD");

@@ -26,6 +26,7 @@ struct RobotArguments {
   bool quiet = false;
 
   void add_to(CLI::App& command);
+  void add_settings_to(CLI::App& command);  // all but the robot itself
   PipelineOptions options() const;
   // TOML lines that repeat --gravity, --tip and --fix, and what the scene says of these, for a file over the robot
   // file. Throws Failure(unsupported) if the scene says more.
@@ -61,6 +62,7 @@ Run add_eval(CLI::App& app);
 Run add_identify(CLI::App& app);
 Run add_payload(CLI::App& app);
 Run add_excite(CLI::App& app);
+Run add_bench(CLI::App& app);
 
 // Diagnostics on stderr, one each.
 void print_diagnostics(const Diagnostics& diagnostics, bool quiet);

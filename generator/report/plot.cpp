@@ -6,12 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
 
-#include "diagnostics/diagnostics.hpp"
-#include "diagnostics/temporary_folder.hpp"
+#include "report/gnuplot.hpp"
 
 namespace flatdyn {
 namespace {
@@ -19,22 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kWidth = 860, kPanelHeight = 250, kTitleHeight = 40;
-// Readable on white and on black alike.
-constexpr const char* kInk = "#8a8a8a";
-// After Okabe and Ito, distinct to the colour-blind; blue and orange moved to a middle lightness, their yellow, which
-// white swallows, left out.
-constexpr const char* kColours[] = {"#2b83ca", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#c98a00", "#8f7ee0"};
-constexpr std::size_t kColourCount = std::size(kColours);
-
-// A text of gnuplot: within single quotes only the quote itself is special.
-std::string gnuplot_string(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') result += c;
-    result += c == '\n' ? ' ' : c;
-  }
-  return result + "'";
-}
+constexpr std::size_t kColourCount = std::size(kPlotColours);
 
 std::string data_text(const Series& series, const std::string& name) {
   std::string text = fmt::format("${} << EOD\n", name);
@@ -64,23 +45,24 @@ std::string style_text(const std::vector<Panel>& panels) {
       "set key outside right top Left reverse samplen 1.5 width 1 noenhanced textcolor rgb '{0}'\n"
       "set lmargin 10\nset rmargin {1}\nset tmargin 2\nset bmargin 3\n"
       "set autoscale xfix\nset offsets 0, 0, graph 0.04, graph 0.04\n",
-      kInk, key_width(panels));
-}
-
-std::string label_text(const std::string& what, const std::string& text, const std::string& options = "") {
-  return fmt::format("set {} {} {} noenhanced textcolor rgb '{}'\n", what, gnuplot_string(text), options, kInk);
+      kPlotInk, key_width(panels));
 }
 
 std::string panel_text(const Panel& panel, std::size_t index) {
-  std::string text = label_text("title", panel.title, "offset 0,-0.5") + label_text("xlabel", panel.x_label) +
-                     label_text("ylabel", panel.y_label);
+  std::string text = gnuplot_label("title", panel.title, "offset 0,-0.5") + gnuplot_label("xlabel", panel.x_label) +
+                     gnuplot_label("ylabel", panel.y_label);
   std::vector<std::string> curves;
   for (std::size_t k = 0; k < panel.series.size(); ++k) {
     const std::string name = fmt::format("panel{}_{}", index, k);
     text += data_text(panel.series[k], name);
-    curves.push_back(fmt::format("${} with lines linewidth 1.4 linecolor rgb '{}' dashtype {} title {}", name,
-                                 kColours[k % kColourCount], k / kColourCount + 1,
+    curves.push_back(fmt::format("${} with {} linewidth 1.4 linecolor rgb '{}' dashtype {} title {}", name,
+                                 panel.logarithmic ? "linespoints pointtype 7 pointsize 0.5" : "lines",
+                                 kPlotColours[k % kColourCount], k / kColourCount + 1,
                                  gnuplot_string(panel.series[k].name)));
+  }
+  if (panel.logarithmic) {
+    text += fmt::format("set logscale xy\nset offsets 0, 0, 0, 0\nset xtics ({})\n",
+                        fmt::join(panel.series.front().x, ", "));
   }
   return text + fmt::format("plot {}\n", fmt::join(curves, ", "));
 }
@@ -91,29 +73,15 @@ std::string script_text(const std::string& title, const std::vector<Panel>& pane
                                  kWidth, kTitleHeight + count * kPanelHeight, gnuplot_string(output.string()));
   text += style_text(panels);
   text += fmt::format("set multiplot layout {},1 title {} noenhanced textcolor rgb '{}' font ',15'\n", count,
-                      gnuplot_string(title), kInk);
+                      gnuplot_string(title), kPlotInk);
   for (std::size_t k = 0; k < panels.size(); ++k) text += panel_text(panels[k], k);
   return text + "unset multiplot\n";
-}
-
-std::string content_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 }  // namespace
 
 std::string svg_plot(const std::string& title, const std::vector<Panel>& panels) {
-  if (std::system("gnuplot --version > /dev/null 2>&1") != 0) {
-    throw Failure(ExitCode::io, "no plot: gnuplot cannot be run", "install gnuplot-nox");
-  }
-  const TemporaryFolder folder;
-  const fs::path script = folder.path() / "plot.gp", output = folder.path() / "plot.svg", log = folder.path() / "log";
-  std::ofstream(script, std::ios::binary) << script_text(title, panels, output);
-  const std::string command = fmt::format("gnuplot '{}' > /dev/null 2> '{}'", script.string(), log.string());
-  if (std::system(command.c_str()) != 0) throw Failure(ExitCode::io, "gnuplot failed: " + content_of(log));
-  return content_of(output);
+  return gnuplot_svg([&](const fs::path& output) { return script_text(title, panels, output); });
 }
 
 }  // namespace flatdyn

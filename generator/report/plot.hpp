@@ -15,6 +15,7 @@ struct Series {
 struct Panel {
   std::string title, x_label, y_label;
   std::vector<Series> series;
+  bool logarithmic = false;  // both axes; points on the curves, x marked where the first has one
 };
 
 // Panels below each other in one SVG, without background and in colours for white and for dark pages. The same input

@@ -74,6 +74,13 @@ void draw_base_parameters(std::vector<State>& states, int count, unsigned seed) 
   }
 }
 
+std::vector<State> with_parameters(std::vector<State> states, const std::vector<Number>& values) {
+  for (State& state : states) {
+    for (const Number& value : values) state.parameters.push_back(nearest_double(value));
+  }
+  return states;
+}
+
 std::vector<State> edge_states(const Mechanism& mechanism) {
   std::vector<State> states;
   const auto n = static_cast<std::size_t>(mechanism.size());

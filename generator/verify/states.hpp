@@ -45,6 +45,9 @@ std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned
 // As many base parameters, between -1 and 1, in each of the states.
 void draw_base_parameters(std::vector<State>& states, int count, unsigned seed);
 
+// The same states, with the values of the robot's free symbols.
+std::vector<State> with_parameters(std::vector<State> states, const std::vector<Number>& values);
+
 // Joint positions at 0, ±pi/2, ±pi and a thousand turns, speeds zero and large, accelerations zero.
 std::vector<State> edge_states(const Mechanism& mechanism);
 

@@ -12,8 +12,6 @@
 #include "verify/compiled.hpp"
 #include "verify/exact.hpp"
 #include "verify/properties.hpp"
-#include "verify/regressor_outputs.hpp"
-#include "verify/regressor_reference.hpp"
 #include "verify/values.hpp"
 
 namespace flatdyn {
@@ -23,37 +21,19 @@ namespace {
 constexpr double kGraphTolerance = 1e-35;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::vector<State> with_parameters(std::vector<State> states, const SymbolValues& values) {
-  for (State& state : states) {
-    for (const Number& value : values) state.parameters.push_back(nearest_double(value));
-  }
-  return states;
-}
-
 struct Subject {
   const Function& function;
   std::size_t index;
-};
-
-// What a function is compared with, at a state.
-struct Expected {
-  std::function<std::vector<Real50>(const State&)> exact;
-  std::function<std::vector<double>(const State&)> rounded, scale;
 };
 
 class Comparison {
  public:
   Comparison(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
              const VerifyOptions& options)
-      : robot_(robot),
-        symbols_(random_symbol_values(robot, options.seed)),
-        exact_(reference_robot<Real50>(robot, symbols_)),
-        rounded_(reference_robot<double>(robot, symbols_)),
+      : expected_(robot, mechanism, options.seed),
         compiled_(mechanism, functions),
-        mechanism_(mechanism),
-        options_(options),
-        random_(with_parameters(random_states(mechanism, options.states, options.seed), symbols_)),
-        edge_(with_parameters(edge_states(mechanism), symbols_)) {
+        random_(with_parameters(random_states(mechanism, options.states, options.seed), expected_.symbols())),
+        edge_(with_parameters(edge_states(mechanism), expected_.symbols())) {
     for (const Function& function : functions) {
       if (function.base_parameters == 0) continue;
       draw_base_parameters(random_, function.base_parameters, options.seed);
@@ -63,10 +43,10 @@ class Comparison {
 
   void compare(const Subject& subject, FunctionReport& report) const {
     const Function& function = subject.function;
-    const Expected expected = is_regressor(function.name) ? regressor_of(function) : torques_and_poses(function);
+    const Expected expected = expected_.of(function);
     GraphEvaluator<Real50> graph(function);
     std::vector<double> generated, generated_at_edges, reference;
-    const std::size_t count = states_for(function);
+    const std::size_t count = affordable_states(function, random_.empty() ? 1 : random_[0].q.size(), random_.size());
     // Where states are dear, about as many edge states as random ones.
     constexpr std::size_t kFewestEdges = 4;
     const std::size_t stride = std::max<std::size_t>(1, edge_.size() / std::max(count, kFewestEdges));
@@ -98,34 +78,6 @@ class Comparison {
   const std::vector<State>& random() const { return random_; }
 
  private:
-  Expected torques_and_poses(const Function& function) const {
-    const auto exact = seen_by(function, robot_, exact_);
-    const auto rounded = seen_by(function, robot_, rounded_);
-    return {
-        [&function, exact](const State& s) { return reference_values<Real50>(function, exact, widened<Real50>(s)); },
-        [&function, rounded](const State& s) { return reference_values<double>(function, rounded, s); },
-        [&function, rounded](const State& s) { return magnitudes(function, rounded, s); }};
-  }
-
-  Expected regressor_of(const Function& function) const {
-    const RegressorReference<Real50> exact(mechanism_, exact_, symbols_, function.name);
-    const RegressorReference<double> rounded(mechanism_, rounded_, symbols_, function.name);
-    return {[exact](const State& s) { return exact.values(widened<Real50>(s)); },
-            [rounded](const State& s) { return rounded.values(s); },
-            [rounded](const State& s) { return magnitudes(rounded, s); }};
-  }
-
-  // Symbols by polarisation cost n² recursions in 50 digits each, regressors one per column: fewer states where n is
-  // large.
-  std::size_t states_for(const Function& function) const {
-    const bool many =
-        function.name == "christoffel" || function.name == "coriolis_matrix" || is_regressor(function.name);
-    const std::size_t n = random_.empty() ? 1 : random_[0].q.size();
-    const std::size_t affordable =
-        many ? std::max<std::size_t>(2, 1500 / (n * n)) : std::max<std::size_t>(10, 2000 / n);
-    return std::min(random_.size(), affordable);
-  }
-
   static double relative_difference(const std::vector<Real50>& a, const std::vector<Real50>& b,
                                     const std::vector<double>& scale) {
     double largest = 0;
@@ -155,34 +107,8 @@ class Comparison {
     return sum;
   }
 
-  // An entry with magnitude 0 must be 0 to the last bit.
-  static double scaled_error(const std::vector<double>& x, const std::vector<Real50>& truth,
-                             const std::vector<double>& scale) {
-    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-    double largest = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      const double difference = Real50(abs(Real50(x[k]) - truth[k])).convert_to<double>();
-      if (!(difference >= 0)) return kInfinity;
-      if (difference > 0) {
-        largest = std::max(largest, scale[k] > 0 ? difference / (kEpsilon * scale[k]) : kInfinity);
-      }
-    }
-    return largest;
-  }
-
-  static ErrorSummary summary(std::vector<double> errors) {
-    std::sort(errors.begin(), errors.end());
-    const std::size_t k = errors.size() * 99 / 100;
-    return {errors.back(), errors[std::min(k, errors.size() - 1)]};
-  }
-
-  const Robot& robot_;
-  SymbolValues symbols_;
-  reference::Robot<Real50> exact_;
-  reference::Robot<double> rounded_;
+  ExpectedValues expected_;
   CompiledFunctions compiled_;
-  const Mechanism& mechanism_;
-  VerifyOptions options_;
   std::vector<State> random_, edge_;
 };
 

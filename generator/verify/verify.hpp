@@ -10,6 +10,7 @@
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
+#include "verify/expected.hpp"
 
 namespace flatdyn {
 
@@ -20,11 +21,6 @@ struct VerifyOptions {
 };
 
 // Scaled errors: abs(x - exact) / (ε · magnitude), flatdyn/reference/magnitude.hpp.
-struct ErrorSummary {
-  double largest = 0;
-  double percentile_99 = 0;
-};
-
 struct FunctionReport {
   std::string function;
   bool proven = false;     // equal to the Lagrangian at random points of prime fields

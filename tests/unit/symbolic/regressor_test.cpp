@@ -14,7 +14,7 @@ namespace {
 
 using Field = ModP<kMersenne61>;
 
-std::vector<Field> values_of(const Function& function, std::uint64_t seed) {
+std::vector<Field> field_values(const Function& function, std::uint64_t seed) {
   ModPArithmetic<> arithmetic(seed);
   const std::vector<Field> all = evaluate(function, arithmetic);
   std::vector<Field> result;
@@ -36,8 +36,8 @@ class RandomRegressor : public ::testing::TestWithParam<unsigned> {
 
 // (7.81), with motors on whatever link they are and both kinds of friction.
 TEST_P(RandomRegressor, TimesTheParametersIsTheTorque) {
-  const std::vector<Field> Y = values_of(function, 7),
-                           tau = values_of(derive_function(mechanism, "inverse_dynamics"), 7);
+  const std::vector<Field> Y = field_values(function, 7),
+                           tau = field_values(derive_function(mechanism, "inverse_dynamics"), 7);
   const std::vector<Number> pi = dynamic_parameters(mechanism);
   for (std::size_t i = 0; i < tau.size(); ++i) {
     Field sum;
@@ -83,7 +83,8 @@ TEST(Regressor, TakesATipPayloadAsParametersOfTheLastLink) {
   const Mechanism bare = make_mechanism(robot);
   robot.links.back().inertials.push_back(testing::link("payload", 2, {0, 1, 0}, identity_matrix()).inertials[0]);
   const Mechanism loaded = make_mechanism(robot);
-  EXPECT_TRUE(values_of(derive_function(bare, "regressor"), 3) == values_of(derive_function(loaded, "regressor"), 3));
+  EXPECT_TRUE(field_values(derive_function(bare, "regressor"), 3) ==
+              field_values(derive_function(loaded, "regressor"), 3));
   const std::vector<Number> before = dynamic_parameters(bare), after = dynamic_parameters(loaded);
   const int last = bare.size() - 1;
   EXPECT_TRUE((after[static_cast<std::size_t>(index_of(last, Parameter::m))] -

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/errors.hpp"
+#include "bench/program.hpp"
+#include "diagnostics/nearest.hpp"
+#include "diagnostics/temporary_folder.hpp"
+
+namespace flatdyn {
+namespace {
+
+// How many states the calls go through.
+constexpr int kCalledStates = 1024;
+
+// Of the scaled error, about 2e-7 relative to the terms: what a peer's own rounding stays below (MuJoCo finds principal
+// axes of inertia to some 1e-9 only), and a wrong model far above.
+constexpr double kPeerBound = 1e9;
+
+const char* unit_of(const std::string& function) {
+  const auto begins = [&function](const char* with) { return function.rfind(with, 0) == 0; };
+  if (begins("inverse_dynamics_derivatives")) return "N m per rad, rad/s";
+  if (begins("forward_dynamics_derivatives")) return "rad/s^2 per rad, rad/s, N m";
+  if (begins("inertia_matrix") || begins("christoffel")) return "kg m^2";
+  if (begins("coriolis_matrix")) return "N m s";
+  if (begins("forward_dynamics")) return "rad/s^2";
+  if (begins("kinetic_energy") || begins("potential_energy")) return "J";
+  if (begins("forward_kinematics")) return "m";
+  if (begins("jacobian_dot_qd")) return "m/s^2";
+  if (begins("jacobian")) return "m";
+  return begins("regressor") || begins("base_regressor") || begins("adaptive_regressor") ? "N m per parameter" : "N m";
+}
+
+std::vector<State> states_for(const Mechanism& mechanism, const std::vector<Function>& functions,
+                              const SymbolValues& symbols, unsigned seed) {
+  std::vector<State> states = with_parameters(random_states(mechanism, kCalledStates, seed), symbols);
+  for (const Function& function : functions) {
+    if (function.base_parameters > 0) draw_base_parameters(states, function.base_parameters, seed);
+  }
+  return states;
+}
+
+bool is_wanted(const BenchOptions& options, const std::string& name) {
+  const std::vector<std::string>& wanted = options.variants;
+  return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+}
+
+std::vector<BenchVariant> wanted_variants(const BenchOptions& options) {
+  std::vector<BenchVariant> variants;
+  for (const BenchVariant& variant : bench_variants()) {
+    if (is_wanted(options, variant.name)) variants.push_back(variant);
+  }
+  return variants;
+}
+
+BenchPeers wanted_peers(const BenchOptions& options, const Toolchain& toolchain, const Mechanism& mechanism) {
+  BenchPeers peers = find_peers(toolchain, mechanism);
+  std::erase_if(peers.found, [&](const BenchPeer& peer) { return !is_wanted(options, peer.name); });
+  std::erase_if(peers.left_out,
+                [&](const std::string& line) { return !is_wanted(options, line.substr(0, line.find(':'))); });
+  return peers;
+}
+
+void check_variants(const BenchOptions& options) {
+  const std::vector<std::string> known = bench_variant_names();
+  for (const std::string& name : options.variants) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw Failure(ExitCode::usage, "no variant named \"" + name + "\"", hint_for_unknown(name, known, "variants"));
+  }
+}
+
+void check_peer(const BenchCase& peer, const std::string& name, const BenchErrors& errors) {
+  if (!peer.is_peer || errors.scaled.largest <= kPeerBound) return;
+  throw Failure(ExitCode::bug, fmt::format("{}: its numbers differ from the reference in 50 digits by {:.2g} units of "
+                                           "the last place: its model is another one",
+                                           name, errors.scaled.largest));
+}
+
+// Of the rows that do the whole work.
+void mark_front(std::vector<BenchRow>& rows) {
+  std::vector<BenchRow*> whole;
+  std::vector<Cost> costs;
+  for (BenchRow& row : rows) {
+    if (!row.is_whole) continue;
+    whole.push_back(&row);
+    costs.push_back({row.time.median, row.scaled.percentile_99});
+  }
+  const std::vector<bool> front = pareto_front(costs);
+  for (std::size_t k = 0; k < whole.size(); ++k) whole[k]->on_front = front[k];
+}
+
+void sort_rows(std::vector<BenchRow>& rows) {
+  const double base = rows.front().time.median;
+  for (BenchRow& row : rows) row.ratio = row.time.median / base;
+  mark_front(rows);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const BenchRow& a, const BenchRow& b) { return a.time.median < b.time.median; });
+}
+
+// One run of a robot's program, in its steps.
+class BenchRun {
+ public:
+  BenchRun(const Model& model, const std::vector<Function>& functions, const BenchOptions& options, Progress& progress)
+      : model_(model),
+        functions_(functions),
+        options_(options),
+        progress_(progress),
+        toolchain_(find_toolchain()),
+        expected_(model.robot, model.mechanism, options.seed),
+        states_(states_for(model.mechanism, functions, expected_.symbols(), options.seed)),
+        peers_(wanted_peers(options, toolchain_, model.mechanism)) {}
+
+  BenchReport run() {
+    const BenchSubject subject{model_.mechanism, functions_,         states_, toolchain_, wanted_variants(options_),
+                               peers_.found,     expected_.symbols()};
+    const TemporaryFolder folder;
+    progress_.step("compiling the benchmark of " + model_.mechanism.name);
+    const BenchProgram program(subject, folder.path());
+    const std::vector<BenchErrors> errors = errors_of(subject, program);
+    progress_.step("timing " + model_.mechanism.name);
+    const std::vector<std::vector<double>> times = program.times(options_.seconds, options_.seed);
+    return report(program.cases(), errors, times, program.sizes());
+  }
+
+ private:
+  std::vector<BenchErrors> errors_of(const BenchSubject& subject, const BenchProgram& program) const {
+    progress_.step("comparing " + model_.mechanism.name + " with 50 digits");
+    const auto wanted = static_cast<std::size_t>(std::min(options_.states, kCalledStates));
+    std::vector<BenchErrors> errors = bench_errors(subject, expected_, program.cases(), program.values(wanted), wanted);
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      const BenchCase& each = program.cases()[k];
+      check_peer(each, each.name(functions_), errors[k]);
+    }
+    return errors;
+  }
+
+  BenchReport report(const std::vector<BenchCase>& cases, const std::vector<BenchErrors>& errors,
+                     const std::vector<std::vector<double>>& times, const std::vector<long>& sizes) const {
+    BenchReport report{model_.mechanism.name, toolchain_.version(), kBenchFlags, options_.seconds, {}, peers_.left_out};
+    if (!toolchain_.has_xsimd && !wanted_variants(options_).empty())
+      report.left_out.emplace_back("batch, together: they need xsimd (libxsimd-dev)");
+    for (const Function& function : functions_) {
+      report.functions.push_back({function.name, unit_of(function.name), count_operations(function), {}});
+    }
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      BenchRow row;
+      row.variant = cases[k].variant;
+      row.is_peer = cases[k].is_peer;
+      row.is_whole = cases[k].is_peer || cases[k].of.trigonometry != Trigonometry::given;
+      row.time = quartiles(times[k]);
+      row.rounds = times[k].size();
+      row.scaled = errors[k].scaled;
+      row.absolute = errors[k].absolute;
+      row.states = errors[k].states;
+      row.bytes = sizes[k];
+      report.functions[cases[k].function].rows.push_back(row);
+    }
+    std::erase_if(report.functions, [](const BenchFunction& function) { return function.rows.empty(); });
+    for (BenchFunction& function : report.functions) sort_rows(function.rows);
+    return report;
+  }
+
+  const Model& model_;
+  const std::vector<Function>& functions_;
+  BenchOptions options_;
+  Progress& progress_;
+  Toolchain toolchain_;
+  ExpectedValues expected_;
+  std::vector<State> states_;
+  BenchPeers peers_;
+};
+
+}  // namespace
+
+std::vector<std::string> bench_variant_names() {
+  std::vector<std::string> names;
+  for (const BenchVariant& variant : bench_variants()) names.emplace_back(variant.name);
+  names.insert(names.end(), std::begin(kBenchPeers), std::end(kBenchPeers));
+  return names;
+}
+
+BenchReport bench(const Model& model, const std::vector<Function>& functions, const BenchOptions& options,
+                  Progress& progress) {
+  check_variants(options);
+  return BenchRun(model, functions, options, progress).run();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/calls.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "emit/arguments.hpp"
+#include "emit/function_text.hpp"
+#include "emit/identifiers.hpp"
+#include "graph/count.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string joined(const Words& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+// The scalar that the function is compiled for.
+std::string scalar_type(const BenchVariant& variant) {
+  return variant.batch ? fmt::format("flatdyn::Lanes<{}>", variant.scalar) : variant.scalar;
+}
+
+bool has_angles(const Function& function) { return count_operations(function).trigonometric > 0; }
+
+std::string given_type(const BenchVariant& variant) {
+  return fmt::format("{}::GivenSinCos<{}>", kBenchNamespace, scalar_type(variant));
+}
+
+// The argument that says where sines and cosines come from; `given`: the caller's arrays.
+Words sin_cos_argument(const BenchVariant& variant, const std::string& given) {
+  switch (variant.trigonometry) {
+    case Trigonometry::library:
+      return {};
+    case Trigonometry::together:
+      return {"flatdyn::TogetherSinCos()"};
+    case Trigonometry::given:
+      return {fmt::format("{}{{{}}}", given_type(variant), given)};
+  }
+  return {};
+}
+
+void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+
+InputArgument argument_of(const Mechanism& mechanism, const Function& function, InputKind kind) {
+  return input_argument(kind, mechanism.size(), function.base_parameters);
+}
+
+// The struct of free symbols, first argument of all functions of a robot that has some; of state `k`.
+Words free_symbols(const Mechanism& mechanism, const BenchVariant& variant, const std::string& k) {
+  if (mechanism.symbols.empty()) return {};
+  Words members;
+  for (std::size_t m = 0; m < mechanism.symbols.size(); ++m) {
+    members.push_back(fmt::format("{}(x.parameters.of({})[{}])", scalar_type(variant), k, m));
+  }
+  return {fmt::format("{}::Parameters<{}>{{{}}}", kBenchNamespace, scalar_type(variant), joined(members))};
+}
+
+std::string called(const Function& function, const Words& arguments) {
+  return fmt::format("{}::{}({})", kBenchNamespace, cpp_identifier(function.name), joined(arguments));
+}
+
+std::string in_column(int length, const std::string& name) {
+  return fmt::format("flatdyn::in<{}>(x.{}.by_entry.data(), kStates)", length, name);
+}
+
+// "result", "result_2", …
+std::string result_name(std::size_t output) { return output == 0 ? "result" : fmt::format("result_{}", output + 1); }
+
+}  // namespace
+
+std::size_t entry_count(const Function& function) {
+  std::size_t count = 0;
+  for (const Output& output : function.outputs) count += output.entries.size();
+  return count;
+}
+
+std::string single_call(const Mechanism& mechanism, const Function& function, const BenchVariant& variant) {
+  Words arguments = free_symbols(mechanism, variant, "k");
+  for (const InputKind kind : function.inputs) {
+    arguments.push_back(fmt::format("x.{}.of(k)", argument_of(mechanism, function, kind).name));
+  }
+  const Words sin_cos = sin_cos_argument(variant, "x.s.of(k), x.c.of(k)");
+  if (returns_value(function)) {
+    append(arguments, sin_cos);
+    return "out[0] = " + called(function, arguments);
+  }
+  std::size_t offset = 0;
+  for (const Output& output : function.outputs) {
+    arguments.push_back(offset == 0 ? "out" : fmt::format("out + {}", offset));
+    offset += output.entries.size();
+  }
+  append(arguments, sin_cos);
+  const std::string call = called(function, arguments);
+  return function.positive.empty() ? call : "keep(" + call + ")";
+}
+
+BatchCall batch_call(const Mechanism& mechanism, const Function& function, const BenchVariant& variant) {
+  Words arguments = free_symbols(mechanism, variant, "0"), parameters, columns;
+  for (const InputKind kind : function.inputs) {
+    const InputArgument argument = argument_of(mechanism, function, kind);
+    parameters.push_back("auto " + argument.name);
+    arguments.push_back(argument.name);
+    columns.push_back(in_column(argument.length, argument.name));
+  }
+  if (variant.trigonometry == Trigonometry::given) {
+    for (const char* name : {"s", "c"}) {
+      parameters.push_back(fmt::format("auto {}", name));
+      columns.push_back(in_column(mechanism.size(), name));
+    }
+  }
+  std::size_t offset = 0;
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    const std::size_t length = function.outputs[k].entries.size();
+    parameters.push_back("auto " + result_name(k));
+    if (!returns_value(function)) arguments.push_back(result_name(k));
+    columns.push_back(fmt::format("flatdyn::out<{}>(out + {} * kStates, kStates)", length, offset));
+    offset += length;
+  }
+  append(arguments, sin_cos_argument(variant, "s, c"));
+  const std::string call = called(function, arguments);
+  const std::string body = returns_value(function)     ? "*result = " + call
+                           : function.positive.empty() ? call
+                                                       : "return " + call;
+  return {mechanism.symbols.empty() ? "" : "&x", joined(parameters), body,
+          fmt::format("{}", fmt::join(columns, ",\n        "))};
+}
+
+std::string plain_symbol(const Function& function, const std::string& variant) {
+  return cpp_identifier(function.name + "_" + variant);
+}
+
+std::string template_symbol(const Function& function, const BenchVariant& variant) {
+  std::string types = scalar_type(variant);
+  if (has_angles(function)) {
+    types += variant.trigonometry == Trigonometry::library    ? fmt::format(", {}::LibrarySinCos", kBenchNamespace)
+             : variant.trigonometry == Trigonometry::together ? ", flatdyn::TogetherSinCos"
+                                                              : ", " + given_type(variant);
+  }
+  // nm keeps closing brackets apart, and so inner ones.
+  std::string name = fmt::format("{}::{}<{}>", kBenchNamespace, cpp_identifier(function.name), types);
+  for (std::size_t k = name.find(">>"); k != std::string::npos; k = name.find(">>", k)) name.replace(k, 2, "> >");
+  return name;
+}
+
+PlainFunction plain_function(const Mechanism& mechanism, const Function& function, const BenchVariant& variant) {
+  const std::string scalar = scalar_type(variant);
+  Words arguments, parameters;
+  if (!mechanism.symbols.empty()) {
+    parameters.push_back(fmt::format("const {}::Parameters<{}>& parameters", kBenchNamespace, scalar));
+    arguments.emplace_back("parameters");
+  }
+  for (const InputKind kind : function.inputs) {
+    const std::string name = argument_of(mechanism, function, kind).name;
+    parameters.push_back(fmt::format("const {}* {}", scalar, name));
+    arguments.push_back(name);
+  }
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    parameters.push_back(fmt::format("{}* {}", scalar, result_name(k)));
+    if (!returns_value(function)) arguments.push_back(result_name(k));
+  }
+  if (variant.trigonometry == Trigonometry::given) {
+    for (const char* name : {"s", "c"}) parameters.push_back(fmt::format("const {}* {}", scalar, name));
+  }
+  append(arguments, sin_cos_argument(variant, "s, c"));
+  const bool conditional = !function.positive.empty();
+  return {conditional ? "bool" : "void", plain_symbol(function, variant.name), joined(parameters),
+          (returns_value(function) ? "*result = "
+           : conditional           ? "return "
+                                   : "") +
+              called(function, arguments)};
+}
+
+}  // namespace flatdyn

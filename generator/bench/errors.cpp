@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/errors.hpp"
+
+#include <algorithm>
+
+#include "bench/calls.hpp"
+
+namespace flatdyn {
+namespace {
+
+// What a function in float is given: its error is that of its own arithmetic.
+State as_given(const State& state, const std::string& scalar) {
+  State given = state;
+  if (scalar != "float") return given;
+  for (std::vector<double>* numbers : {&given.q, &given.qd, &given.qdd, &given.tau, &given.h_e, &given.parameters,
+                                       &given.qd_r, &given.qdd_r, &given.pi_b}) {
+    for (double& x : *numbers) x = static_cast<double>(static_cast<float>(x));
+  }
+  return given;
+}
+
+// A function's values in 50 digits, and the size of their terms, state by state.
+struct Truth {
+  std::vector<std::vector<Real50>> values;
+  std::vector<std::vector<double>> scales;
+};
+
+Truth truth_of(const BenchSubject& subject, const Expected& expected, const std::string& scalar, std::size_t count) {
+  Truth truth;
+  for (std::size_t k = 0; k < count; ++k) {
+    const State state = as_given(subject.states[k], scalar);
+    truth.values.push_back(expected.exact(state));
+    truth.scales.push_back(expected.scale(state));
+  }
+  return truth;
+}
+
+BenchErrors errors_against(const Truth& truth, const std::vector<double>& values, std::size_t entries) {
+  std::vector<double> scaled, absolute;
+  for (std::size_t k = 0; k < truth.values.size(); ++k) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(k * entries);
+    const std::vector<double> x(first, first + static_cast<std::ptrdiff_t>(entries));
+    scaled.push_back(scaled_error(x, truth.values[k], truth.scales[k]));
+    double worst = 0;
+    for (std::size_t i = 0; i < entries; ++i) worst = std::max(worst, absolute_error(x[i], truth.values[k][i]));
+    absolute.push_back(worst);
+  }
+  return {summary(scaled), summary(absolute), truth.values.size()};
+}
+
+}  // namespace
+
+std::vector<BenchErrors> bench_errors(const BenchSubject& subject, const ExpectedValues& expected,
+                                      const std::vector<BenchCase>& cases,
+                                      const std::vector<std::vector<double>>& values, std::size_t wanted) {
+  std::vector<BenchErrors> errors(cases.size());
+  const auto joints = static_cast<std::size_t>(subject.mechanism.size());
+  for (std::size_t f = 0; f < subject.functions.size(); ++f) {
+    const Function& function = subject.functions[f];
+    const Expected values_expected = expected.of(function);
+    const std::size_t count = affordable_states(function, joints, wanted);
+    for (const std::string scalar : {"double", "float"}) {
+      const Truth truth = truth_of(subject, values_expected, scalar, count);
+      for (std::size_t k = 0; k < cases.size(); ++k) {
+        if (cases[k].function != f || cases[k].scalar != scalar) continue;
+        errors[k] = errors_against(truth, values[k], entry_count(function));
+      }
+    }
+  }
+  return errors;
+}
+
+}  // namespace flatdyn

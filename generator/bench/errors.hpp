@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is lost by rounding, against 50 digits.
+#pragma once
+
+#include <vector>
+
+#include "bench/program.hpp"
+#include "verify/expected.hpp"
+
+namespace flatdyn {
+
+struct BenchErrors {
+  ErrorSummary scaled, absolute;
+  std::size_t states = 0;
+};
+
+// By case. `values` as of BenchProgram::values at `wanted` states; of costly functions fewer are compared.
+std::vector<BenchErrors> bench_errors(const BenchSubject& subject, const ExpectedValues& expected,
+                                      const std::vector<BenchCase>& cases,
+                                      const std::vector<std::vector<double>>& values, std::size_t wanted);
+
+}  // namespace flatdyn

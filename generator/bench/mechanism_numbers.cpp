@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bench/page.hpp"
+#include "bench/peers.hpp"
+#include "emit/writer.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Exact numbers → C++ text of the nearest doubles.
+class NumberList {
+ public:
+  NumberList(const Mechanism& mechanism, const SymbolValues& symbols) {
+    for (std::size_t k = 0; k < symbols.size(); ++k) values_[mechanism.symbols[k].symbol] = symbols[k];
+  }
+
+  std::string operator()(const Number& a) const { return to_decimal(a.subs(values_), 17); }
+  std::string operator()(const Vec3& v) const {
+    return fmt::format("{{{}, {}, {}}}", (*this)(v[0]), (*this)(v[1]), (*this)(v[2]));
+  }
+  std::string operator()(const Mat3& m) const {
+    std::vector<std::string> entries;
+    for (const Vec3& row : m) {
+      for (const Number& entry : row) entries.push_back((*this)(entry));
+    }
+    return fmt::format("{{{}}}", fmt::join(entries, ", "));
+  }
+
+ private:
+  GiNaC::exmap values_;
+};
+
+std::string rotor_text(const NumberList& number, const Body& body) {
+  const Rotor rotor = body.rotor.value_or(Rotor{});
+  return fmt::format("{{{}, {}, {}, {}}}", rotor.carrier, number(rotor.gear_ratio), number(rotor.inertia),
+                     number(rotor.axis));
+}
+
+std::string link_text(const NumberList& number, const Body& body) {
+  const InertialParameters& of = body.inertia;
+  // A link without mass has its centre of mass anywhere.
+  const Vec3 r = of.mass.is_zero() ? zero_vector() : expanded(Vec3((1 / of.mass) * of.first_moment));
+  const Mat3 moved = steiner(of.mass, r);
+  Mat3 I = of.inertia;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) I[i][j] -= moved[i][j];
+  }
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", body.parent, body.prismatic,
+                     number(constant_rotation(body)), number(body.p), number(of.mass), number(r), number(I),
+                     number(body.viscous), number(body.coulomb), number(body.armature), rotor_text(number, body));
+}
+
+}  // namespace
+
+std::string mechanism_numbers(const Mechanism& mechanism, const SymbolValues& symbols) {
+  const NumberList number(mechanism, symbols);
+  std::vector<std::string> links;
+  for (const Body& body : mechanism.bodies) links.push_back(link_text(number, body));
+  kainjow::mustache::data page;
+  page["robot"] = comment_text(mechanism.name);
+  page["joints"] = std::to_string(mechanism.size());
+  page["links"] = list_of_texts(links);
+  page["gravity"] = number(mechanism.gravity);
+  page["tip_link"] = std::to_string(mechanism.tip.body);
+  page["tip_R"] = number(mechanism.tip.R);
+  page["tip_p"] = number(mechanism.tip.p);
+  return rendered(templates::bench_mechanism_hpp, page);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/page.hpp"
+
+#include <stdexcept>
+
+namespace flatdyn {
+
+kainjow::mustache::data list_of_texts(const std::vector<std::string>& texts) {
+  kainjow::mustache::data list(kainjow::mustache::data::type::list);
+  for (const std::string& text : texts) list << kainjow::mustache::data(text);
+  return list;
+}
+
+std::string rendered(const char* text, const kainjow::mustache::data& page) {
+  kainjow::mustache::mustache sheet(text);
+  sheet.set_custom_escape([](const std::string& written) { return written; });
+  const std::string result = sheet.render(page);
+  if (!sheet.is_valid()) throw std::logic_error("template: " + sheet.error_message());
+  return result;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/peers.hpp"
+
+#include <algorithm>
+
+#include "model/physical_inertia.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Eigen's inline functions under a name of their own: another library's were compiled for another machine.
+BenchPeer reference_peer() {
+  return {"reference",
+          "reference",
+          std::string(kBenchFlags) + " -DNDEBUG -DEigen=eigen_of_reference $(pkg-config --cflags eigen3)",
+          "",
+          templates::bench_reference_cpp,
+          {"inverse_dynamics", "inverse_dynamics_tip_force", "inertia_matrix", "christoffel", "coriolis_matrix",
+           "gravity", "bias", "forward_dynamics", "kinetic_energy", "forward_kinematics", "jacobian", "jacobian_dot_qd",
+           "inverse_dynamics_derivatives", "forward_dynamics_derivatives"}};
+}
+
+// For the machine that its library was compiled for: both share Eigen's layout in memory.
+BenchPeer kdl_peer() {
+  return {
+      "KDL",
+      "kdl",
+      "-std=c++17 -O3 -DNDEBUG $(pkg-config --cflags orocos-kdl)",
+      "$(pkg-config --libs orocos-kdl)",
+      templates::bench_kdl_cpp,
+      {"inverse_dynamics", "inertia_matrix", "gravity", "bias", "forward_dynamics", "forward_kinematics", "jacobian"}};
+}
+
+BenchPeer mujoco_peer() {
+  return {"MuJoCo",
+          "mujoco",
+          "-std=c++17 -O3 -DNDEBUG",
+          "-lmujoco",
+          templates::bench_mujoco_cpp,
+          {"inverse_dynamics", "inertia_matrix", "gravity", "bias", "forward_dynamics"}};
+}
+
+bool is_chain(const Mechanism& mechanism) {
+  for (int i = 0; i < mechanism.size(); ++i) {
+    if (mechanism.bodies[static_cast<std::size_t>(i)].parent != i - 1) return false;
+  }
+  return true;
+}
+
+template <class Has>
+bool any_body(const Mechanism& mechanism, Has has) {
+  return std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), has);
+}
+
+// What neither KDL nor MuJoCo has a word for (or, as for friction, another meaning); empty if there is nothing of it.
+std::string unknown_to_others(const Mechanism& mechanism) {
+  if (any_body(mechanism, [](const Body& body) { return body.rotor.has_value(); })) return "it knows no rotors";
+  const auto has_friction = [](const Body& body) { return !body.viscous.is_zero() || !body.coulomb.is_zero(); };
+  if (any_body(mechanism, has_friction)) return "its friction is another one";
+  return "";
+}
+
+std::string unknown_to_kdl(const Mechanism& mechanism) {
+  return is_chain(mechanism) ? unknown_to_others(mechanism) : "its dynamics are those of a chain, and this is none";
+}
+
+std::string unknown_to_mujoco(const Mechanism& mechanism) {
+  if (!mechanism.symbols.empty()) return "whether it takes the links depends on the free symbols";
+  const auto is_refused = [](const Body& body) {
+    const InertialParameters& of = body.inertia;
+    if (of.mass.is_zero()) return true;
+    const Mat3 moved = steiner(of.mass, (1 / of.mass) * of.first_moment);
+    Mat3 I = of.inertia;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) I[i][j] -= moved[i][j];
+    }
+    return I[0][0].is_zero() || fault_of_inertia(expanded(I)).has_value();
+  };
+  if (any_body(mechanism, is_refused)) return "it refuses a link that no body could be";
+  return unknown_to_others(mechanism);
+}
+
+void add_peer(BenchPeers& peers, const BenchPeer& peer, bool is_installed, const std::string& package,
+              const std::string& unknown) {
+  if (!is_installed) {
+    peers.left_out.push_back(peer.name + ": it is not installed (" + package + ")");
+  } else if (!unknown.empty()) {
+    peers.left_out.push_back(peer.name + ": " + unknown);
+  } else {
+    peers.found.push_back(peer);
+  }
+}
+
+}  // namespace
+
+BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism) {
+  BenchPeers peers;
+  if (mechanism.size() == 0) return peers;
+  add_peer(peers, reference_peer(), toolchain.has_eigen, "libeigen3-dev", "");
+  BenchPeer kdl = kdl_peer();
+  // A chain to an inner link is another chain to KDL, with fewer joints.
+  if (mechanism.tip.body + 1 != mechanism.size()) {
+    for (const char* name : {"forward_kinematics", "jacobian"}) kdl.functions.erase(name);
+  }
+  add_peer(peers, kdl, toolchain.has_kdl, "liborocos-kdl-dev", unknown_to_kdl(mechanism));
+  add_peer(peers, mujoco_peer(), toolchain.has_mujoco, "libmujoco-dev", unknown_to_mujoco(mechanism));
+  return peers;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Commands of the machine's shell.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace flatdyn {
+
+// Runs a shell's command in `folder`; `pinned`: on one core only, the last one that this process may use. Returns what
+// a shell says: 128 + n after signal n.
+int run_command(const std::string& command, const std::filesystem::path& folder, bool pinned = false);
+
+std::string content_of_file(const std::filesystem::path& path);
+
+// Throws Failure(io).
+void write_file(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace flatdyn

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The benchmark of one robot as a program of its own: text in a folder, compiled by the machine's compiler.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/sources.hpp"
+
+namespace flatdyn {
+
+// One function in one variant, or from a peer.
+struct BenchCase {
+  std::size_t function = 0;  // index
+  std::string variant;       // or the peer's name
+  std::string scalar = "double";
+  bool is_peer = false;
+  BenchVariant of = {};  // of a peer nothing
+
+  // As the program names it: "gravity/batch-double".
+  std::string name(const std::vector<Function>& functions) const { return functions[function].name + "/" + variant; }
+};
+
+class BenchProgram {
+ public:
+  // Writes, compiles and links. What the subject refers to must outlive it.
+  BenchProgram(const BenchSubject& subject, std::filesystem::path folder);
+
+  const std::vector<BenchCase>& cases() const { return cases_; }
+
+  // Entries of all outputs at the first `states` states, by case.
+  std::vector<std::vector<double>> values(std::size_t states) const;
+  // Samples of the time of one call in ns, by case. Takes about `seconds`.
+  std::vector<std::vector<double>> times(double seconds, unsigned seed) const;
+  // Bytes of machine code, by case, without what it calls; 0 for a peer.
+  std::vector<long> sizes() const;
+  // Compiles the functions alone, each once per variant.
+  CompilerUsage compilation() const;
+
+ private:
+  void build() const;
+  std::map<std::string, std::size_t> index_by_name() const;
+
+  BenchSubject subject_;
+  std::filesystem::path folder_;
+  std::vector<BenchCase> cases_;
+};
+
+}  // namespace flatdyn

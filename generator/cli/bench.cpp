@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/bench.hpp"
+
+#include "bench/growth.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "report/bench_plot.hpp"
+#include "report/bench_report.hpp"
+#include "report/growth_report.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct BenchArguments : RobotArguments {
+  std::vector<std::string> robots;
+  std::vector<std::string> functions;
+  std::string folder;
+  BenchOptions bench;
+  bool growth = false;
+  GrowthOptions growth_plan;
+};
+
+// The result to where it is wanted. Printed first: measurements are not to be lost with a file that cannot be written.
+void deliver(const BenchArguments& arguments, const std::string& name, const nlohmann::ordered_json& json,
+             const std::string& text, const std::function<std::string()>& picture) {
+  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+  std::fflush(stdout);
+  if (arguments.folder.empty()) return;
+  const std::string stem = (std::filesystem::path(arguments.folder) / name).string();
+  write_files({{stem + ".json", json.dump(2) + "\n"}, {stem + ".svg", picture()}});
+  if (!arguments.json) fmt::print("wrote {0}.json\nwrote {0}.svg\n", stem);
+}
+
+BenchReport bench_robot(const BenchArguments& arguments, const std::string& robot) {
+  PipelineOptions options = arguments.options();
+  options.functions = arguments.functions;
+  const Model model = read_model(robot, options);
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  Diagnostics findings;
+  Progress progress(arguments.quiet);
+  const std::vector<Function> functions = functions_of(make_functions(model, options, progress, findings));
+  print_diagnostics(findings, arguments.quiet);
+  return bench(model, functions, arguments.bench, progress);
+}
+
+ExitCode run_robots(const BenchArguments& arguments) {
+  std::vector<BenchReport> reports;
+  for (const std::string& robot : arguments.robots) reports.push_back(bench_robot(arguments, robot));
+  nlohmann::ordered_json json = {{"robots", nlohmann::ordered_json::array()}};
+  std::string text;
+  for (const BenchReport& report : reports) {
+    json["robots"].push_back(bench_json(report));
+    text += (text.empty() ? "" : "\n") + bench_text(report);
+  }
+  deliver(arguments, "bench", json, text, [&reports] { return bench_plot(reports); });
+  return ExitCode::ok;
+}
+
+ExitCode run_growth(const BenchArguments& arguments) {
+  GrowthOptions options = arguments.growth_plan;
+  options.seconds = arguments.bench.seconds;
+  options.seed = arguments.bench.seed;
+  if (!arguments.functions.empty()) options.functions = arguments.functions;
+  Progress progress(arguments.quiet);
+  const GrowthReport report = bench_growth(options, progress);
+  deliver(arguments, "growth", growth_json(report), growth_text(report), [&report] { return growth_plot(report); });
+  return ExitCode::ok;
+}
+
+ExitCode run_bench(const BenchArguments& arguments) {
+  if (arguments.growth && !arguments.robots.empty()) {
+    throw Failure(ExitCode::usage, "--growth makes its own robots", "leave out " + arguments.robots.front());
+  }
+  if (!arguments.growth && arguments.robots.empty()) {
+    throw Failure(ExitCode::usage, "no robot file is given", "name one, or ask for --growth");
+  }
+  return arguments.growth ? run_growth(arguments) : run_robots(arguments);
+}
+
+}  // namespace
+
+Run add_bench(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "bench",
+      "Measure run time and rounding errors of every function, in every variant, beside other libraries.\n\n"
+      "  flatdyn bench robots/panda.urdf --functions inverse_dynamics,inertia_matrix\n"
+      "  flatdyn bench robots/panda.urdf robots/ur5.urdf -o out/ --time 60\n"
+      "  flatdyn bench --growth --joints 16 -o out/");
+  const auto arguments = std::make_shared<BenchArguments>();
+  command->add_option("robot", arguments->robots, "robot files: URDF or TOML")->type_name("FILE");
+  arguments->add_settings_to(*command);
+  add_functions_option(*command, arguments->functions);
+  command->add_option("--time", arguments->bench.seconds, "of all timing; per robot")
+      ->capture_default_str()
+      ->type_name("S")
+      ->check(number_between(0.001, 1e5));
+  command
+      ->add_option("--variants", arguments->bench.variants,
+                   fmt::format("ways to call, and peers, separated by commas; default: all of {}",
+                               fmt::join(bench_variant_names(), ", ")))
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
+  command->add_option("--states", arguments->bench.states, "random states at which errors are measured, at most")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--seed", arguments->bench.seed, "of the states and of the order of the runs")
+      ->capture_default_str();
+  command->add_flag("--growth", arguments->growth,
+                    "instead: cost over the number of joints, of chains and trees of 2, 4, 8 ... joints");
+  command->add_option("--joints", arguments->growth_plan.joints, "of the largest of these, at most")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 64))
+      ->needs("--growth");
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder for bench.json and bench.svg (growth.json and growth.svg); made if it is not there")
+      ->check(kNotEmpty)
+      ->type_name("FOLDER");
+  return [arguments] { return run_bench(*arguments); };
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/bench.hpp"
+
+namespace flatdyn {
+
+// Time against error, a panel per robot and function. SVG.
+std::string bench_plot(const std::vector<BenchReport>& reports);
+
+}  // namespace flatdyn

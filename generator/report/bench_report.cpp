@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/bench_report.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnostics/table.hpp"
+
+namespace flatdyn {
+namespace {
+
+using nlohmann::ordered_json;
+
+// Three digits, as many as the machine's noise leaves.
+std::string nanoseconds(double time) {
+  return time < 10 ? fmt::format("{:.2f}", time) : fmt::format("{:.{}f}", time, time < 100 ? 1 : 0);
+}
+
+std::string table_of(const BenchFunction& function) {
+  std::vector<std::vector<std::string>> rows = {{"  variant", "ns", "quartiles", "ratio", "scaled: p99", "max",
+                                                 function.unit + ": p99", "max", "bytes", "front"}};
+  for (const BenchRow& row : function.rows) {
+    rows.push_back({"  " + row.variant, nanoseconds(row.time.median),
+                    nanoseconds(row.time.low) + " .. " + nanoseconds(row.time.high), fmt::format("{:.2f}", row.ratio),
+                    fmt::format("{:.2g}", row.scaled.percentile_99), fmt::format("{:.2g}", row.scaled.largest),
+                    fmt::format("{:.2g}", row.absolute.percentile_99), fmt::format("{:.2g}", row.absolute.largest),
+                    row.is_peer ? "" : std::to_string(row.bytes), row.on_front ? "*" : ""});
+  }
+  return fmt::format("{}: {}\n{}\n", function.name, to_string(function.operations), aligned_table(rows));
+}
+
+ordered_json json_of(const BenchRow& row) {
+  ordered_json json = {{"variant", row.variant}, {"peer", row.is_peer}, {"whole", row.is_whole}};
+  json["ns"] = {{"low", row.time.low}, {"median", row.time.median}, {"high", row.time.high}};
+  json["rounds"] = row.rounds;
+  json["ratio"] = row.ratio;
+  json["scaled_error"] = {{"p99", row.scaled.percentile_99}, {"max", row.scaled.largest}};
+  json["error"] = {{"p99", row.absolute.percentile_99}, {"max", row.absolute.largest}};
+  json["states"] = row.states;
+  if (!row.is_peer) json["bytes"] = row.bytes;
+  json["front"] = row.on_front;
+  return json;
+}
+
+ordered_json json_of(const BenchFunction& function) {
+  const OperationCount& count = function.operations;
+  ordered_json json = {{"name", function.name}, {"unit", function.unit}};
+  json["operations"] = {{"mul", count.multiplications},
+                        {"add", count.additions},
+                        {"div", count.divisions},
+                        {"sincos", count.trigonometric}};
+  json["variants"] = ordered_json::array();
+  for (const BenchRow& row : function.rows) json["variants"].push_back(json_of(row));
+  return json;
+}
+
+}  // namespace
+
+std::string bench_text(const BenchReport& report) {
+  std::string text = fmt::format("{}: {}, {}\n\n", report.robot, report.compiler, report.flags);
+  for (const BenchFunction& function : report.functions) text += table_of(function);
+  text +=
+      "ns: one call, in a batch one state; median and quartiles over the rounds. ratio: to \"double\", or the first "
+      "one asked for\n"
+      "scaled: error in units of the last place of double, of the terms' size; then in the function's unit\n"
+      "front: nothing here that computes its sines is both faster and more accurate (p99)\n";
+  for (const std::string& line : report.left_out) text += "left out: " + line + "\n";
+  return text;
+}
+
+ordered_json bench_json(const BenchReport& report) {
+  ordered_json json = {{"robot", report.robot},
+                       {"compiler", report.compiler},
+                       {"flags", report.flags},
+                       {"seconds", report.seconds},
+                       {"left_out", report.left_out}};
+  json["functions"] = ordered_json::array();
+  for (const BenchFunction& function : report.functions) json["functions"].push_back(json_of(function));
+  return json;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/growth_report.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnostics/table.hpp"
+#include "report/plot.hpp"
+
+namespace flatdyn {
+namespace {
+
+using nlohmann::ordered_json;
+
+double megabytes(const GrowthRow& row) { return static_cast<double>(row.peak_kilobytes) / 1024; }
+
+bool is_fitted(const GrowthCurve& curve) { return curve.rows.size() > 1; }
+
+std::string exponents_of(const GrowthCurve& curve) {
+  if (!is_fitted(curve)) return "one size: no exponents\n";
+  return fmt::format("operations ~ n^{:.2f}, time ~ n^{:.2f}\n", curve.operation_exponent, curve.time_exponent);
+}
+
+std::string text_of(const GrowthCurve& curve) {
+  std::vector<std::vector<std::string>> rows = {{"  joints", "mul", "add", "sin/cos", "ns", "quartiles", "scaled: max",
+                                                 "generated in s", "compiled in s", "compiler's MB"}};
+  for (const GrowthRow& row : curve.rows) {
+    rows.push_back({fmt::format("  {}", row.joints), std::to_string(row.operations.multiplications),
+                    std::to_string(row.operations.additions), std::to_string(row.operations.trigonometric),
+                    fmt::format("{:.4g}", row.time.median),
+                    fmt::format("{:.4g} .. {:.4g}", row.time.low, row.time.high),
+                    fmt::format("{:.2g}", row.scaled_error), fmt::format("{:.2g}", row.generation),
+                    fmt::format("{:.2g}", row.compilation), fmt::format("{:.0f}", megabytes(row))});
+  }
+  return fmt::format("{}, {}: {}{}\n", curve.shape, curve.function, exponents_of(curve), aligned_table(rows));
+}
+
+ordered_json json_of(const GrowthRow& row) {
+  return {{"joints", row.joints},
+          {"mul", row.operations.multiplications},
+          {"add", row.operations.additions},
+          {"sincos", row.operations.trigonometric},
+          {"ns", {{"low", row.time.low}, {"median", row.time.median}, {"high", row.time.high}}},
+          {"scaled_error", row.scaled_error},
+          {"generation_s", row.generation},
+          {"compilation_s", row.compilation},
+          {"compiler_kilobytes", row.peak_kilobytes}};
+}
+
+ordered_json json_of(const GrowthCurve& curve) {
+  ordered_json json = {{"shape", curve.shape}, {"function", curve.function}};
+  const auto exponent = [&](double fitted) { return is_fitted(curve) ? ordered_json(fitted) : ordered_json(); };
+  json["operation_exponent"] = exponent(curve.operation_exponent);
+  json["time_exponent"] = exponent(curve.time_exponent);
+  json["sizes"] = ordered_json::array();
+  for (const GrowthRow& row : curve.rows) json["sizes"].push_back(json_of(row));
+  return json;
+}
+
+using Quantity = double (*)(const GrowthRow&);
+
+Panel panel_of(const GrowthReport& report, const std::string& title, Quantity quantity) {
+  Panel panel{title, "", "", {}, true};
+  for (const GrowthCurve& curve : report.curves) {
+    Series series{curve.shape + ", " + curve.function, {}, {}};
+    for (const GrowthRow& row : curve.rows) {
+      series.x.push_back(row.joints);
+      series.y.push_back(quantity(row));
+    }
+    panel.series.push_back(series);
+  }
+  return panel;
+}
+
+}  // namespace
+
+std::string growth_text(const GrowthReport& report) {
+  std::string text = fmt::format("{}, {}\n\n", report.compiler, report.flags);
+  for (const GrowthCurve& curve : report.curves) text += text_of(curve);
+  return text +
+         "n: joints; exponents by least squares on logarithms. ns: one call in double\n"
+         "scaled: error in units of the last place of the terms' size. compiled: the function alone, processor time\n";
+}
+
+ordered_json growth_json(const GrowthReport& report) {
+  ordered_json json = {{"compiler", report.compiler}, {"flags", report.flags}, {"growth", ordered_json::array()}};
+  for (const GrowthCurve& curve : report.curves) json["growth"].push_back(json_of(curve));
+  return json;
+}
+
+std::string growth_plot(const GrowthReport& report) {
+  std::vector<Panel> panels = {panel_of(report, "multiplications and additions",
+                                        [](const GrowthRow& r) { return 1.0 * r.operations.arithmetic(); }),
+                               panel_of(report, "one call, ns", [](const GrowthRow& r) { return r.time.median; }),
+                               panel_of(report, "generation, s", [](const GrowthRow& r) { return r.generation; }),
+                               panel_of(report, "compilation, s", [](const GrowthRow& r) { return r.compilation; }),
+                               panel_of(report, "compiler's memory, MB", megabytes)};
+  panels.back().x_label = "joints";
+  return svg_plot("Growth with the number of joints", panels);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where the names of points go, so that none covers another one: like flags on poles, to the right of their poles.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flatdyn {
+
+// In pixels, y downwards.
+struct Box {
+  double left = 0, top = 0, right = 0, bottom = 0;
+
+  bool overlaps(const Box& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+struct LabelledPoint {
+  double x = 0, y = 0;
+  std::string text;
+};
+
+// About what a renderer makes of it, in the pictures' size of letters.
+double label_width(const std::string& text);
+
+// The flag of each point; its pole goes up or down from the point to the flag's left edge. Flags of points in the upper
+// half of `frame` hang, those of the lower half stand. A flag may go beyond the frame on its right.
+std::vector<Box> placed_labels(const std::vector<LabelledPoint>& points, const Box& frame);
+
+}  // namespace flatdyn

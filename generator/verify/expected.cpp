@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/expected.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "verify/regressor_outputs.hpp"
+#include "verify/regressor_reference.hpp"
+#include "verify/values.hpp"
+
+namespace flatdyn {
+
+ExpectedValues::ExpectedValues(const Robot& robot, const Mechanism& mechanism, unsigned seed)
+    : robot_(robot),
+      mechanism_(mechanism),
+      symbols_(random_symbol_values(robot, seed)),
+      exact_(reference_robot<Real50>(robot, symbols_)),
+      rounded_(reference_robot<double>(robot, symbols_)) {}
+
+Expected ExpectedValues::of(const Function& function) const {
+  return is_regressor(function.name) ? regressor_of(function) : torques_and_poses(function);
+}
+
+Expected ExpectedValues::torques_and_poses(const Function& function) const {
+  const auto exact = seen_by(function, robot_, exact_);
+  const auto rounded = seen_by(function, robot_, rounded_);
+  return {[&function, exact](const State& s) { return reference_values<Real50>(function, exact, widened<Real50>(s)); },
+          [&function, rounded](const State& s) { return reference_values<double>(function, rounded, s); },
+          [&function, rounded](const State& s) { return magnitudes(function, rounded, s); }};
+}
+
+Expected ExpectedValues::regressor_of(const Function& function) const {
+  const RegressorReference<Real50> exact(mechanism_, exact_, symbols_, function.name);
+  const RegressorReference<double> rounded(mechanism_, rounded_, symbols_, function.name);
+  return {[exact](const State& s) { return exact.values(widened<Real50>(s)); },
+          [rounded](const State& s) { return rounded.values(s); },
+          [rounded](const State& s) { return magnitudes(rounded, s); }};
+}
+
+std::size_t affordable_states(const Function& function, std::size_t joints, std::size_t wanted) {
+  const bool many = function.name == "christoffel" || function.name == "coriolis_matrix" || is_regressor(function.name);
+  const std::size_t n = std::max<std::size_t>(1, joints);
+  const std::size_t affordable = many ? std::max<std::size_t>(2, 1500 / (n * n)) : std::max<std::size_t>(10, 2000 / n);
+  return std::min(wanted, affordable);
+}
+
+double absolute_error(double x, const Real50& truth) {
+  const double difference = Real50(abs(Real50(x) - truth)).convert_to<double>();
+  return difference >= 0 ? difference : std::numeric_limits<double>::infinity();
+}
+
+double scaled_error(const std::vector<double>& x, const std::vector<Real50>& truth, const std::vector<double>& scale) {
+  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  double largest = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double difference = absolute_error(x[k], truth[k]);
+    if (difference > 0) {
+      const bool has_scale = scale[k] > 0;
+      largest =
+          std::max(largest, has_scale ? difference / (kEpsilon * scale[k]) : std::numeric_limits<double>::infinity());
+    }
+  }
+  return largest;
+}
+
+ErrorSummary summary(std::vector<double> errors) {
+  std::sort(errors.begin(), errors.end());
+  const std::size_t k = errors.size() * 99 / 100;
+  return {errors.back(), errors[std::min(k, errors.size() - 1)]};
+}
+
+}  // namespace flatdyn

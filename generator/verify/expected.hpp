@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a function is compared with at a state, and how far a result is from it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "graph/function.hpp"
+#include "model/mechanism.hpp"
+#include "verify/reference_model.hpp"
+#include "verify/states.hpp"
+
+namespace flatdyn {
+
+struct Expected {
+  std::function<std::vector<Real50>(const State&)> exact;           // from the recursive reference
+  std::function<std::vector<double>(const State&)> rounded, scale;  // the reference in double; magnitudes
+};
+
+// The recursive reference of one robot, with values for its free symbols.
+class ExpectedValues {
+ public:
+  // All three must outlive it. `seed` draws the symbols' values.
+  ExpectedValues(const Robot& robot, const Mechanism& mechanism, unsigned seed);
+
+  const SymbolValues& symbols() const { return symbols_; }
+  // The function must outlive the result.
+  Expected of(const Function& function) const;
+
+ private:
+  Expected torques_and_poses(const Function& function) const;
+  Expected regressor_of(const Function& function) const;
+
+  const Robot& robot_;
+  const Mechanism& mechanism_;
+  SymbolValues symbols_;
+  reference::Robot<Real50> exact_;
+  reference::Robot<double> rounded_;
+};
+
+// Symbols by polarisation cost n² recursions in 50 digits each, regressors one per column: fewer states where n is
+// large. At most `wanted`.
+std::size_t affordable_states(const Function& function, std::size_t joints, std::size_t wanted);
+
+// The largest over the entries of abs(x - exact) / (ε · magnitude), ε that of double. An entry with magnitude 0 must be
+// 0 to the last bit.
+double scaled_error(const std::vector<double>& x, const std::vector<Real50>& truth, const std::vector<double>& scale);
+
+// Infinite for what is not a number.
+double absolute_error(double x, const Real50& truth);
+
+struct ErrorSummary {
+  double largest = 0;
+  double percentile_99 = 0;
+};
+
+// Of at least one error.
+ErrorSummary summary(std::vector<double> errors);
+
+}  // namespace flatdyn

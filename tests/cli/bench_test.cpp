@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// flatdyn bench: what it measures, prints and writes. How fast something is depends on the machine and is not tested.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+// Two skew joints, the second one prismatic; no rotors and no friction, as KDL wants it.
+constexpr const char* kArm = R"(<robot name="arm">
+  <link name="base"/>
+  <link name="upper"><inertial><origin xyz="0.1 0.2 0.3"/><mass value="2"/>
+    <inertia ixx="0.2" iyy="0.3" izz="0.25" ixy="0.01" ixz="0.02" iyz="0.03"/></inertial></link>
+  <link name="lower"><inertial><origin xyz="0.3 0.1 0.2" rpy="0.1 0.2 0.3"/><mass value="1"/>
+    <inertia ixx="0.1" iyy="0.15" izz="0.2" ixy="0.01" ixz="0.02" iyz="0.03"/></inertial></link>
+  <joint name="turn" type="revolute"><parent link="base"/><child link="upper"/>
+    <origin xyz="0.1 0 0.5" rpy="0.3 0.2 0.1"/><axis xyz="0 1 1"/>
+    <limit lower="-2" upper="2" velocity="3" effort="50"/></joint>
+  <joint name="slide" type="prismatic"><parent link="upper"/><child link="lower"/>
+    <origin xyz="0.2 0.3 0" rpy="0 0.7 0"/><axis xyz="1 0 0"/>
+    <limit lower="0" upper="0.5" velocity="1" effort="50"/></joint>
+</robot>)";
+
+bool is_installed(const std::string& package) {
+  return std::system(("pkg-config --exists " + package + " > /dev/null 2>&1").c_str()) == 0;
+}
+
+bool mujoco_has(const std::string& function) {
+  const bool is_dynamics = function != "forward_kinematics" && function != "jacobian";
+  return is_dynamics && std::filesystem::exists("/usr/include/mujoco/mujoco.h");
+}
+
+void expect_well_formed(const std::string& svg) {
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(svg.c_str()), tinyxml2::XML_SUCCESS);
+  EXPECT_STREQ(document.RootElement()->Name(), "svg");
+}
+
+std::map<std::string, json> by_variant(const json& function) {
+  std::map<std::string, json> rows;
+  for (const json& row : function["variants"]) rows[row["variant"]] = row;
+  return rows;
+}
+
+void expect_ordered_times(const json& function) {
+  double last = 0;
+  for (const json& row : function["variants"]) {
+    const json& ns = row["ns"];
+    EXPECT_GT(ns["low"], 0.0);
+    EXPECT_LE(ns["low"], ns["median"]);
+    EXPECT_LE(ns["median"], ns["high"]);
+    EXPECT_GE(ns["median"], last) << "sorted by time";
+    last = ns["median"];
+    EXPECT_GE(row["rounds"], 5);
+  }
+}
+
+// In units of the last place: double and peers a few, float 2^29 times as many. MuJoCo's are those of its inertia.
+void expect_small_errors(const std::map<std::string, json>& rows) {
+  for (const auto& [name, row] : rows) {
+    const double error = row["scaled_error"]["max"];
+    const double bound = name == "float" ? 16 * 536870912.0 : name == "MuJoCo" ? 1e9 : 16;
+    EXPECT_LE(error, bound) << name;
+    EXPECT_LE(row["scaled_error"]["p99"], error) << name;
+  }
+}
+
+TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
+  const Scratch scratch;
+  scratch.write("arm.urdf", kArm);
+  const Outcome outcome = run_flatdyn(fmt::format(
+      "bench {} -q --json --time 0.02 --states 20 --variants double,double-given,float,batch-double-given,KDL,MuJoCo "
+      "--functions inverse_dynamics,inertia_matrix,gravity,bias,forward_dynamics,forward_kinematics,jacobian "
+      "-o {}",
+      scratch.path("arm.urdf"), scratch.path("out")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(json::parse(scratch.read("out/bench.json")), result);
+  expect_well_formed(scratch.read("out/bench.svg"));
+  ASSERT_EQ(result["robots"].size(), 1u);
+  const json& functions = result["robots"][0]["functions"];
+  ASSERT_EQ(functions.size(), 7u);
+  for (const json& function : functions) {
+    const std::map<std::string, json> rows = by_variant(function);
+    const bool has_angles = function["operations"]["sincos"] > 0;
+    EXPECT_EQ(rows.size(), 2u + 2 * has_angles + is_installed("orocos-kdl") + mujoco_has(function["name"]))
+        << function["name"];
+    expect_ordered_times(function);
+    expect_small_errors(rows);
+    EXPECT_EQ(rows.at("double")["ratio"], 1.0);
+    EXPECT_GT(rows.at("double")["bytes"], 0);
+    if (has_angles) {
+      EXPECT_FALSE(rows.at("double-given")["front"]) << "it leaves out part of the work";
+    }
+    for (const auto& [name, row] : rows) EXPECT_EQ(row["peer"], name == "KDL" || name == "MuJoCo");
+  }
+  EXPECT_GT(functions[0]["operations"]["mul"], 0);
+}
+
+// Free symbols, rotors (which the reference knows), and all that SIMD lanes have a part in.
+TEST(Bench, MeasuresLanesOfARobotWithSymbols) {
+  const Outcome outcome = run_flatdyn(
+      "bench robots/planar_2r.toml -q --time 0.02 --states 10 --functions kinetic_energy "
+      "--variants double,double-together,batch-double,batch-float-given,reference,KDL");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* text : {"planar_2r: ", "kinetic_energy: 20 mul, 11 add", "batch-double ", "double-together ",
+                           "batch-float-given ", "reference ", "J: p99", "left out: KDL: it knows no rotors"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
+TEST(Bench, ShowsGrowth) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_flatdyn("bench --growth --joints 4 -q --json --time 0.02 --functions gravity -o " + scratch.path());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  expect_well_formed(scratch.read("growth.svg"));
+  const json curves = json::parse(outcome.out)["growth"];
+  ASSERT_EQ(curves.size(), 2u);
+  for (const json& curve : curves) {
+    ASSERT_EQ(curve["sizes"].size(), 2u);
+    for (const json& row : curve["sizes"]) {
+      EXPECT_LE(row["scaled_error"], 16.0);
+      EXPECT_GT(row["ns"]["median"], 0.0);
+      EXPECT_GT(row["compilation_s"], 0.0);
+      EXPECT_GT(row["compiler_kilobytes"], 1000);
+    }
+    EXPECT_LT(curve["sizes"][0]["mul"], curve["sizes"][1]["mul"]);
+    EXPECT_GT(curve["operation_exponent"], 1.0);
+    EXPECT_TRUE(curve["time_exponent"].is_number());
+  }
+}
+
+TEST(Bench, RefusesWhatItCannotDo) {
+  const std::string robot = "robots/planar_2r.toml";
+  for (const std::string& arguments : std::vector<std::string>{
+           std::string(), robot + " --growth", robot + " --joints 4", std::string("--growth --joints 1"),
+           std::string("--growth --joints 65"), robot + " --time 0", robot + " --time nan", robot + " --states 0",
+           robot + " --variants quadruple", robot + " --functions nothing", robot + " -o ''"}) {
+    EXPECT_EQ(run_flatdyn("bench -q " + arguments).code, 2) << arguments;
+  }
+  EXPECT_THAT(run_flatdyn("bench -q " + robot + " --variants doubel").err, HasSubstr("double"));
+  EXPECT_EQ(run_flatdyn("bench -q no_such.urdf").code, 6);
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gtest/gtest.h>
+
+#include "bench/growth.hpp"
+#include "model/mechanism.hpp"
+#include "model/validate.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+class GrowthRobot : public ::testing::TestWithParam<bool> {};
+
+TEST_P(GrowthRobot, IsARobotThatCanBe) {
+  Robot robot = growth_robot(GetParam(), 9, 3);
+  Diagnostics found;
+  robot.root = -1;  // to be found
+  EXPECT_TRUE(validate_tree(robot, found));
+  validate_values(robot, {}, found);
+  for (const Diagnostic& each : found.all()) ADD_FAILURE() << to_string(each);
+  const Mechanism mechanism = make_mechanism(robot);
+  EXPECT_EQ(mechanism.size(), 9);
+  for (const Body& body : mechanism.bodies) EXPECT_FALSE(body.inertia.mass.is_zero());
+}
+
+TEST_P(GrowthRobot, IsTheSameForTheSameSeed) {
+  const Robot a = growth_robot(GetParam(), 4, 1), b = growth_robot(GetParam(), 4, 1),
+              c = growth_robot(GetParam(), 4, 2);
+  EXPECT_TRUE(a.links[4].inertials[0].mass.number.is_equal(b.links[4].inertials[0].mass.number));
+  EXPECT_FALSE(a.links[4].inertials[0].tensor[0][0].is_equal(c.links[4].inertials[0].tensor[0][0]));
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, GrowthRobot, ::testing::Bool());
+
+TEST(GrowthRobotShape, IsAChainOrATreeOfTwos) {
+  const Robot chain = growth_robot(true, 7, 1), tree = growth_robot(false, 7, 1);
+  std::vector<int> children(8, 0);
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(chain.joints[i].parent, static_cast<int>(i));
+    ++children[static_cast<std::size_t>(tree.joints[i].parent)];
+  }
+  EXPECT_EQ(children, (std::vector<int>{1, 2, 2, 2, 0, 0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

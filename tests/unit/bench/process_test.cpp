@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/process.hpp"
+
+#include <gtest/gtest.h>
+
+#include "diagnostics/temporary_folder.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+TEST(RunCommand, SaysHowItEnded) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_command("exit 3", folder.path()), 3);
+  EXPECT_EQ(run_command("kill -TERM $$", folder.path()), 128 + 15);
+}
+
+TEST(RunCommand, RunsInTheFolder) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_command("echo here > note", folder.path()), 0);
+  EXPECT_EQ(content_of_file(folder.path() / "note"), "here\n");
+}
+
+TEST(RunCommand, PinsToOneCore) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_command("nproc > cores", folder.path(), true), 0);
+  EXPECT_EQ(content_of_file(folder.path() / "cores"), "1\n");
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

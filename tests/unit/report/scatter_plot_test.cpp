@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/scatter_plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <cmath>
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::vector<ScatterPanel> points() {
+  return {{"it's <1>", "ns", "error", {{"fast_one", 10, 1e8, 1, false, true}, {"exact", 20, 0.5, 0, true, false}}},
+          {"second", "ns", "", {{"nothing lost", 3, 0, 2}, {"not a number", 4, NAN, 2}, {"infinite", 5, INFINITY, 2}}}};
+}
+
+TEST(SvgScatter, ShowsAllNamesThatHaveAPlace) {
+  const std::string svg = svg_scatter("time & error", points());
+  for (const char* text : {"time &amp; error", "it's &lt;1", "fast_one", "exact", "nothing lost", "second"}) {
+    EXPECT_THAT(svg, HasSubstr(text));
+  }
+  for (const char* text : {"not a number", "infinite"}) EXPECT_THAT(svg, Not(HasSubstr(text)));
+}
+
+TEST(SvgScatter, IsWellFormed) {
+  tinyxml2::XMLDocument document;
+  EXPECT_EQ(document.Parse(svg_scatter("plot", points()).c_str()), tinyxml2::XML_SUCCESS);
+  EXPECT_STREQ(document.RootElement()->Name(), "svg");
+}
+
+TEST(SvgScatter, GivesTheSameBytesInEveryRun) {
+  EXPECT_EQ(svg_scatter("plot", points()), svg_scatter("plot", points()));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
