@@ -52,7 +52,7 @@ std::vector<Function> within_reach(std::vector<Function> candidates) {
 // In the formulation, recursive or the closed form, that costs least once what the scene does not need is taken out and
 // the passes are through with it.
 OptimisedFunction make_function(const Model& model, const std::string& name, Progress& progress) {
-  const Mechanism& mechanism = model.mechanism;
+  const Mechanism& mechanism = derived_from(model);
   Diagnostics found;
   progress.step("deriving " + name);
   std::vector<Function> candidates = within_reach(formulations(mechanism, name));
@@ -109,6 +109,10 @@ std::vector<std::string> functions_asked_for(const PipelineOptions& options, con
 
 }  // namespace
 
+const Mechanism& derived_from(const Model& model) {
+  return model.abbreviation ? model.abbreviation->mechanism : model.mechanism;
+}
+
 Model read_model(const std::filesystem::path& path, const PipelineOptions& options) {
   Diagnostics diagnostics;
   std::optional<Robot> robot = read_robot(path, options.read, diagnostics);
@@ -119,7 +123,10 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   }
   Mechanism mechanism = make_mechanism(*robot);
   std::string hash = file_hash(robot->files);
-  return {std::move(*robot), std::move(mechanism), std::move(diagnostics), std::move(hash)};
+  std::optional<Abbreviation> abbreviation;
+  const Scene& scene = robot->scene;
+  if (scene.error_budget) abbreviation = abbreviated(mechanism, *scene.error_budget, scene.at_rest);
+  return {std::move(*robot), std::move(mechanism), std::move(abbreviation), std::move(diagnostics), std::move(hash)};
 }
 
 std::vector<std::string> default_function_names() { return names_of_functions(false); }
@@ -153,7 +160,7 @@ OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& 
   for (const Grouping grouping : kGroupings) {
     std::vector<Function> derived;
     for (const std::string& name : functions) {
-      const Function general = derive_function(model.mechanism, name, {&grouping, 1});
+      const Function general = derive_function(derived_from(model), name, {&grouping, 1});
       derived.push_back(specialised(general, model.mechanism, model.robot.scene, found));
     }
     stop_at_errors(found);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "graph/fusion.hpp"
 #include "input/reader.hpp"
 #include "passes/passes.hpp"
+#include "scene/abbreviate.hpp"
 #include "symbolic/functions.hpp"
 
 namespace flatdyn {
@@ -25,9 +27,13 @@ struct PipelineOptions {
 struct Model {
   Robot robot;
   Mechanism mechanism;
+  std::optional<Abbreviation> abbreviation;  // if the scene has an error budget
   Diagnostics diagnostics;
   std::string input_hash;  // of the bytes of the robot file, of one that it names, and of the scene file
 };
+
+// What functions are derived from: the mechanism, or as much of it as the error budget leaves.
+const Mechanism& derived_from(const Model& model);
 
 // Reads and makes canonical. Errors in the input end in BadInput, which carries the diagnostics.
 Model read_model(const std::filesystem::path& path, const PipelineOptions& options);

@@ -91,7 +91,7 @@ GrowthReport bench_growth(const GrowthOptions& options, Progress& progress) {
       for (const int joints : sizes) {
         Robot robot = growth_robot(chain, joints, options.seed);
         Mechanism mechanism = make_mechanism(robot);
-        const Model model{std::move(robot), std::move(mechanism), {}, ""};
+        const Model model{std::move(robot), std::move(mechanism), std::nullopt, {}, ""};
         curve.rows.push_back(measured(model, function, toolchain, seconds, progress));
       }
       fit(curve);

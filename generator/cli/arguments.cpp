@@ -119,6 +119,14 @@ std::string position_text(const LockedJoint& lock, const Robot& robot) {
   return lock.written;
 }
 
+ErrorBudget error_budget_option(const std::string& text) {
+  const std::optional<ErrorBudget> budget = error_budget(text);
+  if (!budget) {
+    throw Failure(ExitCode::usage, fmt::format("--error-budget: \"{}\" is no error budget", text), kErrorBudgetHint);
+  }
+  return *budget;
+}
+
 }  // namespace
 
 CLI::Validator positive_number() {
@@ -171,6 +179,16 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->check([](const std::string& value) { return value == "error" ? "" : "write -Werror"; });
   command.add_flag("--json", json, "print JSON on stdout");
   command.add_flag("-q,--quiet", quiet, "no notes, no progress");
+}
+
+void add_error_budget_option(CLI::App& command, RobotArguments& arguments) {
+  command
+      .add_option(
+          "--error-budget", arguments.error_budget,
+          "leave out inertial parameters that change no torque by more than this within the limits: 0.1% of each "
+          "joint's effort limit, or 0.05 N m; the bound is proven")
+      ->check(kNotEmpty)
+      ->type_name("BUDGET");
 }
 
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {
@@ -243,9 +261,9 @@ std::vector<std::string> RobotArguments::settings(const Model& model) const {
 
 void RobotArguments::note_function_keys(const Model& model) const {
   const Scene& wanted = model.robot.scene;
-  if (!wanted.at_rest && wanted.functions.empty() && wanted.outputs.empty()) return;
+  if (!wanted.at_rest && wanted.functions.empty() && wanted.outputs.empty() && !wanted.error_budget) return;
   Diagnostics notes;
-  notes.note({wanted.file, 0}, "static, functions and outputs have no effect here",
+  notes.note({wanted.file, 0}, "static, error_budget, functions and outputs have no effect here",
              "they concern generate, verify and eval");
   print_diagnostics(notes, quiet);
 }
@@ -260,6 +278,7 @@ PipelineOptions RobotArguments::options() const {
   options.read.snap_tolerance = snap_option(snap);
   options.read.scene_file = scene;
   if (!gravity.empty()) options.read.scene.gravity = gravity_option(gravity);
+  if (!error_budget.empty()) options.read.scene.error_budget = error_budget_option(error_budget);
   if (!tip.empty()) options.read.tip = tip;
   options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;

@@ -93,6 +93,7 @@ Run add_bench(CLI::App& app) {
   command->add_option("robot", arguments->robots, "robot files: URDF or TOML")->type_name("FILE");
   arguments->add_settings_to(*command);
   add_functions_option(*command, arguments->functions);
+  add_error_budget_option(*command, *arguments);
   command->add_option("--time", arguments->bench.seconds, "of all timing; per robot")
       ->capture_default_str()
       ->type_name("S")

@@ -19,6 +19,7 @@ struct RobotArguments {
   std::string snap = "1e-5";
   std::string scene;
   std::string gravity;
+  std::string error_budget;
   std::string tip;
   std::vector<std::string> fixed_joints;
   bool warnings_are_errors = false;
@@ -43,6 +44,9 @@ inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.
 // For options that are numbers. CLI11's own let NaN pass, and print bounds with 300 digits.
 CLI::Validator positive_number();
 CLI::Validator number_between(double least, double most);
+
+// --error-budget.
+void add_error_budget_option(CLI::App& command, RobotArguments& arguments);
 
 // --functions, and the table of functions at the end of the help.
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions);

@@ -55,6 +55,7 @@ Run add_eval(CLI::App& app) {
       "      --reference --digits 50 -o B.csv");
   const auto arguments = std::make_shared<EvalArguments>();
   arguments->add_to(*command);
+  add_error_budget_option(*command, *arguments);
   command->add_option("--function", arguments->function, "which one; see flatdyn generate --help")->required();
   command->add_option("--states", arguments->states, "CSV: q1,…,qd1,…,qdd1,…,tau1,…, or by joint: q_<joint>,…")
       ->required();

@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "report/budget_report.hpp"
 #include "report/describe.hpp"
 #include "report/scene_report.hpp"
 #include "verify/snap_effect.hpp"
@@ -30,6 +31,7 @@ std::string stamp_of(const GenerateArguments& arguments) {
   add("--namespace", arguments.name_space);
   add("--snap", arguments.snap == "1e-5" ? "" : arguments.snap);
   add("--gravity", arguments.gravity);
+  add("--error-budget", arguments.error_budget);
   add("--tip", arguments.tip);
   add("--fix", fmt::format("{}", fmt::join(arguments.fixed_joints, " --fix ")));
   return stamp;
@@ -59,6 +61,11 @@ ExitCode generate(const GenerateArguments& arguments) {
   nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
   manifest.update(model_json(model, effects));
   manifest["functions"] = functions_json(functions, symbol_names(model.mechanism));
+  std::optional<GivenUp> given_up;
+  if (model.abbreviation) {
+    given_up = sampled(model);
+    manifest["error_budget"] = abbreviation_json(model, *given_up);
+  }
   if (stages) manifest["stages"] = stages_json(*stages);
   write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit, stages)},
                {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
@@ -70,6 +77,7 @@ ExitCode generate(const GenerateArguments& arguments) {
     fmt::print("{}\n{}\n", describe_model(model, effects),
                describe_functions(functions, symbol_names(model.mechanism)));
     if (stages) fmt::print("{}\n", describe_stages(*stages));
+    if (given_up) fmt::print("{}\n", describe_abbreviation(model, *given_up));
     fmt::print("wrote {}\n", (folder / header).string());
   }
   return ExitCode::ok;
@@ -90,6 +98,7 @@ Run add_generate(CLI::App& app) {
       ->check(kNotEmpty)
       ->type_name("FOLDER");
   add_functions_option(*command, arguments->functions);
+  add_error_budget_option(*command, *arguments);
   command
       ->add_option(
           "--stages", arguments->staged,

@@ -60,6 +60,7 @@ void add_scene(Scene file, Scene& scene) {
   const Scene first = scene;
   scene = std::move(file);
   if (first.gravity) scene.gravity = first.gravity;
+  if (first.error_budget) scene.error_budget = first.error_budget;
   std::vector<LockedJoint> locked = first.locked;
   for (const LockedJoint& lock : scene.locked) {
     const bool is_said = std::any_of(locked.begin(), locked.end(),

@@ -60,6 +60,17 @@ std::vector<SceneOutputs> read_outputs(TomlTable table, Diagnostics& diagnostics
   return all;
 }
 
+std::optional<ErrorBudget> read_error_budget(TomlTable& table, Diagnostics& diagnostics) {
+  const std::optional<std::string> text = table.text("error_budget");
+  if (!text) return std::nullopt;
+  std::optional<ErrorBudget> budget = error_budget(*text);
+  if (!budget) {
+    diagnostics.error(table.place_of("error_budget"), "error_budget: " + quoted(*text) + " is no error budget",
+                      kErrorBudgetHint);
+  }
+  return budget;
+}
+
 // With `functions`, what is asked of another function would have no effect.
 void check_outputs_are_made(const Scene& scene, Diagnostics& diagnostics) {
   if (scene.functions.empty()) return;
@@ -93,6 +104,7 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   if (const std::optional<TomlTable> limits = table.table("limits")) scene.limits = read_all_limits(*limits);
   scene.at_rest = table.boolean("static").value_or(false);
   scene.friction = table.boolean("friction").value_or(true);
+  scene.error_budget = read_error_budget(table, diagnostics);
   scene.functions = table.references("functions");
   if (table.is_list("functions")) {
     require_some(scene.functions, table.place_of("functions"), "functions", diagnostics);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "report/budget_report.hpp"
 #include "symbolic/number_text.hpp"
 
 namespace flatdyn {
@@ -24,6 +25,7 @@ class SceneText {
     if (scene.payload) add_payload(*scene.payload);
     if (scene.at_rest) add("static", "true");
     if (!scene.friction) add("friction", "false");
+    if (scene.error_budget) add("error_budget", scene.error_budget->written);
     for (const SceneLimits& limits : scene.limits) add_limits(limits);
     if (!scene.functions.empty()) {
       add("functions", fmt::format("[{}]", fmt::join(names_of(scene.functions), ", ")));
@@ -89,6 +91,7 @@ std::string scene_facts(const Model& model) {
   if (scene.payload) facts.emplace_back("A payload is part of the link that carries it.");
   if (!scene.friction) facts.emplace_back("Friction is left out.");
   if (scene.at_rest) facts.emplace_back("The robot is at rest: functions hold where all joint velocities are 0.");
+  if (model.abbreviation) facts.push_back(abbreviation_fact(*model.abbreviation));
   return fmt::format("{}", fmt::join(facts, " "));
 }
 

@@ -169,7 +169,7 @@ TEST(Scene, OtherSubcommandsSayWhatHasNoEffect) {
   const Scratch scratch;
   const Outcome derived = run_in_scene(scratch, "derive robots/planar_2r.toml", "static = true\n");
   EXPECT_EQ(derived.code, 0);
-  EXPECT_THAT(derived.err, HasSubstr("static, functions and outputs have no effect here"));
+  EXPECT_THAT(derived.err, HasSubstr("static, error_budget, functions and outputs have no effect here"));
 }
 
 // The identified robot stands for the scene too, so it has to repeat it.

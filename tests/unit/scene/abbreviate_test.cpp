@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is given up stays below the bound, and the bound below the budget.
-#include "scene/error_budget.hpp"
+#include "scene/abbreviate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ Mechanism with_limits(Mechanism mechanism) {
 }
 
 void expect_within_bounds(const Mechanism& mechanism, const std::string& budget) {
-  const Abbreviation short_model = abbreviated(mechanism, error_budget(budget));
+  const Abbreviation short_model = abbreviated(mechanism, *error_budget(budget));
   const Function full = derive_function(mechanism, "inverse_dynamics");
   const Function small = derive_function(short_model.mechanism, "inverse_dynamics");
   const StatesWithinLimits states(mechanism);
@@ -87,12 +87,33 @@ int operations(const Mechanism& mechanism) {
   return count_operations(run_passes(derive_function(mechanism, "inverse_dynamics"))).arithmetic();
 }
 
+TEST(ErrorBudget, IsAPercentageOrATorque) {
+  EXPECT_EQ(error_budget("0.1%")->value, 0.001);
+  EXPECT_TRUE(error_budget("0.1%")->relative);
+  EXPECT_EQ(error_budget("0.05")->value, 0.05);
+  EXPECT_FALSE(error_budget("0.05")->relative);
+  for (const char* wrong : {"", "%", "a lot", "-1", "101%", "nan", "1 %x"}) EXPECT_FALSE(error_budget(wrong)) << wrong;
+}
+
+TEST(ErrorBudget, NeedsLimitsAndNumbers) {
+  const Mechanism bare = make_mechanism(testing::random_tree(1, 3, true));
+  EXPECT_THROW(abbreviated(bare, *error_budget("1%")), Failure);
+  const Mechanism symbolic = testing::model_of("planar_2r.toml").mechanism;
+  EXPECT_THROW(abbreviated(symbolic, *error_budget("1%")), Failure);
+}
+
+TEST(ErrorBudget, OfNothingGivesNothingUp) {
+  const Mechanism panda = testing::model_of("panda.urdf").mechanism;
+  const Abbreviation result = abbreviated(panda, *error_budget("0"));
+  EXPECT_TRUE(result.dropped.empty());
+}
+
 TEST(ErrorBudget, BuysOperations) {
   const Mechanism panda = testing::model_of("panda.urdf").mechanism;
   expect_within_bounds(panda, "1%");
   int before = operations(panda);
   for (const char* budget : {"0.1%", "1%", "5%"}) {
-    const Abbreviation result = abbreviated(panda, error_budget(budget));
+    const Abbreviation result = abbreviated(panda, *error_budget(budget));
     const int now = operations(result.mechanism);
     EXPECT_LT(now, before) << budget;
     before = now;

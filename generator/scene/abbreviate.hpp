@@ -16,21 +16,13 @@
 #include <vector>
 
 #include "model/mechanism.hpp"
+#include "model/scene.hpp"
 
 namespace flatdyn {
 
-// What may be given up at each joint: a part of its torque limit ("0.1%"), or N m (N for prismatic joints): "0.05".
-struct ErrorBudget {
-  double value = 0;
-  bool relative = false;  // to the joint's effort limit
-};
-
-// Throws Failure(usage) for any other text.
-ErrorBudget error_budget(const std::string& text);
-
 struct DroppedParameter {
   int body = 0;
-  std::string name;           // "I3xy", after regrouping
+  std::string name;           // "I3xy": a base parameter, named after the one that stands for its group
   double value = 0;           // SI
   std::vector<double> bound;  // by joint: the largest change of its torque, N m or N
 };

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scene/error_budget.hpp"
+#include "scene/abbreviate.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "diagnostics/diagnostics.hpp"
-#include "graph/count.hpp"
-#include "symbolic/functions.hpp"
-#include "symbolic/parameters.hpp"
+#include "symbolic/base_parameters.hpp"
 
 namespace flatdyn {
 namespace {
@@ -25,8 +22,9 @@ struct LargestMotion {
   double swing() const { return domega + omega * omega; }  // of a point at distance 1
 };
 
-double limit_of(const Body& body, const std::optional<Value>& limit, const char* what) {
-  if (!limit) {
+// A limit of 0 says that nobody gave it, but for positions.
+double limit_of(const Body& body, const std::optional<Value>& limit, const std::string& what) {
+  if (!limit || (vanishes(limit->number) && what != "position")) {
     throw Failure(ExitCode::unsupported, fmt::format("error budget: joint \"{}\" has no limit of {}", body.joint, what),
                   "give it in the robot file, or in [limits] of the scene");
   }
@@ -204,33 +202,14 @@ class Abbreviator {
 
 }  // namespace
 
-ErrorBudget error_budget(const std::string& text) {
-  const bool relative = !text.empty() && text.back() == '%';
-  try {
-    const double value = nearest_double(exact_decimal(relative ? text.substr(0, text.size() - 1) : text));
-    if (value >= 0 && value <= (relative ? 100 : 1e30)) return {relative ? value / 100 : value, relative};
-  } catch (const std::invalid_argument&) {
-  }
-  throw Failure(ExitCode::usage, fmt::format("error budget: \"{}\" is neither a percentage nor a torque", text),
-                "write it as 0.1% (of each joint's torque limit) or 0.05 (N m)");
-}
-
-// From the grouping of the parameters that leaves the cheapest inverse dynamics.
+// Of the base parameters, so that nothing is spent on what has no effect anyway.
 Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest) {
   if (!mechanism.symbols.empty()) {
     throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
   }
-  std::optional<Abbreviation> best;
-  int best_cost = 0;
-  for (const Grouping grouping : kGroupings) {
-    Abbreviation candidate = Abbreviator(regrouped(mechanism, grouping), budget, at_rest).run();
-    const Function torques = derive_function(candidate.mechanism, "inverse_dynamics");
-    const int cost = count_operations(torques).arithmetic();
-    if (best && cost >= best_cost) continue;
-    best = std::move(candidate);
-    best_cost = cost;
-  }
-  return *best;
+  const BaseParameters base = base_parameters(mechanism);
+  const Mechanism fewest = with_base_parameters(mechanism, base, base_values(mechanism, base));
+  return Abbreviator(fewest, budget, at_rest).run();
 }
 
 }  // namespace flatdyn

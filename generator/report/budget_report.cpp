@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/budget_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "diagnostics/table.hpp"
+#include "verify/torque_change.hpp"
+
+namespace flatdyn {
+namespace {
+
+std::vector<std::string> names_of(const Abbreviation& abbreviation) {
+  std::vector<std::string> names;
+  for (const DroppedParameter& dropped : abbreviation.dropped) names.push_back(dropped.name);
+  return names;
+}
+
+std::string short_number(double value) { return fmt::format("{:.3g}", value); }
+
+}  // namespace
+
+std::string abbreviation_fact(const Abbreviation& abbreviation) {
+  if (abbreviation.dropped.empty()) return "The error budget allows to leave out nothing.";
+  std::vector<std::string> bounds;
+  for (const double bound : abbreviation.bound) bounds.push_back(short_number(bound));
+  return fmt::format(
+      "Left out for an error budget, of the base parameters: {}. Within the limits of velocity and "
+      "acceleration this changes the joints' torques by at most {} N m (N for prismatic joints).",
+      fmt::join(names_of(abbreviation), ", "), fmt::join(bounds, ", "));
+}
+
+GivenUp sampled(const Model& model) {
+  constexpr int kStates = 2000;
+  return {kStates, largest_torque_change(model.mechanism, derived_from(model), model.robot.scene.at_rest, kStates)};
+}
+
+std::string describe_abbreviation(const Model& model, const GivenUp& seen) {
+  const Abbreviation& abbreviation = *model.abbreviation;
+  std::vector<std::vector<std::string>> rows = {{"joint", "budget", "proven bound", "largest seen", "unit"}};
+  for (std::size_t i = 0; i < abbreviation.bound.size(); ++i) {
+    const Body& body = model.mechanism.bodies[i];
+    rows.push_back({body.joint, short_number(abbreviation.budget[i]), short_number(abbreviation.bound[i]),
+                    short_number(seen.largest[i]), body.prismatic ? "N" : "N m"});
+  }
+  return fmt::format("error budget {}: left out {}{}\n{}(largest seen: of {} random states)\n",
+                     model.robot.scene.error_budget->written, abbreviation.dropped.empty() ? "nothing" : "",
+                     fmt::join(names_of(abbreviation), ", "), aligned_table(rows), seen.states);
+}
+
+nlohmann::ordered_json abbreviation_json(const Model& model, const GivenUp& seen) {
+  const Abbreviation& abbreviation = *model.abbreviation;
+  nlohmann::ordered_json dropped = nlohmann::ordered_json::array();
+  for (const DroppedParameter& parameter : abbreviation.dropped) {
+    dropped.push_back({{"parameter", parameter.name}, {"value", parameter.value}, {"bound", parameter.bound}});
+  }
+  return {{"budget", abbreviation.budget},
+          {"bound", abbreviation.bound},
+          {"largest_seen", seen.largest},
+          {"states", seen.states},
+          {"left_out", dropped}};
+}
+
+}  // namespace flatdyn
