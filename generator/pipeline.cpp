@@ -152,19 +152,42 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
   return result;
 }
 
+namespace {
+
+// From one grouping, so that they share what they can. Of each function's formulations the one that makes the whole
+// cheapest, one function after the other.
+Fusion fused_from(const Model& model, const std::vector<std::string>& functions, const Grouping& grouping) {
+  Diagnostics found;
+  std::vector<std::vector<Function>> ways;
+  std::vector<Function> chosen;
+  for (const std::string& name : functions) {
+    ways.push_back(formulations(derived_from(model), name, {&grouping, 1}));
+    for (Function& way : ways.back()) way = specialised(way, model.mechanism, model.robot.scene, found);
+    chosen.push_back(ways.back().front());
+  }
+  stop_at_errors(found);
+  Fusion best = fused(chosen);
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    for (std::size_t other = 1; other < ways[k].size(); ++other) {
+      std::vector<Function> changed = chosen;
+      changed[k] = ways[k][other];
+      Fusion candidate = fused(changed);
+      if (cost(candidate.function) >= cost(best.function)) continue;
+      best = std::move(candidate);
+      chosen = std::move(changed);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
 OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress) {
   check_names(model.mechanism, functions);
   progress.step("deriving functions together");
-  Diagnostics found;
   std::optional<Fusion> best;
   for (const Grouping grouping : kGroupings) {
-    std::vector<Function> derived;
-    for (const std::string& name : functions) {
-      const Function general = derive_function(derived_from(model), name, {&grouping, 1});
-      derived.push_back(specialised(general, model.mechanism, model.robot.scene, found));
-    }
-    stop_at_errors(found);
-    Fusion candidate = fused(derived);
+    Fusion candidate = fused_from(model, functions, grouping);
     if (!best || cost(candidate.function) < cost(best->function)) best = std::move(candidate);
   }
   progress.step("optimising functions together");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace flatdyn {
 namespace {
@@ -106,18 +107,23 @@ class Splitter {
     return result;
   }
 
-  // s_2, c_2, or x1, x2, …
-  std::vector<std::string> names_of(const std::vector<NodeId>& fields, const std::string& prefix) const {
+  // The nodes' own names, s_2 and c_2, or x1, x2, …: each once in both stages.
+  std::vector<std::string> names_of(const std::vector<NodeId>& fields, const std::string& prefix) {
     std::vector<std::string> names;
     int next = 0;
     for (const NodeId id : fields) {
-      const Node& node = graph_[id];
-      const bool angle = node.op == Op::sin || node.op == Op::cos;
-      names.push_back(angle ? (node.op == Op::sin ? "s_" : "c_") +
-                                  std::to_string(graph_[node.operands[0]].input.index + 1)
-                            : prefix + std::to_string(++next));
+      std::string name = own_name(id);
+      while (name.empty() || !names_.insert(name).second) name = prefix + std::to_string(++next);
+      names.push_back(name);
     }
     return names;
+  }
+
+  std::string own_name(NodeId id) const {
+    const Node& node = graph_[id];
+    if (const std::string* name = graph_.name(id)) return *name;
+    if (node.op != Op::sin && node.op != Op::cos) return "";
+    return (node.op == Op::sin ? "s_" : "c_") + std::to_string(graph_[node.operands[0]].input.index + 1);
   }
 
   // A function with these roots, what is stored taken as given.
@@ -216,6 +222,7 @@ class Splitter {
   std::vector<int> users_;
   std::vector<Function> parts_;
   std::vector<int> part_levels_;
+  std::set<std::string> names_;  // of fields
 };
 
 }  // namespace
