@@ -31,6 +31,7 @@ const char* unit_of(const std::string& function) {
   if (begins("forward_kinematics")) return "m";
   if (begins("jacobian_dot_qd")) return "m/s^2";
   if (begins("jacobian")) return "m";
+  if (begins("base_parameters")) return "SI";
   return begins("regressor") || begins("base_regressor") || begins("adaptive_regressor") ? "N m per parameter" : "N m";
 }
 

@@ -38,7 +38,8 @@ std::string array(const std::string& type, const std::string& name, const std::s
 }  // namespace
 
 bool uses_base_parameters(const Function& function) {
-  return function.name == "base_regressor" || function.name == "adaptive_regressor" || function.base_parameters > 0;
+  return function.name == "base_regressor" || function.name == "adaptive_regressor" ||
+         function.name == "base_parameters" || function.base_parameters > 0;
 }
 
 BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names) {

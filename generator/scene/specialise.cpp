@@ -40,7 +40,7 @@ Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
 // derivatives of accelerations by the inverse of B that comes with them.
 bool is_one_whole(const Function& function) {
   return function.name == "base_regressor" || function.name == "adaptive_regressor" ||
-         function.name == "forward_dynamics_derivatives";
+         function.name == "base_parameters" || function.name == "forward_dynamics_derivatives";
 }
 
 void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function) {

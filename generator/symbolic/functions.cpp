@@ -306,6 +306,7 @@ const std::vector<FunctionEntry>& function_table() {
        nullptr, true},
       {"base_regressor", "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters", "(7.81)",
        ungrouped<base_regressor_function>, nullptr, true},
+      {"base_parameters", "pi_b of this robot: Y_b pi_b = tau", "", ungrouped<base_parameters_function>, nullptr, true},
       {"inverse_dynamics_base", "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
        "(7.42)", ungrouped<inverse_dynamics_base_function>, nullptr, true},
       {"adaptive_regressor", "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",

@@ -32,7 +32,7 @@ struct FunctionEntry {
 // In the order in which they are emitted: inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel,
 // coriolis_matrix, gravity, bias, forward_dynamics, kinetic_energy, potential_energy, forward_kinematics, jacobian,
 // jacobian_dot_qd; then on request inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor,
-// base_regressor, inverse_dynamics_base, adaptive_regressor.
+// base_regressor, base_parameters, inverse_dynamics_base, adaptive_regressor.
 const std::vector<FunctionEntry>& function_table();
 
 // Throws Failure(usage) for the name of no function, and for no link of the robot.

@@ -34,6 +34,12 @@ Function base_regressor_function(const Mechanism& mechanism) {
   return regressor_of(mechanism, base_parameters(mechanism).columns, "Y_b", kColumnMeaning);
 }
 
+Function base_parameters_function(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
+  const std::vector<Number> values = base_values(mechanism, base_parameters(mechanism));
+  return finished(bench, {}, {vector_output("pi_b", bench.nodes(values), "base parameters, SI units")});
+}
+
 Function inverse_dynamics_base_function(const Mechanism& mechanism) {
   Derivation derivation(Workbench::parameters(mechanism));
   const BaseParameters base = base_parameters(mechanism);

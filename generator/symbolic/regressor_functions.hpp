@@ -10,6 +10,7 @@ namespace flatdyn {
 
 Function regressor_function(const Mechanism& mechanism);
 Function base_regressor_function(const Mechanism& mechanism);
+Function base_parameters_function(const Mechanism& mechanism);  // π_b, from the free symbols
 Function inverse_dynamics_base_function(const Mechanism& mechanism);
 Function adaptive_regressor_function(const Mechanism& mechanism);
 

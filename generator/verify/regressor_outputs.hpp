@@ -13,7 +13,7 @@ namespace flatdyn {
 
 inline bool is_regressor(const std::string& function) {
   return function == "regressor" || function == "base_regressor" || function == "inverse_dynamics_base" ||
-         function == "adaptive_regressor";
+         function == "adaptive_regressor" || function == "base_parameters";
 }
 
 template <class Arithmetic>
@@ -30,10 +30,12 @@ class RegressorOutputs {
         lagrangian_(field, q),
         given_(parameters_in(mechanism, ParameterSet::given)) {
     if (function != "regressor") base_ = base_parameters(mechanism);
+    for (const Number& parameter : dynamic_parameters(mechanism)) parameters_.push_back(number_(parameter));
   }
 
-  // The function's own values; for a base regressor Y_b K.
+  // The function's own values; for a base regressor Y_b K, for base parameters Y_b π_b.
   Values found(const Values& values) const {
+    if (function_ == "base_parameters") return torques(values);
     if (function_ != "base_regressor" && function_ != "adaptive_regressor") return values;
     const std::size_t b = base_.columns.size();
     Values product;
@@ -53,7 +55,8 @@ class RegressorOutputs {
   Values entries() const {
     if (function_ == "regressor") return actual().entries();
     if (function_ == "base_regressor") return given_columns(actual());
-    if (function_ == "inverse_dynamics_base") return torques();
+    if (function_ == "inverse_dynamics_base") return torques(base_inputs());
+    if (function_ == "base_parameters") return times(actual(), parameters_);
     const Matrix<F> Y = lagrangian_.adaptive(drawn(InputKind::qd), drawn(InputKind::qd_r), drawn(InputKind::qdd_r),
                                              signs(InputKind::qd_r));
     return given_columns(Y);
@@ -85,14 +88,18 @@ class RegressorOutputs {
     return entries;
   }
 
-  Values torques() const {
+  Values base_inputs() const {
+    Values values;
+    for (int k = 0; k < base_.size(); ++k) values.push_back(arithmetic_.input({InputKind::pi_b, k}));
+    return values;
+  }
+
+  // Y_b π_b.
+  Values torques(const Values& base_values) const {
     const Matrix<F> Y = actual();
     Values tau(static_cast<std::size_t>(Y.rows()), F(0));
-    for (int k = 0; k < base_.size(); ++k) {
-      const F value = arithmetic_.input({InputKind::pi_b, k});
-      for (int i = 0; i < Y.rows(); ++i) {
-        tau[static_cast<std::size_t>(i)] += Y(i, base_.columns[static_cast<std::size_t>(k)]) * value;
-      }
+    for (std::size_t k = 0; k < base_values.size(); ++k) {
+      for (int i = 0; i < Y.rows(); ++i) tau[static_cast<std::size_t>(i)] += Y(i, base_.columns[k]) * base_values[k];
     }
     return tau;
   }
@@ -103,6 +110,7 @@ class RegressorOutputs {
   LagrangianRegressor<F> lagrangian_;
   std::vector<bool> given_;
   BaseParameters base_;
+  Values parameters_;  // π
 };
 
 }  // namespace flatdyn

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "flatdyn/reference/magnitude.hpp"
 #include "symbolic/base_parameters.hpp"
@@ -121,6 +123,25 @@ reference::VectorX<S> adaptive_column(reference::Robot<S> robot, const StateOf<S
   return adaptive<S>(torque, vector_of(state.qd), vector_of(state.qd_r), vector_of(state.qdd_r));
 }
 
+// K π, term by term, and the same with absolute values.
+template <class S>
+std::pair<std::vector<S>, std::vector<S>> combined(const Mechanism& mechanism, const GiNaC::exmap& symbols) {
+  using std::abs;
+  const std::vector<Number> pi = dynamic_parameters(mechanism);
+  std::pair<std::vector<S>, std::vector<S>> result;
+  for (const ParameterForm& form : base_parameters(mechanism).combination) {
+    S sum(0), size(0);
+    for (const auto& [index, coefficient] : form) {
+      const S term = to_scalar<S>(coefficient, symbols) * to_scalar<S>(pi[static_cast<std::size_t>(index)], symbols);
+      sum += term;
+      size += abs(term);
+    }
+    result.first.push_back(sum);
+    result.second.push_back(size);
+  }
+  return result;
+}
+
 reference::VectorX<double> adaptive_magnitude(const reference::Robot<double>& robot, const State& state) {
   using Vector = reference::VectorX<double>;
   const Vector q = vector_of(state.q);
@@ -142,6 +163,7 @@ RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const refe
   std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.size()));
   std::iota(columns.begin(), columns.end(), 0);
   if (function != "regressor") columns = base_parameters(mechanism).columns;
+  if (function == "base_parameters") std::tie(base_values_, base_magnitudes_) = combined<S>(mechanism, values);
   const reference::Robot<S> empty = without_parameters(robot);
   for (const int index : columns) units_.push_back(unit_robot(mechanism, empty, values, index));
 }
@@ -161,12 +183,14 @@ reference::MatrixX<S> RegressorReference<S>::matrix(const StateOf<S>& state) con
 
 template <class S>
 std::vector<S> RegressorReference<S>::values(const StateOf<S>& state) const {
+  if (function_ == "base_parameters") return base_values_;
   const reference::MatrixX<S> Y = matrix(state);
   if (function_ == "inverse_dynamics_base") return row_by_row(reference::VectorX<S>(Y * vector_of(state.pi_b)));
   return row_by_row(Y);
 }
 
 std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state) {
+  if (of.function() == "base_parameters") return of.base_magnitudes();
   const auto& units = of.units();
   reference::MatrixX<double> M(static_cast<Eigen::Index>(state.q.size()), static_cast<Eigen::Index>(units.size()));
   for (std::size_t k = 0; k < units.size(); ++k) {

@@ -20,11 +20,15 @@ class RegressorReference {
   RegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot, const SymbolValues& symbols,
                      const std::string& function);
 
-  // The function's entries: Y, Y_b, or τ = Y_b π_b.
+  // The function's entries: Y, Y_b, τ = Y_b π_b, or π_b.
   std::vector<S> values(const StateOf<S>& state) const;
 
   // Y_b or Y itself: n x columns.
   reference::MatrixX<S> matrix(const StateOf<S>& state) const;
+
+  // π_b, and the sums of the absolute values of its terms.
+  const std::vector<S>& base_values() const { return base_values_; }
+  const std::vector<S>& base_magnitudes() const { return base_magnitudes_; }
 
   const std::string& function() const { return function_; }
   // The written robot with one parameter 1 and the others 0, one per column.
@@ -33,6 +37,7 @@ class RegressorReference {
  private:
   std::string function_;
   std::vector<reference::Robot<S>> units_;
+  std::vector<S> base_values_, base_magnitudes_;  // for base_parameters only
 };
 
 // The sum of the absolute values of each entry's own terms (flatdyn/reference/magnitude.hpp). First moments are pairs

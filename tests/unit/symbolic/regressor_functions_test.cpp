@@ -68,6 +68,7 @@ class BaseFunctions : public ::testing::TestWithParam<unsigned> {
 TEST_P(BaseFunctions, GiveTheTorque) {
   const std::vector<Field> tau = values("inverse_dynamics"), Y = values("base_regressor");
   EXPECT_TRUE(values("inverse_dynamics_base") == tau);
+  EXPECT_TRUE(values("base_parameters") == pi_b);
   for (std::size_t i = 0; i < n; ++i) EXPECT_TRUE(row_times(Y, i, pi_b) == tau[i]);
 }
 
