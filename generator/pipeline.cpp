@@ -194,6 +194,11 @@ OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& 
   OptimisedFusion result{std::move(*best), {}, {}};
   result.derived = count_operations(result.fusion.function);
   result.fusion.function = run_passes(result.fusion.function, &result.passes);
+  // Where there is little to share, each function in its own best form may cost less.
+  std::vector<Function> apart;
+  for (const std::string& name : functions) apart.push_back(make_function(model, name, progress).function);
+  Fusion side_by_side = fused(apart);
+  if (cost(side_by_side.function) < cost(result.fusion.function)) result.fusion = std::move(side_by_side);
   return result;
 }
 

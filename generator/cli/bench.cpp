@@ -39,6 +39,10 @@ BenchReport bench_robot(const BenchArguments& arguments, const std::string& robo
   options.functions = arguments.functions;
   const Model model = read_model(robot, options);
   print_diagnostics(model.diagnostics, arguments.quiet);
+  if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty()) {
+    throw Failure(ExitCode::unsupported, "bench compares whole functions in motion with peers",
+                  "take static and [outputs] out of the scene");
+  }
   Diagnostics findings;
   Progress progress(arguments.quiet);
   const std::vector<Function> functions = functions_of(make_functions(model, options, progress, findings));

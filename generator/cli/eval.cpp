@@ -27,6 +27,10 @@ ExitCode run_eval(const EvalArguments& arguments) {
   options.functions = {arguments.function};
   const Model model = read_model(arguments.robot, options);
   print_diagnostics(model.diagnostics, arguments.quiet);
+  if (model.abbreviation && arguments.options.reference) {
+    throw Failure(ExitCode::usage, "the reference knows the whole model only",
+                  "leave out --reference, or the error budget");
+  }
   Diagnostics found;
   const CsvTable states = read_csv(arguments.states, found);
   if (found.has_errors()) throw BadInput(ExitCode::input, found);

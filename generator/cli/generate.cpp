@@ -47,6 +47,9 @@ ExitCode generate(const GenerateArguments& arguments) {
   {
     Progress progress(arguments.quiet);
     functions = make_functions(model, options, progress, findings);
+    if (arguments.fused.size() == 1) {
+      throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
+    }
     if (!arguments.fused.empty()) {
       OptimisedFusion fused = make_fusion(model, arguments.fused, progress);
       functions.push_back({std::move(fused.fusion.function), fused.derived, std::move(fused.passes)});

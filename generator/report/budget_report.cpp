@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "diagnostics/table.hpp"
 #include "verify/torque_change.hpp"
 
@@ -18,12 +20,19 @@ std::vector<std::string> names_of(const Abbreviation& abbreviation) {
 
 std::string short_number(double value) { return fmt::format("{:.3g}", value); }
 
+// Three digits, never less than the value: a bound stays one.
+std::string rounded_up(double value) {
+  if (value <= 0) return "0";
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
+  return short_number(std::ceil(value / unit) * unit);
+}
+
 }  // namespace
 
 std::string abbreviation_fact(const Abbreviation& abbreviation) {
   if (abbreviation.dropped.empty()) return "The error budget allows to leave out nothing.";
   std::vector<std::string> bounds;
-  for (const double bound : abbreviation.bound) bounds.push_back(short_number(bound));
+  for (const double bound : abbreviation.bound) bounds.push_back(rounded_up(bound));
   return fmt::format(
       "Left out for an error budget, of the base parameters: {}. Within the limits of velocity and "
       "acceleration this changes the joints' torques by at most {} N m (N for prismatic joints).",
@@ -40,7 +49,7 @@ std::string describe_abbreviation(const Model& model, const GivenUp& seen) {
   std::vector<std::vector<std::string>> rows = {{"joint", "budget", "proven bound", "largest seen", "unit"}};
   for (std::size_t i = 0; i < abbreviation.bound.size(); ++i) {
     const Body& body = model.mechanism.bodies[i];
-    rows.push_back({body.joint, short_number(abbreviation.budget[i]), short_number(abbreviation.bound[i]),
+    rows.push_back({body.joint, short_number(abbreviation.budget[i]), rounded_up(abbreviation.bound[i]),
                     short_number(seen.largest[i]), body.prismatic ? "N" : "N m"});
   }
   return fmt::format("error budget {}: left out {}{}\n{}(largest seen: of {} random states)\n",

@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "diagnostics/diagnostics.hpp"
+#include "graph/arithmetic.hpp"
 #include "symbolic/base_parameters.hpp"
+#include "verify/lagrangian.hpp"
 
 namespace flatdyn {
 namespace {
@@ -104,14 +108,42 @@ double weight(Parameter parameter) {
   }
 }
 
-bool holds_b_positive(const Body& body, Parameter parameter) {
-  return parameter == (body.prismatic ? Parameter::m : Parameter::Izz);
-}
+// B of a model at many positions, positive definite or not.
+class InertiaCheck {
+ public:
+  explicit InertiaCheck(int joints) {
+    constexpr int kPositions = 200;
+    constexpr double kTurn = 3.2, kSlide = 1;
+    std::mt19937_64 engine(1);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (int k = 0; k < kPositions; ++k) {
+      positions_.emplace_back();
+      for (int i = 0; i < joints; ++i) {
+        const double x = uniform(engine);
+        positions_.back().push_back({std::cos(kTurn * x), std::sin(kTurn * x), kSlide * x});
+      }
+    }
+  }
+
+  bool is_positive(const Mechanism& mechanism) const {
+    RealArithmetic<double> numbers([](const Input&) { return 0.0; });
+    const FieldMechanism<double> field = field_mechanism(mechanism, numbers);
+    return std::all_of(positions_.begin(), positions_.end(), [&field](const std::vector<JointPoint<double>>& q) {
+      Lagrangian<double> at_position(field, q);
+      const Matrix<double>& B = at_position.inertia();
+      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      return Eigen::Map<const RowMajor>(B.entries().data(), B.rows(), B.cols()).llt().info() == Eigen::Success;
+    });
+  }
+
+ private:
+  std::vector<std::vector<JointPoint<double>>> positions_;
+};
 
 class Abbreviator {
  public:
   Abbreviator(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest)
-      : motions_(largest_motions(mechanism, at_rest)) {
+      : motions_(largest_motions(mechanism, at_rest)), check_(mechanism.size()) {
     result_.mechanism = mechanism;
     for (const Body& body : mechanism.bodies) {
       result_.budget.push_back(budget.relative ? budget.value * limit_of(body, body.limits.effort, "effort")
@@ -143,7 +175,7 @@ class Abbreviator {
       for (int p = 0; p < kInertialPerBody; ++p) {
         const auto kind = static_cast<Parameter>(p);
         const Number& value = values[static_cast<std::size_t>(p)];
-        if (vanishes(value) || holds_b_positive(body, kind)) continue;
+        if (vanishes(value)) continue;
         candidates.push_back(candidate(k, kind, nearest_double(value)));
       }
     }
@@ -179,9 +211,15 @@ class Abbreviator {
     for (std::size_t i = 0; i < result_.bound.size(); ++i) {
       if (kUpward * (result_.bound[i] + parameter.bound[i]) > result_.budget[i]) return;
     }
+    InertialParameters& inertia = result_.mechanism.bodies[static_cast<std::size_t>(parameter.body)].inertia;
+    const InertialParameters before = inertia;
+    remove(inertia, candidate.kind);
+    if (!check_.is_positive(result_.mechanism)) {
+      inertia = before;
+      return;
+    }
     for (std::size_t i = 0; i < result_.bound.size(); ++i) result_.bound[i] += parameter.bound[i];
     result_.dropped.push_back(parameter);
-    remove(result_.mechanism.bodies[static_cast<std::size_t>(parameter.body)].inertia, candidate.kind);
   }
 
   static void remove(InertialParameters& inertia, Parameter kind) {
@@ -197,8 +235,22 @@ class Abbreviator {
   }
 
   std::vector<LargestMotion> motions_;
+  InertiaCheck check_;
   Abbreviation result_;
 };
+
+// All that there is, the base too, as one body where all joints are at 0.
+InertialParameters whole_at_zero(const Mechanism& mechanism) {
+  std::vector<InertialParameters> bodies;
+  for (const Body& body : mechanism.bodies) bodies.push_back(body.inertia);
+  InertialParameters whole = mechanism.base;
+  for (std::size_t i = bodies.size(); i-- > 0;) {
+    const Body& body = mechanism.bodies[i];
+    InertialParameters& parent = body.parent < 0 ? whole : bodies[static_cast<std::size_t>(body.parent)];
+    parent = parent + transformed(bodies[i], constant_rotation(body), body.p);
+  }
+  return whole;
+}
 
 }  // namespace
 
@@ -208,7 +260,10 @@ Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, 
     throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
   }
   const BaseParameters base = base_parameters(mechanism);
-  const Mechanism fewest = with_base_parameters(mechanism, base, base_values(mechanism, base));
+  Mechanism fewest = with_base_parameters(mechanism, base, base_values(mechanism, base));
+  // What base parameters leave out has no effect on torques; on the potential energy that of a constant.
+  const Vec3 missing = whole_at_zero(mechanism).first_moment - whole_at_zero(fewest).first_moment;
+  fewest.base.first_moment = fewest.base.first_moment + missing;
   return Abbreviator(fewest, budget, at_rest).run();
 }
 

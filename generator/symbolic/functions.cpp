@@ -317,6 +317,21 @@ const std::vector<FunctionEntry>& function_table() {
 
 void check_function_name(const Mechanism& mechanism, const std::string& name) { parsed(mechanism, name); }
 
+namespace {
+
+// "Pose of the tip", or "Pose of link hand".
+std::string summary_of(const Request& request) {
+  std::string summary = request.entry->summary;
+  const std::string tip = "the tip";
+  const std::size_t place = summary.find(tip);
+  if (request.link != nullptr && place != std::string::npos) {
+    summary.replace(place, tip.size(), "link \"" + request.link->link + "\"");
+  }
+  return summary;
+}
+
+}  // namespace
+
 std::vector<Function> formulations(const Mechanism& mechanism, const std::string& name, Groupings groupings) {
   const Request request = parsed(mechanism, name);
   const FunctionEntry& entry = *request.entry;
@@ -331,7 +346,7 @@ std::vector<Function> formulations(const Mechanism& mechanism, const std::string
   }
   for (Function& function : result) {
     function.name = name;
-    function.summary = entry.summary;
+    function.summary = summary_of(request);
     function.equation = entry.equation;
   }
   return result;

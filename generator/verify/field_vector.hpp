@@ -16,7 +16,7 @@ struct Dual {
   F value = F(0), derivative = F(0);
 
   Dual() = default;
-  explicit Dual(int v) : value(v) {}
+  explicit Dual(int zero_or_one) : value(zero_or_one == 0 ? F(0) : F(1)) {}
   explicit Dual(const F& v) : value(v) {}
   Dual(const F& v, const F& d) : value(v), derivative(d) {}
 

@@ -33,6 +33,10 @@ TEST(Generate, WritesAHeaderThatCompilesAloneAndReportsWhatItDid) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
+TEST(Generate, FusesTwoFunctionsOrMore) {
+  EXPECT_EQ(run_flatdyn("generate robots/ur5.urdf -q -o /nowhere/at/all --fuse gravity").code, 2);
+}
+
 // Called as its comment says, with -Wshadow and -Wunused on top; members agree with the functions.
 TEST(Generate, WritesStagesAndFusedFunctions) {
   const Scratch scratch;

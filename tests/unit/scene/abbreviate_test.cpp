@@ -13,6 +13,7 @@
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "symbolic/functions.hpp"
+#include "verify/exact.hpp"
 
 namespace flatdyn {
 namespace {
@@ -106,6 +107,30 @@ TEST(ErrorBudget, OfNothingGivesNothingUp) {
   const Mechanism panda = testing::model_of("panda.urdf").mechanism;
   const Abbreviation result = abbreviated(panda, *error_budget("0"));
   EXPECT_TRUE(result.dropped.empty());
+}
+
+TEST(ErrorBudget, KeepsBPositiveDefinite) {
+  const Mechanism ur5 = with_limits(testing::model_of("ur5.urdf").mechanism);
+  for (const char* budget : {"10%", "30%", "100%"}) {
+    const Abbreviation result = abbreviated(ur5, *error_budget(budget));
+    EXPECT_FALSE(result.dropped.empty());
+    Function forward = derive_function(result.mechanism, "forward_dynamics");
+    forward.outputs.clear();  // its conditions only
+    const StatesWithinLimits states(ur5);
+    for (unsigned state = 0; state < 300; ++state) {
+      for (const double pivot : states.torques(forward, state)) EXPECT_GT(pivot, 0) << budget;
+    }
+  }
+}
+
+TEST(ErrorBudget, LeavesThePotentialEnergyWhereItWas) {
+  for (const char* robot : {"panda.urdf", "puma560.toml", "quadruped12.urdf"}) {
+    const Mechanism whole = with_limits(testing::model_of(robot).mechanism);
+    const Mechanism part = abbreviated(whole, *error_budget("0")).mechanism;
+    const Function before = derive_function(whole, "potential_energy"),
+                   after = derive_function(part, "potential_energy");
+    EXPECT_TRUE(prove_equal(before, after).equal) << robot;
+  }
 }
 
 TEST(ErrorBudget, BuysOperations) {
