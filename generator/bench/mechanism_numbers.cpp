@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "bench/page.hpp"
 #include "bench/peers.hpp"
+#include "emit/page.hpp"
 #include "emit/writer.hpp"
+#include "model/physical_inertia.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -41,16 +42,10 @@ std::string rotor_text(const NumberList& number, const Body& body) {
 
 std::string link_text(const NumberList& number, const Body& body) {
   const InertialParameters& of = body.inertia;
-  // A link without mass has its centre of mass anywhere.
-  const Vec3 r = of.mass.is_zero() ? zero_vector() : expanded(Vec3((1 / of.mass) * of.first_moment));
-  const Mat3 moved = steiner(of.mass, r);
-  Mat3 I = of.inertia;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) I[i][j] -= moved[i][j];
-  }
   return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", body.parent, body.prismatic,
-                     number(constant_rotation(body)), number(body.p), number(of.mass), number(r), number(I),
-                     number(body.viscous), number(body.coulomb), number(body.armature), rotor_text(number, body));
+                     number(constant_rotation(body)), number(body.p), number(of.mass), number(centre_of_mass(of)),
+                     number(central_tensor(of)), number(body.viscous), number(body.coulomb), number(body.armature),
+                     rotor_text(number, body));
 }
 
 }  // namespace
@@ -62,7 +57,7 @@ std::string mechanism_numbers(const Mechanism& mechanism, const SymbolValues& sy
   kainjow::mustache::data page;
   page["robot"] = comment_text(mechanism.name);
   page["joints"] = std::to_string(mechanism.size());
-  page["links"] = list_of_texts(links);
+  page["links"] = list_of(links);
   page["gravity"] = number(mechanism.gravity);
   page["tip_link"] = std::to_string(mechanism.tip.body);
   page["tip_R"] = number(mechanism.tip.R);

@@ -70,12 +70,8 @@ std::string unknown_to_mujoco(const Mechanism& mechanism) {
   const auto is_refused = [](const Body& body) {
     const InertialParameters& of = body.inertia;
     if (of.mass.is_zero()) return true;
-    const Mat3 moved = steiner(of.mass, (1 / of.mass) * of.first_moment);
-    Mat3 I = of.inertia;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) I[i][j] -= moved[i][j];
-    }
-    return I[0][0].is_zero() || fault_of_inertia(expanded(I)).has_value();
+    const Mat3 I = central_tensor(of);
+    return I[0][0].is_zero() || fault_of_inertia(I).has_value();
   };
   if (any_body(mechanism, is_refused)) return "it refuses a link that no body could be";
   return unknown_to_others(mechanism);

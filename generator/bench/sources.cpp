@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
-#include "bench/page.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
+#include "emit/page.hpp"
 #include "emit/writer.hpp"
 #include "templates.hpp"
 
@@ -58,7 +58,7 @@ data main_page(const BenchSubject& subject) {
   page["states"] = std::to_string(subject.states.size());
   page["lengths"] = data(lengths);
   page["arguments"] = arguments;
-  page["adders"] = list_of_texts(adders(subject));
+  page["adders"] = list_of(adders(subject));
   return page;
 }
 
@@ -109,7 +109,7 @@ data robot_page(const BenchSubject& subject) {
   std::vector<std::string> headers;
   const bool over_lanes = std::any_of(subject.variants.begin(), subject.variants.end(), needs_xsimd);
   if (over_lanes && subject.toolchain.has_xsimd) headers = {"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"};
-  page["headers"] = list_of_texts(headers);
+  page["headers"] = list_of(headers);
   page["singles"] = data(singles);
   page["lanes"] = data(lanes);
   page["functions"] = data(functions);

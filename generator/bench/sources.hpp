@@ -11,7 +11,7 @@
 #include "bench/variants.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
-#include "verify/states.hpp"
+#include "model/states.hpp"
 
 namespace flatdyn {
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdlib>
 #include <future>
 #include <sstream>
 
@@ -39,13 +38,8 @@ std::string Toolchain::version() const {
 }
 
 Toolchain find_toolchain() {
-  const char* chosen = std::getenv("CXX");
   Toolchain toolchain;
-  toolchain.compiler = chosen != nullptr && *chosen != '\0' ? chosen : "c++";
-  if (!succeeds(toolchain.compiler + " --version")) {
-    throw Failure(ExitCode::io, fmt::format("no C++ compiler: {} cannot be run", toolchain.compiler),
-                  "install g++ or set CXX");
-  }
+  toolchain.compiler = machine_compiler();
   const auto has_header = [&toolchain](const std::string& name) {
     return succeeds(fmt::format("echo '#include <{}>' | {} -M -x c++ -", name, toolchain.compiler));
   };

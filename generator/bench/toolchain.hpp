@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/process.hpp"
+#include "diagnostics/process.hpp"
 
 namespace flatdyn {
 

@@ -64,10 +64,10 @@ ExitCode generate(const GenerateArguments& arguments) {
   nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
   manifest.update(model_json(model, effects));
   manifest["functions"] = functions_json(functions, symbol_names(model.mechanism));
-  std::optional<GivenUp> given_up;
+  std::optional<GivenUp> seen;
   if (model.abbreviation) {
-    given_up = sampled(model);
-    manifest["error_budget"] = abbreviation_json(model, *given_up);
+    seen = given_up(model.mechanism, derived_from(model), model.robot.scene.at_rest);
+    manifest["error_budget"] = abbreviation_json(model, *seen);
   }
   if (stages) manifest["stages"] = stages_json(*stages);
   write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit, stages)},
@@ -80,7 +80,7 @@ ExitCode generate(const GenerateArguments& arguments) {
     fmt::print("{}\n{}\n", describe_model(model, effects),
                describe_functions(functions, symbol_names(model.mechanism)));
     if (stages) fmt::print("{}\n", describe_stages(*stages));
-    if (given_up) fmt::print("{}\n", describe_abbreviation(model, *given_up));
+    if (seen) fmt::print("{}\n", describe_abbreviation(model, *seen));
     fmt::print("wrote {}\n", (folder / header).string());
   }
   return ExitCode::ok;

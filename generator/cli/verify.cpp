@@ -4,47 +4,21 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "diagnostics/table.hpp"
 #include "report/budget_report.hpp"
-#include "verify/exact.hpp"
 
 namespace flatdyn {
 namespace {
-
-// Samples are compared in double.
-constexpr double kSampleRounding = 1e-9;
 
 struct VerifyArguments : RobotArguments {
   std::vector<std::string> functions;
   VerifyOptions options;
 };
 
-// The reference knows the whole model only. An abbreviated one is compared with its own Lagrangian, exactly, and its
-// torques with those of the whole.
-ExitCode verify_abbreviated(const VerifyArguments& arguments, const Model& model,
-                            const std::vector<Function>& functions) {
-  const GivenUp seen = sampled(model);
-  bool passed = true;
-  nlohmann::ordered_json exactly = nlohmann::ordered_json::object();
-  std::vector<std::vector<std::string>> rows = {{"function", "exactly, the abbreviated model"}};
-  for (const Function& function : functions) {
-    const ExactResult result = prove_exactly(derived_from(model), function);
-    passed = passed && result.equal;
-    exactly[function.name] = result.summary();
-    rows.push_back({function.name, result.equal ? "equal" : result.summary()});
-  }
-  for (std::size_t i = 0; i < seen.largest.size(); ++i) {
-    passed =
-        passed && seen.largest[i] <= model.abbreviation->bound[i] + kSampleRounding * model.abbreviation->budget[i];
-  }
-  if (arguments.json) {
-    const nlohmann::ordered_json all = {
-        {"passed", passed}, {"exactly", exactly}, {"error_budget", abbreviation_json(model, seen)}};
-    fmt::print("{}\n", all.dump(2));
-  } else {
-    fmt::print("{}\n{}", aligned_table(rows), describe_abbreviation(model, seen));
-  }
-  return passed ? ExitCode::ok : ExitCode::verification_failed;
+ExitCode verify_part(const VerifyArguments& arguments, const Model& model, const std::vector<Function>& functions) {
+  const AbbreviationReport report =
+      verify_abbreviated(model.mechanism, *model.abbreviation, functions, model.robot.scene.at_rest);
+  fmt::print("{}\n", arguments.json ? to_json(report, model).dump(2) : to_text(report, model));
+  return report.passed ? ExitCode::ok : ExitCode::verification_failed;
 }
 
 ExitCode run_verify(const VerifyArguments& arguments) {
@@ -57,7 +31,7 @@ ExitCode run_verify(const VerifyArguments& arguments) {
   {
     Progress progress(arguments.quiet);
     const std::vector<Function> functions = functions_of(make_functions(model, options, progress, findings));
-    if (model.abbreviation) return verify_abbreviated(arguments, model, functions);
+    if (model.abbreviation) return verify_part(arguments, model, functions);
     report = verify(model.robot, model.mechanism, functions, arguments.options, progress);
   }
   print_diagnostics(findings, arguments.quiet);

@@ -14,6 +14,7 @@
 #include "emit/joints.hpp"
 #include "emit/name_space.hpp"
 #include "emit/names.hpp"
+#include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/stage_section.hpp"
 #include "emit/writer.hpp"
@@ -67,11 +68,7 @@ class HeaderWriter {
     write_stages(header);
     header["uses_sign"] = uses_sign_;
     header["uses_trigonometry"] = uses_trigonometry_;
-    kainjow::mustache::mustache page(templates::header_hpp);
-    page.set_custom_escape([](const std::string& text) { return text; });
-    const std::string result = page.render(header);
-    if (!page.is_valid()) throw std::logic_error("template header.hpp: " + page.error_message());
-    return squeezed(result);
+    return squeezed(rendered(templates::header_hpp, header));
   }
 
  private:

@@ -14,9 +14,6 @@ constexpr int kAlwaysInline = 3;   // operands of a part that is never worth its
 
 bool is_leaf(const Node& node) { return node.op == Op::constant || node.op == Op::input; }
 bool is_trigonometric(const Node& node) { return node.op == Op::sin || node.op == Op::cos; }
-bool is_negation(const Node& node) {
-  return node.op == Op::sum && node.value == 0 && node.terms.size() == 1 && node.terms[0].coefficient == -1;
-}
 bool is_worth_its_name(const Node& node) {
   return node.op == Op::quotient || (node.op == Op::sum && node.terms.size() + (node.value != 0 ? 1 : 0) > 1);
 }

@@ -9,14 +9,6 @@
 
 namespace flatdyn {
 
-using kainjow::mustache::data;
-
-data list_of(const std::vector<std::string>& lines) {
-  data list(data::type::list);
-  for (const std::string& line : lines) list << data(line);
-  return list;
-}
-
 std::string without_newline(std::string text) {
   if (!text.empty() && text.back() == '\n') text.pop_back();
   return text;

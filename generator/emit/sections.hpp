@@ -2,15 +2,12 @@
 // Pieces of text that the sections of a header have in common.
 #pragma once
 
-#include <kainjow/mustache.hpp>
 #include <string>
 #include <vector>
 
 #include "emit/function_text.hpp"
 
 namespace flatdyn {
-
-kainjow::mustache::data list_of(const std::vector<std::string>& lines);
 
 // Text that ends in a newline, for a template that has its own.
 std::string without_newline(std::string text);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 

@@ -17,8 +17,6 @@ int level_of(InputKind kind) {
 
 std::size_t at(NodeId id) { return static_cast<std::size_t>(id); }
 
-bool is_negation(const Node& node) { return is_scaled(node) && node.terms[0].coefficient == -1; }
-
 // Values that only their own stage can compute: inputs, and what is asked from the source of sines and cosines.
 bool is_source(const Node& node) { return node.op == Op::input || node.op == Op::sin || node.op == Op::cos; }
 
@@ -146,9 +144,7 @@ class Splitter {
       NodeId& here = result.image[at(id)];
       here = place != given.end() ? result.graph.input({InputKind::stored, place->second})
                                   : result.graph.copy(graph_[id], result.image);
-      const Op op = result.graph[here].op;
-      const std::string* name = graph_.name(id);
-      if (name != nullptr && op != Op::constant && op != Op::input) result.graph.set_name(here, *name);
+      copy_name(graph_, id, result.graph, here);
     }
     return result;
   }

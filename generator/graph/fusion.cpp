@@ -12,10 +12,7 @@ std::vector<NodeId> copied(const Graph& from, Graph& to) {
   std::vector<NodeId> image;
   for (NodeId id = 0; id < from.size(); ++id) {
     image.push_back(to.copy(from[id], image));
-    const std::string* name = from.name(id);
-    if (name != nullptr && to[image.back()].op != Op::constant && to[image.back()].op != Op::input) {
-      to.set_name(image.back(), *name);
-    }
+    copy_name(from, id, to, image.back());
   }
   return image;
 }

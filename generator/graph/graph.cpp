@@ -276,6 +276,10 @@ const std::string* Graph::name(NodeId id) const {
   return it == names_.end() ? nullptr : &it->second;
 }
 
+void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image) {
+  if (const std::string* name = from.name(id)) to.set_name(image, *name);
+}
+
 std::vector<NodeId> operands_of(const Node& node) {
   std::vector<NodeId> operands = node.operands;
   for (const Term& term : node.terms) operands.push_back(term.node);

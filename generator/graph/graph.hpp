@@ -65,6 +65,9 @@ struct Node {
 // A sum that is coefficient · node and nothing else.
 inline bool is_scaled(const Node& node) { return node.op == Op::sum && node.terms.size() == 1 && node.value.is_zero(); }
 
+// The negative of a node: free, written wherever it is used.
+inline bool is_negation(const Node& node) { return is_scaled(node) && node.terms[0].coefficient == -1; }
+
 class Graph {
  public:
   // Constructors: return the node with this value, normalised; a new one only if there is none yet.
@@ -108,6 +111,9 @@ class Graph {
   std::unordered_multimap<std::size_t, NodeId> index_;  // hash of a node → the nodes with it; never iterated over
   std::unordered_map<NodeId, std::string> names_;
 };
+
+// The name of a node, if it has one, for its image in another graph.
+void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image);
 
 // All operands of a node, whatever its op (for walking).
 std::vector<NodeId> operands_of(const Node& node);

@@ -41,6 +41,12 @@ Mat3 transpose(const Mat3& a) {
   return t;
 }
 
+Mat3 operator-(const Mat3& a, const Mat3& b) {
+  Mat3 m;
+  for (std::size_t i = 0; i < 3; ++i) m[i] = a[i] - b[i];
+  return m;
+}
+
 Mat3 operator*(const Mat3& a, const Mat3& b) {
   const Mat3 columns = transpose(b);
   Mat3 product;
@@ -51,6 +57,15 @@ Mat3 operator*(const Mat3& a, const Mat3& b) {
 }
 
 Mat3 skew(const Vec3& a) { return {Vec3{0, -a[2], a[1]}, Vec3{a[2], 0, -a[0]}, Vec3{-a[1], a[0], 0}}; }
+
+Mat3 inertia_between(const Vec3& a, const Vec3& b) {
+  const Number both = 2 * dot(a, b);
+  Mat3 m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = (i == j ? both : Number(0)) - a[i] * b[j] - b[i] * a[j];
+  }
+  return m;
+}
 
 Mat3 steiner(const Number& m, const Vec3& r) {
   const Mat3 S = skew(r);

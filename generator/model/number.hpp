@@ -26,11 +26,15 @@ Vec3 operator*(const Number& a, const Vec3& b);
 Number dot(const Vec3& a, const Vec3& b);
 Vec3 cross(const Vec3& a, const Vec3& b);
 Mat3 operator+(const Mat3& a, const Mat3& b);
+Mat3 operator-(const Mat3& a, const Mat3& b);
 Mat3 operator*(const Mat3& a, const Mat3& b);
 Vec3 operator*(const Mat3& a, const Vec3& b);
 Mat3 transpose(const Mat3& a);
 Mat3 skew(const Vec3& a);                      // S(a), so that S(a) b = a x b
 Mat3 steiner(const Number& m, const Vec3& r);  // m S(r)^T S(r), (7.60)
+// 2 (a·b) 1 - a b^T - b a^T: what an inertia changes by when the pole moves. inertia_between(r, m r) is 2 steiner(m,
+// r).
+Mat3 inertia_between(const Vec3& a, const Vec3& b);
 
 bool vanishes(const Number& a);  // is zero, exactly (expanded)
 Vec3 expanded(const Vec3& a);

@@ -41,6 +41,14 @@ Mat3 central_tensor(const Inertial& inertial) {
   return inertial.tensor + steiner(-inertial.mass.number, inertial.centre_of_mass);
 }
 
+Vec3 centre_of_mass(const InertialParameters& body) {
+  return body.mass.is_zero() ? zero_vector() : expanded(Vec3((1 / body.mass) * body.first_moment));
+}
+
+Mat3 central_tensor(const InertialParameters& body) {
+  return expanded(body.inertia - steiner(body.mass, centre_of_mass(body)));
+}
+
 std::array<double, 3> principal_moments(const Mat3& tensor) {
   Eigen::Matrix3d matrix;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "model/mechanism.hpp"
 #include "model/robot.hpp"
 
 namespace flatdyn {
@@ -19,6 +20,9 @@ std::optional<InertiaFault> fault_of_inertia(const Mat3& tensor);
 
 // The tensor about the centre of mass, along the axes of the inertial frame.
 Mat3 central_tensor(const Inertial& inertial);
+// Of a body about its frame's origin; one without mass has its centre there.
+Mat3 central_tensor(const InertialParameters& body);
+Vec3 centre_of_mass(const InertialParameters& body);
 
 // Principal moments, largest first, for messages only.
 std::array<double, 3> principal_moments(const Mat3& tensor);

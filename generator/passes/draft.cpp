@@ -32,10 +32,6 @@ Function with_graph(const Function& source, Graph graph, const std::vector<NodeI
   return result;
 }
 
-void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image) {
-  if (const std::string* name = from.name(id)) to.set_name(image, *name);
-}
-
 std::vector<bool> alive_nodes(const Draft& draft) {
   std::vector<bool> alive(draft.nodes.size(), false);
   std::vector<NodeId> stack = roots(draft.source);
@@ -69,6 +65,15 @@ void copy_tree(const Draft& draft, NodeId root, Graph& graph, std::vector<NodeId
   }
 }
 
+// Folding may leave nodes behind that nothing reaches any more: products that had a coefficient, say.
+Function without_leftovers(Function function) {
+  const std::vector<bool> reached = reachable_from(function.graph, roots(function));
+  const bool is_all_reached = std::find(reached.begin(), reached.end(), false) == reached.end();
+  return is_all_reached ? std::move(function) : without_dead_code(function);
+}
+
+}  // namespace
+
 NodeId unfolded_node(Graph& graph, const Node& node, const std::vector<NodeId>& image) {
   if (node.op == Op::sum) {
     std::vector<Term> terms = node.terms;
@@ -82,15 +87,6 @@ NodeId unfolded_node(Graph& graph, const Node& node, const std::vector<NodeId>& 
   }
   return graph.copy(node, image);
 }
-
-// Folding may leave nodes behind that nothing reaches any more: products that had a coefficient, say.
-Function without_leftovers(Function function) {
-  const std::vector<bool> reached = reachable_from(function.graph, roots(function));
-  const bool is_all_reached = std::find(reached.begin(), reached.end(), false) == reached.end();
-  return is_all_reached ? std::move(function) : without_dead_code(function);
-}
-
-}  // namespace
 
 Draft::Draft(const Function& function) : source(function) {
   nodes.reserve(index(function.graph.size()));

@@ -30,6 +30,9 @@ struct Draft {
 // Only what the roots reach.
 Function without_dead_code(const Function& function);
 
+// `node`, of any graph, in full normal form here, its operands being `image[operand]`.
+NodeId unfolded_node(Graph& graph, const Node& node, const std::vector<NodeId>& image);
+
 // In full normal form: scaled nodes and products that passes had kept as operands are folded in again.
 Function unfolded(const Function& function);
 

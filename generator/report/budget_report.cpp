@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "diagnostics/table.hpp"
-#include "verify/torque_change.hpp"
 
 namespace flatdyn {
 namespace {
@@ -39,11 +38,6 @@ std::string abbreviation_fact(const Abbreviation& abbreviation) {
       fmt::join(names_of(abbreviation), ", "), fmt::join(bounds, ", "));
 }
 
-GivenUp sampled(const Model& model) {
-  constexpr int kStates = 2000;
-  return {kStates, largest_torque_change(model.mechanism, derived_from(model), model.robot.scene.at_rest, kStates)};
-}
-
 std::string describe_abbreviation(const Model& model, const GivenUp& seen) {
   const Abbreviation& abbreviation = *model.abbreviation;
   std::vector<std::vector<std::string>> rows = {{"joint", "budget", "proven bound", "largest seen", "unit"}};
@@ -68,6 +62,20 @@ nlohmann::ordered_json abbreviation_json(const Model& model, const GivenUp& seen
           {"largest_seen", seen.largest},
           {"states", seen.states},
           {"left_out", dropped}};
+}
+
+std::string to_text(const AbbreviationReport& report, const Model& model) {
+  std::vector<std::vector<std::string>> rows = {{"function", "exactly, the abbreviated model"}};
+  for (const AbbreviationReport::Entry& entry : report.exactly) {
+    rows.push_back({entry.function, entry.result.equal ? "equal" : entry.result.summary()});
+  }
+  return aligned_table(rows) + "\n" + describe_abbreviation(model, report.seen);
+}
+
+nlohmann::ordered_json to_json(const AbbreviationReport& report, const Model& model) {
+  nlohmann::ordered_json exactly = nlohmann::ordered_json::object();
+  for (const AbbreviationReport::Entry& entry : report.exactly) exactly[entry.function] = entry.result.summary();
+  return {{"passed", report.passed}, {"exactly", exactly}, {"error_budget", abbreviation_json(model, report.seen)}};
 }
 
 }  // namespace flatdyn

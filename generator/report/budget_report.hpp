@@ -6,21 +6,19 @@
 #include <string>
 
 #include "pipeline.hpp"
+#include "verify/given_up.hpp"
 
 namespace flatdyn {
 
 // A sentence for the header: "Left out for an error budget: I3xy, m7lx. Within the limits this changes …".
 std::string abbreviation_fact(const Abbreviation& abbreviation);
 
-// Largest change of each joint's torque that was seen at random states within the limits, half of them at the largest
-// speeds and accelerations; and a table of it beside the proven bound.
-struct GivenUp {
-  int states = 0;
-  std::vector<double> largest;  // by joint, N m or N
-};
-GivenUp sampled(const Model& model);
-
+// A table of the proven bounds beside what was seen.
 std::string describe_abbreviation(const Model& model, const GivenUp& seen);
 nlohmann::ordered_json abbreviation_json(const Model& model, const GivenUp& seen);
+
+// Of `verify`, with that table below the functions.
+std::string to_text(const AbbreviationReport& report, const Model& model);
+nlohmann::ordered_json to_json(const AbbreviationReport& report, const Model& model);
 
 }  // namespace flatdyn

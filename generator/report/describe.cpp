@@ -189,16 +189,34 @@ int structural_zeros(const Function& function) {
   return zeros;
 }
 
+namespace {
+
+// mul, add, div, sin/cos as cells of a table.
+std::vector<std::string> count_cells(const std::string& name, const OperationCount& count) {
+  return {name, std::to_string(count.multiplications), std::to_string(count.additions), std::to_string(count.divisions),
+          std::to_string(count.trigonometric)};
+}
+
+nlohmann::ordered_json count_json(const std::string& name, const OperationCount& count) {
+  return {{"name", name},
+          {"multiplications", count.multiplications},
+          {"additions", count.additions},
+          {"divisions", count.divisions},
+          {"sin_cos", count.trigonometric}};
+}
+
+}  // namespace
+
 std::string describe_functions(const std::vector<OptimisedFunction>& functions,
                                const std::vector<std::string>& symbols) {
   std::vector<std::vector<std::string>> rows = {
       {"function", "mul", "add", "div", "sin/cos", "as derived", "zeros", "reads"}};
   for (const OptimisedFunction& each : functions) {
-    const OperationCount count = count_operations(each.function);
-    rows.push_back({each.function.name, std::to_string(count.multiplications), std::to_string(count.additions),
-                    std::to_string(count.divisions), std::to_string(count.trigonometric),
-                    std::to_string(each.derived.arithmetic()), std::to_string(structural_zeros(each.function)),
-                    list_of_inputs(inputs_read(each.function), symbols)});
+    rows.push_back(count_cells(each.function.name, count_operations(each.function)));
+    for (const int number : {each.derived.arithmetic(), structural_zeros(each.function)}) {
+      rows.back().push_back(std::to_string(number));
+    }
+    rows.back().push_back(list_of_inputs(inputs_read(each.function), symbols));
   }
   return aligned_table(rows);
 }
@@ -226,11 +244,9 @@ std::vector<StagePiece> pieces_of(const Stages& stages) {
 std::string describe_stages(const Stages& stages) {
   std::vector<std::vector<std::string>> rows = {{"stage", "mul", "add", "div", "sin/cos", "stores"}};
   for (const StagePiece& piece : pieces_of(stages)) {
-    const OperationCount count = count_operations(*piece.function);
+    rows.push_back(count_cells(piece.name, count_operations(*piece.function)));
     const Output& output = piece.function->outputs[0];
-    rows.push_back({piece.name, std::to_string(count.multiplications), std::to_string(count.additions),
-                    std::to_string(count.divisions), std::to_string(count.trigonometric),
-                    output.layout == Layout::fields ? std::to_string(output.entries.size()) : ""});
+    rows.back().push_back(output.layout == Layout::fields ? std::to_string(output.entries.size()) : "");
   }
   return aligned_table(rows);
 }
@@ -238,12 +254,7 @@ std::string describe_stages(const Stages& stages) {
 nlohmann::ordered_json stages_json(const Stages& stages) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const StagePiece& piece : pieces_of(stages)) {
-    const OperationCount count = count_operations(*piece.function);
-    json.push_back({{"name", piece.name},
-                    {"multiplications", count.multiplications},
-                    {"additions", count.additions},
-                    {"divisions", count.divisions},
-                    {"sin_cos", count.trigonometric}});
+    json.push_back(count_json(piece.name, count_operations(*piece.function)));
   }
   return json;
 }
@@ -252,15 +263,11 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
                                       const std::vector<std::string>& symbols) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const OptimisedFunction& each : functions) {
-    const OperationCount count = count_operations(each.function);
-    json.push_back({{"name", each.function.name},
-                    {"multiplications", count.multiplications},
-                    {"additions", count.additions},
-                    {"divisions", count.divisions},
-                    {"sin_cos", count.trigonometric},
-                    {"operations_as_derived", each.derived.arithmetic()},
-                    {"structural_zeros", structural_zeros(each.function)},
-                    {"reads", list_of_inputs(inputs_read(each.function), symbols)}});
+    nlohmann::ordered_json item = count_json(each.function.name, count_operations(each.function));
+    item["operations_as_derived"] = each.derived.arithmetic();
+    item["structural_zeros"] = structural_zeros(each.function);
+    item["reads"] = list_of_inputs(inputs_read(each.function), symbols);
+    json.push_back(item);
   }
   return json;
 }

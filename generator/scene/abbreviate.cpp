@@ -6,12 +6,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "diagnostics/diagnostics.hpp"
 #include "graph/arithmetic.hpp"
+#include "model/lagrangian.hpp"
+#include "model/states.hpp"
 #include "symbolic/base_parameters.hpp"
-#include "verify/lagrangian.hpp"
 
 namespace flatdyn {
 namespace {
@@ -108,20 +108,22 @@ double weight(Parameter parameter) {
   }
 }
 
-// B of a model at many positions, positive definite or not.
+// At any angle, as B should be positive definite beyond the limits, too.
+Mechanism turning_freely(Mechanism mechanism) {
+  for (Body& body : mechanism.bodies) {
+    if (!body.prismatic) body.limits.lower = body.limits.upper = std::nullopt;
+  }
+  return mechanism;
+}
+
+// B of a model at random positions, positive definite or not.
 class InertiaCheck {
  public:
-  explicit InertiaCheck(int joints) {
+  explicit InertiaCheck(const Mechanism& mechanism) {
     constexpr int kPositions = 200;
-    constexpr double kTurn = 3.2, kSlide = 1;
-    std::mt19937_64 engine(1);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    for (int k = 0; k < kPositions; ++k) {
+    for (const State& state : random_states(turning_freely(mechanism), kPositions, 1)) {
       positions_.emplace_back();
-      for (int i = 0; i < joints; ++i) {
-        const double x = uniform(engine);
-        positions_.back().push_back({std::cos(kTurn * x), std::sin(kTurn * x), kSlide * x});
-      }
+      for (const double q : state.q) positions_.back().push_back({std::cos(q), std::sin(q), q});
     }
   }
 
@@ -143,7 +145,7 @@ class InertiaCheck {
 class Abbreviator {
  public:
   Abbreviator(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest)
-      : motions_(largest_motions(mechanism, at_rest)), check_(mechanism.size()) {
+      : motions_(largest_motions(mechanism, at_rest)), check_(mechanism) {
     result_.mechanism = mechanism;
     for (const Body& body : mechanism.bodies) {
       result_.budget.push_back(budget.relative ? budget.value * limit_of(body, body.limits.effort, "effort")

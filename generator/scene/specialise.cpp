@@ -15,23 +15,11 @@ std::size_t slot(NodeId id) { return static_cast<std::size_t>(id); }
 // The graph with 0 for each velocity, in normal form again: whatever becomes 0 or equal is so at once.
 Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
   Graph result;
-  const auto at = [&image](NodeId id) { return image[slot(id)]; };
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& node = graph[id];
-    if (node.op == Op::input && node.input.kind == InputKind::qd) {
-      image[slot(id)] = result.constant(0);
-    } else if (node.op == Op::sum) {
-      std::vector<Term> terms = node.terms;
-      for (Term& term : terms) term.node = at(term.node);
-      image[slot(id)] = result.sum(std::move(terms), node.value);
-    } else if (node.op == Op::product) {
-      std::vector<NodeId> factors = node.operands;
-      for (NodeId& factor : factors) factor = at(factor);
-      image[slot(id)] = result.product(std::move(factors));
-    } else {
-      image[slot(id)] = result.copy(node, image);
-    }
-    if (const std::string* name = graph.name(id)) result.set_name(image[slot(id)], *name);
+    const bool is_velocity = node.op == Op::input && node.input.kind == InputKind::qd;
+    image[slot(id)] = is_velocity ? result.constant(0) : unfolded_node(result, node, image);
+    copy_name(graph, id, result, image[slot(id)]);
   }
   return result;
 }

@@ -21,12 +21,6 @@ Mat3 dyad(const Vec3& a, const Vec3& b) {
   return m;
 }
 
-Mat3 minus(const Mat3& a, const Mat3& b) {
-  Mat3 m;
-  for (std::size_t i = 0; i < 3; ++i) m[i] = a[i] - b[i];
-  return m;
-}
-
 Mat3 named_general(Derivation& d, const Mat3& m, const std::string& name) {
   static const char* const kRows[] = {"_x", "_y", "_z"};
   Mat3 result;
@@ -44,8 +38,8 @@ ArticulatedBody moved_pole(const ArticulatedBody& a, const Vec3& p, const Vec3& 
   const Mat3 S = skew(p);
   ArticulatedBody moved;
   moved.M = a.M;
-  moved.G = minus(a.G, a.M * S);
-  moved.J = minus(a.J + S * moved.G, transpose(a.G) * S);
+  moved.G = a.G - a.M * S;
+  moved.J = a.J + S * moved.G - transpose(a.G) * S;
   moved.F = a.F + a.M * c;
   moved.N = a.N + transpose(a.G) * c + cross(p, moved.F);
   return moved;
@@ -120,22 +114,15 @@ class ArticulatedRecursion {
     const Mat3 mass = {Vec3{own.mass, 0, 0}, Vec3{0, own.mass, 0}, Vec3{0, 0, own.mass}};
     const Vec3 spin = d_.named(own.inertia * omega, "Iw_" + n);
     all.M = mass;
-    all.G = minus(zero_matrix(), skew(own.first_moment));
+    all.G = transpose(skew(own.first_moment));
     all.J = own.inertia;
     all.F = squared_swing(omega, own.first_moment, "h" + n);
     all.N = all.N + cross(omega, spin);
     const auto& rotor = frames_.body(i).rotor;
     if (!rotor || rotor->carrier < 0) return;
-    joint(i).rotor = d_.named(rotor->gear_ratio * rotor->inertia, "kI_" + n) * d_.named(rotor->axis, "z_m" + n);
+    joint(i).rotor = rotor_momentum(frames_, i);
     ArticulatedBody& carrier = body(rotor->carrier);
     carrier.N = carrier.N + qd(i) * cross(joint(rotor->carrier).omega, joint(i).rotor);
-  }
-
-  Number reflected(int i) {
-    const Body& moving = frames_.body(i);
-    Number inertia = moving.armature;
-    if (moving.rotor) inertia += moving.rotor->gear_ratio * moving.rotor->gear_ratio * moving.rotor->inertia;
-    return d_.named(inertia, "I_r" + label(i));
   }
 
   Number driving_torque(int i) {
@@ -158,15 +145,16 @@ class ArticulatedRecursion {
     const Vec3 N = d_.named(all.N + (prismatic ? transpose(all.G) : all.J) * j.drift, "Nd_" + n);
     j.force = prismatic ? column(all.M, 2) : column(all.G, 2);
     j.moment = prismatic ? column(transpose(all.G), 2) : column(all.J, 2);
-    j.pivot = d_.named((prismatic ? all.M[2][2] : all.J[2][2]) + reflected(i), "D_" + n);
+    j.pivot = d_.named(
+        (prismatic ? all.M[2][2] : all.J[2][2]) + d_.named(reflected_inertia(frames_.body(i)), "I_r" + n), "D_" + n);
     if (vanishes(j.pivot)) fail_as_singular(frames_.body(i));
     j.inverse = d_.quotient(1, j.pivot, "d_" + n);
     j.rest = d_.named(driving_torque(i) - (prismatic ? F[2] : N[2]), "rest_" + n);
     if (parent(i) < 0) return;
     const Vec3 force = d_.named(j.inverse * j.force, "fd_" + n), moment = d_.named(j.inverse * j.moment, "mud_" + n);
-    all.M = minus(all.M, dyad(force, j.force));
-    all.G = minus(all.G, dyad(force, j.moment));
-    all.J = minus(all.J, dyad(moment, j.moment));
+    all.M = all.M - dyad(force, j.force);
+    all.G = all.G - dyad(force, j.moment);
+    all.J = all.J - dyad(moment, j.moment);
     all.F = F + j.rest * force;
     all.N = N + j.rest * moment;
     hang(i, named(d_, all, "r" + n));
@@ -190,8 +178,8 @@ class ArticulatedRecursion {
       const Vec3 f = frames_.up(i, j.force, "fu_" + n);
       const Vec3 mu = d_.named(frames_.up(i, moment, "muu_" + n) + cross(frames_.p(i), f), "mup_" + n);
       const Vec3 spin = d_.named(j.inverse * j.rotor, "spin_" + n);
-      all.G = minus(all.G, dyad(f, spin));
-      all.J = minus(all.J, dyad(mu, spin) + dyad(spin, mu) + dyad(spin, j.rotor));
+      all.G = all.G - dyad(f, spin);
+      all.J = all.J - (dyad(mu, spin) + dyad(spin, mu) + dyad(spin, j.rotor));
       all.N = all.N + d_.named(rest - dot(f, j.c), "left_" + n) * spin;
     }
     ArticulatedBody& at_parent = body(parent(i));

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "graph/mod_p.hpp"
+#include "model/field_mechanism.hpp"
 #include "symbolic/elimination.hpp"
 #include "symbolic/redundant.hpp"
-#include "verify/field_mechanism.hpp"
 
 namespace flatdyn {
 namespace {

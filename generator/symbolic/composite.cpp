@@ -10,16 +10,7 @@ int parent_of(Frames& frames, int i) { return frames.body(i).parent; }
 
 // 2 (p·h) 1 - p hᵀ - h pᵀ + m (p·p 1 - p pᵀ): the change of inertia when the pole moves from the origin of frame i to
 // that of its parent, h the first moment about the old pole.
-Mat3 moved_pole(const Number& m, const Vec3& h, const Vec3& p) {
-  const Number both = 2 * dot(p, h) + m * dot(p, p);
-  Mat3 change;
-  for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t b = 0; b < 3; ++b) {
-      change[a][b] = (a == b ? both : Number(0)) - p[a] * h[b] - h[a] * p[b] - m * p[a] * p[b];
-    }
-  }
-  return change;
-}
+Mat3 moved_pole(const Number& m, const Vec3& h, const Vec3& p) { return inertia_between(p, h + (m / 2) * p); }
 
 InertialParameters composite_in_parent(Frames& frames, int i, const InertialParameters& composite) {
   Derivation& d = frames.derivation();
@@ -45,20 +36,13 @@ void climb(Frames& frames, int i, Wrench wrench, Visit visit) {
   for (int k = i;; k = parent_of(frames, k)) {
     const std::string n = label(i) + "_" + label(k);
     if (rotor && k != i && rotor->carrier == k) {
-      const Number krI = d.named(rotor->gear_ratio * rotor->inertia, "kI_" + label(i));
-      wrench.mu = wrench.mu + krI * d.named(rotor->axis, "z_m" + label(i));
+      wrench.mu = wrench.mu + rotor_momentum(frames, i);
     }
     wrench = {d.named(wrench.f, "f_" + n), d.named(wrench.mu, "mu_" + n)};
     visit(k, wrench);
     if (parent_of(frames, k) < 0) return;
     wrench = to_parent(frames, k, wrench, n);
   }
-}
-
-Number reflected_inertia(const Body& body) {
-  Number inertia = body.armature;
-  if (body.rotor) inertia += body.rotor->gear_ratio * body.rotor->gear_ratio * body.rotor->inertia;
-  return inertia;
 }
 
 }  // namespace

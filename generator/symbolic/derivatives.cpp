@@ -88,39 +88,32 @@ class TorqueDerivation {
   void row(int i) {
     Row row = felt_by(i);
     const Body& body = frames_.body(i);
-    for (int k = i; k >= 0; k = frames_.body(k).parent) {
+    for (int k = i, below = i; k >= 0; below = k, k = frames_.body(k).parent) {
       const std::string n = label(i) + "_" + label(k);
-      if (k != i) row = to_parent_of_last(row, n);
+      if (k != i) row = in_parent(below, row, n);
       if (k != i && body.rotor && body.rotor->carrier == k) add_rotor(i, row);
       row = {{d_.named(row.wrench.f, "f_" + n), d_.named(row.wrench.mu, "mu_" + n)}, d_.named(row.kappa, "kappa_" + n)};
       set(result_.dq, i, k, times(row, field_of_position(k)), "dtau_");
       const Number damping = i == k && motion_.friction ? d_.named(body.viscous, "F_v" + label(i)) : Number(0);
       set(result_.dqd, i, k, times(row, field_of_rate(k)) + damping, "dtaud_");
-      last_ = k;
     }
   }
 
-  Row to_parent_of_last(const Row& row, const std::string& n) {
-    const int k = last_, parent = frames_.body(k).parent;
+  // A row about the origin of frame k, about that of its parent.
+  Row in_parent(int k, const Row& row, const std::string& n) {
     const std::string from = n + "k";
     const Vec3 slid = row.kappa + Number(2) * cross(slide_rate(frames_, k, motion_, at(links_, k)), row.wrench.f);
     const Wrench wrench = to_parent(frames_, k, row.wrench, from);
-    const Vec3 carried = d_.named(cross(at(links_, parent).omega, frames_.p(k)), "u_p_" + label(k));
+    const Vec3 carried = d_.named(cross(at(links_, frames_.body(k).parent).omega, frames_.p(k)), "u_p_" + label(k));
     return {wrench,
             frames_.up(k, d_.named(slid, "kappa_s_" + from), "kappa_u_" + from) + Number(2) * cross(carried, wrench.f)};
   }
 
   // Its rotor feels how the carrier turns, last term of (7.114).
   void add_rotor(int i, Row& row) {
-    const Vec3 unit = rotor_unit(i);
+    const Vec3 unit = rotor_momentum(frames_, i);
     row.wrench.mu = row.wrench.mu + unit;
     row.kappa = row.kappa + cross(at(links_, frames_.body(i).rotor->carrier).omega, unit);
-  }
-
-  // k_r I_m z_m.
-  Vec3 rotor_unit(int i) {
-    const Rotor& rotor = *frames_.body(i).rotor;
-    return d_.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i)) * d_.named(rotor.axis, "z_m" + label(i));
   }
 
   static Number times(const Row& row, const Field& field) {
@@ -136,7 +129,8 @@ class TorqueDerivation {
   void column_of_rate(int k) {
     const auto& rotor = frames_.body(k).rotor;
     const bool carried = rotor && rotor->carrier >= 0;
-    const Vec3 at_carrier = carried ? cross(at(links_, rotor->carrier).omega, rotor_unit(k)) : zero_vector();
+    const Vec3 at_carrier =
+        carried ? cross(at(links_, rotor->carrier).omega, rotor_momentum(frames_, k)) : zero_vector();
     climb(k, applied(k, field_of_rate(k)), at_carrier, result_.dqd, "qd");
   }
 
@@ -166,7 +160,6 @@ class TorqueDerivation {
   std::vector<InertialParameters> bodies_;
   std::vector<Momenta> momenta_;
   TorqueDerivatives result_;
-  int last_ = 0;
 };
 
 }  // namespace

@@ -34,17 +34,13 @@ Number twice_link_energy(Derivation& d, const InertialParameters& body, const Ve
 
 Number twice_rotor_energy(Derivation& d, const Body& body, const std::vector<Velocity>& links, const Number& qd,
                           const std::string& n) {
-  Number reflected = body.armature;
   Number coupling = 0;
-  if (body.rotor) {
+  if (body.rotor && body.rotor->carrier >= 0) {
     const Rotor& rotor = *body.rotor;
-    reflected += rotor.gear_ratio * rotor.gear_ratio * rotor.inertia;
-    if (rotor.carrier >= 0) {
-      const Number omega = dot(d.named(rotor.axis, "z_m" + n), links[static_cast<std::size_t>(rotor.carrier)].omega);
-      coupling = d.named(2 * rotor.gear_ratio * rotor.inertia, "kI_2_" + n) * d.named(omega, "omega_m" + n);
-    }
+    const Number omega = dot(d.named(rotor.axis, "z_m" + n), links[static_cast<std::size_t>(rotor.carrier)].omega);
+    coupling = d.named(2 * rotor.gear_ratio * rotor.inertia, "kI_2_" + n) * d.named(omega, "omega_m" + n);
   }
-  return qd * d.named(d.named(reflected, "I_r" + n) * qd + coupling, "L_m" + n);
+  return qd * d.named(d.named(reflected_inertia(body), "I_r" + n) * qd + coupling, "L_m" + n);
 }
 
 }  // namespace

@@ -4,16 +4,6 @@
 namespace flatdyn {
 namespace {
 
-// 2 (a·b) 1 - a bᵀ - b aᵀ: what a product of lengths adds to an inertia.
-Mat3 inertia_between(const Vec3& a, const Vec3& b) {
-  const Number both = 2 * dot(a, b);
-  Mat3 m;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) m[i][j] = (i == j ? both : Number(0)) - a[i] * b[j] - b[i] * a[j];
-  }
-  return m;
-}
-
 // Seen from a pole at which the old one is at p, moving with u. `first_moment`: about the old pole.
 Momenta moved_pole(const Momenta& a, const Number& mass, const Vec3& first_moment, const Vec3& p, const Vec3& u) {
   const Vec3 about_new = first_moment + mass * p;

@@ -103,17 +103,13 @@ Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vect
   const auto k = static_cast<std::size_t>(i);
   const std::string n = label(i);
   Number tau = felt(frames, i, wrench);
-  Number reflected = body.armature;
-  if (body.rotor) {
+  if (body.rotor && body.rotor->carrier >= 0) {
     const Rotor& rotor = *body.rotor;
-    reflected += rotor.gear_ratio * rotor.gear_ratio * rotor.inertia;
-    if (rotor.carrier >= 0) {
-      const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + n);
-      const Vec3 z = d.named(rotor.axis, "z_m" + n);
-      tau += krI * d.named(dot(z, links[static_cast<std::size_t>(rotor.carrier)].domega), "domega_m" + n);
-    }
+    const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + n);
+    const Vec3 z = d.named(rotor.axis, "z_m" + n);
+    tau += krI * d.named(dot(z, links[static_cast<std::size_t>(rotor.carrier)].domega), "domega_m" + n);
   }
-  tau += d.named(reflected, "I_r" + n) * motion.qdd[k];
+  tau += d.named(reflected_inertia(body), "I_r" + n) * motion.qdd[k];
   if (motion.friction) {
     tau += d.named(body.viscous, "F_v" + n) * motion.qd[k];
     if (!vanishes(body.coulomb)) tau += d.named(body.coulomb, "F_s" + n) * d.sign(motion.qd[k], "sgn_" + n);
@@ -149,6 +145,18 @@ Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string&
   const Vec3 f = frames.up(i, wrench.f, "f_u_" + name);
   const Vec3 turned = frames.up(i, mu, "mu_u_" + name);
   return {f, turned + cross(frames.p(i), f)};
+}
+
+Vec3 rotor_momentum(Frames& frames, int i) {
+  Derivation& d = frames.derivation();
+  const Rotor& rotor = *frames.body(i).rotor;
+  return d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i)) * d.named(rotor.axis, "z_m" + label(i));
+}
+
+Number reflected_inertia(const Body& body) {
+  Number inertia = body.armature;
+  if (body.rotor) inertia += body.rotor->gear_ratio * body.rotor->gear_ratio * body.rotor->inertia;
+  return inertia;
 }
 
 Number felt(Frames& frames, int i, const Wrench& wrench) {

@@ -42,6 +42,13 @@ std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const s
 // Generalised forces τ, (7.114).
 std::vector<Number> torques(Frames& frames, const Motion& motion, const std::optional<Wrench>& tip = std::nullopt);
 
+// k_r I_m z_m: the angular momentum of joint i's rotor for a unit rate, in the frame of the body that carries it. There
+// must be one.
+Vec3 rotor_momentum(Frames& frames, int i);
+
+// What a joint feels of its own motor: the armature, and k_r^2 I_m of the rotor.
+Number reflected_inertia(const Body& body);
+
 // Component of a wrench that joint i feels.
 Number felt(Frames& frames, int i, const Wrench& wrench);
 

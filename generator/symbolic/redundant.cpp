@@ -5,9 +5,9 @@
 #include <random>
 
 #include "graph/mod_p.hpp"
+#include "model/field_mechanism.hpp"
 #include "symbolic/base_parameters.hpp"
 #include "symbolic/elimination.hpp"
-#include "verify/field_mechanism.hpp"
 
 namespace flatdyn {
 namespace {

@@ -3,25 +3,19 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <csignal>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
+#include "diagnostics/process.hpp"
 #include "diagnostics/temporary_folder.hpp"
 #include "emit/emit.hpp"
 #include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
 
 namespace flatdyn {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -59,19 +53,6 @@ std::string entry_text(const Mechanism& mechanism, const Function& function, std
                      index, body);
 }
 
-void write(const fs::path& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  if (!file) throw Failure(ExitCode::io, path.string() + ": cannot be written");
-}
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 class CompiledFunctions::Library {
@@ -79,10 +60,10 @@ class CompiledFunctions::Library {
   Library(const Mechanism& mechanism, const std::vector<Function>& functions) {
     EmitOptions options;
     options.name_space = kNamespace;
-    write(folder_.path() / "robot.hpp", emit_cpp(mechanism, functions, options));
+    write_file(folder_.path() / "robot.hpp", emit_cpp(mechanism, functions, options));
     std::string driver = "#include \"robot.hpp\"\n";
     for (std::size_t k = 0; k < functions.size(); ++k) driver += entry_text(mechanism, functions[k], k);
-    write(folder_.path() / "driver.cpp", driver);
+    write_file(folder_.path() / "driver.cpp", driver);
     compile();
     handle_ = ::dlopen((folder_.path() / "driver.so").c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ == nullptr) throw Failure(ExitCode::bug, fmt::format("emitted code cannot be loaded: {}", ::dlerror()));
@@ -100,21 +81,12 @@ class CompiledFunctions::Library {
 
  private:
   void compile() const {
-    const char* chosen = std::getenv("CXX");
-    const std::string compiler = chosen != nullptr && *chosen != '\0' ? chosen : "c++";
-    if (std::system(fmt::format("{} --version > /dev/null 2>&1", compiler).c_str()) != 0) {
-      throw Failure(ExitCode::io, fmt::format("no C++ compiler: {} cannot be run", compiler), "install g++ or set CXX");
-    }
     const std::string command = fmt::format(
-        "{0} -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror -shared -fPIC '{1}/driver.cpp' -o "
-        "'{1}/driver.so' 2> '{1}/log'",
-        compiler, folder_.path().string());
-    const int status = std::system(command.c_str());
-    // system() keeps Ctrl-C from this process: it was meant for it, too.
-    if (WIFSIGNALED(status)) std::raise(WTERMSIG(status));
-    if (status != 0) {
-      throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of(folder_.path() / "log"));
-    }
+        "{} -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror -shared -fPIC driver.cpp -o driver.so "
+        "2> log",
+        machine_compiler());
+    if (run_command(command, folder_.path()) == 0) return;
+    throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of_file(folder_.path() / "log"));
   }
 
   TemporaryFolder folder_;

@@ -8,7 +8,7 @@
 
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
-#include "verify/states.hpp"
+#include "model/states.hpp"
 
 namespace flatdyn {
 

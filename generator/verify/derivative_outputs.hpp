@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/lagrangian.hpp"
+#include "model/lagrangian.hpp"
 
 namespace flatdyn {
 

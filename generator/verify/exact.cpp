@@ -10,8 +10,8 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "graph/mod_p.hpp"
+#include "model/lagrangian.hpp"
 #include "verify/degree.hpp"
-#include "verify/lagrangian.hpp"
 #include "verify/lagrangian_outputs.hpp"
 
 namespace flatdyn {

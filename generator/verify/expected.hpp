@@ -7,8 +7,8 @@
 
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
+#include "model/states.hpp"
 #include "verify/reference_model.hpp"
-#include "verify/states.hpp"
 
 namespace flatdyn {
 

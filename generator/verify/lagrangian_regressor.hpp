@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "verify/lagrangian.hpp"
+#include "model/lagrangian.hpp"
 
 namespace flatdyn {
 

@@ -2,7 +2,7 @@
 // What the equations of motion of any robot obey, checked on the generated functions' graphs in 50 digits.
 #pragma once
 
-#include "verify/states.hpp"
+#include "model/states.hpp"
 #include "verify/verify.hpp"
 
 namespace flatdyn {

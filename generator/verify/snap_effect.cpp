@@ -2,8 +2,8 @@
 #include "verify/snap_effect.hpp"
 
 #include "flatdyn/reference/newton_euler.hpp"
+#include "model/states.hpp"
 #include "verify/reference_model.hpp"
-#include "verify/states.hpp"
 
 namespace flatdyn {
 namespace {

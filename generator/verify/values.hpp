@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "model/states.hpp"
 #include "verify/reference_model.hpp"
-#include "verify/states.hpp"
 
 namespace flatdyn {
 

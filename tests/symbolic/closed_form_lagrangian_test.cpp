@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "graph/mod_p.hpp"
+#include "model/lagrangian.hpp"
 #include "symbolic/closed_form.hpp"
 #include "symbolic/textbook_robots.hpp"
-#include "verify/lagrangian.hpp"
 
 namespace flatdyn {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "model/field_mechanism.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
-#include "verify/field_mechanism.hpp"
 #include "verify/sampled_base.hpp"
 
 namespace flatdyn {

@@ -6,6 +6,7 @@
 
 #include "graph/count.hpp"
 #include "graph/mod_p.hpp"
+#include "model/field_mechanism.hpp"
 #include "passes/passes.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
@@ -13,7 +14,6 @@
 #include "symbolic/centres.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/workbench.hpp"
-#include "verify/field_mechanism.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "graph/mod_p.hpp"
+#include "model/field_mechanism.hpp"
 #include "support/robots.hpp"
 #include "symbolic/functions.hpp"
-#include "verify/field_mechanism.hpp"
 
 namespace flatdyn {
 namespace {

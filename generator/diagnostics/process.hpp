@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Commands of the machine's shell.
+// Commands of the machine's shell, and the files through which one talks with them.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,9 @@ namespace flatdyn {
 // Runs a shell's command in `folder`; `pinned`: on one core only, the last one that this process may use. Returns what
 // a shell says: 128 + n after signal n.
 int run_command(const std::string& command, const std::filesystem::path& folder, bool pinned = false);
+
+// $CXX, or c++. Throws Failure(io) if it cannot be run.
+std::string machine_compiler();
 
 std::string content_of_file(const std::filesystem::path& path);
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "graph/graph.hpp"
+#include "model/field_vector.hpp"
 #include "model/mechanism.hpp"
-#include "verify/field_vector.hpp"
 
 namespace flatdyn {
 

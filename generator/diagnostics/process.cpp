@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/process.hpp"
+#include "diagnostics/process.hpp"
 
 #include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -45,6 +46,15 @@ int run_command(const std::string& command, const fs::path& folder, bool pinned)
     if (errno != EINTR) throw Failure(ExitCode::io, "a process was lost");
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+std::string machine_compiler() {
+  const char* chosen = std::getenv("CXX");
+  const std::string compiler = chosen != nullptr && *chosen != '\0' ? chosen : "c++";
+  if (run_command(compiler + " --version > /dev/null 2>&1", fs::temp_directory_path()) != 0) {
+    throw Failure(ExitCode::io, "no C++ compiler: " + compiler + " cannot be run", "install g++ or set CXX");
+  }
+  return compiler;
 }
 
 std::string content_of_file(const fs::path& path) {

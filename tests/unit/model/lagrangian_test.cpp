@@ -6,8 +6,8 @@
 
 #include "graph/arithmetic.hpp"
 #include "graph/mod_p.hpp"
+#include "model/lagrangian.hpp"
 #include "support/robots.hpp"
-#include "verify/lagrangian.hpp"
 
 namespace flatdyn {
 namespace {

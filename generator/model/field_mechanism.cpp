@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/field_mechanism.hpp"
+#include "model/field_mechanism.hpp"
 
 #include <sstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/states.hpp"
+#include "model/states.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/process.hpp"
+#include "diagnostics/process.hpp"
 
 #include <gtest/gtest.h>
 

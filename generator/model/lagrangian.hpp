@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "verify/field_mechanism.hpp"
+#include "model/field_mechanism.hpp"
 
 namespace flatdyn {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/page.hpp"
+#include "emit/page.hpp"
 
 #include <stdexcept>
 
 namespace flatdyn {
 
-kainjow::mustache::data list_of_texts(const std::vector<std::string>& texts) {
+kainjow::mustache::data list_of(const std::vector<std::string>& texts) {
   kainjow::mustache::data list(kainjow::mustache::data::type::list);
   for (const std::string& text : texts) list << kainjow::mustache::data(text);
   return list;
