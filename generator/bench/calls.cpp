@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include "emit/arguments.hpp"
-#include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
 #include "graph/count.hpp"
 

@@ -11,11 +11,15 @@
 namespace flatdyn {
 namespace {
 
+// A part has to have room for the longest statement and what it needs.
+constexpr int kFewestLines = 30, kMostLines = 1'000'000;
+
 struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused;
   std::string scalar = "double";
   std::string name_space;
+  int most_lines = 0;  // 0: no limit
 };
 
 // The options that shape the output, as they go into its stamp.
@@ -29,6 +33,7 @@ std::string stamp_of(const GenerateArguments& arguments) {
   add("--fuse", fmt::format("{}", fmt::join(arguments.fused, ",")));
   add("--scalar", arguments.scalar == "double" ? "" : arguments.scalar);
   add("--namespace", arguments.name_space);
+  add("--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines));
   add("--snap", arguments.snap == "1e-5" ? "" : arguments.snap);
   add("--gravity", arguments.gravity);
   add("--error-budget", arguments.error_budget);
@@ -56,8 +61,8 @@ ExitCode generate(const GenerateArguments& arguments) {
     }
     if (!arguments.staged.empty()) stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
   }
-  const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments),
-                         model.input_hash,     scene_stamp(model), scene_facts(model)};
+  const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments), model.input_hash,
+                         scene_stamp(model),   scene_facts(model), arguments.most_lines};
   const std::filesystem::path folder = arguments.folder;
   const std::string header = header_name(model.mechanism, emit);
   const std::vector<double> effects = snap_effects(model, options.read);
@@ -120,6 +125,11 @@ Run add_generate(CLI::App& app) {
   command->add_option("--namespace", arguments->name_space, "C++ namespace; default: the robot's name")
       ->check(kNotEmpty)
       ->type_name("NAME");
+  command
+      ->add_option("--max-lines", arguments->most_lines,
+                   "no function of the header is longer: longer ones call parts of their own")
+      ->check(CLI::Range(kFewestLines, kMostLines))
+      ->type_name("N");
   return [arguments] { return generate(*arguments); };
 }
 

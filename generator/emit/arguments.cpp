@@ -79,4 +79,8 @@ std::string layout_text(const Output& output) {
   return "";
 }
 
+bool returns_value(const Function& function) {
+  return function.positive.empty() && function.outputs.size() == 1 && function.outputs[0].layout == Layout::scalar;
+}
+
 }  // namespace flatdyn

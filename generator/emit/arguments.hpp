@@ -27,6 +27,9 @@ std::string access_of_input(const Input& input, const std::vector<std::string>& 
 // "q[1..6], qd[0..6], parameters.m1"; "nothing".
 std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters);
 
+// The function has one scalar output and cannot fail: it returns the value.
+bool returns_value(const Function& function);
+
 // How an output lies in memory: "7 x 7, row by row".
 std::string layout_text(const Output& output);
 

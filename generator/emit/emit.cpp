@@ -87,6 +87,7 @@ class HeaderWriter {
       }
     }
     scope_.joints = mechanism_.size();
+    scope_.most_lines = options_.most_lines;
     scope_.names.insert(names_.taken().begin(), names_.taken().end());
     NameTable members({"Scalar", "Parameters", "Real"});
     for (const FreeSymbol& symbol : mechanism_.symbols) scope_.parameters.push_back(members.unique(symbol.name));
@@ -165,6 +166,7 @@ class HeaderWriter {
       if (k == 0) header["example"] = list_of(example(text));
       data item;
       item["nonzero"] = nonzero(k, next_nonzero);
+      write_parts(item, text);
       item["comment"] = list_of(function_comment(functions_[k], text));
       item["template_parameters"] = template_parameters(text);
       item["signature"] = signature(text);

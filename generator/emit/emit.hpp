@@ -19,6 +19,7 @@ struct EmitOptions {
   std::string input_hash;         // of the robot file's content (and what it includes)
   std::string scene_stamp;        // the content of the scene file
   std::string scene_facts;        // sentences that say what a scene fixed
+  int most_lines = 0;             // of any function in the header; 0: no limit but that of compilers
 };
 
 // The header's file name for this mechanism: "panda.hpp".

@@ -4,40 +4,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
-#include "emit/expression.hpp"
-#include "emit/names.hpp"
-#include "emit/schedule.hpp"
-#include "emit/writer.hpp"
+#include "emit/function_body.hpp"
 
 namespace flatdyn {
 
 namespace {
 
-constexpr std::size_t kIndent = 2;
-
 class FunctionWriter {
  public:
-  FunctionWriter(const Function& function, const HeaderScope& scope)
-      : function_(function),
-        scope_(scope),
-        inputs_(arguments_read(function)),
-        schedule_(make_schedule(function)),
-        names_(names_in_scope()),
-        printer_(function.graph, variables_) {
-    for (const Output& output : function_.outputs) output_names_.push_back(names_.unique(output.name));
-    variables_ = name_variables(function_, schedule_, scope_.parameters, scope_.stored, names_);
-    for (const Statement& statement : schedule_.statements) {
-      if (is_angle_function(statement)) turning_joints_.insert(joint_of_angle(statement.node));
-    }
-  }
+  FunctionWriter(const Function& function, const std::string& name, const HeaderScope& scope)
+      : function_(function), name_(name), scope_(scope), body_(function_body(function, name, scope)) {}
 
-  FunctionText text(const std::string& name) {
+  FunctionText text() const {
     FunctionText text;
-    text.name = name;
+    text.name = name_;
     text.returns = return_type();
     text.parameters = parameters();
     text.inputs = input_arrays();
@@ -45,23 +28,17 @@ class FunctionWriter {
     text.arguments = argument_lines();
     text.reads = reads_text();
     text.result = result_text();
-    text.body = loads() + trigonometry() + stage() + statements() + condition();
-    text.uses_sign = has_op(Op::sign);
-    text.uses_trigonometry = !turning_joints_.empty();
+    text.body = body_.text;
+    text.parts = body_.parts;
+    text.uses_sign = body_.uses_sign;
+    text.uses_trigonometry = body_.uses_trigonometry;
     return text;
   }
 
  private:
-  // What an earlier stage has stored is at hand.
-  static std::vector<Input> arguments_read(const Function& function) {
-    std::vector<Input> inputs = inputs_read(function);
-    std::erase_if(inputs, [](const Input& input) { return input.kind == InputKind::stored; });
-    return inputs;
-  }
-
   std::string reads_text() const {
-    if (scope_.stored.empty()) return list_of_inputs(inputs_, scope_.parameters);
-    return (inputs_.empty() ? "" : list_of_inputs(inputs_, scope_.parameters) + " and ") + "what is stored";
+    if (scope_.stored.empty()) return list_of_inputs(body_.inputs, scope_.parameters);
+    return (body_.inputs.empty() ? "" : list_of_inputs(body_.inputs, scope_.parameters) + " and ") + "what is stored";
   }
 
   bool makes_stage() const { return !scope_.made.empty(); }
@@ -71,47 +48,9 @@ class FunctionWriter {
     return returns_value(function_) ? "Scalar" : function_.positive.empty() ? "void" : "bool";
   }
 
-  NameTable names_in_scope() const {
-    std::set<std::string> taken = scope_.names;
-    taken.insert(scope_.stored.begin(), scope_.stored.end());
-    for (InputKind kind : function_.inputs) taken.insert(input_argument(kind, 0).name);
-    taken.insert({"parameters", "positive", "sin_cos", "sine", "cosine"});
-    return NameTable(taken);
-  }
-
-  bool has_op(Op op) const {
-    return std::any_of(schedule_.statements.begin(), schedule_.statements.end(),
-                       [&](const Statement& statement) { return contains(statement.node, op); });
-  }
-
-  // Whether the statement of `id` writes an operation of this kind out.
-  bool contains(NodeId id, Op op) const {
-    const Node& node = function_.graph[id];
-    if (node.op == op) return true;
-    const std::vector<NodeId> parts = operands_of(node);
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](NodeId part) { return !is_variable(part) && contains(part, op); });
-  }
-
-  // Makes a variable of a sine or a cosine.
-  bool is_angle_function(const Statement& statement) const {
-    const Op op = function_.graph[statement.node].op;
-    return statement.targets.empty() && (op == Op::sin || op == Op::cos);
-  }
-
-  // Sines and cosines come joint by joint from whoever knows them: sums of angles are the derivation's own business.
-  int joint_of_angle(NodeId id) const {
-    const Node& angle = function_.graph[function_.graph[id].operands[0]];
-    if (angle.op != Op::input || angle.input.kind != InputKind::q) {
-      throw std::logic_error("sine or cosine of what is no joint's position");
-    }
-    return angle.input.index;
-  }
-
-  bool is_variable(NodeId id) const { return schedule_.is_variable[static_cast<std::size_t>(id)]; }
-
   bool reads(InputKind kind) const {
-    return std::any_of(inputs_.begin(), inputs_.end(), [kind](const Input& input) { return input.kind == kind; });
+    return std::any_of(body_.inputs.begin(), body_.inputs.end(),
+                       [kind](const Input& input) { return input.kind == kind; });
   }
 
   // An argument that is not read has no name, so that no compiler complains.
@@ -128,9 +67,9 @@ class FunctionWriter {
       list.push_back(parameter("const Scalar*", input_argument(kind, 0).name, reads(kind)));
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
-      list.push_back(parameter("Scalar*", output_names_[k], function_.outputs[k].is_written()));
+      list.push_back(parameter("Scalar*", body_.output_names[k], function_.outputs[k].is_written()));
     }
-    if (!turning_joints_.empty()) list.emplace_back("const SinCos& sin_cos = {}");
+    if (body_.uses_trigonometry) list.emplace_back("const SinCos& sin_cos = {}");
     return list;
   }
 
@@ -147,7 +86,7 @@ class FunctionWriter {
     std::vector<ArrayArgument> arrays;
     if (returns_value(function_) || makes_stage()) return arrays;
     for (std::size_t k = 0; k < function_.outputs.size(); ++k) {
-      arrays.push_back({output_names_[k], function_.outputs[k].entries.size()});
+      arrays.push_back({body_.output_names[k], function_.outputs[k].entries.size()});
     }
     return arrays;
   }
@@ -160,9 +99,9 @@ class FunctionWriter {
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
       const Output& output = function_.outputs[k];
-      rows.push_back({fmt::format("{}[{}]", output_names_[k], output.entries.size()), "out", output.meaning});
+      rows.push_back({fmt::format("{}[{}]", body_.output_names[k], output.entries.size()), "out", output.meaning});
       Output renamed = output;
-      renamed.name = output_names_[k];
+      renamed.name = body_.output_names[k];
       const std::string layout = layout_text(renamed);
       if (!layout.empty()) rows.push_back({"", "", layout});
     }
@@ -178,139 +117,16 @@ class FunctionWriter {
     return "false if the result means nothing, because a pivot of B is not positive or not a number";
   }
 
-  const std::string& variable(NodeId id) const { return variables_[static_cast<std::size_t>(id)]; }
-
-  // All inputs are read first, before any output is written: so outputs may overlap inputs, and no value is read twice.
-  std::string loads() const {
-    std::string text;
-    std::vector<std::string> items;
-    for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      const NodeId input = find_input(inputs_[k]);
-      if (is_used_by_itself(input)) {
-        items.push_back(variable(input) + " = " + access_of_input(inputs_[k], scope_.parameters));
-      }
-      const bool last_of_kind = k + 1 == inputs_.size() || inputs_[k + 1].kind != inputs_[k].kind;
-      if (!last_of_kind || items.empty()) continue;
-      text += list_line("const Scalar ", items, ";", kIndent);
-      items.clear();
-    }
-    return text;
-  }
-
-  // Not only as an angle whose sine or cosine is wanted.
-  bool is_used_by_itself(NodeId input) const {
-    return std::any_of(schedule_.statements.begin(), schedule_.statements.end(), [&](const Statement& statement) {
-      if (is_angle_function(statement)) return false;
-      const bool stores_variable = !statement.targets.empty() && is_variable(statement.node);
-      return stores_variable ? statement.node == input : mentions(statement.node, input);
-    });
-  }
-
-  // Whether the definition of `id` has the variable in it.
-  bool mentions(NodeId id, NodeId wanted) const {
-    const std::vector<NodeId> parts = operands_of(function_.graph[id]);
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](NodeId part) { return part == wanted || (!is_variable(part) && mentions(part, wanted)); });
-  }
-
-  // One call for the sines and cosines of all joints, so that they can be evaluated together.
-  std::string trigonometry() const {
-    if (turning_joints_.empty()) return "";
-    std::vector<std::string> variables;
-    for (const Statement& statement : schedule_.statements) {
-      if (!is_angle_function(statement)) continue;
-      const char* array = function_.graph[statement.node].op == Op::sin ? "sine" : "cosine";
-      variables.push_back(fmt::format("{} = {}[{}]", variable(statement.node), array, joint_of_angle(statement.node)));
-    }
-    return code_line("Scalar sine[joint_count], cosine[joint_count];", kIndent) +
-           code_line(fmt::format("sin_cos(q, Joints<{}>(), sine, cosine);", fmt::join(turning_joints_, ", ")),
-                     kIndent) +
-           list_line("const Scalar ", variables, ";", kIndent);
-  }
-
-  NodeId find_input(const Input& input) const {
-    for (NodeId id = 0; id < function_.graph.size(); ++id) {
-      const Node& node = function_.graph[id];
-      if (node.op == Op::input && node.input == input) return id;
-    }
-    throw std::logic_error("input that is read is not in the graph");
-  }
-
-  std::string stage() const {
-    return makes_stage() ? code_line(fmt::format("{}<Scalar> {};", scope_.made, output_names_[0]), kIndent) : "";
-  }
-
-  std::string statements() const {
-    std::string text;
-    for (const Statement& statement : schedule_.statements) {
-      if (!statement.targets.empty()) {
-        text += store(statement);
-      } else if (!is_angle_function(statement)) {
-        text += code_line(
-            fmt::format("const Scalar {} = {};", variable(statement.node), printer_.definition(statement.node)),
-            kIndent);
-      }
-    }
-    return text;
-  }
-
-  // "B[1] = B[7] = b_12;"
-  std::string store(const Statement& statement) const {
-    constexpr std::size_t kMostTargets = 8;
-    const std::string value = printer_.use(statement.node);
-    if (returns_value(function_)) return code_line("return " + value + ";", kIndent);
-    std::string text, code;
-    const std::vector<Target>& targets = statement.targets;
-    for (std::size_t k = 0; k < targets.size(); ++k) {
-      const Target& target = targets[k];
-      code += target_text(target) + " = ";
-      const bool full = function_.graph.is_constant(statement.node) && (k + 1) % kMostTargets == 0;
-      if (k + 1 < targets.size() && !full) continue;
-      text += code_line(code + value + ";", kIndent);
-      code.clear();
-    }
-    return text;
-  }
-
-  // "B[1]", or "stage.x1".
-  std::string target_text(const Target& target) const {
-    const std::string& output = output_names_[static_cast<std::size_t>(target.output)];
-    if (!makes_stage()) return fmt::format("{}[{}]", output, target.entry);
-    return output + "." + scope_.fields.at(static_cast<std::size_t>(target.entry));
-  }
-
-  // Not a number compares false; & does not branch. Constants are known to be positive.
-  std::string condition() const {
-    if (makes_stage()) return code_line(fmt::format("return {};", output_names_[0]), kIndent);
-    if (function_.positive.empty()) return "";
-    std::string text;
-    for (NodeId id : function_.positive) {
-      if (function_.graph.is_constant(id) && function_.graph[id].value > 0) continue;
-      text += code_line((text.empty() ? "bool positive = " : "positive &= ") + printer_.use(id) + " > Scalar(0.0);",
-                        kIndent);
-    }
-    return text + code_line(text.empty() ? "return true;" : "return positive;", kIndent);
-  }
-
   const Function& function_;
+  const std::string& name_;
   const HeaderScope& scope_;
-  std::vector<Input> inputs_;
-  Schedule schedule_;
-  NameTable names_;
-  std::vector<std::string> output_names_;
-  VariableNames variables_;
-  ExpressionPrinter printer_;
-  std::set<int> turning_joints_;  // whose sines or cosines are used
+  FunctionBody body_;
 };
 
 }  // namespace
 
-bool returns_value(const Function& function) {
-  return function.positive.empty() && function.outputs.size() == 1 && function.outputs[0].layout == Layout::scalar;
-}
-
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope) {
-  return FunctionWriter(function, scope).text(name);
+  return FunctionWriter(function, name, scope).text();
 }
 
 }  // namespace flatdyn

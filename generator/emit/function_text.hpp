@@ -2,23 +2,13 @@
 // One Function → the text of one C++ function template.
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
+#include "emit/header_scope.hpp"
 #include "graph/function.hpp"
 
 namespace flatdyn {
-
-// What a function shares with the rest of its header.
-struct HeaderScope {
-  int joints = 0;
-  std::vector<std::string> parameters;  // members of Parameters, by index of the free symbol
-  std::set<std::string> names;          // taken at namespace scope
-  std::vector<std::string> stored;      // fields that a member of a stage reads, by index
-  std::string made;                     // the stage that a function makes, if it does: its name,
-  std::vector<std::string> fields;      // and those of its fields
-};
 
 struct ArrayArgument {
   std::string name;
@@ -35,13 +25,11 @@ struct FunctionText {
   std::string reads;                    // "q[1..6]"
   std::string result;                   // what is returned; empty for void
   std::string body;                     // indented lines
+  std::string parts;                    // templates for namespace detail that a long body calls; else empty
   bool uses_sign = false;
   bool uses_trigonometry = false;  // then it has SinCos as a template parameter, and is passed one
 };
 
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope);
-
-// The function has one scalar output and cannot fail: it returns the value.
-bool returns_value(const Function& function);
 
 }  // namespace flatdyn

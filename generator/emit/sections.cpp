@@ -61,4 +61,10 @@ std::string signature(const FunctionText& text, const std::string& stage) {
                                    stage.empty() ? ") noexcept {" : ") const noexcept {", 0));
 }
 
+void write_parts(kainjow::mustache::data& item, const FunctionText& text) {
+  item["parts?"] = !text.parts.empty();
+  item["part_of"] = text.name;
+  item["parts"] = without_newline(text.parts);
+}
+
 }  // namespace flatdyn

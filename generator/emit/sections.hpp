@@ -2,6 +2,7 @@
 // Pieces of text that the sections of a header have in common.
 #pragma once
 
+#include <kainjow/mustache.hpp>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ std::string template_parameters(const FunctionText& text);
 // "inline void gravity(const Scalar* q, Scalar* g) noexcept {"; of a member of `stage`, "… Motion<Scalar>::bias(…
 // const".
 std::string signature(const FunctionText& text, const std::string& stage = "");
+
+// The parts of a long body go before the function.
+void write_parts(kainjow::mustache::data& item, const FunctionText& text);
 
 // An array of arrays: its structural zeros are worth a constant.
 bool is_array_of_arrays(const Output& output);

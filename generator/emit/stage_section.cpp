@@ -38,9 +38,8 @@ std::vector<std::string> example(const std::vector<StageText>& stages, const std
 
 // In the struct, `indent` deep: "void bias(Scalar* n) const noexcept;"
 std::string declaration(const FunctionText& text) {
-  constexpr std::size_t kIndent = 2;
   const std::string line =
-      list_line(fmt::format("{} {}(", text.returns, text.name), text.parameters, ") const noexcept;", kIndent);
+      list_line(fmt::format("{} {}(", text.returns, text.name), text.parameters, ") const noexcept;", kStatementIndent);
   return without_newline(line);
 }
 
@@ -60,6 +59,7 @@ data struct_of(const std::vector<StageText>& stages, std::size_t k) {
 
 data definition(const FunctionText& text, const std::vector<std::string>& comment, const std::string& stage) {
   data item;
+  write_parts(item, text);
   item["comment"] = list_of(comment);
   item["template_parameters"] = template_parameters(text);
   item["signature"] = signature(text, stage);

@@ -11,8 +11,6 @@
 namespace flatdyn {
 namespace {
 
-constexpr std::size_t kMemberIndent = 2;
-
 // The same name for the same field in both stages, and none that the header has for something else.
 void rename_fields(Stages& stages, const HeaderScope& scope) {
   std::set<std::string> taken = scope.names;
@@ -33,6 +31,7 @@ void rename_fields(Stages& stages, const HeaderScope& scope) {
 StageText stage_text(const Stage& stage, const std::string& name, HeaderScope make_scope) {
   HeaderScope member_scope = make_scope;
   member_scope.parameters.clear();  // what a member needs of them is stored
+  member_scope.stored_in = name;
   member_scope.stored = stage.fields;
   make_scope.made = name;
   make_scope.fields = stage.fields;
@@ -42,7 +41,7 @@ StageText stage_text(const Stage& stage, const std::string& name, HeaderScope ma
   for (const Function& member : stage.members) {
     text.members.push_back({member, function_text(member, names.unique(member.name), member_scope)});
   }
-  if (!stage.fields.empty()) text.fields = list_line("Scalar ", stage.fields, ";", kMemberIndent);
+  if (!stage.fields.empty()) text.fields = list_line("Scalar ", stage.fields, ";", kStatementIndent);
   return text;
 }
 
@@ -54,6 +53,7 @@ std::vector<StageText> stage_texts(Stages stages, const HeaderScope& scope) {
   if (stages.motion.members.empty()) return texts;
   HeaderScope motion_scope = scope;
   motion_scope.parameters.clear();
+  motion_scope.stored_in = texts.front().name;
   motion_scope.stored = stages.configuration.fields;
   texts.push_back(stage_text(stages.motion, "Motion", motion_scope));
   return texts;

@@ -11,6 +11,8 @@ namespace flatdyn {
 constexpr std::size_t kLineWidth = 100;
 constexpr std::size_t kCommentWidth = kLineWidth - 3;  // without "// "
 
+constexpr std::size_t kStatementIndent = 2;
+
 // A statement with this indent, newline at the end. Too long, it is broken after operators, the outermost first.
 std::string code_line(const std::string& statement, std::size_t indent);
 

@@ -11,8 +11,8 @@
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/process.hpp"
 #include "diagnostics/temporary_folder.hpp"
+#include "emit/arguments.hpp"
 #include "emit/emit.hpp"
-#include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
 
 namespace flatdyn {

@@ -107,8 +107,9 @@ TEST(ExitCodes, NonsenseOnTheCommandLineIsUsage) {
        {"inspect robots/scara.toml --snap -1", "inspect robots/scara.toml --snap 1",
         "inspect robots/scara.toml --gravity 0,0,0,", "inspect robots/scara.toml --gravity 0,0,1e-400",
         "inspect robots/scara.toml --tip nobody", "inspect robots/scara.toml --fix nobody",
-        "verify robots/scara.toml --bound -1", "derive robots/scara.toml --max-terms -1",
-        "generate robots/scara.toml -o ''", "generate robots/scara.toml -o /tmp --namespace sin"}) {
+        "verify robots/scara.toml --bound -1", "generate robots/scara.toml -o out --max-lines 29",
+        "derive robots/scara.toml --max-terms -1", "generate robots/scara.toml -o ''",
+        "generate robots/scara.toml -o /tmp --namespace sin"}) {
     const Outcome outcome = run_flatdyn(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments << ": " << outcome.err;
     EXPECT_EQ(outcome.out, "") << arguments;

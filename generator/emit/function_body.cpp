@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/function_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "emit/arguments.hpp"
+#include "emit/expression.hpp"
+#include "emit/names.hpp"
+#include "emit/parts.hpp"
+#include "emit/schedule.hpp"
+#include "emit/writer.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Compilers manage this much at once, and do best where they see much.
+constexpr int kLongFunction = 4000, kLongPart = 1000;
+// Lines of a function besides its body.
+constexpr int kLinesAround = 4;
+
+// What parts share beside a function's own arguments.
+constexpr const char *kKept = "kept", *kPivots = "pivots", *kStored = "stored", *kResult = "result";
+
+// What an earlier stage has stored is at hand.
+std::vector<Input> arguments_read(const Function& function) {
+  std::vector<Input> inputs = inputs_read(function);
+  std::erase_if(inputs, [](const Input& input) { return input.kind == InputKind::stored; });
+  return inputs;
+}
+
+NameTable names_in_scope(const Function& function, const HeaderScope& scope) {
+  std::set<std::string> taken = scope.names;
+  taken.insert(scope.stored.begin(), scope.stored.end());
+  for (InputKind kind : function.inputs) taken.insert(input_argument(kind, 0).name);
+  taken.insert({"parameters", "positive", "sin_cos", "sine", "cosine"});
+  taken.insert({kKept, kPivots, kStored, kResult});
+  return NameTable(taken);
+}
+
+class BodyWriter {
+ public:
+  BodyWriter(const Function& function, const std::string& name, const HeaderScope& scope)
+      : function_(function),
+        name_(name),
+        scope_(scope),
+        inputs_(arguments_read(function)),
+        schedule_(make_schedule(function)),
+        printer_(function.graph, variables_) {
+    NameTable names = names_in_scope(function, scope);
+    for (const Output& output : function_.outputs) output_names_.push_back(names.unique(output.name));
+    variables_ = name_variables(function_, schedule_, scope_.parameters, scope_.stored, names);
+    for (const Statement& statement : schedule_.statements) {
+      if (is_angle_function(statement)) turning_joints_.insert(joint_of_angle(statement.node));
+    }
+  }
+
+  FunctionBody body() const {
+    FunctionBody body;
+    body.inputs = inputs_;
+    body.output_names = output_names_;
+    body.uses_sign = has_op(Op::sign);
+    body.uses_trigonometry = !turning_joints_.empty();
+    body.text = whole();
+    const auto lines = std::count(body.text.begin(), body.text.end(), '\n');
+    if (lines + kLinesAround > (scope_.most_lines > 0 ? scope_.most_lines : kLongFunction)) write_parts(body);
+    return body;
+  }
+
+ private:
+  std::string whole() const {
+    std::string text = loads() + trigonometry() + sines_and_cosines() + stage();
+    for (const Step& step : steps(false)) text += step.makes ? definition_line(step) : step.code;
+    return text + condition();
+  }
+
+  // The same statements in functions of their own. All inputs are read by the first ones.
+  void write_parts(FunctionBody& body) const {
+    LongBody long_body{name_, input_steps(), variables_, sources(), part_arguments(), scope_.most_lines};
+    if (long_body.most_lines == 0) long_body.most_lines = kLongPart;
+    for (const std::vector<Step>& more : {steps(true), pivot_steps()}) {
+      long_body.steps.insert(long_body.steps.end(), more.begin(), more.end());
+    }
+    const std::string before = trigonometry() + stage(), after = ending_of_parts();
+    const auto lines = std::count(before.begin(), before.end(), '\n') + std::count(after.begin(), after.end(), '\n');
+    const Parts parts =
+        in_parts(long_body, std::max(2, (long_body.most_lines - static_cast<int>(lines) - kLinesAround) / 2));
+    body.parts = parts.definitions;
+    body.text = before + shared_by_parts(parts.kept);
+    for (const std::string& call : parts.calls) body.text += call;
+    body.text += after;
+  }
+
+  std::string shared_by_parts(int kept) const {
+    std::vector<std::string> items;
+    if (kept > 0) items.push_back(fmt::format("{}[{}]", kKept, kept));
+    if (const std::vector<NodeId> pivots = pivots_to_check(); !pivots.empty()) {
+      items.push_back(fmt::format("{}[{}]", kPivots, pivots.size()));
+    }
+    if (returns_value(function_)) items.emplace_back(kResult);
+    return items.empty() ? "" : list_line("Scalar ", items, ";", kStatementIndent);
+  }
+
+  std::string ending_of_parts() const {
+    if (returns_value(function_)) return code_line(fmt::format("return {};", kResult), kStatementIndent);
+    if (pivots_to_check().empty()) return condition();
+    return code_line("bool positive = true;", kStatementIndent) +
+           code_line(fmt::format("for (const Scalar& pivot : {}) positive &= pivot > Scalar(0.0);", kPivots),
+                     kStatementIndent) +
+           code_line("return positive;", kStatementIndent);
+  }
+
+  std::vector<Step> input_steps() const {
+    std::vector<Step> steps;
+    for (const Input& input : inputs_) {
+      const NodeId id = find_input(input);
+      if (!is_used_by_itself(id)) continue;
+      const bool in_struct = input.kind == InputKind::parameter;
+      const std::string argument = in_struct ? "parameters" : input_argument(input.kind, 0).name;
+      steps.push_back({access_of_input(input, scope_.parameters), id, {}, {argument}});
+    }
+    return steps;
+  }
+
+  std::vector<Step> pivot_steps() const {
+    std::vector<Step> steps;
+    for (const NodeId id : pivots_to_check()) {
+      steps.push_back(
+          {code_line(fmt::format("{}[{}] = {};", kPivots, steps.size(), printer_.use(id)), kStatementIndent),
+           {},
+           variables_used(id),
+           {kPivots}});
+    }
+    return steps;
+  }
+
+  // What every part can read for itself.
+  std::map<NodeId, PartSource> sources() const {
+    std::map<NodeId, PartSource> sources;
+    for (const Statement& statement : schedule_.statements) {
+      if (is_angle_function(statement)) sources[statement.node] = source_of_angle_function(statement.node);
+    }
+    for (NodeId id = 0; id < function_.graph.size(); ++id) {
+      const Node& node = function_.graph[id];
+      if (node.op != Op::input || node.input.kind != InputKind::stored || variable(id).empty()) continue;
+      sources[id] = {fmt::format("{}.{}", kStored, variable(id)), kStored};
+    }
+    return sources;
+  }
+
+  std::vector<PartArgument> part_arguments() const {
+    std::vector<PartArgument> list = {{"parameters", "const Parameters<Scalar>& parameters", "parameters"}};
+    list.push_back({kStored, fmt::format("const {}<Scalar>& {}", scope_.stored_in, kStored), "*this"});
+    const auto add = [&list](const std::string& type, const std::string& name) {
+      list.push_back({name, type + name, name});
+    };
+    for (InputKind kind : function_.inputs) add("const Scalar* ", input_argument(kind, 0).name);
+    for (const char* name : {"sine", "cosine"}) add("const Scalar* ", name);
+    for (const char* name : {kKept, kPivots}) add("Scalar* ", name);
+    add("Scalar& ", kResult);
+    for (const std::string& name : output_names_) add(makes_stage() ? scope_.made + "<Scalar>& " : "Scalar* ", name);
+    return list;
+  }
+
+  bool makes_stage() const { return !scope_.made.empty(); }
+
+  bool has_op(Op op) const {
+    return std::any_of(schedule_.statements.begin(), schedule_.statements.end(),
+                       [&](const Statement& statement) { return contains(statement.node, op); });
+  }
+
+  // Whether the statement of `id` writes an operation of this kind out.
+  bool contains(NodeId id, Op op) const {
+    const Node& node = function_.graph[id];
+    if (node.op == op) return true;
+    const std::vector<NodeId> parts = operands_of(node);
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](NodeId part) { return !is_variable(part) && contains(part, op); });
+  }
+
+  // Makes a variable of a sine or a cosine.
+  bool is_angle_function(const Statement& statement) const {
+    const Op op = function_.graph[statement.node].op;
+    return statement.targets.empty() && (op == Op::sin || op == Op::cos);
+  }
+
+  // Sines and cosines come joint by joint from whoever knows them: sums of angles are the derivation's own business.
+  int joint_of_angle(NodeId id) const {
+    const Node& angle = function_.graph[function_.graph[id].operands[0]];
+    if (angle.op != Op::input || angle.input.kind != InputKind::q) {
+      throw std::logic_error("sine or cosine of what is no joint's position");
+    }
+    return angle.input.index;
+  }
+
+  bool is_variable(NodeId id) const { return schedule_.is_variable[static_cast<std::size_t>(id)]; }
+
+  const std::string& variable(NodeId id) const { return variables_[static_cast<std::size_t>(id)]; }
+
+  // All inputs are read first, before any output is written: so outputs may overlap inputs, and no value is read twice.
+  std::string loads() const {
+    std::string text;
+    std::vector<std::string> items;
+    for (std::size_t k = 0; k < inputs_.size(); ++k) {
+      const NodeId input = find_input(inputs_[k]);
+      if (is_used_by_itself(input)) {
+        items.push_back(variable(input) + " = " + access_of_input(inputs_[k], scope_.parameters));
+      }
+      const bool last_of_kind = k + 1 == inputs_.size() || inputs_[k + 1].kind != inputs_[k].kind;
+      if (!last_of_kind || items.empty()) continue;
+      text += list_line("const Scalar ", items, ";", kStatementIndent);
+      items.clear();
+    }
+    return text;
+  }
+
+  // Not only as an angle whose sine or cosine is wanted.
+  bool is_used_by_itself(NodeId input) const {
+    return std::any_of(schedule_.statements.begin(), schedule_.statements.end(), [&](const Statement& statement) {
+      if (is_angle_function(statement)) return false;
+      const bool stores_variable = !statement.targets.empty() && is_variable(statement.node);
+      return stores_variable ? statement.node == input : mentions(statement.node, input);
+    });
+  }
+
+  // Whether the definition of `id` has the variable in it.
+  bool mentions(NodeId id, NodeId wanted) const {
+    const std::vector<NodeId> parts = operands_of(function_.graph[id]);
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](NodeId part) { return part == wanted || (!is_variable(part) && mentions(part, wanted)); });
+  }
+
+  // One call for the sines and cosines of all joints, so that they can be evaluated together.
+  std::string trigonometry() const {
+    if (turning_joints_.empty()) return "";
+    return code_line("Scalar sine[joint_count], cosine[joint_count];", kStatementIndent) +
+           code_line(fmt::format("sin_cos(q, Joints<{}>(), sine, cosine);", fmt::join(turning_joints_, ", ")),
+                     kStatementIndent);
+  }
+
+  std::string sines_and_cosines() const {
+    std::vector<std::string> variables;
+    for (const Statement& statement : schedule_.statements) {
+      if (!is_angle_function(statement)) continue;
+      variables.push_back(variable(statement.node) + " = " + source_of_angle_function(statement.node).text);
+    }
+    return variables.empty() ? "" : list_line("const Scalar ", variables, ";", kStatementIndent);
+  }
+
+  // "sine[2]".
+  PartSource source_of_angle_function(NodeId id) const {
+    const char* array = function_.graph[id].op == Op::sin ? "sine" : "cosine";
+    return {fmt::format("{}[{}]", array, joint_of_angle(id)), array};
+  }
+
+  NodeId find_input(const Input& input) const {
+    for (NodeId id = 0; id < function_.graph.size(); ++id) {
+      const Node& node = function_.graph[id];
+      if (node.op == Op::input && node.input == input) return id;
+    }
+    throw std::logic_error("input that is read is not in the graph");
+  }
+
+  std::string stage() const {
+    return makes_stage() ? code_line(fmt::format("{}<Scalar> {};", scope_.made, output_names_[0]), kStatementIndent)
+                         : "";
+  }
+
+  // All but sines and cosines.
+  std::vector<Step> steps(bool of_parts) const {
+    std::vector<Step> steps;
+    for (const Statement& statement : schedule_.statements) {
+      if (is_angle_function(statement)) continue;
+      if (statement.targets.empty()) {
+        steps.push_back(definition(statement.node));
+      } else if (returns_value(function_)) {
+        steps.push_back(give_back(statement.node, of_parts));
+      } else {
+        steps.push_back(store(statement));
+      }
+    }
+    return steps;
+  }
+
+  Step give_back(NodeId id, bool by_part) const {
+    const std::string value = printer_.use(id);
+    const std::string code = by_part ? fmt::format("{} = {};", kResult, value) : fmt::format("return {};", value);
+    return {code_line(code, kStatementIndent), {}, variables_used(id), {kResult}};
+  }
+
+  Step definition(NodeId id) const { return {printer_.definition(id), id, variables_in(id), {}}; }
+
+  std::string definition_line(const Step& step) const {
+    return code_line(fmt::format("const Scalar {} = {};", variable(*step.makes), step.code), kStatementIndent);
+  }
+
+  // Variables in what is written for a node's definition.
+  std::vector<NodeId> variables_in(NodeId id) const {
+    std::vector<NodeId> found;
+    for (const NodeId part : operands_of(function_.graph[id])) add_variables_used(part, found);
+    return found;
+  }
+
+  void add_variables_used(NodeId id, std::vector<NodeId>& found) const {
+    if (is_variable(id)) {
+      found.push_back(id);
+      return;
+    }
+    for (const NodeId part : operands_of(function_.graph[id])) add_variables_used(part, found);
+  }
+
+  std::vector<NodeId> variables_used(NodeId id) const {
+    std::vector<NodeId> found;
+    add_variables_used(id, found);
+    return found;
+  }
+
+  // "B[1] = B[7] = b_12;"
+  Step store(const Statement& statement) const {
+    constexpr std::size_t kMostTargets = 8;
+    const std::string value = printer_.use(statement.node);
+    Step step{"", {}, variables_used(statement.node), {}};
+    std::string code;
+    const std::vector<Target>& targets = statement.targets;
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+      const Target& target = targets[k];
+      step.arguments.push_back(output_names_[static_cast<std::size_t>(target.output)]);
+      code += target_text(target) + " = ";
+      const bool full = function_.graph.is_constant(statement.node) && (k + 1) % kMostTargets == 0;
+      if (k + 1 < targets.size() && !full) continue;
+      step.code += code_line(code + value + ";", kStatementIndent);
+      code.clear();
+    }
+    return step;
+  }
+
+  // "B[1]", or "stage.x1".
+  std::string target_text(const Target& target) const {
+    const std::string& output = output_names_[static_cast<std::size_t>(target.output)];
+    if (!makes_stage()) return fmt::format("{}[{}]", output, target.entry);
+    return output + "." + scope_.fields.at(static_cast<std::size_t>(target.entry));
+  }
+
+  // Not a number compares false; & does not branch.
+  std::string condition() const {
+    if (makes_stage()) return code_line(fmt::format("return {};", output_names_[0]), kStatementIndent);
+    if (function_.positive.empty()) return "";
+    std::string text;
+    for (const NodeId id : pivots_to_check()) {
+      text += code_line((text.empty() ? "bool positive = " : "positive &= ") + printer_.use(id) + " > Scalar(0.0);",
+                        kStatementIndent);
+    }
+    return text + code_line(text.empty() ? "return true;" : "return positive;", kStatementIndent);
+  }
+
+  // Constants are known to be positive.
+  std::vector<NodeId> pivots_to_check() const {
+    std::vector<NodeId> pivots = function_.positive;
+    std::erase_if(pivots,
+                  [this](NodeId id) { return function_.graph.is_constant(id) && function_.graph[id].value > 0; });
+    return pivots;
+  }
+
+  const Function& function_;
+  const std::string& name_;
+  const HeaderScope& scope_;
+  std::vector<Input> inputs_;
+  Schedule schedule_;
+  std::vector<std::string> output_names_;
+  VariableNames variables_;
+  ExpressionPrinter printer_;
+  std::set<int> turning_joints_;  // whose sines or cosines are used
+};
+
+}  // namespace
+
+FunctionBody function_body(const Function& function, const std::string& name, const HeaderScope& scope) {
+  return BodyWriter(function, name, scope).body();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One Function → the statements of its C++ function.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "emit/header_scope.hpp"
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+struct FunctionBody {
+  std::string text;           // indented lines
+  std::string parts;          // function templates that it calls, for namespace detail; empty if it is short
+  std::vector<Input> inputs;  // that it reads, but for what an earlier stage has stored
+  std::vector<std::string> output_names;  // as the outputs are called in it
+  bool uses_sign = false;
+  bool uses_trigonometry = false;
+};
+
+FunctionBody function_body(const Function& function, const std::string& name, const HeaderScope& scope);
+
+}  // namespace flatdyn
