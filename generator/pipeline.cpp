@@ -25,7 +25,7 @@ void check_names(const Mechanism& mechanism, const std::vector<std::string>& nam
 }
 
 OptimisedFunction optimised(const Function& derived) {
-  OptimisedFunction result{{}, count_operations(derived), {}};
+  OptimisedFunction result{{}, derived, {}};
   result.function = run_passes(derived, &result.passes);
   return result;
 }
@@ -192,14 +192,18 @@ OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& 
   }
   progress.step("optimising functions together");
   OptimisedFusion result{std::move(*best), {}, {}};
-  result.derived = count_operations(result.fusion.function);
+  result.derived = result.fusion.function;
   result.fusion.function = run_passes(result.fusion.function, &result.passes);
   // Where there is little to share, each function in its own best form may cost less.
-  std::vector<Function> apart;
-  for (const std::string& name : functions) apart.push_back(make_function(model, name, progress).function);
+  std::vector<Function> apart, derived;
+  for (const std::string& name : functions) {
+    OptimisedFunction made = make_function(model, name, progress);
+    apart.push_back(std::move(made.function));
+    derived.push_back(std::move(made.derived));
+  }
   Fusion side_by_side = fused(apart);
-  if (cost(side_by_side.function) < cost(result.fusion.function)) result.fusion = std::move(side_by_side);
-  return result;
+  if (cost(side_by_side.function) >= cost(result.fusion.function)) return result;
+  return {std::move(side_by_side), fused(derived).function, {}};
 }
 
 std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised) {

@@ -48,7 +48,7 @@ class BadInput : public Failure {
 // A function as derived, then as the passes left it.
 struct OptimisedFunction {
   Function function;
-  OperationCount derived;
+  Function derived;
   std::vector<PassRecord> passes;
 };
 
@@ -60,7 +60,7 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
 // These functions as one, made from one grouping of the parameters, so that they share what they can.
 struct OptimisedFusion {
   Fusion fusion;
-  OperationCount derived;
+  Function derived;
   std::vector<PassRecord> passes;
 };
 OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress);

@@ -5,6 +5,7 @@
 #include "cli/output_file.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
+#include "report/proof_report.hpp"
 #include "report/scene_report.hpp"
 #include "verify/snap_effect.hpp"
 
@@ -46,7 +47,9 @@ ExitCode generate(const GenerateArguments& arguments) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   std::vector<OptimisedFunction> functions;
+  std::optional<OptimisedFusion> fused;
   std::optional<Stages> stages;
+  std::vector<Proof> proofs;
   Diagnostics findings;
   const Model model = read_model(arguments.robot, options);
   {
@@ -55,11 +58,11 @@ ExitCode generate(const GenerateArguments& arguments) {
     if (arguments.fused.size() == 1) {
       throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
     }
-    if (!arguments.fused.empty()) {
-      OptimisedFusion fused = make_fusion(model, arguments.fused, progress);
-      functions.push_back({std::move(fused.fusion.function), fused.derived, std::move(fused.passes)});
-    }
+    if (!arguments.fused.empty()) fused = make_fusion(model, arguments.fused, progress);
     if (!arguments.staged.empty()) stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
+    progress.step("proving");
+    proofs = prove(derived_from(model), functions, fused, stages);
+    if (fused) functions.push_back({fused->fusion.function, fused->derived, fused->passes});
   }
   const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments), model.input_hash,
                          scene_stamp(model),   scene_facts(model), arguments.most_lines};
@@ -75,6 +78,7 @@ ExitCode generate(const GenerateArguments& arguments) {
     manifest["error_budget"] = abbreviation_json(model, *seen);
   }
   if (stages) manifest["stages"] = stages_json(*stages);
+  manifest["proof"] = proofs_json(proofs);
   write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit, stages)},
                {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
   print_diagnostics(model.diagnostics, arguments.quiet);
@@ -86,7 +90,7 @@ ExitCode generate(const GenerateArguments& arguments) {
                describe_functions(functions, symbol_names(model.mechanism)));
     if (stages) fmt::print("{}\n", describe_stages(*stages));
     if (seen) fmt::print("{}\n", describe_abbreviation(model, *seen));
-    fmt::print("wrote {}\n", (folder / header).string());
+    fmt::print("{}\nwrote {}\n", describe_proofs(proofs), (folder / header).string());
   }
   return ExitCode::ok;
 }

@@ -221,7 +221,37 @@ class Splitter {
   std::set<std::string> names_;  // of fields
 };
 
+// `function` with these nodes of `made` for what is stored.
+Function in_full(const Function& function, const Function& made) {
+  Function result = function;
+  result.graph = made.graph;
+  result.inputs.insert(result.inputs.begin(), made.inputs.begin(), made.inputs.end());
+  const std::vector<NodeId>& fields = made.outputs[0].entries;
+  std::vector<NodeId> image;
+  for (NodeId id = 0; id < function.graph.size(); ++id) {
+    const Node& node = function.graph[id];
+    const bool is_stored = node.op == Op::input && node.input.kind == InputKind::stored;
+    image.push_back(is_stored ? fields[static_cast<std::size_t>(node.input.index)] : result.graph.copy(node, image));
+  }
+  for (Output& output : result.outputs) {
+    for (NodeId& entry : output.entries) entry = image[at(entry)];
+  }
+  for (NodeId& condition : result.positive) condition = image[at(condition)];
+  return result;
+}
+
 }  // namespace
+
+std::vector<Function> members_in_full(const Stages& stages) {
+  std::vector<Function> members;
+  for (const Function& member : stages.configuration.members) {
+    members.push_back(in_full(member, stages.configuration.make));
+  }
+  if (stages.motion.members.empty()) return members;
+  const Function motion = in_full(stages.motion.make, stages.configuration.make);
+  for (const Function& member : stages.motion.members) members.push_back(in_full(member, motion));
+  return members;
+}
 
 Stages stages_of(const Fusion& fusion) { return Splitter(fusion).run(); }
 

@@ -28,4 +28,7 @@ struct Stages {
 
 Stages stages_of(const Fusion& fusion);
 
+// The members of both stages as functions of q and q̇ again: what is stored is put in its place.
+std::vector<Function> members_in_full(const Stages& stages);
+
 }  // namespace flatdyn

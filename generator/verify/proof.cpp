@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/proof.hpp"
+
+#include "diagnostics/diagnostics.hpp"
+
+namespace flatdyn {
+namespace {
+
+// One point modulo each prime: a difference stays unseen with a probability of about 2^-150.
+constexpr ExactOptions kQuick{1, 1};
+
+void require(const ExactResult& result, const std::string& function, const std::string& than) {
+  if (result.equal) return;
+  throw Failure(ExitCode::verification_failed, function + " is not what " + than + ": " + result.summary(),
+                "nothing was written; this is a mistake of the program: report it, with the robot file");
+}
+
+Proof proof_of(const Mechanism& mechanism, const std::string& name, const Function& function) {
+  Proof proof{name, prove_exactly(mechanism, function, kQuick)};
+  require(proof.result, name, "the Lagrangian says");
+  return proof;
+}
+
+void require_unchanged(const Function& derived, const Function& function) {
+  require(prove_equal(derived, function, kQuick), function.name, "it was before the passes");
+}
+
+}  // namespace
+
+std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
+                         const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages) {
+  std::vector<Proof> proofs;
+  for (const OptimisedFunction& each : functions) {
+    proofs.push_back(proof_of(mechanism, each.function.name, each.function));
+    require_unchanged(each.derived, each.function);
+  }
+  if (fused) {
+    const Fusion& fusion = fused->fusion;
+    for (std::size_t k = 0; k < fusion.parts.size(); ++k) {
+      const std::string name = fusion.function.name + "::" + fusion.parts[k].name;
+      proofs.push_back(proof_of(mechanism, name, function_of(fusion, k)));
+    }
+    require_unchanged(fused->derived, fusion.function);
+  }
+  if (stages) {
+    for (const Function& member : members_in_full(*stages)) {
+      proofs.push_back(proof_of(mechanism, "at(q)::" + member.name, member));
+    }
+  }
+  return proofs;
+}
+
+}  // namespace flatdyn

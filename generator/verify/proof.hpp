@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is known of emitted functions before they are written: that they are what the Lagrangian says, and what they
+// were before the passes, conditions included. In exact arithmetic (verify/exact.hpp).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emit/stages.hpp"
+#include "graph/fusion.hpp"
+#include "pipeline.hpp"
+#include "verify/exact.hpp"
+
+namespace flatdyn {
+
+struct Proof {
+  std::string function;  // "gravity"; of a fused one "inertia_matrix_gravity::gravity", of stages "at(q)::gravity"
+  ExactResult result;
+};
+
+// Of the functions, then of the parts of a fused one, then of the members of stages. Throws
+// Failure(verification_failed) for the first that is another function. `mechanism`: what they are derived from.
+std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
+                         const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages);
+
+}  // namespace flatdyn
