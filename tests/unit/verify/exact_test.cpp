@@ -7,6 +7,7 @@
 #include <random>
 
 #include "diagnostics/diagnostics.hpp"
+#include "support/mutants.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "symbolic/functions.hpp"
@@ -104,58 +105,6 @@ TEST(ProveExactly, RefusesAFunctionItDoesNotKnow) {
   EXPECT_THROW(prove_exactly(mechanism, function), Failure);
 }
 
-enum class Mutation { flip_sign, drop_term, swap_trigonometry };
-
-// The function with one node changed; the others are made again over it.
-Function mutant(const Function& function, NodeId victim, Mutation mutation) {
-  Function result = function;
-  result.graph = Graph();
-  Graph& g = result.graph;
-  std::vector<NodeId> moved;
-  const auto now = [&moved](NodeId id) { return moved[static_cast<std::size_t>(id)]; };
-  for (NodeId id = 0; id < function.graph.size(); ++id) {
-    const Node& node = function.graph[id];
-    std::vector<Term> terms;
-    for (const Term& term : node.terms) terms.push_back({term.coefficient, now(term.node)});
-    std::vector<NodeId> operands;
-    for (const NodeId operand : node.operands) operands.push_back(now(operand));
-    if (id == victim && mutation == Mutation::flip_sign) terms.back().coefficient *= -1;
-    if (id == victim && mutation == Mutation::drop_term) terms.pop_back();
-    const bool swap = id == victim && mutation == Mutation::swap_trigonometry;
-    switch (node.op) {
-      case Op::constant:
-        moved.push_back(g.constant(node.value));
-        break;
-      case Op::input:
-        moved.push_back(g.input(node.input));
-        break;
-      case Op::sum:
-        moved.push_back(g.sum(terms, node.value));
-        break;
-      case Op::product:
-        moved.push_back(g.product(operands));
-        break;
-      case Op::quotient:
-        moved.push_back(g.quotient(operands[0], operands[1]));
-        break;
-      case Op::sin:
-        moved.push_back(swap ? g.cos(operands[0]) : g.sin(operands[0]));
-        break;
-      case Op::cos:
-        moved.push_back(swap ? g.sin(operands[0]) : g.cos(operands[0]));
-        break;
-      case Op::sign:
-        moved.push_back(g.sign(operands[0]));
-        break;
-    }
-  }
-  for (Output& output : result.outputs) {
-    for (NodeId& entry : output.entries) entry = now(entry);
-  }
-  for (NodeId& condition : result.positive) condition = now(condition);
-  return result;
-}
-
 // A dropped term, a flipped sign and a sine for a cosine at every node that has them.
 TEST(ProveExactly, CatchesEveryMutant) {
   const Mechanism mechanism = make_mechanism(testing::random_tree(1, 3, true));
@@ -166,20 +115,20 @@ TEST(ProveExactly, CatchesEveryMutant) {
        {"inverse_dynamics", "inertia_matrix", "christoffel", "forward_dynamics", "jacobian_dot_qd"}) {
     const Function function = derive_function(mechanism, name);
     const std::vector<bool> alive = reachable_from(function.graph, roots(function));
-    ASSERT_TRUE(prove_equal(function, mutant(function, -1, Mutation::drop_term), quick).equal);
+    ASSERT_TRUE(prove_equal(function, testing::mutant(function, -1, testing::Mutation::drop_term), quick).equal);
     for (NodeId id = 0; id < function.graph.size(); ++id) {
       if (!alive[static_cast<std::size_t>(id)]) continue;
       const Op op = function.graph[id].op;
-      std::vector<Mutation> mutations;
-      if (op == Op::sum) mutations = {Mutation::flip_sign, Mutation::drop_term};
-      if (op == Op::sin || op == Op::cos) mutations = {Mutation::swap_trigonometry};
-      for (const Mutation mutation : mutations) {
-        const Function wrong = mutant(function, id, mutation);
+      std::vector<testing::Mutation> mutations;
+      if (op == Op::sum) mutations = {testing::Mutation::flip_sign, testing::Mutation::drop_term};
+      if (op == Op::sin || op == Op::cos) mutations = {testing::Mutation::swap_trigonometry};
+      for (const testing::Mutation mutation : mutations) {
+        const Function wrong = testing::mutant(function, id, mutation);
         EXPECT_FALSE(prove_equal(function, wrong, quick).equal) << name << " node " << id;
         ++mutants;
       }
       if (op == Op::sum && id % 5 == 0) {
-        EXPECT_FALSE(prove_exactly(mechanism, mutant(function, id, Mutation::drop_term), quick).equal)
+        EXPECT_FALSE(prove_exactly(mechanism, testing::mutant(function, id, testing::Mutation::drop_term), quick).equal)
             << name << " node " << id;
       }
     }
