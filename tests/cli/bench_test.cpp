@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/program.hpp"
 
@@ -31,6 +32,8 @@ constexpr const char* kArm = R"(<robot name="arm">
     <origin xyz="0.2 0.3 0" rpy="0 0.7 0"/><axis xyz="1 0 0"/>
     <limit lower="0" upper="0.5" velocity="1" effort="50"/></joint>
 </robot>)";
+
+const std::set<std::string> kPeers = {"KDL", "MuJoCo", "DART"};
 
 bool is_installed(const std::string& package) {
   return std::system(("pkg-config --exists " + package + " > /dev/null 2>&1").c_str()) == 0;
@@ -80,7 +83,8 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   const Scratch scratch;
   scratch.write("arm.urdf", kArm);
   const Outcome outcome = run_flatdyn(fmt::format(
-      "bench {} -q --json --time 0.02 --states 20 --variants double,double-given,float,batch-double-given,KDL,MuJoCo "
+      "bench {} -q --json --time 0.02 --states 20 --variants "
+      "double,double-given,float,batch-double-given,KDL,MuJoCo,DART "
       "--functions inverse_dynamics,inertia_matrix,gravity,bias,forward_dynamics,forward_kinematics,jacobian "
       "-o {}",
       scratch.path("arm.urdf"), scratch.path("out")));
@@ -94,7 +98,8 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   for (const json& function : functions) {
     const std::map<std::string, json> rows = by_variant(function);
     const bool has_angles = function["operations"]["sincos"] > 0;
-    EXPECT_EQ(rows.size(), 2u + 2 * has_angles + is_installed("orocos-kdl") + mujoco_has(function["name"]))
+    const bool has_dart = is_installed("dart");
+    EXPECT_EQ(rows.size(), 2u + 2 * has_angles + is_installed("orocos-kdl") + mujoco_has(function["name"]) + has_dart)
         << function["name"];
     expect_ordered_times(function);
     expect_small_errors(rows);
@@ -103,7 +108,7 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
     if (has_angles) {
       EXPECT_FALSE(rows.at("double-given")["front"]) << "it leaves out part of the work";
     }
-    for (const auto& [name, row] : rows) EXPECT_EQ(row["peer"], name == "KDL" || name == "MuJoCo");
+    for (const auto& [name, row] : rows) EXPECT_EQ(row["peer"], kPeers.count(name) > 0);
   }
   EXPECT_GT(functions[0]["operations"]["mul"], 0);
 }
