@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "bench/abbreviations.hpp"
 #include "bench/errors.hpp"
 #include "bench/program.hpp"
+#include "bench/stage_steps.hpp"
 #include "diagnostics/nearest.hpp"
 #include "diagnostics/temporary_folder.hpp"
 
@@ -80,6 +82,21 @@ void check_peer(const BenchCase& peer, const std::string& name, const BenchError
                                            name, errors.scaled.largest));
 }
 
+BenchRow row_of(const BenchCase& of, const BenchErrors& errors, const std::vector<double>& samples, long bytes) {
+  BenchRow row;
+  row.variant = of.variant;
+  row.is_peer = of.is_peer;
+  row.is_whole = of.is_peer || is_whole_call(of.of);
+  if (of.call) row.operations = count_operations(of.call->function);
+  row.time = quartiles(samples);
+  row.rounds = samples.size();
+  row.scaled = errors.scaled;
+  row.absolute = errors.absolute;
+  row.states = errors.states;
+  row.bytes = bytes;
+  return row;
+}
+
 // Of the rows that do the whole work.
 void mark_front(std::vector<BenchRow>& rows) {
   std::vector<BenchRow*> whole;
@@ -112,21 +129,35 @@ class BenchRun {
         toolchain_(find_toolchain()),
         expected_(model.robot, model.mechanism, options.seed),
         states_(states_for(model.mechanism, functions, expected_.symbols(), options.seed)),
-        peers_(wanted_peers(options, toolchain_, model.mechanism)) {}
+        variants_(wanted_variants(options)),
+        peers_(wanted_peers(options, toolchain_, model.mechanism)),
+        abbreviations_(abbreviations(model, functions, variants_, progress)) {}
 
   BenchReport run() {
-    const BenchSubject subject{model_.mechanism, functions_,         states_, toolchain_, wanted_variants(options_),
-                               peers_.found,     expected_.symbols()};
+    const BenchSubject subject = made_subject();
     const TemporaryFolder folder;
     progress_.step("compiling the benchmark of " + model_.mechanism.name);
     const BenchProgram program(subject, folder.path());
     const std::vector<BenchErrors> errors = errors_of(subject, program);
     progress_.step("timing " + model_.mechanism.name);
-    const std::vector<std::vector<double>> times = program.times(options_.seconds, options_.seed);
-    return report(program.cases(), errors, times, program.sizes());
+    const Times times = program.times(options_.seconds, options_.seed);
+    BenchReport result = report(program.cases(), errors, times, program.sizes());
+    result.stages.functions = staged_names(subject);
+    for (const StageStep& step : stage_steps(subject)) {
+      result.stages.steps.push_back({step.title, step.operations, quartiles(times.at(step.name))});
+    }
+    return result;
   }
 
  private:
+  using Times = std::map<std::string, std::vector<double>>;
+
+  BenchSubject made_subject() const {
+    return {model_.mechanism,    functions_,          states_,
+            toolchain_,          variants_,           peers_.found,
+            expected_.symbols(), abbreviations_.made, bench_stages(model_, functions_, variants_, progress_)};
+  }
+
   std::vector<BenchErrors> errors_of(const BenchSubject& subject, const BenchProgram& program) const {
     progress_.step("comparing " + model_.mechanism.name + " with 50 digits");
     const auto wanted = static_cast<std::size_t>(std::min(options_.states, kCalledStates));
@@ -138,26 +169,19 @@ class BenchRun {
     return errors;
   }
 
-  BenchReport report(const std::vector<BenchCase>& cases, const std::vector<BenchErrors>& errors,
-                     const std::vector<std::vector<double>>& times, const std::vector<long>& sizes) const {
-    BenchReport report{model_.mechanism.name, toolchain_.version(), kBenchFlags, options_.seconds, {}, peers_.left_out};
-    if (!toolchain_.has_xsimd && !wanted_variants(options_).empty())
+  BenchReport report(const std::vector<BenchCase>& cases, const std::vector<BenchErrors>& errors, const Times& times,
+                     const std::vector<long>& sizes) const {
+    BenchReport report{model_.mechanism.name, toolchain_.version(), kBenchFlags, options_.seconds, {}, {},
+                       peers_.left_out};
+    if (!toolchain_.has_xsimd && !variants_.empty())
       report.left_out.emplace_back("batch, together: they need xsimd (libxsimd-dev)");
+    report.left_out.insert(report.left_out.end(), abbreviations_.left_out.begin(), abbreviations_.left_out.end());
     for (const Function& function : functions_) {
       report.functions.push_back({function.name, unit_of(function.name), count_operations(function), {}});
     }
     for (std::size_t k = 0; k < cases.size(); ++k) {
-      BenchRow row;
-      row.variant = cases[k].variant;
-      row.is_peer = cases[k].is_peer;
-      row.is_whole = cases[k].is_peer || cases[k].of.trigonometry != Trigonometry::given;
-      row.time = quartiles(times[k]);
-      row.rounds = times[k].size();
-      row.scaled = errors[k].scaled;
-      row.absolute = errors[k].absolute;
-      row.states = errors[k].states;
-      row.bytes = sizes[k];
-      report.functions[cases[k].function].rows.push_back(row);
+      const std::vector<double>& samples = times.at(cases[k].name(functions_));
+      report.functions[cases[k].function].rows.push_back(row_of(cases[k], errors[k], samples, sizes[k]));
     }
     std::erase_if(report.functions, [](const BenchFunction& function) { return function.rows.empty(); });
     for (BenchFunction& function : report.functions) sort_rows(function.rows);
@@ -171,7 +195,9 @@ class BenchRun {
   Toolchain toolchain_;
   ExpectedValues expected_;
   std::vector<State> states_;
+  std::vector<BenchVariant> variants_;
   BenchPeers peers_;
+  Abbreviations abbreviations_;
 };
 
 }  // namespace

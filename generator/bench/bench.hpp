@@ -26,8 +26,9 @@ std::vector<std::string> bench_variant_names();
 struct BenchRow {
   std::string variant;  // or the peer's name
   bool is_peer = false;
-  bool is_whole = true;  // false where sines and cosines are given: time without them
-  Quartiles time;        // of one call, ns; in a batch, of one state
+  bool is_whole = true;       // false where sines and cosines are given, or a stage: time without them
+  OperationCount operations;  // of a peer 0
+  Quartiles time;             // of one call, ns; in a batch, of one state
   std::size_t rounds = 0;
   double ratio = 1;        // of the median time to that of the first variant
   ErrorSummary scaled;     // in units of the last place of double, of the terms' size
@@ -44,10 +45,23 @@ struct BenchFunction {
   std::vector<BenchRow> rows;  // fastest first
 };
 
+// "at(q)": a stage is made; "all in stages": that, and all functions as their members; "one by one": without stages.
+struct BenchStep {
+  std::string name;
+  OperationCount operations;
+  Quartiles time;  // ns, in double
+};
+
+struct BenchStages {
+  std::vector<std::string> functions;  // that the stages have
+  std::vector<BenchStep> steps;        // none: there are no stages
+};
+
 struct BenchReport {
   std::string robot, compiler, flags;
   double seconds = 0;
   std::vector<BenchFunction> functions;
+  BenchStages stages;
   std::vector<std::string> left_out;  // peers and variants that are not there, and why
 };
 

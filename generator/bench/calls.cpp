@@ -17,7 +17,7 @@ std::string joined(const Words& words) { return fmt::format("{}", fmt::join(word
 
 // The scalar that the function is compiled for.
 std::string scalar_type(const BenchVariant& variant) {
-  return variant.batch ? fmt::format("flatdyn::Lanes<{}>", variant.scalar) : variant.scalar;
+  return variant.calling == Calling::batch ? fmt::format("flatdyn::Lanes<{}>", variant.scalar) : variant.scalar;
 }
 
 bool has_angles(const Function& function) { return count_operations(function).trigonometric > 0; }
@@ -55,8 +55,16 @@ Words free_symbols(const Mechanism& mechanism, const BenchVariant& variant, cons
   return {fmt::format("{}::Parameters<{}>{{{}}}", kBenchNamespace, scalar_type(variant), joined(members))};
 }
 
-std::string called(const Function& function, const Words& arguments) {
-  return fmt::format("{}::{}({})", kBenchNamespace, cpp_identifier(function.name), joined(arguments));
+bool is_member(const CalledFunction& called) { return called.receiver.back() == '.'; }
+
+// What a member needs of these it has.
+Words free_symbols_of(const CalledFunction& called, const Mechanism& mechanism, const BenchVariant& variant,
+                      const std::string& k) {
+  return is_member(called) ? Words() : free_symbols(mechanism, variant, k);
+}
+
+std::string call_text(const CalledFunction& called, const Words& arguments) {
+  return fmt::format("{}{}({})", called.receiver, cpp_identifier(called.function.name), joined(arguments));
 }
 
 std::string in_column(int length, const std::string& name) {
@@ -74,27 +82,36 @@ std::size_t entry_count(const Function& function) {
   return count;
 }
 
-std::string single_call(const Mechanism& mechanism, const Function& function, const BenchVariant& variant) {
-  Words arguments = free_symbols(mechanism, variant, "k");
+std::string single_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant,
+                        std::size_t first) {
+  const Function& function = called.function;
+  Words arguments = free_symbols_of(called, mechanism, variant, "k");
   for (const InputKind kind : function.inputs) {
     arguments.push_back(fmt::format("x.{}.of(k)", argument_of(mechanism, function, kind).name));
   }
   const Words sin_cos = sin_cos_argument(variant, "x.s.of(k), x.c.of(k)");
   if (returns_value(function)) {
     append(arguments, sin_cos);
-    return "out[0] = " + called(function, arguments);
+    return fmt::format("out[{}] = {}", first, call_text(called, arguments));
   }
-  std::size_t offset = 0;
+  std::size_t offset = first;
   for (const Output& output : function.outputs) {
     arguments.push_back(offset == 0 ? "out" : fmt::format("out + {}", offset));
     offset += output.entries.size();
   }
   append(arguments, sin_cos);
-  const std::string call = called(function, arguments);
+  const std::string call = call_text(called, arguments);
   return function.positive.empty() ? call : "keep(" + call + ")";
 }
 
-BatchCall batch_call(const Mechanism& mechanism, const Function& function, const BenchVariant& variant) {
+std::string at_call(const Mechanism& mechanism, const BenchVariant& variant) {
+  Words arguments = free_symbols(mechanism, variant, "k");
+  arguments.emplace_back("x.q.of(k)");
+  return fmt::format("{}::at({})", kBenchNamespace, joined(arguments));
+}
+
+BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant) {
+  const Function& function = called.function;
   Words arguments = free_symbols(mechanism, variant, "0"), parameters, columns;
   for (const InputKind kind : function.inputs) {
     const InputArgument argument = argument_of(mechanism, function, kind);
@@ -117,7 +134,7 @@ BatchCall batch_call(const Mechanism& mechanism, const Function& function, const
     offset += length;
   }
   append(arguments, sin_cos_argument(variant, "s, c"));
-  const std::string call = called(function, arguments);
+  const std::string call = call_text(called, arguments);
   const std::string body = returns_value(function)     ? "*result = " + call
                            : function.positive.empty() ? call
                                                        : "return " + call;
@@ -129,23 +146,29 @@ std::string plain_symbol(const Function& function, const std::string& variant) {
   return cpp_identifier(function.name + "_" + variant);
 }
 
-std::string template_symbol(const Function& function, const BenchVariant& variant) {
+std::string template_symbol(const CalledFunction& called, const BenchVariant& variant) {
+  const std::string function = cpp_identifier(called.function.name);
+  if (is_member(called)) return fmt::format("{}<{}>::{}", called.scope, scalar_type(variant), function);
   std::string types = scalar_type(variant);
-  if (has_angles(function)) {
-    types += variant.trigonometry == Trigonometry::library    ? fmt::format(", {}::LibrarySinCos", kBenchNamespace)
+  if (has_angles(called.function)) {
+    types += variant.trigonometry == Trigonometry::library    ? fmt::format(", {}::LibrarySinCos", called.scope)
              : variant.trigonometry == Trigonometry::together ? ", flatdyn::TogetherSinCos"
                                                               : ", " + given_type(variant);
   }
   // nm keeps closing brackets apart, and so inner ones.
-  std::string name = fmt::format("{}::{}<{}>", kBenchNamespace, cpp_identifier(function.name), types);
+  std::string name = fmt::format("{}::{}<{}>", called.scope, function, types);
   for (std::size_t k = name.find(">>"); k != std::string::npos; k = name.find(">>", k)) name.replace(k, 2, "> >");
   return name;
 }
 
-PlainFunction plain_function(const Mechanism& mechanism, const Function& function, const BenchVariant& variant) {
+PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant) {
+  const Function& function = called.function;
   const std::string scalar = scalar_type(variant);
   Words arguments, parameters;
-  if (!mechanism.symbols.empty()) {
+  if (is_member(called)) {
+    const std::string stage = called.receiver.substr(0, called.receiver.size() - 1);
+    parameters.push_back(fmt::format("const {}<{}>& {}", called.scope, scalar, stage));
+  } else if (!mechanism.symbols.empty()) {
     parameters.push_back(fmt::format("const {}::Parameters<{}>& parameters", kBenchNamespace, scalar));
     arguments.emplace_back("parameters");
   }
@@ -167,7 +190,7 @@ PlainFunction plain_function(const Mechanism& mechanism, const Function& functio
           (returns_value(function) ? "*result = "
            : conditional           ? "return "
                                    : "") +
-              called(function, arguments)};
+              call_text(called, arguments)};
 }
 
 }  // namespace flatdyn

@@ -4,19 +4,19 @@
 
 #include <string>
 
-#include "bench/variants.hpp"
-#include "graph/function.hpp"
-#include "model/mechanism.hpp"
+#include "bench/subject.hpp"
 
 namespace flatdyn {
-
-inline constexpr const char* kBenchNamespace = "robot";
 
 // Entries of all outputs.
 std::size_t entry_count(const Function& function);
 
-// "robot::gravity(x.q.of(k), out)": state k of the inputs x, results to `out`.
-std::string single_call(const Mechanism& mechanism, const Function& function, const BenchVariant& variant);
+// "robot::gravity(x.q.of(k), out)": state k of the inputs x, results to `out` from entry `first` on.
+std::string single_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant,
+                        std::size_t first = 0);
+
+// "robot::at(x.q.of(k))": the first stage at state k.
+std::string at_call(const Mechanism& mechanism, const BenchVariant& variant);
 
 // The function over SIMD lanes: a lambda's capture, parameters and body, and the arrays that it is applied to.
 struct BatchCall {
@@ -26,7 +26,7 @@ struct BatchCall {
   std::string columns;
 };
 
-BatchCall batch_call(const Mechanism& mechanism, const Function& function, const BenchVariant& variant);
+BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
 
 // A C function of its own: "extern "C" RETURNS SYMBOL(PARAMETERS) { CALL; }".
 struct PlainFunction {
@@ -34,8 +34,8 @@ struct PlainFunction {
 };
 
 std::string plain_symbol(const Function& function, const std::string& variant);
-// "robot::gravity<double, robot::LibrarySinCos>": what it calls, as nm -C names it.
-std::string template_symbol(const Function& function, const BenchVariant& variant);
-PlainFunction plain_function(const Mechanism& mechanism, const Function& function, const BenchVariant& variant);
+// "robot::gravity<double, robot::LibrarySinCos>", "robot::Motion<double>::bias": what it calls, as nm -C names it.
+std::string template_symbol(const CalledFunction& called, const BenchVariant& variant);
+PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
 
 }  // namespace flatdyn

@@ -59,7 +59,7 @@ GrowthRow measured(const Model& model, const std::string& function, const Toolch
   const CompilerUsage compiler = program.compilation();
   return {model.mechanism.size(),
           count_operations(made.functions[0]),
-          quartiles(program.times(seconds, 1).front()),
+          quartiles(program.times(seconds, 1).begin()->second),
           errors.scaled.largest,
           made.seconds,
           compiler.seconds,

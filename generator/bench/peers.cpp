@@ -41,6 +41,17 @@ BenchPeer mujoco_peer() {
           {"inverse_dynamics", "inertia_matrix", "gravity", "bias", "forward_dynamics"}};
 }
 
+// For the machine that its library was compiled for, as KDL: they share Eigen's inline functions, too.
+BenchPeer dart_peer() {
+  return {"DART",
+          "dart",
+          "-std=c++17 -O3 -DNDEBUG $(pkg-config --cflags-only-I dart)",
+          "-ldart",
+          templates::bench_dart_cpp,
+          {"inverse_dynamics", "inertia_matrix", "gravity", "bias", "forward_dynamics", "kinetic_energy",
+           "forward_kinematics", "jacobian"}};
+}
+
 bool is_chain(const Mechanism& mechanism) {
   for (int i = 0; i < mechanism.size(); ++i) {
     if (mechanism.bodies[static_cast<std::size_t>(i)].parent != i - 1) return false;
@@ -53,7 +64,8 @@ bool any_body(const Mechanism& mechanism, Has has) {
   return std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), has);
 }
 
-// What neither KDL nor MuJoCo has a word for (or, as for friction, another meaning); empty if there is nothing of it.
+// What none of the other libraries has a word for (or, as for friction, another meaning); empty if there is nothing of
+// it.
 std::string unknown_to_others(const Mechanism& mechanism) {
   if (any_body(mechanism, [](const Body& body) { return body.rotor.has_value(); })) return "it knows no rotors";
   const auto has_friction = [](const Body& body) { return !body.viscous.is_zero() || !body.coulomb.is_zero(); };
@@ -74,6 +86,11 @@ std::string unknown_to_mujoco(const Mechanism& mechanism) {
     return I[0][0].is_zero() || fault_of_inertia(I).has_value();
   };
   if (any_body(mechanism, is_refused)) return "it refuses a link that no body could be";
+  return unknown_to_others(mechanism);
+}
+
+std::string unknown_to_dart(const Mechanism& mechanism) {
+  if (any_body(mechanism, [](const Body& body) { return !body.armature.is_zero(); })) return "it knows no armature";
   return unknown_to_others(mechanism);
 }
 
@@ -101,6 +118,7 @@ BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism) {
   }
   add_peer(peers, kdl, toolchain.has_kdl, "liborocos-kdl-dev", unknown_to_kdl(mechanism));
   add_peer(peers, mujoco_peer(), toolchain.has_mujoco, "libmujoco-dev", unknown_to_mujoco(mechanism));
+  add_peer(peers, dart_peer(), toolchain.has_dart, "libdart-dev", unknown_to_dart(mechanism));
   return peers;
 }
 

@@ -27,7 +27,7 @@ struct BenchPeers {
 };
 
 // Of all that there may be.
-inline constexpr const char* kBenchPeers[] = {"reference", "KDL", "MuJoCo"};
+inline constexpr const char* kBenchPeers[] = {"reference", "KDL", "MuJoCo", "DART"};
 
 // Those that are installed and know all that the mechanism has.
 BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism);

@@ -24,11 +24,11 @@ std::vector<BenchCase> cases_of(const BenchSubject& subject) {
   std::vector<BenchCase> cases;
   for (std::size_t k = 0; k < subject.functions.size(); ++k) {
     for (const BenchVariant& variant : subject.variants) {
-      if (is_made(variant, subject.functions[k], subject.toolchain.has_xsimd))
-        cases.push_back({k, variant.name, variant.scalar, false, variant});
+      std::optional<CalledFunction> called = called_function(subject, k, variant);
+      if (called) cases.push_back({k, variant.name, variant.scalar, false, variant, std::move(called)});
     }
     for (const BenchPeer& peer : subject.peers) {
-      if (peer.functions.count(subject.functions[k].name) > 0) cases.push_back({k, peer.name, "double", true, {}});
+      if (peer.functions.count(subject.functions[k].name) > 0) cases.push_back({k, peer.name, "double", true, {}, {}});
     }
   }
   return cases;
@@ -101,14 +101,13 @@ std::vector<std::vector<double>> BenchProgram::values(std::size_t states) const 
   return values;
 }
 
-std::vector<std::vector<double>> BenchProgram::times(double seconds, unsigned seed) const {
+std::map<std::string, std::vector<double>> BenchProgram::times(double seconds, unsigned seed) const {
   check(run_command(fmt::format("./program times {} {} > times 2> log", seconds, seed), folder_, true), folder_);
-  const std::map<std::string, std::size_t> index = index_by_name();
-  std::vector<std::vector<double>> samples(cases_.size());
+  std::map<std::string, std::vector<double>> samples;
   std::istringstream lines(content_of_file(folder_ / "times"));
   for (std::string line; std::getline(lines, line);) {
     const std::size_t blank = line.rfind(' ');
-    samples[index.at(line.substr(0, blank))].push_back(std::stod(line.substr(blank + 1)));
+    samples[line.substr(0, blank)].push_back(std::stod(line.substr(blank + 1)));
   }
   return samples;
 }
@@ -118,10 +117,12 @@ std::vector<long> BenchProgram::sizes() const {
   const std::map<std::string, long> bytes = bytes_by_symbol(content_of_file(folder_ / "symbols"));
   std::vector<long> sizes;
   for (const BenchCase& each : cases_) {
-    const Function& function = subject_.functions[each.function];
-    const auto own = each.is_peer ? bytes.end() : bytes.find(template_symbol(function, each.of));
-    const bool written_out = own == bytes.end();
-    sizes.push_back(each.is_peer ? 0 : written_out ? bytes.at(plain_symbol(function, each.variant)) : own->second);
+    if (each.is_peer) {
+      sizes.push_back(0);
+      continue;
+    }
+    const auto own = bytes.find(template_symbol(*each.call, each.of));
+    sizes.push_back(own == bytes.end() ? bytes.at(plain_symbol(each.call->function, each.variant)) : own->second);
   }
   return sizes;
 }

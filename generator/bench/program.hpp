@@ -17,7 +17,8 @@ struct BenchCase {
   std::string variant;       // or the peer's name
   std::string scalar = "double";
   bool is_peer = false;
-  BenchVariant of = {};  // of a peer nothing
+  BenchVariant of = {};                     // of a peer nothing
+  std::optional<CalledFunction> call = {};  // of a peer nothing
 
   // As the program names it: "gravity/batch-double".
   std::string name(const std::vector<Function>& functions) const { return functions[function].name + "/" + variant; }
@@ -32,8 +33,8 @@ class BenchProgram {
 
   // Entries of all outputs at the first `states` states, by case.
   std::vector<std::vector<double>> values(std::size_t states) const;
-  // Samples of the time of one call in ns, by case. Takes about `seconds`.
-  std::vector<std::vector<double>> times(double seconds, unsigned seed) const;
+  // Samples of the time of one call in ns, by name of the case or of the step of the stages. Takes about `seconds`.
+  std::map<std::string, std::vector<double>> times(double seconds, unsigned seed) const;
   // Bytes of machine code, by case, without what it calls; 0 for a peer.
   std::vector<long> sizes() const;
   // Compiles the functions alone, each once per variant.

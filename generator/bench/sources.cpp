@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
+#include "bench/stage_steps.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
+#include "emit/identifiers.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
 #include "templates.hpp"
@@ -62,21 +64,31 @@ data main_page(const BenchSubject& subject) {
   return page;
 }
 
-data single_row(const BenchSubject& subject, const Function& function, const BenchVariant& variant) {
+data row_of(const CalledFunction& called, const BenchVariant& variant) {
   data row;
-  row["name"] = function.name + "/" + variant.name;
+  row["name"] = called.function.name + "/" + variant.name;
   row["scalar"] = std::string(variant.scalar);
-  row["entries"] = std::to_string(entry_count(function));
-  row["call"] = single_call(subject.mechanism, function, variant);
+  row["entries"] = std::to_string(entry_count(called.function));
   return row;
 }
 
-data batch_row(const BenchSubject& subject, const Function& function, const BenchVariant& variant) {
-  const BatchCall call = batch_call(subject.mechanism, function, variant);
-  data row;
-  row["name"] = function.name + "/" + variant.name;
-  row["scalar"] = std::string(variant.scalar);
-  row["entries"] = std::to_string(entry_count(function));
+data single_row(const BenchSubject& subject, const CalledFunction& called, const BenchVariant& variant) {
+  data row = row_of(called, variant);
+  row["call"] = single_call(subject.mechanism, called, variant);
+  return row;
+}
+
+data staged_row(const BenchSubject& subject, const CalledFunction& called, const BenchVariant& variant) {
+  data row = single_row(subject, called, variant);
+  const std::string stage = called.receiver.substr(0, called.receiver.size() - 1);
+  row["stage"] = stage;
+  row["make"] = at_call(subject.mechanism, variant) + (stage == "motion" ? ".with(x.qd.of(k))" : "");
+  return row;
+}
+
+data batch_row(const BenchSubject& subject, const CalledFunction& called, const BenchVariant& variant) {
+  const BatchCall call = batch_call(subject.mechanism, called, variant);
+  data row = row_of(called, variant);
   row["capture"] = call.capture;
   row["parameters"] = call.parameters;
   row["call"] = call.call;
@@ -84,8 +96,8 @@ data batch_row(const BenchSubject& subject, const Function& function, const Benc
   return row;
 }
 
-data size_row(const BenchSubject& subject, const Function& function, const BenchVariant& variant) {
-  const PlainFunction plain = plain_function(subject.mechanism, function, variant);
+data size_row(const BenchSubject& subject, const CalledFunction& called, const BenchVariant& variant) {
+  const PlainFunction plain = plain_function(subject.mechanism, called, variant);
   data row;
   row["returns"] = plain.returns;
   row["symbol"] = plain.symbol;
@@ -94,14 +106,39 @@ data size_row(const BenchSubject& subject, const Function& function, const Bench
   return row;
 }
 
+data step_rows(const BenchSubject& subject) {
+  data rows(data::type::list);
+  for (const StageStep& step : stage_steps(subject)) {
+    data row;
+    row["name"] = step.name;
+    row["entries"] = std::to_string(step.entries);
+    row["call"] = step.call;
+    rows << row;
+  }
+  return rows;
+}
+
+// "robot.hpp", then the abbreviated ones.
+std::string header_of(const AbbreviatedFunctions& functions) {
+  return cpp_identifier("robot " + functions.budget) + ".hpp";
+}
+
+data headers_of_robot(const BenchSubject& subject) {
+  std::vector<std::string> names = {"robot.hpp"};
+  for (const AbbreviatedFunctions& each : subject.abbreviated) names.push_back(header_of(each));
+  return list_of(names);
+}
+
 data robot_page(const BenchSubject& subject) {
-  data singles(data::type::list), lanes(data::type::list), functions(data::type::list);
-  for (const Function& function : subject.functions) {
+  data singles(data::type::list), staged(data::type::list), lanes(data::type::list), functions(data::type::list);
+  for (std::size_t k = 0; k < subject.functions.size(); ++k) {
     for (const BenchVariant& variant : subject.variants) {
-      if (!is_made(variant, function, subject.toolchain.has_xsimd)) continue;
-      (variant.batch ? lanes : singles) << (variant.batch ? batch_row(subject, function, variant)
-                                                          : single_row(subject, function, variant));
-      functions << size_row(subject, function, variant);
+      const std::optional<CalledFunction> called = called_function(subject, k, variant);
+      if (!called) continue;
+      if (variant.calling == Calling::single) singles << single_row(subject, *called, variant);
+      if (variant.calling == Calling::staged) staged << staged_row(subject, *called, variant);
+      if (variant.calling == Calling::batch) lanes << batch_row(subject, *called, variant);
+      functions << size_row(subject, *called, variant);
     }
   }
   data page;
@@ -110,7 +147,10 @@ data robot_page(const BenchSubject& subject) {
   const bool over_lanes = std::any_of(subject.variants.begin(), subject.variants.end(), needs_xsimd);
   if (over_lanes && subject.toolchain.has_xsimd) headers = {"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"};
   page["headers"] = list_of(headers);
+  page["robots"] = headers_of_robot(subject);
   page["singles"] = data(singles);
+  page["staged"] = data(staged);
+  page["steps"] = step_rows(subject);
   page["lanes"] = data(lanes);
   page["functions"] = data(functions);
   return page;
@@ -130,7 +170,7 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
   EmitOptions emit;
   emit.name_space = kBenchNamespace;
   const data main = main_page(subject), robot = robot_page(subject);
-  std::vector<SourceFile> files = {{"robot.hpp", emit_cpp(subject.mechanism, subject.functions, emit)},
+  std::vector<SourceFile> files = {{"robot.hpp", emit_cpp(subject.mechanism, subject.functions, emit, subject.stages)},
                                    {"cases.hpp", rendered(templates::bench_cases_hpp, main)},
                                    {"main.cpp", rendered(templates::bench_main_cpp, main)},
                                    {"robot.cpp", rendered(templates::bench_robot_cpp, robot)},
@@ -138,6 +178,10 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
                                    {"sizes.cpp", rendered(templates::bench_sizes_cpp, robot)},
                                    {"mechanism.hpp", mechanism_numbers(subject.mechanism, subject.symbols)},
                                    {"states", states_text(subject.states)}};
+  for (const AbbreviatedFunctions& each : subject.abbreviated) {
+    emit.name_space = name_space_of_budget(each.budget);
+    files.push_back({header_of(each), emit_cpp(subject.mechanism, each.functions, emit)});
+  }
   for (const templates::Header& header : templates::headers) files.push_back({header.path, header.text});
   for (const BenchPeer& peer : subject.peers) files.push_back(peer_source(subject, peer));
   return files;

@@ -6,24 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/peers.hpp"
-#include "bench/toolchain.hpp"
-#include "bench/variants.hpp"
-#include "graph/function.hpp"
-#include "model/mechanism.hpp"
-#include "model/states.hpp"
+#include "bench/subject.hpp"
 
 namespace flatdyn {
-
-struct BenchSubject {
-  const Mechanism& mechanism;
-  const std::vector<Function>& functions;
-  const std::vector<State>& states;
-  const Toolchain& toolchain;
-  std::vector<BenchVariant> variants;
-  std::vector<BenchPeer> peers;
-  const SymbolValues& symbols;
-};
 
 struct SourceFile {
   std::filesystem::path path;

@@ -47,6 +47,7 @@ Toolchain find_toolchain() {
   toolchain.has_eigen = succeeds("pkg-config --exists eigen3");
   toolchain.has_kdl = toolchain.has_eigen && succeeds("pkg-config --exists orocos-kdl");
   toolchain.has_mujoco = has_header("mujoco/mujoco.h");
+  toolchain.has_dart = toolchain.has_eigen && succeeds("pkg-config --exists dart");
   return toolchain;
 }
 

@@ -16,6 +16,7 @@ struct Toolchain {
   bool has_eigen = false;  // for the recursive reference
   bool has_kdl = false;    // Orocos KDL
   bool has_mujoco = false;
+  bool has_dart = false;
 
   // "g++ (Debian 12.2.0-14+deb12u1) 12.2.0"
   std::string version() const;

@@ -7,22 +7,34 @@ namespace flatdyn {
 
 const std::vector<BenchVariant>& bench_variants() {
   static const std::vector<BenchVariant> table = {
-      {"double", "double", false, Trigonometry::library},
-      {"double-together", "double", false, Trigonometry::together},
-      {"double-given", "double", false, Trigonometry::given},
-      {"float", "float", false, Trigonometry::library},
-      {"float-together", "float", false, Trigonometry::together},
-      {"float-given", "float", false, Trigonometry::given},
-      {"batch-double", "double", true, Trigonometry::library},
-      {"batch-double-given", "double", true, Trigonometry::given},
-      {"batch-float", "float", true, Trigonometry::library},
-      {"batch-float-given", "float", true, Trigonometry::given},
+      {"double", "double", Calling::single, Trigonometry::library},
+      {"double-together", "double", Calling::single, Trigonometry::together},
+      {"double-given", "double", Calling::single, Trigonometry::given},
+      {"double-staged", "double", Calling::staged, Trigonometry::library},
+      {"double-0.01%", "double", Calling::single, Trigonometry::library, "0.01%"},
+      {"double-0.1%", "double", Calling::single, Trigonometry::library, "0.1%"},
+      {"double-1%", "double", Calling::single, Trigonometry::library, "1%"},
+      {"float", "float", Calling::single, Trigonometry::library},
+      {"float-together", "float", Calling::single, Trigonometry::together},
+      {"float-given", "float", Calling::single, Trigonometry::given},
+      {"float-staged", "float", Calling::staged, Trigonometry::library},
+      {"batch-double", "double", Calling::batch, Trigonometry::library},
+      {"batch-double-given", "double", Calling::batch, Trigonometry::given},
+      {"batch-float", "float", Calling::batch, Trigonometry::library},
+      {"batch-float-given", "float", Calling::batch, Trigonometry::given},
+      {"batch-float-0.01%", "float", Calling::batch, Trigonometry::library, "0.01%"},
+      {"batch-float-0.1%", "float", Calling::batch, Trigonometry::library, "0.1%"},
+      {"batch-float-1%", "float", Calling::batch, Trigonometry::library, "1%"},
   };
   return table;
 }
 
 bool needs_xsimd(const BenchVariant& variant) {
-  return variant.batch || variant.trigonometry == Trigonometry::together;
+  return variant.calling == Calling::batch || variant.trigonometry == Trigonometry::together;
+}
+
+bool is_whole_call(const BenchVariant& variant) {
+  return variant.trigonometry != Trigonometry::given && variant.calling != Calling::staged;
 }
 
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd) {

@@ -33,7 +33,7 @@ std::string bench_plot(const std::vector<BenchReport>& reports) {
   for (const BenchReport& report : reports) {
     for (const BenchFunction& function : report.functions) panels.push_back(panel_of(report, function));
   }
-  return svg_scatter("Time against error. Rings: the front. Diamonds: sines and cosines given", panels);
+  return svg_scatter("Time against error. Rings: the front. Diamonds: sines and cosines, or a stage, given", panels);
 }
 
 }  // namespace flatdyn

@@ -24,8 +24,9 @@ struct LabelledPoint {
 // About what a renderer makes of it, in the pictures' size of letters.
 double label_width(const std::string& text);
 
-// The flag of each point; its pole goes up or down from the point to the flag's left edge. Flags of points in the upper
-// half of `frame` hang, those of the lower half stand. A flag may go beyond the frame on its right.
+// The flag of each point; its pole goes up from the point to the flag's left edge. Flags of points in the lower half of
+// `frame` stand above all points of that half, the others above all points. A flag may go beyond the frame on its right
+// and above.
 std::vector<Box> placed_labels(const std::vector<LabelledPoint>& points, const Box& frame);
 
 }  // namespace flatdyn

@@ -13,40 +13,50 @@
 namespace flatdyn {
 namespace {
 
-constexpr double kSheetWidth = 860, kSheetTitle = 44, kSheetPanel = 330;
+constexpr double kSheetWidth = 860, kSheetTitle = 44, kSheetPanel = 350;
 // Of a panel's frame, from the panel's edges.
 constexpr double kLeft = 78, kRight = 90, kTop = 34, kBottom = 62;
 
-// One axis: decimal logarithms of its ends.
+// One axis: decimal logarithms of its ends, of the least number that is marked, and of the place where zero is shown.
 struct Axis {
-  double low = 0, high = 1;
+  double low = 0, high = 1, first = low, zero = low;
   double part(double value) const { return (std::log10(value) - low) / (high - low); }
 };
 
 // All values with some room around them, `least` decades at the least.
 Axis axis_of(const std::vector<double>& values, double least) {
-  Axis axis{1e300, -1e300};
+  Axis axis{1e300, -1e300, 0, 0};
   for (const double value : values) {
     if (!(value > 0)) continue;
     axis.low = std::min(axis.low, std::log10(value));
     axis.high = std::max(axis.high, std::log10(value));
   }
-  if (axis.low > axis.high) return {-1, 1};
+  if (axis.low > axis.high) return {-1, 1, 2, -0.9};
   const double room = std::max(0.08 * (axis.high - axis.low), (least - (axis.high - axis.low)) / 2);
-  return {axis.low - room, axis.high + room};
+  const double first = axis.low - room;
+  return {first, axis.high + room, first, first};
+}
+
+// Room for zero below the numbers, if there are any.
+void add_zero(Axis& axis) {
+  if (axis.first > axis.high) return;
+  const double room = 0.12 * (axis.high - axis.first);
+  axis.low = axis.first - room;
+  axis.zero = axis.first - room / 2;
 }
 
 // "2e1" is written as 20. One, two and five of each decade; of many decades only the powers of ten.
 std::string ticks(const Axis& axis) {
   std::vector<std::string> marks;
-  const bool few = axis.high - axis.low < 4;
-  const int stride = axis.high - axis.low > 10 ? 2 : 1;
-  for (int decade = static_cast<int>(std::floor(axis.low)); decade <= axis.high; ++decade) {
+  const bool few = axis.high - axis.first < 4;
+  const int stride = axis.high - axis.first > 10 ? 2 : 1;
+  if (axis.low < axis.first) marks.push_back(fmt::format("'exact' {:.10g}", std::pow(10.0, axis.zero)));
+  for (int decade = static_cast<int>(std::floor(axis.first)); decade <= axis.high; ++decade) {
     for (const int digit : {1, 2, 5}) {
       const double value = digit * std::pow(10.0, decade);
-      if (std::log10(value) < axis.low || std::log10(value) > axis.high) continue;
+      if (std::log10(value) < axis.first || std::log10(value) > axis.high) continue;
       if (digit > 1 ? !few : (!few && decade % stride != 0)) continue;
-      const std::string text = few || std::abs(decade) < 4 ? fmt::format("{:g}", value) : fmt::format("1e{}", decade);
+      const std::string text = std::abs(decade) < 4 ? fmt::format("{:g}", value) : fmt::format("{}e{}", digit, decade);
       marks.push_back(fmt::format("'{}' {:.10g}", text, value));
     }
   }
@@ -55,7 +65,7 @@ std::string ticks(const Axis& axis) {
 
 class PanelWriter {
  public:
-  PanelWriter(const ScatterPanel& panel, double top, double height) : panel_(panel), height_(height) {
+  explicit PanelWriter(const ScatterPanel& panel) : panel_(panel) {
     for (const ScatterPoint& point : panel.points) {
       if (std::isfinite(point.y) && point.x > 0) points_.push_back(point);
     }
@@ -68,12 +78,21 @@ class PanelWriter {
     }
     x_ = axis_of(x, 1);
     y_ = axis_of(y, 2);
-    for (ScatterPoint& point : points_) point.y = std::max(point.y, std::pow(10.0, y_.low));
-    frame_ = {kLeft, top + kTop, kSheetWidth - kRight, top + kSheetPanel - kBottom};
+    if (std::find(y.begin(), y.end(), 0) != y.end()) add_zero(y_);
+    for (ScatterPoint& point : points_) point.y = std::max(point.y, std::pow(10.0, y_.zero));
+    frame_ = {kLeft, kTop, kSheetWidth - kRight, kSheetPanel - kBottom};
+    for (const Box& flag : flags()) headroom_ = std::max(headroom_, frame_.top - flag.top);
   }
 
-  std::string text(std::size_t index) const {
-    return axes() + labels() + data_block(index, "points", points_) + data_block(index, "front", front()) + plot(index);
+  double height() const { return kSheetPanel + headroom_; }
+
+  // On a sheet of this height, so far from its top.
+  std::string text(std::size_t index, double top, double sheet_height) {
+    height_ = sheet_height;
+    frame_.top = top + headroom_ + kTop;
+    frame_.bottom = top + height() - kBottom;
+    return heading(top) + axes() + labels() + data_block(index, "points", points_) +
+           data_block(index, "front", front()) + plot(index);
   }
 
  private:
@@ -82,6 +101,12 @@ class PanelWriter {
   // gnuplot counts from the lower left corner, in parts of the sheet.
   std::string screen(double x, double y) const {
     return fmt::format("screen {:.5f}, screen {:.5f}", x / kSheetWidth, 1 - y / height_);
+  }
+
+  // Above the names.
+  std::string heading(double top) const {
+    return fmt::format("set label {} at {} center noenhanced textcolor rgb '{}'\n", gnuplot_string(panel_.title),
+                       screen((frame_.left + frame_.right) / 2, top + 0.4 * kTop), kPlotInk);
   }
 
   std::string axes() const {
@@ -93,23 +118,27 @@ class PanelWriter {
                frame_.left / kSheetWidth, frame_.right / kSheetWidth, 1 - frame_.top / height_,
                1 - frame_.bottom / height_, std::pow(10.0, x_.low), std::pow(10.0, x_.high), std::pow(10.0, y_.low),
                std::pow(10.0, y_.high), ticks(x_), ticks(y_)) +
-           gnuplot_label("title", panel_.title, "offset 0,-0.5") +
            gnuplot_label("xlabel", panel_.x_label, "offset 0,0.4") + gnuplot_label("ylabel", panel_.y_label);
   }
 
-  std::string labels() const {
+  std::vector<Box> flags() const {
     std::vector<LabelledPoint> wanted;
     for (const ScatterPoint& p : points_) wanted.push_back({pixel_x(p), pixel_y(p), p.name});
-    const std::vector<Box> flags = placed_labels(wanted, frame_);
+    return placed_labels(wanted, frame_);
+  }
+
+  std::string labels() const {
+    const std::vector<Box> placed = flags();
     std::string text;
-    for (std::size_t k = 0; k < flags.size(); ++k) {
-      const Box& flag = flags[k];
+    for (std::size_t k = 0; k < placed.size(); ++k) {
+      const Box& flag = placed[k];
       const double middle = (flag.top + flag.bottom) / 2;
       text +=
           fmt::format("set label {} at {} left noenhanced font ',11' textcolor rgb '{}' front\n",
                       gnuplot_string(points_[k].name), screen(flag.left + 4, middle), kPlotColours[points_[k].colour]);
       text += fmt::format("set arrow from {} to {} nohead linewidth 0.6 linecolor rgb '{}'\n",
-                          screen(flag.left, wanted[k].y), screen(flag.left, middle), kPlotColours[points_[k].colour]);
+                          screen(flag.left, pixel_y(points_[k])), screen(flag.left, middle),
+                          kPlotColours[points_[k].colour]);
     }
     return text;
   }
@@ -139,7 +168,8 @@ class PanelWriter {
   }
 
   const ScatterPanel& panel_;
-  double height_;
+  double height_ = 1;    // of the sheet
+  double headroom_ = 0;  // for names above the frame
   std::vector<ScatterPoint> points_;
   Axis x_, y_;
   Box frame_;
@@ -148,7 +178,9 @@ class PanelWriter {
 }  // namespace
 
 std::string svg_scatter(const std::string& title, const std::vector<ScatterPanel>& panels) {
-  const double height = kSheetTitle + static_cast<double>(panels.size()) * kSheetPanel;
+  std::vector<PanelWriter> writers(panels.begin(), panels.end());
+  double height = kSheetTitle;
+  for (const PanelWriter& writer : writers) height += writer.height();
   const auto script = [&](const std::filesystem::path& output) {
     std::string text = fmt::format(
         "set terminal svg size {},{} dynamic rounded font 'sans-serif,12'\nset output {}\nset encoding utf8\n"
@@ -157,9 +189,10 @@ std::string svg_scatter(const std::string& title, const std::vector<ScatterPanel
         kSheetWidth, height, gnuplot_string(output.string()), kPlotInk, kPlotInk, kPlotInk);
     text += fmt::format("set label 1 {} at screen 0.5, screen {:.5f} center noenhanced font ',15' textcolor rgb '{}'\n",
                         gnuplot_string(title), 1 - 0.5 * kSheetTitle / height, kPlotInk);
-    for (std::size_t k = 0; k < panels.size(); ++k) {
-      const double top = kSheetTitle + static_cast<double>(k) * kSheetPanel;
-      text += PanelWriter(panels[k], top, height).text(k) + "unset label\n";
+    double top = kSheetTitle;
+    for (std::size_t k = 0; k < writers.size(); ++k) {
+      text += writers[k].text(k, top, height) + "unset label\n";
+      top += writers[k].height();
     }
     return text + "unset multiplot\n";
   };

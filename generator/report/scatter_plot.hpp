@@ -10,7 +10,7 @@ namespace flatdyn {
 
 struct ScatterPoint {
   std::string name;
-  double x = 0, y = 0;     // x > 0; a y of 0 is drawn at the lower edge
+  double x = 0, y = 0;     // x > 0; a y of 0 is drawn below all others, marked "exact"
   std::size_t colour = 0;  // of kPlotColours
   bool is_hollow = false;
   bool on_front = false;  // has a ring

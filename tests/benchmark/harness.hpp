@@ -44,6 +44,16 @@ inline const States& qdd() {
   return states;
 }
 
+// function(entry) in another scalar: entry i of state k at [k * kJoints + i].
+template <class Scalar, class Function>
+std::vector<Scalar> mapped(const States& states, Function function) {
+  std::vector<Scalar> result;
+  for (std::size_t k = 0; k < kStates; ++k) {
+    for (std::size_t i = 0; i < kJoints; ++i) result.push_back(static_cast<Scalar>(function(states.of(k)[i])));
+  }
+  return result;
+}
+
 // call(k) for state after state.
 template <class Call>
 void run(benchmark::State& state, Call call) {

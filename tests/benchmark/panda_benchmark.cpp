@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time of one call for the Panda: generated code, one state at a time and over SIMD lanes, beside the recursive
-// reference and, where it is installed, Orocos KDL. Every call gets another state. scripts/bench runs it.
+// Time of one call for the Panda: generated code, one state at a time, with other sources of sines and cosines, in
+// float and over SIMD lanes, beside the recursive reference and, where it is installed, Orocos KDL. Every call gets
+// another state. scripts/bench runs it.
+#include <cmath>
+
 #include "benchmark/harness.hpp"
 #include "flatdyn/batch.hpp"
+#include "flatdyn/trigonometry.hpp"
 #include "panda.hpp"
 
 namespace flatdyn {
 namespace {
 
-template <std::size_t entries, class Call>
+template <std::size_t entries, class Scalar = double, class Call>
 void run_generated(benchmark::State& state, Call call) {
-  double out[entries];
+  Scalar out[entries];
   run(state, [&](std::size_t k) {
     call(k, out);
     benchmark::DoNotOptimize(out);
@@ -53,6 +57,34 @@ void add_generated() {
   });
 }
 
+void add_sources_of_sines() {
+  add("inverse_dynamics/flatdyn_together", [](benchmark::State& s) {
+    run_generated<7>(s, [](std::size_t k, double* out) {
+      panda::inverse_dynamics(q().of(k), qd().of(k), qdd().of(k), out, TogetherSinCos());
+    });
+  });
+  add("inverse_dynamics/flatdyn_given", [](benchmark::State& s) {
+    const std::vector<double> sine = mapped<double>(q(), [](double x) { return std::sin(x); }),
+                              cosine = mapped<double>(q(), [](double x) { return std::cos(x); });
+    run_generated<7>(s, [&](std::size_t k, double* out) {
+      panda::inverse_dynamics(q().of(k), qd().of(k), qdd().of(k), out,
+                              panda::GivenSinCos<double>{&sine[k * kJoints], &cosine[k * kJoints]});
+    });
+  });
+}
+
+void add_float() {
+  const auto same = [](double x) { return x; };
+  static const std::vector<float> q_ = mapped<float>(q(), same), qd_ = mapped<float>(qd(), same),
+                                  qdd_ = mapped<float>(qdd(), same);
+  add("inverse_dynamics/flatdyn_float", [](benchmark::State& s) {
+    run_generated<7, float>(s, [](std::size_t k, float* out) {
+      const std::size_t at = k * kJoints;
+      panda::inverse_dynamics(&q_[at], &qd_[at], &qdd_[at], out);
+    });
+  });
+}
+
 void add_batches() {
   add("inverse_dynamics/flatdyn_batch", [](benchmark::State& s) {
     run_batch<7>(s, [](double* out_) {
@@ -89,6 +121,8 @@ void add_batches() {
 
 int main(int argc, char** argv) {
   flatdyn::add_generated();
+  flatdyn::add_sources_of_sines();
+  flatdyn::add_float();
   flatdyn::add_batches();
   flatdyn::add_peers();
   benchmark::Initialize(&argc, argv);

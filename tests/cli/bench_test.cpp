@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/program.hpp"
 
@@ -15,6 +16,8 @@ namespace flatdyn::testing {
 namespace {
 
 using nlohmann::json;
+using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // Two skew joints, the second one prismatic; no rotors and no friction, as KDL wants it.
@@ -31,6 +34,8 @@ constexpr const char* kArm = R"(<robot name="arm">
     <origin xyz="0.2 0.3 0" rpy="0 0.7 0"/><axis xyz="1 0 0"/>
     <limit lower="0" upper="0.5" velocity="1" effort="50"/></joint>
 </robot>)";
+
+const std::set<std::string> kPeers = {"KDL", "MuJoCo", "DART"};
 
 bool is_installed(const std::string& package) {
   return std::system(("pkg-config --exists " + package + " > /dev/null 2>&1").c_str()) == 0;
@@ -76,11 +81,24 @@ void expect_small_errors(const std::map<std::string, json>& rows) {
   }
 }
 
+void expect_stages_of(const json& stages, std::size_t functions) {
+  EXPECT_EQ(stages["functions"].size(), functions);
+  std::vector<std::string> names;
+  for (const json& step : stages["steps"]) {
+    names.push_back(step["name"]);
+    EXPECT_GT(step["ns"]["median"], 0.0);
+  }
+  EXPECT_THAT(names, ElementsAre("at(q)", "with(qd)", "all in stages", "one by one"));
+  EXPECT_LT(stages["steps"][2]["operations"]["mul"], stages["steps"][3]["operations"]["mul"]);
+}
+
 TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   const Scratch scratch;
   scratch.write("arm.urdf", kArm);
   const Outcome outcome = run_flatdyn(fmt::format(
-      "bench {} -q --json --time 0.02 --states 20 --variants double,double-given,float,batch-double-given,KDL,MuJoCo "
+      "bench {} -q --json --time 0.02 --states 20 --variants "
+      "double,double-given,double-staged,float,"
+      "batch-double-given,KDL,MuJoCo,DART "
       "--functions inverse_dynamics,inertia_matrix,gravity,bias,forward_dynamics,forward_kinematics,jacobian "
       "-o {}",
       scratch.path("arm.urdf"), scratch.path("out")));
@@ -94,28 +112,61 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   for (const json& function : functions) {
     const std::map<std::string, json> rows = by_variant(function);
     const bool has_angles = function["operations"]["sincos"] > 0;
-    EXPECT_EQ(rows.size(), 2u + 2 * has_angles + is_installed("orocos-kdl") + mujoco_has(function["name"]))
+    const bool has_dart = is_installed("dart");
+    EXPECT_EQ(rows.size(), 3u + 2 * has_angles + is_installed("orocos-kdl") + mujoco_has(function["name"]) + has_dart)
         << function["name"];
     expect_ordered_times(function);
     expect_small_errors(rows);
     EXPECT_EQ(rows.at("double")["ratio"], 1.0);
     EXPECT_GT(rows.at("double")["bytes"], 0);
+    EXPECT_FALSE(rows.at("double-staged")["front"]) << "it leaves out part of the work";
+    EXPECT_LE(rows.at("double-staged")["operations"]["mul"], rows.at("double")["operations"]["mul"]);
     if (has_angles) {
       EXPECT_FALSE(rows.at("double-given")["front"]) << "it leaves out part of the work";
     }
-    for (const auto& [name, row] : rows) EXPECT_EQ(row["peer"], name == "KDL" || name == "MuJoCo");
+    for (const auto& [name, row] : rows) EXPECT_EQ(row["peer"], kPeers.count(name) > 0);
   }
   EXPECT_GT(functions[0]["operations"]["mul"], 0);
+  expect_stages_of(result["robots"][0]["stages"], functions.size());
+}
+
+// The whole model's numbers are what the errors of an abbreviated function are against.
+TEST(Bench, ShowsWhatErrorBudgetsBuyAndCost) {
+  const Outcome outcome = run_flatdyn(
+      "bench robots/panda.urdf -q --json --time 0.02 --states 20 --functions inverse_dynamics,jacobian "
+      "--variants double,double-0.01%,double-1%");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out)["robots"][0];
+  const std::map<std::string, json> rows = by_variant(result["functions"][0]);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_LT(rows.at("double-1%")["operations"]["mul"], rows.at("double")["operations"]["mul"]);
+  EXPECT_GT(rows.at("double-1%")["error"]["max"], 1e-6);
+  EXPECT_LE(rows.at("double-1%")["error"]["max"], 0.87) << "N m, 1 % of the largest effort limit";
+  EXPECT_EQ(by_variant(result["functions"][1]).size(), 1u) << "a budget changes no Jacobian";
+  EXPECT_THAT(result["left_out"], Contains("error budget 0.01%: it saves no operation"));
+  EXPECT_FALSE(result.contains("stages"));
+}
+
+TEST(Bench, MakesNoBudgetsOfItsOwnForAnAbbreviatedModel) {
+  const Outcome outcome = run_flatdyn(
+      "bench robots/panda.urdf -q --json --time 0.02 --states 5 --functions gravity --error-budget 1% "
+      "--variants double,double-0.1%");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out)["robots"][0];
+  EXPECT_EQ(result["functions"][0]["variants"].size(), 1u);
+  EXPECT_THAT(result["left_out"], Contains("error budget 0.1%: the model has one already"));
 }
 
 // Free symbols, rotors (which the reference knows), and all that SIMD lanes have a part in.
 TEST(Bench, MeasuresLanesOfARobotWithSymbols) {
   const Outcome outcome = run_flatdyn(
       "bench robots/planar_2r.toml -q --time 0.02 --states 10 --functions kinetic_energy "
-      "--variants double,double-together,batch-double,batch-float-given,reference,KDL");
+      "--variants double,double-together,double-1%,float-staged,batch-double,batch-float-given,reference,KDL");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* text : {"planar_2r: ", "kinetic_energy: 20 mul, 11 add", "batch-double ", "double-together ",
-                           "batch-float-given ", "reference ", "J: p99", "left out: KDL: it knows no rotors"}) {
+  for (const char* text :
+       {"planar_2r: ", "kinetic_energy: 20 mul, 11 add", "batch-double ", "double-together ", "batch-float-given ",
+        "reference ", "J: p99", "float-staged ", "stages of kinetic_energy", "one by one",
+        "left out: KDL: it knows no rotors", "left out: error budget: the robot has free symbols"}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));
   }
 }

@@ -35,17 +35,19 @@ TEST(PlacedLabels, OneStandsAboveItsPoint) {
   EXPECT_GT(flags[0].bottom, 280);
 }
 
-TEST(PlacedLabels, OneInTheUpperHalfHangs) { EXPECT_GT(placed_labels({{100, 20, "float"}}, kFrame)[0].top, 20); }
+TEST(PlacedLabels, OnesInTheUpperHalfStandAboveAllPoints) {
+  for (const Box& flag : placed_labels({{100, 20, "float"}, {300, 120, "MuJoCo"}}, kFrame)) EXPECT_LT(flag.bottom, 20);
+}
 
 TEST(PlacedLabels, NeitherNamesNorPolesCrossNames) {
   std::mt19937 engine(1);
   const auto below = [&engine](unsigned bound) { return static_cast<int>(engine() % bound); };
   for (int run = 0; run < 200; ++run) {
     std::vector<LabelledPoint> points;
-    for (int k = 0; k < 10; ++k) {
+    for (int k = 0; k < 24; ++k) {
       const int band = k % 2 == 0 ? 330 : 20;  // two bands, as double and float make them
       const auto length = static_cast<std::size_t>(3 + below(18));
-      points.push_back({100 + below(600) + 0.1 * k, static_cast<double>(band + below(10)), std::string(length, 'x')});
+      points.push_back({100 + below(600) + 0.04 * k, static_cast<double>(band + below(10)), std::string(length, 'x')});
     }
     expect_readable(points);
   }

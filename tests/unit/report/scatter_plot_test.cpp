@@ -26,6 +26,14 @@ TEST(SvgScatter, ShowsAllNamesThatHaveAPlace) {
   for (const char* text : {"not a number", "infinite"}) EXPECT_THAT(svg, Not(HasSubstr(text)));
 }
 
+TEST(SvgScatter, MarksZeroOnlyWhereThereIsOne) {
+  const std::vector<ScatterPanel> panels = points();
+  EXPECT_THAT(svg_scatter("plot", {panels[1]}), HasSubstr("exact</tspan>"));
+  ScatterPanel without = panels[1];
+  without.points[0].y = 1;
+  EXPECT_THAT(svg_scatter("plot", {without}), Not(HasSubstr("exact")));
+}
+
 TEST(SvgScatter, IsWellFormed) {
   tinyxml2::XMLDocument document;
   EXPECT_EQ(document.Parse(svg_scatter("plot", points()).c_str()), tinyxml2::XML_SUCCESS);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A robot's functions abbreviated by the error budgets that the benchmark compares (scene/abbreviate.hpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/subject.hpp"
+#include "pipeline.hpp"
+
+namespace flatdyn {
+
+struct Abbreviations {
+  std::vector<AbbreviatedFunctions> made;  // by budget: those of the functions that it saves operations of
+  std::vector<std::string> left_out;       // a line each
+};
+
+// For all budgets of `variants`.
+Abbreviations abbreviations(const Model& model, const std::vector<Function>& functions,
+                            const std::vector<BenchVariant>& variants, Progress& progress);
+
+}  // namespace flatdyn

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bench/peers.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bench/growth.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+Toolchain with_everything() {
+  Toolchain toolchain;
+  toolchain.has_eigen = toolchain.has_kdl = toolchain.has_mujoco = toolchain.has_dart = true;
+  return toolchain;
+}
+
+Mechanism tree() { return make_mechanism(growth_robot(false, 3, 1)); }
+
+TEST(Peers, AllThatThereMayBeKnowAPlainChain) {
+  const BenchPeers peers = find_peers(with_everything(), make_mechanism(growth_robot(true, 3, 1)));
+  EXPECT_THAT(peers.found, SizeIs(std::size(kBenchPeers)));
+  EXPECT_THAT(peers.left_out, IsEmpty());
+}
+
+TEST(Peers, WhatIsNotInstalledIsLeftOutWithItsPackage) {
+  const BenchPeers peers = find_peers(Toolchain(), tree());
+  EXPECT_THAT(peers.found, IsEmpty());
+  for (const char* line :
+       {"reference: it is not installed (libeigen3-dev)", "KDL: it is not installed (liborocos-kdl-dev)",
+        "MuJoCo: it is not installed (libmujoco-dev)", "DART: it is not installed (libdart-dev)"}) {
+    EXPECT_THAT(peers.left_out, Contains(line));
+  }
+}
+
+TEST(Peers, WhatAPeerHasNoWordForLeavesItOut) {
+  Mechanism mechanism = tree();
+  mechanism.bodies[1].armature = 1;
+  EXPECT_THAT(find_peers(with_everything(), mechanism).left_out, Contains("DART: it knows no armature"));
+  mechanism.bodies[1].viscous = 1;
+  EXPECT_THAT(find_peers(with_everything(), mechanism).left_out, Contains("MuJoCo: its friction is another one"));
+  mechanism.bodies[1].armature = 0;
+  EXPECT_THAT(find_peers(with_everything(), mechanism).left_out, Contains("DART: its friction is another one"));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
