@@ -79,8 +79,9 @@ ExitCode generate(const GenerateArguments& arguments) {
   }
   if (stages) manifest["stages"] = stages_json(*stages);
   manifest["proof"] = proofs_json(proofs);
-  write_files({{folder / header, emit_cpp(model.mechanism, functions_of(functions), emit, stages)},
-               {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
+  const std::string text = emit_cpp(model.mechanism, functions_of(functions), emit, stages);
+  prove_text(text, functions, stages);
+  write_files({{folder / header, text}, {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
   print_diagnostics(model.diagnostics, arguments.quiet);
   print_diagnostics(findings, arguments.quiet);
   if (arguments.json) {

@@ -79,7 +79,8 @@ class BodyWriter {
 
   // The same statements in functions of their own. All inputs are read by the first ones.
   void write_parts(FunctionBody& body) const {
-    LongBody long_body{name_, input_steps(), variables_, sources(), part_arguments(), scope_.most_lines};
+    const std::string name = scope_.stored_in.empty() ? name_ : scope_.stored_in + "_" + name_;
+    LongBody long_body{name, input_steps(), variables_, sources(), part_arguments(), scope_.most_lines};
     if (long_body.most_lines == 0) long_body.most_lines = kLongPart;
     for (const std::vector<Step>& more : {steps(true), pivot_steps()}) {
       long_body.steps.insert(long_body.steps.end(), more.begin(), more.end());

@@ -2,6 +2,7 @@
 #include "verify/proof.hpp"
 
 #include "diagnostics/diagnostics.hpp"
+#include "verify/emitted_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -23,6 +24,19 @@ Proof proof_of(const Mechanism& mechanism, const std::string& name, const Functi
 
 void require_unchanged(const Function& derived, const Function& function) {
   require(prove_equal(derived, function, kQuick), function.name, "it was before the passes");
+}
+
+// In the order of the text.
+std::vector<Function> written(const std::vector<OptimisedFunction>& functions, const std::optional<Stages>& stages) {
+  std::vector<Function> list = functions_of(functions);
+  if (!stages) return list;
+  const auto add = [&list](const Stage& stage) {
+    list.push_back(stage.make);
+    list.insert(list.end(), stage.members.begin(), stage.members.end());
+  };
+  add(stages->configuration);
+  if (!stages->motion.members.empty()) add(stages->motion);
+  return list;
 }
 
 }  // namespace
@@ -48,6 +62,19 @@ std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<Optimised
     }
   }
   return proofs;
+}
+
+void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
+                const std::optional<Stages>& stages) {
+  const EmittedText text(header);
+  const std::vector<Function> wanted = written(functions, stages);
+  if (text.functions().size() != wanted.size()) {
+    throw Failure(ExitCode::bug, "the emitted text has other functions than were made");
+  }
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const Function printed = as_printed(wanted[k]);
+    require(prove_equal(printed, text.read(k, printed), kQuick), "the text of " + wanted[k].name, "was to be printed");
+  }
 }
 
 }  // namespace flatdyn

@@ -24,4 +24,9 @@ struct Proof {
 std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
                          const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages);
 
+// Reads the header back: every function in it must be what was to be printed, the constants rounded to double. Throws
+// Failure(verification_failed) for the first that is not.
+void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
+                const std::optional<Stages>& stages);
+
 }  // namespace flatdyn

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/emitted_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/literals.hpp"
+
+namespace flatdyn {
+namespace {
+
+// What stands at namespace scope: structs and function templates.
+class Scanner {
+ public:
+  struct Found {
+    std::vector<WrittenFunction> functions;
+    std::map<std::string, WrittenFunction> parts;
+    std::map<std::string, std::vector<std::string>> fields;
+  };
+
+  explicit Scanner(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  Found run() {
+    while (at_ < tokens_.size()) {
+      if (is("namespace")) {
+        open_namespace();
+      } else if (is("template")) {
+        declaration();
+      } else if (is("}")) {
+        close_namespace();
+      } else {
+        skip_past(";");  // a constant
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  bool is(const char* text) const { return at_ < tokens_.size() && tokens_[at_].text == text; }
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    const int line = tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line;
+    throw Failure(ExitCode::bug, fmt::format("emitted text cannot be read back: line {}: {}", line, expected));
+  }
+
+  void skip_past(const std::string& end) {
+    while (at_ < tokens_.size() && tokens_[at_].text != end) {
+      if (is("{")) {
+        skip_block();
+      } else {
+        ++at_;
+      }
+    }
+    if (at_ == tokens_.size()) fail("no " + end);
+    ++at_;
+  }
+
+  // From one brace to behind its counterpart.
+  void skip_block() {
+    int depth = 0;
+    do {
+      if (at_ == tokens_.size()) fail("no }");
+      depth += is("{") ? 1 : is("}") ? -1 : 0;
+      ++at_;
+    } while (depth > 0);
+  }
+
+  void open_namespace() {
+    namespaces_.push_back(tokens_.at(at_ + 1).text);
+    while (!is("{")) ++at_;
+    ++at_;
+  }
+
+  void close_namespace() {
+    if (namespaces_.empty()) fail("a } too many");
+    namespaces_.pop_back();
+    ++at_;
+  }
+
+  void declaration() {
+    while (!is(">")) ++at_;
+    ++at_;
+    if (is("struct")) {
+      structure();
+    } else {
+      function();
+    }
+  }
+
+  // Fields are declared as "Scalar x, y;".
+  void structure() {
+    const std::string name = tokens_.at(at_ + 1).text;
+    at_ += 2;
+    const std::size_t begin = at_;
+    skip_past(";");
+    const bool is_plain = std::any_of(std::begin(kPlain), std::end(kPlain), [&](const char* of) { return name == of; });
+    if (!is_plain) return;
+    std::vector<std::string>& fields = found_.fields[name];
+    for (std::size_t k = begin; k + 2 < at_; ++k) {
+      const bool starts = tokens_[k - 1].text == "{" || tokens_[k - 1].text == ";";
+      const bool is_field = tokens_[k + 2].text == "," || tokens_[k + 2].text == ";";
+      if (!starts || tokens_[k].text != "Scalar" || !is_field) continue;
+      for (; tokens_[k].text != ";"; k += 2) fields.push_back(tokens_[k + 1].text);
+      --k;
+    }
+  }
+
+  void function() {
+    WrittenFunction written;
+    const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
+    if (is("inline")) ++at_;
+    written.returns = tokens_.at(at_).text;
+    while (!is("(")) {
+      if (tokens_[at_].text == "::") written.member_of = tokens_[at_ - 4].text;  // Motion<Scalar>::
+      ++at_;
+    }
+    written.name = tokens_[at_ - 1].text;
+    parameters(written);
+    while (!is("{")) ++at_;
+    written.begin = at_ + 1;
+    skip_block();
+    written.end = at_ - 1;
+    if (is_part) {
+      if (!found_.parts.emplace(written.name, written).second) fail("a part made twice");
+    } else {
+      found_.functions.push_back(written);
+    }
+  }
+
+  // Of type "const Scalar*", "Scalar*", or a reference to what is handed on.
+  void parameters(WrittenFunction& written) {
+    ++at_;
+    while (!is(")")) {
+      const bool is_constant = is("const");
+      std::size_t star = 0;
+      while (!is(",") && !is(")")) {
+        if (is("*")) star = at_;
+        at_ += is("{") ? 2 : 1;  // "= {}"
+      }
+      if (star != 0) written.parameters.push_back({star + 1 < at_ ? tokens_[star + 1].text : "", !is_constant});
+      if (is(",")) ++at_;
+    }
+  }
+
+  static constexpr const char* kPlain[] = {"Parameters", "Configuration", "Motion"};
+
+  const std::vector<Token>& tokens_;
+  std::size_t at_ = 0;
+  std::vector<std::string> namespaces_;
+  Found found_;
+};
+
+}  // namespace
+
+EmittedText::EmittedText(const std::string& header) : tokens_(tokens_of(header)) {
+  Scanner::Found found = Scanner(tokens_).run();
+  functions_ = std::move(found.functions);
+  parts_ = std::move(found.parts);
+  fields_ = std::move(found.fields);
+}
+
+Function as_printed(const Function& function) {
+  Function result = function;
+  result.graph = Graph();
+  const auto printed = [](const Rational& value) { return Rational(nearest_double(value)); };
+  std::vector<NodeId> image;
+  for (NodeId id = 0; id < function.graph.size(); ++id) {
+    Node node = function.graph[id];
+    node.value = printed(node.value);
+    for (Term& term : node.terms) term.coefficient = printed(term.coefficient);
+    image.push_back(result.graph.copy(node, image));
+  }
+  const auto now = [&image](NodeId id) { return image[static_cast<std::size_t>(id)]; };
+  for (Output& output : result.outputs) {
+    for (std::size_t e = 0; e < output.entries.size(); ++e) {
+      output.entries[e] = output.leaves_out(e) ? result.graph.constant(0) : now(output.entries[e]);
+    }
+  }
+  std::erase_if(result.positive,
+                [&function](NodeId id) { return function.graph.is_constant(id) && function.graph[id].value > 0; });
+  for (NodeId& condition : result.positive) condition = now(condition);
+  return result;
+}
+
+}  // namespace flatdyn

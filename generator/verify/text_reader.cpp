@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Statements of one function, carried out in a graph.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "diagnostics/diagnostics.hpp"
+#include "verify/emitted_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+const std::map<std::string, InputKind>& input_kinds() {
+  static const std::map<std::string, InputKind> kinds = {
+      {"q", InputKind::q},     {"qd", InputKind::qd},     {"qdd", InputKind::qdd},     {"tau", InputKind::tau},
+      {"h_e", InputKind::h_e}, {"qd_r", InputKind::qd_r}, {"qdd_r", InputKind::qdd_r}, {"pi_b", InputKind::pi_b},
+  };
+  return kinds;
+}
+
+}  // namespace
+
+class TextReader {
+ public:
+  TextReader(const EmittedText& text, const WrittenFunction& written) : text_(text), written_(written) {
+    for (const WrittenFunction::Parameter& parameter : written.parameters) {
+      if (!parameter.is_output) inputs_.push_back(parameter.name);
+    }
+  }
+
+  Function read(const Function& like) {
+    carry_out(written_);
+    Function result = like;
+    std::vector<std::string> outputs;
+    for (const WrittenFunction::Parameter& parameter : written_.parameters) {
+      if (parameter.is_output) outputs.push_back(parameter.name);
+    }
+    if (written_.returns != "void" && written_.returns != "bool") outputs = {kReturned};
+    if (outputs.size() != like.outputs.size()) fail("another number of outputs");
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+      std::map<int, NodeId>& written = arrays_[outputs[k]];
+      std::vector<NodeId>& entries = result.outputs[k].entries;
+      for (std::size_t e = 0; e < entries.size(); ++e) {
+        const auto found = written.find(static_cast<int>(e));
+        entries[e] = found == written.end() ? graph_.constant(0) : found->second;
+      }
+      if (!written.empty() && written.rbegin()->first >= static_cast<int>(entries.size())) fail("an entry too many");
+    }
+    result.positive = positive_;
+    result.graph = std::move(graph_);
+    return result;
+  }
+
+ private:
+  static constexpr const char* kReturned = "returned";
+
+  [[noreturn]] void fail(const std::string& what) const {
+    const std::size_t k = std::min(at_, text_.tokens_.size() - 1);
+    throw Failure(ExitCode::bug, fmt::format("emitted text cannot be read back: line {}: {} at \"{}\"",
+                                             text_.tokens_[k].line, what, text_.tokens_[k].text));
+  }
+
+  const std::string& word(std::size_t ahead = 0) const { return text_.tokens_.at(at_ + ahead).text; }
+  bool is(const char* text) const { return word() == text; }
+  std::string take() { return text_.tokens_.at(at_++).text; }
+  void expect(const char* text) {
+    if (!is(text)) fail(fmt::format("\"{}\" expected", text));
+    ++at_;
+  }
+  bool accept(const char* text) {
+    if (!is(text)) return false;
+    ++at_;
+    return true;
+  }
+  void skip_past(const char* text) {
+    while (!accept(text)) ++at_;
+  }
+
+  // A function or a part, with variables of its own; arrays are common to all.
+  void carry_out(const WrittenFunction& function) {
+    const std::size_t back = at_;
+    std::map<std::string, NodeId> others = std::move(variables_);
+    variables_.clear();
+    for (at_ = function.begin; at_ < function.end;) statement();
+    variables_ = std::move(others);
+    at_ = back;
+  }
+
+  void statement() {
+    if (accept("const")) {
+      expect("Scalar");
+      definitions();
+    } else if (is("Scalar") || word(1) == "<") {
+      skip_past(";");  // arrays, or an empty stage
+    } else if (accept("sin_cos")) {
+      sines_and_cosines();
+    } else if (accept("bool")) {
+      positivity("=");
+    } else if (is("positive") && word(1) == "&=") {
+      positivity("&=");
+    } else if (accept("for")) {
+      all_pivots();
+    } else if (accept("return")) {
+      give_back();
+    } else if (is("detail") || word(1) == "(") {
+      call();
+    } else {
+      assignment();
+    }
+  }
+
+  void definitions() {
+    do {
+      const std::string name = take();
+      expect("=");
+      if (!variables_.emplace(name, sum()).second) fail("a variable made twice");
+    } while (accept(","));
+    expect(";");
+  }
+
+  // sin_cos(q, Joints<1, 2>(), sine, cosine);
+  void sines_and_cosines() {
+    skip_past("<");
+    do {
+      const int joint = index();
+      const NodeId angle = graph_.input({InputKind::q, joint});
+      arrays_["sine"][joint] = graph_.sin(angle);
+      arrays_["cosine"][joint] = graph_.cos(angle);
+    } while (accept(","));
+    skip_past(";");
+  }
+
+  // "bool positive = true;", "positive &= D_2 > Scalar(0.0);"
+  void positivity(const char* sign) {
+    expect("positive");
+    expect(sign);
+    if (!accept("true")) {
+      positive_.push_back(sum());
+      for (const char* text : {">", "Scalar", "(", "0.0", ")"}) expect(text);
+    }
+    expect(";");
+  }
+
+  // for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0);
+  void all_pivots() {
+    for (const char* text : {"(", "const", "Scalar", "&", "pivot", ":", "pivots", ")", "positive", "&=", "pivot", ">",
+                             "Scalar", "(", "0.0", ")", ";"}) {
+      expect(text);
+    }
+    for (const auto& [index, pivot] : arrays_["pivots"]) positive_.push_back(pivot);
+  }
+
+  // True, positive, a stage, or a value.
+  void give_back() {
+    if (written_.returns == "Scalar") {
+      arrays_[kReturned][0] = arrays_.count(word()) != 0 ? arrays_.at(take()).at(0) : sum();
+    } else if (written_.returns != "bool") {
+      arrays_[kReturned] = arrays_[take()];
+    } else if (!accept("true")) {
+      expect("positive");
+    }
+    expect(";");
+  }
+
+  // detail::f_part_1(q, kept, B);
+  void call() {
+    if (accept("detail")) expect("::");
+    const auto part = text_.parts_.find(take());
+    if (part == text_.parts_.end()) fail("a call of what is no part");
+    skip_past(";");
+    carry_out(part->second);
+  }
+
+  // "B[1] = B[7] = sum;": entries until there is no other =.
+  void assignment() {
+    std::vector<NodeId*> targets;
+    const std::size_t last = last_assignment();
+    while (at_ < last) {
+      targets.push_back(&target());
+      expect("=");
+    }
+    const NodeId value = sum();
+    for (NodeId* target : targets) *target = value;
+    expect(";");
+  }
+
+  std::size_t last_assignment() const {
+    std::size_t last = at_;
+    for (std::size_t k = at_; text_.tokens_.at(k).text != ";"; ++k) {
+      if (text_.tokens_[k].text == "=") last = k + 1;
+    }
+    return last;
+  }
+
+  // "B[1]", "stage.x1", "result".
+  NodeId& target() {
+    const std::string name = take();
+    if (accept(".")) return arrays_[name][field(written_.returns, take())];
+    if (!accept("[")) return arrays_[name][0];
+    const int entry = index();
+    expect("]");
+    return arrays_[name][entry];
+  }
+
+  int field(const std::string& structure, const std::string& name) const {
+    const auto fields = text_.fields_.find(structure);
+    if (fields == text_.fields_.end()) fail("no struct " + structure);
+    const auto found = std::find(fields->second.begin(), fields->second.end(), name);
+    if (found == fields->second.end()) fail("no field " + name);
+    return static_cast<int>(found - fields->second.begin());
+  }
+
+  int index() {
+    const std::string text = take();
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) fail("an index expected");
+    return value;
+  }
+
+  NodeId sum() {
+    std::vector<Term> terms;
+    Rational sign = accept("-") ? -1 : 1;
+    for (;;) {
+      terms.push_back({sign, product()});
+      if (is("+") || is("-")) {
+        sign = take() == "-" ? -1 : 1;
+      } else {
+        return graph_.sum(std::move(terms));
+      }
+    }
+  }
+
+  NodeId product() {
+    NodeId value = factor();
+    for (;;) {
+      if (accept("*")) {
+        value = graph_.product({value, factor()});
+      } else if (accept("/")) {
+        value = graph_.quotient(value, factor());
+      } else {
+        return value;
+      }
+    }
+  }
+
+  NodeId factor() {
+    if (accept("(")) {
+      const NodeId value = sum();
+      expect(")");
+      return value;
+    }
+    if (accept("Scalar")) return literal();
+    if (accept("detail")) {
+      for (const char* text : {"::", "sign", "("}) expect(text);
+      const NodeId value = graph_.sign(sum());
+      expect(")");
+      return value;
+    }
+    return named_value(take());
+  }
+
+  // (0.0825), (-2.0)
+  NodeId literal() {
+    expect("(");
+    const bool is_negative = accept("-");
+    const std::string text = take();
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) fail("a number expected");
+    expect(")");
+    return graph_.constant(Rational(is_negative ? -value : value));
+  }
+
+  // A variable, an entry of an array, a parameter, or what a stage has stored.
+  NodeId named_value(const std::string& name) {
+    if (accept("[")) {
+      const int entry = index();
+      expect("]");
+      return entry_of(name, entry);
+    }
+    if (accept(".")) {
+      const std::string member = take();
+      if (name == "parameters") return graph_.input({InputKind::parameter, field("Parameters", member)});
+      if (name == "stored") return graph_.input({InputKind::stored, field(written_.member_of, member)});
+      fail("no such struct");
+    }
+    const auto known = variables_.find(name);
+    if (known != variables_.end()) return known->second;
+    return graph_.input({InputKind::stored, field(written_.member_of, name)});
+  }
+
+  NodeId entry_of(const std::string& name, int entry) {
+    if (std::find(inputs_.begin(), inputs_.end(), name) != inputs_.end()) {
+      const auto kind = input_kinds().find(name);
+      if (kind == input_kinds().end()) fail("an unknown argument");
+      return graph_.input({kind->second, entry});
+    }
+    const auto array = arrays_.find(name);
+    if (array == arrays_.end() || array->second.count(entry) == 0) fail("read before it is written");
+    return array->second.at(entry);
+  }
+
+  const EmittedText& text_;
+  const WrittenFunction& written_;
+  std::vector<std::string> inputs_;
+  Graph graph_;
+  std::map<std::string, NodeId> variables_;
+  std::map<std::string, std::map<int, NodeId>> arrays_;
+  std::vector<NodeId> positive_;
+  std::size_t at_ = 0;
+};
+
+Function EmittedText::read(std::size_t k, const Function& like) const {
+  return TextReader(*this, functions_.at(k)).read(like);
+}
+
+}  // namespace flatdyn

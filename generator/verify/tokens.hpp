@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The words of emitted C++: names, numbers, and signs of one or two characters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flatdyn {
+
+struct Token {
+  std::string text;
+  int line = 0;  // from 1
+};
+
+// Without comments and preprocessor directives.
+std::vector<Token> tokens_of(const std::string& text);
+
+}  // namespace flatdyn

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The emitted text, read back: what is printed is found again, and every slip of the printer would be.
+#include "verify/emitted_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/emit.hpp"
+#include "support/robot_models.hpp"
+#include "verify/proof.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct Printed {
+  std::vector<OptimisedFunction> functions;
+  std::optional<Stages> stages;
+  std::string header;
+};
+
+Printed printed(const char* robot, const std::vector<std::string>& names, int most_lines = 0) {
+  const Model model = testing::model_of(robot);
+  PipelineOptions options;
+  options.functions = names;
+  Progress quiet(true);
+  Diagnostics findings;
+  Printed result;
+  result.functions = make_functions(model, options, quiet, findings);
+  result.stages = stages_of(make_fusion(model, {"inertia_matrix", "bias", "forward_dynamics"}, quiet).fusion);
+  EmitOptions emit;
+  emit.most_lines = most_lines;
+  result.header = emit_cpp(model.mechanism, functions_of(result.functions), emit, result.stages);
+  return result;
+}
+
+const std::vector<std::string> kNames = {"inverse_dynamics", "inertia_matrix", "forward_dynamics", "kinetic_energy",
+                                         "forward_kinematics"};
+
+TEST(EmittedText, IsWhatWasPrinted) {
+  for (const char* robot :
+       {"ur5.urdf", "scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml"}) {
+    for (const int most_lines : {0, 40}) {
+      const Printed all = printed(robot, kNames, most_lines);
+      EXPECT_NO_THROW(prove_text(all.header, all.functions, all.stages)) << robot << ", lines: " << most_lines;
+    }
+  }
+}
+
+TEST(EmittedText, HasTheFunctionsInOrder) {
+  const EmittedText text(printed("scara.toml", kNames, 40).header);
+  std::vector<std::string> names;
+  for (const WrittenFunction& function : text.functions()) names.push_back(function.member_of + ":" + function.name);
+  EXPECT_THAT(names,
+              ::testing::ElementsAre(":inverse_dynamics", ":inertia_matrix", ":forward_dynamics", ":kinetic_energy",
+                                     ":forward_kinematics", ":at", "Configuration:inertia_matrix", "Configuration:with",
+                                     "Motion:bias", "Motion:forward_dynamics"));
+}
+
+// Where `text` stands in statements.
+std::vector<std::size_t> places_of(const std::string& header, const std::string& text) {
+  std::vector<std::size_t> places;
+  for (std::size_t at = header.find(text); at != std::string::npos; at = header.find(text, at + 1)) {
+    const std::size_t line = header.rfind('\n', at) + 1;
+    const bool is_statement = header.compare(line, 2, "  ") == 0 && header.find(" = ", line) < header.find('\n', line);
+    if (is_statement && header.find("bool", line) > header.find('\n', line)) places.push_back(at);
+  }
+  return places;
+}
+
+TEST(EmittedText, WithASlipIsRefused) {
+  const Printed all = printed("ur5.urdf", {"inverse_dynamics", "inertia_matrix", "forward_dynamics"});
+  const std::size_t code = all.header.find("inline void inverse_dynamics");
+  const std::pair<const char*, const char*> slips[] = {
+      {" + ", " - "},     {" - ", " + "},       {" * ", " + "},
+      {" / ", " * "},     {"s_2", "c_2"},       {"qd_3", "qd_4"},
+      {"q[1]", "q[2]"},   {"B[7]", "B[8]"},     {"Scalar(0.", "Scalar(1."},
+      {"qdd_2", "qdd_1"}, {"tau[1]", "tau[0]"}, {"stage.x1 ", "stage.x2 "}};
+  std::mt19937 engine(1);
+  int mutants = 0;
+  for (const auto& [text, instead] : slips) {
+    const std::vector<std::size_t> places = places_of(all.header, text);
+    for (int k = 0; k < 5 && !places.empty(); ++k) {
+      const std::size_t place = places[engine() % places.size()];
+      if (place < code) continue;
+      std::string wrong = all.header;
+      wrong.replace(place, std::string(text).size(), instead);
+      EXPECT_THROW(prove_text(wrong, all.functions, all.stages), Failure)
+          << text << " at " << wrong.substr(place - 40, 80);
+      ++mutants;
+    }
+  }
+  EXPECT_GE(mutants, 40);
+}
+
+TEST(EmittedText, ThatIsNoneIsRefused) {
+  const Printed all = printed("scara.toml", {"gravity"});
+  EXPECT_THROW(prove_text("", all.functions, all.stages), Failure);
+  EXPECT_THROW(prove_text(all.header.substr(0, all.header.size() / 2), all.functions, all.stages), Failure);
+  EXPECT_THROW(prove_text(all.header + "}", all.functions, all.stages), Failure);
+}
+
+}  // namespace
+}  // namespace flatdyn
