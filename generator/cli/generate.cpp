@@ -18,8 +18,8 @@ struct GenerateArguments : RobotArguments {
   std::string name_space;
 };
 
-// The options that shape the output, as they go into its stamp.
-std::string stamp_of(const GenerateArguments& arguments) {
+// The options that shape the output, as they go into its stamp: of a search, how far it went.
+std::string stamp_of(const GenerateArguments& arguments, const std::vector<OptimisedFunction>& functions) {
   std::string stamp;
   const auto add = [&stamp](const std::string& option, const std::string& value) {
     if (!value.empty()) stamp += (stamp.empty() ? "" : " ") + option + " " + value;
@@ -32,6 +32,9 @@ std::string stamp_of(const GenerateArguments& arguments) {
   add("--snap", arguments.snap == "1e-5" ? "" : arguments.snap);
   add("--gravity", arguments.gravity);
   add("--error-budget", arguments.error_budget);
+  if (!functions.empty() && functions.front().search) {
+    add("--search", std::to_string(functions.front().search->candidates));
+  }
   add("--tip", arguments.tip);
   add("--fix", fmt::format("{}", fmt::join(arguments.fixed_joints, " --fix ")));
   return stamp;
@@ -52,11 +55,11 @@ ExitCode generate(const GenerateArguments& arguments) {
     }
     if (!arguments.fused.empty()) {
       OptimisedFusion fused = make_fusion(model, arguments.fused, progress);
-      functions.push_back({std::move(fused.fusion.function), fused.derived, std::move(fused.passes)});
+      functions.push_back({std::move(fused.fusion.function), fused.derived, std::move(fused.passes), {}});
     }
     if (!arguments.staged.empty()) stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
   }
-  const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments),
+  const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments, functions),
                          model.input_hash,     scene_stamp(model), scene_facts(model)};
   const std::filesystem::path folder = arguments.folder;
   const std::string header = header_name(model.mechanism, emit);
@@ -102,6 +105,7 @@ Run add_generate(CLI::App& app) {
       ->type_name("FOLDER");
   add_functions_option(*command, arguments->functions);
   add_error_budget_option(*command, *arguments);
+  add_search_option(*command, *arguments);
   command
       ->add_option(
           "--stages", arguments->staged,
