@@ -208,8 +208,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar mc_1 = m_l2 + m_1;
   const Scalar b_1_1 = mc_1 + I_m1 * k_r1 * k_r1;
   const Scalar d_1 = Scalar(1.0) / b_1_1;
-  const Scalar y_1 = tau_1 - g * mc_1;
-  qdd[0] = d_1 * y_1;
+  qdd[0] = d_1 * (tau_1 - g * mc_1);
   bool positive = b_1_1 > Scalar(0.0);
   positive &= b_2_2 > Scalar(0.0);
   return positive;

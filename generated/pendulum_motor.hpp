@@ -233,10 +233,9 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar s_1 = sine[0];
   const Scalar t1 = k_r * k_r;
   const Scalar F_v1 = F + F_m * t1;
-  const Scalar y_1 = -g * m * l * s_1 - qd_1 * F_v1 + tau_1;
   const Scalar b_1_1 = I + I_m * t1;
   const Scalar d_1 = Scalar(1.0) / b_1_1;
-  qdd[0] = d_1 * y_1;
+  qdd[0] = d_1 * (-g * m * l * s_1 - qd_1 * F_v1 + tau_1);
   bool positive = b_1_1 > Scalar(0.0);
   return positive;
 }

@@ -345,14 +345,13 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t8 = g * c_1;
   const Scalar ddp_2_y = c_2 * t8 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
   const Scalar t9 = t1 * ddp_2_y;
-  const Scalar y_2 = tau_2 - t9;
+  const Scalar t10 = tau_2 - t9;
   const Scalar mr_1_x = t7 + t6;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t10 = s_2 * t3 * omega_2_z * omega_2_z;
-  const Scalar y_2_1 = -t8 * mr_1_x - t9 + tau_1 - t5 * y_2 + t10;
-  const Scalar qdd_1 = d_1 * y_2_1;
+  const Scalar t11 = s_2 * t3 * omega_2_z * omega_2_z;
+  const Scalar qdd_1 = d_1 * (-t8 * mr_1_x - t9 + tau_1 - t5 * t10 + t11);
   qdd[0] = qdd_1;
-  qdd[1] = d_2 * (y_2 - mu_2_1_z * qdd_1);
+  qdd[1] = d_2 * (t10 - mu_2_1_z * qdd_1);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_2_2 > Scalar(0.0);
   return positive;

@@ -87,11 +87,12 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
   const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar t1 = Scalar(25.0) * (s_2 * ddp_o_2_x - c_2 * ddp_o_2_y) - Scalar(22.5) * domega_2_z;
+  const Scalar N_2_z = Scalar(22.5) * domega_2_z -
+      Scalar(25.0) * (s_2 * ddp_o_2_x - c_2 * ddp_o_2_y);
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t2 = s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z;
-  tau[0] = qdd_2 - t1 - Scalar(25.0) * t2 + Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1;
-  tau[1] = qdd_1 - t1 + Scalar(100.0) * qdd_2;
+  const Scalar t1 = s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z;
+  tau[0] = qdd_2 + N_2_z - Scalar(25.0) * t1 + Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1;
+  tau[1] = qdd_1 + N_2_z + Scalar(100.0) * qdd_2;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -117,7 +118,7 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
   const Scalar t3 = s_2 * ddp_o_2_x - c_2 * ddp_o_2_y;
   const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar mu_2_z = h_e_6 - t2 - Scalar(25.0) * t3 + Scalar(22.5) * domega_2_z;
+  const Scalar mu_2_z = h_e_6 - t2 + Scalar(22.5) * domega_2_z - Scalar(25.0) * t3;
   tau[1] = qdd_1 + mu_2_z + Scalar(100.0) * qdd_2;
   const Scalar t4 = c_2 * (t2 - Scalar(25.0) * domega_2_z);
   const Scalar omega_2_z = qd_1 + qd_2;
@@ -220,10 +221,10 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar t1 = Scalar(25.0) * s_2;
-  const Scalar N_2_z = Scalar(245.25) * c_1 * c_2 - ddp_o_2_x * t1;
-  n[1] = N_2_z;
+  const Scalar t2 = ddp_o_2_x * t1 - Scalar(245.25) * c_1 * c_2;
+  n[1] = -t2;
   const Scalar omega_2_z = qd_1 + qd_2;
-  n[0] = N_2_z - t1 * omega_2_z * omega_2_z + Scalar(784.8) * c_1;
+  n[0] = -t2 - omega_2_z * omega_2_z * t1 + Scalar(784.8) * c_1;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -243,17 +244,17 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar t1 = Scalar(25.0) * s_2;
-  const Scalar t2 = Scalar(245.25) * c_1 * c_2 - ddp_o_2_x * t1;
-  const Scalar y_2 = tau_2 - t2;
+  const Scalar t2 = ddp_o_2_x * t1 - Scalar(245.25) * c_1 * c_2;
+  const Scalar t3 = tau_2 + t2;
   const Scalar mu_2_1_z = Scalar(25.0) * c_2 + Scalar(23.5);
-  const Scalar t3 = Scalar(0.00816326530612245) * mu_2_1_z;
+  const Scalar t4 = Scalar(0.00816326530612245) * mu_2_1_z;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t4 = t3 * y_2 - tau_1 + t2 - t1 * omega_2_z * omega_2_z + Scalar(784.8) * c_1;
-  const Scalar b_2_1_1 = Scalar(50.0) * c_2 - mu_2_1_z * t3 + Scalar(200.01);
+  const Scalar t5 = t4 * t3 - tau_1 - t2 - omega_2_z * omega_2_z * t1 + Scalar(784.8) * c_1;
+  const Scalar b_2_1_1 = Scalar(50.0) * c_2 - mu_2_1_z * t4 + Scalar(200.01);
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t5 = d_1 * t4;
-  qdd[0] = -t5;
-  qdd[1] = t3 * t5 + Scalar(0.00816326530612245) * y_2;
+  const Scalar t6 = d_1 * t5;
+  qdd[0] = -t6;
+  qdd[1] = t4 * t6 + Scalar(0.00816326530612245) * t3;
   bool positive = b_2_1_1 > Scalar(0.0);
   return positive;
 }
@@ -365,11 +366,11 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = qd_1 * qd_1;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t1 = omega_2_z * omega_2_z;
-  const Scalar t2 = qd_1 * qd_1;
-  const Scalar t3 = s_2 * s_2 * t2 + c_2 * (c_2 * t2 + t1);
-  const Scalar t4 = s_2 * t1;
+  const Scalar t2 = omega_2_z * omega_2_z;
+  const Scalar t3 = s_2 * s_2 * t1 + c_2 * (c_2 * t1 + t2);
+  const Scalar t4 = s_2 * t2;
   a[0] = s_1 * t4 - c_1 * t3;
   a[1] = -s_1 * t3 - c_1 * t4;
   a[2] = a[3] = a[4] = a[5] = Scalar(0.0);

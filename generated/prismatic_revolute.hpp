@@ -286,11 +286,11 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar b_2_1_1 = m_l1 - t2 * t3 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t4 = c_2 * t1;
-  const Scalar y_2 = tau_2 - g * t4;
-  const Scalar y_2_1 = t3 * y_2 + qd_2 * qd_2 * t4 + tau_1;
+  const Scalar t5 = tau_2 - g * t4;
+  const Scalar y_2_1 = t3 * t5 + qd_2 * qd_2 * t4 + tau_1;
   const Scalar qdd_1 = d_1 * y_2_1;
   qdd[0] = qdd_1;
-  qdd[1] = t3 * qdd_1 + d_2 * y_2;
+  qdd[1] = t3 * qdd_1 + d_2 * t5;
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_2_2 > Scalar(0.0);
   return positive;

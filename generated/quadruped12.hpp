@@ -108,7 +108,7 @@ struct GivenSinCos {
 //   qd[12]   in   joint velocities, rad/s or m/s
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11], qdd[0..11]. Operations: 300 mul, 248 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11], qdd[0..11]. Operations: 288 mul, 220 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
@@ -124,237 +124,218 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = c_2 * qd_1;
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = qd_2 * qd_2;
-  const Scalar t4 = t2 + t3;
-  const Scalar t5 = Scalar(9.81) * c_1;
-  const Scalar t6 = s_3 * (Scalar(0.16) * t4 + c_2 * t5);
-  const Scalar t7 = s_2 * qd_1;
-  const Scalar t8 = t7 * t1;
-  const Scalar t9 = t8 + qdd_2;
-  const Scalar t10 = t6 + c_3 * (Scalar(0.16) * t9 + s_2 * t5);
-  const Scalar t11 = s_3 * t7 - c_3 * t1;
-  const Scalar t12 = qd_2 * t7;
-  const Scalar t13 = c_2 * qdd_1;
-  const Scalar t14 = t12 - t13;
-  const Scalar t15 = qd_2 * t1;
-  const Scalar t16 = s_2 * qdd_1;
-  const Scalar t17 = t15 + t16;
-  const Scalar t18 = qd_3 * t11 + s_3 * t14 - c_3 * t17;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t19 = t11 * omega_3_z;
-  const Scalar t20 = s_3 * t1 + c_3 * t7;
-  const Scalar t21 = t11 * t20;
+  const Scalar t1 = qd_1 * qd_1;
+  const Scalar t2 = c_2 * t1;
+  const Scalar t3 = c_2 * t2;
+  const Scalar t4 = qd_2 * qd_2;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = Scalar(61.3125) * c_1;
+  const Scalar t7 = s_2 * t2;
+  const Scalar t8 = t7 + qdd_2;
+  const Scalar t9 = s_3 * (t5 + c_2 * t6) + c_3 * (t8 + s_2 * t6);
+  const Scalar t10 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t11 = t1 * t10;
+  const Scalar t12 = c_2 * s_3 + s_2 * c_3;
+  const Scalar t13 = t12 * t11;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar t22 = domega_3_z - t21;
-  const Scalar U_3_yx = t21 + domega_3_z;
-  const Scalar N_3_z = Scalar(1.505e-06) * U_3_yx - Scalar(0.00023148988883634047) * (t18 - t19) +
-      Scalar(0.0005411142213171667) * t22 + Scalar(0.0038482516772413) * t10;
+  const Scalar t14 = domega_3_z - t13;
+  const Scalar U_3_yx = t13 + domega_3_z;
+  const Scalar t15 = qdd_1 * t12;
+  const Scalar N_3_z = Scalar(1.505e-06) * U_3_yx + Scalar(0.00023148988883634047) * t15 +
+      Scalar(0.0005411142213171667) * t14 + Scalar(0.000615720268358608) * t9;
   tau[2] = N_3_z;
-  const Scalar t23 = c_5 * qd_4;
-  const Scalar t24 = t23 * t23;
-  const Scalar t25 = qd_5 * qd_5;
-  const Scalar t26 = t24 + t25;
-  const Scalar t27 = Scalar(9.81) * c_4;
-  const Scalar t28 = s_6 * (Scalar(0.16) * t26 + c_5 * t27);
-  const Scalar t29 = s_5 * qd_4;
-  const Scalar t30 = t29 * t23;
-  const Scalar t31 = t30 + qdd_5;
-  const Scalar t32 = t28 + c_6 * (Scalar(0.16) * t31 + s_5 * t27);
-  const Scalar t33 = s_6 * t29 - c_6 * t23;
-  const Scalar t34 = qd_5 * t29;
-  const Scalar t35 = c_5 * qdd_4;
-  const Scalar t36 = t34 - t35;
-  const Scalar t37 = qd_5 * t23;
-  const Scalar t38 = s_5 * qdd_4;
-  const Scalar t39 = t37 + t38;
-  const Scalar t40 = qd_6 * t33 + s_6 * t36 - c_6 * t39;
-  const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t41 = t33 * omega_6_z;
-  const Scalar t42 = s_6 * t23 + c_6 * t29;
-  const Scalar t43 = t33 * t42;
+  const Scalar t16 = qd_4 * qd_4;
+  const Scalar t17 = c_5 * t16;
+  const Scalar t18 = c_5 * t17;
+  const Scalar t19 = qd_5 * qd_5;
+  const Scalar t20 = t18 + t19;
+  const Scalar t21 = Scalar(61.3125) * c_4;
+  const Scalar t22 = s_5 * t17;
+  const Scalar t23 = t22 + qdd_5;
+  const Scalar t24 = s_6 * (t20 + c_5 * t21) + c_6 * (t23 + s_5 * t21);
+  const Scalar t25 = s_5 * s_6 - c_5 * c_6;
+  const Scalar t26 = t16 * t25;
+  const Scalar t27 = c_5 * s_6 + s_5 * c_6;
+  const Scalar t28 = t27 * t26;
   const Scalar domega_6_z = qdd_5 + qdd_6;
-  const Scalar t44 = domega_6_z - t43;
-  const Scalar U_6_yx = t43 + domega_6_z;
-  const Scalar N_6_z = Scalar(1.505e-06) * U_6_yx + Scalar(0.00023148988883634047) * (t40 - t41) +
-      Scalar(0.0005411142213171667) * t44 + Scalar(0.0038482516772413) * t32;
-  tau[5] = N_6_z;
-  const Scalar t45 = c_8 * qd_7;
-  const Scalar t46 = t45 * t45;
-  const Scalar t47 = qd_8 * qd_8;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = Scalar(9.81) * c_7;
-  const Scalar t50 = s_9 * (Scalar(0.16) * t48 + c_8 * t49);
-  const Scalar t51 = s_8 * qd_7;
-  const Scalar t52 = t51 * t45;
-  const Scalar t53 = t52 + qdd_8;
-  const Scalar t54 = t50 + c_9 * (Scalar(0.16) * t53 + s_8 * t49);
-  const Scalar t55 = s_9 * t51 - c_9 * t45;
-  const Scalar t56 = qd_8 * t51;
-  const Scalar t57 = c_8 * qdd_7;
-  const Scalar t58 = t56 - t57;
-  const Scalar t59 = qd_8 * t45;
-  const Scalar t60 = s_8 * qdd_7;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = qd_9 * t55 + s_9 * t58 - c_9 * t61;
-  const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t63 = t55 * omega_9_z;
-  const Scalar t64 = s_9 * t45 + c_9 * t51;
-  const Scalar t65 = t55 * t64;
+  const Scalar t29 = domega_6_z - t28;
+  const Scalar U_6_yx = t28 + domega_6_z;
+  const Scalar t30 = qdd_4 * t27;
+  const Scalar tau_6 = Scalar(1.505e-06) * U_6_yx - Scalar(0.00023148988883634047) * t30 +
+      Scalar(0.0005411142213171667) * t29 + Scalar(0.000615720268358608) * t24;
+  tau[5] = tau_6;
+  const Scalar t31 = qd_7 * qd_7;
+  const Scalar t32 = c_8 * t31;
+  const Scalar t33 = c_8 * t32;
+  const Scalar t34 = qd_8 * qd_8;
+  const Scalar t35 = t33 + t34;
+  const Scalar t36 = Scalar(61.3125) * c_7;
+  const Scalar t37 = s_8 * t32;
+  const Scalar t38 = t37 + qdd_8;
+  const Scalar t39 = s_9 * (t35 + c_8 * t36) + c_9 * (t38 + s_8 * t36);
+  const Scalar t40 = s_8 * s_9 - c_8 * c_9;
+  const Scalar t41 = t31 * t40;
+  const Scalar t42 = c_8 * s_9 + s_8 * c_9;
+  const Scalar t43 = t42 * t41;
   const Scalar domega_9_z = qdd_8 + qdd_9;
-  const Scalar t66 = domega_9_z - t65;
-  const Scalar U_9_yx = t65 + domega_9_z;
-  const Scalar N_9_z = Scalar(1.505e-06) * U_9_yx - Scalar(0.00023148988883634047) * (t62 - t63) +
-      Scalar(0.0005411142213171667) * t66 + Scalar(0.0038482516772413) * t54;
+  const Scalar t44 = domega_9_z - t43;
+  const Scalar U_9_yx = t43 + domega_9_z;
+  const Scalar t45 = qdd_7 * t42;
+  const Scalar N_9_z = Scalar(1.505e-06) * U_9_yx + Scalar(0.00023148988883634047) * t45 +
+      Scalar(0.0005411142213171667) * t44 + Scalar(0.000615720268358608) * t39;
   tau[8] = N_9_z;
-  const Scalar t67 = c_11 * qd_10;
-  const Scalar t68 = t67 * t67;
-  const Scalar t69 = qd_11 * qd_11;
-  const Scalar t70 = t68 + t69;
-  const Scalar t71 = Scalar(9.81) * c_10;
-  const Scalar t72 = s_12 * (Scalar(0.16) * t70 + c_11 * t71);
-  const Scalar t73 = s_11 * qd_10;
-  const Scalar t74 = t73 * t67;
-  const Scalar t75 = t74 + qdd_11;
-  const Scalar t76 = t72 + c_12 * (Scalar(0.16) * t75 + s_11 * t71);
-  const Scalar t77 = s_12 * t73 - c_12 * t67;
-  const Scalar t78 = qd_11 * t73;
-  const Scalar t79 = c_11 * qdd_10;
-  const Scalar t80 = t78 - t79;
-  const Scalar t81 = qd_11 * t67;
-  const Scalar t82 = s_11 * qdd_10;
-  const Scalar t83 = t81 + t82;
-  const Scalar t84 = qd_12 * t77 + s_12 * t80 - c_12 * t83;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t85 = t77 * omega_12_z;
-  const Scalar t86 = s_12 * t67 + c_12 * t73;
-  const Scalar t87 = t77 * t86;
+  const Scalar t46 = qd_10 * qd_10;
+  const Scalar t47 = c_11 * t46;
+  const Scalar t48 = c_11 * t47;
+  const Scalar t49 = qd_11 * qd_11;
+  const Scalar t50 = t48 + t49;
+  const Scalar t51 = Scalar(61.3125) * c_10;
+  const Scalar t52 = s_11 * t47;
+  const Scalar t53 = t52 + qdd_11;
+  const Scalar t54 = s_12 * (t50 + c_11 * t51) + c_12 * (t53 + s_11 * t51);
+  const Scalar t55 = s_11 * s_12 - c_11 * c_12;
+  const Scalar t56 = t46 * t55;
+  const Scalar t57 = c_11 * s_12 + s_11 * c_12;
+  const Scalar t58 = t57 * t56;
   const Scalar domega_12_z = qdd_11 + qdd_12;
-  const Scalar t88 = domega_12_z - t87;
-  const Scalar U_12_yx = t87 + domega_12_z;
-  const Scalar N_12_z = Scalar(1.505e-06) * U_12_yx + Scalar(0.00023148988883634047) * (t84 - t85) +
-      Scalar(0.0005411142213171667) * t88 + Scalar(0.0038482516772413) * t76;
-  tau[11] = N_12_z;
-  const Scalar t89 = omega_12_z * omega_12_z;
-  const Scalar t90 = s_12 * (t77 * t77 + t89);
-  const Scalar t91 = t73 * t73;
-  const Scalar t92 = t91 + t69;
-  const Scalar U_11_yx = qdd_11 - t74;
-  const Scalar t93 = Scalar(6.823068516838894e-08) * t79 +
-      Scalar(1.609852873477455e-07) * (t92 - t70) - Scalar(0.000020065123418265) * c_10 * c_11 -
-      Scalar(0.000015550028164806267) * U_11_yx + Scalar(0.0007940924716883453) * t82 -
-      Scalar(0.000615720268358608) * c_12 * t88 + Scalar(0.000615720268358608) * t90 -
-      Scalar(0.002280028171323094) * t75 - N_12_z - Scalar(0.1737624403145115) * c_10 * s_11;
-  tau[10] = -t93;
-  const Scalar t94 = omega_9_z * omega_9_z;
-  const Scalar t95 = s_9 * (t55 * t55 + t94);
-  const Scalar t96 = t51 * t51;
-  const Scalar t97 = t96 + t47;
-  const Scalar U_8_yx = qdd_8 - t52;
-  const Scalar t98 = Scalar(6.823068516838894e-08) * t57 -
-      Scalar(1.609852873477455e-07) * (t97 - t48) + Scalar(0.000020065123418265) * c_7 * c_8 -
-      Scalar(0.000015550028164806267) * U_8_yx - Scalar(0.0007940924716883453) * t60 -
-      Scalar(0.000615720268358608) * c_9 * t66 + Scalar(0.000615720268358608) * t95 -
-      Scalar(0.002280028171323094) * t53 - N_9_z - Scalar(0.1737624403145115) * c_7 * s_8;
-  tau[7] = -t98;
-  const Scalar t99 = omega_6_z * omega_6_z;
-  const Scalar t100 = s_6 * (t33 * t33 + t99);
-  const Scalar t101 = t29 * t29;
-  const Scalar t102 = t101 + t25;
-  const Scalar U_5_yx = qdd_5 - t30;
-  const Scalar t103 = Scalar(6.823068516838894e-08) * t35 +
-      Scalar(1.609852873477455e-07) * (t102 - t26) - Scalar(0.000020065123418265) * c_4 * c_5 -
-      Scalar(0.000015550028164806267) * U_5_yx + Scalar(0.0007940924716883453) * t38 -
-      Scalar(0.000615720268358608) * c_6 * t44 + Scalar(0.000615720268358608) * t100 -
-      Scalar(0.002280028171323094) * t31 - N_6_z - Scalar(0.1737624403145115) * c_4 * s_5;
-  tau[4] = -t103;
-  const Scalar t104 = omega_3_z * omega_3_z;
-  const Scalar t105 = s_3 * (t11 * t11 + t104);
-  const Scalar t106 = t7 * t7;
-  const Scalar t107 = t106 + t3;
-  const Scalar U_2_yx = qdd_2 - t8;
-  const Scalar t108 = Scalar(6.823068516838894e-08) * t13 -
-      Scalar(1.609852873477455e-07) * (t107 - t4) + Scalar(0.000020065123418265) * c_1 * c_2 -
-      Scalar(0.000015550028164806267) * U_2_yx - Scalar(0.0007940924716883453) * t16 -
-      Scalar(0.000615720268358608) * c_3 * t22 + Scalar(0.000615720268358608) * t105 -
-      Scalar(0.002280028171323094) * t9 - N_3_z - Scalar(0.1737624403145115) * c_1 * s_2;
-  tau[1] = -t108;
-  const Scalar t109 = Scalar(0.00023148988883634047) * t66 - Scalar(1.505e-06) * (t62 + t63);
-  const Scalar t110 = qd_9 * t64 + s_9 * t61 + c_9 * t58 + t64 * omega_9_z;
-  const Scalar t111 = t56 + t58;
-  const Scalar N_9_x = Scalar(0.00023148988883634047) * (t94 - t64 * t64) -
-      Scalar(0.000615720268358608) * t111 - Scalar(0.0005411142213171667) * t110 +
+  const Scalar t59 = domega_12_z - t58;
+  const Scalar U_12_yx = t58 + domega_12_z;
+  const Scalar t60 = qdd_10 * t57;
+  const Scalar tau_12 = Scalar(1.505e-06) * U_12_yx - Scalar(0.00023148988883634047) * t60 +
+      Scalar(0.0005411142213171667) * t59 + Scalar(0.000615720268358608) * t54;
+  tau[11] = tau_12;
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t61 = t55 * t56 + omega_12_z * omega_12_z;
+  const Scalar t62 = s_12 * t61 - c_12 * t59;
+  const Scalar t63 = t49 - t48 + t46;
+  const Scalar U_11_yx = qdd_11 - t52;
+  const Scalar t64 = s_11 * qdd_10;
+  const Scalar t65 = c_11 * qdd_10;
+  tau[10] = Scalar(-6.823068516838894e-08) * t65 - Scalar(1.609852873477455e-07) * (t63 - t50) +
+      Scalar(0.000020065123418265) * c_10 * c_11 + Scalar(0.000015550028164806267) * U_11_yx -
+      Scalar(0.0007940924716883453) * t64 - Scalar(0.000615720268358608) * t62 +
+      Scalar(0.002280028171323094) * t53 + tau_12 + Scalar(0.1737624403145115) * c_10 * s_11;
+  const Scalar omega_9_z = qd_8 + qd_9;
+  const Scalar t66 = t40 * t41 + omega_9_z * omega_9_z;
+  const Scalar t67 = s_9 * t66 - c_9 * t44;
+  const Scalar t68 = t34 - t33 + t31;
+  const Scalar U_8_yx = qdd_8 - t37;
+  const Scalar t69 = s_8 * qdd_7;
+  const Scalar t70 = c_8 * qdd_7;
+  tau[7] = Scalar(1.609852873477455e-07) * (t68 - t35) - Scalar(6.823068516838894e-08) * t70 -
+      Scalar(0.000020065123418265) * c_7 * c_8 + Scalar(0.000015550028164806267) * U_8_yx +
+      Scalar(0.0007940924716883453) * t69 - Scalar(0.000615720268358608) * t67 +
+      Scalar(0.002280028171323094) * t38 + N_9_z + Scalar(0.1737624403145115) * c_7 * s_8;
+  const Scalar omega_6_z = qd_5 + qd_6;
+  const Scalar t71 = t25 * t26 + omega_6_z * omega_6_z;
+  const Scalar t72 = s_6 * t71 - c_6 * t29;
+  const Scalar t73 = t19 - t18 + t16;
+  const Scalar U_5_yx = qdd_5 - t22;
+  const Scalar t74 = s_5 * qdd_4;
+  const Scalar t75 = c_5 * qdd_4;
+  tau[4] = Scalar(-6.823068516838894e-08) * t75 - Scalar(1.609852873477455e-07) * (t73 - t20) +
+      Scalar(0.000020065123418265) * c_4 * c_5 + Scalar(0.000015550028164806267) * U_5_yx -
+      Scalar(0.0007940924716883453) * t74 - Scalar(0.000615720268358608) * t72 +
+      Scalar(0.002280028171323094) * t23 + tau_6 + Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t76 = t10 * t11 + omega_3_z * omega_3_z;
+  const Scalar t77 = s_3 * t76 - c_3 * t14;
+  const Scalar t78 = t4 - t3 + t1;
+  const Scalar U_2_yx = qdd_2 - t7;
+  const Scalar t79 = s_2 * qdd_1;
+  const Scalar t80 = c_2 * qdd_1;
+  tau[1] = Scalar(1.609852873477455e-07) * (t78 - t5) - Scalar(6.823068516838894e-08) * t80 -
+      Scalar(0.000020065123418265) * c_1 * c_2 + Scalar(0.000015550028164806267) * U_2_yx +
+      Scalar(0.0007940924716883453) * t79 - Scalar(0.000615720268358608) * t77 +
+      Scalar(0.002280028171323094) * t8 + N_3_z + Scalar(0.1737624403145115) * c_1 * s_2;
+  const Scalar U_9_yy_zz = t31 - t66;
+  const Scalar t81 = Scalar(2.0) * qd_7;
+  const Scalar t82 = qdd_7 * t40 + t81 * t42 * omega_9_z;
+  const Scalar t83 = qd_8 * t81;
+  const Scalar t84 = s_8 * t83 - t70;
+  const Scalar t85 = Scalar(-0.00023148988883634047) * U_9_yy_zz -
+      Scalar(0.000615720268358608) * t84 - Scalar(0.0005411142213171667) * t82 +
       Scalar(0.037751348953737156) * s_7;
-  const Scalar U_8_zx = t59 + t61;
-  const Scalar t112 = t96 + t46;
-  const Scalar U_8_zz_xx = t97 - t112;
-  const Scalar t113 = Scalar(6.823068516838894e-08) * U_8_zz_xx -
-      Scalar(1.609852873477455e-07) * t111 + Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.000015550028164806267) * U_8_zx + c_9 * t109 + Scalar(0.0007940924716883453) * t53 -
-      s_9 * N_9_x;
-  const Scalar mu_8_x = Scalar(1.609852873477455e-07) * U_8_zx -
-      Scalar(6.823068516838894e-08) * U_8_yx + s_9 * t109 - Scalar(0.000615720268358608) * t110 +
-      Scalar(0.0007940924716883453) * (t48 - t112) - Scalar(0.002280028171323094) * t111 +
-      c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
-  tau[6] = Scalar(0.00035882787553735663) * qdd_7 + s_8 * t113 + Scalar(0.08509272390476785) * c_7 +
-      c_8 * mu_8_x;
-  const Scalar t114 = Scalar(0.00023148988883634047) * t22 - Scalar(1.505e-06) * (t18 + t19);
-  const Scalar t115 = qd_3 * t20 + s_3 * t17 + c_3 * t14 + t20 * omega_3_z;
-  const Scalar t116 = t12 + t14;
-  const Scalar N_3_x = Scalar(0.00023148988883634047) * (t104 - t20 * t20) -
-      Scalar(0.000615720268358608) * t116 - Scalar(0.0005411142213171667) * t115 +
+  const Scalar t86 = Scalar(1.505e-06) * t45 - Scalar(3.01e-06) * qd_7 * t40 * omega_9_z +
+      Scalar(0.00023148988883634047) * t44;
+  const Scalar U_8_zx = t69 + c_8 * t83;
+  const Scalar t87 = Scalar(-6.823068516838894e-08) * (t31 - t68) -
+      Scalar(1.609852873477455e-07) * t84 + Scalar(0.000020065123418265) * s_7 +
+      Scalar(0.000015550028164806267) * U_8_zx + c_9 * t86 + Scalar(0.0007940924716883453) * t38 -
+      s_9 * t85;
+  const Scalar U_8_yy_zz = t31 - t35;
+  const Scalar t88 = Scalar(1.609852873477455e-07) * U_8_zx -
+      Scalar(6.823068516838894e-08) * U_8_yx + s_9 * t86 - Scalar(0.000615720268358608) * t82 -
+      Scalar(0.0007940924716883453) * U_8_yy_zz + c_9 * t85 - Scalar(0.002280028171323094) * t84 +
+      Scalar(0.1737624403145115) * s_7;
+  tau[6] = Scalar(0.00035882787553735663) * qdd_7 + s_8 * t87 + Scalar(0.08509272390476785) * c_7 +
+      c_8 * t88;
+  const Scalar U_3_yy_zz = t1 - t76;
+  const Scalar t89 = Scalar(2.0) * qd_1;
+  const Scalar t90 = qdd_1 * t10 + t89 * t12 * omega_3_z;
+  const Scalar t91 = qd_2 * t89;
+  const Scalar t92 = s_2 * t91 - t80;
+  const Scalar t93 = Scalar(-0.00023148988883634047) * U_3_yy_zz -
+      Scalar(0.000615720268358608) * t92 - Scalar(0.0005411142213171667) * t90 +
       Scalar(0.037751348953737156) * s_1;
-  const Scalar U_2_zx = t15 + t17;
-  const Scalar t117 = t106 + t2;
-  const Scalar U_2_zz_xx = t107 - t117;
-  const Scalar t118 = Scalar(6.823068516838894e-08) * U_2_zz_xx -
-      Scalar(1.609852873477455e-07) * t116 + Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.000015550028164806267) * U_2_zx + c_3 * t114 + Scalar(0.0007940924716883453) * t9 -
-      s_3 * N_3_x;
-  const Scalar mu_2_x = Scalar(1.609852873477455e-07) * U_2_zx -
-      Scalar(6.823068516838894e-08) * U_2_yx + s_3 * t114 - Scalar(0.000615720268358608) * t115 +
-      Scalar(0.0007940924716883453) * (t4 - t117) - Scalar(0.002280028171323094) * t116 +
-      c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
-  tau[0] = Scalar(0.00035882787553735663) * qdd_1 + s_2 * t118 + Scalar(0.08509272390476785) * c_1 +
-      c_2 * mu_2_x;
-  const Scalar N_12_y = Scalar(1.505e-06) * (t84 + t85) + Scalar(0.00023148988883634047) * t88;
-  const Scalar t119 = qd_12 * t86 + s_12 * t83 + c_12 * t80 + t86 * omega_12_z;
-  const Scalar t120 = t78 + t80;
-  const Scalar N_12_x = Scalar(-0.000615720268358608) * t120 -
-      Scalar(0.0005411142213171667) * t119 - Scalar(0.00023148988883634047) * (t89 - t86 * t86) +
+  const Scalar t94 = Scalar(1.505e-06) * t15 - Scalar(3.01e-06) * qd_1 * t10 * omega_3_z +
+      Scalar(0.00023148988883634047) * t14;
+  const Scalar U_2_zx = t79 + c_2 * t91;
+  const Scalar t95 = Scalar(-6.823068516838894e-08) * (t1 - t78) -
+      Scalar(1.609852873477455e-07) * t92 + Scalar(0.000020065123418265) * s_1 +
+      Scalar(0.000015550028164806267) * U_2_zx + c_3 * t94 + Scalar(0.0007940924716883453) * t8 -
+      s_3 * t93;
+  const Scalar U_2_yy_zz = t1 - t5;
+  const Scalar t96 = Scalar(1.609852873477455e-07) * U_2_zx -
+      Scalar(6.823068516838894e-08) * U_2_yx + s_3 * t94 - Scalar(0.000615720268358608) * t90 -
+      Scalar(0.0007940924716883453) * U_2_yy_zz + c_3 * t93 - Scalar(0.002280028171323094) * t92 +
+      Scalar(0.1737624403145115) * s_1;
+  tau[0] = Scalar(0.00035882787553735663) * qdd_1 + s_2 * t95 + Scalar(0.08509272390476785) * c_1 +
+      c_2 * t96;
+  const Scalar U_12_yy_zz = t46 - t61;
+  const Scalar t97 = Scalar(2.0) * qd_10;
+  const Scalar t98 = qdd_10 * t55 + t97 * t57 * omega_12_z;
+  const Scalar t99 = qd_11 * t97;
+  const Scalar t100 = s_11 * t99 - t65;
+  const Scalar t101 = Scalar(0.00023148988883634047) * U_12_yy_zz -
+      Scalar(0.000615720268358608) * t100 - Scalar(0.0005411142213171667) * t98 +
       Scalar(0.037751348953737156) * s_10;
-  const Scalar U_11_zx = t81 + t83;
-  const Scalar t121 = t91 + t68;
-  const Scalar U_11_zz_xx = t92 - t121;
-  const Scalar mu_11_y = Scalar(-6.823068516838894e-08) * U_11_zz_xx -
-      Scalar(1.609852873477455e-07) * t120 + Scalar(0.000020065123418265) * s_10 -
-      Scalar(0.000015550028164806267) * U_11_zx + c_12 * N_12_y +
-      Scalar(0.0007940924716883453) * t75 + s_12 * N_12_x;
-  const Scalar mu_11_x = Scalar(-6.823068516838894e-08) * U_11_yx -
-      Scalar(1.609852873477455e-07) * U_11_zx - s_12 * N_12_y -
-      Scalar(0.000615720268358608) * t119 - Scalar(0.0007940924716883453) * (t70 - t121) -
-      Scalar(0.002280028171323094) * t120 + c_12 * N_12_x + Scalar(0.1737624403145115) * s_10;
+  const Scalar t102 = Scalar(3.01e-06) * qd_10 * t55 * omega_12_z - Scalar(1.505e-06) * t60 +
+      Scalar(0.00023148988883634047) * t59;
+  const Scalar U_11_zx = t64 + c_11 * t99;
+  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t46 - t63) -
+      Scalar(1.609852873477455e-07) * t100 + Scalar(0.000020065123418265) * s_10 -
+      Scalar(0.000015550028164806267) * U_11_zx + c_12 * t102 +
+      Scalar(0.0007940924716883453) * t53 + s_12 * t101;
+  const Scalar U_11_yy_zz = t46 - t50;
+  const Scalar t103 = Scalar(-6.823068516838894e-08) * U_11_yx -
+      Scalar(1.609852873477455e-07) * U_11_zx - s_12 * t102 - Scalar(0.000615720268358608) * t98 +
+      Scalar(0.0007940924716883453) * U_11_yy_zz + c_12 * t101 -
+      Scalar(0.002280028171323094) * t100 + Scalar(0.1737624403145115) * s_10;
   tau[9] = Scalar(0.00035882787553735663) * qdd_10 - s_11 * mu_11_y -
-      Scalar(0.08509272390476785) * c_10 + c_11 * mu_11_x;
-  const Scalar N_6_y = Scalar(1.505e-06) * (t40 + t41) + Scalar(0.00023148988883634047) * t44;
-  const Scalar t122 = qd_6 * t42 + s_6 * t39 + c_6 * t36 + t42 * omega_6_z;
-  const Scalar t123 = t34 + t36;
-  const Scalar N_6_x = Scalar(-0.000615720268358608) * t123 - Scalar(0.0005411142213171667) * t122 -
-      Scalar(0.00023148988883634047) * (t99 - t42 * t42) + Scalar(0.037751348953737156) * s_4;
-  const Scalar U_5_zx = t37 + t39;
-  const Scalar t124 = t101 + t24;
-  const Scalar U_5_zz_xx = t102 - t124;
-  const Scalar mu_5_y = Scalar(-6.823068516838894e-08) * U_5_zz_xx -
-      Scalar(1.609852873477455e-07) * t123 + Scalar(0.000020065123418265) * s_4 -
-      Scalar(0.000015550028164806267) * U_5_zx + c_6 * N_6_y + Scalar(0.0007940924716883453) * t31 +
-      s_6 * N_6_x;
-  const Scalar mu_5_x = Scalar(-6.823068516838894e-08) * U_5_yx -
-      Scalar(1.609852873477455e-07) * U_5_zx - s_6 * N_6_y - Scalar(0.000615720268358608) * t122 -
-      Scalar(0.0007940924716883453) * (t26 - t124) - Scalar(0.002280028171323094) * t123 +
-      c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
+      Scalar(0.08509272390476785) * c_10 + c_11 * t103;
+  const Scalar U_6_yy_zz = t16 - t71;
+  const Scalar t104 = Scalar(2.0) * qd_4;
+  const Scalar t105 = qdd_4 * t25 + t104 * t27 * omega_6_z;
+  const Scalar t106 = qd_5 * t104;
+  const Scalar t107 = s_5 * t106 - t75;
+  const Scalar t108 = Scalar(0.00023148988883634047) * U_6_yy_zz -
+      Scalar(0.000615720268358608) * t107 - Scalar(0.0005411142213171667) * t105 +
+      Scalar(0.037751348953737156) * s_4;
+  const Scalar t109 = Scalar(3.01e-06) * qd_4 * t25 * omega_6_z - Scalar(1.505e-06) * t30 +
+      Scalar(0.00023148988883634047) * t29;
+  const Scalar U_5_zx = t74 + c_5 * t106;
+  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t16 - t73) -
+      Scalar(1.609852873477455e-07) * t107 + Scalar(0.000020065123418265) * s_4 -
+      Scalar(0.000015550028164806267) * U_5_zx + c_6 * t109 + Scalar(0.0007940924716883453) * t23 +
+      s_6 * t108;
+  const Scalar U_5_yy_zz = t16 - t20;
+  const Scalar t110 = Scalar(-6.823068516838894e-08) * U_5_yx -
+      Scalar(1.609852873477455e-07) * U_5_zx - s_6 * t109 - Scalar(0.000615720268358608) * t105 +
+      Scalar(0.0007940924716883453) * U_5_yy_zz + c_6 * t108 - Scalar(0.002280028171323094) * t107 +
+      Scalar(0.1737624403145115) * s_4;
   tau[3] = Scalar(0.00035882787553735663) * qdd_4 - s_5 * mu_5_y -
-      Scalar(0.08509272390476785) * c_4 + c_5 * mu_5_x;
+      Scalar(0.08509272390476785) * c_4 + c_5 * t110;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -363,7 +344,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]   in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 329 mul, 270 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 326 mul, 242 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
@@ -381,251 +362,235 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = c_2 * qd_1;
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = qd_2 * qd_2;
-  const Scalar t4 = t2 + t3;
-  const Scalar t5 = Scalar(9.81) * c_1;
-  const Scalar t6 = s_3 * (Scalar(0.16) * t4 + c_2 * t5);
-  const Scalar t7 = s_2 * qd_1;
-  const Scalar t8 = t7 * t1;
+  const Scalar t1 = qd_1 * qd_1;
+  const Scalar t2 = c_2 * t1;
+  const Scalar t3 = c_2 * t2;
+  const Scalar t4 = qd_2 * qd_2;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = Scalar(9.81) * c_1;
+  const Scalar t7 = s_3 * (Scalar(0.16) * t5 + c_2 * t6);
+  const Scalar t8 = s_2 * t2;
   const Scalar t9 = t8 + qdd_2;
-  const Scalar t10 = t6 + c_3 * (Scalar(0.16) * t9 + s_2 * t5);
-  const Scalar t11 = s_3 * t7 - c_3 * t1;
-  const Scalar t12 = qd_2 * t7;
-  const Scalar t13 = c_2 * qdd_1;
-  const Scalar t14 = t12 - t13;
-  const Scalar t15 = qd_2 * t1;
-  const Scalar t16 = s_2 * qdd_1;
-  const Scalar t17 = t15 + t16;
-  const Scalar t18 = qd_3 * t11 + s_3 * t14 - c_3 * t17;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t19 = t11 * omega_3_z;
-  const Scalar t20 = s_3 * t1 + c_3 * t7;
-  const Scalar t21 = t11 * t20;
+  const Scalar t10 = t7 + c_3 * (Scalar(0.16) * t9 + s_2 * t6);
+  const Scalar t11 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t12 = t1 * t11;
+  const Scalar t13 = c_2 * s_3 + s_2 * c_3;
+  const Scalar t14 = t13 * t12;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar t22 = domega_3_z - t21;
-  const Scalar U_3_yx = t21 + domega_3_z;
-  const Scalar N_3_z = Scalar(1.505e-06) * U_3_yx - Scalar(0.00023148988883634047) * (t18 - t19) +
-      Scalar(0.0005411142213171667) * t22 + Scalar(0.0038482516772413) * t10;
+  const Scalar t15 = domega_3_z - t14;
+  const Scalar U_3_yx = t14 + domega_3_z;
+  const Scalar t16 = qdd_1 * t13;
+  const Scalar N_3_z = Scalar(1.505e-06) * U_3_yx + Scalar(0.00023148988883634047) * t16 +
+      Scalar(0.0005411142213171667) * t15 + Scalar(0.0038482516772413) * t10;
   tau[2] = N_3_z;
-  const Scalar t23 = c_5 * qd_4;
-  const Scalar t24 = t23 * t23;
-  const Scalar t25 = qd_5 * qd_5;
-  const Scalar t26 = t24 + t25;
-  const Scalar t27 = Scalar(9.81) * c_4;
-  const Scalar t28 = s_6 * (Scalar(0.16) * t26 + c_5 * t27);
-  const Scalar t29 = s_5 * qd_4;
-  const Scalar t30 = t29 * t23;
-  const Scalar t31 = t30 + qdd_5;
-  const Scalar t32 = t28 + c_6 * (Scalar(0.16) * t31 + s_5 * t27);
-  const Scalar t33 = s_6 * t29 - c_6 * t23;
-  const Scalar t34 = qd_5 * t29;
-  const Scalar t35 = c_5 * qdd_4;
-  const Scalar t36 = t34 - t35;
-  const Scalar t37 = qd_5 * t23;
-  const Scalar t38 = s_5 * qdd_4;
-  const Scalar t39 = t37 + t38;
-  const Scalar t40 = qd_6 * t33 + s_6 * t36 - c_6 * t39;
-  const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t41 = t33 * omega_6_z;
-  const Scalar t42 = s_6 * t23 + c_6 * t29;
-  const Scalar t43 = t33 * t42;
+  const Scalar t17 = qd_4 * qd_4;
+  const Scalar t18 = c_5 * t17;
+  const Scalar t19 = c_5 * t18;
+  const Scalar t20 = qd_5 * qd_5;
+  const Scalar t21 = t19 + t20;
+  const Scalar t22 = Scalar(9.81) * c_4;
+  const Scalar t23 = s_6 * (Scalar(0.16) * t21 + c_5 * t22);
+  const Scalar t24 = s_5 * t18;
+  const Scalar t25 = t24 + qdd_5;
+  const Scalar t26 = t23 + c_6 * (Scalar(0.16) * t25 + s_5 * t22);
+  const Scalar t27 = s_5 * s_6 - c_5 * c_6;
+  const Scalar t28 = t17 * t27;
+  const Scalar t29 = c_5 * s_6 + s_5 * c_6;
+  const Scalar t30 = t29 * t28;
   const Scalar domega_6_z = qdd_5 + qdd_6;
-  const Scalar t44 = domega_6_z - t43;
-  const Scalar U_6_yx = t43 + domega_6_z;
-  const Scalar N_6_z = Scalar(1.505e-06) * U_6_yx + Scalar(0.00023148988883634047) * (t40 - t41) +
-      Scalar(0.0005411142213171667) * t44 + Scalar(0.0038482516772413) * t32;
-  tau[5] = N_6_z;
-  const Scalar t45 = c_8 * qd_7;
-  const Scalar t46 = t45 * t45;
-  const Scalar t47 = qd_8 * qd_8;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = Scalar(9.81) * c_7;
-  const Scalar t50 = s_9 * (Scalar(0.16) * t48 + c_8 * t49);
-  const Scalar t51 = s_8 * qd_7;
-  const Scalar t52 = t51 * t45;
-  const Scalar t53 = t52 + qdd_8;
-  const Scalar t54 = t50 + c_9 * (Scalar(0.16) * t53 + s_8 * t49);
-  const Scalar t55 = s_9 * t51 - c_9 * t45;
-  const Scalar t56 = qd_8 * t51;
-  const Scalar t57 = c_8 * qdd_7;
-  const Scalar t58 = t56 - t57;
-  const Scalar t59 = qd_8 * t45;
-  const Scalar t60 = s_8 * qdd_7;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = qd_9 * t55 + s_9 * t58 - c_9 * t61;
-  const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t63 = t55 * omega_9_z;
-  const Scalar t64 = s_9 * t45 + c_9 * t51;
-  const Scalar t65 = t55 * t64;
+  const Scalar t31 = domega_6_z - t30;
+  const Scalar U_6_yx = t30 + domega_6_z;
+  const Scalar t32 = qdd_4 * t29;
+  const Scalar tau_6 = Scalar(1.505e-06) * U_6_yx - Scalar(0.00023148988883634047) * t32 +
+      Scalar(0.0005411142213171667) * t31 + Scalar(0.0038482516772413) * t26;
+  tau[5] = tau_6;
+  const Scalar t33 = qd_7 * qd_7;
+  const Scalar t34 = c_8 * t33;
+  const Scalar t35 = c_8 * t34;
+  const Scalar t36 = qd_8 * qd_8;
+  const Scalar t37 = t35 + t36;
+  const Scalar t38 = Scalar(9.81) * c_7;
+  const Scalar t39 = s_9 * (Scalar(0.16) * t37 + c_8 * t38);
+  const Scalar t40 = s_8 * t34;
+  const Scalar t41 = t40 + qdd_8;
+  const Scalar t42 = t39 + c_9 * (Scalar(0.16) * t41 + s_8 * t38);
+  const Scalar t43 = s_8 * s_9 - c_8 * c_9;
+  const Scalar t44 = t33 * t43;
+  const Scalar t45 = c_8 * s_9 + s_8 * c_9;
+  const Scalar t46 = t45 * t44;
   const Scalar domega_9_z = qdd_8 + qdd_9;
-  const Scalar t66 = domega_9_z - t65;
-  const Scalar U_9_yx = t65 + domega_9_z;
-  const Scalar N_9_z = Scalar(1.505e-06) * U_9_yx - Scalar(0.00023148988883634047) * (t62 - t63) +
-      Scalar(0.0005411142213171667) * t66 + Scalar(0.0038482516772413) * t54;
+  const Scalar t47 = domega_9_z - t46;
+  const Scalar U_9_yx = t46 + domega_9_z;
+  const Scalar t48 = qdd_7 * t45;
+  const Scalar N_9_z = Scalar(1.505e-06) * U_9_yx + Scalar(0.00023148988883634047) * t48 +
+      Scalar(0.0005411142213171667) * t47 + Scalar(0.0038482516772413) * t42;
   tau[8] = N_9_z;
-  const Scalar t67 = s_10 * h_e_2 - c_10 * h_e_3;
-  const Scalar t68 = s_11 * h_e_1 - c_11 * t67;
-  const Scalar f_e11_x = s_11 * t67 + c_11 * h_e_1;
-  const Scalar t69 = s_12 * t68 - c_12 * f_e11_x;
-  const Scalar t70 = c_11 * qd_10;
-  const Scalar t71 = t70 * t70;
-  const Scalar t72 = qd_11 * qd_11;
-  const Scalar t73 = t71 + t72;
-  const Scalar t74 = Scalar(9.81) * c_10;
-  const Scalar t75 = s_12 * (Scalar(0.16) * t73 + c_11 * t74);
-  const Scalar t76 = s_11 * qd_10;
-  const Scalar t77 = t76 * t70;
-  const Scalar t78 = t77 + qdd_11;
-  const Scalar t79 = t75 + c_12 * (Scalar(0.16) * t78 + s_11 * t74);
-  const Scalar t80 = s_12 * t76 - c_12 * t70;
-  const Scalar t81 = qd_11 * t76;
-  const Scalar t82 = c_11 * qdd_10;
-  const Scalar t83 = t81 - t82;
-  const Scalar t84 = qd_11 * t70;
-  const Scalar t85 = s_11 * qdd_10;
-  const Scalar t86 = t84 + t85;
-  const Scalar t87 = qd_12 * t80 + s_12 * t83 - c_12 * t86;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t88 = t80 * omega_12_z;
-  const Scalar t89 = s_12 * t70 + c_12 * t76;
-  const Scalar t90 = t80 * t89;
+  const Scalar t49 = s_10 * h_e_2 - c_10 * h_e_3;
+  const Scalar t50 = s_11 * h_e_1 - c_11 * t49;
+  const Scalar f_e11_x = s_11 * t49 + c_11 * h_e_1;
+  const Scalar t51 = s_12 * t50 - c_12 * f_e11_x;
+  const Scalar t52 = qd_10 * qd_10;
+  const Scalar t53 = c_11 * t52;
+  const Scalar t54 = c_11 * t53;
+  const Scalar t55 = qd_11 * qd_11;
+  const Scalar t56 = t54 + t55;
+  const Scalar t57 = Scalar(9.81) * c_10;
+  const Scalar t58 = s_12 * (Scalar(0.16) * t56 + c_11 * t57);
+  const Scalar t59 = s_11 * t53;
+  const Scalar t60 = t59 + qdd_11;
+  const Scalar t61 = t58 + c_12 * (Scalar(0.16) * t60 + s_11 * t57);
+  const Scalar t62 = s_11 * s_12 - c_11 * c_12;
+  const Scalar t63 = t52 * t62;
+  const Scalar t64 = c_11 * s_12 + s_11 * c_12;
+  const Scalar t65 = t64 * t63;
   const Scalar domega_12_z = qdd_11 + qdd_12;
-  const Scalar t91 = domega_12_z - t90;
-  const Scalar U_12_yx = t90 + domega_12_z;
-  const Scalar mu_12_z = Scalar(1.505e-06) * U_12_yx +
-      Scalar(0.00023148988883634047) * (t87 - t88) + Scalar(0.0005411142213171667) * t91 +
-      Scalar(0.0038482516772413) * t79 + Scalar(0.16) * t69 + s_10 * h_e_6 + c_10 * h_e_5;
+  const Scalar t66 = domega_12_z - t65;
+  const Scalar U_12_yx = t65 + domega_12_z;
+  const Scalar t67 = qdd_10 * t64;
+  const Scalar mu_12_z = Scalar(1.505e-06) * U_12_yx - Scalar(0.00023148988883634047) * t67 +
+      Scalar(0.0005411142213171667) * t66 + Scalar(0.0038482516772413) * t61 + Scalar(0.16) * t51 +
+      s_10 * h_e_6 + c_10 * h_e_5;
   tau[11] = mu_12_z;
-  const Scalar t92 = omega_9_z * omega_9_z;
-  const Scalar t93 = s_9 * (t55 * t55 + t92);
-  const Scalar t94 = t51 * t51;
-  const Scalar t95 = t94 + t47;
-  const Scalar U_8_yx = qdd_8 - t52;
-  const Scalar t96 = Scalar(6.823068516838894e-08) * t57 -
-      Scalar(1.609852873477455e-07) * (t95 - t48) + Scalar(0.000020065123418265) * c_7 * c_8 -
-      Scalar(0.000015550028164806267) * U_8_yx - Scalar(0.0007940924716883453) * t60 -
-      Scalar(0.000615720268358608) * c_9 * t66 + Scalar(0.000615720268358608) * t93 -
-      Scalar(0.002280028171323094) * t53 - N_9_z - Scalar(0.1737624403145115) * c_7 * s_8;
-  tau[7] = -t96;
-  const Scalar t97 = omega_6_z * omega_6_z;
-  const Scalar t98 = s_6 * (t33 * t33 + t97);
-  const Scalar t99 = t29 * t29;
-  const Scalar t100 = t99 + t25;
-  const Scalar U_5_yx = qdd_5 - t30;
-  const Scalar t101 = Scalar(6.823068516838894e-08) * t35 +
-      Scalar(1.609852873477455e-07) * (t100 - t26) - Scalar(0.000020065123418265) * c_4 * c_5 -
-      Scalar(0.000015550028164806267) * U_5_yx + Scalar(0.0007940924716883453) * t38 -
-      Scalar(0.000615720268358608) * c_6 * t44 + Scalar(0.000615720268358608) * t98 -
-      Scalar(0.002280028171323094) * t31 - N_6_z - Scalar(0.1737624403145115) * c_4 * s_5;
-  tau[4] = -t101;
-  const Scalar t102 = omega_3_z * omega_3_z;
-  const Scalar t103 = s_3 * (t11 * t11 + t102);
-  const Scalar t104 = t7 * t7;
-  const Scalar t105 = t104 + t3;
+  const Scalar omega_9_z = qd_8 + qd_9;
+  const Scalar t68 = t43 * t44 + omega_9_z * omega_9_z;
+  const Scalar t69 = s_9 * t68 - c_9 * t47;
+  const Scalar t70 = t36 - t35 + t33;
+  const Scalar U_8_yx = qdd_8 - t40;
+  const Scalar t71 = s_8 * qdd_7;
+  const Scalar t72 = c_8 * qdd_7;
+  tau[7] = Scalar(1.609852873477455e-07) * (t70 - t37) - Scalar(6.823068516838894e-08) * t72 -
+      Scalar(0.000020065123418265) * c_7 * c_8 + Scalar(0.000015550028164806267) * U_8_yx +
+      Scalar(0.0007940924716883453) * t71 - Scalar(0.000615720268358608) * t69 +
+      Scalar(0.002280028171323094) * t41 + N_9_z + Scalar(0.1737624403145115) * c_7 * s_8;
+  const Scalar omega_6_z = qd_5 + qd_6;
+  const Scalar t73 = t27 * t28 + omega_6_z * omega_6_z;
+  const Scalar t74 = s_6 * t73 - c_6 * t31;
+  const Scalar t75 = t20 - t19 + t17;
+  const Scalar U_5_yx = qdd_5 - t24;
+  const Scalar t76 = s_5 * qdd_4;
+  const Scalar t77 = c_5 * qdd_4;
+  tau[4] = Scalar(-6.823068516838894e-08) * t77 - Scalar(1.609852873477455e-07) * (t75 - t21) +
+      Scalar(0.000020065123418265) * c_4 * c_5 + Scalar(0.000015550028164806267) * U_5_yx -
+      Scalar(0.0007940924716883453) * t76 - Scalar(0.000615720268358608) * t74 +
+      Scalar(0.002280028171323094) * t25 + tau_6 + Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t78 = t11 * t12 + omega_3_z * omega_3_z;
+  const Scalar t79 = s_3 * t78 - c_3 * t15;
+  const Scalar t80 = t4 - t3 + t1;
   const Scalar U_2_yx = qdd_2 - t8;
-  const Scalar t106 = Scalar(6.823068516838894e-08) * t13 -
-      Scalar(1.609852873477455e-07) * (t105 - t4) + Scalar(0.000020065123418265) * c_1 * c_2 -
-      Scalar(0.000015550028164806267) * U_2_yx - Scalar(0.0007940924716883453) * t16 -
-      Scalar(0.000615720268358608) * c_3 * t22 + Scalar(0.000615720268358608) * t103 -
-      Scalar(0.002280028171323094) * t9 - N_3_z - Scalar(0.1737624403145115) * c_1 * s_2;
-  tau[1] = -t106;
-  const Scalar t107 = s_12 * f_e11_x + c_12 * t68;
-  const Scalar t108 = omega_12_z * omega_12_z;
-  const Scalar t109 = s_12 * (Scalar(0.0038482516772413) * (t80 * t80 + t108) + t107);
-  const Scalar f_u_12_t_x = t109 - c_12 * (Scalar(0.0038482516772413) * t91 + t69);
-  const Scalar t110 = t76 * t76;
-  const Scalar t111 = t110 + t72;
-  const Scalar U_11_yx = qdd_11 - t77;
-  const Scalar t112 = Scalar(6.823068516838894e-08) * t82 +
-      Scalar(1.609852873477455e-07) * (t111 - t73) - Scalar(0.000020065123418265) * c_10 * c_11 -
-      Scalar(0.000015550028164806267) * U_11_yx + Scalar(0.0007940924716883453) * t85 -
-      Scalar(0.002280028171323094) * t78 - Scalar(0.1737624403145115) * c_10 * s_11 +
-      Scalar(0.16) * f_u_12_t_x - mu_12_z;
-  tau[10] = -t112;
-  const Scalar t113 = Scalar(0.00023148988883634047) * t66 - Scalar(1.505e-06) * (t62 + t63);
-  const Scalar t114 = qd_9 * t64 + s_9 * t61 + c_9 * t58 + t64 * omega_9_z;
-  const Scalar t115 = t56 + t58;
-  const Scalar N_9_x = Scalar(0.00023148988883634047) * (t92 - t64 * t64) -
-      Scalar(0.000615720268358608) * t115 - Scalar(0.0005411142213171667) * t114 +
+  const Scalar t81 = s_2 * qdd_1;
+  const Scalar t82 = c_2 * qdd_1;
+  tau[1] = Scalar(1.609852873477455e-07) * (t80 - t5) - Scalar(6.823068516838894e-08) * t82 -
+      Scalar(0.000020065123418265) * c_1 * c_2 + Scalar(0.000015550028164806267) * U_2_yx +
+      Scalar(0.0007940924716883453) * t81 - Scalar(0.000615720268358608) * t79 +
+      Scalar(0.002280028171323094) * t9 + N_3_z + Scalar(0.1737624403145115) * c_1 * s_2;
+  const Scalar t83 = s_12 * f_e11_x + c_12 * t50;
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t84 = t62 * t63 + omega_12_z * omega_12_z;
+  const Scalar f_u_12_t_x = s_12 * (Scalar(0.0038482516772413) * t84 + t83) -
+      c_12 * (Scalar(0.0038482516772413) * t66 + t51);
+  const Scalar t85 = t55 - t54 + t52;
+  const Scalar U_11_yx = qdd_11 - t59;
+  const Scalar t86 = s_11 * qdd_10;
+  const Scalar t87 = c_11 * qdd_10;
+  tau[10] = Scalar(-6.823068516838894e-08) * t87 - Scalar(1.609852873477455e-07) * (t85 - t56) +
+      Scalar(0.000020065123418265) * c_10 * c_11 + Scalar(0.000015550028164806267) * U_11_yx -
+      Scalar(0.0007940924716883453) * t86 + Scalar(0.002280028171323094) * t60 +
+      Scalar(0.1737624403145115) * c_10 * s_11 - Scalar(0.16) * f_u_12_t_x + mu_12_z;
+  const Scalar U_9_yy_zz = t33 - t68;
+  const Scalar t88 = Scalar(2.0) * qd_7;
+  const Scalar t89 = qdd_7 * t43 + t88 * t45 * omega_9_z;
+  const Scalar t90 = qd_8 * t88;
+  const Scalar t91 = s_8 * t90 - t72;
+  const Scalar t92 = Scalar(-0.00023148988883634047) * U_9_yy_zz -
+      Scalar(0.000615720268358608) * t91 - Scalar(0.0005411142213171667) * t89 +
       Scalar(0.037751348953737156) * s_7;
-  const Scalar U_8_zx = t59 + t61;
-  const Scalar t116 = t94 + t46;
-  const Scalar U_8_zz_xx = t95 - t116;
-  const Scalar t117 = Scalar(6.823068516838894e-08) * U_8_zz_xx -
-      Scalar(1.609852873477455e-07) * t115 + Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.000015550028164806267) * U_8_zx + c_9 * t113 + Scalar(0.0007940924716883453) * t53 -
-      s_9 * N_9_x;
-  const Scalar mu_8_x = Scalar(1.609852873477455e-07) * U_8_zx -
-      Scalar(6.823068516838894e-08) * U_8_yx + s_9 * t113 - Scalar(0.000615720268358608) * t114 +
-      Scalar(0.0007940924716883453) * (t48 - t116) - Scalar(0.002280028171323094) * t115 +
-      c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
-  tau[6] = Scalar(0.00035882787553735663) * qdd_7 + s_8 * t117 + Scalar(0.08509272390476785) * c_7 +
-      c_8 * mu_8_x;
-  const Scalar t118 = Scalar(0.00023148988883634047) * t22 - Scalar(1.505e-06) * (t18 + t19);
-  const Scalar t119 = qd_3 * t20 + s_3 * t17 + c_3 * t14 + t20 * omega_3_z;
-  const Scalar t120 = t12 + t14;
-  const Scalar N_3_x = Scalar(0.00023148988883634047) * (t102 - t20 * t20) -
-      Scalar(0.000615720268358608) * t120 - Scalar(0.0005411142213171667) * t119 +
+  const Scalar t93 = Scalar(1.505e-06) * t48 - Scalar(3.01e-06) * qd_7 * t43 * omega_9_z +
+      Scalar(0.00023148988883634047) * t47;
+  const Scalar U_8_zx = t71 + c_8 * t90;
+  const Scalar t94 = Scalar(-6.823068516838894e-08) * (t33 - t70) -
+      Scalar(1.609852873477455e-07) * t91 + Scalar(0.000020065123418265) * s_7 +
+      Scalar(0.000015550028164806267) * U_8_zx + c_9 * t93 + Scalar(0.0007940924716883453) * t41 -
+      s_9 * t92;
+  const Scalar U_8_yy_zz = t33 - t37;
+  const Scalar t95 = Scalar(1.609852873477455e-07) * U_8_zx -
+      Scalar(6.823068516838894e-08) * U_8_yx + s_9 * t93 - Scalar(0.000615720268358608) * t89 -
+      Scalar(0.0007940924716883453) * U_8_yy_zz + c_9 * t92 - Scalar(0.002280028171323094) * t91 +
+      Scalar(0.1737624403145115) * s_7;
+  tau[6] = Scalar(0.00035882787553735663) * qdd_7 + s_8 * t94 + Scalar(0.08509272390476785) * c_7 +
+      c_8 * t95;
+  const Scalar U_3_yy_zz = t1 - t78;
+  const Scalar t96 = Scalar(2.0) * qd_1;
+  const Scalar t97 = qdd_1 * t11 + t96 * t13 * omega_3_z;
+  const Scalar t98 = qd_2 * t96;
+  const Scalar t99 = s_2 * t98 - t82;
+  const Scalar t100 = Scalar(-0.00023148988883634047) * U_3_yy_zz -
+      Scalar(0.000615720268358608) * t99 - Scalar(0.0005411142213171667) * t97 +
       Scalar(0.037751348953737156) * s_1;
-  const Scalar U_2_zx = t15 + t17;
-  const Scalar t121 = t104 + t2;
-  const Scalar U_2_zz_xx = t105 - t121;
-  const Scalar t122 = Scalar(6.823068516838894e-08) * U_2_zz_xx -
-      Scalar(1.609852873477455e-07) * t120 + Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.000015550028164806267) * U_2_zx + c_3 * t118 + Scalar(0.0007940924716883453) * t9 -
-      s_3 * N_3_x;
-  const Scalar mu_2_x = Scalar(1.609852873477455e-07) * U_2_zx -
-      Scalar(6.823068516838894e-08) * U_2_yx + s_3 * t118 - Scalar(0.000615720268358608) * t119 +
-      Scalar(0.0007940924716883453) * (t4 - t121) - Scalar(0.002280028171323094) * t120 +
-      c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
-  tau[0] = Scalar(0.00035882787553735663) * qdd_1 + s_2 * t122 + Scalar(0.08509272390476785) * c_1 +
-      c_2 * mu_2_x;
-  const Scalar t123 = qd_12 * t89 + s_12 * t86 + c_12 * t83 + t89 * omega_12_z;
-  const Scalar t124 = s_10 * h_e_5 - c_10 * h_e_6;
-  const Scalar t125 = s_11 * h_e_4 - c_11 * t124;
-  const Scalar mu_e11_x = s_11 * t124 + c_11 * h_e_4;
-  const Scalar t126 = t81 + t83;
+  const Scalar t101 = Scalar(1.505e-06) * t16 - Scalar(3.01e-06) * qd_1 * t11 * omega_3_z +
+      Scalar(0.00023148988883634047) * t15;
+  const Scalar U_2_zx = t81 + c_2 * t98;
+  const Scalar t102 = Scalar(-6.823068516838894e-08) * (t1 - t80) -
+      Scalar(1.609852873477455e-07) * t99 + Scalar(0.000020065123418265) * s_1 +
+      Scalar(0.000015550028164806267) * U_2_zx + c_3 * t101 + Scalar(0.0007940924716883453) * t9 -
+      s_3 * t100;
+  const Scalar U_2_yy_zz = t1 - t5;
+  const Scalar t103 = Scalar(1.609852873477455e-07) * U_2_zx -
+      Scalar(6.823068516838894e-08) * U_2_yx + s_3 * t101 - Scalar(0.000615720268358608) * t97 -
+      Scalar(0.0007940924716883453) * U_2_yy_zz + c_3 * t100 - Scalar(0.002280028171323094) * t99 +
+      Scalar(0.1737624403145115) * s_1;
+  tau[0] = Scalar(0.00035882787553735663) * qdd_1 + s_2 * t102 + Scalar(0.08509272390476785) * c_1 +
+      c_2 * t103;
+  const Scalar U_12_yy_zz = t52 - t84;
+  const Scalar t104 = s_10 * h_e_5 - c_10 * h_e_6;
+  const Scalar t105 = s_11 * h_e_4 - c_11 * t104;
+  const Scalar mu_e11_x = s_11 * t104 + c_11 * h_e_4;
+  const Scalar t106 = Scalar(2.0) * qd_10;
+  const Scalar t107 = qdd_10 * t62 + t106 * t64 * omega_12_z;
+  const Scalar t108 = qd_11 * t106;
+  const Scalar t109 = s_11 * t108 - t87;
   const Scalar f_e10_y = s_10 * h_e_3 + c_10 * h_e_2;
-  const Scalar t127 = Scalar(0.16) * f_e10_y;
-  const Scalar mu_12_x = Scalar(-0.000615720268358608) * t126 -
-      Scalar(0.0005411142213171667) * t123 - Scalar(0.00023148988883634047) * (t108 - t89 * t89) +
-      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t107 + t127 - s_12 * t125 +
+  const Scalar t110 = Scalar(0.16) * f_e10_y;
+  const Scalar mu_12_x = Scalar(0.00023148988883634047) * U_12_yy_zz -
+      Scalar(0.000615720268358608) * t109 - Scalar(0.0005411142213171667) * t107 +
+      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t83 + t110 - s_12 * t105 +
       c_12 * mu_e11_x;
-  const Scalar t128 = Scalar(1.505e-06) * (t87 + t88) + Scalar(0.00023148988883634047) * t91 +
-      Scalar(0.05945) * t69 - s_12 * mu_e11_x - c_12 * t125;
-  const Scalar U_11_zx = t84 + t86;
-  const Scalar t129 = t110 + t71;
-  const Scalar U_11_zz_xx = t111 - t129;
-  const Scalar mu_11_y = Scalar(-6.823068516838894e-08) * U_11_zz_xx -
-      Scalar(1.609852873477455e-07) * t126 + Scalar(0.000020065123418265) * s_10 -
-      Scalar(0.000015550028164806267) * U_11_zx + Scalar(0.0007940924716883453) * t78 +
-      s_12 * mu_12_x + c_12 * t128;
+  const Scalar t111 = Scalar(3.01e-06) * qd_10 * t62 * omega_12_z - Scalar(1.505e-06) * t67 +
+      Scalar(0.00023148988883634047) * t66 + Scalar(0.05945) * t51 - s_12 * mu_e11_x - c_12 * t105;
+  const Scalar U_11_zx = t86 + c_11 * t108;
+  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t52 - t85) -
+      Scalar(1.609852873477455e-07) * t109 + Scalar(0.000020065123418265) * s_10 -
+      Scalar(0.000015550028164806267) * U_11_zx + Scalar(0.0007940924716883453) * t60 +
+      s_12 * mu_12_x + c_12 * t111;
+  const Scalar U_11_yy_zz = t52 - t56;
   const Scalar mu_11_x = Scalar(-6.823068516838894e-08) * U_11_yx -
-      Scalar(1.609852873477455e-07) * U_11_zx - Scalar(0.000615720268358608) * t123 -
-      Scalar(0.0007940924716883453) * (t73 - t129) - Scalar(0.002280028171323094) * t126 +
-      Scalar(0.1737624403145115) * s_10 + t127 - s_12 * t128 + c_12 * mu_12_x;
+      Scalar(1.609852873477455e-07) * U_11_zx - Scalar(0.000615720268358608) * t107 +
+      Scalar(0.0007940924716883453) * U_11_yy_zz - Scalar(0.002280028171323094) * t109 +
+      Scalar(0.1737624403145115) * s_10 + t110 - s_12 * t111 + c_12 * mu_12_x;
   tau[9] = Scalar(0.00035882787553735663) * qdd_10 - Scalar(0.08509272390476785) * c_10 -
       s_11 * mu_11_y + c_11 * mu_11_x;
-  const Scalar N_6_y = Scalar(1.505e-06) * (t40 + t41) + Scalar(0.00023148988883634047) * t44;
-  const Scalar t130 = qd_6 * t42 + s_6 * t39 + c_6 * t36 + t42 * omega_6_z;
-  const Scalar t131 = t34 + t36;
-  const Scalar N_6_x = Scalar(-0.000615720268358608) * t131 - Scalar(0.0005411142213171667) * t130 -
-      Scalar(0.00023148988883634047) * (t97 - t42 * t42) + Scalar(0.037751348953737156) * s_4;
-  const Scalar U_5_zx = t37 + t39;
-  const Scalar t132 = t99 + t24;
-  const Scalar U_5_zz_xx = t100 - t132;
-  const Scalar mu_5_y = Scalar(-6.823068516838894e-08) * U_5_zz_xx -
-      Scalar(1.609852873477455e-07) * t131 + Scalar(0.000020065123418265) * s_4 -
-      Scalar(0.000015550028164806267) * U_5_zx + c_6 * N_6_y + Scalar(0.0007940924716883453) * t31 +
-      s_6 * N_6_x;
-  const Scalar mu_5_x = Scalar(-6.823068516838894e-08) * U_5_yx -
-      Scalar(1.609852873477455e-07) * U_5_zx - s_6 * N_6_y - Scalar(0.000615720268358608) * t130 -
-      Scalar(0.0007940924716883453) * (t26 - t132) - Scalar(0.002280028171323094) * t131 +
-      c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
+  const Scalar U_6_yy_zz = t17 - t73;
+  const Scalar t112 = Scalar(2.0) * qd_4;
+  const Scalar t113 = qdd_4 * t27 + t112 * t29 * omega_6_z;
+  const Scalar t114 = qd_5 * t112;
+  const Scalar t115 = s_5 * t114 - t77;
+  const Scalar t116 = Scalar(0.00023148988883634047) * U_6_yy_zz -
+      Scalar(0.000615720268358608) * t115 - Scalar(0.0005411142213171667) * t113 +
+      Scalar(0.037751348953737156) * s_4;
+  const Scalar t117 = Scalar(3.01e-06) * qd_4 * t27 * omega_6_z - Scalar(1.505e-06) * t32 +
+      Scalar(0.00023148988883634047) * t31;
+  const Scalar U_5_zx = t76 + c_5 * t114;
+  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t17 - t75) -
+      Scalar(1.609852873477455e-07) * t115 + Scalar(0.000020065123418265) * s_4 -
+      Scalar(0.000015550028164806267) * U_5_zx + c_6 * t117 + Scalar(0.0007940924716883453) * t25 +
+      s_6 * t116;
+  const Scalar U_5_yy_zz = t17 - t21;
+  const Scalar t118 = Scalar(-6.823068516838894e-08) * U_5_yx -
+      Scalar(1.609852873477455e-07) * U_5_zx - s_6 * t117 - Scalar(0.000615720268358608) * t113 +
+      Scalar(0.0007940924716883453) * U_5_yy_zz + c_6 * t116 - Scalar(0.002280028171323094) * t115 +
+      Scalar(0.1737624403145115) * s_4;
   tau[3] = Scalar(0.00035882787553735663) * qdd_4 - s_5 * mu_5_y -
-      Scalar(0.08509272390476785) * c_4 + c_5 * mu_5_x;
+      Scalar(0.08509272390476785) * c_4 + c_5 * t118;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -1187,7 +1152,7 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
 //   q[12]   in   joint positions, rad or m
 //   qd[12]  in   joint velocities, rad/s or m/s
 //   n[12]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11]. Operations: 252 mul, 160 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11]. Operations: 232 mul, 160 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
@@ -1200,163 +1165,155 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = qd_1 * qd_1;
-  const Scalar t2 = c_2 * t1;
-  const Scalar t3 = c_2 * t2;
-  const Scalar t4 = qd_2 * qd_2;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = Scalar(9.81) * c_1;
-  const Scalar t7 = s_2 * t2;
-  const Scalar t8 = c_3 * (Scalar(0.16) * t7 + s_2 * t6);
-  const Scalar t9 = t8 + s_3 * (Scalar(0.16) * t5 + c_2 * t6);
-  const Scalar t10 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t11 = t1 * t10;
-  const Scalar t12 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t13 = t12 * t11;
-  const Scalar N_3_z = Scalar(0.0005396092213171668) * t13 + Scalar(0.0038482516772413) * t9;
+  const Scalar t1 = c_2 * qd_1;
+  const Scalar t2 = t1 * t1;
+  const Scalar t3 = qd_2 * qd_2;
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = Scalar(61.3125) * c_1;
+  const Scalar t6 = s_2 * qd_1;
+  const Scalar t7 = t1 * t6;
+  const Scalar t8 = s_3 * (t4 + c_2 * t5) + c_3 * (t7 + s_2 * t5);
+  const Scalar t9 = s_3 * t6 - c_3 * t1;
+  const Scalar t10 = s_3 * t1 + c_3 * t6;
+  const Scalar t11 = t9 * t10;
+  const Scalar N_3_z = Scalar(0.000615720268358608) * t8 - Scalar(0.0005396092213171668) * t11;
   n[2] = N_3_z;
-  const Scalar t14 = qd_4 * qd_4;
-  const Scalar t15 = c_5 * t14;
-  const Scalar t16 = c_5 * t15;
-  const Scalar t17 = qd_5 * qd_5;
-  const Scalar t18 = t16 + t17;
-  const Scalar t19 = Scalar(9.81) * c_4;
-  const Scalar t20 = s_5 * t15;
-  const Scalar t21 = c_6 * (Scalar(0.16) * t20 + s_5 * t19);
-  const Scalar t22 = t21 + s_6 * (Scalar(0.16) * t18 + c_5 * t19);
-  const Scalar t23 = c_5 * c_6 - s_5 * s_6;
-  const Scalar t24 = t14 * t23;
-  const Scalar t25 = s_5 * c_6 + c_5 * s_6;
-  const Scalar t26 = t25 * t24;
-  const Scalar N_6_z = Scalar(0.0005396092213171668) * t26 + Scalar(0.0038482516772413) * t22;
+  const Scalar t12 = c_5 * qd_4;
+  const Scalar t13 = t12 * t12;
+  const Scalar t14 = qd_5 * qd_5;
+  const Scalar t15 = t13 + t14;
+  const Scalar t16 = Scalar(61.3125) * c_4;
+  const Scalar t17 = s_5 * qd_4;
+  const Scalar t18 = t12 * t17;
+  const Scalar t19 = s_6 * (t15 + c_5 * t16) + c_6 * (t18 + s_5 * t16);
+  const Scalar t20 = s_6 * t17 - c_6 * t12;
+  const Scalar t21 = s_6 * t12 + c_6 * t17;
+  const Scalar t22 = t20 * t21;
+  const Scalar N_6_z = Scalar(0.000615720268358608) * t19 - Scalar(0.0005396092213171668) * t22;
   n[5] = N_6_z;
-  const Scalar t27 = qd_7 * qd_7;
-  const Scalar t28 = c_8 * t27;
-  const Scalar t29 = c_8 * t28;
-  const Scalar t30 = qd_8 * qd_8;
-  const Scalar t31 = t29 + t30;
-  const Scalar t32 = Scalar(9.81) * c_7;
-  const Scalar t33 = s_8 * t28;
-  const Scalar t34 = c_9 * (Scalar(0.16) * t33 + s_8 * t32);
-  const Scalar t35 = t34 + s_9 * (Scalar(0.16) * t31 + c_8 * t32);
-  const Scalar t36 = c_8 * c_9 - s_8 * s_9;
-  const Scalar t37 = t27 * t36;
-  const Scalar t38 = s_8 * c_9 + c_8 * s_9;
-  const Scalar t39 = t38 * t37;
-  const Scalar N_9_z = Scalar(0.0005396092213171668) * t39 + Scalar(0.0038482516772413) * t35;
+  const Scalar t23 = c_8 * qd_7;
+  const Scalar t24 = t23 * t23;
+  const Scalar t25 = qd_8 * qd_8;
+  const Scalar t26 = t24 + t25;
+  const Scalar t27 = Scalar(61.3125) * c_7;
+  const Scalar t28 = s_8 * qd_7;
+  const Scalar t29 = t23 * t28;
+  const Scalar t30 = s_9 * (t26 + c_8 * t27) + c_9 * (t29 + s_8 * t27);
+  const Scalar t31 = s_9 * t28 - c_9 * t23;
+  const Scalar t32 = s_9 * t23 + c_9 * t28;
+  const Scalar t33 = t31 * t32;
+  const Scalar N_9_z = Scalar(0.000615720268358608) * t30 - Scalar(0.0005396092213171668) * t33;
   n[8] = N_9_z;
-  const Scalar t40 = qd_10 * qd_10;
-  const Scalar t41 = c_11 * t40;
-  const Scalar t42 = c_11 * t41;
-  const Scalar t43 = qd_11 * qd_11;
-  const Scalar t44 = t42 + t43;
-  const Scalar t45 = Scalar(9.81) * c_10;
-  const Scalar t46 = s_11 * t41;
-  const Scalar t47 = c_12 * (Scalar(0.16) * t46 + s_11 * t45);
-  const Scalar t48 = t47 + s_12 * (Scalar(0.16) * t44 + c_11 * t45);
-  const Scalar t49 = c_11 * c_12 - s_11 * s_12;
-  const Scalar t50 = t40 * t49;
-  const Scalar t51 = s_11 * c_12 + c_11 * s_12;
-  const Scalar t52 = t51 * t50;
-  const Scalar N_12_z = Scalar(0.0005396092213171668) * t52 + Scalar(0.0038482516772413) * t48;
+  const Scalar t34 = c_11 * qd_10;
+  const Scalar t35 = t34 * t34;
+  const Scalar t36 = qd_11 * qd_11;
+  const Scalar t37 = t35 + t36;
+  const Scalar t38 = Scalar(61.3125) * c_10;
+  const Scalar t39 = s_11 * qd_10;
+  const Scalar t40 = t34 * t39;
+  const Scalar t41 = s_12 * (t37 + c_11 * t38) + c_12 * (t40 + s_11 * t38);
+  const Scalar t42 = s_12 * t39 - c_12 * t34;
+  const Scalar t43 = s_12 * t34 + c_12 * t39;
+  const Scalar t44 = t42 * t43;
+  const Scalar N_12_z = Scalar(0.000615720268358608) * t41 - Scalar(0.0005396092213171668) * t44;
   n[11] = N_12_z;
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t53 = omega_12_z * omega_12_z;
-  const Scalar t54 = c_12 * t52 - s_12 * (t49 * t50 + t53);
-  const Scalar t55 = t40 - t42 + t43;
-  n[10] = Scalar(0.000020065123418265) * c_10 * c_11 - Scalar(1.609852873477455e-07) * (t55 - t44) +
-      Scalar(0.0022644781431582876) * t46 + Scalar(0.000615720268358608) * t54 + N_12_z +
-      Scalar(0.1737624403145115) * c_10 * s_11;
+  const Scalar t45 = t42 * t42 + omega_12_z * omega_12_z;
+  const Scalar t46 = qd_10 * qd_10;
+  const Scalar t47 = t36 - t35 + t46;
+  n[10] = Scalar(0.000020065123418265) * c_10 * c_11 - Scalar(1.609852873477455e-07) * (t47 - t37) -
+      Scalar(0.000615720268358608) * c_12 * t44 + Scalar(0.0022644781431582876) * t40 -
+      Scalar(0.000615720268358608) * s_12 * t45 + N_12_z + Scalar(0.1737624403145115) * c_10 * s_11;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t56 = omega_9_z * omega_9_z;
-  const Scalar t57 = c_9 * t39 - s_9 * (t36 * t37 + t56);
-  const Scalar t58 = t27 - t29 + t30;
-  n[7] = Scalar(1.609852873477455e-07) * (t58 - t31) - Scalar(0.000020065123418265) * c_7 * c_8 +
-      Scalar(0.0022644781431582876) * t33 + Scalar(0.000615720268358608) * t57 + N_9_z +
-      Scalar(0.1737624403145115) * c_7 * s_8;
+  const Scalar t48 = t31 * t31 + omega_9_z * omega_9_z;
+  const Scalar t49 = qd_7 * qd_7;
+  const Scalar t50 = t25 - t24 + t49;
+  n[7] = Scalar(1.609852873477455e-07) * (t50 - t26) - Scalar(0.000020065123418265) * c_7 * c_8 -
+      Scalar(0.000615720268358608) * c_9 * t33 + Scalar(0.0022644781431582876) * t29 -
+      Scalar(0.000615720268358608) * s_9 * t48 + N_9_z + Scalar(0.1737624403145115) * c_7 * s_8;
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t59 = omega_6_z * omega_6_z;
-  const Scalar t60 = c_6 * t26 - s_6 * (t23 * t24 + t59);
-  const Scalar t61 = t14 - t16 + t17;
-  n[4] = Scalar(0.000020065123418265) * c_4 * c_5 - Scalar(1.609852873477455e-07) * (t61 - t18) +
-      Scalar(0.0022644781431582876) * t20 + Scalar(0.000615720268358608) * t60 + N_6_z +
-      Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar t51 = t20 * t20 + omega_6_z * omega_6_z;
+  const Scalar t52 = qd_4 * qd_4;
+  const Scalar t53 = t14 - t13 + t52;
+  n[4] = Scalar(0.000020065123418265) * c_4 * c_5 - Scalar(1.609852873477455e-07) * (t53 - t15) -
+      Scalar(0.000615720268358608) * c_6 * t22 + Scalar(0.0022644781431582876) * t18 -
+      Scalar(0.000615720268358608) * s_6 * t51 + N_6_z + Scalar(0.1737624403145115) * c_4 * s_5;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t62 = omega_3_z * omega_3_z;
-  const Scalar t63 = c_3 * t13 - s_3 * (t10 * t11 + t62);
-  const Scalar t64 = t1 - t3 + t4;
-  n[1] = Scalar(1.609852873477455e-07) * (t64 - t5) - Scalar(0.000020065123418265) * c_1 * c_2 +
-      Scalar(0.0022644781431582876) * t7 + Scalar(0.000615720268358608) * t63 + N_3_z +
-      Scalar(0.1737624403145115) * c_1 * s_2;
-  const Scalar t65 = t56 - t27 * t38 * t38;
-  const Scalar t66 = qd_7 * omega_9_z;
-  const Scalar t67 = t38 * t66;
-  const Scalar t68 = qd_7 * qd_8;
-  const Scalar t69 = s_8 * t68;
-  const Scalar N_9_x = Scalar(0.00023148988883634047) * t65 - Scalar(0.001231440536717216) * t69 -
-      Scalar(0.0010822284426343334) * t67 + Scalar(0.037751348953737156) * s_7;
-  const Scalar t70 = Scalar(3.01e-06) * t36 * t66 + Scalar(0.00023148988883634047) * t39;
-  const Scalar t71 = c_8 * t68;
-  const Scalar t72 = Scalar(6.823068516838894e-08) * t33 + Scalar(3.21970574695491e-07) * t71 +
-      s_9 * t70 - Scalar(0.0007940924716883453) * (t27 - t31) - Scalar(0.001231440536717216) * t67 -
-      Scalar(0.004560056342646188) * t69 + c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
-  const Scalar t73 = Scalar(-6.823068516838894e-08) * (t27 - t58) -
-      Scalar(3.21970574695491e-07) * t69 + Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.000031100056329612534) * t71 + c_9 * t70 + Scalar(0.0007940924716883453) * t33 -
-      s_9 * N_9_x;
-  n[6] = s_8 * t73 + Scalar(0.08509272390476785) * c_7 + c_8 * t72;
-  const Scalar t74 = t62 - t1 * t12 * t12;
-  const Scalar t75 = qd_1 * omega_3_z;
-  const Scalar t76 = t12 * t75;
-  const Scalar t77 = qd_1 * qd_2;
-  const Scalar t78 = s_2 * t77;
-  const Scalar N_3_x = Scalar(0.00023148988883634047) * t74 - Scalar(0.001231440536717216) * t78 -
-      Scalar(0.0010822284426343334) * t76 + Scalar(0.037751348953737156) * s_1;
-  const Scalar t79 = Scalar(3.01e-06) * t10 * t75 + Scalar(0.00023148988883634047) * t13;
-  const Scalar t80 = c_2 * t77;
-  const Scalar t81 = Scalar(6.823068516838894e-08) * t7 + Scalar(3.21970574695491e-07) * t80 +
-      s_3 * t79 - Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(0.001231440536717216) * t76 -
-      Scalar(0.004560056342646188) * t78 + c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
-  const Scalar t82 = Scalar(-6.823068516838894e-08) * (t1 - t64) -
-      Scalar(3.21970574695491e-07) * t78 + Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.000031100056329612534) * t80 + c_3 * t79 + Scalar(0.0007940924716883453) * t7 -
-      s_3 * N_3_x;
-  n[0] = s_2 * t82 + Scalar(0.08509272390476785) * c_1 + c_2 * t81;
-  const Scalar t83 = t53 - t40 * t51 * t51;
-  const Scalar t84 = qd_10 * omega_12_z;
-  const Scalar t85 = t51 * t84;
-  const Scalar t86 = qd_10 * qd_11;
-  const Scalar t87 = s_11 * t86;
-  const Scalar N_12_x = Scalar(-0.00023148988883634047) * t83 - Scalar(0.001231440536717216) * t87 -
-      Scalar(0.0010822284426343334) * t85 + Scalar(0.037751348953737156) * s_10;
-  const Scalar t88 = Scalar(0.00023148988883634047) * t52 - Scalar(3.01e-06) * t49 * t84;
-  const Scalar t89 = c_11 * t86;
-  const Scalar t90 = Scalar(6.823068516838894e-08) * t46 - Scalar(3.21970574695491e-07) * t89 -
-      s_12 * t88 + Scalar(0.0007940924716883453) * (t40 - t44) -
-      Scalar(0.001231440536717216) * t85 - Scalar(0.004560056342646188) * t87 + c_12 * N_12_x +
+  const Scalar t54 = t9 * t9 + omega_3_z * omega_3_z;
+  const Scalar t55 = qd_1 * qd_1;
+  const Scalar t56 = t3 - t2 + t55;
+  n[1] = Scalar(1.609852873477455e-07) * (t56 - t4) - Scalar(0.000020065123418265) * c_1 * c_2 -
+      Scalar(0.000615720268358608) * c_3 * t11 + Scalar(0.0022644781431582876) * t7 -
+      Scalar(0.000615720268358608) * s_3 * t54 + N_3_z + Scalar(0.1737624403145115) * c_1 * s_2;
+  const Scalar U_9_yy_zz = t49 - t48;
+  const Scalar t57 = t32 * omega_9_z;
+  const Scalar t58 = qd_8 * t28;
+  const Scalar t59 = Scalar(-0.00023148988883634047) * U_9_yy_zz -
+      Scalar(0.001231440536717216) * t58 - Scalar(0.0010822284426343334) * t57 +
+      Scalar(0.037751348953737156) * s_7;
+  const Scalar t60 = Scalar(3.01e-06) * t31 * omega_9_z + Scalar(0.00023148988883634047) * t33;
+  const Scalar t61 = qd_8 * t23;
+  const Scalar t62 = Scalar(-6.823068516838894e-08) * (t49 - t50) -
+      Scalar(3.21970574695491e-07) * t58 + Scalar(0.000020065123418265) * s_7 +
+      Scalar(0.000031100056329612534) * t61 - c_9 * t60 + Scalar(0.0007940924716883453) * t29 -
+      s_9 * t59;
+  const Scalar U_8_yy_zz = t49 - t26;
+  const Scalar t63 = Scalar(6.823068516838894e-08) * t29 + Scalar(3.21970574695491e-07) * t61 -
+      s_9 * t60 - Scalar(0.0007940924716883453) * U_8_yy_zz - Scalar(0.001231440536717216) * t57 -
+      Scalar(0.004560056342646188) * t58 + c_9 * t59 + Scalar(0.1737624403145115) * s_7;
+  n[6] = s_8 * t62 + Scalar(0.08509272390476785) * c_7 + c_8 * t63;
+  const Scalar U_3_yy_zz = t55 - t54;
+  const Scalar t64 = t10 * omega_3_z;
+  const Scalar t65 = qd_2 * t6;
+  const Scalar t66 = Scalar(-0.00023148988883634047) * U_3_yy_zz -
+      Scalar(0.001231440536717216) * t65 - Scalar(0.0010822284426343334) * t64 +
+      Scalar(0.037751348953737156) * s_1;
+  const Scalar t67 = Scalar(3.01e-06) * t9 * omega_3_z + Scalar(0.00023148988883634047) * t11;
+  const Scalar t68 = qd_2 * t1;
+  const Scalar t69 = Scalar(-6.823068516838894e-08) * (t55 - t56) -
+      Scalar(3.21970574695491e-07) * t65 + Scalar(0.000020065123418265) * s_1 +
+      Scalar(0.000031100056329612534) * t68 - c_3 * t67 + Scalar(0.0007940924716883453) * t7 -
+      s_3 * t66;
+  const Scalar U_2_yy_zz = t55 - t4;
+  const Scalar t70 = Scalar(6.823068516838894e-08) * t7 + Scalar(3.21970574695491e-07) * t68 -
+      s_3 * t67 - Scalar(0.0007940924716883453) * U_2_yy_zz - Scalar(0.001231440536717216) * t64 -
+      Scalar(0.004560056342646188) * t65 + c_3 * t66 + Scalar(0.1737624403145115) * s_1;
+  n[0] = s_2 * t69 + Scalar(0.08509272390476785) * c_1 + c_2 * t70;
+  const Scalar U_12_yy_zz = t46 - t45;
+  const Scalar t71 = t43 * omega_12_z;
+  const Scalar t72 = qd_11 * t39;
+  const Scalar t73 = Scalar(0.00023148988883634047) * U_12_yy_zz -
+      Scalar(0.001231440536717216) * t72 - Scalar(0.0010822284426343334) * t71 +
+      Scalar(0.037751348953737156) * s_10;
+  const Scalar N_12_y = Scalar(3.01e-06) * t42 * omega_12_z - Scalar(0.00023148988883634047) * t44;
+  const Scalar t74 = qd_11 * t34;
+  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t46 - t47) -
+      Scalar(3.21970574695491e-07) * t72 + Scalar(0.000020065123418265) * s_10 -
+      Scalar(0.000031100056329612534) * t74 + c_12 * N_12_y + Scalar(0.0007940924716883453) * t40 +
+      s_12 * t73;
+  const Scalar U_11_yy_zz = t46 - t37;
+  const Scalar t75 = Scalar(6.823068516838894e-08) * t40 - Scalar(3.21970574695491e-07) * t74 -
+      s_12 * N_12_y + Scalar(0.0007940924716883453) * U_11_yy_zz -
+      Scalar(0.001231440536717216) * t71 - Scalar(0.004560056342646188) * t72 + c_12 * t73 +
       Scalar(0.1737624403145115) * s_10;
-  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t40 - t55) -
-      Scalar(3.21970574695491e-07) * t87 + Scalar(0.000020065123418265) * s_10 -
-      Scalar(0.000031100056329612534) * t89 + c_12 * t88 + Scalar(0.0007940924716883453) * t46 +
-      s_12 * N_12_x;
-  n[9] = -s_11 * mu_11_y - Scalar(0.08509272390476785) * c_10 + c_11 * t90;
-  const Scalar t91 = t59 - t14 * t25 * t25;
-  const Scalar t92 = qd_4 * omega_6_z;
-  const Scalar t93 = t25 * t92;
-  const Scalar t94 = qd_4 * qd_5;
-  const Scalar t95 = s_5 * t94;
-  const Scalar N_6_x = Scalar(-0.00023148988883634047) * t91 - Scalar(0.001231440536717216) * t95 -
-      Scalar(0.0010822284426343334) * t93 + Scalar(0.037751348953737156) * s_4;
-  const Scalar t96 = Scalar(0.00023148988883634047) * t26 - Scalar(3.01e-06) * t23 * t92;
-  const Scalar t97 = c_5 * t94;
-  const Scalar t98 = Scalar(6.823068516838894e-08) * t20 - Scalar(3.21970574695491e-07) * t97 -
-      s_6 * t96 + Scalar(0.0007940924716883453) * (t14 - t18) - Scalar(0.001231440536717216) * t93 -
-      Scalar(0.004560056342646188) * t95 + c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
-  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t14 - t61) -
-      Scalar(3.21970574695491e-07) * t95 + Scalar(0.000020065123418265) * s_4 -
-      Scalar(0.000031100056329612534) * t97 + c_6 * t96 + Scalar(0.0007940924716883453) * t20 +
-      s_6 * N_6_x;
-  n[3] = -s_5 * mu_5_y - Scalar(0.08509272390476785) * c_4 + c_5 * t98;
+  n[9] = -s_11 * mu_11_y - Scalar(0.08509272390476785) * c_10 + c_11 * t75;
+  const Scalar U_6_yy_zz = t52 - t51;
+  const Scalar t76 = t21 * omega_6_z;
+  const Scalar t77 = qd_5 * t17;
+  const Scalar t78 = Scalar(0.00023148988883634047) * U_6_yy_zz -
+      Scalar(0.001231440536717216) * t77 - Scalar(0.0010822284426343334) * t76 +
+      Scalar(0.037751348953737156) * s_4;
+  const Scalar N_6_y = Scalar(3.01e-06) * t20 * omega_6_z - Scalar(0.00023148988883634047) * t22;
+  const Scalar t79 = qd_5 * t12;
+  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t52 - t53) -
+      Scalar(3.21970574695491e-07) * t77 + Scalar(0.000020065123418265) * s_4 -
+      Scalar(0.000031100056329612534) * t79 + c_6 * N_6_y + Scalar(0.0007940924716883453) * t18 +
+      s_6 * t78;
+  const Scalar U_5_yy_zz = t52 - t15;
+  const Scalar t80 = Scalar(6.823068516838894e-08) * t18 - Scalar(3.21970574695491e-07) * t79 -
+      s_6 * N_6_y + Scalar(0.0007940924716883453) * U_5_yy_zz - Scalar(0.001231440536717216) * t76 -
+      Scalar(0.004560056342646188) * t77 + c_6 * t78 + Scalar(0.1737624403145115) * s_4;
+  n[3] = -s_5 * mu_5_y - Scalar(0.08509272390476785) * c_4 + c_5 * t80;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -1365,7 +1322,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[12]  in   joint torques or forces, N m or N
 //   qdd[12]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[0..11], qd[0..11], tau[0..11]. Operations: 372 mul, 268 add, 8 div, 24 sin/cos.
+// Reads q[0..11], qd[0..11], tau[0..11]. Operations: 316 mul, 224 add, 8 div, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1381,271 +1338,232 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = qd_4 * qd_4;
-  const Scalar t2 = c_5 * t1;
-  const Scalar t3 = c_5 * t2;
-  const Scalar t4 = qd_5 * qd_5;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = Scalar(9.81) * c_4;
-  const Scalar t7 = s_6 * (Scalar(0.16) * t5 + c_5 * t6);
-  const Scalar t8 = s_5 * t2;
-  const Scalar t9 = t7 + c_6 * (Scalar(0.16) * t8 + s_5 * t6);
-  const Scalar t10 = Scalar(0.00023148988883634047) * c_6;
-  const Scalar t11 = Scalar(0.00023148988883634047) * s_6;
-  const Scalar mu_u_6_5_t_y = s_5 * t10 + c_5 * t11;
-  const Scalar t12 = s_5 * s_6 - c_5 * c_6;
-  const Scalar t13 = t1 * t12;
-  const Scalar t14 = mu_u_6_5_t_y * t13;
-  const Scalar N_6_z = Scalar(0.0038482516772413) * t9 - Scalar(2.3310271737123758) * t14;
-  const Scalar y_6 = tau_6 - N_6_z;
-  const Scalar mu_6_5_z = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
-  const Scalar t15 = Scalar(1842.912968642313) * mu_6_5_z;
-  const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t16 = omega_6_z * omega_6_z;
-  const Scalar t17 = s_6 * (t12 * t13 + t16);
-  const Scalar t18 = t4 - t3 + t1;
-  const Scalar y_6_5 = Scalar(1.609852873477455e-07) * (t18 - t5) -
-      Scalar(0.000020065123418265) * c_4 * c_5 + Scalar(2.6598149554338075) * c_6 * t14 -
-      Scalar(0.0022644781431582876) * t8 + Scalar(0.000615720268358608) * t17 - N_6_z -
-      Scalar(0.1737624403145115) * c_4 * s_5 + tau_5 - t15 * y_6;
-  const Scalar t19 = Scalar(1842.912968642313) * mu_u_6_5_t_y;
-  const Scalar Ic_5_yz = t10 + Scalar(0.0007940924716883453);
-  const Scalar t20 = mu_6_5_z * t19 - c_5 * (Scalar(6.823068516838894e-08) + t11) - s_5 * Ic_5_yz;
-  const Scalar t21 = Scalar(0.001231440536717216) * c_6;
-  const Scalar b_6_5_5 = t21 - mu_6_5_z * t15 + Scalar(0.002838197420805067);
+  const Scalar t1 = Scalar(0.0005396092213171668) * c_6 * c_6;
+  const Scalar t2 = t1 - Scalar(0.0005396092213171668);
+  const Scalar Iu_6_d = t1 + t2;
+  const Scalar t3 = qd_4 * qd_4;
+  const Scalar t4 = c_5 * t3;
+  const Scalar t5 = Scalar(61.3125) * c_4;
+  const Scalar t6 = t4 + t5;
+  const Scalar t7 = Scalar(0.000615720268358608) * c_6;
+  const Scalar t8 = qd_5 * qd_5 + c_5 * t6;
+  const Scalar t9 = Scalar(2.0) * c_5;
+  const Scalar t10 = Scalar(0.0005396092213171668) * s_6;
+  const Scalar t11 = t10 * (Scalar(1.1410484551313946) * t8 - c_6 * (t3 - t9 * t4));
+  const Scalar t12 = -t11 - s_5 * (t4 * Iu_6_d + t7 * t6) + tau_6;
+  const Scalar mu_6_5_z = t7 + Scalar(0.0005426192213171668);
+  const Scalar t13 = Scalar(1842.912968642313) * mu_6_5_z;
+  const Scalar t14 = Scalar(0.001231440536717216) * c_6;
+  const Scalar Ic_5_xx = t1 + t14 + Scalar(0.0022644781431582876);
+  const Scalar Iu_5_t_d = t2 + Ic_5_xx;
+  const Scalar Ic_5_xy = Scalar(1.609852873477455e-07) + (c_6 + Scalar(1.1410484551313946)) * t10;
+  const Scalar Iu_5_t_g = Ic_5_xy * t9 + s_5 * Iu_5_t_d;
+  const Scalar Iu_5_t_xy = Ic_5_xy - c_5 * Iu_5_t_g;
+  const Scalar hc_5_y = t7 + Scalar(0.002834045917464);
+  const Scalar t15 = Scalar(0.000615720268358608) * s_6;
+  const Scalar t16 = Scalar(3.2725991304e-07) + t15;
+  const Scalar hu_5_t_y = c_5 * t16 + s_5 * hc_5_y;
+  const Scalar beta_6_f = qd_6 + Scalar(2.0) * qd_5;
+  const Scalar t17 = qd_6 * beta_6_f;
+  const Scalar y_6_5 = Iu_5_t_xy * t3 + t15 * t17 - hu_5_t_y * t5 + tau_5 - t13 * t12;
+  const Scalar b_6_5_5 = t14 - mu_6_5_z * t13 + Scalar(0.002838197420805067);
   const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t22 = t20 * d_5;
-  const Scalar t23 = qd_4 * omega_6_z;
-  const Scalar t24 = mu_u_6_5_t_y * t23;
-  const Scalar t25 = qd_4 * qd_5;
-  const Scalar t26 = s_5 * t25;
-  const Scalar N_6_x = Scalar(4319.843104279097) * mu_u_6_5_t_y * mu_u_6_5_t_y * t1 -
-      Scalar(0.00023148988883634047) * t16 - Scalar(0.001231440536717216) * t26 -
-      Scalar(4.675057075168632) * t24 + Scalar(0.037751348953737156) * s_4;
-  const Scalar t27 = t14 - Scalar(3.01e-06) * t12 * t23;
-  const Scalar t28 = c_5 * t25;
-  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t1 - t18) -
-      Scalar(3.21970574695491e-07) * t26 + Scalar(0.000020065123418265) * s_4 -
-      Scalar(0.000031100056329612534) * t28 - c_6 * t27 + Scalar(0.0007940924716883453) * t8 +
-      s_6 * N_6_x;
-  const Scalar t29 = Scalar(6.823068516838894e-08) * t8 - Scalar(3.21970574695491e-07) * t28 +
-      s_6 * t27 + Scalar(0.0007940924716883453) * (t1 - t5) - Scalar(5.319629910867615) * t24 -
-      Scalar(0.004560056342646188) * t26 + c_6 * N_6_x + Scalar(0.1737624403145115) * s_4;
-  const Scalar y_5_4 = s_5 * mu_5_y + Scalar(0.08509272390476785) * c_4 - c_5 * t29 - t22 * y_6_5 +
-      t19 * y_6 + tau_4;
-  const Scalar t30 = Scalar(0.0005396092213171668) * c_6 * c_6;
-  const Scalar Ic_5_xx = t30 + t21 + Scalar(0.0022644781431582876);
-  const Scalar Iu_5_t_d = t30 - Scalar(0.0005396092213171668) + Ic_5_xx;
-  const Scalar Ic_5_xy = Scalar(0.0002983367981643942) + s_6 * (c_6 + Scalar(1.1410484551313946));
-  const Scalar Iu_5_t_g = Scalar(0.0010792184426343335) * c_5 * Ic_5_xy + s_5 * Iu_5_t_d;
-  const Scalar b_5_4_4 = -mu_u_6_5_t_y * t19 - t20 * t22 + Scalar(0.00037588290370216287) -
+  const Scalar t18 = Scalar(0.00023148988883634047) * c_6;
+  const Scalar t19 = Scalar(0.00023148988883634047) * s_6;
+  const Scalar mu_u_6_5_t_y = s_5 * t18 + c_5 * t19;
+  const Scalar Ic_5_yz = t18 + Scalar(0.0007940924716883453);
+  const Scalar t20 = Scalar(6.823068516838894e-08) + t19;
+  const Scalar t21 = mu_u_6_5_t_y * t13 - c_5 * t20 - s_5 * Ic_5_yz;
+  const Scalar t22 = t21 * d_5;
+  const Scalar t23 = (s_5 * t20 - c_5 * Ic_5_yz) * qd_5 + Scalar(2.0) * Iu_5_t_xy * qd_4;
+  const Scalar t24 = s_6 * Scalar(0.0010792184426343335) * c_6;
+  const Scalar t25 = qd_4 * qd_6 * (c_5 * (Iu_6_d - Scalar(0.0005426192213171668)) - s_5 * t24);
+  const Scalar t26 = s_5 * (t19 * t17 - t25);
+  const Scalar Iu_6_y = Iu_6_d + Scalar(0.0005426192213171668);
+  const Scalar t27 = qd_4 * (c_5 * t24 + Scalar(5.319629910867615) * mu_u_6_5_t_y + s_5 * Iu_6_y);
+  const Scalar t28 = c_5 * qd_6 * (t18 * beta_6_f + t27);
+  const Scalar t29 = Scalar(1842.912968642313) * mu_u_6_5_t_y;
+  const Scalar t30 = s_4 * (s_5 * t16 - c_5 * hc_5_y);
+  const Scalar y_5_4 = t28 - t26 - qd_5 * t23 + Scalar(0.08509272390476785) * c_4 +
+      Scalar(61.3125) * t30 - t22 * y_6_5 + t29 * t12 + tau_4;
+  const Scalar b_5_4_4 = -mu_u_6_5_t_y * t29 - t21 * t22 + Scalar(0.00037588290370216287) -
       s_5 * Iu_5_t_g + Ic_5_xx;
   const Scalar d_4 = Scalar(1.0) / b_5_4_4;
   const Scalar qdd_4 = d_4 * y_5_4;
   qdd[3] = qdd_4;
-  const Scalar t31 = qd_10 * qd_10;
-  const Scalar t32 = c_11 * t31;
-  const Scalar t33 = c_11 * t32;
-  const Scalar t34 = qd_11 * qd_11;
-  const Scalar t35 = t33 + t34;
-  const Scalar t36 = Scalar(9.81) * c_10;
-  const Scalar t37 = s_12 * (Scalar(0.16) * t35 + c_11 * t36);
-  const Scalar t38 = s_11 * t32;
-  const Scalar t39 = t37 + c_12 * (Scalar(0.16) * t38 + s_11 * t36);
-  const Scalar t40 = Scalar(0.00023148988883634047) * c_12;
-  const Scalar t41 = Scalar(0.00023148988883634047) * s_12;
-  const Scalar mu_u_12_11_t_y = s_11 * t40 + c_11 * t41;
-  const Scalar t42 = s_11 * s_12 - c_11 * c_12;
-  const Scalar t43 = t31 * t42;
-  const Scalar t44 = mu_u_12_11_t_y * t43;
-  const Scalar N_12_z = Scalar(0.0038482516772413) * t39 - Scalar(2.3310271737123758) * t44;
-  const Scalar y_12 = tau_12 - N_12_z;
-  const Scalar mu_12_11_z = Scalar(0.000615720268358608) * c_12 + Scalar(0.0005426192213171668);
-  const Scalar t45 = Scalar(1842.912968642313) * mu_12_11_z;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t46 = omega_12_z * omega_12_z;
-  const Scalar t47 = s_12 * (t42 * t43 + t46);
-  const Scalar t48 = t34 - t33 + t31;
-  const Scalar y_12_11 = Scalar(1.609852873477455e-07) * (t48 - t35) -
-      Scalar(0.000020065123418265) * c_10 * c_11 + Scalar(2.6598149554338075) * c_12 * t44 -
-      Scalar(0.0022644781431582876) * t38 + Scalar(0.000615720268358608) * t47 - N_12_z -
-      Scalar(0.1737624403145115) * c_10 * s_11 + tau_11 - t45 * y_12;
-  const Scalar t49 = Scalar(1842.912968642313) * mu_u_12_11_t_y;
-  const Scalar Ic_11_yz = t40 + Scalar(0.0007940924716883453);
-  const Scalar t50 = mu_12_11_z * t49 - c_11 * (Scalar(6.823068516838894e-08) + t41) -
-      s_11 * Ic_11_yz;
-  const Scalar t51 = Scalar(0.001231440536717216) * c_12;
-  const Scalar b_12_11_11 = t51 - mu_12_11_z * t45 + Scalar(0.002838197420805067);
+  const Scalar t31 = Scalar(0.0005396092213171668) * c_12 * c_12;
+  const Scalar t32 = t31 - Scalar(0.0005396092213171668);
+  const Scalar Iu_12_d = t31 + t32;
+  const Scalar t33 = qd_10 * qd_10;
+  const Scalar t34 = c_11 * t33;
+  const Scalar t35 = Scalar(61.3125) * c_10;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = Scalar(0.000615720268358608) * c_12;
+  const Scalar t38 = qd_11 * qd_11 + c_11 * t36;
+  const Scalar t39 = Scalar(2.0) * c_11;
+  const Scalar t40 = Scalar(0.0005396092213171668) * s_12;
+  const Scalar t41 = t40 * (Scalar(1.1410484551313946) * t38 - c_12 * (t33 - t39 * t34));
+  const Scalar t42 = -t41 - s_11 * (t34 * Iu_12_d + t37 * t36) + tau_12;
+  const Scalar mu_12_11_z = t37 + Scalar(0.0005426192213171668);
+  const Scalar t43 = Scalar(1842.912968642313) * mu_12_11_z;
+  const Scalar t44 = Scalar(0.001231440536717216) * c_12;
+  const Scalar Ic_11_xx = t31 + t44 + Scalar(0.0022644781431582876);
+  const Scalar Iu_11_t_d = t32 + Ic_11_xx;
+  const Scalar Ic_11_xy = Scalar(1.609852873477455e-07) + (c_12 + Scalar(1.1410484551313946)) * t40;
+  const Scalar Iu_11_t_g = Ic_11_xy * t39 + s_11 * Iu_11_t_d;
+  const Scalar Iu_11_t_xy = Ic_11_xy - c_11 * Iu_11_t_g;
+  const Scalar hc_11_y = t37 + Scalar(0.002834045917464);
+  const Scalar t45 = Scalar(0.000615720268358608) * s_12;
+  const Scalar t46 = Scalar(3.2725991304e-07) + t45;
+  const Scalar hu_11_t_y = c_11 * t46 + s_11 * hc_11_y;
+  const Scalar beta_12_f = qd_12 + Scalar(2.0) * qd_11;
+  const Scalar t47 = qd_12 * beta_12_f;
+  const Scalar y_12_11 = Iu_11_t_xy * t33 + t45 * t47 - hu_11_t_y * t35 + tau_11 - t43 * t42;
+  const Scalar b_12_11_11 = t44 - mu_12_11_z * t43 + Scalar(0.002838197420805067);
   const Scalar d_11 = Scalar(1.0) / b_12_11_11;
-  const Scalar t52 = t50 * d_11;
-  const Scalar t53 = qd_10 * omega_12_z;
-  const Scalar t54 = mu_u_12_11_t_y * t53;
-  const Scalar t55 = qd_10 * qd_11;
-  const Scalar t56 = s_11 * t55;
-  const Scalar N_12_x = Scalar(4319.843104279097) * mu_u_12_11_t_y * mu_u_12_11_t_y * t31 -
-      Scalar(0.00023148988883634047) * t46 - Scalar(0.001231440536717216) * t56 -
-      Scalar(4.675057075168632) * t54 + Scalar(0.037751348953737156) * s_10;
-  const Scalar t57 = t44 - Scalar(3.01e-06) * t42 * t53;
-  const Scalar t58 = c_11 * t55;
-  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t31 - t48) -
-      Scalar(3.21970574695491e-07) * t56 + Scalar(0.000020065123418265) * s_10 -
-      Scalar(0.000031100056329612534) * t58 - c_12 * t57 + Scalar(0.0007940924716883453) * t38 +
-      s_12 * N_12_x;
-  const Scalar t59 = Scalar(6.823068516838894e-08) * t38 - Scalar(3.21970574695491e-07) * t58 +
-      s_12 * t57 + Scalar(0.0007940924716883453) * (t31 - t35) - Scalar(5.319629910867615) * t54 -
-      Scalar(0.004560056342646188) * t56 + c_12 * N_12_x + Scalar(0.1737624403145115) * s_10;
-  const Scalar y_11_10 = s_11 * mu_11_y + Scalar(0.08509272390476785) * c_10 - c_11 * t59 -
-      t52 * y_12_11 + t49 * y_12 + tau_10;
-  const Scalar t60 = Scalar(0.0005396092213171668) * c_12 * c_12;
-  const Scalar Ic_11_xx = t60 + t51 + Scalar(0.0022644781431582876);
-  const Scalar Iu_11_t_d = t60 - Scalar(0.0005396092213171668) + Ic_11_xx;
-  const Scalar Ic_11_xy = Scalar(0.0002983367981643942) +
-      s_12 * (c_12 + Scalar(1.1410484551313946));
-  const Scalar Iu_11_t_g = Scalar(0.0010792184426343335) * c_11 * Ic_11_xy + s_11 * Iu_11_t_d;
-  const Scalar b_11_10_10 = -mu_u_12_11_t_y * t49 - t50 * t52 + Scalar(0.00037588290370216287) -
+  const Scalar t48 = Scalar(0.00023148988883634047) * c_12;
+  const Scalar t49 = Scalar(0.00023148988883634047) * s_12;
+  const Scalar mu_u_12_11_t_y = s_11 * t48 + c_11 * t49;
+  const Scalar Ic_11_yz = t48 + Scalar(0.0007940924716883453);
+  const Scalar t50 = Scalar(6.823068516838894e-08) + t49;
+  const Scalar t51 = mu_u_12_11_t_y * t43 - c_11 * t50 - s_11 * Ic_11_yz;
+  const Scalar t52 = t51 * d_11;
+  const Scalar t53 = (s_11 * t50 - c_11 * Ic_11_yz) * qd_11 + Scalar(2.0) * Iu_11_t_xy * qd_10;
+  const Scalar t54 = s_12 * Scalar(0.0010792184426343335) * c_12;
+  const Scalar t55 = qd_10 * qd_12 *
+      (c_11 * (Iu_12_d - Scalar(0.0005426192213171668)) - s_11 * t54);
+  const Scalar t56 = s_11 * (t49 * t47 - t55);
+  const Scalar Iu_12_y = Iu_12_d + Scalar(0.0005426192213171668);
+  const Scalar t57 = qd_10 * (c_11 * t54 + Scalar(5.319629910867615) * mu_u_12_11_t_y +
+      s_11 * Iu_12_y);
+  const Scalar t58 = c_11 * qd_12 * (t48 * beta_12_f + t57);
+  const Scalar t59 = Scalar(1842.912968642313) * mu_u_12_11_t_y;
+  const Scalar t60 = s_10 * (s_11 * t46 - c_11 * hc_11_y);
+  const Scalar y_11_10 = t58 - t56 - qd_11 * t53 + Scalar(0.08509272390476785) * c_10 +
+      Scalar(61.3125) * t60 - t52 * y_12_11 + t59 * t42 + tau_10;
+  const Scalar b_11_10_10 = -mu_u_12_11_t_y * t59 - t51 * t52 + Scalar(0.00037588290370216287) -
       s_11 * Iu_11_t_g + Ic_11_xx;
   const Scalar d_10 = Scalar(1.0) / b_11_10_10;
   const Scalar qdd_10 = d_10 * y_11_10;
   qdd[9] = qdd_10;
-  const Scalar t61 = qd_1 * qd_1;
-  const Scalar t62 = c_2 * t61;
-  const Scalar t63 = c_2 * t62;
-  const Scalar t64 = qd_2 * qd_2;
-  const Scalar t65 = t63 + t64;
-  const Scalar t66 = Scalar(9.81) * c_1;
-  const Scalar t67 = s_3 * (Scalar(0.16) * t65 + c_2 * t66);
-  const Scalar t68 = s_2 * t62;
-  const Scalar t69 = t67 + c_3 * (Scalar(0.16) * t68 + s_2 * t66);
-  const Scalar t70 = Scalar(0.00023148988883634047) * c_3;
-  const Scalar t71 = Scalar(0.00023148988883634047) * s_3;
-  const Scalar mu_u_3_2_a_z = s_2 * t70 + c_2 * t71;
-  const Scalar t72 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t73 = t61 * t72;
-  const Scalar t74 = mu_u_3_2_a_z * t73;
-  const Scalar N_3_z = Scalar(0.0038482516772413) * t69 - Scalar(2.3310271737123758) * t74;
-  const Scalar y_3 = tau_3 - N_3_z;
-  const Scalar mu_3_2_z = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
-  const Scalar t75 = Scalar(1842.912968642313) * mu_3_2_z;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t76 = omega_3_z * omega_3_z;
-  const Scalar t77 = s_3 * (t72 * t73 + t76);
-  const Scalar t78 = t64 - t63 + t61;
-  const Scalar y_3_2 = Scalar(0.000020065123418265) * c_1 * c_2 -
-      Scalar(1.609852873477455e-07) * (t78 - t65) + Scalar(2.6598149554338075) * c_3 * t74 -
-      Scalar(0.0022644781431582876) * t68 + Scalar(0.000615720268358608) * t77 - N_3_z -
-      Scalar(0.1737624403145115) * c_1 * s_2 + tau_2 - t75 * y_3;
-  const Scalar t79 = Scalar(1842.912968642313) * mu_u_3_2_a_z;
-  const Scalar Ic_2_xz = t71 - Scalar(6.823068516838894e-08);
-  const Scalar t80 = mu_3_2_z * t79 - c_2 * Ic_2_xz - s_2 * (t70 + Scalar(0.0007940924716883453));
-  const Scalar t81 = Scalar(0.001231440536717216) * c_3;
-  const Scalar b_3_2_2 = t81 - mu_3_2_z * t75 + Scalar(0.002838197420805067);
+  const Scalar t61 = Scalar(0.0005396092213171668) * c_3 * c_3;
+  const Scalar t62 = t61 - Scalar(0.0005396092213171668);
+  const Scalar Iu_3_d = t61 + t62;
+  const Scalar t63 = qd_1 * qd_1;
+  const Scalar t64 = c_2 * t63;
+  const Scalar t65 = Scalar(61.3125) * c_1;
+  const Scalar t66 = t64 + t65;
+  const Scalar t67 = Scalar(0.000615720268358608) * c_3;
+  const Scalar t68 = qd_2 * qd_2 + c_2 * t66;
+  const Scalar t69 = Scalar(2.0) * c_2;
+  const Scalar t70 = Scalar(0.0005396092213171668) * s_3;
+  const Scalar t71 = t70 * (Scalar(1.1410484551313946) * t68 - c_3 * (t63 - t69 * t64));
+  const Scalar t72 = -t71 - s_2 * (t64 * Iu_3_d + t67 * t66) + tau_3;
+  const Scalar mu_3_2_z = t67 + Scalar(0.0005426192213171668);
+  const Scalar t73 = Scalar(1842.912968642313) * mu_3_2_z;
+  const Scalar t74 = Scalar(0.001231440536717216) * c_3;
+  const Scalar Ic_2_xx = t61 + t74 + Scalar(0.0022644781431582876);
+  const Scalar Iu_2_t_d = t62 + Ic_2_xx;
+  const Scalar Ic_2_xy = (c_3 + Scalar(1.1410484551313946)) * t70 - Scalar(1.609852873477455e-07);
+  const Scalar Iu_2_t_g = Ic_2_xy * t69 + s_2 * Iu_2_t_d;
+  const Scalar Iu_2_t_xy = Ic_2_xy - c_2 * Iu_2_t_g;
+  const Scalar hc_2_y = t67 + Scalar(0.002834045917464);
+  const Scalar t75 = Scalar(0.000615720268358608) * s_3;
+  const Scalar t76 = t75 - Scalar(3.2725991304e-07);
+  const Scalar hu_2_t_y = c_2 * t76 + s_2 * hc_2_y;
+  const Scalar beta_3_f = qd_3 + Scalar(2.0) * qd_2;
+  const Scalar t77 = qd_3 * beta_3_f;
+  const Scalar y_3_2 = Iu_2_t_xy * t63 + t75 * t77 - hu_2_t_y * t65 + tau_2 - t73 * t72;
+  const Scalar b_3_2_2 = t74 - mu_3_2_z * t73 + Scalar(0.002838197420805067);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t82 = t80 * d_2;
-  const Scalar t83 = qd_1 * omega_3_z;
-  const Scalar t84 = mu_u_3_2_a_z * t83;
-  const Scalar t85 = qd_1 * qd_2;
-  const Scalar t86 = s_2 * t85;
-  const Scalar N_3_x = Scalar(0.00023148988883634047) * t76 -
-      Scalar(4319.843104279097) * mu_u_3_2_a_z * mu_u_3_2_a_z * t61 -
-      Scalar(0.001231440536717216) * t86 - Scalar(4.675057075168632) * t84 +
-      Scalar(0.037751348953737156) * s_1;
-  const Scalar t87 = Scalar(3.01e-06) * t72 * t83 + t74;
-  const Scalar t88 = c_2 * t85;
-  const Scalar t89 = Scalar(-6.823068516838894e-08) * (t61 - t78) -
-      Scalar(3.21970574695491e-07) * t86 + Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.000031100056329612534) * t88 - c_3 * t87 + Scalar(0.0007940924716883453) * t68 -
-      s_3 * N_3_x;
-  const Scalar t90 = Scalar(6.823068516838894e-08) * t68 + Scalar(3.21970574695491e-07) * t88 -
-      s_3 * t87 - Scalar(0.0007940924716883453) * (t61 - t65) - Scalar(5.319629910867615) * t84 -
-      Scalar(0.004560056342646188) * t86 + c_3 * N_3_x + Scalar(0.1737624403145115) * s_1;
-  const Scalar t91 = s_2 * t89 + Scalar(0.08509272390476785) * c_1 + c_2 * t90 - t82 * y_3_2 +
-      t79 * y_3 - tau_1;
-  const Scalar t92 = Scalar(0.0005396092213171668) * c_3 * c_3;
-  const Scalar Ic_2_xx = t92 + t81 + Scalar(0.0022644781431582876);
-  const Scalar Iu_2_t_d = t92 - Scalar(0.0005396092213171668) + Ic_2_xx;
-  const Scalar Ic_2_xy = s_3 * (c_3 + Scalar(1.1410484551313946)) - Scalar(0.0002983367981643942);
-  const Scalar Iu_2_t_g = Scalar(0.0010792184426343335) * c_2 * Ic_2_xy + s_2 * Iu_2_t_d;
-  const Scalar b_2_1_1 = -mu_u_3_2_a_z * t79 - t80 * t82 + Scalar(0.00037588290370216287) -
+  const Scalar t78 = Scalar(0.00023148988883634047) * c_3;
+  const Scalar t79 = Scalar(0.00023148988883634047) * s_3;
+  const Scalar mu_u_3_2_a_z = s_2 * t78 + c_2 * t79;
+  const Scalar t80 = t78 + Scalar(0.0007940924716883453);
+  const Scalar Ic_2_xz = t79 - Scalar(6.823068516838894e-08);
+  const Scalar t81 = mu_u_3_2_a_z * t73 - c_2 * Ic_2_xz - s_2 * t80;
+  const Scalar t82 = t81 * d_2;
+  const Scalar t83 = (s_2 * Ic_2_xz - c_2 * t80) * qd_2 - Scalar(2.0) * Iu_2_t_xy * qd_1;
+  const Scalar t84 = s_3 * Scalar(0.0010792184426343335) * c_3;
+  const Scalar t85 = qd_1 * qd_3 * (c_2 * (Iu_3_d - Scalar(0.0005426192213171668)) - s_2 * t84);
+  const Scalar t86 = s_2 * (t79 * t77 + t85);
+  const Scalar Iu_3_y = Iu_3_d + Scalar(0.0005426192213171668);
+  const Scalar t87 = qd_1 * (c_2 * t84 + Scalar(5.319629910867615) * mu_u_3_2_a_z + s_2 * Iu_3_y);
+  const Scalar t88 = c_2 * qd_3 * (t78 * beta_3_f - t87);
+  const Scalar t89 = Scalar(1842.912968642313) * mu_u_3_2_a_z;
+  const Scalar t90 = s_1 * (s_2 * t76 - c_2 * hc_2_y);
+  const Scalar t91 = t88 - t86 - qd_2 * t83 + Scalar(0.08509272390476785) * c_1 -
+      Scalar(61.3125) * t90 - t82 * y_3_2 + t89 * t72 - tau_1;
+  const Scalar b_2_1_1 = -mu_u_3_2_a_z * t89 - t81 * t82 + Scalar(0.00037588290370216287) -
       s_2 * Iu_2_t_g + Ic_2_xx;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t93 = d_1 * t91;
-  qdd[0] = -t93;
-  const Scalar t94 = qd_7 * qd_7;
-  const Scalar t95 = c_8 * t94;
+  const Scalar t92 = d_1 * t91;
+  qdd[0] = -t92;
+  const Scalar t93 = Scalar(0.0005396092213171668) * c_9 * c_9;
+  const Scalar t94 = t93 - Scalar(0.0005396092213171668);
+  const Scalar Iu_9_d = t93 + t94;
+  const Scalar t95 = qd_7 * qd_7;
   const Scalar t96 = c_8 * t95;
-  const Scalar t97 = qd_8 * qd_8;
+  const Scalar t97 = Scalar(61.3125) * c_7;
   const Scalar t98 = t96 + t97;
-  const Scalar t99 = Scalar(9.81) * c_7;
-  const Scalar t100 = s_9 * (Scalar(0.16) * t98 + c_8 * t99);
-  const Scalar t101 = s_8 * t95;
-  const Scalar t102 = t100 + c_9 * (Scalar(0.16) * t101 + s_8 * t99);
-  const Scalar t103 = Scalar(0.00023148988883634047) * c_9;
-  const Scalar t104 = Scalar(0.00023148988883634047) * s_9;
-  const Scalar mu_u_9_8_a_z = s_8 * t103 + c_8 * t104;
-  const Scalar t105 = s_8 * s_9 - c_8 * c_9;
-  const Scalar t106 = t94 * t105;
-  const Scalar t107 = mu_u_9_8_a_z * t106;
-  const Scalar N_9_z = Scalar(0.0038482516772413) * t102 - Scalar(2.3310271737123758) * t107;
-  const Scalar y_9 = tau_9 - N_9_z;
-  const Scalar mu_9_8_z = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
-  const Scalar t108 = Scalar(1842.912968642313) * mu_9_8_z;
-  const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t109 = omega_9_z * omega_9_z;
-  const Scalar t110 = s_9 * (t105 * t106 + t109);
-  const Scalar t111 = t97 - t96 + t94;
-  const Scalar y_9_8 = Scalar(0.000020065123418265) * c_7 * c_8 -
-      Scalar(1.609852873477455e-07) * (t111 - t98) + Scalar(2.6598149554338075) * c_9 * t107 -
-      Scalar(0.0022644781431582876) * t101 + Scalar(0.000615720268358608) * t110 - N_9_z -
-      Scalar(0.1737624403145115) * c_7 * s_8 + tau_8 - t108 * y_9;
-  const Scalar t112 = Scalar(1842.912968642313) * mu_u_9_8_a_z;
-  const Scalar Ic_8_xz = t104 - Scalar(6.823068516838894e-08);
-  const Scalar t113 = mu_9_8_z * t112 - c_8 * Ic_8_xz -
-      s_8 * (t103 + Scalar(0.0007940924716883453));
-  const Scalar t114 = Scalar(0.001231440536717216) * c_9;
-  const Scalar b_9_8_8 = t114 - mu_9_8_z * t108 + Scalar(0.002838197420805067);
+  const Scalar t99 = Scalar(0.000615720268358608) * c_9;
+  const Scalar t100 = qd_8 * qd_8 + c_8 * t98;
+  const Scalar t101 = Scalar(2.0) * c_8;
+  const Scalar t102 = Scalar(0.0005396092213171668) * s_9;
+  const Scalar t103 = t102 * (Scalar(1.1410484551313946) * t100 - c_9 * (t95 - t101 * t96));
+  const Scalar t104 = -t103 - s_8 * (t96 * Iu_9_d + t99 * t98) + tau_9;
+  const Scalar mu_9_8_z = t99 + Scalar(0.0005426192213171668);
+  const Scalar t105 = Scalar(1842.912968642313) * mu_9_8_z;
+  const Scalar t106 = Scalar(0.001231440536717216) * c_9;
+  const Scalar Ic_8_xx = t93 + t106 + Scalar(0.0022644781431582876);
+  const Scalar Iu_8_t_d = t94 + Ic_8_xx;
+  const Scalar Ic_8_xy = (c_9 + Scalar(1.1410484551313946)) * t102 - Scalar(1.609852873477455e-07);
+  const Scalar Iu_8_t_g = Ic_8_xy * t101 + s_8 * Iu_8_t_d;
+  const Scalar Iu_8_t_xy = Ic_8_xy - c_8 * Iu_8_t_g;
+  const Scalar hc_8_y = t99 + Scalar(0.002834045917464);
+  const Scalar t107 = Scalar(0.000615720268358608) * s_9;
+  const Scalar t108 = t107 - Scalar(3.2725991304e-07);
+  const Scalar hu_8_t_y = c_8 * t108 + s_8 * hc_8_y;
+  const Scalar beta_9_f = qd_9 + Scalar(2.0) * qd_8;
+  const Scalar t109 = qd_9 * beta_9_f;
+  const Scalar y_9_8 = Iu_8_t_xy * t95 + t107 * t109 - hu_8_t_y * t97 + tau_8 - t105 * t104;
+  const Scalar b_9_8_8 = t106 - mu_9_8_z * t105 + Scalar(0.002838197420805067);
   const Scalar d_8 = Scalar(1.0) / b_9_8_8;
-  const Scalar t115 = t113 * d_8;
-  const Scalar t116 = qd_7 * omega_9_z;
-  const Scalar t117 = mu_u_9_8_a_z * t116;
-  const Scalar t118 = qd_7 * qd_8;
-  const Scalar t119 = s_8 * t118;
-  const Scalar N_9_x = Scalar(0.00023148988883634047) * t109 -
-      Scalar(4319.843104279097) * mu_u_9_8_a_z * mu_u_9_8_a_z * t94 -
-      Scalar(0.001231440536717216) * t119 - Scalar(4.675057075168632) * t117 +
-      Scalar(0.037751348953737156) * s_7;
-  const Scalar t120 = Scalar(3.01e-06) * t105 * t116 + t107;
-  const Scalar t121 = c_8 * t118;
-  const Scalar t122 = Scalar(-6.823068516838894e-08) * (t94 - t111) -
-      Scalar(3.21970574695491e-07) * t119 + Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.000031100056329612534) * t121 - c_9 * t120 + Scalar(0.0007940924716883453) * t101 -
-      s_9 * N_9_x;
-  const Scalar t123 = Scalar(6.823068516838894e-08) * t101 + Scalar(3.21970574695491e-07) * t121 -
-      s_9 * t120 - Scalar(0.0007940924716883453) * (t94 - t98) - Scalar(5.319629910867615) * t117 -
-      Scalar(0.004560056342646188) * t119 + c_9 * N_9_x + Scalar(0.1737624403145115) * s_7;
-  const Scalar t124 = s_8 * t122 + Scalar(0.08509272390476785) * c_7 + c_8 * t123 - t115 * y_9_8 +
-      t112 * y_9 - tau_7;
-  const Scalar t125 = Scalar(0.0005396092213171668) * c_9 * c_9;
-  const Scalar Ic_8_xx = t125 + t114 + Scalar(0.0022644781431582876);
-  const Scalar Iu_8_t_d = t125 - Scalar(0.0005396092213171668) + Ic_8_xx;
-  const Scalar Ic_8_xy = s_9 * (c_9 + Scalar(1.1410484551313946)) - Scalar(0.0002983367981643942);
-  const Scalar Iu_8_t_g = Scalar(0.0010792184426343335) * c_8 * Ic_8_xy + s_8 * Iu_8_t_d;
-  const Scalar b_8_7_7 = -mu_u_9_8_a_z * t112 - t113 * t115 + Scalar(0.00037588290370216287) -
+  const Scalar t110 = Scalar(0.00023148988883634047) * c_9;
+  const Scalar t111 = Scalar(0.00023148988883634047) * s_9;
+  const Scalar mu_u_9_8_a_z = s_8 * t110 + c_8 * t111;
+  const Scalar t112 = t110 + Scalar(0.0007940924716883453);
+  const Scalar Ic_8_xz = t111 - Scalar(6.823068516838894e-08);
+  const Scalar t113 = mu_u_9_8_a_z * t105 - c_8 * Ic_8_xz - s_8 * t112;
+  const Scalar t114 = t113 * d_8;
+  const Scalar t115 = (s_8 * Ic_8_xz - c_8 * t112) * qd_8 - Scalar(2.0) * Iu_8_t_xy * qd_7;
+  const Scalar t116 = s_9 * Scalar(0.0010792184426343335) * c_9;
+  const Scalar t117 = qd_7 * qd_9 * (c_8 * (Iu_9_d - Scalar(0.0005426192213171668)) - s_8 * t116);
+  const Scalar t118 = s_8 * (t111 * t109 + t117);
+  const Scalar Iu_9_y = Iu_9_d + Scalar(0.0005426192213171668);
+  const Scalar t119 = qd_7 * (c_8 * t116 + Scalar(5.319629910867615) * mu_u_9_8_a_z + s_8 * Iu_9_y);
+  const Scalar t120 = c_8 * qd_9 * (t110 * beta_9_f - t119);
+  const Scalar t121 = Scalar(1842.912968642313) * mu_u_9_8_a_z;
+  const Scalar t122 = s_7 * (s_8 * t108 - c_8 * hc_8_y);
+  const Scalar t123 = t120 - t118 - qd_8 * t115 + Scalar(0.08509272390476785) * c_7 -
+      Scalar(61.3125) * t122 - t114 * y_9_8 + t121 * t104 - tau_7;
+  const Scalar b_8_7_7 = -mu_u_9_8_a_z * t121 - t113 * t114 + Scalar(0.00037588290370216287) -
       s_8 * Iu_8_t_g + Ic_8_xx;
   const Scalar d_7 = Scalar(1.0) / b_8_7_7;
-  const Scalar t126 = d_7 * t124;
-  qdd[6] = -t126;
-  const Scalar qdd_2 = d_2 * (y_3_2 - t80 * t93);
+  const Scalar t124 = d_7 * t123;
+  qdd[6] = -t124;
+  const Scalar qdd_2 = d_2 * (y_3_2 - t81 * t92);
   qdd[1] = qdd_2;
-  const Scalar qdd_5 = d_5 * (y_6_5 - t20 * qdd_4);
+  const Scalar qdd_5 = d_5 * (y_6_5 - t21 * qdd_4);
   qdd[4] = qdd_5;
-  const Scalar qdd_8 = d_8 * (y_9_8 - t113 * t126);
+  const Scalar qdd_8 = d_8 * (y_9_8 - t113 * t124);
   qdd[7] = qdd_8;
-  const Scalar qdd_11 = d_11 * (y_12_11 - t50 * qdd_10);
+  const Scalar qdd_11 = d_11 * (y_12_11 - t51 * qdd_10);
   qdd[10] = qdd_11;
-  qdd[2] = t79 * t93 + Scalar(1842.912968642313) * (y_3 - mu_3_2_z * qdd_2);
-  qdd[5] = t19 * qdd_4 + Scalar(1842.912968642313) * (y_6 - mu_6_5_z * qdd_5);
-  qdd[8] = t112 * t126 + Scalar(1842.912968642313) * (y_9 - mu_9_8_z * qdd_8);
-  qdd[11] = t49 * qdd_10 + Scalar(1842.912968642313) * (y_12 - mu_12_11_z * qdd_11);
+  qdd[2] = Scalar(1842.912968642313) * (mu_u_3_2_a_z * t92 + t72) - t73 * qdd_2;
+  qdd[5] = Scalar(1842.912968642313) * (mu_u_6_5_t_y * qdd_4 + t12) - t13 * qdd_5;
+  qdd[8] = Scalar(1842.912968642313) * (mu_u_9_8_a_z * t124 + t104) - t105 * qdd_8;
+  qdd[11] = Scalar(1842.912968642313) * (mu_u_12_11_t_y * qdd_10 + t42) - t43 * qdd_11;
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_5_4_4 > Scalar(0.0);
@@ -1859,7 +1777,7 @@ inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 //   q[12]   in   joint positions, rad or m
 //   qd[12]  in   joint velocities, rad/s or m/s
 //   a[6]    out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Reads q[9..11], qd[9..11]. Operations: 51 mul, 22 add, 6 sin/cos.
+// Reads q[9..11], qd[9..11]. Operations: 46 mul, 21 add, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
@@ -1868,37 +1786,34 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   sin_cos(q, Joints<9, 10, 11>(), sine, cosine);
   const Scalar s_10 = sine[9], c_10 = cosine[9], s_11 = sine[10], c_11 = cosine[10],
       s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = c_11 * s_12 + s_11 * c_12;
+  const Scalar t1 = s_11 * qd_10;
+  const Scalar t2 = c_11 * qd_10;
+  const Scalar t3 = s_12 * t2;
+  const Scalar t4 = c_12 * t1 + t3;
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t2 = qd_10 * omega_12_z;
-  const Scalar t3 = t1 * t2;
-  const Scalar t4 = s_11 * s_12;
-  const Scalar t5 = c_11 * c_12;
-  const Scalar t6 = t4 - t5;
-  const Scalar t7 = t6 * t2;
-  const Scalar t8 = s_12 * t3 - c_12 * t7;
-  const Scalar t9 = s_12 * t7 + c_12 * t3;
-  a[3] = s_11 * t8 - c_11 * t9;
-  const Scalar t10 = s_11 * t9 + c_11 * t8;
-  a[5] = c_10 * t10;
-  a[4] = -s_10 * t10;
-  const Scalar t11 = qd_10 * qd_10;
-  const Scalar t12 = c_11 * t11;
-  const Scalar t13 = c_11 * t12 + qd_11 * qd_11;
-  const Scalar t14 = s_12 * t13 - t11 * (t6 * t1 - s_11 * t5);
-  const Scalar t15 = Scalar(0.16) * s_12;
-  const Scalar t16 = t11 * t6 * t6;
-  const Scalar t17 = t16 - t12 * t4 + c_12 * t13 + omega_12_z * omega_12_z;
-  const Scalar t18 = Scalar(0.16) * c_12;
-  const Scalar t19 = t14 * t15 + t17 * t18;
-  const Scalar t20 = t17 * t15 - t14 * t18;
-  a[0] = s_11 * t19 + c_11 * t20;
-  const Scalar t21 = s_11 * t20 - c_11 * t19;
-  const Scalar t22 = t16 + t11 * t1 * t1;
-  const Scalar t23 = Scalar(0.05945) * t22 - Scalar(0.32) * s_11 * qd_10 * qd_11 -
-      Scalar(0.32) * t3;
-  a[1] = s_10 * t21 + c_10 * t23;
-  a[2] = s_10 * t23 - c_10 * t21;
+  const Scalar t5 = t4 * omega_12_z;
+  const Scalar t6 = c_12 * t2;
+  const Scalar t7 = t6 - s_12 * t1;
+  const Scalar t8 = t7 * omega_12_z;
+  const Scalar t9 = c_12 * t5 - s_12 * t8;
+  const Scalar t10 = c_12 * t8 + s_12 * t5;
+  a[3] = s_11 * t10 - c_11 * t9;
+  const Scalar t11 = c_11 * t10 + s_11 * t9;
+  a[5] = c_10 * t11;
+  a[4] = -s_10 * t11;
+  const Scalar t12 = t2 * t2 + qd_11 * qd_11;
+  const Scalar t13 = c_12 * t12 - t1 * t3 + (t7 * t7 + omega_12_z * omega_12_z);
+  const Scalar t14 = Scalar(0.16) * s_12;
+  const Scalar t15 = t6 * t1 + t7 * t4 + s_12 * t12;
+  const Scalar t16 = Scalar(0.16) * c_12;
+  const Scalar t17 = t15 * t16 - t13 * t14;
+  const Scalar t18 = t15 * t14 + t13 * t16;
+  a[0] = s_11 * t18 - c_11 * t17;
+  const Scalar t19 = c_11 * t18 + s_11 * t17;
+  const Scalar t20 = Scalar(0.05945) * qd_10 * qd_10 - Scalar(0.32) * qd_11 * t1 -
+      Scalar(0.32) * t5;
+  a[1] = c_10 * t20 - s_10 * t19;
+  a[2] = c_10 * t19 + s_10 * t20;
 }
 
 }  // namespace quadruped12

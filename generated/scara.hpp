@@ -151,10 +151,10 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t10 = a_1 * m_3;
   const Scalar t11 = (s_2 * qdd_1 - c_2 * t7) * t10 - omega_2_z * omega_2_z * t6;
   const Scalar f_2_y = t8 * t10 + domega_2_z * t6;
-  const Scalar t12 = a_1 * (s_2 * t11 + c_2 * f_2_y);
-  const Scalar t13 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
-  const Scalar t14 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t13 + I_m1 * k_r1 * k_r1;
-  tau[0] = qdd_2 * t9 + qdd_1 * t14 + mu_2_z + t12;
+  const Scalar f_u_2_t_y = s_2 * t11 + c_2 * f_2_y;
+  const Scalar t12 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
+  const Scalar t13 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t12 + I_m1 * k_r1 * k_r1;
+  tau[0] = qdd_2 * t9 + qdd_1 * t13 + mu_2_z + a_1 * f_u_2_t_y;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -441,18 +441,17 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       Scalar(2.0) * t11 + t13 - b_3_2_1 * t12;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t14 = s_2 * t10;
-  const Scalar y_3 = tau_3 - g * mc_3;
-  const Scalar t15 = t2 * y_3 + t4 * tau_4 + qd_1 * qd_1 * t14;
-  const Scalar y_3_2 = tau_2 - t15;
+  const Scalar t15 = tau_3 - g * mc_3;
+  const Scalar t16 = t2 * t15 + t4 * tau_4 + qd_1 * qd_1 * t14;
+  const Scalar t17 = tau_2 - t16;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar y_2_1 = tau_1 - t15 - t12 * y_3_2 + omega_2_z * omega_2_z * t14;
-  const Scalar qdd_1 = d_1 * y_2_1;
+  const Scalar qdd_1 = d_1 * (tau_1 - t16 - t12 * t17 + omega_2_z * omega_2_z * t14);
   qdd[0] = qdd_1;
-  const Scalar qdd_2 = d_2 * (y_3_2 - b_3_2_1 * qdd_1);
+  const Scalar qdd_2 = d_2 * (t17 - b_3_2_1 * qdd_1);
   qdd[1] = qdd_2;
-  const Scalar t16 = qdd_1 + qdd_2;
-  qdd[2] = d_3 * (y_3 - t1 * t16);
-  qdd[3] = d_4 * (tau_4 - mu_4_3_z * t16);
+  const Scalar t18 = qdd_1 + qdd_2;
+  qdd[2] = d_3 * (t15 - t1 * t18);
+  qdd[3] = d_4 * (tau_4 - mu_4_3_z * t18);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_3_3 > Scalar(0.0);

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "input/content_hash.hpp"
 #include "passes/draft.hpp"
+#include "passes/reorder.hpp"
 #include "scene/specialise.hpp"
+#include "search/search.hpp"
 #include "symbolic/closed_functions.hpp"
 
 namespace flatdyn {
@@ -24,9 +27,9 @@ void check_names(const Mechanism& mechanism, const std::vector<std::string>& nam
   }
 }
 
-OptimisedFunction optimised(const Function& derived) {
-  OptimisedFunction result{{}, derived, {}};
-  result.function = run_passes(derived, &result.passes);
+OptimisedFunction optimised(const Function& derived, unsigned order = 0) {
+  OptimisedFunction result{{}, derived, {}, {}};
+  result.function = run_passes(reordered(derived, order), &result.passes);
   return result;
 }
 
@@ -40,33 +43,72 @@ void stop_at_errors(const Diagnostics& found) {
 }
 
 // Without those that cost so much more than the cheapest that no pass makes up for it.
-std::vector<Function> within_reach(std::vector<Function> candidates) {
+std::vector<Formulation> within_reach(std::vector<Formulation> candidates) {
   constexpr double kReach = 1.5;
-  const auto operations = [](const Function& function) { return count_operations(function).arithmetic(); };
+  const auto operations = [](const Formulation& each) { return count_operations(each.function).arithmetic(); };
   int least = operations(candidates.front());
-  for (const Function& candidate : candidates) least = std::min(least, operations(candidate));
-  std::erase_if(candidates, [&](const Function& candidate) { return operations(candidate) > kReach * least; });
+  for (const Formulation& candidate : candidates) least = std::min(least, operations(candidate));
+  std::erase_if(candidates, [&](const Formulation& candidate) { return operations(candidate) > kReach * least; });
   return candidates;
+}
+
+// A function as made from the usual choices, and how it is made from others.
+struct Plan {
+  OptimisedFunction made;
+  Choices choices;
+  bool is_closed_form = false;
+  std::function<OptimisedFunction(const Choices&)> remake;
+};
+
+OptimisedFunction as_needed(const Model& model, const Function& derived, unsigned order) {
+  Diagnostics found;
+  const Function needed = specialised(derived, derived_from(model), model.robot.scene, found);
+  stop_at_errors(found);
+  return optimised(needed, order);
 }
 
 // In the formulation, recursive or the closed form, that costs least once what the scene does not need is taken out and
 // the passes are through with it.
-OptimisedFunction make_function(const Model& model, const std::string& name, Progress& progress) {
+Plan make_function(const Model& model, const std::string& name, Progress& progress) {
   const Mechanism& mechanism = derived_from(model);
-  Diagnostics found;
   progress.step("deriving " + name);
-  std::vector<Function> candidates = within_reach(formulations(mechanism, name));
-  std::optional<Function> closed = closed_variant(mechanism, candidates.front());
-  if (closed) candidates.push_back(std::move(*closed));
+  const std::vector<Formulation> candidates = within_reach(formulations(mechanism, name));
+  std::optional<Function> closed = closed_variant(mechanism, candidates.front().function);
   progress.step("optimising " + name);
-  std::optional<OptimisedFunction> best;
-  for (const Function& candidate : candidates) {
-    const Function needed = specialised(candidate, mechanism, model.robot.scene, found);
-    stop_at_errors(found);
-    OptimisedFunction made = optimised(needed);
-    if (!best || cost(made.function) < cost(best->function)) best = std::move(made);
+  std::optional<Plan> best;
+  for (const Formulation& candidate : candidates) {
+    OptimisedFunction made = as_needed(model, candidate.function, 0);
+    if (best && cost(made.function) >= cost(best->made.function)) continue;
+    best = Plan{std::move(made), candidate.choices, false,
+                [&model, &mechanism, name, way = candidate.way](const Choices& choices) {
+                  return as_needed(model, *formulation(mechanism, name, way, choices), choices.order);
+                }};
   }
-  return *best;
+  if (!closed) return *best;
+  OptimisedFunction made = as_needed(model, *closed, 0);
+  if (cost(made.function) >= cost(best->made.function)) return *best;
+  return {std::move(made), candidates.front().choices, true,
+          [&model, closed](const Choices& choices) { return as_needed(model, *closed, choices.order); }};
+}
+
+// The same functions from the best choices that a search finds for each.
+void search_choices(const Model& model, const SearchLimit& limit, std::vector<Plan>& plans, Diagnostics& findings) {
+  std::vector<ChoiceSearch> searches;
+  for (const Plan& plan : plans) {
+    const bool moves = !plan.is_closed_form && has_choices(derived_from(model), plan.made.function.name);
+    searches.emplace_back(derived_from(model), plan.choices, plan.made.function, moves,
+                          [&plan](const Choices& choices) { return plan.remake(choices).function; });
+  }
+  const int candidates = run_searches(searches, limit);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    Plan& plan = plans[k];
+    const OperationCount before = count_operations(plan.made.function);
+    plan.made = plan.remake(searches[k].best());
+    plan.made.search = SearchRecord{candidates, before, plan.is_closed_form, searches[k].best()};
+  }
+  if (!limit.seconds) return;
+  findings.note({model.robot.file, 0}, fmt::format("the search has tried {} candidates per function", candidates),
+                fmt::format("--search {} makes the same again", candidates));
 }
 
 std::vector<std::string> names_of_functions(bool on_request) {
@@ -139,30 +181,39 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
   const bool asked = !wanted.empty();
   const std::vector<std::string> names = asked ? wanted : default_function_names();
   check_names(model.mechanism, names);
-  std::vector<OptimisedFunction> result;
+  std::vector<Plan> plans;
   for (const std::string& name : names) {
     try {
-      result.push_back(make_function(model, name, progress));
+      plans.push_back(make_function(model, name, progress));
     } catch (const Failure& failure) {
       if (asked || failure.code() != ExitCode::unsupported) throw;
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
     }
   }
   if (options.warnings_are_errors && findings.has_warnings()) throw BadInput(ExitCode::input, findings);
+  if (options.search) {
+    progress.step("searching for better choices");
+    search_choices(model, *options.search, plans, findings);
+  }
+  std::vector<OptimisedFunction> result;
+  for (Plan& plan : plans) result.push_back(std::move(plan.made));
   return result;
 }
 
 namespace {
 
-// From one grouping, so that they share what they can. Of each function's formulations the one that makes the whole
+// From the same choices, so that they share what they can. Of each function's formulations the one that makes the whole
 // cheapest, one function after the other.
-Fusion fused_from(const Model& model, const std::vector<std::string>& functions, const Grouping& grouping) {
+Fusion fused_from(const Model& model, const std::vector<std::string>& functions, const Choices& choices) {
   Diagnostics found;
   std::vector<std::vector<Function>> ways;
   std::vector<Function> chosen;
   for (const std::string& name : functions) {
-    ways.push_back(formulations(derived_from(model), name, {&grouping, 1}));
-    for (Function& way : ways.back()) way = specialised(way, model.mechanism, model.robot.scene, found);
+    ways.emplace_back();
+    for (Way way = 0; way < kWays; ++way) {
+      const std::optional<Function> derived = formulation(derived_from(model), name, way, choices);
+      if (derived) ways.back().push_back(specialised(*derived, model.mechanism, model.robot.scene, found));
+    }
     chosen.push_back(ways.back().front());
   }
   stop_at_errors(found);
@@ -185,19 +236,16 @@ Fusion fused_from(const Model& model, const std::vector<std::string>& functions,
 OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress) {
   check_names(model.mechanism, functions);
   progress.step("deriving functions together");
-  std::optional<Fusion> best;
-  for (const Grouping grouping : kGroupings) {
-    Fusion candidate = fused_from(model, functions, grouping);
-    if (!best || cost(candidate.function) < cost(best->function)) best = std::move(candidate);
-  }
+  const Choices choices = cheapest_choices(
+      derived_from(model), [&](const Choices& each) { return cost(fused_from(model, functions, each).function); });
   progress.step("optimising functions together");
-  OptimisedFusion result{std::move(*best), {}, {}};
+  OptimisedFusion result{fused_from(model, functions, choices), {}, {}};
   result.derived = result.fusion.function;
   result.fusion.function = run_passes(result.fusion.function, &result.passes);
   // Where there is little to share, each function in its own best form may cost less.
   std::vector<Function> apart, derived;
   for (const std::string& name : functions) {
-    OptimisedFunction made = make_function(model, name, progress);
+    OptimisedFunction made = make_function(model, name, progress).made;
     apart.push_back(std::move(made.function));
     derived.push_back(std::move(made.derived));
   }

@@ -13,6 +13,7 @@
 #include "input/reader.hpp"
 #include "passes/passes.hpp"
 #include "scene/abbreviate.hpp"
+#include "search/limit.hpp"
 #include "symbolic/functions.hpp"
 
 namespace flatdyn {
@@ -21,6 +22,7 @@ struct PipelineOptions {
   ReadOptions read;
   bool warnings_are_errors = false;
   std::vector<std::string> functions;  // empty: those of the scene; without one: default_function_names()
+  std::optional<SearchLimit> search;   // for the choices that each function is derived from; none: the usual ones
 };
 
 // A robot as read, and as made canonical. Diagnostics (warnings, notes) are kept for whoever reports.
@@ -45,11 +47,20 @@ class BadInput : public Failure {
   Diagnostics diagnostics;
 };
 
+// What a search for the choices of a function came to.
+struct SearchRecord {
+  int candidates = 0;
+  OperationCount before;
+  bool is_closed_form = false;  // which is made without choices, but for the order of factoring
+  Choices choices;
+};
+
 // A function as derived, then as the passes left it.
 struct OptimisedFunction {
   Function function;
   Function derived;
   std::vector<PassRecord> passes;
+  std::optional<SearchRecord> search;
 };
 
 // Those that options.functions or the scene names, made as the scene needs them; or all that the robot allows: what is

@@ -127,6 +127,12 @@ ErrorBudget error_budget_option(const std::string& text) {
   return *budget;
 }
 
+SearchLimit search_option(const std::string& text) {
+  const std::optional<SearchLimit> limit = search_limit(text);
+  if (!limit) throw Failure(ExitCode::usage, fmt::format("--search: \"{}\" is no limit", text), kSearchLimitHint);
+  return *limit;
+}
+
 }  // namespace
 
 CLI::Validator positive_number() {
@@ -189,6 +195,15 @@ void add_error_budget_option(CLI::App& command, RobotArguments& arguments) {
           "joint's effort limit, or 0.05 N m; the bound is proven")
       ->check(kNotEmpty)
       ->type_name("BUDGET");
+}
+
+void add_search_option(CLI::App& command, RobotArguments& arguments) {
+  command
+      .add_option("--search", arguments.search,
+                  "look for frames, units, parameters and orders of factoring from which functions cost less: a number "
+                  "of candidates per function (200: the same result everywhere), or a time for all (30s)")
+      ->check(kNotEmpty)
+      ->type_name("LIMIT");
 }
 
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {
@@ -279,6 +294,7 @@ PipelineOptions RobotArguments::options() const {
   options.read.scene_file = scene;
   if (!gravity.empty()) options.read.scene.gravity = gravity_option(gravity);
   if (!error_budget.empty()) options.read.scene.error_budget = error_budget_option(error_budget);
+  if (!search.empty()) options.search = search_option(search);
   if (!tip.empty()) options.read.tip = tip;
   options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;

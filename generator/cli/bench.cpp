@@ -81,6 +81,9 @@ ExitCode run_bench(const BenchArguments& arguments) {
   if (!arguments.growth && arguments.robots.empty()) {
     throw Failure(ExitCode::usage, "no robot file is given", "name one, or ask for --growth");
   }
+  if (arguments.growth && !arguments.search.empty()) {
+    throw Failure(ExitCode::usage, "--growth takes the usual choices", "leave out --search");
+  }
   return arguments.growth ? run_growth(arguments) : run_robots(arguments);
 }
 
@@ -98,6 +101,7 @@ Run add_bench(CLI::App& app) {
   arguments->add_settings_to(*command);
   add_functions_option(*command, arguments->functions);
   add_error_budget_option(*command, *arguments);
+  add_search_option(*command, *arguments);
   command->add_option("--time", arguments->bench.seconds, "of all timing; per robot")
       ->capture_default_str()
       ->type_name("S")

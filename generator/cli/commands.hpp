@@ -20,6 +20,7 @@ struct RobotArguments {
   std::string scene;
   std::string gravity;
   std::string error_budget;
+  std::string search;
   std::string tip;
   std::vector<std::string> fixed_joints;
   bool warnings_are_errors = false;
@@ -47,6 +48,9 @@ CLI::Validator number_between(double least, double most);
 
 // --error-budget.
 void add_error_budget_option(CLI::App& command, RobotArguments& arguments);
+
+// --search.
+void add_search_option(CLI::App& command, RobotArguments& arguments);
 
 // --functions, and the table of functions at the end of the help.
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions);

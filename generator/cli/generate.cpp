@@ -23,8 +23,8 @@ struct GenerateArguments : RobotArguments {
   int most_lines = 0;  // 0: no limit
 };
 
-// The options that shape the output, as they go into its stamp.
-std::string stamp_of(const GenerateArguments& arguments) {
+// The options that shape the output, as they go into its stamp: of a search, how far it went.
+std::string stamp_of(const GenerateArguments& arguments, const std::vector<OptimisedFunction>& functions) {
   std::string stamp;
   const auto add = [&stamp](const std::string& option, const std::string& value) {
     if (!value.empty()) stamp += (stamp.empty() ? "" : " ") + option + " " + value;
@@ -38,6 +38,9 @@ std::string stamp_of(const GenerateArguments& arguments) {
   add("--snap", arguments.snap == "1e-5" ? "" : arguments.snap);
   add("--gravity", arguments.gravity);
   add("--error-budget", arguments.error_budget);
+  if (!functions.empty() && functions.front().search) {
+    add("--search", std::to_string(functions.front().search->candidates));
+  }
   add("--tip", arguments.tip);
   add("--fix", fmt::format("{}", fmt::join(arguments.fixed_joints, " --fix ")));
   return stamp;
@@ -62,10 +65,11 @@ ExitCode generate(const GenerateArguments& arguments) {
     if (!arguments.staged.empty()) stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
     progress.step("proving");
     proofs = prove(derived_from(model), functions, fused, stages);
-    if (fused) functions.push_back({fused->fusion.function, fused->derived, fused->passes});
+    if (fused) functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
   }
-  const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments), model.input_hash,
-                         scene_stamp(model),   scene_facts(model), arguments.most_lines};
+  const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments, functions),
+                         model.input_hash,     scene_stamp(model), scene_facts(model),
+                         arguments.most_lines};
   const std::filesystem::path folder = arguments.folder;
   const std::string header = header_name(model.mechanism, emit);
   const std::vector<double> effects = snap_effects(model, options.read);
@@ -112,6 +116,7 @@ Run add_generate(CLI::App& app) {
       ->type_name("FOLDER");
   add_functions_option(*command, arguments->functions);
   add_error_budget_option(*command, *arguments);
+  add_search_option(*command, *arguments);
   command
       ->add_option(
           "--stages", arguments->staged,

@@ -52,6 +52,7 @@ Run add_verify(CLI::App& app) {
   arguments->add_to(*command);
   add_functions_option(*command, arguments->functions);
   add_error_budget_option(*command, *arguments);
+  add_search_option(*command, *arguments);
   command->add_option("--states", arguments->options.states, "random states")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));

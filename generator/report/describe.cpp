@@ -207,12 +207,60 @@ nlohmann::ordered_json count_json(const std::string& name, const OperationCount&
 
 }  // namespace
 
+namespace {
+
+const char* name_of(Grouping grouping) {
+  switch (grouping) {
+    case Grouping::i_yy:
+      return "i_yy";
+    case Grouping::i_xx:
+      return "i_xx";
+    case Grouping::sigma_zz:
+      return "sigma_zz";
+    case Grouping::none:
+      break;
+  }
+  return "none";
+}
+
+const char* name_of(Balance balance) { return balance == Balance::no ? "none" : balance == Balance::x ? "x" : "y"; }
+
+nlohmann::ordered_json search_json(const SearchRecord& search) {
+  nlohmann::ordered_json json = {{"candidates", search.candidates}};
+  json["before"] = {{"multiplications", search.before.multiplications}, {"additions", search.before.additions}};
+  json["order_of_factoring"] = search.choices.order;
+  json["formulation"] = search.is_closed_form ? "closed form" : "recursive";
+  if (search.is_closed_form) return json;
+  json["length_unit"] = plain_number_text(search.choices.length_unit);
+  json["leaf_frames"] = search.choices.leaves == LeafFrames::still ? "still" : "turning";
+  for (const JointChoice& joint : search.choices.joints) {
+    json["joints"].push_back({{"origin_raised_by", plain_number_text(joint.rise)},
+                              {"cancelled_inertia", name_of(joint.grouping.grouping)},
+                              {"cancelled_first_moment_of_parent", name_of(joint.grouping.balance)}});
+  }
+  return json;
+}
+
+// "308 / 290"; functions made together are not searched for.
+std::string before_search(const OptimisedFunction& each) {
+  if (!each.search) return "";
+  return fmt::format("{} / {}", each.search->before.multiplications, each.search->before.additions);
+}
+
+bool is_searched(const std::vector<OptimisedFunction>& functions) {
+  return !functions.empty() && functions.front().search;
+}
+
+}  // namespace
+
 std::string describe_functions(const std::vector<OptimisedFunction>& functions,
                                const std::vector<std::string>& symbols) {
   std::vector<std::vector<std::string>> rows = {
       {"function", "mul", "add", "div", "sin/cos", "as derived", "zeros", "reads"}};
+  if (is_searched(functions)) rows[0].insert(rows[0].begin() + 3, "before search");
   for (const OptimisedFunction& each : functions) {
     rows.push_back(count_cells(each.function.name, count_operations(each.function)));
+    if (is_searched(functions)) rows.back().insert(rows.back().begin() + 3, before_search(each));
     for (const int number : {count_operations(each.derived).arithmetic(), structural_zeros(each.function)}) {
       rows.back().push_back(std::to_string(number));
     }
@@ -267,6 +315,7 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
     item["operations_as_derived"] = count_operations(each.derived).arithmetic();
     item["structural_zeros"] = structural_zeros(each.function);
     item["reads"] = list_of_inputs(inputs_read(each.function), symbols);
+    if (each.search) item["search"] = search_json(*each.search);
     json.push_back(item);
   }
   return json;

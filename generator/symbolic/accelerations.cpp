@@ -9,8 +9,12 @@ std::vector<Number> bias_torques(Workbench& bench) {
 }
 
 std::vector<Number> accelerations(Workbench& bench, const Factorisation& B) {
+  return accelerations(bench, B, bias_torques(bench));
+}
+
+std::vector<Number> accelerations(Workbench& bench, const Factorisation& B, const std::vector<Number>& bias) {
   const std::vector<Number> tau = bench.all(InputKind::tau);
-  std::vector<Number> b = bias_torques(bench);
+  std::vector<Number> b = bias;
   for (std::size_t i = 0; i < b.size(); ++i) {
     b[i] = bench.derivation.named(tau[i] - b[i], "y_" + label(static_cast<int>(i)));
   }

@@ -107,7 +107,7 @@ class ArticulatedRecursion {
   }
 
   void add_body(int i) {
-    const InertialParameters& own = frames_.body(i).inertia;
+    const InertialParameters& own = frames_.inertia(i);
     const Vec3& omega = joint(i).omega;
     ArticulatedBody& all = body(i);
     const std::string n = label(i);

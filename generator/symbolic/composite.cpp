@@ -62,7 +62,7 @@ Wrench swept_by(const Body& body, const Wrench& wrench) {
 std::vector<InertialParameters> composites(Frames& frames) {
   Derivation& d = frames.derivation();
   std::vector<InertialParameters> result;
-  for (const Body& body : frames.mechanism().bodies) result.push_back(body.inertia);
+  for (int i = 0; i < frames.mechanism().size(); ++i) result.push_back(frames.inertia(i));
   for (int i = frames.mechanism().size() - 1; i >= 0; --i) {
     InertialParameters& composite = result[static_cast<std::size_t>(i)];
     const std::string n = label(i);

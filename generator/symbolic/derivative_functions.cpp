@@ -28,9 +28,8 @@ Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name)
 
 }  // namespace
 
-Function torque_derivatives_function(const Mechanism& mechanism) {
-  Workbench bench(mechanism);
-  const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), mechanism.gravity, true};
+Function torque_derivatives_function(Workbench& bench) {
+  const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), bench.mechanism.gravity, true};
   const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
   return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
                   {derivative_output(bench, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
@@ -38,10 +37,9 @@ Function torque_derivatives_function(const Mechanism& mechanism) {
 }
 
 // From B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
-Function acceleration_derivatives_function(const Mechanism& mechanism) {
-  Workbench bench(mechanism);
+Function acceleration_derivatives_function(Workbench& bench) {
   const Factorisation B(bench.frames, inertia_matrix(bench.frames));
-  const Motion motion{bench.all(InputKind::qd), accelerations(bench, B), mechanism.gravity, true};
+  const Motion motion{bench.all(InputKind::qd), accelerations(bench, B), bench.mechanism.gravity, true};
   const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
   const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
   const Rows dtau = B.inverse("a");

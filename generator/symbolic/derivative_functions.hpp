@@ -2,15 +2,14 @@
 // Derivatives of inverse and forward dynamics as functions, from the parameters as the mechanism has them.
 #pragma once
 
-#include "graph/function.hpp"
-#include "model/mechanism.hpp"
+#include "symbolic/workbench.hpp"
 
 namespace flatdyn {
 
 // ∂τ/∂q, ∂τ/∂q̇.
-Function torque_derivatives_function(const Mechanism& mechanism);
+Function torque_derivatives_function(Workbench& bench);
 
 // ∂q̈/∂q, ∂q̈/∂q̇, ∂q̈/∂τ = B⁻¹.
-Function acceleration_derivatives_function(const Mechanism& mechanism);
+Function acceleration_derivatives_function(Workbench& bench);
 
 }  // namespace flatdyn

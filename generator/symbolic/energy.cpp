@@ -54,7 +54,7 @@ Number kinetic_energy(Frames& frames) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
     const Number qd = d.input(InputKind::qd, i);
     links.push_back(moved(frames, i, body.parent < 0 ? Velocity{} : links[static_cast<std::size_t>(body.parent)], qd));
-    twice += d.named(twice_link_energy(d, body.inertia, links.back(), label(i)), "T_" + label(i));
+    twice += d.named(twice_link_energy(d, frames.inertia(i), links.back(), label(i)), "T_" + label(i));
     twice += d.named(twice_rotor_energy(d, body, links, qd, label(i)), "T_m" + label(i));
   }
   return d.named(d.named(twice, "T_2") / 2, "T");
@@ -76,10 +76,10 @@ FirstMoments first_moments(Frames& frames, const Number& unit) {  // in `unit` k
   const auto n = static_cast<std::size_t>(mechanism.size());
   FirstMoments sum{std::vector<Vec3>(n), std::vector<Number>(n), mechanism.base.first_moment};
   std::vector<Vec3> h;
-  for (const Body& body : mechanism.bodies) h.push_back(1 / unit * body.inertia.first_moment);
+  for (std::size_t k = 0; k < n; ++k) h.push_back(1 / unit * frames.inertia(static_cast<int>(k)).first_moment);
   for (std::size_t k = n; k-- > 0;) {
     const int i = static_cast<int>(k), parent = frames.body(i).parent;
-    sum.mass[k] = d.named(sum.mass[k] + frames.body(i).inertia.mass / unit, "mc_" + label(i));
+    sum.mass[k] = d.named(sum.mass[k] + frames.inertia(i).mass / unit, "mc_" + label(i));
     const Vec3 slid = d.named(h[k] + sum.mass[k] * Vec3{0, 0, frames.slide(i)}, "hc_" + label(i));
     sum.at_axis[k] = frames.up_to_axis(i, slid, "hu_" + label(i));
     const Vec3 carried = frames.up_from_axis(i, sum.at_axis[k], "hu_" + label(i)) + sum.mass[k] * frames.p(i);

@@ -7,7 +7,40 @@ namespace flatdyn {
 
 std::string label(int i) { return std::to_string(i + 1); }
 
-Frames::Frames(const Mechanism& mechanism, Derivation& derivation) : mechanism_(mechanism), derivation_(derivation) {
+namespace {
+
+// Rz(a) T Rz(a)^T in 8 multiplications: with g = c (T_xx - T_yy) - 2 s T_xy, only c g and s g are added.
+Mat3 turned_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
+  if (vanishes(a.s) || vanishes(a.c)) {
+    const Mat3 R = {Vec3{a.c, -a.s, 0}, Vec3{a.s, a.c, 0}, Vec3{0, 0, 1}};
+    return expanded(R * T * transpose(R));
+  }
+  const Number difference = d.named(T[0][0] - T[1][1], name + "_d");
+  const Number twice = d.named(2 * T[0][1], name + "_e");
+  const Number g = d.named(a.c * difference - a.s * twice, name + "_g");
+  const Number cg = d.named(a.c * g, name + "_cg");
+  Mat3 result;
+  result[0][0] = T[1][1] + cg;
+  result[1][1] = T[0][0] - cg;
+  result[0][1] = result[1][0] = T[0][1] + a.s * g;
+  result[0][2] = result[2][0] = a.c * T[0][2] - a.s * T[1][2];
+  result[1][2] = result[2][1] = a.s * T[0][2] + a.c * T[1][2];
+  result[2][2] = T[2][2];
+  return result;
+}
+
+Mat3 turn_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
+  return d.named_symmetric(turned_tensor_z(d, a, T, name), name);
+}
+
+Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
+  return cycled(cycled(turn_tensor_z(d, a, cycled(T), name)));
+}
+
+}  // namespace
+
+Frames::Frames(const Mechanism& mechanism, Derivation& derivation, LeafFrames leaves)
+    : mechanism_(mechanism), derivation_(derivation) {
   for (int i = 0; i < mechanism.size(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
     const auto constant = [&](const PlanarRotation& a, const std::string& name) {
@@ -25,36 +58,28 @@ Frames::Frames(const Mechanism& mechanism, Derivation& derivation) : mechanism_(
     turns_.push_back(turn);
     slide_.push_back(body.prismatic ? q : Number(0));
     p_.push_back(derivation.named(body.p, "p_" + label(i)));
+    inertia_.push_back(body.inertia);
+  }
+  if (leaves == LeafFrames::turning) return;
+  std::vector<bool> is_leaf(inertia_.size(), true);
+  for (const Body& body : mechanism.bodies) {
+    if (body.parent >= 0) is_leaf[static_cast<std::size_t>(body.parent)] = false;
+  }
+  for (int i = 0; i < mechanism.size(); ++i) {
+    if (is_leaf[static_cast<std::size_t>(i)] && !mechanism.bodies[static_cast<std::size_t>(i)].prismatic) hold(i);
   }
 }
 
-namespace {
-
-// Rz(a) T Rz(a)^T in 8 multiplications: with g = c (T_xx - T_yy) - 2 s T_xy, only c g and s g are added.
-Mat3 turn_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
-  if (vanishes(a.s) || vanishes(a.c)) {
-    const Mat3 R = {Vec3{a.c, -a.s, 0}, Vec3{a.s, a.c, 0}, Vec3{0, 0, 1}};
-    return d.named_symmetric(R * T * transpose(R), name);
-  }
-  const Number difference = d.named(T[0][0] - T[1][1], name + "_d");
-  const Number twice = d.named(2 * T[0][1], name + "_e");
-  const Number g = d.named(a.c * difference - a.s * twice, name + "_g");
-  const Number cg = d.named(a.c * g, name + "_cg");
-  Mat3 result;
-  result[0][0] = T[1][1] + cg;
-  result[1][1] = T[0][0] - cg;
-  result[0][1] = result[1][0] = T[0][1] + a.s * g;
-  result[0][2] = result[2][0] = a.c * T[0][2] - a.s * T[1][2];
-  result[1][2] = result[2][1] = a.s * T[0][2] + a.c * T[1][2];
-  result[2][2] = T[2][2];
-  return d.named_symmetric(result, name);
+// The link's parameters in axes that do not turn. The inertia is not named entry by entry: its trace stays a number.
+void Frames::hold(int i) {
+  const auto k = static_cast<std::size_t>(i);
+  const std::string n = label(i);
+  PlanarRotation& turn = turns_[k].gamma;
+  InertialParameters& body = inertia_[k];
+  body.first_moment = derivation_.named(turn_z(turn, body.first_moment), "mr_" + n);
+  body.inertia = turned_tensor_z(derivation_, turn, derivation_.named_symmetric(body.inertia, "I_" + n), "I_t" + n);
+  turn = {};
 }
-
-Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
-  return cycled(cycled(turn_tensor_z(d, a, cycled(T), name)));
-}
-
-}  // namespace
 
 Vec3 Frames::down(int i, const Vec3& v, const std::string& name) {
   return derivation_.named(turn_z(back(turn_of(i).gamma), down_to_axis(i, v, name)), name);
@@ -76,9 +101,24 @@ Vec3 Frames::up_from_axis(int i, const Vec3& v, const std::string& name) {
   return derivation_.named(turn_z(turn_of(i).beta, b), name);
 }
 
+// Columns, then rows.
+Mat3 Frames::down_to_axis(int i, const Mat3& tensor, const std::string& name) {
+  static const char* const kAxes[] = {"_x", "_y", "_z"};
+  Mat3 half, result;
+  const Mat3 columns = transpose(tensor);
+  for (std::size_t k = 0; k < 3; ++k) half[k] = down_to_axis(i, columns[k], name + kAxes[k] + "h");
+  const Mat3 rows = transpose(half);
+  for (std::size_t k = 0; k < 3; ++k) result[k] = down_to_axis(i, rows[k], name + kAxes[k]);
+  return result;
+}
+
+Mat3 Frames::up_to_axis(int i, const Mat3& tensor, const std::string& name) {
+  return turn_tensor_z(derivation_, turn_of(i).gamma, tensor, name + "_t");
+}
+
 Mat3 Frames::up(int i, const Mat3& tensor, const std::string& name) {
   const Turn& turn = turn_of(i);
-  const Mat3 a = turn_tensor_z(derivation_, turn.gamma, tensor, name + "_t");
+  const Mat3 a = up_to_axis(i, tensor, name);
   const Mat3 b = turn_tensor_x(derivation_, turn.alpha, a, name + "_a");
   return turn_tensor_z(derivation_, turn.beta, b, name);
 }

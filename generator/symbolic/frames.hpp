@@ -7,9 +7,14 @@
 
 namespace flatdyn {
 
+// Whether the frame of a link at the end of a branch turns with it. In axes that stay where the joint's angle is zero,
+// all that moves the link is known from its parent without a turn, and its inertial parameters turn instead: that costs
+// less where these are few, or alike about the joint's axis.
+enum class LeafFrames { turning, still };
+
 class Frames {
  public:
-  Frames(const Mechanism& mechanism, Derivation& derivation);
+  Frames(const Mechanism& mechanism, Derivation& derivation, LeafFrames leaves = LeafFrames::turning);
 
   // A vector given in the parent's frame, in frame i.
   Vec3 down(int i, const Vec3& v, const std::string& name);
@@ -20,6 +25,8 @@ class Frames {
   Vec3 down_to_axis(int i, const Vec3& v, const std::string& name);
   Vec3 up_to_axis(int i, const Vec3& v, const std::string& name);
   Vec3 up_from_axis(int i, const Vec3& v, const std::string& name);
+  Mat3 down_to_axis(int i, const Mat3& tensor, const std::string& name);  // any tensor
+  Mat3 up_to_axis(int i, const Mat3& tensor, const std::string& name);    // symmetric
   // A symmetric tensor given in frame i, in the parent's frame: R T R^T.
   Mat3 up(int i, const Mat3& tensor, const std::string& name);
 
@@ -31,6 +38,9 @@ class Frames {
   Vec3 axis_in_parent(int i) const;
 
   const Mechanism& mechanism() const { return mechanism_; }
+  // Of the augmented link, in axes of frame i, about its origin.
+  const InertialParameters& inertia(int i) const { return inertia_[static_cast<std::size_t>(i)]; }
+
   const Body& body(int i) const { return mechanism_.bodies[static_cast<std::size_t>(i)]; }
   Derivation& derivation() { return derivation_; }
 
@@ -39,6 +49,8 @@ class Frames {
     PlanarRotation beta, alpha, gamma;  // gamma: theta and, for a revolute joint, q
   };
 
+  void hold(int i);
+
   const Turn& turn_of(int i) const { return turns_[static_cast<std::size_t>(i)]; }
 
   const Mechanism& mechanism_;
@@ -46,6 +58,7 @@ class Frames {
   std::vector<Turn> turns_;
   std::vector<Number> slide_;
   std::vector<Vec3> p_;
+  std::vector<InertialParameters> inertia_;
 };
 
 // "3" for body 2: people count joints from 1.

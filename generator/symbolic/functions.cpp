@@ -12,69 +12,66 @@
 #include "symbolic/accelerations.hpp"
 #include "symbolic/articulated.hpp"
 #include "symbolic/composite.hpp"
+#include "symbolic/composite_bias.hpp"
 #include "symbolic/derivative_functions.hpp"
 #include "symbolic/derivatives.hpp"
 #include "symbolic/energy.hpp"
 #include "symbolic/kinematics.hpp"
 #include "symbolic/regressor_functions.hpp"
-#include "symbolic/regroup.hpp"
 #include "symbolic/workbench.hpp"
 
 namespace flatdyn {
 namespace {
 
-// The same function from each of these groupings of the parameters; the cheapest counts. The first of equals is kept.
-Function cheapest(const Mechanism& mechanism, Groupings groupings,
-                  const std::function<Function(const Mechanism&)>& derive) {
-  std::optional<Function> best;
-  for (const Grouping grouping : groupings) {
-    Function candidate = derive(regrouped(mechanism, grouping));
-    if (!best || count_operations(candidate).arithmetic() < count_operations(*best).arithmetic()) {
-      best = std::move(candidate);
-    }
-  }
-  return *best;
+Function derived(const Mechanism& mechanism, const Choices& choices,
+                 const std::function<Function(Workbench&)>& derive) {
+  const Mechanism described = chosen(mechanism, choices);
+  Workbench bench(described, choices.leaves);
+  return derive(bench);
 }
 
-Function inverse_dynamics(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
-    const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), m.gravity, true};
+Function inverse_dynamics(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](Workbench& bench) {
+    const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), bench.mechanism.gravity, true};
     const std::vector<Number> tau = torques(bench.frames, motion);
     return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
                     {vector_output("tau", bench.nodes(tau), kTorqueMeaning)});
   });
 }
 
-Function inverse_dynamics_tip_force(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
+// In metres and in frames that turn, as the wrench at the tip is given.
+Choices as_given(Choices choices) {
+  choices.leaves = LeafFrames::turning;
+  choices.length_unit = 1;
+  return choices;
+}
+
+Function inverse_dynamics_tip_force(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, as_given(choices), [](Workbench& bench) {
     const std::vector<Number> h = inputs(bench.derivation, InputKind::h_e, 6);
-    const Wrench tip = wrench_on_body(bench.frames, m.tip, {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}});
-    const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), m.gravity, true};
+    const Wrench tip = wrench_on_body(bench.frames, bench.mechanism.tip, {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}});
+    const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), bench.mechanism.gravity, true};
     const std::vector<Number> tau = torques(bench.frames, motion, tip);
     return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::h_e},
                     {vector_output("tau", bench.nodes(tau), kTorqueMeaning)});
   });
 }
 
-Function inertia_matrix_function(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
+Function inertia_matrix_function(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](Workbench& bench) {
     std::vector<NodeId> entries;
     for (const std::vector<Number>& row : inertia_matrix(bench.frames)) {
       for (const Number& b : row) entries.push_back(bench.node(b));
     }
     return finished(bench, {InputKind::q},
-                    {matrix_output("B", m.size(), m.size(), entries,
+                    {matrix_output("B", bench.size(), bench.size(), entries,
                                    "inertia matrix, symmetric, kg m^2 (kg for prismatic joints)")});
   });
 }
 
-Function christoffel(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(with_half_inertia(mechanism), groupings, [](const Mechanism& m) {
-    Workbench bench(m);
-    const int n = m.size(), columns = n * (n + 1) / 2;
+Function christoffel(const Mechanism& mechanism, const Choices& choices) {
+  return derived(with_half_inertia(mechanism), choices, [](Workbench& bench) {
+    const int n = bench.size(), columns = n * (n + 1) / 2;
     std::vector<NodeId> entries(static_cast<std::size_t>(n * columns), bench.node(0));
     for (const auto& [key, value] : christoffel_symbols(bench.frames)) {
       const auto [i, j, k] = key;
@@ -91,10 +88,9 @@ Function finished_coriolis(Workbench& bench, const std::vector<NodeId>& entries)
                                  "c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric")});
 }
 
-Function coriolis_from_christoffel(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(with_half_inertia(mechanism), groupings, [](const Mechanism& m) {
-    Workbench bench(m);
-    const auto n = static_cast<std::size_t>(m.size());
+Function coriolis_from_christoffel(const Mechanism& mechanism, const Choices& choices) {
+  return derived(with_half_inertia(mechanism), choices, [](Workbench& bench) {
+    const auto n = static_cast<std::size_t>(bench.size());
     const std::vector<Number> qd = bench.all(InputKind::qd);
     std::vector<std::vector<Number>> C(n, std::vector<Number>(n, 0));
     for (const auto& [key, c] : christoffel_symbols(bench.frames)) {
@@ -108,25 +104,22 @@ Function coriolis_from_christoffel(const Mechanism& mechanism, Groupings groupin
 }
 
 // C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative.
-std::optional<Function> coriolis_from_momenta(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(with_half_inertia(mechanism), groupings, [](const Mechanism& m) {
-    Workbench bench(m);
+std::optional<Function> coriolis_from_momenta(const Mechanism& mechanism, const Choices& choices) {
+  return derived(with_half_inertia(mechanism), choices, [](Workbench& bench) {
     const Motion motion{bench.all(InputKind::qd), bench.none(), zero_vector(), false};
     return finished_coriolis(bench, bench.nodes(torque_derivatives(bench.frames, motion).dqd));
   });
 }
 
-Function gravity(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
+Function gravity(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](Workbench& bench) {
     return finished(bench, {InputKind::q},
                     {vector_output("g", bench.nodes(gravity_torques(bench.frames)), kTorqueMeaning)});
   });
 }
 
-Function bias(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
+Function bias(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](Workbench& bench) {
     return finished(bench, {InputKind::q, InputKind::qd},
                     {vector_output("n", bench.nodes(bias_torques(bench)), kTorqueMeaning)});
   });
@@ -139,44 +132,51 @@ Function finished_accelerations(Workbench& bench, const std::vector<Number>& qdd
                   positive);
 }
 
-Function forward_dynamics(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
+Function forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](Workbench& bench) {
     const Factorisation B(bench.frames, inertia_matrix(bench.frames));
     return finished_accelerations(bench, accelerations(bench, B), B.pivots());
   });
 }
 
-std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& mechanism, Groupings groupings) {
+std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& mechanism, const Choices& choices) {
   if (!has_articulated_form(mechanism)) return std::nullopt;
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
-    const Motion motion{bench.all(InputKind::qd), bench.none(), m.gravity, true};
+  return derived(mechanism, choices, [](Workbench& bench) {
+    const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
     const std::vector<Number> tau = bench.all(InputKind::tau);
     const ArticulatedSolution solution = articulated_accelerations(bench.frames, motion, tau);
     return finished_accelerations(bench, solution.qdd, solution.pivots);
   });
 }
 
-Function inverse_dynamics_derivatives(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, torque_derivatives_function);
+// The composite bodies that B is made from give the bias, too.
+std::optional<Function> forward_dynamics_by_composite_bodies(const Mechanism& mechanism, const Choices& choices) {
+  if (!has_composite_bias(mechanism)) return std::nullopt;
+  return derived(mechanism, choices, [](Workbench& bench) {
+    const Factorisation B(bench.frames, inertia_matrix(bench.frames));
+    const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
+    const std::vector<Number> bias = composite_bias_torques(bench.frames, motion, composites(bench.frames));
+    return finished_accelerations(bench, accelerations(bench, B, bias), B.pivots());
+  });
 }
 
-Function forward_dynamics_derivatives(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, acceleration_derivatives_function);
+Function inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, torque_derivatives_function);
 }
 
-Function kinetic_energy_function(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
+Function forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, acceleration_derivatives_function);
+}
+
+Function kinetic_energy_function(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](Workbench& bench) {
     const NodeId T = bench.node(kinetic_energy(bench.frames));
     return finished(bench, {InputKind::q, InputKind::qd}, {scalar_output("T", T, "kinetic energy, J")});
   });
 }
 
-Function potential_energy_function(const Mechanism& mechanism, Groupings groupings) {
-  return cheapest(mechanism, groupings, [](const Mechanism& m) {
-    Workbench bench(m);
+Function potential_energy_function(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](Workbench& bench) {
     const NodeId U = bench.node(potential_energy(bench.frames));
     return finished(bench, {InputKind::q},
                     {scalar_output("U", U, "potential energy, J; zero at the base frame's origin")});
@@ -220,13 +220,13 @@ Function jacobian_dot_qd_of(const Mechanism& mechanism, const LinkFrame& link) {
       {vector_output("a", bench.nodes(entries), "(dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2")});
 }
 
-Function forward_kinematics_tip(const Mechanism& m, Groupings) { return forward_kinematics_of(m, m.tip); }
-Function jacobian_tip(const Mechanism& m, Groupings) { return jacobian_of(m, m.tip); }
-Function jacobian_dot_qd_tip(const Mechanism& m, Groupings) { return jacobian_dot_qd_of(m, m.tip); }
+Function forward_kinematics_tip(const Mechanism& m, const Choices&) { return forward_kinematics_of(m, m.tip); }
+Function jacobian_tip(const Mechanism& m, const Choices&) { return jacobian_of(m, m.tip); }
+Function jacobian_dot_qd_tip(const Mechanism& m, const Choices&) { return jacobian_dot_qd_of(m, m.tip); }
 
 // Regressors choose their own parameters.
 template <Function (*derive)(const Mechanism&)>
-Function ungrouped(const Mechanism& mechanism, Groupings) {
+Function ungrouped(const Mechanism& mechanism, const Choices&) {
   return derive(mechanism);
 }
 
@@ -285,32 +285,70 @@ const std::vector<FunctionEntry>& function_table() {
        "(7.42)", inverse_dynamics_tip_force},
       {"inertia_matrix", "Joint-space inertia matrix B(q)", "(7.32)", inertia_matrix_function},
       {"christoffel", "Christoffel symbols of the first kind c_ijk(q)", "(7.45)", christoffel},
-      {"coriolis_matrix", "C(q, qd) from the Christoffel symbols", "(7.44)", coriolis_from_christoffel,
-       coriolis_from_momenta},
+      {"coriolis_matrix",
+       "C(q, qd) from the Christoffel symbols",
+       "(7.44)",
+       coriolis_from_christoffel,
+       {coriolis_from_momenta}},
       {"gravity", "Gravity torques g(q)", "(7.39)", gravity},
       {"bias", "C(q, qd) qd + g(q) + friction", "(7.116)", bias},
-      {"forward_dynamics", "qdd from B(q) qdd = tau - bias(q, qd)", "(7.115)", forward_dynamics,
-       forward_dynamics_by_articulated_bodies},
+      {"forward_dynamics",
+       "qdd from B(q) qdd = tau - bias(q, qd)",
+       "(7.115)",
+       forward_dynamics,
+       {forward_dynamics_by_articulated_bodies, forward_dynamics_by_composite_bodies}},
       {"kinetic_energy", "Kinetic energy of links and rotors", "(7.31)", kinetic_energy_function},
       {"potential_energy", "Potential energy of links and rotors", "(7.36)", potential_energy_function},
-      {"forward_kinematics", "Pose of the tip", "(2.50)", forward_kinematics_tip},
-      {"jacobian", "Geometric Jacobian of the tip", "(7.14), (7.15)", jacobian_tip},
-      {"jacobian_dot_qd", "(dJ/dt) qd of the tip", "", jacobian_dot_qd_tip},
+      {"forward_kinematics", "Pose of the tip", "(2.50)", forward_kinematics_tip, {}, false, false},
+      {"jacobian", "Geometric Jacobian of the tip", "(7.14), (7.15)", jacobian_tip, {}, false, false},
+      {"jacobian_dot_qd", "(dJ/dt) qd of the tip", "", jacobian_dot_qd_tip, {}, false, false},
       {"inverse_dynamics_derivatives",
-       "Derivatives of tau(q, qd, qdd) by q and by qd; Coulomb friction counts as constant", "",
-       inverse_dynamics_derivatives, nullptr, true},
+       "Derivatives of tau(q, qd, qdd) by q and by qd; Coulomb friction counts as constant",
+       "",
+       inverse_dynamics_derivatives,
+       {},
+       true},
       {"forward_dynamics_derivatives",
-       "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant", "",
-       forward_dynamics_derivatives, nullptr, true},
-      {"regressor", "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint", "(7.81)", ungrouped<regressor_function>,
-       nullptr, true},
-      {"base_regressor", "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters", "(7.81)",
-       ungrouped<base_regressor_function>, nullptr, true},
-      {"base_parameters", "pi_b of this robot: Y_b pi_b = tau", "", ungrouped<base_parameters_function>, nullptr, true},
-      {"inverse_dynamics_base", "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
-       "(7.42)", ungrouped<inverse_dynamics_base_function>, nullptr, true},
-      {"adaptive_regressor", "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
-       "(7.81)", ungrouped<adaptive_regressor_function>, nullptr, true},
+       "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant",
+       "",
+       forward_dynamics_derivatives,
+       {},
+       true},
+      {"regressor",
+       "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint",
+       "(7.81)",
+       ungrouped<regressor_function>,
+       {},
+       true,
+       false},
+      {"base_regressor",
+       "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters",
+       "(7.81)",
+       ungrouped<base_regressor_function>,
+       {},
+       true,
+       false},
+      {"base_parameters",
+       "pi_b of this robot: Y_b pi_b = tau",
+       "",
+       ungrouped<base_parameters_function>,
+       {},
+       true,
+       false},
+      {"inverse_dynamics_base",
+       "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
+       "(7.42)",
+       ungrouped<inverse_dynamics_base_function>,
+       {},
+       true,
+       false},
+      {"adaptive_regressor",
+       "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
+       "(7.81)",
+       ungrouped<adaptive_regressor_function>,
+       {},
+       true,
+       false},
   };
   return table;
 }
@@ -332,28 +370,49 @@ std::string summary_of(const Request& request) {
 
 }  // namespace
 
-std::vector<Function> formulations(const Mechanism& mechanism, const std::string& name, Groupings groupings) {
+std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, Way way,
+                                    const Choices& choices) {
   const Request request = parsed(mechanism, name);
   const FunctionEntry& entry = *request.entry;
-  std::vector<Function> result;
-  if (request.link != nullptr) {
-    result.push_back(link_derivation(entry.name)(mechanism, *request.link));
-  } else {
-    result.push_back(entry.derive(mechanism, groupings));
-    std::optional<Function> other;
-    if (entry.alternative != nullptr) other = entry.alternative(mechanism, groupings);
-    if (other) result.push_back(std::move(*other));
+  std::optional<Function> result;
+  if (way == 0) {
+    result = request.link != nullptr ? link_derivation(entry.name)(mechanism, *request.link)
+                                     : entry.derive(mechanism, choices);
+  } else if (request.link == nullptr && way <= entry.alternatives.size()) {
+    result = entry.alternatives[way - 1](mechanism, choices);
   }
-  for (Function& function : result) {
-    function.name = name;
-    function.summary = summary_of(request);
-    function.equation = entry.equation;
+  if (!result) return result;
+  result->name = name;
+  result->summary = summary_of(request);
+  result->equation = entry.equation;
+  return result;
+}
+
+bool has_choices(const Mechanism& mechanism, const std::string& name) {
+  const Request request = parsed(mechanism, name);
+  return request.link == nullptr && request.entry->has_choices;
+}
+
+std::vector<Formulation> formulations(const Mechanism& mechanism, const std::string& name) {
+  std::vector<Formulation> result;
+  for (Way way = 0; way < kWays; ++way) {
+    const auto made = [&](const Choices& choices) { return formulation(mechanism, name, way, choices); };
+    const Choices plain = uniform_choices(mechanism, Grouping::i_yy);
+    std::optional<Function> function = made(plain);
+    if (!function) continue;
+    if (!has_choices(mechanism, name)) {
+      result.push_back({way, plain, std::move(*function)});
+      continue;
+    }
+    const Choices choices =
+        cheapest_choices(mechanism, [&](const Choices& each) { return count_operations(*made(each)).arithmetic(); });
+    result.push_back({way, choices, *made(choices)});
   }
   return result;
 }
 
-Function derive_function(const Mechanism& mechanism, const std::string& name, Groupings groupings) {
-  return formulations(mechanism, name, groupings).front();
+Function derive_function(const Mechanism& mechanism, const std::string& name) {
+  return formulations(mechanism, name).front().function;
 }
 
 }  // namespace flatdyn

@@ -20,7 +20,7 @@ Momenta named(Derivation& d, const Momenta& a, const std::string& n) {
 
 // Of body i alone: u = ω × r.
 Momenta own_momenta(Frames& frames, int i, const LinkMotion& link) {
-  const InertialParameters& body = frames.body(i).inertia;
+  const InertialParameters& body = frames.inertia(i);
   const Mat3 turned = skew(link.omega) * body.inertia;
   return {cross(link.omega, body.first_moment), body.inertia * link.omega, turned + transpose(turned)};
 }

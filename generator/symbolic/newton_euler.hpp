@@ -28,6 +28,9 @@ struct LinkMotion {
 };
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion);
 
+// Of the base, which gravity is made to accelerate.
+LinkMotion base_motion(Frames& frames, const Motion& motion);
+
 // A force and its moment about the origin of a body's frame, in that frame.
 struct Wrench {
   Vec3 f = zero_vector();   // N
@@ -41,6 +44,13 @@ std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const s
 
 // Generalised forces τ, (7.114).
 std::vector<Number> torques(Frames& frames, const Motion& motion, const std::optional<Wrench>& tip = std::nullopt);
+
+// What spinning rotors do to the bodies that carry them, in the bodies' frames.
+std::vector<Wrench> rotor_reactions(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links);
+
+// τ_i, (7.114), of the wrench that body i gets through its joint: with motor and friction.
+Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vector<LinkMotion>& links,
+                    const Motion& motion);
 
 // k_r I_m z_m: the angular momentum of joint i's rotor for a unit rate, in the frame of the body that carries it. There
 // must be one.

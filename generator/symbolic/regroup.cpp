@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/regroup.hpp"
 
+#include <optional>
+
 namespace flatdyn {
 namespace {
 
@@ -39,14 +41,31 @@ InertialParameters negative(const InertialParameters& a) {
   return result;
 }
 
+// The mass that cancels an entry of the parent's first moment, as it stands with `part` moved there; nothing if none
+// does.
+std::optional<Number> balancing_mass(const Body& body, const Body& parent, const InertialParameters& part,
+                                     Balance balance) {
+  if (balance == Balance::no || body.prismatic) return std::nullopt;
+  const std::size_t entry = balance == Balance::x ? 0 : 1;
+  const Number& arm = body.p[entry];
+  if (!is_rational(arm) || vanishes(arm)) return std::nullopt;
+  const Vec3 moved = constant_rotation(body) * part.first_moment;
+  return (-(parent.inertia.first_moment[entry] + moved[entry]) / arm).expand();
+}
+
 }  // namespace
 
-Mechanism regrouped(const Mechanism& mechanism, Grouping grouping) {
+Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>& groupings) {
   Mechanism result = mechanism;
-  if (grouping == Grouping::none) return result;
   for (int i = result.size() - 1; i >= 0; --i) {
+    const JointGrouping& chosen = groupings[static_cast<std::size_t>(i)];
+    if (chosen.grouping == Grouping::none) continue;
     Body& body = result.bodies[static_cast<std::size_t>(i)];
-    const InertialParameters part = movable(body, grouping);
+    InertialParameters part = movable(body, chosen.grouping);
+    if (body.parent >= 0) {
+      const Body& parent = result.bodies[static_cast<std::size_t>(body.parent)];
+      part.mass = balancing_mass(body, parent, part, chosen.balance).value_or(part.mass);
+    }
     body.inertia = body.inertia + negative(part);
     InertialParameters& parent =
         body.parent < 0 ? result.base : result.bodies[static_cast<std::size_t>(body.parent)].inertia;
@@ -55,6 +74,10 @@ Mechanism regrouped(const Mechanism& mechanism, Grouping grouping) {
     parent = parent + transformed(part, constant_rotation(body), body.p);
   }
   return result;
+}
+
+Mechanism regrouped(const Mechanism& mechanism, Grouping grouping) {
+  return regrouped(mechanism, std::vector<JointGrouping>(mechanism.bodies.size(), {grouping, Balance::no}));
 }
 
 }  // namespace flatdyn

@@ -4,6 +4,8 @@
 // the same. The parameters are no longer those of a real body.
 #pragma once
 
+#include <vector>
+
 #include "model/mechanism.hpp"
 
 namespace flatdyn {
@@ -17,6 +19,20 @@ enum class Grouping {
 };
 
 inline constexpr Grouping kGroupings[] = {Grouping::i_yy, Grouping::i_xx, Grouping::sigma_zz};
+
+// How much of the mass that can be moved is moved: all of it, or as much as cancels an entry of the parent's first
+// moment. A mass costs a force, a first moment costs a force and a moment.
+enum class Balance { no, x, y };
+
+inline constexpr Balance kBalances[] = {Balance::no, Balance::x, Balance::y};
+
+struct JointGrouping {
+  Grouping grouping = Grouping::none;
+  Balance balance = Balance::no;
+};
+
+// One grouping for each joint.
+Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>& groupings);
 
 Mechanism regrouped(const Mechanism& mechanism, Grouping grouping);
 

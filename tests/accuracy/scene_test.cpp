@@ -205,10 +205,10 @@ TEST(ExampleScene, TakesNoMoreOperations) {
   const std::vector<Function> functions = functions_of(make_functions(model, options, quiet, findings));
   ASSERT_EQ(functions.size(), 3U);
   const OperationCount torques = count_operations(functions[0]), inertia = count_operations(functions[1]);
-  EXPECT_LE(torques.multiplications, 122);
-  EXPECT_LE(torques.additions, 90);
-  EXPECT_LE(inertia.multiplications, 52);
-  EXPECT_LE(inertia.additions, 54);
+  EXPECT_LE(torques.multiplications, 98);
+  EXPECT_LE(torques.additions, 83);
+  EXPECT_LE(inertia.multiplications, 45);
+  EXPECT_LE(inertia.additions, 50);
 }
 
 }  // namespace

@@ -42,9 +42,9 @@ const std::vector<std::string> kFunctions = {"inertia_matrix",   "gravity", "pot
                                              "forward_dynamics"};
 
 Fusion optimised(const Mechanism& mechanism, const std::vector<std::string>& names) {
-  static constexpr Grouping kOne[] = {Grouping::i_yy};
+  const Choices choices = uniform_choices(mechanism, Grouping::i_yy);
   std::vector<Function> functions;
-  for (const std::string& name : names) functions.push_back(derive_function(mechanism, name, kOne));
+  for (const std::string& name : names) functions.push_back(*formulation(mechanism, name, 0, choices));
   Fusion fusion = fused(functions);
   fusion.function = run_passes(fusion.function);
   return fusion;

@@ -53,7 +53,7 @@ TEST(Proof, CatchesAMistakeInAnyPass) {
     const Function derived = derive_function(mechanism, name);
     for (std::size_t pass = 0; pass < pass_table().size(); ++pass) {
       for (int k = 0; k < 4; ++k, ++mutants) {
-        const OptimisedFunction wrong{through_passes(derived, pass, engine), derived, {}};
+        const OptimisedFunction wrong{through_passes(derived, pass, engine), derived, {}, {}};
         EXPECT_THROW(prove(mechanism, {wrong}, {}, {}), Failure)
             << name << ", mistake " << k << " in " << pass_table()[pass].name;
       }
@@ -65,12 +65,12 @@ TEST(Proof, CatchesAMistakeInAnyPass) {
 TEST(Proof, CatchesAWrongConditionAndAnotherRobot) {
   const Mechanism puma = testing::model_of("puma560.toml").mechanism;
   const Function forward = derive_function(puma, "forward_dynamics");
-  OptimisedFunction wrong{forward, forward, {}};
+  OptimisedFunction wrong{forward, forward, {}, {}};
   std::swap(wrong.function.positive.front(), wrong.function.positive.back());
   EXPECT_THROW(prove(puma, {wrong}, {}, {}), Failure);
   Mechanism other = puma;
   other.bodies.back().inertia.mass += Number(1) / 1000;
-  EXPECT_THROW(prove(other, {OptimisedFunction{forward, forward, {}}}, {}, {}), Failure);
+  EXPECT_THROW(prove(other, {OptimisedFunction{forward, forward, {}, {}}}, {}, {}), Failure);
 }
 
 TEST(Proof, CoversFusedFunctionsAndStages) {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "search/search.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "passes/draft.hpp"
+
+namespace flatdyn {
+
+ChoiceSearch::ChoiceSearch(const Mechanism& mechanism, Choices start, const Function& made, bool moves,
+                           MakeFunction make)
+    : mechanism_(&mechanism),
+      make_(std::move(make)),
+      best_(std::move(start)),
+      before_(best_),
+      cost_(cost(made)),
+      has_moves_(moves) {}
+
+void ChoiceSearch::start_round() {
+  is_improved_ = false;
+  next_move_ = 0;
+  moves_ = possible_moves(*mechanism_, best_);
+}
+
+// The next change of the best that changes anything; after a round without success, the next order of factoring.
+Choices ChoiceSearch::next() {
+  if (has_moves_ && is_round_over() && is_improved_) start_round();
+  while (!is_round_over()) {
+    Choices candidate = best_;
+    if (moves_[next_move_++](candidate)) return candidate;
+  }
+  Choices candidate = best_;
+  candidate.order = ++last_order_;
+  return candidate;
+}
+
+void ChoiceSearch::step() {
+  before_ = best_;
+  Choices candidate = next();
+  const int found = cost(make_(candidate));
+  if (found >= cost_) return;
+  cost_ = found;
+  best_ = std::move(candidate);
+  is_improved_ = true;
+}
+
+void ChoiceSearch::step_back() { best_ = before_; }
+
+int run_searches(std::vector<ChoiceSearch>& searches, const SearchLimit& limit) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto is_late = [&] {
+    return limit.seconds && std::chrono::duration<double>(Clock::now() - start).count() > *limit.seconds;
+  };
+  int candidates = 0;
+  for (; !limit.candidates || candidates < *limit.candidates; ++candidates) {
+    for (std::size_t k = 0; k < searches.size(); ++k) {
+      searches[k].step();
+      if (!is_late()) continue;
+      if (k + 1 == searches.size()) return candidates + 1;
+      for (std::size_t j = 0; j <= k; ++j) searches[j].step_back();
+      return candidates;
+    }
+  }
+  return candidates;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/choices.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace flatdyn {
+namespace {
+
+bool contains(const std::vector<Number>& numbers, const Number& number) {
+  return std::any_of(numbers.begin(), numbers.end(), [&](const Number& each) { return vanishes(each - number); });
+}
+
+void add_rise(std::vector<Number>& rises, const Number& rise) {
+  const Number value = rise.expand();
+  if (is_rational(value) && !vanishes(value) && !contains(rises, value)) rises.push_back(value);
+}
+
+Vec3 axis_of(const Body& body) {
+  const Mat3 R = constant_rotation(body);
+  return {R[0][2], R[1][2], R[2][2]};
+}
+
+// Where the common normal to a child's axis meets the body's own.
+Number foot_of_common_normal(const Body& child) {
+  const Vec3 axis = axis_of(child), &p = child.p;
+  const Number across = (axis[0] * axis[0] + axis[1] * axis[1]).expand();
+  return vanishes(across) ? p[2] : p[2] - axis[2] * (p[0] * axis[0] + p[1] * axis[1]) / across;
+}
+
+}  // namespace
+
+Mechanism in_raised_frames(const Mechanism& mechanism, const Choices& choices) {
+  Mechanism result = mechanism;
+  for (std::size_t k = 0; k < choices.joints.size(); ++k) {
+    const Number& rise = choices.joints[k].rise;
+    if (!vanishes(rise)) result = with_frame_raised(result, static_cast<int>(k), rise);
+  }
+  return result;
+}
+
+Mechanism chosen(const Mechanism& mechanism, const Choices& choices) {
+  Mechanism result = in_raised_frames(mechanism, choices);
+  if (!choices.length_unit.is_equal(1)) result = in_length_unit(result, choices.length_unit);
+  std::vector<JointGrouping> groupings;
+  for (const JointChoice& joint : choices.joints) groupings.push_back(joint.grouping);
+  return regrouped(result, groupings);
+}
+
+Choices uniform_choices(const Mechanism& mechanism, Grouping grouping, LeafFrames leaves) {
+  return {std::vector<JointChoice>(mechanism.bodies.size(), {0, {grouping, Balance::no}}), 1, leaves};
+}
+
+std::vector<Number> possible_rises(const Mechanism& mechanism, int i) {
+  std::vector<Number> rises;
+  const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+  if (body.prismatic) return rises;
+  const Vec3 axis = axis_of(body);
+  add_rise(rises, -dot(body.p, axis));
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!vanishes(axis[k])) add_rise(rises, -body.p[k] / axis[k]);
+  }
+  for (const Body& child : mechanism.bodies) {
+    if (child.parent == i && !child.prismatic) add_rise(rises, foot_of_common_normal(child));
+  }
+  return rises;
+}
+
+std::vector<Number> possible_length_units(const Mechanism& mechanism) {
+  std::vector<std::pair<Number, int>> lengths;  // with how often they occur
+  if (!has_free_length_unit(mechanism)) return {};
+  for (const Body& body : mechanism.bodies) {
+    if (body.parent < 0) continue;  // how far the first joint is from the base moves nothing
+    for (const Number& entry : body.p) {
+      if (!is_rational(entry) || vanishes(entry)) continue;
+      const Number length = GiNaC::abs(entry);
+      const auto known =
+          std::find_if(lengths.begin(), lengths.end(), [&](const auto& each) { return each.first.is_equal(length); });
+      if (known == lengths.end()) {
+        lengths.emplace_back(length, 1);
+      } else {
+        ++known->second;
+      }
+    }
+  }
+  std::stable_sort(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::vector<Number> units;
+  for (const auto& [length, count] : lengths) units.push_back(length);
+  return units;
+}
+
+namespace {
+
+// Every joint's mass balances an entry of the parent's first moment, if there is one that it can.
+Choices balanced(const Mechanism& mechanism, Choices choices, Balance first, Balance second) {
+  for (std::size_t k = 0; k < choices.joints.size(); ++k) {
+    const Vec3& p = mechanism.bodies[k].p;
+    const auto has_arm = [&p](Balance balance) { return !vanishes(p[balance == Balance::x ? 0 : 1]); };
+    choices.joints[k].grouping.balance = has_arm(first) ? first : has_arm(second) ? second : Balance::no;
+  }
+  return choices;
+}
+
+}  // namespace
+
+Choices cheapest_choices(const Mechanism& mechanism, const std::function<int(const Choices&)>& operations) {
+  Choices best;
+  std::optional<int> fewest;
+  const auto consider = [&](const Choices& choices) {
+    const int count = operations(choices);
+    if (fewest && count >= *fewest) return;
+    fewest = count;
+    best = choices;
+  };
+  for (const Grouping grouping : kGroupings) consider(uniform_choices(mechanism, grouping));
+  Choices still = best;
+  still.leaves = LeafFrames::still;
+  consider(still);
+  constexpr std::size_t kUsualUnits = 3;
+  const std::vector<Number> units = possible_length_units(mechanism);
+  for (std::size_t k = 0; k < std::min(units.size(), kUsualUnits); ++k) {
+    Choices scaled = best;
+    scaled.length_unit = units[k];
+    consider(scaled);
+  }
+  consider(balanced(mechanism, best, Balance::x, Balance::y));
+  consider(balanced(mechanism, best, Balance::y, Balance::x));
+  return best;
+}
+
+}  // namespace flatdyn

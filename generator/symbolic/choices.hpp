@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What may be chosen freely when functions are derived from a mechanism: the result is the same function, at another
+// cost.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "model/equivalents.hpp"
+#include "symbolic/frames.hpp"
+#include "symbolic/regroup.hpp"
+
+namespace flatdyn {
+
+struct JointChoice {
+  Number rise = 0;  // of the frame's origin along the joint's axis, m; rational
+  JointGrouping grouping;
+};
+
+struct Choices {
+  std::vector<JointChoice> joints;  // one for each
+  Number length_unit = 1;           // m; rational
+  LeafFrames leaves = LeafFrames::turning;
+  unsigned order = 0;  // in which the passes find what they may factor; 0: as derived
+};
+
+// The mechanism in these frames, and nothing else changed.
+Mechanism in_raised_frames(const Mechanism& mechanism, const Choices& choices);
+
+// The mechanism in these frames, units and parameters.
+Mechanism chosen(const Mechanism& mechanism, const Choices& choices);
+
+// The same for all joints, and nothing else changed.
+Choices uniform_choices(const Mechanism& mechanism, Grouping grouping, LeafFrames leaves = LeafFrames::turning);
+
+// Where else the origin of a revolute joint's frame might well be, relative to where it is, m: where its parent needs
+// fewer numbers to reach it, and where it needs fewer to reach its children. Rational ones, none twice.
+std::vector<Number> possible_rises(const Mechanism& mechanism, int i);
+
+// Distances between neighbouring frames, one of which becomes 1 in that unit, m; none twice, the most frequent first.
+// Empty if lengths are not free.
+std::vector<Number> possible_length_units(const Mechanism& mechanism);
+
+// What functions are derived from unless a search has found better ones: what costs least of one grouping for all
+// joints, still leaf frames, a usual length unit, and balanced masses, each tried after the other. `operations`: of the
+// function derived from some choices.
+Choices cheapest_choices(const Mechanism& mechanism, const std::function<int(const Choices&)>& operations);
+
+}  // namespace flatdyn
