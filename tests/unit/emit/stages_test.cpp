@@ -37,9 +37,9 @@ std::vector<Residue> values_with(const Function& function, std::uint64_t seed,
   return result;
 }
 
-const std::vector<std::string> kFunctions = {"inertia_matrix",   "gravity", "potential_energy",
-                                             "inverse_dynamics", "bias",    "inverse_dynamics_tip_force",
-                                             "forward_dynamics"};
+const std::vector<std::string> kFused = {"inertia_matrix",   "gravity", "potential_energy",
+                                         "inverse_dynamics", "bias",    "inverse_dynamics_tip_force",
+                                         "forward_dynamics"};
 
 Fusion optimised(const Mechanism& mechanism, const std::vector<std::string>& names) {
   const Choices choices = uniform_choices(mechanism, Grouping::i_yy);
@@ -54,7 +54,7 @@ class RandomStages : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomStages, ComputeWhatTheFunctionsDo) {
   const Mechanism mechanism = make_mechanism(testing::random_tree(GetParam(), 5));
-  const Fusion fusion = optimised(mechanism, kFunctions);
+  const Fusion fusion = optimised(mechanism, kFused);
   const Stages stages = stages_of(fusion);
   const std::uint64_t seed = GetParam();
   const std::vector<Residue> configuration = values_with(stages.configuration.make, seed);
@@ -63,11 +63,11 @@ TEST_P(RandomStages, ComputeWhatTheFunctionsDo) {
   EXPECT_EQ(motion.size(), stages.motion.fields.size());
   ASSERT_EQ(stages.configuration.members.size(), 3u);
   ASSERT_EQ(stages.motion.members.size(), 4u);
-  for (std::size_t k = 0; k < kFunctions.size(); ++k) {
+  for (std::size_t k = 0; k < kFused.size(); ++k) {
     const bool at_rest = k < 3;
     const Function& member = at_rest ? stages.configuration.members[k] : stages.motion.members[k - 3];
-    const std::vector<Residue> expected = values_with(derive_function(mechanism, kFunctions[k]), seed);
-    EXPECT_EQ(member.name, kFunctions[k]);
+    const std::vector<Residue> expected = values_with(derive_function(mechanism, kFused[k]), seed);
+    EXPECT_EQ(member.name, kFused[k]);
     EXPECT_TRUE(values_with(member, seed, at_rest ? configuration : motion) == expected) << member.name;
     EXPECT_TRUE(values_with(function_of(fusion, k), seed) == expected) << member.name;
   }
@@ -94,15 +94,15 @@ TEST(Stages, ComputeNothingTwice) {
 }
 
 TEST(Stages, CostLessThanTheFunctionsByThemselves) {
-  const Fusion fusion = optimised(make_mechanism(testing::random_tree(3, 6)), kFunctions);
+  const Fusion fusion = optimised(make_mechanism(testing::random_tree(3, 6)), kFused);
   int alone = 0;
-  for (std::size_t k = 0; k < kFunctions.size(); ++k) alone += operations(function_of(fusion, k));
+  for (std::size_t k = 0; k < kFused.size(); ++k) alone += operations(function_of(fusion, k));
   EXPECT_LT(operations(stages_of(fusion)), alone);
 }
 
 // A member of the configuration reads neither positions nor sines: they are stored if it needs them.
 TEST(Stages, ReadNoArgumentOfAnEarlierStage) {
-  const Stages stages = stages_of(optimised(make_mechanism(testing::random_tree(5, 5)), kFunctions));
+  const Stages stages = stages_of(optimised(make_mechanism(testing::random_tree(5, 5)), kFused));
   for (const Stage* stage : {&stages.configuration, &stages.motion}) {
     for (const Function& member : stage->members) {
       for (const Input& input : inputs_read(member)) {

@@ -120,7 +120,8 @@ TEST(PhysicalParameters, AgreeWithAllThatAPoorMotionTells) {
   const testing::Arm arm("puma560.toml");
   Mechanism wrong = arm.robot.mechanism;
   for (Body& body : wrong.bodies) body.inertia.mass = body.inertia.mass + 1;
-  const Observations observations = arm.observed(simulated(arm.robot, {.samples = 500, .noise = 0.1, .moving = false}));
+  const Observations observations =
+      arm.observed(testing::simulated(arm.robot, {.samples = 500, .noise = 0.1, .moving = false}));
   const Estimate found = estimate(observations, values_of(base_values(wrong, arm.torque.base())));
   ASSERT_FALSE(found.damped.empty());
   const PhysicalParameters bodies = physical_parameters(wrong, arm.torque.base(), found);

@@ -15,7 +15,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr const char* kFunctions[] = {
+constexpr const char* kSearched[] = {
     "inverse_dynamics", "inertia_matrix", "coriolis_matrix", "forward_dynamics",
     "potential_energy", "kinetic_energy", "gravity",         "inverse_dynamics_tip_force"};
 
@@ -38,7 +38,7 @@ TEST_P(RandomChoices, GiveTheSameFunctions) {
   for (int k = 0; k < 12; ++k) {
     const std::vector<Move> moves = possible_moves(mechanism, choices);
     moves[static_cast<std::size_t>(random.integer(0, static_cast<int>(moves.size()) - 1))](choices);
-    const char* name = kFunctions[static_cast<std::size_t>(k) % std::size(kFunctions)];
+    const char* name = kSearched[static_cast<std::size_t>(k) % std::size(kSearched)];
     for (Way way = 0; way < kWays; ++way) {
       const std::optional<Function> function = formulation(mechanism, name, way, choices);
       if (!function) continue;
@@ -52,7 +52,7 @@ TEST_P(RandomChoices, StillLeafFramesGiveTheSameFunctions) {
   const Mechanism mechanism = make_mechanism(random_robot(GetParam()));
   for (const Grouping grouping : kGroupings) {
     const Choices choices = uniform_choices(mechanism, grouping, LeafFrames::still);
-    for (const char* name : kFunctions) {
+    for (const char* name : kSearched) {
       const std::optional<Function> function = formulation(mechanism, name, 0, choices);
       EXPECT_TRUE(prove_exactly(mechanism, function.value()).equal) << name;
     }
