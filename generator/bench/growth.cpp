@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "bench/errors.hpp"
@@ -66,10 +67,19 @@ GrowthRow measured(const Model& model, const std::string& function, const Toolch
           compiler.peak_kilobytes};
 }
 
+// A robot's first joints move in fewer ways, and cost less: the exponents are those of the rest, if there are enough.
+int first_fitted(const std::vector<GrowthRow>& rows) {
+  constexpr int kFirst = 8;
+  const auto is_late = [](const GrowthRow& row) { return row.joints >= kFirst; };
+  return std::count_if(rows.begin(), rows.end(), is_late) > 1 ? kFirst : rows.front().joints;
+}
+
 void fit(GrowthCurve& curve) {
   if (curve.rows.size() < 2) return;
+  curve.fitted_from = first_fitted(curve.rows);
   std::vector<double> joints, operations, times;
   for (const GrowthRow& row : curve.rows) {
+    if (row.joints < curve.fitted_from) continue;
     joints.push_back(row.joints);
     operations.push_back(row.operations.arithmetic());
     times.push_back(row.time.median);

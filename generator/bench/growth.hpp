@@ -36,6 +36,7 @@ struct GrowthRow {
 struct GrowthCurve {
   std::string shape, function;
   std::vector<GrowthRow> rows;                       // by number of joints
+  int fitted_from = 0;                               // joints
   double operation_exponent = 0, time_exponent = 0;  // operations ~ joints^x, by least squares
 };
 

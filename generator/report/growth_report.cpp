@@ -17,7 +17,8 @@ bool is_fitted(const GrowthCurve& curve) { return curve.rows.size() > 1; }
 
 std::string exponents_of(const GrowthCurve& curve) {
   if (!is_fitted(curve)) return "one size: no exponents\n";
-  return fmt::format("operations ~ n^{:.2f}, time ~ n^{:.2f}\n", curve.operation_exponent, curve.time_exponent);
+  return fmt::format("operations ~ n^{:.2f}, time ~ n^{:.2f} from {} joints\n", curve.operation_exponent,
+                     curve.time_exponent, curve.fitted_from);
 }
 
 std::string text_of(const GrowthCurve& curve) {
@@ -49,6 +50,7 @@ ordered_json json_of(const GrowthRow& row) {
 ordered_json json_of(const GrowthCurve& curve) {
   ordered_json json = {{"shape", curve.shape}, {"function", curve.function}};
   const auto exponent = [&](double fitted) { return is_fitted(curve) ? ordered_json(fitted) : ordered_json(); };
+  json["fitted_from"] = is_fitted(curve) ? ordered_json(curve.fitted_from) : ordered_json();
   json["operation_exponent"] = exponent(curve.operation_exponent);
   json["time_exponent"] = exponent(curve.time_exponent);
   json["sizes"] = ordered_json::array();

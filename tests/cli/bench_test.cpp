@@ -188,6 +188,7 @@ TEST(Bench, ShowsGrowth) {
       EXPECT_GT(row["compiler_kilobytes"], 1000);
     }
     EXPECT_LT(curve["sizes"][0]["mul"], curve["sizes"][1]["mul"]);
+    EXPECT_EQ(curve["fitted_from"], 2);
     EXPECT_GT(curve["operation_exponent"], 1.0);
     EXPECT_TRUE(curve["time_exponent"].is_number());
   }
