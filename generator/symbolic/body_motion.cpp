@@ -22,18 +22,20 @@ Mat3 products_of(Derivation& d, const BodyMotion& body, const std::string& n) {
   return d.named_symmetric(products, "omega_" + n);
 }
 
-// U and ω̇, of which the column U z and ω̇_z are known.
-void complete_motion(Derivation& d, BodyMotion& body, const Vec3& U_z, const Number& domega_z, const std::string& n) {
-  const Mat3& W = body.products;
-  const auto entry = [&](const Number& value, const char* axes) { return d.named(value, "U_" + n + "_" + axes); };
-  body.domega = d.named(Vec3{W[1][2] - U_z[1], U_z[0] - W[0][2], domega_z}, "domega_" + n);
-  const Number difference = d.named(W[0][0] - W[2][2], "omega_" + n + "_xx_zz");
-  body.U = {Vec3{entry(U_z[2] + difference, "xx"), entry(W[0][1] - domega_z, "xy"), U_z[0]},
-            Vec3{entry(W[0][1] + domega_z, "yx"), entry(-W[0][0] - W[2][2], "yy"), U_z[1]},
-            Vec3{entry(W[0][2] - body.domega[1], "zx"), entry(W[1][2] + body.domega[0], "zy"), U_z[2]}};
+Mat3 acceleration_matrix(Derivation& d, const Mat3& products, const Vec3& domega, const std::string& n) {
+  static const char* const kAxes[] = {"x", "y", "z"};
+  const Number square = products[0][0] + products[1][1] + products[2][2];
+  const Mat3 turn = skew(domega);
+  Mat3 U;
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      const Number entry = turn[a][b] + products[a][b] - (a == b ? square : Number(0));
+      U[a][b] = d.named(entry, "U_" + n + "_" + kAxes[a] + kAxes[b]);
+    }
+  }
+  return U;
 }
 
-// Points of the joint's axis are accelerated alike as parts of either body: U z is that of the parent.
 BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMotion& motion) {
   Derivation& d = frames.derivation();
   const auto k = static_cast<std::size_t>(i);
@@ -43,22 +45,23 @@ BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMot
   const bool one_rate = is_same(parent.omega, parent.omega_r);
   body.omega = frames.down(i, parent.omega, "omega_f_" + n);
   body.omega_r = one_rate ? body.omega : frames.down(i, parent.omega_r, "omega_r_" + n);
-  const Vec3 z = frames.axis_in_parent(i);
-  const Vec3 U_z = frames.down(i, d.named(parent.U * z, "Uz_o_" + n), "Uz_" + n);
-  Number domega_z = d.named(dot(z, parent.domega), "domega_f_" + n + "_z");
+  const Vec3 domega = frames.down(i, parent.domega, "domega_f_" + n);
+  const Vec3 carried = rate_times_omega(motion, i, body.omega, body.omega_r);
+  const Vec3 turned = prismatic ? zero_vector() : Vec3{carried[1], -carried[0], motion.qdd_r[k]};  // q̇ ω × z + q̈ z
+  body.domega = d.named(domega + turned, "domega_" + n);
   if (!prismatic) {
     body.omega = d.named(body.omega + Vec3{0, 0, motion.qd[k]}, "omega_" + n);
     body.omega_r = d.named(body.omega_r + Vec3{0, 0, motion.qd_r[k]}, "omega_r_" + n);
-    domega_z = d.named(domega_z + motion.qdd_r[k], "domega_" + n + "_z");
   }
   body.products = products_of(d, body, n);
-  complete_motion(d, body, U_z, domega_z, n);
+  body.U = acceleration_matrix(d, body.products, body.domega, n);
   const Vec3 at_origin = d.named(parent.ddp + parent.U * frames.p(i), "ddp_o_" + n);
   body.ddp = frames.down(i, at_origin, "ddp_" + n);
   if (prismatic) {
-    const Vec3 carried = rate_times_omega(motion, i, body.omega, body.omega_r);
-    const Vec3 coriolis = {2 * carried[1], -2 * carried[0], motion.qdd_r[k]};  // 2 q̇ ω × z + q̈ z
-    body.ddp = d.named(body.ddp + frames.slide(i) * U_z + coriolis, "ddp_s_" + n);
+    const Number q = frames.slide(i);
+    const Vec3 along = {body.U[0][2] * q + 2 * carried[1], body.U[1][2] * q - 2 * carried[0],
+                        body.U[2][2] * q + motion.qdd_r[k]};  // 2 q̇ ω × z + q̈ z
+    body.ddp = d.named(body.ddp + along, "ddp_s_" + n);
   }
   return body;
 }

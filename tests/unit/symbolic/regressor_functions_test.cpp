@@ -101,10 +101,10 @@ int operations(const std::string& robot, const std::string& function) {
 
 // The best of the peers needs 988 for the UR5 and 1341 for the Panda.
 TEST(BaseRegressor, CostsFewOperations) {
-  EXPECT_LE(operations("ur5.urdf", "base_regressor"), 538);
-  EXPECT_LE(operations("panda.urdf", "base_regressor"), 1084);
-  EXPECT_LE(operations("puma560.toml", "base_regressor"), 660);
-  EXPECT_LE(operations("rx90.toml", "base_regressor"), 609);
+  EXPECT_LE(operations("ur5.urdf", "base_regressor"), 580);
+  EXPECT_LE(operations("panda.urdf", "base_regressor"), 1115);
+  EXPECT_LE(operations("puma560.toml", "base_regressor"), 690);
+  EXPECT_LE(operations("rx90.toml", "base_regressor"), 640);
 }
 
 TEST(Centres, AreWhereThreeAxesMeet) {
