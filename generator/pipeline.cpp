@@ -13,6 +13,8 @@
 #include "scene/specialise.hpp"
 #include "search/search.hpp"
 #include "symbolic/closed_functions.hpp"
+#include "symbolic/formulations.hpp"
+#include "symbolic/functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -114,7 +116,7 @@ void search_choices(const Model& model, const SearchLimit& limit, std::vector<Pl
 std::vector<std::string> names_of_functions(bool on_request) {
   std::vector<std::string> names;
   for (const FunctionEntry& entry : function_table()) {
-    if (entry.on_request == on_request) names.emplace_back(entry.name);
+    if (entry.is_on_request() == on_request) names.emplace_back(entry.name);
   }
   return names;
 }
@@ -236,10 +238,18 @@ Fusion fused_from(const Model& model, const std::vector<std::string>& functions,
 OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress) {
   check_names(model.mechanism, functions);
   progress.step("deriving functions together");
-  const Choices choices = cheapest_choices(
-      derived_from(model), [&](const Choices& each) { return cost(fused_from(model, functions, each).function); });
+  OptimisedFusion result;
+  std::optional<int> least;
+  cheapest_choices(derived_from(model), [&](const Choices& choices) {
+    Fusion made = fused_from(model, functions, choices);
+    const int operations = cost(made.function);
+    if (!least || operations < *least) {
+      least = operations;
+      result.fusion = std::move(made);
+    }
+    return operations;
+  });
   progress.step("optimising functions together");
-  OptimisedFusion result{fused_from(model, functions, choices), {}, {}};
   result.derived = result.fusion.function;
   result.fusion.function = run_passes(result.fusion.function, &result.passes);
   // Where there is little to share, each function in its own best form may cost less.

@@ -14,7 +14,7 @@
 #include "passes/passes.hpp"
 #include "scene/abbreviate.hpp"
 #include "search/limit.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/choices.hpp"
 
 namespace flatdyn {
 

@@ -4,18 +4,10 @@
 #include <algorithm>
 
 #include "graph/count.hpp"
+#include "symbolic/formulations.hpp"
 
 namespace flatdyn {
 namespace {
-
-// What has no numbers of the links in it. Of base parameters an abbreviated model has fewer: its regressors are others.
-constexpr const char* kWithoutInertia[] = {"forward_kinematics",   "jacobian", "regressor", "base_", "adaptive",
-                                           "inverse_dynamics_base"};
-
-bool has_inertia(const Function& function) {
-  return std::none_of(std::begin(kWithoutInertia), std::end(kWithoutInertia),
-                      [&function](const char* begin) { return function.name.rfind(begin, 0) == 0; });
-}
 
 std::vector<std::string> budgets_of(const std::vector<BenchVariant>& variants) {
   std::vector<std::string> budgets;
@@ -43,7 +35,7 @@ std::vector<Function> abbreviated_functions(Model model, const std::vector<Funct
   model.abbreviation = abbreviated(model.mechanism, budget);
   PipelineOptions options;
   for (const Function& function : functions) {
-    if (has_inertia(function)) options.functions.push_back(function.name);
+    if (has_choices(model.mechanism, function.name)) options.functions.push_back(function.name);
   }
   Diagnostics findings;
   return cheaper(functions_of(make_functions(model, options, progress, findings)), functions);
@@ -54,7 +46,10 @@ std::vector<Function> abbreviated_functions(Model model, const std::vector<Funct
 Abbreviations abbreviations(const Model& model, const std::vector<Function>& functions,
                             const std::vector<BenchVariant>& variants, Progress& progress) {
   Abbreviations result;
-  if (std::none_of(functions.begin(), functions.end(), has_inertia)) return result;
+  const auto may_be_cheaper = [&model](const Function& function) {
+    return has_choices(model.mechanism, function.name);
+  };
+  if (std::none_of(functions.begin(), functions.end(), may_be_cheaper)) return result;
   for (const std::string& budget : budgets_of(variants)) {
     if (model.abbreviation) {
       result.left_out.push_back("error budget " + budget + ": the model has one already");

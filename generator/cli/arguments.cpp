@@ -10,6 +10,7 @@
 #include "diagnostics/table.hpp"
 #include "input/expression.hpp"
 #include "report/toml_string.hpp"
+#include "symbolic/functions.hpp"
 #include "symbolic/number_text.hpp"
 
 namespace flatdyn {
@@ -218,7 +219,7 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
   for (const bool on_request : {false, true}) {
     if (on_request) rows.emplace_back();
     for (const FunctionEntry& entry : function_table()) {
-      if (entry.on_request == on_request) rows.push_back({"", entry.name, entry.summary});
+      if (entry.is_on_request() == on_request) rows.push_back({"", entry.name, entry.summary});
     }
   }
   command.footer("Functions:\n" + aligned_table(rows) +

@@ -165,13 +165,8 @@ class Splitter {
 
   Function member(const Function& part, const Places& given) const {
     Copy made = copy(roots(part), given);
-    Function result = part;
+    Function result = with_graph(part, std::move(made.graph), made.image);
     std::erase_if(result.inputs, [](InputKind kind) { return kind == InputKind::q || kind == InputKind::qd; });
-    result.graph = std::move(made.graph);
-    for (Output& output : result.outputs) {
-      for (NodeId& entry : output.entries) entry = made.image[at(entry)];
-    }
-    for (NodeId& condition : result.positive) condition = made.image[at(condition)];
     return result;
   }
 
@@ -223,20 +218,16 @@ class Splitter {
 
 // `function` with these nodes of `made` for what is stored.
 Function in_full(const Function& function, const Function& made) {
-  Function result = function;
-  result.graph = made.graph;
-  result.inputs.insert(result.inputs.begin(), made.inputs.begin(), made.inputs.end());
+  Graph graph = made.graph;
   const std::vector<NodeId>& fields = made.outputs[0].entries;
   std::vector<NodeId> image;
   for (NodeId id = 0; id < function.graph.size(); ++id) {
     const Node& node = function.graph[id];
     const bool is_stored = node.op == Op::input && node.input.kind == InputKind::stored;
-    image.push_back(is_stored ? fields[static_cast<std::size_t>(node.input.index)] : result.graph.copy(node, image));
+    image.push_back(is_stored ? fields[at(node.input.index)] : graph.copy(node, image));
   }
-  for (Output& output : result.outputs) {
-    for (NodeId& entry : output.entries) entry = image[at(entry)];
-  }
-  for (NodeId& condition : result.positive) condition = image[at(condition)];
+  Function result = with_graph(function, std::move(graph), image);
+  result.inputs.insert(result.inputs.begin(), made.inputs.begin(), made.inputs.end());
   return result;
 }
 

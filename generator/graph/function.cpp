@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace flatdyn {
 
@@ -15,6 +16,23 @@ std::vector<NodeId> roots(const Function& function) {
   for (const Output& output : function.outputs) all.insert(all.end(), output.entries.begin(), output.entries.end());
   all.insert(all.end(), function.positive.begin(), function.positive.end());
   return all;
+}
+
+// Field by field, as the old graph need not be copied.
+Function with_graph(const Function& function, Graph graph, const std::vector<NodeId>& image) {
+  Function result{.name = function.name,
+                  .summary = function.summary,
+                  .equation = function.equation,
+                  .inputs = function.inputs,
+                  .base_parameters = function.base_parameters,
+                  .at_rest = function.at_rest,
+                  .graph = std::move(graph),
+                  .outputs = function.outputs,
+                  .positive = function.positive};
+  const auto replace = [&image](NodeId& id) { id = image[static_cast<std::size_t>(id)]; };
+  for (Output& output : result.outputs) std::for_each(output.entries.begin(), output.entries.end(), replace);
+  std::for_each(result.positive.begin(), result.positive.end(), replace);
+  return result;
 }
 
 bool is_whole(const Function& function) {

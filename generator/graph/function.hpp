@@ -46,6 +46,9 @@ struct Function {
 // Output entries and conditions, in order: what keeps a node alive.
 std::vector<NodeId> roots(const Function& function);
 
+// The same outputs and conditions in another graph, where node k of the function's is image[k].
+Function with_graph(const Function& function, Graph graph, const std::vector<NodeId>& image);
+
 // Whether every entry of every output is computed.
 bool is_whole(const Function& function);
 

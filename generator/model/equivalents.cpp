@@ -31,11 +31,6 @@ Mechanism with_frame_raised(const Mechanism& mechanism, int i, const Number& ris
   return result;
 }
 
-bool has_free_length_unit(const Mechanism& mechanism) {
-  return std::none_of(mechanism.bodies.begin(), mechanism.bodies.end(),
-                      [](const Body& body) { return body.prismatic; });
-}
-
 Mechanism in_length_unit(const Mechanism& mechanism, const Number& unit) {
   Mechanism result = mechanism;
   result.gravity = expanded(1 / unit * mechanism.gravity);

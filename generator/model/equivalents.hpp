@@ -11,11 +11,9 @@ namespace flatdyn {
 // origin is the axis's at q = 0. Throws Failure(bug) for one.
 Mechanism with_frame_raised(const Mechanism& mechanism, int i, const Number& rise);
 
-// Whether lengths are in no input and no output of its dynamics: no joint slides.
-bool has_free_length_unit(const Mechanism& mechanism);
-
 // Lengths in units of `unit` (m), masses in units of 1/unit² (kg): energies and torques keep their numbers, and so do
-// moments of inertia. Poses of links, and the tip, are left as they are. It must have_free_length_unit.
+// moments of inertia. Poses of links, and the tip, are left as they are. No joint may be prismatic: its
+// position is a length.
 Mechanism in_length_unit(const Mechanism& mechanism, const Number& unit);
 
 }  // namespace flatdyn

@@ -35,6 +35,10 @@ InertialParameters transformed(const InertialParameters& a, const Mat3& R, const
   return {a.mass, expanded(h + a.mass * p), expanded(I + mixed_steiner(p, h) + steiner(a.mass, p))};
 }
 
+bool Mechanism::has_prismatic_joint() const {
+  return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.prismatic; });
+}
+
 Mat3 constant_rotation(const Body& body) {
   return expanded(rotation_z(body.beta) * rotation_x(body.alpha) * rotation_z(body.theta));
 }

@@ -77,6 +77,7 @@ struct Mechanism {
   std::vector<std::string> merged;  // names of links merged into another by fixed joints
 
   int size() const { return static_cast<int>(bodies.size()); }
+  bool has_prismatic_joint() const;
 };
 
 // R_i^parent at q = 0, without the joint's own motion: Rz(beta) Rx(alpha) Rz(theta).

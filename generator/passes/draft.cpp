@@ -13,25 +13,6 @@ constexpr NodeId kNone = -1;
 
 std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
 
-// Everything but the graph, with ids replaced.
-Function with_graph(const Function& source, Graph graph, const std::vector<NodeId>& image) {
-  Function result;
-  result.name = source.name;
-  result.summary = source.summary;
-  result.equation = source.equation;
-  result.inputs = source.inputs;
-  result.base_parameters = source.base_parameters;
-  result.at_rest = source.at_rest;
-  result.graph = std::move(graph);
-  result.outputs = source.outputs;
-  result.positive = source.positive;
-  for (Output& output : result.outputs) {
-    for (NodeId& entry : output.entries) entry = image[index(entry)];
-  }
-  for (NodeId& entry : result.positive) entry = image[index(entry)];
-  return result;
-}
-
 std::vector<bool> alive_nodes(const Draft& draft) {
   std::vector<bool> alive(draft.nodes.size(), false);
   std::vector<NodeId> stack = roots(draft.source);

@@ -44,12 +44,7 @@ Function reordered(Function function, unsigned seed) {
     image[place_of(id)] = graph.copy(function.graph[id], image);
     copy_name(function.graph, id, graph, image[place_of(id)]);
   }
-  function.graph = std::move(graph);
-  for (Output& output : function.outputs) {
-    for (NodeId& entry : output.entries) entry = image[place_of(entry)];
-  }
-  for (NodeId& entry : function.positive) entry = image[place_of(entry)];
-  return function;
+  return with_graph(function, std::move(graph), image);
 }
 
 }  // namespace flatdyn

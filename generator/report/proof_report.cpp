@@ -17,9 +17,8 @@ std::string describe_proofs(const std::vector<Proof>& proofs) {
     worst = std::max(worst, proof.result.failure_log2);
   }
   return fmt::format(
-      "proven in exact arithmetic: all {} entries of {} function{} are what the Lagrangian says, and what they were "
-      "before "
-      "the passes; each is wrong with probability below 2^{:.0f}",
+      "proven in exact arithmetic: all {} entries of {} function{} are what the Lagrangian says, each wrong with "
+      "probability below 2^{:.0f}; the text, read back, says the same with constants rounded to double",
       entries, proofs.size(), proofs.size() == 1 ? "" : "s", std::ceil(worst));
 }
 

@@ -49,13 +49,9 @@ void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function)
 Function at_rest(const Function& function) {
   const std::vector<InputKind>& inputs = function.inputs;
   if (std::find(inputs.begin(), inputs.end(), InputKind::qd) == inputs.end()) return function;
-  Function result = function;
   std::vector<NodeId> image(slot(function.graph.size()));
-  result.graph = without_velocities(function.graph, image);
-  for (Output& output : result.outputs) {
-    for (NodeId& entry : output.entries) entry = image[slot(entry)];
-  }
-  for (NodeId& pivot : result.positive) pivot = image[slot(pivot)];
+  Graph still = without_velocities(function.graph, image);
+  Function result = with_graph(function, std::move(still), image);
   result.at_rest = true;
   return without_dead_code(result);
 }

@@ -69,7 +69,7 @@ std::vector<Number> possible_rises(const Mechanism& mechanism, int i) {
 
 std::vector<Number> possible_length_units(const Mechanism& mechanism) {
   std::vector<std::pair<Number, int>> lengths;  // with how often they occur
-  if (!has_free_length_unit(mechanism)) return {};
+  if (mechanism.has_prismatic_joint()) return {};
   for (const Body& body : mechanism.bodies) {
     if (body.parent < 0) continue;  // how far the first joint is from the base moves nothing
     for (const Number& entry : body.p) {

@@ -38,7 +38,7 @@ Choices uniform_choices(const Mechanism& mechanism, Grouping grouping, LeafFrame
 std::vector<Number> possible_rises(const Mechanism& mechanism, int i);
 
 // Distances between neighbouring frames, one of which becomes 1 in that unit, m; none twice, the most frequent first.
-// Empty if lengths are not free.
+// Empty if a joint is prismatic: lengths are not free.
 std::vector<Number> possible_length_units(const Mechanism& mechanism);
 
 // What functions are derived from unless a search has found better ones: what costs least of one grouping for all

@@ -52,11 +52,6 @@ Wrench rate_wrench(Derivation& d, const AtAxis& here, const Number& qd, const st
 
 }  // namespace
 
-bool has_composite_bias(const Mechanism& mechanism) {
-  return std::none_of(mechanism.bodies.begin(), mechanism.bodies.end(),
-                      [](const Body& body) { return body.prismatic; });
-}
-
 std::vector<Number> composite_bias_torques(Frames& frames, const Motion& motion,
                                            const std::vector<InertialParameters>& bodies) {
   Derivation& d = frames.derivation();

@@ -12,10 +12,8 @@
 
 namespace flatdyn {
 
-// Whether no joint slides.
-bool has_composite_bias(const Mechanism& mechanism);
-
-// C q̇ + g + friction of such a mechanism: torques() where motion.qdd is zero. `bodies`: composites(frames).
+// C q̇ + g + friction of a mechanism without prismatic joints: torques() where motion.qdd is zero. `bodies`:
+// composites(frames).
 std::vector<Number> composite_bias_torques(Frames& frames, const Motion& motion,
                                            const std::vector<InertialParameters>& bodies);
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/functions.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <functional>
 #include <optional>
 
-#include "diagnostics/nearest.hpp"
-#include "graph/count.hpp"
 #include "symbolic/accelerations.hpp"
 #include "symbolic/articulated.hpp"
 #include "symbolic/composite.hpp"
@@ -151,7 +146,7 @@ std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& 
 
 // The composite bodies that B is made from give the bias, too.
 std::optional<Function> forward_dynamics_by_composite_bodies(const Mechanism& mechanism, const Choices& choices) {
-  if (!has_composite_bias(mechanism)) return std::nullopt;
+  if (mechanism.has_prismatic_joint()) return std::nullopt;
   return derived(mechanism, choices, [](Workbench& bench) {
     const Factorisation B(bench.frames, inertia_matrix(bench.frames));
     const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
@@ -230,189 +225,61 @@ Function ungrouped(const Mechanism& mechanism, const Choices&) {
   return derive(mechanism);
 }
 
-using LinkDerivation = Function (*)(const Mechanism&, const LinkFrame&);
+}  // namespace
 
-// The functions that may be asked for a named link.
+const std::vector<FunctionEntry>& function_table() {
+  using Kind = FunctionKind;
+  static const std::vector<FunctionEntry> table = {
+      {"inverse_dynamics", "tau = B(q) qdd + C(q, qd) qd + g(q) + friction", "(7.42)", Kind::dynamics,
+       inverse_dynamics},
+      {"inverse_dynamics_tip_force", "Inverse dynamics with a force h_e that the tip exerts on the environment",
+       "(7.42)", Kind::dynamics, inverse_dynamics_tip_force},
+      {"inertia_matrix", "Joint-space inertia matrix B(q)", "(7.32)", Kind::dynamics, inertia_matrix_function},
+      {"christoffel", "Christoffel symbols of the first kind c_ijk(q)", "(7.45)", Kind::dynamics, christoffel},
+      {"coriolis_matrix",
+       "C(q, qd) from the Christoffel symbols",
+       "(7.44)",
+       Kind::dynamics,
+       coriolis_from_christoffel,
+       {coriolis_from_momenta}},
+      {"gravity", "Gravity torques g(q)", "(7.39)", Kind::dynamics, gravity},
+      {"bias", "C(q, qd) qd + g(q) + friction", "(7.116)", Kind::dynamics, bias},
+      {"forward_dynamics",
+       "qdd from B(q) qdd = tau - bias(q, qd)",
+       "(7.115)",
+       Kind::dynamics,
+       forward_dynamics,
+       {forward_dynamics_by_articulated_bodies, forward_dynamics_by_composite_bodies}},
+      {"kinetic_energy", "Kinetic energy of links and rotors", "(7.31)", Kind::dynamics, kinetic_energy_function},
+      {"potential_energy", "Potential energy of links and rotors", "(7.36)", Kind::dynamics, potential_energy_function},
+      {"forward_kinematics", "Pose of the tip", "(2.50)", Kind::kinematics, forward_kinematics_tip},
+      {"jacobian", "Geometric Jacobian of the tip", "(7.14), (7.15)", Kind::kinematics, jacobian_tip},
+      {"jacobian_dot_qd", "(dJ/dt) qd of the tip", "", Kind::kinematics, jacobian_dot_qd_tip},
+      {"inverse_dynamics_derivatives",
+       "Derivatives of tau(q, qd, qdd) by q and by qd; Coulomb friction counts as constant", "", Kind::derivatives,
+       inverse_dynamics_derivatives},
+      {"forward_dynamics_derivatives",
+       "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant", "", Kind::derivatives,
+       forward_dynamics_derivatives},
+      {"regressor", "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint", "(7.81)", Kind::regressor,
+       ungrouped<regressor_function>},
+      {"base_regressor", "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters", "(7.81)", Kind::regressor,
+       ungrouped<base_regressor_function>},
+      {"base_parameters", "pi_b of this robot: Y_b pi_b = tau", "", Kind::regressor,
+       ungrouped<base_parameters_function>},
+      {"inverse_dynamics_base", "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
+       "(7.42)", Kind::regressor, ungrouped<inverse_dynamics_base_function>},
+      {"adaptive_regressor", "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
+       "(7.81)", Kind::regressor, ungrouped<adaptive_regressor_function>},
+  };
+  return table;
+}
+
 LinkDerivation link_derivation(const std::string& name) {
   if (name == "forward_kinematics") return forward_kinematics_of;
   if (name == "jacobian") return jacobian_of;
   if (name == "jacobian_dot_qd") return jacobian_dot_qd_of;
   return nullptr;
-}
-
-const FunctionEntry& entry_of(const std::string& name) {
-  const auto& table = function_table();
-  const auto found = std::find_if(table.begin(), table.end(), [&](const FunctionEntry& e) { return name == e.name; });
-  if (found != table.end()) return *found;
-  std::vector<std::string> known;
-  for (const FunctionEntry& entry : table) known.emplace_back(entry.name);
-  throw Failure(ExitCode::usage, "unknown function \"" + name + "\"", hint_for_unknown(name, known, "functions"));
-}
-
-const LinkFrame& link_of(const Mechanism& mechanism, const std::string& name) {
-  const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
-                                  [&](const LinkFrame& frame) { return frame.link == name; });
-  if (found != mechanism.links.end()) return *found;
-  std::vector<std::string> known;
-  for (const LinkFrame& frame : mechanism.links) known.push_back(frame.link);
-  throw Failure(ExitCode::usage, "no link named \"" + name + "\"", hint_for_unknown(name, known, "links"));
-}
-
-// What a name asks for: "jacobian", or "jacobian:hand" for a link.
-struct Request {
-  const FunctionEntry* entry = nullptr;
-  const LinkFrame* link = nullptr;
-};
-
-Request parsed(const Mechanism& mechanism, const std::string& name) {
-  const std::size_t colon = name.find(':');
-  Request request{&entry_of(name.substr(0, colon)), nullptr};
-  if (colon == std::string::npos) return request;
-  if (link_derivation(request.entry->name) == nullptr) {
-    throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.entry->name),
-                  "those of a link are forward_kinematics, jacobian and jacobian_dot_qd");
-  }
-  request.link = &link_of(mechanism, name.substr(colon + 1));
-  return request;
-}
-
-}  // namespace
-
-const std::vector<FunctionEntry>& function_table() {
-  static const std::vector<FunctionEntry> table = {
-      {"inverse_dynamics", "tau = B(q) qdd + C(q, qd) qd + g(q) + friction", "(7.42)", inverse_dynamics},
-      {"inverse_dynamics_tip_force", "Inverse dynamics with a force h_e that the tip exerts on the environment",
-       "(7.42)", inverse_dynamics_tip_force},
-      {"inertia_matrix", "Joint-space inertia matrix B(q)", "(7.32)", inertia_matrix_function},
-      {"christoffel", "Christoffel symbols of the first kind c_ijk(q)", "(7.45)", christoffel},
-      {"coriolis_matrix",
-       "C(q, qd) from the Christoffel symbols",
-       "(7.44)",
-       coriolis_from_christoffel,
-       {coriolis_from_momenta}},
-      {"gravity", "Gravity torques g(q)", "(7.39)", gravity},
-      {"bias", "C(q, qd) qd + g(q) + friction", "(7.116)", bias},
-      {"forward_dynamics",
-       "qdd from B(q) qdd = tau - bias(q, qd)",
-       "(7.115)",
-       forward_dynamics,
-       {forward_dynamics_by_articulated_bodies, forward_dynamics_by_composite_bodies}},
-      {"kinetic_energy", "Kinetic energy of links and rotors", "(7.31)", kinetic_energy_function},
-      {"potential_energy", "Potential energy of links and rotors", "(7.36)", potential_energy_function},
-      {"forward_kinematics", "Pose of the tip", "(2.50)", forward_kinematics_tip, {}, false, false},
-      {"jacobian", "Geometric Jacobian of the tip", "(7.14), (7.15)", jacobian_tip, {}, false, false},
-      {"jacobian_dot_qd", "(dJ/dt) qd of the tip", "", jacobian_dot_qd_tip, {}, false, false},
-      {"inverse_dynamics_derivatives",
-       "Derivatives of tau(q, qd, qdd) by q and by qd; Coulomb friction counts as constant",
-       "",
-       inverse_dynamics_derivatives,
-       {},
-       true},
-      {"forward_dynamics_derivatives",
-       "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant",
-       "",
-       forward_dynamics_derivatives,
-       {},
-       true},
-      {"regressor",
-       "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint",
-       "(7.81)",
-       ungrouped<regressor_function>,
-       {},
-       true,
-       false},
-      {"base_regressor",
-       "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters",
-       "(7.81)",
-       ungrouped<base_regressor_function>,
-       {},
-       true,
-       false},
-      {"base_parameters",
-       "pi_b of this robot: Y_b pi_b = tau",
-       "",
-       ungrouped<base_parameters_function>,
-       {},
-       true,
-       false},
-      {"inverse_dynamics_base",
-       "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
-       "(7.42)",
-       ungrouped<inverse_dynamics_base_function>,
-       {},
-       true,
-       false},
-      {"adaptive_regressor",
-       "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
-       "(7.81)",
-       ungrouped<adaptive_regressor_function>,
-       {},
-       true,
-       false},
-  };
-  return table;
-}
-
-void check_function_name(const Mechanism& mechanism, const std::string& name) { parsed(mechanism, name); }
-
-namespace {
-
-// "Pose of the tip", or "Pose of link hand".
-std::string summary_of(const Request& request) {
-  std::string summary = request.entry->summary;
-  const std::string tip = "the tip";
-  const std::size_t place = summary.find(tip);
-  if (request.link != nullptr && place != std::string::npos) {
-    summary.replace(place, tip.size(), "link \"" + request.link->link + "\"");
-  }
-  return summary;
-}
-
-}  // namespace
-
-std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, Way way,
-                                    const Choices& choices) {
-  const Request request = parsed(mechanism, name);
-  const FunctionEntry& entry = *request.entry;
-  std::optional<Function> result;
-  if (way == 0) {
-    result = request.link != nullptr ? link_derivation(entry.name)(mechanism, *request.link)
-                                     : entry.derive(mechanism, choices);
-  } else if (request.link == nullptr && way <= entry.alternatives.size()) {
-    result = entry.alternatives[way - 1](mechanism, choices);
-  }
-  if (!result) return result;
-  result->name = name;
-  result->summary = summary_of(request);
-  result->equation = entry.equation;
-  return result;
-}
-
-bool has_choices(const Mechanism& mechanism, const std::string& name) {
-  const Request request = parsed(mechanism, name);
-  return request.link == nullptr && request.entry->has_choices;
-}
-
-std::vector<Formulation> formulations(const Mechanism& mechanism, const std::string& name) {
-  std::vector<Formulation> result;
-  for (Way way = 0; way < kWays; ++way) {
-    const auto made = [&](const Choices& choices) { return formulation(mechanism, name, way, choices); };
-    const Choices plain = uniform_choices(mechanism, Grouping::i_yy);
-    std::optional<Function> function = made(plain);
-    if (!function) continue;
-    if (!has_choices(mechanism, name)) {
-      result.push_back({way, plain, std::move(*function)});
-      continue;
-    }
-    const Choices choices =
-        cheapest_choices(mechanism, [&](const Choices& each) { return count_operations(*made(each)).arithmetic(); });
-    result.push_back({way, choices, *made(choices)});
-  }
-  return result;
-}
-
-Function derive_function(const Mechanism& mechanism, const std::string& name) {
-  return formulations(mechanism, name).front().function;
 }
 
 }  // namespace flatdyn

@@ -162,25 +162,18 @@ EmittedText::EmittedText(const std::string& header) : tokens_(tokens_of(header))
 }
 
 Function as_printed(const Function& function) {
-  Function result = function;
-  result.graph = Graph();
+  Graph graph;
   const auto printed = [](const Rational& value) { return Rational(nearest_double(value)); };
   std::vector<NodeId> image;
   for (NodeId id = 0; id < function.graph.size(); ++id) {
     Node node = function.graph[id];
     node.value = printed(node.value);
     for (Term& term : node.terms) term.coefficient = printed(term.coefficient);
-    image.push_back(result.graph.copy(node, image));
+    image.push_back(graph.copy(node, image));
   }
-  const auto now = [&image](NodeId id) { return image[static_cast<std::size_t>(id)]; };
-  for (Output& output : result.outputs) {
-    for (std::size_t e = 0; e < output.entries.size(); ++e) {
-      output.entries[e] = output.leaves_out(e) ? result.graph.constant(0) : now(output.entries[e]);
-    }
-  }
+  Function result = with_graph(function, std::move(graph), image);
   std::erase_if(result.positive,
-                [&function](NodeId id) { return function.graph.is_constant(id) && function.graph[id].value > 0; });
-  for (NodeId& condition : result.positive) condition = now(condition);
+                [&result](NodeId id) { return result.graph.is_constant(id) && result.graph[id].value > 0; });
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/states.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 #include "verify/values.hpp"
 
 namespace flatdyn {

@@ -12,9 +12,7 @@ enum class Mutation { flip_sign, drop_term, swap_trigonometry, wrong_index, wron
 
 // The function with one node changed; the others are made again over it.
 inline Function mutant(const Function& function, NodeId victim, Mutation mutation) {
-  Function result = function;
-  result.graph = Graph();
-  Graph& g = result.graph;
+  Graph g;
   std::vector<NodeId> moved;
   const auto now = [&moved](NodeId id) { return moved[static_cast<std::size_t>(id)]; };
   for (NodeId id = 0; id < function.graph.size(); ++id) {
@@ -55,11 +53,7 @@ inline Function mutant(const Function& function, NodeId victim, Mutation mutatio
         break;
     }
   }
-  for (Output& output : result.outputs) {
-    for (NodeId& entry : output.entries) entry = now(entry);
-  }
-  for (NodeId& condition : result.positive) condition = now(condition);
-  return result;
+  return with_graph(function, std::move(g), moved);
 }
 
 }  // namespace flatdyn::testing

@@ -7,7 +7,7 @@
 
 #include "graph/evaluate.hpp"
 #include "symbolic/base_parameters.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 #include "symbolic/textbook_robots.hpp"
 
 namespace flatdyn {

@@ -6,7 +6,7 @@
 
 #include "emit/emit.hpp"
 #include "support/robot_models.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 
 namespace flatdyn {
 namespace {

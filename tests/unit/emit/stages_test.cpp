@@ -9,7 +9,7 @@
 #include "graph/mod_p.hpp"
 #include "passes/passes.hpp"
 #include "support/robots.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 
 namespace flatdyn {
 namespace {

@@ -9,7 +9,7 @@
 #include "passes/passes.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 #include "verify/exact.hpp"
 #include "verify/given_up.hpp"
 #include "verify/values.hpp"

@@ -6,6 +6,7 @@
 #include "graph/count.hpp"
 #include "graph/well_formed.hpp"
 #include "support/robots.hpp"
+#include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "verify/exact.hpp"
 

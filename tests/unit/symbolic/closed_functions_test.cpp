@@ -5,6 +5,7 @@
 
 #include "graph/count.hpp"
 #include "pipeline.hpp"
+#include "symbolic/formulations.hpp"
 #include "verify/exact.hpp"
 
 namespace flatdyn {

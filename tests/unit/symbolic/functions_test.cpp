@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Identities between the functions of one robot, exactly, at random points of a prime field.
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "support/robots.hpp"
 #include "symbolic/base_parameters.hpp"
 #include "symbolic/centres.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 #include "symbolic/workbench.hpp"
 
 namespace flatdyn {

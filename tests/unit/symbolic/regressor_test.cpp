@@ -7,7 +7,7 @@
 #include "graph/mod_p.hpp"
 #include "model/field_mechanism.hpp"
 #include "support/robots.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 
 namespace flatdyn {
 namespace {

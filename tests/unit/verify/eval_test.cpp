@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 #include "verify/reference_model.hpp"
 
 namespace flatdyn {

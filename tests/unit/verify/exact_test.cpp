@@ -10,6 +10,7 @@
 #include "support/mutants.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
+#include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "verify/degree.hpp"
 

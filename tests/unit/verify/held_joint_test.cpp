@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.hpp"
-#include "symbolic/functions.hpp"
+#include "symbolic/formulations.hpp"
 #include "verify/values.hpp"
 
 namespace flatdyn {

@@ -9,6 +9,7 @@
 #include "diagnostics/diagnostics.hpp"
 #include "support/mutants.hpp"
 #include "support/robot_models.hpp"
+#include "symbolic/formulations.hpp"
 
 namespace flatdyn {
 namespace {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "support/robots.hpp"
+#include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "verify/compiled.hpp"
 #include "verify/properties.hpp"
