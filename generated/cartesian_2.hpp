@@ -22,10 +22,11 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
-// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
-// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
-// gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
+// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
+// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
+// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
+// of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_CARTESIAN_2_HPP
 #define FLATDYN_CARTESIAN_2_HPP

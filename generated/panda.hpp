@@ -28,10 +28,11 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
-// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
-// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
-// gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
+// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
+// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
+// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
+// of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PANDA_HPP
 #define FLATDYN_PANDA_HPP
@@ -106,7 +107,7 @@ struct GivenSinCos {
 //   qd[7]   in   joint velocities, rad/s or m/s
 //   qdd[7]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..6], qd[0..6], qdd[0..6]. Operations: 274 mul, 266 add, 12 sin/cos.
+// Reads q[1..6], qd[0..6], qdd[0..6]. Operations: 273 mul, 262 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
@@ -167,7 +168,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t29 = t27 + omega_r_6_y * t28;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
   const Scalar t30 = t29 + t28 * omega_7_z;
-  const Scalar mr_7_y = Scalar(0.00016784129658959824) * c_7 + Scalar(0.00021232244313540175) * s_7;
+  const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
   const Scalar t31 = c_5 * t20 + s_5 * t15;
   const Scalar t32 = t25 * omega_5_z;
   const Scalar domega_r_6_z = t31 - t32;
@@ -176,38 +177,40 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t34 = t33 * omega_r_6_y;
   const Scalar Uz_o_7_x = domega_6_z - t34;
   const Scalar t35 = Uz_o_7_x - Scalar(2.0) * t33 * omega_7_z;
-  const Scalar mr_7_x = Scalar(0.00021232244313540175) * c_7 - Scalar(0.00016784129658959824) * s_7;
+  const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
   const Scalar U_6_yx = t34 + domega_6_z;
   const Scalar t36 = t23 + t24;
-  const Scalar t37 = Scalar(118.9090909090909) * s_2 - Scalar(3.83030303030303) * Uz_o_3_x;
-  const Scalar ddp_3_y = Scalar(3.83030303030303) * t5 + s_3 * t37;
+  const Scalar t37 = Scalar(31.044303797468356) * s_2 - Uz_o_3_x;
+  const Scalar ddp_3_y = t5 + s_3 * t37;
   const Scalar U_3_yx = t12 + domega_3_z;
-  const Scalar ddp_o_4_y = U_3_yx + ddp_3_y;
-  const Scalar t38 = t36 + ddp_o_4_y - Scalar(4.654545454545454) * t15;
+  const Scalar ddp_o_4_y = Scalar(0.2610759493670886) * U_3_yx + ddp_3_y;
+  const Scalar t38 = Scalar(0.2610759493670886) * t36 + ddp_o_4_y -
+      Scalar(1.2151898734177216) * t15;
   const Scalar t39 = t17 - domega_3_y;
   const Scalar t40 = t1 * t1;
   const Scalar t41 = qd_2 * qd_2;
   const Scalar Uz_o_3_y = t40 + t41;
-  const Scalar ddp_3_a_z = Scalar(118.9090909090909) * c_2 - Scalar(3.83030303030303) * Uz_o_3_y;
-  const Scalar t42 = t39 + ddp_3_a_z;
-  const Scalar ddp_3_x = Scalar(3.83030303030303) * t16 - c_3 * t37;
+  const Scalar ddp_3_a_z = Scalar(31.044303797468356) * c_2 - Uz_o_3_y;
+  const Scalar t42 = Scalar(0.2610759493670886) * t39 + ddp_3_a_z;
+  const Scalar ddp_3_x = t16 - c_3 * t37;
   const Scalar t43 = t11 * t11;
   const Scalar t44 = omega_3_z * omega_3_z;
   const Scalar t45 = Uz_o_3_y - t43 + t44;
-  const Scalar t46 = t45 - ddp_3_x;
+  const Scalar t46 = Scalar(0.2610759493670886) * t45 - ddp_3_x;
   const Scalar t47 = s_4 * t42 - c_4 * t46;
   const Scalar t48 = t18 * t18;
   const Scalar Uz_o_4_y = t43 + t44;
   const Scalar t49 = omega_4_z * omega_4_z;
   const Scalar t50 = Uz_o_4_y + t49 - t48;
-  const Scalar ddp_o_5_x = t50 - Scalar(4.654545454545454) * t20 + t47;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t50 - Scalar(1.2151898734177216) * t20 +
+      t47;
   const Scalar ddp_5_x = s_5 * t38 + c_5 * ddp_o_5_x;
   const Scalar t51 = s_4 * t46 + c_4 * t42;
   const Scalar U_4_yx = domega_4_z - t19;
   const Scalar t52 = t49 + t48;
-  const Scalar t53 = U_4_yx + Scalar(4.654545454545454) * t52 - t51;
-  const Scalar ddp_o_7_y = Scalar(1.0666666666666667) * U_6_yx - s_6 * ddp_5_x - c_6 * t53;
-  const Scalar f_u_7_a_y = mr_7_x * t35 - mr_7_y * t30 + Scalar(0.017931959153753906) * ddp_o_7_y;
+  const Scalar t53 = Scalar(0.2610759493670886) * U_4_yx + Scalar(1.2151898734177216) * t52 - t51;
+  const Scalar ddp_o_7_y = Scalar(0.27848101265822783) * U_6_yx - s_6 * ddp_5_x - c_6 * t53;
+  const Scalar f_u_7_a_y = mr_7_x * t35 - mr_7_y * t30 + Scalar(0.26308374115809) * ddp_o_7_y;
   const Scalar Uz_6_x = s_6 * Uz_o_6_z + c_6 * Uz_o_6_x;
   const Scalar t54 = t33 * omega_6_z;
   const Scalar domega_6_y = Uz_6_x - t54;
@@ -232,105 +235,105 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar mu_6_z = Scalar(0.000093569097314605) * Uz_6_x - Scalar(0.000103758917218685) * t27 +
       mr_7_x * ddp_o_7_y + Scalar(0.001119670733427555) * U_6_yx + t64 * (Uz_o_7_y - t62) +
       t55 * t56 + t30 * I_7_xy - t35 * t58 - Scalar(0.014748570382675316) * (t67 - Uz_o_7_y) +
-      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.0143388882094425) * t59 +
-      Scalar(1.0666666666666667) * f_u_7_a_y;
+      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.054922286959804) * t59 +
+      Scalar(0.27848101265822783) * f_u_7_a_y;
   tau[5] = mu_6_z;
   const Scalar t68 = t54 + domega_7_z;
   const Scalar I_7_xx = t57 + Scalar(0.002131604094419858);
   const Scalar t69 = t54 - domega_6_y;
   const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t38;
-  const Scalar ddp_o_7_z = Scalar(1.0666666666666667) * t69 + ddp_6_a_z;
-  const Scalar t70 = Scalar(1.0666666666666667) * t67 + t59;
+  const Scalar ddp_o_7_z = Scalar(0.27848101265822783) * t69 + ddp_6_a_z;
+  const Scalar t70 = Scalar(0.27848101265822783) * t67 + t59;
   const Scalar t71 = t63 + t60;
   const Scalar t72 = -mr_7_y * t70 - mr_7_x * ddp_o_7_z + I_7_xy * (t62 - t71) + t29 * t64 +
       Uz_o_7_x * t56 + t55 * I_7_xx + t68 * t58;
   tau[6] = -t72;
-  const Scalar F_7_y = mr_7_x * t68 - mr_7_y * t71 + Scalar(0.017931959153753906) * ddp_o_7_z;
+  const Scalar F_7_y = mr_7_x * t68 - mr_7_y * t71 + Scalar(0.26308374115809) * ddp_o_7_z;
   const Scalar mu_6_y = Scalar(0.000093569097314605) * Uz_o_7_x +
       Scalar(0.000103758917218685) * (Uz_o_6_y - t67) - Scalar(0.001119670733427555) * t69 + t72 +
-      Scalar(0.014748570382675316) * t29 - Scalar(1.0666666666666667) * F_7_y;
+      Scalar(0.014748570382675316) * t29 - Scalar(0.27848101265822783) * F_7_y;
   const Scalar U_7_yy_zz = Uz_o_7_y - t71;
   const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
   const Scalar t73 = Scalar(0.000103758917218685) * U_6_yx -
       Scalar(0.000093569097314605) * U_6_yy_zz + mr_7_y * ddp_o_7_y + t56 * U_7_yy_zz + t68 * t64 -
       t35 * I_7_xy - t30 * I_7_xx + Scalar(0.014748570382675316) * t69 -
-      Scalar(0.028934422545659894) * t29 + Scalar(0.0143388882094425) * ddp_6_a_z;
+      Scalar(0.028934422545659894) * t29 + Scalar(0.054922286959804) * ddp_6_a_z;
   const Scalar U_5_yx = t26 + domega_5_z;
   const Scalar t74 = t52 - t65 + t66;
   const Scalar t75 = Scalar(0.00216405205209813) * t31 - Scalar(0.001451156065026714) * U_5_yx -
       Scalar(0.00151524447332703) * (t74 - Uz_o_6_y) - Scalar(0.004600245517563106) * t21 -
-      Scalar(0.001208932934385) * ddp_6_a_z - Scalar(0.010045187828321245) * Uz_o_6_x +
-      Scalar(0.0055993270925625) * ddp_5_x + s_6 * t73 - c_6 * mu_6_y;
+      Scalar(0.004630579482008) * ddp_6_a_z - Scalar(0.010045187828321245) * Uz_o_6_x +
+      Scalar(0.0214471195303) * ddp_5_x + s_6 * t73 - c_6 * mu_6_y;
   tau[4] = -t75;
-  const Scalar f_6_y = Scalar(0.0143388882094425) * Uz_o_7_y + f_u_7_a_y;
-  const Scalar f_6_x = mr_7_y * t55 - mr_7_x * t62 + Scalar(0.0143388882094425) * Uz_o_7_x -
-      Scalar(0.017931959153753906) * t70;
-  const Scalar f_5_x = Scalar(0.001208932934385) * t74 - Scalar(0.0055993270925625) * Uz_o_6_x -
-      s_6 * f_6_y + c_6 * f_6_x + Scalar(0.027672413504871093) * ddp_5_x;
-  const Scalar t76 = Scalar(0.001208932934385) * U_5_yx + Scalar(0.0055993270925625) * Uz_o_6_y -
-      Scalar(0.0143388882094425) * t29 + F_7_y + Scalar(0.027672413504871093) * ddp_6_a_z;
+  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y + f_u_7_a_y;
+  const Scalar f_6_x = mr_7_y * t55 - mr_7_x * t62 + Scalar(0.054922286959804) * Uz_o_7_x -
+      Scalar(0.26308374115809) * t70;
+  const Scalar f_5_x = Scalar(0.004630579482008) * t74 - Scalar(0.0214471195303) * Uz_o_6_x -
+      s_6 * f_6_y + c_6 * f_6_x + Scalar(0.4059881025443391) * ddp_5_x;
+  const Scalar t76 = Scalar(0.004630579482008) * U_5_yx + Scalar(0.0214471195303) * Uz_o_6_y -
+      Scalar(0.054922286959804) * t29 + Scalar(0.4059881025443391) * ddp_6_a_z + F_7_y;
   const Scalar f_u_5_t_x = s_5 * t76 + c_5 * f_5_x;
   const Scalar t77 = t32 - domega_r_6_z;
   const Scalar U_5_yy_zz = t52 - Uz_o_6_y;
   const Scalar t78 = Scalar(0.00151524447332703) * t77 - Scalar(0.00216405205209813) * U_5_yy_zz +
       Scalar(0.004600245517563106) * U_5_yx + Scalar(0.010045187828321245) * Uz_o_6_z +
-      Scalar(0.0055993270925625) * t53 + c_6 * t73 + s_6 * mu_6_y;
-  const Scalar f_5_z = Scalar(0.001208932934385) * t77 - Scalar(0.0055993270925625) * Uz_o_6_z +
-      s_6 * f_6_x + c_6 * f_6_y - Scalar(0.027672413504871093) * t53;
+      Scalar(0.0214471195303) * t53 + c_6 * t73 + s_6 * mu_6_y;
+  const Scalar f_5_z = Scalar(0.004630579482008) * t77 - Scalar(0.0214471195303) * Uz_o_6_z +
+      s_6 * f_6_x + c_6 * f_6_y - Scalar(0.4059881025443391) * t53;
   const Scalar mu_5_y = Scalar(0.00216405205209813) * Uz_o_6_x +
       Scalar(0.001451156065026714) * t77 + Scalar(0.00151524447332703) * Uz_o_6_z -
-      Scalar(0.001208932934385) * t53 + Scalar(0.004600245517563106) * (t52 - t74) - mu_6_z;
+      Scalar(0.004630579482008) * t53 + Scalar(0.004600245517563106) * (t52 - t74) - mu_6_z;
   const Scalar tau_4 = Scalar(0.00164448757736927) * t22 + Scalar(0.0039053550262761) * t13 +
       Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t50 - t52) +
-      Scalar(0.0462344322933525) * t47 + s_5 * t78 - c_5 * mu_5_y -
-      Scalar(0.29071723622709367) * t20 - f_5_z - Scalar(4.654545454545454) * f_u_5_t_x;
+      Scalar(0.17709188611756838) * t47 + s_5 * t78 - c_5 * mu_5_y -
+      Scalar(0.29071723622709367) * t20 - Scalar(0.2610759493670886) * f_5_z -
+      Scalar(1.2151898734177216) * f_u_5_t_x;
   tau[3] = tau_4;
   const Scalar t79 = s_5 * f_5_x - c_5 * t76;
   const Scalar U_4_yy_zz = Uz_o_4_y - t52;
   const Scalar mu_4_x = Scalar(0.0039053550262761) * U_4_yx -
       Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.04942675278013915) * t36 +
-      Scalar(0.0462344322933525) * ddp_o_4_y - s_5 * mu_5_y - c_5 * t78 -
-      Scalar(0.29071723622709367) * t15 - Scalar(4.654545454545454) * t79;
+      Scalar(0.17709188611756838) * ddp_o_4_y - s_5 * mu_5_y - c_5 * t78 -
+      Scalar(0.29071723622709367) * t15 - Scalar(1.2151898734177216) * t79;
   const Scalar t80 = Scalar(0.00164448757736927) * t20 +
       Scalar(0.0039053550262761) * (Uz_o_4_y - t50) + Scalar(0.0054157634981905) * t36 +
-      Scalar(0.04942675278013915) * t15 + t75 + t79;
-  const Scalar t81 = Scalar(0.0462344322933525) * t15 + Scalar(0.016011409030815) * ddp_o_4_y + t79;
+      Scalar(0.04942675278013915) * t15 + t75 + Scalar(0.2610759493670886) * t79;
+  const Scalar t81 = Scalar(0.17709188611756838) * t15 + Scalar(0.23490692527912765) * ddp_o_4_y +
+      t79;
   const Scalar mu_u_3_a_y = Scalar(0.000013360662912304) * U_3_yx -
       Scalar(0.000121912420950744) * (t45 - Uz_o_4_y) + Scalar(0.004377257121839584) * Uz_3_x +
-      Scalar(0.005487648106562256) * t6 + Scalar(0.002328735327435) * ddp_3_x -
-      Scalar(0.022178148964878235) * Uz_o_4_x - t81 + c_4 * t80 - s_4 * mu_4_x;
+      Scalar(0.005487648106562256) * t6 + Scalar(0.008919761981448) * ddp_3_x -
+      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.2610759493670886) * t81 + c_4 * t80 -
+      s_4 * mu_4_x;
   tau[2] = -mu_u_3_a_y;
-  const Scalar f_4_x = Scalar(0.0462344322933525) * t20 + Scalar(0.016011409030815) * t47 +
+  const Scalar f_4_x = Scalar(0.17709188611756838) * t20 + Scalar(0.23490692527912765) * t47 +
       f_u_5_t_x;
-  const Scalar f_4_y = Scalar(0.0462344322933525) * t52 + Scalar(0.016011409030815) * t51 + f_5_z;
-  const Scalar t82 = Scalar(0.002328735327435) * Uz_o_4_x - Scalar(0.010420621542058577) * ddp_3_x +
-      s_4 * f_4_y - c_4 * f_4_x;
-  const Scalar t83 = Scalar(0.002328735327435) * Uz_o_4_y - Scalar(0.010420621542058577) * ddp_3_y -
-      t81;
-  const Scalar t84 = s_3 * t83 - c_3 * t82;
-  const Scalar U_3_yy_zz = Uz_o_3_y - Uz_o_4_y;
-  const Scalar t85 = Scalar(0.005487648106562256) * U_3_yx - Scalar(0.000121912420950744) * t39 +
-      Scalar(0.004377257121839584) * U_3_yy_zz - Scalar(0.002328735327435) * ddp_3_a_z -
-      Scalar(0.022178148964878235) * t7 - s_4 * t80 - c_4 * mu_4_x;
-  const Scalar t86 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t39 +
-      Scalar(0.004377257121839584) * Uz_o_4_x - Scalar(0.005487648106562256) * (Uz_o_3_y - t45) +
-      s_4 * f_4_x + c_4 * f_4_y + tau_4;
-  const Scalar t87 = qd_1 * qd_1;
-  const Scalar t88 = t41 - t40 + t87;
+  const Scalar f_4_y = Scalar(0.17709188611756838) * t52 + Scalar(0.23490692527912765) * t51 +
+      f_5_z;
+  const Scalar f_u_4_t_y = s_4 * f_4_x + c_4 * f_4_y;
+  const Scalar t82 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t39 -
+      Scalar(0.005487648106562256) * (Uz_o_3_y - t45) + Scalar(0.013297019103287584) * Uz_o_4_x -
+      Scalar(0.15288324476823525) * ddp_3_x + Scalar(0.2610759493670886) * f_u_4_t_y + s_4 * f_4_y -
+      c_4 * f_4_x + tau_4;
+  const Scalar t83 = Scalar(0.004377257121839584) * Uz_o_3_y - Scalar(0.000121912420950744) * t39 +
+      Scalar(0.005487648106562256) * U_3_yx - Scalar(0.013297019103287584) * Uz_o_4_y -
+      Scalar(0.008919761981448) * ddp_3_a_z - Scalar(0.022178148964878235) * t7 +
+      Scalar(0.15288324476823525) * ddp_3_y - s_4 * t80 + t81 - c_4 * mu_4_x;
+  const Scalar t84 = qd_1 * qd_1;
+  const Scalar t85 = t41 - t40 + t84;
   const Scalar U_2_yx = t3 + qdd_2;
   tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.0007689361029464) * t9 -
-      Scalar(0.01026110182100817) * t4 + Scalar(0.00398335888393552) * (t88 - Uz_o_3_y) -
-      Scalar(0.024699952517911183) * Uz_o_3_x + Scalar(0.023077882494931805) * U_2_yx - s_3 * t85 +
-      Scalar(3.83030303030303) * t84 - c_3 * t86;
-  const Scalar t89 = s_3 * t82 + c_3 * t83;
-  const Scalar t90 = t8 + t10;
-  const Scalar U_2_yy_zz = t87 - Uz_o_3_y;
-  const Scalar mu_2_x = Scalar(0.0007689361029464) * U_2_yy_zz - Scalar(0.00398335888393552) * t90 +
-      Scalar(0.01026110182100817) * U_2_yx + Scalar(0.024699952517911183) * Uz_o_3_z - c_3 * t85 +
-      Scalar(3.83030303030303) * t89 + s_3 * t86;
+      Scalar(0.01026110182100817) * t4 + Scalar(0.00398335888393552) * (t85 - Uz_o_3_y) -
+      Scalar(0.024699952517911183) * Uz_o_3_x + Scalar(0.023077882494931805) * U_2_yx - c_3 * t82 -
+      s_3 * t83;
+  const Scalar t86 = t8 + t10;
+  const Scalar U_2_yy_zz = t84 - Uz_o_3_y;
+  const Scalar mu_2_x = Scalar(0.0007689361029464) * U_2_yy_zz - Scalar(0.00398335888393552) * t86 +
+      Scalar(0.01026110182100817) * U_2_yx + Scalar(0.024699952517911183) * Uz_o_3_z + s_3 * t82 -
+      c_3 * t83;
   const Scalar mu_2_y = Scalar(0.0007689361029464) * Uz_o_3_x +
-      Scalar(0.00398335888393552) * Uz_o_3_z - Scalar(0.01026110182100817) * (t87 - t88) +
-      Scalar(0.023077882494931805) * t90 + mu_u_3_a_y;
+      Scalar(0.00398335888393552) * Uz_o_3_z - Scalar(0.01026110182100817) * (t84 - t85) +
+      Scalar(0.023077882494931805) * t86 + mu_u_3_a_y;
   tau[0] = Scalar(0.014259565994474374) * qdd_1 - c_2 * mu_2_y - s_2 * mu_2_x;
 }
 
@@ -620,7 +623,7 @@ inline constexpr bool inertia_matrix_nonzero[49] = {
 //   q[7]   in   joint positions, rad or m
 //   B[49]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //               7 x 7, row by row: entry (i, j) is B[7 * i + j]
-// Reads q[1..6]. Operations: 171 mul, 157 add, 12 sin/cos.
+// Reads q[1..6]. Operations: 157 mul, 147 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
   Scalar sine[joint_count], cosine[joint_count];
@@ -633,19 +636,17 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   B[41] = B[47] = -Iu_7_a_xy;
   const Scalar Iu_7_t_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar t1 = c_7 * Iu_7_t_g;
-  const Scalar hu_7_t_x = Scalar(0.00021232244313540175) * c_7 -
-      Scalar(0.00016784129658959824) * s_7;
-  const Scalar t2 = Scalar(2.1333333333333333) * hu_7_t_x;
+  const Scalar hu_7_t_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
+  const Scalar t2 = Scalar(0.5569620253164557) * hu_7_t_x;
   const Scalar t3 = t1 - t2 - Scalar(0.055009225789188536);
   B[40] = -t3;
-  const Scalar t4 = Scalar(1.0666666666666667) * hu_7_t_x + Scalar(0.006684151967360946);
+  const Scalar t4 = Scalar(0.27848101265822783) * hu_7_t_x + Scalar(0.006684151967360946);
   const Scalar Iu_7_a_xz = Scalar(0.0009653051699191118) * c_7 -
       Scalar(0.0012555365982728983) * s_7;
   const Scalar t5 = s_6 * Iu_7_a_xz + c_6 * t4;
   B[34] = B[46] = -t5;
-  const Scalar hu_7_t_y = Scalar(0.00016784129658959824) * c_7 +
-      Scalar(0.00021232244313540175) * s_7;
-  const Scalar t6 = Scalar(1.0666666666666667) * hu_7_t_y - Scalar(0.000287632364465563) -
+  const Scalar hu_7_t_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
+  const Scalar t6 = Scalar(0.27848101265822783) * hu_7_t_y - Scalar(0.000287632364465563) -
       s_7 * Iu_7_t_g;
   const Scalar Ic_6_yz = Scalar(0.000093569097314605) + Iu_7_a_xy;
   const Scalar t7 = s_6 * t6 - c_6 * Ic_6_yz;
@@ -654,7 +655,8 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   const Scalar t9 = c_6 * hu_7_t_y;
   const Scalar t10 = s_5 * hu_7_t_x - c_5 * t9;
   const Scalar t11 = s_6 * hu_7_t_y;
-  const Scalar t12 = Scalar(4.654545454545454) * t10 - t11 + c_5 * Iu_7_a_xy + s_5 * t8;
+  const Scalar t12 = Scalar(1.2151898734177216) * t10 - Scalar(0.2610759493670886) * t11 +
+      c_5 * Iu_7_a_xy + s_5 * t8;
   B[27] = B[45] = -t12;
   const Scalar Iu_7_t_xx = t1 - Scalar(0.00242094377852123);
   const Scalar Ic_6_yy = t2 - Scalar(0.00528056308065248);
@@ -665,113 +667,105 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   const Scalar Ic_5_zz = Iu_7_t_xx + t14 + Scalar(0.04498331431194894);
   B[32] = Ic_5_zz;
   const Scalar Iu_6_a_xz = s_6 * Ic_6_yz + c_6 * t6;
-  const Scalar hc_6_x = hu_7_t_x + Scalar(0.0191274230973375);
-  const Scalar f_u_6_6_t_x = Scalar(0.0143388882094425) * c_6 - s_6 * hc_6_x;
-  const Scalar t15 = t3 + Scalar(4.654545454545454) * f_u_6_6_t_x;
-  const Scalar hu_6_t_x = Scalar(0.0143388882094425) * s_6 + c_6 * hc_6_x;
-  const Scalar mu_u_6_4_a_y = hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t15;
+  const Scalar hc_6_x = hu_7_t_x + Scalar(0.07326382665162);
+  const Scalar f_u_6_6_t_x = Scalar(0.054922286959804) * c_6 - s_6 * hc_6_x;
+  const Scalar t15 = t3 + Scalar(1.2151898734177216) * f_u_6_6_t_x;
+  const Scalar hu_6_t_x = Scalar(0.054922286959804) * s_6 + c_6 * hc_6_x;
+  const Scalar mu_u_6_4_a_y = Scalar(0.2610759493670886) * hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t15;
   B[26] = B[38] = -mu_u_6_4_a_y;
   const Scalar t16 = c_5 * Iu_6_a_xz + s_5 * t15;
-  const Scalar t17 = s_5 * f_u_6_6_t_x;
-  const Scalar t18 = t7 + t17;
-  const Scalar mu_6_3_z = t17 - c_4 * t18 - s_4 * t16;
+  const Scalar t17 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
+  const Scalar t18 = s_5 * t17;
+  const Scalar t19 = t7 + t18;
+  const Scalar mu_6_3_z = t18 - c_4 * t19 - s_4 * t16;
   B[19] = B[37] = mu_6_3_z;
   const Scalar f_u_7_5_a_z = s_5 * t9 + c_5 * hu_7_t_x;
-  const Scalar mu_7_4_x = Scalar(4.654545454545454) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t8;
-  const Scalar t19 = t5 - f_u_7_5_a_z;
-  const Scalar mu_u_7_3_a_y = f_u_7_5_a_z - s_4 * mu_7_4_x + c_4 * t19;
+  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t8;
+  const Scalar t20 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
+  const Scalar t21 = t5 - t20;
+  const Scalar mu_u_7_3_a_y = t20 - s_4 * mu_7_4_x + c_4 * t21;
   B[20] = B[44] = -mu_u_7_3_a_y;
-  const Scalar mu_u_7_4_t_x = s_4 * t19 + c_4 * mu_7_4_x;
-  const Scalar t20 = s_4 * t11 + c_4 * t10;
-  const Scalar t21 = s_3 * f_u_7_5_a_z + c_3 * t20;
-  const Scalar t22 = c_4 * t11 - s_4 * t10 + t12;
-  B[13] = B[43] = Scalar(3.83030303030303) * t21 + s_3 * mu_u_7_4_t_x + c_3 * t22;
   const Scalar Ic_5_xz = Ic_6_xy - Scalar(0.004600245517563106) - s_6 * t13;
+  const Scalar hc_5_x = hu_6_t_x - Scalar(0.004630579482008);
+  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0214471195303);
+  const Scalar t22 = s_5 * hc_5_x - c_5 * f_5_5_x;
   const Scalar t23 = t7 + Scalar(0.00216405205209813);
-  const Scalar hc_5_x = hu_6_t_x - Scalar(0.001208932934385);
-  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0055993270925625);
-  const Scalar t24 = s_5 * hc_5_x - c_5 * f_5_5_x;
-  const Scalar B_45 = Scalar(4.654545454545454) * t24 - (c_5 * t23 + s_5 * Ic_5_xz);
+  const Scalar B_45 = -c_5 * t23 - s_5 * Ic_5_xz + Scalar(1.2151898734177216) * t22;
   B[25] = B[31] = B_45;
-  const Scalar t25 = s_4 * t18 - c_4 * t16;
-  const Scalar t26 = c_5 * f_u_6_6_t_x;
-  const Scalar t27 = s_4 * hu_6_t_x - c_4 * t26;
-  const Scalar t28 = s_3 * t17 + c_3 * t27;
-  const Scalar mu_6_3_y = -s_4 * t26 - c_4 * hu_6_t_x + mu_u_6_4_a_y;
-  B[12] = B[36] = s_3 * t25 - Scalar(3.83030303030303) * t28 + c_3 * mu_6_3_y;
-  const Scalar t29 = s_3 * t20 - c_3 * f_u_7_5_a_z;
-  const Scalar t30 = s_2 * (Scalar(3.83030303030303) * t29 + s_3 * t22 - c_3 * mu_u_7_4_t_x);
-  B[6] = B[42] = t30 - c_2 * mu_u_7_3_a_y;
-  const Scalar Iu_6_t_xx = Ic_6_yy - t14;
-  const Scalar t31 = t3 + Scalar(0.04208100218189551);
-  const Scalar Iu_5_t_d = Iu_6_t_xx + t31;
-  const Scalar Ic_5_xy = Iu_6_a_xz - Scalar(0.00151524447332703);
-  const Scalar t32 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
-  const Scalar t33 = c_5 * t32;
+  const Scalar t24 = f_u_7_5_a_z + s_4 * t21 + c_4 * mu_7_4_x;
+  const Scalar t25 = s_4 * t10 - c_4 * t11;
+  const Scalar t26 = s_4 * t11 - Scalar(0.2610759493670886) * t25 + c_4 * t10 + t12;
+  B[13] = B[43] = c_3 * t26 + s_3 * t24;
+  const Scalar t27 = s_4 * t19 - c_4 * t16 - s_5 * f_u_6_6_t_x;
+  const Scalar t28 = c_5 * f_u_6_6_t_x;
+  const Scalar f_u_6_4_t_y = s_4 * t28 + c_4 * hu_6_t_x;
+  const Scalar t29 = c_4 * t28 - Scalar(0.2610759493670886) * f_u_6_4_t_y - s_4 * hu_6_t_x +
+      mu_u_6_4_a_y;
+  B[12] = B[36] = s_3 * t27 + c_3 * t29;
   const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar t34 = Scalar(2.0) * hu_5_t_x;
-  const Scalar t35 = Scalar(9.309090909090909) * f_u_6_6_t_x;
-  const Scalar B_44 = Iu_6_t_xx - t34 + t33 - t35 + Scalar(0.7918443694347095);
-  B[24] = B_44;
-  const Scalar t36 = (s_5 * t23 - c_5 * Ic_5_xz) + Scalar(4.654545454545454) * hu_5_t_x;
-  const Scalar mu_5_4_y = Ic_5_zz - hu_5_t_x;
-  const Scalar mu_5_3_z = hu_5_t_x - s_4 * t36 + c_4 * mu_5_4_y;
+  const Scalar t30 = s_5 * t23 - c_5 * Ic_5_xz + Scalar(1.2151898734177216) * hu_5_t_x;
+  const Scalar t31 = Scalar(0.2610759493670886) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t31;
+  const Scalar mu_5_3_z = t31 - s_4 * t30 + c_4 * mu_5_4_y;
   B[18] = B[30] = mu_5_3_z;
-  const Scalar t37 = s_3 * t27 - c_3 * t17;
-  const Scalar t38 = s_2 * (Scalar(3.83030303030303) * t37 - s_3 * mu_6_3_y + c_3 * t25);
-  B[5] = B[35] = c_2 * mu_6_3_z - t38;
-  const Scalar t39 = Ic_5_xy - Scalar(0.0039053550262761) + t24 - s_5 * t32;
-  const Scalar t40 = B_45 - Scalar(0.00164448757736927);
-  const Scalar Iu_4_a_xy = s_4 * t39 - c_4 * t40;
+  B[6] = B[42] = s_2 * (s_3 * t26 - c_3 * t24) - c_2 * mu_u_7_3_a_y;
+  const Scalar Iu_6_t_xx = Ic_6_yy - t14;
+  const Scalar t32 = t3 + Scalar(0.04208100218189551);
+  const Scalar Iu_5_t_d = Iu_6_t_xx + t32;
+  const Scalar Ic_5_xy = Iu_6_a_xz - Scalar(0.00151524447332703);
+  const Scalar t33 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
+  const Scalar t34 = c_5 * t33;
+  const Scalar t35 = Scalar(0.5221518987341772) * hu_5_t_x;
+  const Scalar t36 = Scalar(2.430379746835443) * f_u_6_6_t_x;
+  const Scalar B_44 = Iu_6_t_xx - t35 + t34 - t36 + Scalar(0.7918443694347095);
+  B[24] = B_44;
+  B[5] = B[35] = c_2 * mu_6_3_z - s_2 * (c_3 * t27 - s_3 * t29);
+  const Scalar t37 = hu_5_t_x + s_4 * mu_5_4_y + c_4 * t30;
+  const Scalar t38 = B_45 + t22 * (c_4 - Scalar(0.2610759493670886) * s_4);
+  B[11] = B[29] = -c_3 * t38 - s_3 * t37;
+  const Scalar t39 = Scalar(-0.2610759493670886) * t22;
+  const Scalar t40 = Ic_5_xy - Scalar(0.0039053550262761) - t39 - s_5 * t33;
+  const Scalar t41 = B_45 - Scalar(0.00164448757736927);
+  const Scalar Iu_4_a_xy = s_4 * t40 - c_4 * t41;
   B[17] = B[23] = -Iu_4_a_xy;
-  const Scalar t41 = s_4 * mu_5_4_y + c_4 * t36;
-  const Scalar t42 = B_45 - s_4 * t24;
-  const Scalar t43 = c_4 * t24;
-  const Scalar t44 = c_3 * t43 + s_3 * hu_5_t_x;
-  B[11] = B[29] = Scalar(-3.83030303030303) * t44 - s_3 * t41 - c_3 * t42;
-  const Scalar t45 = c_4 * t39 + s_4 * t40;
-  const Scalar hc_4_x = hu_5_t_x - Scalar(0.045604372658625);
-  const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.1660331931722475);
+  B[4] = B[28] = c_2 * mu_5_3_z - s_2 * (s_3 * t38 - c_3 * t37);
+  const Scalar t42 = c_4 * t40 + s_4 * t41;
+  const Scalar hc_4_x = hu_5_t_x - Scalar(0.1746785667894);
+  const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.635957442938548);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t46 = s_4 * hc_4_x - c_4 * f_4_4_x;
-  const Scalar t47 = Scalar(3.83030303030303) * t46 + (hu_4_t_x + B_44);
-  B[10] = B[22] = -s_3 * t45 - c_3 * t47;
-  const Scalar t48 = s_3 * t43 - c_3 * hu_5_t_x;
-  const Scalar t49 = s_2 * (Scalar(3.83030303030303) * t48 + s_3 * t42 - c_3 * t41);
-  B[4] = B[28] = c_2 * mu_5_3_z - t49;
-  const Scalar t50 = t33 + t31 + t35;
-  const Scalar Ic_4_yy = Ic_5_zz - t34 - Scalar(0.6898040971210785);
-  const Scalar t51 = f_u_6_6_t_x + t36 - Scalar(0.16284087268546085);
-  const Scalar t52 = Scalar(2.0) * s_4 * t51 - c_4 * (t50 + Ic_4_yy);
-  const Scalar t53 = c_4 * t52;
-  const Scalar t54 = Scalar(2.0) * hu_4_t_x;
-  const Scalar t55 = t50 - t54 + t53 - Scalar(0.8246048032693);
-  B[16] = -t55;
-  B[3] = B[21] = s_2 * (c_3 * t45 - s_3 * t47) - c_2 * Iu_4_a_xy;
-  const Scalar t56 = Scalar(0.005487648106562256) + t46 + t51 - s_4 * t52;
-  const Scalar Ic_3_yz = Iu_4_a_xy - Scalar(0.004377257121839584);
-  const Scalar hc_3_x = Scalar(0.06161578168944) + hu_4_t_x;
-  const Scalar t57 = Scalar(0.002328735327435) + t24;
-  const Scalar t58 = c_3 * t57 + s_3 * hc_3_x;
-  const Scalar t59 = Scalar(3.83030303030303) * t58 + (s_3 * t56 - c_3 * Ic_3_yz);
-  B[9] = B[15] = -t59;
-  const Scalar Iu_4_t_xx = t53 + Ic_4_yy;
-  const Scalar t60 = t54 + B_44 - Scalar(0.7013999612162445);
-  const Scalar Iu_3_t_d = Iu_4_t_xx - t60;
-  const Scalar t61 = Scalar(0.000121912420950744) + t24 - t45;
-  const Scalar Iu_3_t_g = Scalar(2.0) * s_3 * t61 + c_3 * Iu_3_t_d;
-  const Scalar t62 = c_3 * Iu_3_t_g;
-  const Scalar t63 = Scalar(-7.66060606060606) * t46;
-  B[8] = Iu_4_t_xx - t62 - t63 + Scalar(1.8182423259695848);
-  const Scalar t64 = s_3 * t57 - c_3 * hc_3_x;
-  const Scalar t65 = Scalar(3.83030303030303) * t64 - (s_3 * Ic_3_yz + c_3 * t56);
-  B[2] = B[14] = -s_2 * t65 - c_2 * t55;
-  B[1] = B[7] = s_2 * (t61 - Scalar(0.01026110182100817) - s_3 * Iu_3_t_g) -
-      c_2 * (Scalar(0.0007689361029464) + t59);
-  const Scalar t66 = t62 - t63 + t60;
-  const Scalar t67 = Scalar(2.0) * s_2 * (Scalar(0.00398335888393552) + t65) +
-      c_2 * (t55 + t66 + Scalar(1.7720865609797212));
-  B[0] = t66 - c_2 * t67 + Scalar(1.8094240094691274);
+  const Scalar t43 = s_4 * hc_4_x - c_4 * f_4_4_x;
+  const Scalar t44 = Scalar(0.2610759493670886) * hu_4_t_x + t43 + B_44;
+  B[10] = B[22] = -s_3 * t42 - c_3 * t44;
+  const Scalar t45 = t34 + t32 + t36;
+  const Scalar Ic_4_yy = Ic_5_zz - t35 - Scalar(0.6898040971210785);
+  const Scalar t46 = t17 + t30 - Scalar(0.16284087268546085);
+  const Scalar t47 = Scalar(2.0) * s_4 * t46 - c_4 * (t45 + Ic_4_yy);
+  const Scalar t48 = c_4 * t47;
+  const Scalar t49 = Scalar(0.5221518987341772) * hu_4_t_x;
+  const Scalar t50 = t45 - t49 + t48 - Scalar(0.8246048032693);
+  B[16] = -t50;
+  B[3] = B[21] = s_2 * (c_3 * t42 - s_3 * t44) - c_2 * Iu_4_a_xy;
+  const Scalar t51 = Scalar(0.2610759493670886) * t43 + t46 + Scalar(0.24149476342611426) +
+      hu_4_t_x - s_4 * t47;
+  const Scalar t52 = Scalar(0.013297019103287584) + t22 - Iu_4_a_xy;
+  const Scalar t53 = c_3 * t52 + s_3 * t51;
+  B[9] = B[15] = -t53;
+  const Scalar Iu_4_t_xx = t48 + Ic_4_yy;
+  const Scalar t54 = t49 + B_44 - Scalar(0.7013999612162445);
+  const Scalar Iu_3_t_d = Iu_4_t_xx - t54;
+  const Scalar t55 = t39 - Scalar(0.000121912420950744) + t42;
+  const Scalar t56 = Scalar(2.0) * s_3 * t55 - c_3 * Iu_3_t_d;
+  const Scalar t57 = c_3 * t56;
+  const Scalar t58 = Scalar(-2.0) * t43;
+  B[8] = Iu_4_t_xx + t57 - t58 + Scalar(1.8182423259695848);
+  const Scalar t59 = s_3 * t52 - c_3 * t51;
+  B[2] = B[14] = -s_2 * t59 - c_2 * t50;
+  B[1] = B[7] = -s_2 * (Scalar(0.01026110182100817) + t55 - s_3 * t56) -
+      c_2 * (Scalar(0.0007689361029464) + t53);
+  const Scalar t60 = -t57 - t58 + t54;
+  const Scalar t61 = Scalar(2.0) * s_2 * (Scalar(0.00398335888393552) + t59) +
+      c_2 * (t50 + t60 + Scalar(1.7720865609797212));
+  B[0] = t60 - c_2 * t61 + Scalar(1.8094240094691274);
   B[48] = Scalar(0.006684151967360946);
 }
 
@@ -1407,7 +1401,7 @@ inline constexpr bool coriolis_matrix_nonzero[49] = {
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   C[49]  out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
 //               7 x 7, row by row: entry (i, j) is C[7 * i + j]
-// Reads q[1..6], qd[0..6]. Operations: 786 mul, 667 add, 12 sin/cos. Always zero: 1 of the 49
+// Reads q[1..6], qd[0..6]. Operations: 745 mul, 639 add, 12 sin/cos. Always zero: 1 of the 49
 // entries of C.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
@@ -1420,501 +1414,482 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = s_3 * qd_2 - c_3 * t1;
+  const Scalar t2 = c_3 * t1 - s_3 * qd_2;
   const Scalar t3 = c_2 * qd_1;
   const Scalar omega_3_z = qd_3 + t3;
-  const Scalar t4 = c_4 * t2 + s_4 * omega_3_z;
+  const Scalar t4 = c_4 * t2 - s_4 * omega_3_z;
   const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t5 = s_5 * omega_4_z;
-  const Scalar t6 = t5 - c_5 * t4;
-  const Scalar t7 = s_4 * t2 - c_4 * omega_3_z;
-  const Scalar omega_5_z = qd_5 - t7;
-  const Scalar t8 = s_6 * omega_5_z - c_6 * t6;
-  const Scalar omega_r_6_a_z = s_5 * t4 + c_5 * omega_4_z;
+  const Scalar t5 = c_5 * t4 + s_5 * omega_4_z;
+  const Scalar t6 = s_4 * t2 + c_4 * omega_3_z;
+  const Scalar omega_5_z = qd_5 + t6;
+  const Scalar t7 = c_6 * t5 - s_6 * omega_5_z;
+  const Scalar I_t7_g = Scalar(0.001210471889260615) * c_7 - Scalar(0.000391391281684248) * s_7;
+  const Scalar t8 = c_7 * I_t7_g;
+  const Scalar omega_r_6_a_z = c_5 * omega_4_z - s_5 * t4;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t9 = s_7 * omega_6_z + c_7 * t8;
-  const Scalar t10 = Scalar(-0.000195695640842124) * t9;
-  const Scalar omega_r_6_y = s_6 * t6 + c_6 * omega_5_z;
+  const Scalar I_7_xy = Scalar(0.000195695640842124) + s_7 * I_t7_g;
+  const Scalar t9 = omega_6_z * I_7_xy;
+  const Scalar t10 = t9 - t7 * t8;
+  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t5;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t11 = Scalar(0.0006277682991364491) * omega_7_z;
-  const Scalar t12 = t10 + t11;
-  const Scalar t13 = s_7 * t8 - c_7 * omega_6_z;
-  const Scalar t14 = t10 - t11 + Scalar(0.002131604094419858) * t13;
-  const Scalar t15 = t12 + t14;
-  const Scalar t16 = Scalar(-0.000195695640842124) * t13;
-  const Scalar t17 = Scalar(0.0004826525849595559) * omega_7_z;
-  const Scalar t18 = t16 - t17 + Scalar(0.001210471889260615) * t9;
-  const Scalar t19 = t16 + t17 + Scalar(0.003342075983680473) * t9;
-  const Scalar t20 = t18 + t19;
-  const Scalar hu_7_t_y = Scalar(0.00008392064829479912) * c_7 +
-      Scalar(0.00010616122156770087) * s_7;
-  const Scalar t21 = Scalar(2.1333333333333333) * hu_7_t_y;
-  const Scalar t22 = omega_6_z * t21 - s_7 * t15 - c_7 * t20;
-  const Scalar hu_7_t_x = Scalar(0.00010616122156770087) * c_7 -
-      Scalar(0.00008392064829479912) * s_7;
-  const Scalar t23 = Scalar(1.0666666666666667) * hu_7_t_x;
-  const Scalar t24 = t23 + Scalar(0.003342075983680473);
-  const Scalar Iu_7_a_xz = Scalar(0.0004826525849595559) * c_7 -
-      Scalar(0.0006277682991364491) * s_7;
-  C[47] = t22 + Scalar(2.0) * (t8 * t24 - omega_r_6_y * Iu_7_a_xz);
-  const Scalar t25 = Scalar(0.000391391281684248) * t9 - t12 + Scalar(0.00242094377852123) * t13 +
-      t14;
-  const Scalar t26 = Scalar(0.000391391281684248) * t13 - t18 + t19;
-  const Scalar t27 = Scalar(0.00021232244313540175) * t9 - Scalar(0.00016784129658959824) * t13;
-  const Scalar t28 = Scalar(1.0666666666666667) * t27 + s_7 * t25 + c_7 * t26;
-  C[41] = -t28;
-  const Scalar mu_u_qd7_7_t_x = s_7 * t26 - c_7 * t25;
-  const Scalar t29 = omega_7_z * hu_7_t_y;
-  const Scalar t30 = Scalar(2.1333333333333333) * t29;
-  const Scalar mu_u_qd7_6_t_y = c_6 * t30 + s_6 * mu_u_qd7_7_t_x;
-  C[34] = mu_u_qd7_6_t_y;
-  const Scalar t31 = Scalar(-0.0009653051699191118) * t13;
-  const Scalar t32 = Scalar(0.000391391281684248) * omega_7_z;
-  const Scalar t33 = t32 + t31;
-  const Scalar t34 = Scalar(-0.0012555365982728983) * t9;
-  const Scalar t35 = t32 - t34;
-  const Scalar t36 = Scalar(-0.0006277682991364491) * t13;
-  const Scalar t37 = Scalar(-0.0004826525849595559) * t9;
-  const Scalar t38 = -t36 - t37 + Scalar(0.001210471889260615) * omega_7_z;
-  const Scalar t39 = c_7 * (t33 + t35) + Scalar(2.0) * s_7 * t38;
-  const Scalar t40 = c_7 * t39;
-  const Scalar t41 = Scalar(-0.000093569097314605) * t8;
-  const Scalar t42 = Scalar(0.000103758917218685) * omega_r_6_y - t41 - t30 - t33 + t40;
+  const Scalar t11 = Scalar(0.0004826525849595559) * c_7 - Scalar(0.0006277682991364491) * s_7;
+  const Scalar t12 = omega_7_z * t11;
+  const Scalar L_7_x = t10 - t12;
+  const Scalar t13 = -t10 - t12 + Scalar(0.002131604094419858) * t7;
+  const Scalar t14 = Scalar(-2.0) * t7;
+  const Scalar mr_7_x = Scalar(0.0004066296486714361) * c_7 - Scalar(0.0003214415134685639) * s_7;
+  const Scalar mr_7_y = Scalar(0.0003214415134685639) * c_7 + Scalar(0.0004066296486714361) * s_7;
+  const Scalar t15 = Scalar(2.0) * mr_7_y;
+  const Scalar t16 = mr_7_x * t14 + omega_6_z * t15;
+  const Scalar t17 = t8 - Scalar(0.001210471889260615);
+  const Scalar C_67 = L_7_x - Scalar(0.27848101265822783) * t16 + t13 +
+      Scalar(2.0) * (t9 - t7 * t17);
+  C[41] = C_67;
+  const Scalar t18 = mr_7_y * omega_7_z;
+  const Scalar t19 = Scalar(0.5569620253164557) * t18;
+  const Scalar t20 = omega_7_z * I_7_xy;
   const Scalar Iu_7_a_xy = Scalar(0.0006277682991364491) * c_7 +
       Scalar(0.0004826525849595559) * s_7;
   const Scalar Ic_6_yz = Scalar(0.0000467845486573025) + Iu_7_a_xy;
-  const Scalar Iu_7_t_g = Scalar(0.001210471889260615) * c_7 - Scalar(0.000391391281684248) * s_7;
-  const Scalar t43 = Scalar(1.0666666666666667) * hu_7_t_y;
-  const Scalar t44 = Scalar(0.0001438161822327815) - t43 + s_7 * Iu_7_t_g;
-  const Scalar C_66 = t42 - Scalar(2.0) * (t8 * Ic_6_yz - omega_r_6_y * t44);
+  const Scalar t21 = t7 * Ic_6_yz;
+  const Scalar t22 = Scalar(0.000103758917218685) * omega_r_6_y - t19 + Scalar(2.0) * (t20 - t21);
+  const Scalar t23 = Scalar(0.0000518794586093425) + Scalar(0.27848101265822783) * mr_7_y;
+  const Scalar t24 = I_7_xy - t23;
+  const Scalar C_66 = Scalar(2.0) * (t21 + omega_r_6_y * t24) + t22;
   C[40] = C_66;
-  const Scalar t45 = Scalar(2.1333333333333333) * hu_7_t_x;
-  const Scalar kappa_7_6_x = omega_6_z * t45 - c_7 * t15 + s_7 * t20;
-  const Scalar t46 = t31 - omega_r_6_y * t21 + t34;
-  const Scalar t47 = s_6 * kappa_7_6_x - c_6 * t46;
-  const Scalar t48 = s_6 * t24 - c_6 * Iu_7_a_xz;
-  C[46] = t47 - Scalar(2.0) * (omega_r_6_a_z * t48 - t6 * Iu_7_a_xy);
-  const Scalar t49 = s_6 * t30 - c_6 * mu_u_qd7_7_t_x;
-  const Scalar t50 = omega_7_z * hu_7_t_x;
-  const Scalar t51 = s_6 * t27 - Scalar(2.0) * c_6 * t50;
-  const Scalar t52 = Scalar(2.0) * s_5;
-  const Scalar t53 = t52 * t29 - c_5 * t51;
-  const Scalar t54 = Scalar(2.0) * s_6;
-  const Scalar t55 = t54 * t50 + c_6 * t27;
-  const Scalar C_47 = t55 + Scalar(4.654545454545454) * t53 + s_5 * t49 - c_5 * t28;
-  C[27] = C_47;
-  const Scalar t56 = (omega_r_6_y - omega_7_z) * t23 + Scalar(0.007374285191337658) * t8;
-  const Scalar t57 = Scalar(0.0000467845486573025) * omega_6_z;
-  const Scalar t58 = t38 - t57 - s_7 * t39 + t56 + Scalar(0.021522255370587554) * omega_r_6_y;
-  const Scalar t59 = t37 - t57 - t36 + Scalar(0.003342075983680473) * omega_7_z - t56;
-  const Scalar Ic_6_xy = Iu_7_a_xz + Scalar(0.007374285191337658);
-  const Scalar t60 = c_7 * Iu_7_t_g;
-  const Scalar Ic_6_xx = t60 + Scalar(0.004771885634746098);
-  const Scalar t61 = t59 + t58 - Scalar(2.0) * (t8 * Ic_6_xy - omega_r_6_y * Ic_6_xx);
-  const Scalar t62 = Scalar(0.007374285191337658) * omega_r_6_y;
-  const Scalar t63 = Scalar(0.0000518794586093425) + t43;
-  const Scalar t64 = omega_6_z * t63;
-  const Scalar t65 = s_7 * t12 - t64 + c_7 * t18 + Scalar(0.004771885634746098) * t8 + t62;
-  const Scalar t66 = t64 - s_7 * t14 - c_7 * t19 + t62 + Scalar(0.026294141005333654) * t8;
-  const Scalar Ic_6_yy = t45 + Scalar(0.003342075983680473);
-  const Scalar t67 = t65 - t66 - Scalar(2.0) * (t8 * Ic_6_yy - omega_r_6_y * Ic_6_xy);
-  const Scalar C_56 = s_6 * t61 + c_6 * t67;
-  C[33] = C_56;
-  const Scalar t68 = s_6 * t46 + c_6 * kappa_7_6_x;
-  const Scalar t69 = Scalar(2.0) * omega_4_z;
-  const Scalar t70 = c_6 * hu_7_t_y;
-  const Scalar t71 = s_5 * hu_7_t_x - c_5 * t70;
-  const Scalar t72 = s_6 * hu_7_t_y;
-  const Scalar t73 = s_5 * t68 - t69 * (t71 + Scalar(4.654545454545454) * t72) - c_5 * t22;
-  const Scalar f_u_7_4k_a_z = s_5 * t70 + c_5 * hu_7_t_x;
-  const Scalar mu_7_4_x = Scalar(4.654545454545454) * f_u_7_4k_a_z - s_5 * Iu_7_a_xy + c_5 * t48;
-  const Scalar t74 = f_u_7_4k_a_z - s_6 * Iu_7_a_xz - c_6 * t24;
-  C[45] = -t73 - Scalar(2.0) * (t4 * t74 + t7 * mu_7_4_x);
-  const Scalar f_u_qd7_5_t_y = s_5 * t51 + Scalar(2.0) * c_5 * t29;
-  const Scalar t75 = Scalar(4.654545454545454) * f_u_qd7_5_t_y + c_5 * t49 + s_5 * t28;
-  const Scalar dmu_qd7_4_y = mu_u_qd7_6_t_y - f_u_qd7_5_t_y;
-  const Scalar dtau_qd3_7 = f_u_qd7_5_t_y + c_4 * dmu_qd7_4_y - s_4 * t75;
+  const Scalar t25 = Scalar(0.5569620253164557) * mr_7_y;
+  const Scalar t26 = L_7_x - omega_6_z * t25 - t13;
+  const Scalar t27 = Scalar(0.27848101265822783) * mr_7_x;
+  const Scalar t28 = t27 + Scalar(0.003342075983680473);
+  C[47] = -t26 - Scalar(2.0) * (omega_r_6_y * t11 + t7 * t28);
+  const Scalar t29 = t7 * I_7_xy + omega_6_z * t8;
+  const Scalar t30 = omega_7_z * Iu_7_a_xy;
+  const Scalar t31 = -t29 - t30 + Scalar(0.001210471889260615) * omega_6_z;
+  const Scalar t32 = t30 - t29 + Scalar(0.003342075983680473) * omega_6_z;
+  const Scalar t33 = Scalar(2.0) * t29 - t31 + t32;
+  const Scalar mu_u_qd7_6_t_y = c_6 * t19 + s_6 * t33;
+  C[34] = mu_u_qd7_6_t_y;
+  const Scalar t34 = Scalar(0.5569620253164557) * mr_7_x;
+  const Scalar kappa_7_6_x = omega_6_z * t34 + t31 + t32;
+  const Scalar t35 = Scalar(2.0) * (t7 * Iu_7_a_xy + omega_6_z * t11) - omega_r_6_y * t25;
+  const Scalar t36 = c_6 * t35 - s_6 * kappa_7_6_x;
+  const Scalar t37 = c_6 * t11 - s_6 * t28;
+  C[46] = Scalar(2.0) * (t5 * Iu_7_a_xy + omega_r_6_a_z * t37) - t36;
+  const Scalar t38 = mr_7_x * omega_7_z;
+  const Scalar t39 = Scalar(2.0) * c_6 * t38 - s_6 * t16;
+  const Scalar t40 = Scalar(2.0) * s_5;
+  const Scalar t41 = c_5 * t39 + t40 * t18;
+  const Scalar t42 = c_6 * t33 - s_6 * t19;
+  const Scalar t43 = Scalar(2.0) * s_6;
+  const Scalar t44 = c_6 * t16 + t43 * t38;
+  const Scalar dtau_qd4_7 = Scalar(0.2610759493670886) * t44 + Scalar(1.2151898734177216) * t41 +
+      c_5 * C_67 - s_5 * t42;
+  C[27] = dtau_qd4_7;
+  const Scalar t45 = t11 + Scalar(0.007374285191337658);
+  const Scalar t46 = t7 * t45;
+  const Scalar t47 = (omega_r_6_y - omega_7_z) * t27 - t46;
+  const Scalar t48 = omega_6_z * Ic_6_yz;
+  const Scalar t49 = Scalar(0.003342075983680473) * omega_7_z - t48 - t47;
+  const Scalar t50 = Scalar(2.0) * omega_7_z * (t8 - Scalar(0.0006052359446303075)) - t48 + t47 +
+      Scalar(0.021522255370587554) * omega_r_6_y;
+  const Scalar t51 = t49 - t50;
+  const Scalar t52 = Scalar(0.007374285191337658) * omega_r_6_y;
+  const Scalar t53 = omega_6_z * t23;
+  const Scalar t54 = t53 - L_7_x + Scalar(0.004771885634746098) * t7 - t52;
+  const Scalar t55 = -t53 - t13 - t52 + Scalar(0.026294141005333654) * t7;
+  const Scalar t56 = t54 + t55;
+  const Scalar t57 = c_6 * t56 - s_6 * t51;
+  const Scalar t58 = t17 - t34 - Scalar(0.026294141005333654);
+  const Scalar t59 = t5 * t58;
+  const Scalar t60 = c_6 * t24 - s_6 * Ic_6_yz;
+  C[39] = t57 + Scalar(2.0) * (t59 - omega_r_6_a_z * t60);
+  const Scalar Ic_6_xx = t8 + Scalar(0.004771885634746098);
+  const Scalar t61 = t49 + t50 + Scalar(2.0) * (t46 + omega_r_6_y * Ic_6_xx);
+  const Scalar Ic_6_yy = t34 + Scalar(0.003342075983680473);
+  const Scalar t62 = t54 - t55 - Scalar(2.0) * (t7 * Ic_6_yy + omega_r_6_y * t45);
+  const Scalar t63 = c_6 * t62 - s_6 * t61;
+  C[33] = -t63;
+  const Scalar t64 = s_6 * t35 + c_6 * kappa_7_6_x;
+  const Scalar t65 = Scalar(0.5221518987341772) * omega_4_z;
+  const Scalar t66 = c_6 * mr_7_y;
+  const Scalar t67 = c_5 * t66 - s_5 * mr_7_x;
+  const Scalar t68 = s_6 * mr_7_y;
+  const Scalar t69 = t65 * (t67 - Scalar(4.654545454545454) * t68) + c_5 * t26 + s_5 * t64;
+  const Scalar f_u_7_4k_a_z = s_5 * t66 + c_5 * mr_7_x;
+  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_4k_a_z - s_5 * Iu_7_a_xy - c_5 * t37;
+  const Scalar t70 = Scalar(0.2610759493670886) * f_u_7_4k_a_z;
+  const Scalar t71 = s_6 * t11 - t70 + c_6 * t28;
+  C[45] = Scalar(2.0) * (t6 * mu_7_4_x - t4 * t71) - t69;
+  const Scalar t72 = c_6 * t51 + s_6 * t56;
+  const Scalar hc_6_x = mr_7_x + Scalar(0.03663191332581);
+  const Scalar f_u_6_5k_t_x = Scalar(0.027461143479902) * c_6 - s_6 * hc_6_x;
+  const Scalar t73 = f_u_6_5k_t_x * t65;
+  const Scalar t74 = t22 + t73;
+  const Scalar t75 = Scalar(2.430379746835443) * omega_4_z;
+  const Scalar hu_6_t_x = Scalar(0.027461143479902) * s_6 + c_6 * hc_6_x;
+  const Scalar t76 = c_5 * t74 + s_5 * t72 - hu_6_t_x * t75;
+  const Scalar t77 = t58 + Scalar(1.2151898734177216) * f_u_6_5k_t_x;
+  const Scalar t78 = s_5 * t77 - c_5 * t60;
+  const Scalar t79 = c_6 * Ic_6_yz + s_6 * t24;
+  const Scalar t80 = s_5 * f_u_6_5k_t_x;
+  const Scalar t81 = Scalar(0.2610759493670886) * t80;
+  const Scalar t82 = t79 - t81;
+  C[38] = t76 - Scalar(2.0) * (t6 * t78 - t4 * t82);
+  const Scalar t83 = c_6 * t61 + s_6 * t62;
+  const Scalar t84 = mr_7_x * omega_6_z;
+  const Scalar t85 = t84 + mr_7_y * t7;
+  const Scalar P_6_y = t85 + Scalar(0.03663191332581) * omega_6_z;
+  const Scalar t86 = Scalar(2.0) * P_6_y - t7 * t15;
+  const Scalar P_6_x = Scalar(0.027461143479902) * omega_6_z - t18;
+  const Scalar df_qd6_6_y = Scalar(2.0) * P_6_x - omega_r_6_y * t15;
+  const Scalar t87 = c_6 * t86 + s_6 * df_qd6_6_y;
+  const Scalar f_u_qd6_6_a_y = Scalar(0.054922286959804) * omega_r_6_y - hc_6_x * t14;
+  const Scalar t88 = c_5 * t87 + s_5 * f_u_qd6_6_a_y;
+  const Scalar t89 = c_6 * df_qd6_6_y - s_6 * t86;
+  const Scalar t90 = Scalar(0.2610759493670886) * t89 - c_5 * C_66 + s_5 * t83 -
+      Scalar(1.2151898734177216) * t88;
+  C[26] = -t90;
+  const Scalar t91 = Scalar(2.0) * c_5 * t18 - s_5 * t39;
+  const Scalar t92 = Scalar(0.2610759493670886) * t91;
+  const Scalar t93 = mu_u_qd7_6_t_y - t92;
+  const Scalar t94 = Scalar(1.2151898734177216) * t91 - c_5 * t42 - s_5 * C_67;
+  const Scalar dtau_qd3_7 = t92 + c_4 * t93 - s_4 * t94;
   C[20] = dtau_qd3_7;
-  const Scalar t76 = t59 - t58;
-  const Scalar t77 = t65 + t66;
-  const Scalar t78 = s_6 * t76 + c_6 * t77;
-  const Scalar t79 = t60 - t45 - Scalar(0.027504612894594268);
-  const Scalar t80 = t6 * t79;
-  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz - c_6 * t44;
-  C[39] = Scalar(2.0) * (omega_r_6_a_z * Iu_6_a_xz + t80) - t78;
-  const Scalar t81 = s_6 * t67 - c_6 * t61;
-  const Scalar t82 = Scalar(0.00008392064829479912) * t9 + Scalar(0.00010616122156770087) * t13;
-  const Scalar P_6_y = Scalar(0.00956371154866875) * omega_6_z - t82;
-  const Scalar t83 = Scalar(-2.0) * t8;
-  const Scalar t84 = Scalar(2.0) * P_6_y - hu_7_t_y * t83;
-  const Scalar P_6_x = Scalar(0.00716944410472125) * omega_6_z - t29;
-  const Scalar t85 = Scalar(2.0) * omega_r_6_y;
-  const Scalar df_qd6_6_y = Scalar(2.0) * P_6_x - hu_7_t_y * t85;
-  const Scalar t86 = s_6 * df_qd6_6_y + c_6 * t84;
-  const Scalar hc_6_x = hu_7_t_x + Scalar(0.00956371154866875);
-  const Scalar f_u_qd6_6_a_y = Scalar(0.0143388882094425) * omega_r_6_y + hc_6_x * t83;
-  const Scalar t87 = c_5 * t86 + s_5 * f_u_qd6_6_a_y;
-  const Scalar t88 = s_6 * t84 - c_6 * df_qd6_6_y;
-  const Scalar C_46 = c_5 * C_66 + t88 + s_5 * t81 + Scalar(4.654545454545454) * t87;
-  C[26] = C_46;
-  const Scalar t89 = Scalar(4.654545454545454) * t4 - t7;
-  const Scalar t90 = t89 * t72 - omega_4_z * f_u_7_4k_a_z;
-  const Scalar t91 = Scalar(2.0) * t90 + c_5 * t68 + s_5 * t22;
-  const Scalar t92 = Scalar(-2.0) * t89;
-  const Scalar t93 = Scalar(9.309090909090909) * omega_4_z;
-  const Scalar t94 = t93 * f_u_7_4k_a_z - t92 * t71 + t47;
-  const Scalar t95 = s_4 * t72 + c_4 * t71;
-  const Scalar t96 = Scalar(2.0) * omega_3_z;
-  const Scalar kappa_u_7_2k_a_y = t96 * t95 - c_4 * t94 - s_4 * t91;
-  const Scalar t97 = s_4 * t74 - c_4 * mu_7_4_x;
-  const Scalar t98 = s_4 * t71 - c_4 * t72;
-  const Scalar t99 = -t72 - t98 + Scalar(4.654545454545454) * t71 + c_5 * Iu_7_a_xy + s_5 * t48;
-  C[44] = -kappa_u_7_2k_a_y - Scalar(2.0) * (t2 * t99 + omega_r_3_y * t97);
-  const Scalar t100 = Scalar(0.014748570382675316) * omega_6_z;
-  const Scalar t101 = t35 - t63 * t85 - t40 - t100;
-  const Scalar t102 = t41 - t30 + t46 + t100;
-  const Scalar t103 = Scalar(0.0000518794586093425) * t8 +
-      Scalar(1.0666666666666667) * (t82 - omega_6_z * hu_7_t_x);
-  const Scalar t104 = Scalar(0.0000467845486573025) * omega_r_6_y;
-  const Scalar t105 = t104 + t103 + c_7 * t14 - s_7 * t19 +
-      Scalar(0.004771885634746098) * omega_6_z;
-  const Scalar t106 = t54 * t105 - c_6 * (t101 - t102);
-  const Scalar t107 = Scalar(0.004600245517563106) * omega_r_6_a_z - c_6 * t106;
-  const Scalar t108 = Scalar(0.00216405205209813) * t6;
-  const Scalar t109 = -t108 - t107 + t101;
+  const Scalar t95 = Scalar(2.0) * (omega_r_6_y * t23 + t20) + Scalar(2.0) * omega_6_z * t45;
+  const Scalar t96 = Scalar(0.000093569097314605) * t7 - t19 + t35 +
+      Scalar(0.014748570382675316) * omega_6_z;
+  const Scalar t97 = Scalar(0.0000518794586093425) * t7 + Scalar(0.27848101265822783) * (t84 + t85);
+  const Scalar t98 = Scalar(0.0000467845486573025) * omega_r_6_y;
+  const Scalar t99 = t98 - t97 + Scalar(0.004771885634746098) * omega_6_z - t32;
+  const Scalar t100 = t43 * t99 + c_6 * (t95 + t96);
+  const Scalar t101 = Scalar(0.004600245517563106) * omega_r_6_a_z - c_6 * t100;
+  const Scalar t102 = Scalar(0.00216405205209813) * t5;
+  const Scalar t103 = t102 + t101 + t95;
   const Scalar Iu_6_t_d = Ic_6_xx - Ic_6_yy;
-  const Scalar t110 = Ic_6_xy * t54 - c_6 * Iu_6_t_d;
-  const Scalar Ic_5_xz = Ic_6_xy - Scalar(0.002300122758781553) - s_6 * t110;
-  const Scalar t111 = s_6 * t44 + c_6 * Ic_6_yz;
-  const Scalar t112 = t111 - Scalar(0.001082026026049065);
-  const Scalar C_55 = t109 - Scalar(2.0) * (t6 * t112 + omega_r_6_a_z * Ic_5_xz);
-  C[32] = C_55;
-  const Scalar t113 = s_6 * t77 - c_6 * t76;
-  const Scalar f_u_6_5k_t_x = Scalar(0.00716944410472125) * c_6 - s_6 * hc_6_x;
-  const Scalar t114 = f_u_6_5k_t_x * t69;
-  const Scalar t115 = t42 + t114;
-  const Scalar hu_6_t_x = Scalar(0.00716944410472125) * s_6 + c_6 * hc_6_x;
-  const Scalar kappa_u_6_3k_a_y = s_5 * t113 - c_5 * t115 + hu_6_t_x * t93;
-  const Scalar t116 = t79 + Scalar(4.654545454545454) * f_u_6_5k_t_x;
-  const Scalar t117 = c_5 * Iu_6_a_xz + s_5 * t116;
-  const Scalar t118 = s_5 * f_u_6_5k_t_x;
-  const Scalar t119 = t111 - t118;
-  C[38] = Scalar(-2.0) * (t4 * t119 - t7 * t117) - kappa_u_6_3k_a_y;
-  const Scalar t120 = omega_3_z * t98 - omega_r_3_y * f_u_7_4k_a_z;
-  const Scalar t121 = Scalar(2.0) * t120 - s_4 * t94 + c_4 * t91;
-  const Scalar t122 = Scalar(2.0) * omega_r_3_y;
-  const Scalar t123 = t73 - t122 * t95;
-  const Scalar t124 = s_3 * t95 - c_3 * f_u_7_4k_a_z;
-  const Scalar t125 = c_2 * (Scalar(3.83030303030303) * t124 + s_3 * t99 + c_3 * t97);
-  const Scalar mu_u_7_2k_a_y = f_u_7_4k_a_z - s_4 * mu_7_4_x - c_4 * t74;
-  const Scalar t126 = Scalar(2.0) * qd_1;
-  const Scalar t127 = t126 * (s_2 * mu_u_7_2k_a_y + t125);
-  const Scalar t128 = Scalar(7.66060606060606) * qd_2;
-  C[43] = s_3 * t121 - t128 * t98 + c_3 * t123 + t127;
-  const Scalar t129 = s_4 * dmu_qd7_4_y + c_4 * t75;
-  const Scalar t130 = -s_4 * t53 - c_4 * t55 + C_47;
-  const Scalar t131 = s_4 * t55 - c_4 * t53;
-  const Scalar t132 = s_3 * f_u_qd7_5_t_y - c_3 * t131;
-  C[13] = Scalar(-3.83030303030303) * t132 - s_3 * t129 - c_3 * t130;
-  const Scalar t133 = s_5 * t115 + c_5 * t113 + hu_6_t_x * t92;
-  const Scalar t134 = Scalar(9.309090909090909) * f_u_6_5k_t_x;
-  const Scalar t135 = t78 + t134 * (t5 - Scalar(0.21484375) * c_5 * t89);
-  const Scalar t136 = c_5 * f_u_6_5k_t_x;
-  const Scalar t137 = s_4 * hu_6_t_x - c_4 * t136;
-  const Scalar kappa_6_3_z = t96 * t137 + s_4 * t133 - c_4 * t135;
-  const Scalar t138 = s_4 * t119 + c_4 * t117;
-  const Scalar f_u_6_3k_t_y = s_4 * t136 + c_4 * hu_6_t_x;
-  const Scalar mu_6_3_y = -s_5 * Iu_6_a_xz - f_u_6_3k_t_y + hu_6_t_x + c_5 * t116;
-  C[37] = kappa_6_3_z - Scalar(2.0) * (omega_r_3_y * t138 + t2 * mu_6_3_y);
-  const Scalar t139 = s_5 * t86 - c_5 * f_u_qd6_6_a_y;
-  const Scalar t140 = s_5 * C_66 - c_5 * t81 + Scalar(4.654545454545454) * t139;
-  const Scalar t141 = C_56 + t139;
-  const Scalar t142 = t139 - c_4 * t141 - s_4 * t140;
+  const Scalar t104 = c_6 * Iu_6_t_d - t45 * t43;
+  const Scalar t105 = t45 - Scalar(0.002300122758781553) + s_6 * t104;
+  const Scalar t106 = t79 - Scalar(0.001082026026049065);
+  const Scalar t107 = t103 + Scalar(2.0) * (t5 * t106 + omega_r_6_a_z * t105);
+  C[32] = -t107;
+  const Scalar t108 = Scalar(0.000757622236663515) * t5;
+  const Scalar t109 = Scalar(0.001082026026049065) * omega_5_z;
+  const Scalar t110 = Scalar(0.001451156065026714) * omega_r_6_a_z - t108 + t109 - t99 + s_6 * t100;
+  const Scalar t111 = t98 + t97 - t108 + t31 - t109 + Scalar(0.026294141005333654) * omega_6_z;
+  const Scalar t112 = c_6 * t104;
+  const Scalar Ic_5_xx = Ic_6_yy + t112 + Scalar(0.015058143566941042);
+  const Scalar t113 = t60 + Scalar(0.000757622236663515);
+  const Scalar t114 = t111 - t110 - Scalar(2.0) * (t5 * t113 + omega_r_6_a_z * Ic_5_xx);
+  const Scalar t115 = Scalar(0.000757622236663515) * omega_r_6_a_z;
+  const Scalar t116 = Scalar(0.002300122758781553) * omega_5_z;
+  const Scalar t117 = t116 - t115 + c_6 * t54 - s_6 * t49 + Scalar(0.015058143566941042) * t5;
+  const Scalar dI_5_yz = -t115 - t116 + Scalar(0.016509299631967757) * t5 - c_6 * t55 - s_6 * t50;
+  const Scalar t118 = t117 - dI_5_yz + Scalar(2.0) * (t59 - omega_r_6_a_z * t113);
+  const Scalar t119 = Scalar(0.01072355976515) * omega_5_z - c_6 * P_6_x + s_6 * P_6_y;
+  const Scalar t120 = Scalar(2.0) * omega_r_6_a_z;
+  const Scalar t121 = f_u_6_5k_t_x * t120 + Scalar(2.0) * t119;
+  const Scalar t122 = t38 + Scalar(0.002315289741004) * omega_5_z + Scalar(0.027461143479902) * t7 -
+      Scalar(0.03663191332581) * omega_r_6_y;
+  const Scalar t123 = Scalar(2.0) * t5;
+  const Scalar df_qd5_5_x = Scalar(2.0) * t122 - f_u_6_5k_t_x * t123;
+  const Scalar f_u_qd5_5_t_x = c_5 * df_qd5_5_x + s_5 * t121;
+  const Scalar hc_5_x = hu_6_t_x - Scalar(0.002315289741004);
+  const Scalar f_5_5_x = mr_7_y - Scalar(0.01072355976515);
+  const Scalar t124 = hc_5_x * t123 - f_5_5_x * t120;
+  const Scalar dtau_qd4_5 = Scalar(0.2610759493670886) * t124 + c_5 * t118 - s_5 * t114 -
+      Scalar(1.2151898734177216) * f_u_qd5_5_t_x;
+  C[25] = dtau_qd4_5;
+  const Scalar t125 = Scalar(2.430379746835443) * t4 - Scalar(0.5221518987341772) * t6;
+  const Scalar t126 = -t65 * f_u_7_4k_a_z - t125 * t68 - s_5 * t26 + c_5 * t64;
+  const Scalar t127 = -t125 * t67 - t75 * f_u_7_4k_a_z + t36;
+  const Scalar t128 = c_4 * t67 - s_4 * t68;
+  const Scalar t129 = Scalar(0.5221518987341772) * omega_3_z;
+  const Scalar kappa_u_7_2k_a_y = c_4 * t127 - t129 * t128 - s_4 * t126;
+  const Scalar t130 = c_4 * mu_7_4_x + s_4 * t71;
+  const Scalar t131 = c_4 * t68 + s_4 * t67;
+  const Scalar t132 = Scalar(0.2610759493670886) * (t68 - t131) + Scalar(1.2151898734177216) * t67 -
+      c_5 * Iu_7_a_xy + s_5 * t37;
+  C[44] = Scalar(2.0) * (omega_r_3_y * t130 - t2 * t132) - kappa_u_7_2k_a_y;
+  const Scalar t133 = s_5 * t74 - c_5 * t72 + hu_6_t_x * t125;
+  const Scalar t134 = t57 - f_u_6_5k_t_x * (c_5 * t125 + s_5 * t75);
+  const Scalar t135 = c_5 * f_u_6_5k_t_x;
+  const Scalar t136 = c_4 * t135 - s_4 * hu_6_t_x;
+  const Scalar kappa_6_3_z = c_4 * t134 - t129 * t136 + s_4 * t133;
+  const Scalar t137 = s_4 * t82 + c_4 * t78;
+  const Scalar f_u_6_3k_t_y = c_4 * hu_6_t_x + s_4 * t135;
+  const Scalar mu_6_3_y = s_5 * t60 + Scalar(0.2610759493670886) * (hu_6_t_x - f_u_6_3k_t_y) +
+      c_5 * t77;
+  C[37] = kappa_6_3_z - Scalar(2.0) * (omega_r_3_y * t137 - t2 * mu_6_3_y);
+  const Scalar t138 = c_5 * f_u_qd6_6_a_y - s_5 * t87;
+  const Scalar t139 = Scalar(-0.2610759493670886) * t138;
+  const Scalar t140 = t63 - t139;
+  const Scalar t141 = -s_5 * C_66 - c_5 * t83 + Scalar(1.2151898734177216) * t138;
+  const Scalar t142 = t139 + c_4 * t140 + s_4 * t141;
   C[19] = -t142;
-  const Scalar t143 = s_3 * t131 + c_3 * f_u_qd7_5_t_y;
-  const Scalar t144 = s_2 * (Scalar(3.83030303030303) * t143 - s_3 * t130 + c_3 * t129);
-  C[6] = t144 + c_2 * dtau_qd3_7;
-  const Scalar t145 = Scalar(0.000757622236663515) * t6;
-  const Scalar t146 = Scalar(0.001082026026049065) * omega_5_z;
-  const Scalar t147 = Scalar(0.001451156065026714) * omega_r_6_a_z - t145 + t146 - t105 +
-      s_6 * t106;
-  const Scalar t148 = t104 - t103 - c_7 * t12 - t145 + s_7 * t18 - t146 +
-      Scalar(0.026294141005333654) * omega_6_z;
-  const Scalar t149 = t147 + t148;
-  const Scalar t150 = Scalar(0.000757622236663515) * omega_r_6_a_z;
-  const Scalar t151 = Scalar(0.002300122758781553) * omega_5_z;
-  const Scalar dI_5_yz = -t150 - t151 + Scalar(0.016509299631967757) * t6 - s_6 * t58 + c_6 * t66;
-  const Scalar t152 = t151 - t150 - s_6 * t59 - c_6 * t65 + Scalar(0.015058143566941042) * t6;
-  const Scalar kappa_5_5_y = t152 + dI_5_yz;
-  const Scalar hc_5_x = hu_6_t_x - Scalar(0.0006044664671925);
-  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.00279966354628125);
-  const Scalar t153 = s_5 * hc_5_x - c_5 * f_5_5_x;
-  const Scalar t154 = Scalar(-2.0) * t153;
-  const Scalar t155 = omega_4_z * t154 + s_5 * t149 - c_5 * kappa_5_5_y;
+  const Scalar t143 = omega_r_3_y * f_u_7_4k_a_z + omega_3_z * t131;
+  const Scalar t144 = Scalar(0.5221518987341772) * t143 - c_4 * t126 - s_4 * t127;
+  const Scalar t145 = Scalar(0.5221518987341772) * omega_r_3_y;
+  const Scalar t146 = t145 * t128 + t69;
+  const Scalar t147 = c_3 * f_u_7_4k_a_z + s_3 * t128;
+  const Scalar mu_u_7_2k_a_y = t70 + c_4 * t71 - s_4 * mu_7_4_x;
+  const Scalar t148 = c_2 * (t147 + c_3 * t130 + s_3 * t132) - s_2 * mu_u_7_2k_a_y;
+  const Scalar t149 = qd_1 * t148 - qd_2 * t131;
+  C[43] = c_3 * t146 - Scalar(2.0) * t149 - s_3 * t144;
+  const Scalar t150 = t110 + t111;
+  const Scalar kappa_5_5_y = t117 + dI_5_yz;
+  const Scalar t151 = c_5 * f_5_5_x - s_5 * hc_5_x;
+  const Scalar t152 = c_5 * kappa_5_5_y - t151 * t65 - s_5 * t150;
   const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar t156 = -s_5 * t112 - c_5 * Ic_5_xz + Scalar(4.654545454545454) * hu_5_t_x;
-  const Scalar t157 = c_6 * t110;
-  const Scalar Ic_5_zz = Ic_6_xx + t157 + Scalar(0.016509299631967757);
-  const Scalar mu_5_4_y = Ic_5_zz - hu_5_t_x;
-  C[31] = t155 - Scalar(2.0) * (t4 * mu_5_4_y - t7 * t156);
-  const Scalar Ic_5_xx = Ic_6_yy - t157 + Scalar(0.015058143566941042);
-  const Scalar Ic_5_xy = Iu_6_a_xz - Scalar(0.000757622236663515);
-  const Scalar t158 = t148 - t147 + Scalar(2.0) * (t6 * Ic_5_xy - omega_r_6_a_z * Ic_5_xx);
-  const Scalar t159 = t152 - dI_5_yz + Scalar(2.0) * (omega_r_6_a_z * Ic_5_xy + t80);
-  const Scalar t160 = Scalar(0.00279966354628125) * omega_5_z + s_6 * P_6_y - c_6 * P_6_x;
-  const Scalar t161 = Scalar(2.0) * f_u_6_5k_t_x;
-  const Scalar t162 = omega_r_6_a_z * t161 + Scalar(2.0) * t160;
-  const Scalar t163 = t50 + Scalar(0.0006044664671925) * omega_5_z -
-      Scalar(0.00716944410472125) * t8 - Scalar(0.00956371154866875) * omega_r_6_y;
-  const Scalar df_qd5_5_x = Scalar(2.0) * t163 - t6 * t161;
-  const Scalar f_u_qd5_5_t_x = s_5 * t162 + c_5 * df_qd5_5_x;
-  const Scalar t164 = Scalar(2.0) * omega_r_6_a_z * f_5_5_x - Scalar(2.0) * t6 * hc_5_x;
-  const Scalar t165 = t164 + s_5 * t158 - c_5 * t159 + Scalar(4.654545454545454) * f_u_qd5_5_t_x;
-  C[25] = -t165;
-  const Scalar t166 = s_4 * t141 - c_4 * t140;
-  const Scalar t167 = -s_4 * t87 - c_4 * t88 + C_46;
-  const Scalar t168 = s_4 * t88 - c_4 * t87;
-  const Scalar t169 = s_3 * t139 + c_3 * t168;
-  C[12] = Scalar(3.83030303030303) * t169 - s_3 * t166 - c_3 * t167;
-  const Scalar t170 = Scalar(7.66060606060606) * t1;
-  const Scalar t171 = s_2 * (t170 * t98 - s_3 * t123 + c_3 * t121);
-  const Scalar t172 = t1 * (s_3 * f_u_7_4k_a_z + c_3 * t95) - qd_2 * t124;
-  const Scalar kappa_7_2_y = Scalar(7.66060606060606) * t172 + kappa_u_7_2k_a_y;
-  C[42] = -t171 - c_2 * kappa_7_2_y;
-  const Scalar t173 = s_5 * df_qd5_5_x - c_5 * t162;
-  const Scalar t174 = -s_5 * t159 - c_5 * t158 + Scalar(4.654545454545454) * t173;
-  const Scalar t175 = C_55 - t173;
-  const Scalar C_35 = t173 + c_4 * t175 - s_4 * t174;
+  const Scalar t153 = -s_5 * t106 - c_5 * t105 + Scalar(1.2151898734177216) * hu_5_t_x;
+  const Scalar Ic_5_zz = Ic_6_xx - t112 + Scalar(0.016509299631967757);
+  const Scalar t154 = Scalar(0.2610759493670886) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t154;
+  C[31] = -t152 - Scalar(2.0) * (t6 * t153 - t4 * mu_5_4_y);
+  const Scalar t155 = c_5 * t121 - s_5 * df_qd5_5_x;
+  const Scalar t156 = Scalar(-0.2610759493670886) * t155;
+  const Scalar t157 = t107 + t156;
+  const Scalar t158 = c_5 * t114 + s_5 * t118 + Scalar(1.2151898734177216) * t155;
+  const Scalar C_35 = t156 - c_4 * t157 + s_4 * t158;
   C[18] = C_35;
-  const Scalar t176 = omega_r_3_y * t118 + omega_3_z * f_u_6_3k_t_y;
-  const Scalar t177 = Scalar(2.0) * t176 + s_4 * t135 + c_4 * t133;
-  const Scalar kappa_6_3_y = t122 * t137 + kappa_u_6_3k_a_y;
-  const Scalar t178 = s_3 * t137 - c_3 * t118;
-  const Scalar t179 = c_2 * (Scalar(3.83030303030303) * t178 - s_3 * mu_6_3_y - c_3 * t138);
-  const Scalar mu_6_3_z = t118 + c_4 * t119 - s_4 * t117;
-  const Scalar t180 = t126 * (s_2 * mu_6_3_z + t179);
-  C[36] = s_3 * t177 - t128 * f_u_6_3k_t_y + c_3 * kappa_6_3_y - t180;
-  const Scalar f_u_qd6_3_t_y = s_3 * t168 - c_3 * t139;
-  const Scalar t181 = s_2 * (c_3 * t166 + Scalar(3.83030303030303) * f_u_qd6_3_t_y - s_3 * t167);
-  C[5] = t181 - c_2 * t142;
-  const Scalar t182 = s_5 * kappa_5_5_y - hu_5_t_x * t69 + c_5 * t149;
-  const Scalar t183 = t89 * t154;
-  const Scalar t184 = hu_5_t_x * t93;
-  const Scalar t185 = t109 + t183 - t184;
-  const Scalar t186 = t185 - omega_3_z * t154;
-  const Scalar t187 = s_4 * t182 - c_4 * t186;
-  const Scalar t188 = s_4 * mu_5_4_y + c_4 * t156;
-  const Scalar t189 = s_5 * Ic_5_xz - c_5 * t112;
-  const Scalar t190 = t189 + t153 * (s_4 - Scalar(4.654545454545454));
-  C[30] = -t187 - Scalar(2.0) * (t2 * t190 + omega_r_3_y * t188);
-  const Scalar t191 = hu_5_t_x * t122 - c_4 * t182 - s_4 * t186;
-  const Scalar t192 = c_4 * omega_r_3_y * t154 + t155;
-  const Scalar t193 = c_4 * t153;
-  const Scalar t194 = s_3 * t193 - c_3 * hu_5_t_x;
-  const Scalar t195 = c_2 * (Scalar(3.83030303030303) * t194 - s_3 * t190 - c_3 * t188);
-  const Scalar mu_5_3_z = hu_5_t_x + c_4 * mu_5_4_y - s_4 * t156;
-  const Scalar t196 = t126 * (s_2 * mu_5_3_z + t195);
-  const Scalar t197 = s_4 * t153;
-  C[29] = t128 * t197 - c_3 * t192 + s_3 * t191 - t196;
-  const Scalar t198 = s_2 * (t170 * f_u_6_3k_t_y - s_3 * kappa_6_3_y + c_3 * t177);
-  const Scalar t199 = t1 * (s_3 * t118 + c_3 * t137) - qd_2 * t178;
-  C[35] = c_2 * (Scalar(7.66060606060606) * t199 + kappa_6_3_z) - t198;
-  const Scalar t200 = Scalar(0.00151524447332703) * omega_5_z;
-  const Scalar dI_5_xx = t200 + t107 + t102;
-  const Scalar t201 = t108 - t200 + t42;
-  const Scalar dI_u5_t_d = dI_5_xx - t201;
-  const Scalar t202 = Scalar(0.001082026026049065) * omega_r_6_a_z;
-  const Scalar t203 = Scalar(0.002300122758781553) * t6;
-  const Scalar t204 = -t202 - t203 + Scalar(0.015058143566941042) * omega_5_z - s_6 * t66 -
-      c_6 * t58;
-  const Scalar t205 = t52 * t204 - c_5 * dI_u5_t_d;
-  const Scalar t206 = Scalar(0.0039053550262761) * t7 + c_5 * t205;
-  const Scalar t207 = s_5 * t163 - c_5 * t160;
-  const Scalar t208 = Scalar(-2.0) * t207;
-  const Scalar t209 = Scalar(0.0006044664671925) * omega_r_6_a_z +
-      Scalar(0.00279966354628125) * t6 - s_6 * P_6_x - c_6 * P_6_y;
-  const Scalar t210 = Scalar(9.309090909090909) * t209 - t114;
-  const Scalar t211 = Scalar(-0.00164448757736927) * t4;
-  const Scalar t212 = t211 + dI_5_xx + t206 + t208 - t184 - t210;
-  const Scalar t213 = Ic_5_xy * t52 - c_5 * (t79 + Ic_5_xx);
-  const Scalar t214 = t153 - Scalar(0.00195267751313805);
-  const Scalar t215 = Ic_5_xy + t214 - s_5 * t213;
-  const Scalar t216 = Scalar(4.654545454545454) * t153 - Scalar(0.000822243788684635);
-  const Scalar t217 = t189 - t216;
-  const Scalar dtaud_4_4 = Scalar(2.0) * (t7 * t215 + t4 * t217) + t212;
+  const Scalar t159 = omega_r_3_y * t80 + omega_3_z * f_u_6_3k_t_y;
+  const Scalar t160 = Scalar(0.5221518987341772) * t159 + c_4 * t133 - s_4 * t134;
+  const Scalar t161 = t145 * t136 + t76;
+  const Scalar t162 = c_3 * t80 + s_3 * t136;
+  const Scalar mu_6_3_z = t81 + c_4 * t82 - s_4 * t78;
+  const Scalar t163 = c_2 * (t162 + c_3 * t137 + s_3 * mu_6_3_y) - s_2 * mu_6_3_z;
+  const Scalar t164 = qd_1 * t163 - qd_2 * f_u_6_3k_t_y;
+  C[36] = s_3 * t160 - c_3 * t161 + Scalar(2.0) * t164;
+  const Scalar t165 = t138 - s_4 * t140 + c_4 * t141;
+  const Scalar t166 = c_4 * t89 - s_4 * t88;
+  const Scalar t167 = Scalar(-0.2610759493670886) * t166 - c_4 * t88 - s_4 * t89 + t90;
+  C[12] = c_3 * t167 - s_3 * t165;
+  const Scalar t168 = t91 + c_4 * t94 + s_4 * t93;
+  const Scalar f_u_qd7_3_a_y = c_4 * t44 + s_4 * t41;
+  const Scalar t169 = c_4 * t41 - Scalar(0.2610759493670886) * f_u_qd7_3_a_y - s_4 * t44 +
+      dtau_qd4_7;
+  C[13] = -c_3 * t169 - s_3 * t168;
+  const Scalar t170 = Scalar(2.0) * t1;
+  const Scalar t171 = s_2 * (t170 * t131 + c_3 * t144 + s_3 * t146);
+  const Scalar t172 = qd_2 * t147 - t1 * (c_3 * t128 - s_3 * f_u_7_4k_a_z);
+  const Scalar kappa_7_2_y = Scalar(2.0) * t172 + kappa_u_7_2k_a_y;
+  C[42] = t171 - c_2 * kappa_7_2_y;
+  C[6] = c_2 * dtau_qd3_7 - s_2 * (s_3 * t169 - c_3 * t168);
+  const Scalar t173 = t151 * t125;
+  const Scalar t174 = hu_5_t_x * t75;
+  const Scalar t175 = t103 + t173 + t174;
+  const Scalar t176 = t151 * t129 + t175;
+  const Scalar t177 = c_5 * t150 - hu_5_t_x * t65 + s_5 * kappa_5_5_y;
+  const Scalar t178 = s_4 * t177 + c_4 * t176;
+  const Scalar t179 = s_4 * mu_5_4_y + c_4 * t153;
+  const Scalar t180 = c_5 * t106 - s_5 * t105;
+  const Scalar t181 = Scalar(-0.2610759493670886) * t151;
+  const Scalar t182 = t180 - t181 * (s_4 - Scalar(4.654545454545454));
+  C[30] = -t178 - Scalar(2.0) * (omega_r_3_y * t179 + t2 * t182);
+  const Scalar t183 = hu_5_t_x * t145 - c_4 * t177 + s_4 * t176;
+  const Scalar t184 = c_4 * t151;
+  const Scalar t185 = t152 - t145 * t184;
+  const Scalar t186 = s_3 * t184 + c_3 * hu_5_t_x;
+  const Scalar mu_5_3_z = t154 + c_4 * mu_5_4_y - s_4 * t153;
+  const Scalar t187 = c_2 * (t186 + c_3 * t179 - s_3 * t182) - s_2 * mu_5_3_z;
+  const Scalar t188 = s_4 * t151;
+  const Scalar t189 = qd_1 * t187 - qd_2 * t188;
+  C[29] = c_3 * t185 + Scalar(2.0) * t189 + s_3 * t183;
+  const Scalar t190 = s_2 * (t170 * f_u_6_3k_t_y + c_3 * t160 + s_3 * t161);
+  const Scalar t191 = qd_2 * t162 - t1 * (c_3 * t136 - s_3 * t80);
+  C[35] = c_2 * (Scalar(2.0) * t191 + kappa_6_3_z) - t190;
+  const Scalar t192 = Scalar(0.00151524447332703) * omega_5_z;
+  const Scalar t193 = t192 + t101 + t96;
+  const Scalar t194 = t102 - t192 + t22;
+  const Scalar t195 = Scalar(0.001082026026049065) * omega_r_6_a_z;
+  const Scalar t196 = Scalar(0.002300122758781553) * t5;
+  const Scalar t197 = -t195 - t196 + Scalar(0.015058143566941042) * omega_5_z - c_6 * t50 +
+      s_6 * t55;
+  const Scalar t198 = c_5 * (t193 - t194) - t40 * t197;
+  const Scalar t199 = Scalar(0.0039053550262761) * t6 + c_5 * t198;
+  const Scalar t200 = c_5 * t119 - s_5 * t122;
+  const Scalar t201 = Scalar(-0.5221518987341772) * t200;
+  const Scalar t202 = Scalar(0.002315289741004) * omega_r_6_a_z + Scalar(0.01072355976515) * t5 -
+      c_6 * P_6_y - s_6 * P_6_x;
+  const Scalar t203 = Scalar(2.430379746835443) * t202 - t73;
+  const Scalar t204 = Scalar(-0.00164448757736927) * t4;
+  const Scalar t205 = t193 - t204 - t199 - t201 - t174 - t203;
+  const Scalar t206 = t113 * t40 + c_5 * (t58 + Ic_5_xx);
+  const Scalar t207 = t181 - Scalar(0.00195267751313805);
+  const Scalar t208 = t113 - t207 - s_5 * t206;
+  const Scalar t209 = Scalar(0.000822243788684635) + Scalar(1.2151898734177216) * t151;
+  const Scalar t210 = t180 - t209;
+  const Scalar dtaud_4_4 = Scalar(2.0) * (t6 * t208 + t4 * t210) + t205;
   C[24] = dtaud_4_4;
-  const Scalar t218 = s_4 * t175 + c_4 * t174;
-  const Scalar t219 = -c_4 * t164 - s_4 * f_u_qd5_5_t_x + t165;
-  const Scalar t220 = s_4 * t164 - c_4 * f_u_qd5_5_t_x;
-  const Scalar t221 = c_3 * t220 + s_3 * t173;
-  C[11] = c_3 * t219 - Scalar(3.83030303030303) * t221 - s_3 * t218;
-  const Scalar t222 = s_2 * (t170 * t197 - s_3 * t192 - c_3 * t191);
-  const Scalar t223 = t1 * (c_3 * t193 + s_3 * hu_5_t_x) - qd_2 * t194;
-  C[28] = t222 - c_2 * (t187 - Scalar(7.66060606060606) * t223);
-  const Scalar P_u5_a_z = s_5 * t160 + c_5 * t163;
-  const Scalar t224 = P_u5_a_z - hu_5_t_x * t89 + Scalar(0.08142043634273043) * t4;
-  const Scalar t225 = omega_4_z * t216;
-  const Scalar t226 = t204 + t225 - s_5 * t205 + Scalar(0.0510201361568155) * t7 - t224;
-  const Scalar t227 = t203 - t202 + s_6 * t65 - c_6 * t59 +
-      Scalar(0.016509299631967757) * omega_5_z + t225 + t224;
-  const Scalar t228 = t227 - t226;
-  const Scalar t229 = f_u_6_5k_t_x * t89 - Scalar(4.654545454545454) * P_u5_a_z +
-      Scalar(0.08142043634273043) * t7;
-  const Scalar t230 = omega_4_z * t214;
-  const Scalar t231 = t230 - s_5 * t147 + c_5 * dI_5_yz - t229 + Scalar(0.374881683626407) * t4;
-  const Scalar t232 = -t230 - c_5 * t152 + s_5 * t148 - t229 + Scalar(0.3238615474695915) * t4;
-  const Scalar t233 = t232 + t231;
-  const Scalar hc_4_x = hu_5_t_x - Scalar(0.0228021863293125);
-  const Scalar f_4_4_x = f_u_6_5k_t_x - Scalar(0.08301659658612374);
-  const Scalar t234 = s_4 * hc_4_x - c_4 * f_4_4_x;
-  const Scalar t235 = t234 * t96 + s_4 * t228 - c_4 * t233;
-  const Scalar t236 = s_4 * t217 - c_4 * t215;
-  const Scalar t237 = c_5 * t213;
-  const Scalar t238 = Scalar(2.0) * hu_5_t_x;
-  const Scalar t239 = Ic_5_xx - t238 + t237 - t134 + Scalar(0.374881683626407);
+  const Scalar t211 = s_4 * t157 + t155 + c_4 * t158;
+  const Scalar t212 = c_4 * t124 - s_4 * f_u_qd5_5_t_x;
+  const Scalar t213 = Scalar(-0.2610759493670886) * t212 - s_4 * t124 - c_4 * f_u_qd5_5_t_x +
+      dtau_qd4_5;
+  C[11] = s_3 * t211 - c_3 * t213;
+  C[5] = s_2 * (s_3 * t167 + c_3 * t165) - c_2 * t142;
+  const Scalar P_u5_a_z = s_5 * t119 + c_5 * t122;
+  const Scalar t214 = Scalar(-0.5) * t125;
+  const Scalar t215 = hu_5_t_x * t214 - Scalar(0.2610759493670886) * P_u5_a_z +
+      Scalar(0.08142043634273043) * t4;
+  const Scalar t216 = omega_4_z * t209;
+  const Scalar t217 = t216 - t197 - s_5 * t198 + Scalar(0.0510201361568155) * t6 - t215;
+  const Scalar t218 = t196 - t195 - c_6 * t49 - s_6 * t54 +
+      Scalar(0.016509299631967757) * omega_5_z - t216 - t215;
+  const Scalar t219 = c_5 * t206;
+  const Scalar t220 = Scalar(2.430379746835443) * f_u_6_5k_t_x;
+  const Scalar t221 = t58 - t219 + t220 - Scalar(0.3238615474695915);
+  const Scalar t222 = Scalar(0.2610759493670886) * f_u_6_5k_t_x + t153 -
+      Scalar(0.08142043634273043);
+  const Scalar t223 = t218 - t217 + Scalar(2.0) * (t4 * t222 + t6 * t221);
+  const Scalar t224 = Scalar(1.2151898734177216) * P_u5_a_z - f_u_6_5k_t_x * t214 +
+      Scalar(0.08142043634273043) * t6;
+  const Scalar t225 = omega_4_z * t207;
+  const Scalar t226 = s_5 * t110 - t225 - c_5 * dI_5_yz - t224 + Scalar(0.374881683626407) * t4;
+  const Scalar t227 = t225 + c_5 * t117 - s_5 * t111 - t224 + Scalar(0.3238615474695915) * t4;
+  const Scalar t228 = Scalar(0.5221518987341772) * hu_5_t_x;
+  const Scalar Ic_4_yy = Ic_5_zz - t228;
+  const Scalar t229 = Scalar(2.0) * (t6 * t222 - t4 * Ic_4_yy) + t227 - t226;
+  const Scalar hc_4_x = hu_5_t_x - Scalar(0.0873392833947);
+  const Scalar f_4_4_x = f_u_6_5k_t_x - Scalar(0.317978721469274);
+  const Scalar t230 = t4 * hc_4_x + t6 * f_4_4_x;
+  const Scalar dtau_qd3_4 = Scalar(0.5221518987341772) * t230 - c_4 * t229 - s_4 * t223;
+  C[17] = dtau_qd3_4;
+  C[4] = c_2 * C_35 - s_2 * (s_3 * t213 + c_3 * t211);
+  const Scalar t231 = t218 + t217;
+  const Scalar t232 = t227 + t226;
+  const Scalar t233 = c_4 * f_4_4_x - s_4 * hc_4_x;
+  const Scalar t234 = s_4 * t231 - t233 * t129 + c_4 * t232;
+  const Scalar t235 = c_4 * t208 - s_4 * t210;
+  const Scalar t236 = -t219 - t228 + Ic_5_xx - t220 + Scalar(0.374881683626407);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t240 = hu_4_t_x + t239;
-  C[23] = t235 + Scalar(2.0) * (omega_r_3_y * t236 + t2 * t240);
-  const Scalar t241 = t79 + t237 + t134 - Scalar(0.3238615474695915);
-  const Scalar t242 = f_u_6_5k_t_x + t156 - Scalar(0.08142043634273043);
-  const Scalar t243 = t227 + t226 - Scalar(2.0) * (t4 * t242 + t7 * t241);
-  const Scalar Ic_4_yy = Ic_5_zz - t238;
-  const Scalar t244 = t232 - Scalar(2.0) * (t4 * Ic_4_yy - t7 * t242) - t231;
-  const Scalar t245 = Scalar(2.0) * t4 * hc_4_x + Scalar(2.0) * t7 * f_4_4_x;
-  const Scalar t246 = t245 + s_4 * t243 - c_4 * t244;
-  C[17] = -t246;
-  const Scalar t247 = s_3 * t220 - c_3 * t173;
-  const Scalar dmu_qd5_2_x = Scalar(3.83030303030303) * t247 - s_3 * t219 - c_3 * t218;
-  C[4] = c_2 * C_35 - s_2 * dmu_qd5_2_x;
-  const Scalar t248 = s_4 * t244 + c_4 * t243;
-  const Scalar t249 = Scalar(0.08301659658612374) * omega_4_z - t207;
-  const Scalar t250 = Scalar(2.0) * t249 - t7 * t154;
-  const Scalar t251 = t209 + Scalar(0.0228021863293125) * omega_4_z;
-  const Scalar df_qd4_4_x = Scalar(2.0) * t251 - t4 * t154;
-  const Scalar t252 = s_4 * df_qd4_4_x - c_4 * t250 + dtaud_4_4;
-  const Scalar f_u_qd4_4_t_x = c_4 * df_qd4_4_x + s_4 * t250;
-  const Scalar t253 = s_3 * t245 + c_3 * f_u_qd4_4_t_x;
-  C[10] = Scalar(3.83030303030303) * t253 - c_3 * t252 - s_3 * t248;
-  const Scalar kappa_4_3_x = c_4 * t228 + hu_4_t_x * t96 + s_4 * t233;
-  const Scalar t254 = t234 * t122;
-  const Scalar t255 = t212 - t254;
-  const Scalar t256 = c_2 * (c_3 * t236 + s_3 * (Scalar(3.83030303030303) * t234 + t240));
-  const Scalar t257 = s_4 * t215 + c_4 * t217;
-  const Scalar t258 = t126 * (t256 - s_2 * t257);
-  C[22] = s_3 * kappa_4_3_x - c_3 * t255 - hu_4_t_x * t128 - t258;
-  const Scalar t259 = Scalar(0.16284087268546085) * omega_4_z;
-  const Scalar t260 = t201 - t206 + t183 - t210 - t259;
-  const Scalar t261 = t208 - t211 + t185 + t259;
-  const Scalar t262 = Scalar(0.000822243788684635) * t7 -
-      Scalar(4.654545454545454) * (t207 + omega_4_z * f_u_6_5k_t_x);
-  const Scalar t263 = Scalar(0.00195267751313805) * t4 - omega_4_z * hu_5_t_x + t209;
-  const Scalar t264 = -t263 - c_5 * t147 - s_5 * dI_5_yz + t262 +
+  const Scalar t237 = Scalar(0.2610759493670886) * hu_4_t_x + t236;
+  C[23] = t234 + Scalar(2.0) * (omega_r_3_y * t235 - t2 * t237);
+  const Scalar t238 = s_2 * (t170 * t188 - s_3 * t185 + c_3 * t183);
+  const Scalar t239 = qd_2 * t186 - t1 * (c_3 * t184 - s_3 * hu_5_t_x);
+  C[28] = -c_2 * (t178 - Scalar(2.0) * t239) - t238;
+  const Scalar kappa_4_3_x = c_4 * t231 + hu_4_t_x * t129 - s_4 * t232;
+  const Scalar t240 = t205 + t233 * t145;
+  const Scalar t241 = s_4 * t208 + c_4 * t210;
+  const Scalar t242 = s_2 * t241 - c_2 * (s_3 * (t233 - t237) - c_3 * t235);
+  const Scalar t243 = qd_1 * t242 + qd_2 * hu_4_t_x;
+  C[22] = s_3 * kappa_4_3_x - c_3 * t240 - Scalar(2.0) * t243;
+  const Scalar t244 = t200 + Scalar(0.317978721469274) * omega_4_z;
+  const Scalar t245 = Scalar(-2.0) * t151;
+  const Scalar t246 = Scalar(2.0) * t244 - t6 * t245;
+  const Scalar t247 = t202 + Scalar(0.0873392833947) * omega_4_z;
+  const Scalar df_qd4_4_x = Scalar(2.0) * t247 - t4 * t245;
+  const Scalar t248 = c_4 * t246 - s_4 * df_qd4_4_x;
+  const Scalar t249 = dtaud_4_4 - Scalar(0.2610759493670886) * t248 - c_4 * df_qd4_4_x - s_4 * t246;
+  const Scalar t250 = c_4 * t223 - s_4 * t229 + Scalar(2.0) * t230;
+  C[10] = -c_3 * t249 - s_3 * t250;
+  const Scalar t251 = Scalar(0.16284087268546085) * omega_4_z;
+  const Scalar t252 = t194 + t199 - t173 - t203 - t251;
+  const Scalar t253 = t204 - t201 - t175 + t251;
+  const Scalar t254 = Scalar(0.000822243788684635) * t6 -
+      Scalar(1.2151898734177216) * (t200 - omega_4_z * f_u_6_5k_t_x);
+  const Scalar t255 = Scalar(0.00195267751313805) * t4 -
+      Scalar(0.2610759493670886) * (t202 - omega_4_z * hu_5_t_x);
+  const Scalar t256 = t255 - c_5 * t110 - s_5 * dI_5_yz - t254 +
       Scalar(0.3238615474695915) * omega_4_z;
-  const Scalar t265 = Scalar(2.0) * s_4;
-  const Scalar t266 = t265 * t264 - c_4 * (t260 - t261);
-  const Scalar t267 = c_4 * t266;
-  const Scalar t268 = s_4 * t251 - c_4 * t249;
-  const Scalar t269 = Scalar(-0.004377257121839584) * t2;
-  const Scalar t270 = Scalar(0.005487648106562256) * omega_r_3_y + t269 +
-      Scalar(2.0) * (omega_3_z * t153 + t268) + t260 + t267;
-  const Scalar t271 = t242 * t265 - c_4 * (Ic_4_yy + t241);
-  const Scalar t272 = Scalar(0.002743824053281128) + t234;
-  const Scalar t273 = t272 + t242 - s_4 * t271;
-  const Scalar t274 = t257 - Scalar(0.002188628560919792);
-  const Scalar dtaud_3_3 = t270 - Scalar(2.0) * (t2 * t274 + omega_r_3_y * t273);
+  const Scalar t257 = Scalar(2.0) * s_4;
+  const Scalar t258 = c_4 * (t252 - t253) - t257 * t256;
+  const Scalar t259 = c_4 * t258;
+  const Scalar t260 = c_4 * t244 - s_4 * t247;
+  const Scalar t261 = Scalar(-0.004377257121839584) * t2;
+  const Scalar t262 = Scalar(0.005487648106562256) * omega_r_3_y - t261 -
+      Scalar(0.5221518987341772) * (omega_3_z * t151 + t260) + t252 - t259;
+  const Scalar t263 = c_4 * (Ic_4_yy + t221) - t222 * t257;
+  const Scalar t264 = Scalar(0.2610759493670886) * t233 - Scalar(0.002743824053281128);
+  const Scalar t265 = t222 - t264 + s_4 * t263;
+  const Scalar t266 = Scalar(0.002188628560919792) + t241;
+  const Scalar dtaud_3_3 = t262 - Scalar(2.0) * (t2 * t266 + omega_r_3_y * t265);
   C[16] = dtaud_3_3;
-  const Scalar f_u_qd4_3_t_y = s_3 * f_u_qd4_4_t_x - c_3 * t245;
-  const Scalar t275 = s_2 * (Scalar(3.83030303030303) * f_u_qd4_3_t_y - s_3 * t252 + c_3 * t248);
-  C[3] = t275 - c_2 * t246;
-  const Scalar kappa_4_2_x = s_3 * t255 + hu_4_t_x * t170 + c_3 * kappa_4_3_x;
-  const Scalar t276 = Scalar(-7.66060606060606) * t234;
-  C[21] = c_2 * (t235 + t2 * t276) - s_2 * kappa_4_2_x;
-  const Scalar t277 = c_4 * t251 + s_4 * t249;
-  const Scalar t278 = Scalar(0.000060956210475372) * t2 - t277 - omega_r_3_y * hu_4_t_x;
-  const Scalar t279 = Scalar(0.002188628560919792) * omega_3_z;
-  const Scalar t280 = t279 + Scalar(0.061602421026527694) * omega_r_3_y - t278 + t264 - s_4 * t266;
-  const Scalar t281 = t279 + t263 + s_5 * t152 + c_5 * t148 + t262 + t278 +
+  const Scalar kappa_4_2_x = s_3 * t240 + c_3 * kappa_4_3_x + hu_4_t_x * t170;
+  const Scalar t267 = Scalar(-2.0) * t233;
+  C[21] = c_2 * (t234 + t2 * t267) - s_2 * kappa_4_2_x;
+  C[3] = c_2 * dtau_qd3_4 - s_2 * (s_3 * t249 - c_3 * t250);
+  const Scalar t268 = c_4 * t247 + s_4 * t244;
+  const Scalar t269 = Scalar(0.000060956210475372) * t2 +
+      Scalar(0.2610759493670886) * (t268 + omega_r_3_y * hu_4_t_x);
+  const Scalar t270 = Scalar(0.002188628560919792) * omega_3_z;
+  const Scalar t271 = t270 + Scalar(0.061602421026527694) * omega_r_3_y + t269 + t256 + s_4 * t258;
+  const Scalar t272 = t270 - t255 + s_5 * t117 + c_5 * t111 - t254 - t269 +
       Scalar(0.374881683626407) * omega_4_z;
-  const Scalar t282 = c_4 * t271;
-  const Scalar Ic_3_xx = Scalar(0.00579793204758302) + Ic_4_yy + t282;
-  const Scalar t283 = Scalar(0.000060956210475372) + t153;
-  const Scalar t284 = t283 + t236;
-  const Scalar t285 = Scalar(2.0) * (t2 * t284 + omega_r_3_y * Ic_3_xx) + t281 + t280;
-  const Scalar t286 = omega_3_z * t272;
-  const Scalar t287 = omega_r_3_y * t283;
-  const Scalar t288 = Scalar(0.06740035307411071) * t2 - t287 + t286 - s_4 * t226 - c_4 * t231;
-  const Scalar t289 = Scalar(0.00579793204758302) * t2 - t287 - s_4 * t227 - t286 + c_4 * t232;
-  const Scalar t290 = Scalar(2.0) * hu_4_t_x;
-  const Scalar t291 = t290 + t239;
-  const Scalar t292 = t289 - t288 - Scalar(2.0) * (omega_r_3_y * t284 + t2 * t291);
-  const Scalar t293 = Scalar(0.0011643676637175) * omega_3_z - t268;
-  const Scalar t294 = Scalar(2.0) * t293 + t254;
-  const Scalar t295 = P_u5_a_z - Scalar(0.0228021863293125) * t7 + Scalar(0.08301659658612374) * t4;
-  const Scalar P_3_y = Scalar(0.03080789084472) * omega_3_z - t295;
-  const Scalar t296 = Scalar(2.0) * t2 * t234 + Scalar(2.0) * P_3_y;
-  const Scalar t297 = s_3 * t294 - c_3 * t296;
-  C[9] = s_3 * t285 + c_3 * t292 + Scalar(3.83030303030303) * t297;
-  const Scalar t298 = t281 - t280;
-  const Scalar t299 = t289 + t288;
-  const Scalar hc_3_x = Scalar(0.03080789084472) + hu_4_t_x;
-  const Scalar t300 = Scalar(0.0011643676637175) + t153;
-  const Scalar t301 = s_3 * t300 - c_3 * hc_3_x;
-  const Scalar t302 = Scalar(-3.83030303030303) * t301;
-  const Scalar t303 = s_3 * t274 + c_3 * t273 + t302;
-  const Scalar t304 = c_2 * t126;
-  const Scalar t305 = Scalar(-2.0) * t1 * (-t290 - Scalar(0.06740035307411071) + t282 + t241);
-  C[15] = t303 * t304 - c_3 * t299 - t305 - s_3 * t298;
-  const Scalar t306 = Scalar(2.0) * (omega_3_z * t283 - omega_r_3_y * t272) + t261 - t267;
-  const Scalar t307 = Scalar(0.000121912420950744) * omega_3_z + t269 - Scalar(2.0) * t268 - t255;
-  const Scalar t308 = Scalar(0.002743824053281128) * t2 - omega_3_z * hu_4_t_x + t295;
-  const Scalar t309 = Scalar(0.002188628560919792) * omega_r_3_y;
-  const Scalar t310 = Scalar(0.00579793204758302) * omega_3_z - t309 + t308 + c_4 * t226 -
-      s_4 * t231;
-  const Scalar t311 = Scalar(2.0) * s_3;
-  const Scalar t312 = t311 * t310 - c_3 * (t307 + t306);
-  const Scalar t313 = Scalar(0.01026110182100817) * t3 + c_3 * t312;
-  const Scalar Iu_3_t_d = Ic_3_xx - t291;
-  const Scalar Iu_3_t_g = t284 * t311 + c_3 * Iu_3_t_d;
-  const Scalar t314 = c_3 * t300 + s_3 * hc_3_x;
-  const Scalar t315 = Scalar(0.0003844680514732) + Scalar(3.83030303030303) * t314;
-  const Scalar t316 = s_2 * (t315 - c_3 * t274 + s_3 * t273);
-  const Scalar t317 = (t316 + c_2 * (t284 - Scalar(0.005130550910504085) - s_3 * Iu_3_t_g)) * t126;
-  const Scalar t318 = Scalar(0.0011643676637175) * t2 - Scalar(0.03080789084472) * omega_r_3_y -
-      t277;
-  const Scalar t319 = qd_2 * t301;
-  const Scalar t320 = Scalar(0.0007689361029464) * t1;
-  C[8] = t306 - t320 + t313 + t317 + Scalar(7.66060606060606) * (t318 - t319);
-  const Scalar t321 = t1 * t314;
-  const Scalar t322 = t270 + Scalar(7.66060606060606) * (t321 - t319);
-  C[14] = c_2 * t322 - s_2 * (s_3 * t299 - c_3 * t298);
-  const Scalar t323 = s_3 * t296 + c_3 * t294;
-  const Scalar dmu_qd3_2_x = c_3 * t285 - s_3 * t292 + Scalar(3.83030303030303) * t323;
-  C[2] = c_2 * dtaud_3_3 - s_2 * dmu_qd3_2_x;
-  const Scalar t324 = t1 * t302;
-  const Scalar t325 = qd_2 * t315;
-  const Scalar t326 = Scalar(0.00199167944196776) * t1;
-  const Scalar t327 = Scalar(0.023077882494931805) * t3 - t326 + t324 - t310 + t325 + s_3 * t312;
-  const Scalar t328 = -t309 - t326 + Scalar(0.06740035307411071) * omega_3_z + c_4 * t227 - t308 +
-      t324 + s_4 * t232 - t325;
-  const Scalar t329 = s_3 * t293 - c_3 * P_3_y - t1 * t234;
-  const Scalar t330 = Scalar(0.00199167944196776) * t3 + Scalar(3.83030303030303) * t329;
-  const Scalar t331 = Scalar(0.005130550910504085) * qd_2;
-  const Scalar dI_2_yz = t331 + c_3 * t288 + Scalar(0.5584211823766702) * t1 - t330 - s_3 * t280;
-  const Scalar t332 = -t331 - c_3 * t289 + Scalar(0.5353432998817383) * t1 - t330 - s_3 * t281;
-  C[7] = s_2 * (t328 + t327) - c_2 * (t332 + dI_2_yz);
-  const Scalar t333 = t303 - Scalar(0.00199167944196776);
-  const Scalar t334 = s_2 * t333 -
-      c_2 * (c_3 * Iu_3_t_g + t291 - t276 + Scalar(0.5353432998817383));
-  const Scalar t335 = c_2 * (t333 * t304 - t305 + t332 - dI_2_yz);
-  C[1] = t335 - s_2 * (t328 - t327 + t126 * t334);
-  const Scalar t336 = Scalar(0.00398335888393552) * qd_2;
-  const Scalar t337 = t307 - t336 + t313 - Scalar(7.66060606060606) * (t321 + t318);
-  const Scalar dI_u2_t_d = t336 - t320 - t337 - t322;
-  const Scalar t338 = s_3 * P_3_y + c_3 * t293 - qd_2 * (t234 + Scalar(0.13976526025393485));
-  const Scalar t339 = Scalar(0.005130550910504085) * t1 - Scalar(0.0003844680514732) * t3 -
-      s_3 * t288 - c_3 * t280 - Scalar(3.83030303030303) * t338;
-  C[0] = c_2 * (Scalar(2.0) * s_2 * t339 - c_2 * dI_u2_t_d) - t337;
+  const Scalar t273 = t272 - t271;
+  const Scalar t274 = omega_3_z * t264;
+  const Scalar t275 = Scalar(0.000060956210475372) + t181;
+  const Scalar t276 = omega_r_3_y * t275;
+  const Scalar t277 = t276 + Scalar(0.06740035307411071) * t2 + t274 - s_4 * t217 - c_4 * t226;
+  const Scalar t278 = Scalar(0.00579793204758302) * t2 + t276 - t274 + s_4 * t218 + c_4 * t227;
+  const Scalar t279 = t278 + t277;
+  const Scalar t280 = c_3 * t265 - s_3 * t266;
+  const Scalar hc_3_x = Scalar(0.118003557659776) + hu_4_t_x;
+  const Scalar t281 = t151 - Scalar(0.004459880990724);
+  const Scalar t282 = s_3 * t281 + c_3 * hc_3_x;
+  const Scalar t283 = c_4 * t263;
+  const Scalar t284 = Scalar(0.5221518987341772) * hu_4_t_x;
+  const Scalar t285 = s_2 * (-t284 - Scalar(0.06740035307411071) - t283 + t221);
+  const Scalar t286 = Scalar(2.0) * qd_1;
+  const Scalar t287 = t286 * (c_2 * (t282 + t280) + t285);
+  C[15] = c_3 * t279 + t287 - s_3 * t273;
+  const Scalar t288 = Scalar(0.004459880990724) * omega_3_z + t260;
+  const Scalar Ic_3_xx = Scalar(0.00579793204758302) + Ic_4_yy - t283;
+  const Scalar t289 = t275 + t235;
+  const Scalar t290 = t288 - t2 * t289 - omega_r_3_y * (t233 - Ic_3_xx);
+  const Scalar t291 = t272 + t271 + Scalar(2.0) * t290;
+  const Scalar t292 = -P_u5_a_z - Scalar(0.0873392833947) * t6 + Scalar(0.317978721469274) * t4;
+  const Scalar P_3_y = Scalar(0.118003557659776) * omega_3_z + t292;
+  const Scalar t293 = t284 + t236;
+  const Scalar t294 = omega_r_3_y * t289 + P_3_y + t2 * (t233 - t293);
+  const Scalar t295 = t278 - t277 + Scalar(2.0) * t294;
+  C[9] = s_3 * t291 - c_3 * t295;
+  const Scalar t296 = c_3 * t281 - s_3 * hc_3_x;
+  const Scalar t297 = t1 * t296;
+  const Scalar t298 = qd_2 * t282;
+  const Scalar t299 = t262 - Scalar(2.0) * (t297 - t298);
+  C[14] = c_2 * t299 + s_2 * (s_3 * t279 + c_3 * t273);
+  C[2] = c_2 * dtaud_3_3 - s_2 * (s_3 * t295 + c_3 * t291);
+  const Scalar t300 = Scalar(2.0) * (omega_3_z * t275 + omega_r_3_y * t264) + t253 + t259;
+  const Scalar t301 = Scalar(0.000121912420950744) * omega_3_z - t261 +
+      Scalar(0.5221518987341772) * t260 - t240;
+  const Scalar t302 = Scalar(0.002743824053281128) * t2 +
+      Scalar(0.2610759493670886) * (omega_3_z * hu_4_t_x + t292);
+  const Scalar t303 = Scalar(0.002188628560919792) * omega_r_3_y;
+  const Scalar t304 = Scalar(0.00579793204758302) * omega_3_z - t303 - t302 - c_4 * t217 +
+      s_4 * t226;
+  const Scalar t305 = Scalar(2.0) * s_3;
+  const Scalar t306 = c_3 * (t301 + t300) - t305 * t304;
+  const Scalar t307 = Scalar(0.01026110182100817) * t3 - c_3 * t306;
+  const Scalar Iu_3_t_d = Ic_3_xx - t293;
+  const Scalar t308 = t289 * t305 + c_3 * Iu_3_t_d;
+  const Scalar t309 = t296 - Scalar(0.0003844680514732);
+  const Scalar t310 = s_2 * (t309 - c_3 * t266 - s_3 * t265);
+  const Scalar t311 = qd_1 * (c_2 * (t289 - Scalar(0.005130550910504085) - s_3 * t308) - t310);
+  const Scalar t312 = Scalar(0.004459880990724) * t2 + Scalar(0.118003557659776) * omega_r_3_y +
+      t268;
+  const Scalar t313 = Scalar(0.0007689361029464) * t1;
+  C[8] = t300 - t313 + t307 - Scalar(2.0) * (t312 - t298 - t311);
+  const Scalar t314 = t282 - Scalar(0.00199167944196776);
+  const Scalar t315 = t1 * t314;
+  const Scalar t316 = qd_2 * t309;
+  const Scalar t317 = Scalar(0.023077882494931805) * t3 + t315 - t304 - t316 - s_3 * t306;
+  const Scalar t318 = t280 + t314;
+  const Scalar t319 = c_2 * (c_3 * t308 + t293 + t267 + Scalar(0.5353432998817383)) - s_2 * t318;
+  const Scalar t320 = Scalar(0.06740035307411071) * omega_3_z - t303 + c_4 * t218 + t302 + t315 +
+      t316 - s_4 * t227;
+  const Scalar t321 = qd_1 * (Scalar(0.00199167944196776) * c_2 + s_2 * t233);
+  const Scalar t322 = c_3 * P_3_y - t321 - s_3 * t288;
+  const Scalar t323 = Scalar(0.005130550910504085) * qd_2;
+  const Scalar dI_2_yz = t323 - c_3 * t277 + Scalar(0.5584211823766702) * t1 + t322 - s_3 * t271;
+  const Scalar t324 = c_3 * t278 - t323 + Scalar(0.5353432998817383) * t1 + t322 - s_3 * t272;
+  const Scalar t325 = c_2 * (t286 * (c_2 * t318 + t285) + t324 - dI_2_yz);
+  C[1] = t325 - s_2 * (t320 - t317 - t319 * t286);
+  C[7] = s_2 * (t320 + t317) - c_2 * (t324 + dI_2_yz);
+  const Scalar t326 = Scalar(0.00398335888393552) * qd_2;
+  const Scalar t327 = t301 - t326 + t307 + Scalar(2.0) * (t297 + t312);
+  const Scalar dI_u2_t_d = t326 - t313 - t327 - t299;
+  const Scalar t328 = Scalar(0.005130550910504085) * t1 - Scalar(0.0003844680514732) * t3 -
+      c_3 * (t288 + t271) - s_3 * (P_3_y - t277) - qd_2 * (t233 - Scalar(0.5353432998817383));
+  C[0] = -t327 - c_2 * (c_2 * dI_u2_t_d - Scalar(2.0) * s_2 * t328);
   C[48] = Scalar(0.0);
 }
 
@@ -1964,7 +1939,7 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
 //   q[7]   in   joint positions, rad or m
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   n[7]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..6], qd[0..6]. Operations: 266 mul, 249 add, 12 sin/cos.
+// Reads q[1..6], qd[0..6]. Operations: 267 mul, 245 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
@@ -1977,201 +1952,199 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
       s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
   const Scalar t2 = s_3 * t1;
-  const Scalar t3 = c_3 * qd_2;
-  const Scalar omega_r_3_y = t2 + t3;
-  const Scalar t4 = c_2 * qd_1;
-  const Scalar omega_3_z = qd_3 + t4;
-  const Scalar t5 = (t2 + Scalar(2.0) * t3) * t4;
-  const Scalar t6 = Scalar(2.0) * omega_r_3_y * omega_3_z - t5;
-  const Scalar t7 = c_3 * t1;
-  const Scalar t8 = s_3 * qd_2;
-  const Scalar t9 = t8 - t7;
+  const Scalar omega_r_3_y = t2 + c_3 * qd_2;
+  const Scalar t3 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t3;
+  const Scalar t4 = Scalar(2.0) * qd_2;
+  const Scalar t5 = c_3 * t4;
+  const Scalar t6 = (t2 + t5) * t3;
+  const Scalar t7 = Scalar(2.0) * omega_r_3_y * omega_3_z - t6;
+  const Scalar t8 = c_3 * t1;
+  const Scalar t9 = s_3 * qd_2 - t8;
   const Scalar t10 = t9 * omega_r_3_y;
   const Scalar t11 = qd_2 * t1;
   const Scalar U_3_xy = t10 + t11;
-  const Scalar t12 = c_4 * U_3_xy + s_4 * t6;
+  const Scalar t12 = c_4 * U_3_xy + s_4 * t7;
   const Scalar t13 = c_4 * t9 + s_4 * omega_3_z;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
   const Scalar t14 = t13 * omega_4_z;
   const Scalar t15 = t14 + t12;
   const Scalar t16 = t14 + t15;
-  const Scalar t17 = s_4 * U_3_xy - c_4 * t6;
+  const Scalar t17 = s_4 * U_3_xy - c_4 * t7;
   const Scalar t18 = s_4 * t9 - c_4 * omega_3_z;
   const Scalar t19 = t17 + Scalar(2.0) * t18 * omega_4_z;
   const Scalar t20 = t10 - t11;
-  const Scalar t21 = qd_2 * t4;
-  const Scalar t22 = Scalar(7.66060606060606) * t21;
-  const Scalar t23 = t1 * t4;
-  const Scalar t24 = Scalar(3.83030303030303) * t23 + Scalar(118.9090909090909) * s_2;
-  const Scalar ddp_3_y = c_3 * t22 + s_3 * t24;
-  const Scalar t25 = t20 + ddp_3_y;
-  const Scalar t26 = t16 + t25 + Scalar(4.654545454545454) * t19;
-  const Scalar t27 = t9 * omega_3_z;
-  const Scalar t28 = (Scalar(2.0) * t8 - t7) * t4;
-  const Scalar t29 = t27 - t28;
-  const Scalar t30 = t27 + t29;
-  const Scalar t31 = t1 * t1;
-  const Scalar t32 = qd_2 * qd_2;
-  const Scalar Uz_o_3_y = t31 + t32;
-  const Scalar ddp_3_a_z = Scalar(118.9090909090909) * c_2 - Scalar(3.83030303030303) * Uz_o_3_y;
-  const Scalar t33 = t30 + ddp_3_a_z;
-  const Scalar t34 = t9 * t9;
-  const Scalar t35 = omega_3_z * omega_3_z;
-  const Scalar t36 = Uz_o_3_y - t34 + t35;
-  const Scalar t37 = s_3 * t22 - c_3 * t24;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = s_4 * t33 - c_4 * t38;
-  const Scalar t40 = t13 * t13;
-  const Scalar Uz_o_4_y = t34 + t35;
-  const Scalar t41 = omega_4_z * omega_4_z;
-  const Scalar t42 = Uz_o_4_y + t41 - t40;
-  const Scalar t43 = t13 * t18;
-  const Scalar t44 = t29 + t43;
-  const Scalar ddp_o_5_x = t42 - Scalar(4.654545454545454) * t44 + t39;
-  const Scalar ddp_5_x = s_5 * t26 + c_5 * ddp_o_5_x;
-  const Scalar t45 = s_4 * t38 + c_4 * t33;
-  const Scalar t46 = t29 - t43;
-  const Scalar t47 = t41 + t40;
-  const Scalar t48 = t46 + Scalar(4.654545454545454) * t47 - t45;
-  const Scalar t49 = s_6 * t48 - c_6 * ddp_5_x;
-  const Scalar t50 = s_5 * omega_4_z - c_5 * t13;
+  const Scalar t21 = t1 * t3;
+  const Scalar t22 = t21 + Scalar(31.044303797468356) * s_2;
+  const Scalar ddp_3_y = t5 * t3 + s_3 * t22;
+  const Scalar t23 = Scalar(0.2610759493670886) * t20 + ddp_3_y;
+  const Scalar t24 = Scalar(0.2610759493670886) * t16 + t23 + Scalar(1.2151898734177216) * t19;
+  const Scalar t25 = t9 * omega_3_z;
+  const Scalar t26 = s_3 * t4;
+  const Scalar t27 = (t8 - t26) * t3;
+  const Scalar t28 = t25 + t27;
+  const Scalar t29 = t25 + t28;
+  const Scalar t30 = t1 * t1;
+  const Scalar t31 = qd_2 * qd_2;
+  const Scalar Uz_o_3_y = t30 + t31;
+  const Scalar ddp_3_a_z = Scalar(31.044303797468356) * c_2 - Uz_o_3_y;
+  const Scalar t32 = Scalar(0.2610759493670886) * t29 + ddp_3_a_z;
+  const Scalar t33 = t9 * t9;
+  const Scalar t34 = omega_3_z * omega_3_z;
+  const Scalar t35 = Uz_o_3_y - t33 + t34;
+  const Scalar t36 = t26 * t3 - c_3 * t22;
+  const Scalar t37 = Scalar(0.2610759493670886) * t35 - t36;
+  const Scalar t38 = s_4 * t32 - c_4 * t37;
+  const Scalar t39 = t13 * t13;
+  const Scalar Uz_o_4_y = t33 + t34;
+  const Scalar t40 = omega_4_z * omega_4_z;
+  const Scalar t41 = Uz_o_4_y + t40 - t39;
+  const Scalar t42 = t13 * t18;
+  const Scalar t43 = t28 + t42;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t41 - Scalar(1.2151898734177216) * t43 +
+      t38;
+  const Scalar ddp_5_x = s_5 * t24 + c_5 * ddp_o_5_x;
+  const Scalar t44 = s_4 * t37 + c_4 * t32;
+  const Scalar t45 = t28 - t42;
+  const Scalar t46 = t40 + t39;
+  const Scalar t47 = Scalar(0.2610759493670886) * t45 + Scalar(1.2151898734177216) * t46 - t44;
+  const Scalar t48 = s_6 * t47 - c_6 * ddp_5_x;
+  const Scalar t49 = s_5 * omega_4_z - c_5 * t13;
   const Scalar omega_5_z = qd_5 - t18;
-  const Scalar t51 = s_6 * omega_5_z - c_6 * t50;
-  const Scalar t52 = t51 * t51;
-  const Scalar t53 = t50 * t50;
-  const Scalar t54 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t53 + t54;
+  const Scalar t50 = s_6 * omega_5_z - c_6 * t49;
+  const Scalar t51 = t50 * t50;
+  const Scalar t52 = t49 * t49;
+  const Scalar t53 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_y = t52 + t53;
   const Scalar omega_r_6_a_z = s_5 * t13 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t55 = omega_6_z * omega_6_z;
-  const Scalar t56 = Uz_o_6_y - t52 + t55;
-  const Scalar t57 = Scalar(1.0666666666666667) * t56 + t49;
-  const Scalar mr_7_y = Scalar(0.00016784129658959824) * c_7 + Scalar(0.00021232244313540175) * s_7;
-  const Scalar t58 = s_5 * t44 + c_5 * t19;
-  const Scalar t59 = t58 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
-  const Scalar t60 = t50 * omega_r_6_a_z;
-  const Scalar t61 = t60 + t15;
-  const Scalar t62 = s_6 * t59 - c_6 * t61;
-  const Scalar t63 = Scalar(2.0) * omega_6_z;
-  const Scalar t64 = t62 - t51 * t63;
-  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t26;
-  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(1.0666666666666667) * t64;
-  const Scalar mr_7_x = Scalar(0.00021232244313540175) * c_7 - Scalar(0.00016784129658959824) * s_7;
-  const Scalar t65 = s_6 * t61 + c_6 * t59;
-  const Scalar omega_r_6_y = s_6 * t50 + c_6 * omega_5_z;
-  const Scalar t66 = t65 - omega_r_6_y * t63;
-  const Scalar t67 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
+  const Scalar t54 = omega_6_z * omega_6_z;
+  const Scalar t55 = Uz_o_6_y - t51 + t54;
+  const Scalar t56 = Scalar(0.27848101265822783) * t55 + t48;
+  const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
+  const Scalar t57 = s_5 * t43 + c_5 * t19;
+  const Scalar t58 = t57 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
+  const Scalar t59 = t49 * omega_r_6_a_z;
+  const Scalar t60 = t59 + t15;
+  const Scalar t61 = s_6 * t58 - c_6 * t60;
+  const Scalar t62 = Scalar(2.0) * omega_6_z;
+  const Scalar t63 = t61 - t50 * t62;
+  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t24;
+  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t63;
+  const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
+  const Scalar t64 = s_6 * t60 + c_6 * t58;
+  const Scalar omega_r_6_y = s_6 * t49 + c_6 * omega_5_z;
+  const Scalar t65 = t64 - omega_r_6_y * t62;
+  const Scalar t66 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
   const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
-  const Scalar t68 = c_7 * I_t7_g;
-  const Scalar t69 = t68 - Scalar(0.004552547872941088);
+  const Scalar t67 = c_7 * I_t7_g;
+  const Scalar t68 = t67 - Scalar(0.004552547872941088);
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t70 = omega_7_z * omega_7_z;
-  const Scalar t71 = t55 + t70;
-  const Scalar t72 = t52 + t70;
+  const Scalar t69 = omega_7_z * omega_7_z;
+  const Scalar t70 = t54 + t69;
+  const Scalar t71 = t51 + t69;
   const Scalar I_7_xy = Scalar(0.000391391281684248) + s_7 * I_t7_g;
-  const Scalar I_7_xx = t68 + Scalar(0.002131604094419858);
-  const Scalar t73 = s_5 * t19 - c_5 * t44;
-  const Scalar t74 = t50 * omega_5_z;
-  const Scalar t75 = t74 + t73;
-  const Scalar t76 = t51 * omega_r_6_y;
-  const Scalar t77 = t76 + t75;
-  const Scalar t78 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
-  const Scalar t79 = -mr_7_y * t57 - mr_7_x * ddp_o_7_z + I_7_xy * (t71 - t72) - t66 * t67 -
-      t77 * t78 + t62 * I_7_xx - t64 * t69;
-  n[6] = -t79;
-  const Scalar t80 = t66 - t63 * omega_7_z;
-  const Scalar t81 = t75 - t76;
-  const Scalar t82 = Scalar(1.0666666666666667) * t81 + s_6 * ddp_5_x + c_6 * t48;
-  const Scalar t83 = t77 + Scalar(2.0) * t51 * omega_7_z;
-  const Scalar t84 = mr_7_x * t83 - mr_7_y * t80 + Scalar(0.017931959153753906) * t82;
-  const Scalar Uz_o_7_y = t52 + t55;
-  const Scalar n_6 = Scalar(0.000103758917218685) * t65 - mr_7_x * t82 -
-      Scalar(0.001119670733427555) * t81 + t67 * (Uz_o_7_y - t71) +
-      t62 * (Scalar(0.000093569097314605) + t78) - t80 * I_7_xy + t83 * t69 -
-      Scalar(0.028934422545659894) * t77 - Scalar(0.014748570382675316) * (t56 - Uz_o_7_y) -
-      Scalar(0.0143388882094425) * t49 - Scalar(1.0666666666666667) * t84;
+  const Scalar I_7_xx = t67 + Scalar(0.002131604094419858);
+  const Scalar t72 = s_5 * t19 - c_5 * t43;
+  const Scalar t73 = t49 * omega_5_z;
+  const Scalar t74 = t73 + t72;
+  const Scalar t75 = t50 * omega_r_6_y;
+  const Scalar t76 = t75 + t74;
+  const Scalar t77 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
+  const Scalar t78 = -mr_7_y * t56 - mr_7_x * ddp_o_7_z + I_7_xy * (t70 - t71) - t65 * t66 -
+      t76 * t77 + t61 * I_7_xx - t63 * t68;
+  n[6] = -t78;
+  const Scalar t79 = t65 - t62 * omega_7_z;
+  const Scalar t80 = t74 - t75;
+  const Scalar t81 = Scalar(0.27848101265822783) * t80 + s_6 * ddp_5_x + c_6 * t47;
+  const Scalar t82 = t76 + Scalar(2.0) * t50 * omega_7_z;
+  const Scalar t83 = mr_7_x * t82 - mr_7_y * t79 + Scalar(0.26308374115809) * t81;
+  const Scalar Uz_o_7_y = t51 + t54;
+  const Scalar n_6 = Scalar(0.000103758917218685) * t64 - mr_7_x * t81 -
+      Scalar(0.001119670733427555) * t80 + t66 * (Uz_o_7_y - t70) +
+      t61 * (Scalar(0.000093569097314605) + t77) - t79 * I_7_xy + t82 * t68 -
+      Scalar(0.028934422545659894) * t76 - Scalar(0.014748570382675316) * (t55 - Uz_o_7_y) -
+      Scalar(0.054922286959804) * t48 - Scalar(0.27848101265822783) * t83;
   n[5] = n_6;
-  const Scalar F_7_y = -mr_7_y * t72 - mr_7_x * t64 + Scalar(0.017931959153753906) * ddp_o_7_z;
-  const Scalar t85 = Scalar(0.000093569097314605) * t77 -
-      Scalar(0.000103758917218685) * (Uz_o_6_y - t56) - Scalar(0.001119670733427555) * t64 - t79 +
-      Scalar(0.014748570382675316) * t66 + Scalar(1.0666666666666667) * F_7_y;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t72;
+  const Scalar F_7_y = -mr_7_y * t71 - mr_7_x * t63 + Scalar(0.26308374115809) * ddp_o_7_z;
+  const Scalar t84 = Scalar(0.000093569097314605) * t76 -
+      Scalar(0.000103758917218685) * (Uz_o_6_y - t55) - Scalar(0.001119670733427555) * t63 - t78 +
+      Scalar(0.014748570382675316) * t65 + Scalar(0.27848101265822783) * F_7_y;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t71;
   const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t86 = Scalar(-0.000103758917218685) * t81 -
-      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t82 + t78 * U_7_yy_zz + t83 * I_7_xy +
-      t80 * I_7_xx - t64 * (t67 + Scalar(0.014748570382675316)) +
-      Scalar(0.0143388882094425) * ddp_6_a_z + Scalar(0.028934422545659894) * t66;
-  const Scalar t87 = t47 - t53 + t54;
-  const Scalar t88 = t15 - t60;
-  const Scalar n_5 = Scalar(0.00216405205209813) * t73 - Scalar(0.001451156065026714) * t88 +
-      Scalar(0.00151524447332703) * (t87 - Uz_o_6_y) + Scalar(0.004600245517563106) * t58 -
-      Scalar(0.010045187828321245) * t61 + Scalar(0.001208932934385) * ddp_6_a_z -
-      Scalar(0.0055993270925625) * ddp_5_x - s_6 * t86 - c_6 * t85;
+  const Scalar t85 = Scalar(-0.000103758917218685) * t80 -
+      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t81 + t77 * U_7_yy_zz + t82 * I_7_xy +
+      t79 * I_7_xx - t63 * (t66 + Scalar(0.014748570382675316)) +
+      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t65;
+  const Scalar t86 = t46 - t52 + t53;
+  const Scalar t87 = t15 - t59;
+  const Scalar n_5 = Scalar(0.00216405205209813) * t72 - Scalar(0.001451156065026714) * t87 +
+      Scalar(0.00151524447332703) * (t86 - Uz_o_6_y) + Scalar(0.004600245517563106) * t57 -
+      Scalar(0.010045187828321245) * t60 + Scalar(0.004630579482008) * ddp_6_a_z -
+      Scalar(0.0214471195303) * ddp_5_x - s_6 * t85 - c_6 * t84;
   n[4] = n_5;
-  const Scalar f_6_y = Scalar(0.0143388882094425) * Uz_o_7_y - t84;
-  const Scalar t89 = mr_7_x * t71 - mr_7_y * t62 + Scalar(0.0143388882094425) * t77 +
-      Scalar(0.017931959153753906) * t57;
-  const Scalar f_5_x = Scalar(0.001208932934385) * t87 + Scalar(0.0055993270925625) * t61 -
-      s_6 * f_6_y - c_6 * t89 + Scalar(0.027672413504871093) * ddp_5_x;
-  const Scalar t90 = Scalar(0.001208932934385) * t88 - Scalar(0.0055993270925625) * Uz_o_6_y -
-      Scalar(0.0143388882094425) * t66 - Scalar(0.027672413504871093) * ddp_6_a_z - F_7_y;
-  const Scalar t91 = s_5 * t90 - c_5 * f_5_x;
-  const Scalar t92 = t74 + t75;
-  const Scalar U_5_yy_zz = t47 - Uz_o_6_y;
-  const Scalar t93 = Scalar(0.004600245517563106) * t88 - Scalar(0.00151524447332703) * t92 +
-      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t59 -
-      Scalar(0.0055993270925625) * t48 - c_6 * t86 + s_6 * t85;
-  const Scalar f_5_z = Scalar(0.001208932934385) * t92 - Scalar(0.0055993270925625) * t59 -
-      s_6 * t89 + c_6 * f_6_y - Scalar(0.027672413504871093) * t48;
-  const Scalar t94 = Scalar(0.00216405205209813) * t61 - Scalar(0.001451156065026714) * t92 -
-      Scalar(0.00151524447332703) * t59 + Scalar(0.001208932934385) * t48 -
-      Scalar(0.004600245517563106) * (t47 - t87) + n_6;
+  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t83;
+  const Scalar t88 = mr_7_x * t70 - mr_7_y * t61 + Scalar(0.054922286959804) * t76 +
+      Scalar(0.26308374115809) * t56;
+  const Scalar f_5_x = Scalar(0.004630579482008) * t86 + Scalar(0.0214471195303) * t60 -
+      s_6 * f_6_y - c_6 * t88 + Scalar(0.4059881025443391) * ddp_5_x;
+  const Scalar t89 = Scalar(0.004630579482008) * t87 - Scalar(0.0214471195303) * Uz_o_6_y -
+      Scalar(0.054922286959804) * t65 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
+  const Scalar t90 = s_5 * t89 - c_5 * f_5_x;
+  const Scalar t91 = t73 + t74;
+  const Scalar U_5_yy_zz = t46 - Uz_o_6_y;
+  const Scalar t92 = Scalar(0.004600245517563106) * t87 - Scalar(0.00151524447332703) * t91 +
+      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t58 -
+      Scalar(0.0214471195303) * t47 - c_6 * t85 + s_6 * t84;
+  const Scalar f_5_z = Scalar(0.004630579482008) * t91 - Scalar(0.0214471195303) * t58 - s_6 * t88 +
+      c_6 * f_6_y - Scalar(0.4059881025443391) * t47;
+  const Scalar t93 = Scalar(0.00216405205209813) * t60 - Scalar(0.001451156065026714) * t91 -
+      Scalar(0.00151524447332703) * t58 + Scalar(0.004630579482008) * t47 -
+      Scalar(0.004600245517563106) * (t46 - t86) + n_6;
   const Scalar mu_4_z = Scalar(0.00164448757736927) * t12 - Scalar(0.0039053550262761) * t17 +
-      Scalar(0.0054157634981905) * t46 + Scalar(0.04942675278013915) * (t42 - t47) - s_5 * t93 +
-      Scalar(0.0462344322933525) * t39 + c_5 * t94 - Scalar(0.29071723622709367) * t44 - f_5_z +
-      Scalar(4.654545454545454) * t91;
+      Scalar(0.0054157634981905) * t45 + Scalar(0.04942675278013915) * (t41 - t46) - s_5 * t92 +
+      Scalar(0.17709188611756838) * t38 + c_5 * t93 - Scalar(0.29071723622709367) * t43 -
+      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t90;
   n[3] = mu_4_z;
-  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t90;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t47;
-  const Scalar t95 = Scalar(0.0039053550262761) * t46 - Scalar(0.00164448757736927) * U_4_yy_zz +
-      Scalar(0.04942675278013915) * t16 + c_5 * t93 + Scalar(0.0462344322933525) * t25 + s_5 * t94 +
-      Scalar(0.29071723622709367) * t19 - Scalar(4.654545454545454) * f_u_5_t_y;
-  const Scalar t96 = Scalar(0.00164448757736927) * t44 +
-      Scalar(0.0039053550262761) * (Uz_o_4_y - t42) + Scalar(0.0054157634981905) * t16 -
-      Scalar(0.04942675278013915) * t19 - n_5 + f_u_5_t_y;
-  const Scalar t97 = Scalar(0.0462344322933525) * t19 - Scalar(0.016011409030815) * t25 - f_u_5_t_y;
-  const Scalar t98 = Scalar(0.000013360662912304) * t20 -
-      Scalar(0.000121912420950744) * (t36 - Uz_o_4_y) + Scalar(0.004377257121839584) * t28 -
-      Scalar(0.005487648106562256) * t5 + Scalar(0.022178148964878235) * U_3_xy +
-      Scalar(0.002328735327435) * t37 + c_4 * t96 + t97 - s_4 * t95;
-  n[2] = -t98;
-  const Scalar t99 = Scalar(0.0462344322933525) * t44 + Scalar(0.016011409030815) * t39 - t91;
-  const Scalar f_4_y = Scalar(0.0462344322933525) * t47 + Scalar(0.016011409030815) * t45 + f_5_z;
-  const Scalar f_3_x = Scalar(0.002328735327435) * U_3_xy + Scalar(0.010420621542058577) * t37 -
-      s_4 * f_4_y + c_4 * t99;
-  const Scalar t100 = Scalar(0.002328735327435) * Uz_o_4_y -
-      Scalar(0.010420621542058577) * ddp_3_y + t97;
-  const Scalar f_u_3_t_x = s_3 * t100 + c_3 * f_3_x;
-  const Scalar U_3_yy_zz = Uz_o_3_y - Uz_o_4_y;
-  const Scalar t101 = Scalar(0.005487648106562256) * t20 - Scalar(0.000121912420950744) * t30 +
-      Scalar(0.004377257121839584) * U_3_yy_zz - Scalar(0.002328735327435) * ddp_3_a_z -
-      Scalar(0.022178148964878235) * t6 - s_4 * t96 - c_4 * t95;
-  const Scalar mu_3_y = Scalar(0.000013360662912304) * t30 - Scalar(0.000121912420950744) * t6 +
-      Scalar(0.004377257121839584) * U_3_xy + Scalar(0.005487648106562256) * (Uz_o_3_y - t36) -
-      s_4 * t99 - c_4 * f_4_y - mu_4_z;
-  const Scalar t102 = qd_1 * qd_1;
-  const Scalar t103 = t32 - t31 + t102;
-  n[1] = Scalar(0.01993386669246) * c_2 + Scalar(0.00398335888393552) * (t103 - Uz_o_3_y) +
-      Scalar(0.04777783501284299) * t23 - s_3 * t101 + c_3 * mu_3_y +
-      Scalar(3.83030303030303) * f_u_3_t_x;
-  const Scalar t104 = s_3 * f_3_x - c_3 * t100;
-  const Scalar U_2_yy_zz = t102 - Uz_o_3_y;
-  const Scalar t105 = Scalar(0.00796671776787104) * t11 - Scalar(0.0007689361029464) * U_2_yy_zz -
-      Scalar(0.01026110182100817) * t23 - Scalar(0.04939990503582237) * t21 + s_3 * mu_3_y +
-      c_3 * t101 + Scalar(3.83030303030303) * t104;
-  const Scalar t106 = Scalar(0.00796671776787104) * t21 - Scalar(0.0007689361029464) * t23 -
-      Scalar(0.01026110182100817) * (t102 - t103) + Scalar(0.04615576498986361) * t11 + t98;
-  n[0] = s_2 * t105 - c_2 * t106;
+  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t89;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t46;
+  const Scalar t94 = Scalar(0.0039053550262761) * t45 - Scalar(0.00164448757736927) * U_4_yy_zz +
+      Scalar(0.04942675278013915) * t16 + c_5 * t92 + Scalar(0.17709188611756838) * t23 +
+      s_5 * t93 + Scalar(0.29071723622709367) * t19 - Scalar(1.2151898734177216) * f_u_5_t_y;
+  const Scalar t95 = Scalar(0.00164448757736927) * t43 +
+      Scalar(0.0039053550262761) * (Uz_o_4_y - t41) + Scalar(0.0054157634981905) * t16 -
+      Scalar(0.04942675278013915) * t19 - n_5 + Scalar(0.2610759493670886) * f_u_5_t_y;
+  const Scalar t96 = Scalar(0.17709188611756838) * t19 - Scalar(0.23490692527912765) * t23 -
+      f_u_5_t_y;
+  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t35 - Uz_o_4_y) -
+      Scalar(0.000013360662912304) * t20 + Scalar(0.004377257121839584) * t27 +
+      Scalar(0.005487648106562256) * t6 - Scalar(0.022178148964878235) * U_3_xy -
+      Scalar(0.008919761981448) * t36 - c_4 * t95 - Scalar(0.2610759493670886) * t96 + s_4 * t94;
+  n[2] = mu_3_z;
+  const Scalar t97 = Scalar(0.17709188611756838) * t43 + Scalar(0.23490692527912765) * t38 - t90;
+  const Scalar f_4_y = Scalar(0.17709188611756838) * t46 + Scalar(0.23490692527912765) * t44 +
+      f_5_z;
+  const Scalar t98 = s_4 * t97 + c_4 * f_4_y;
+  const Scalar t99 = Scalar(0.000013360662912304) * t29 - Scalar(0.000121912420950744) * t7 +
+      Scalar(0.013297019103287584) * U_3_xy + Scalar(0.005487648106562256) * (Uz_o_3_y - t35) +
+      Scalar(0.15288324476823525) * t36 - Scalar(0.2610759493670886) * t98 - s_4 * f_4_y +
+      c_4 * t97 - mu_4_z;
+  const Scalar t100 = Scalar(0.004377257121839584) * Uz_o_3_y - Scalar(0.000121912420950744) * t29 +
+      Scalar(0.005487648106562256) * t20 - Scalar(0.013297019103287584) * Uz_o_4_y -
+      Scalar(0.008919761981448) * ddp_3_a_z - Scalar(0.022178148964878235) * t7 +
+      Scalar(0.15288324476823525) * ddp_3_y - s_4 * t95 - t96 - c_4 * t94;
+  const Scalar t101 = qd_1 * qd_1;
+  const Scalar t102 = t31 - t30 + t101;
+  n[1] = Scalar(0.01993386669246) * c_2 + Scalar(0.00398335888393552) * (t102 - Uz_o_3_y) +
+      Scalar(0.04777783501284299) * t21 + c_3 * t99 - s_3 * t100;
+  const Scalar U_2_yy_zz = t101 - Uz_o_3_y;
+  const Scalar t103 = qd_2 * t3;
+  const Scalar t104 = Scalar(0.00796671776787104) * t11 - Scalar(0.0007689361029464) * U_2_yy_zz -
+      Scalar(0.01026110182100817) * t21 - Scalar(0.04939990503582237) * t103 + s_3 * t99 +
+      c_3 * t100;
+  const Scalar t105 = Scalar(0.00796671776787104) * t103 - Scalar(0.0007689361029464) * t21 -
+      Scalar(0.01026110182100817) * (t101 - t102) + Scalar(0.04615576498986361) * t11 - mu_3_z;
+  n[0] = s_2 * t104 - c_2 * t105;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -2180,7 +2153,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[7]  in   joint torques or forces, N m or N
 //   qdd[7]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..6], qd[0..6], tau[0..6]. Operations: 549 mul, 465 add, 6 div, 12 sin/cos.
+// Reads q[1..6], qd[0..6], tau[0..6]. Operations: 536 mul, 455 add, 6 div, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -2196,9 +2169,8 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar Iu_7_t_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar t1 = c_7 * Iu_7_t_g;
   const Scalar Iu_7_t_xx = t1 - Scalar(0.00242094377852123);
-  const Scalar hu_7_t_x = Scalar(0.00021232244313540175) * c_7 -
-      Scalar(0.00016784129658959824) * s_7;
-  const Scalar t2 = Scalar(2.1333333333333333) * hu_7_t_x;
+  const Scalar hu_7_t_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
+  const Scalar t2 = Scalar(0.5569620253164557) * hu_7_t_x;
   const Scalar Ic_6_yy = t2 - Scalar(0.00528056308065248);
   const Scalar Iu_6_t_d = Iu_7_t_xx - Ic_6_yy;
   const Scalar Iu_7_a_xz = Scalar(0.0009653051699191118) * c_7 -
@@ -2212,9 +2184,8 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t7 = t6 + Scalar(0.04208100218189551);
   const Scalar Iu_5_t_d = Iu_6_t_xx + t7;
   const Scalar Iu_7_t_xy = Scalar(0.000391391281684248) + s_7 * Iu_7_t_g;
-  const Scalar hu_7_t_y = Scalar(0.00016784129658959824) * c_7 +
-      Scalar(0.00021232244313540175) * s_7;
-  const Scalar t8 = Scalar(0.000103758917218685) + Scalar(1.0666666666666667) * hu_7_t_y -
+  const Scalar hu_7_t_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
+  const Scalar t8 = Scalar(0.000103758917218685) + Scalar(0.27848101265822783) * hu_7_t_y -
       Iu_7_t_xy;
   const Scalar Iu_7_a_xy = Scalar(0.0012555365982728983) * c_7 +
       Scalar(0.0009653051699191118) * s_7;
@@ -2224,94 +2195,93 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t9 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
   const Scalar t10 = c_5 * t9;
   const Scalar t11 = t10 + t7;
-  const Scalar hc_6_x = hu_7_t_x + Scalar(0.0191274230973375);
-  const Scalar f_u_6_6_t_x = Scalar(0.0143388882094425) * c_6 - s_6 * hc_6_x;
-  const Scalar t12 = Scalar(9.309090909090909) * f_u_6_6_t_x;
+  const Scalar hc_6_x = hu_7_t_x + Scalar(0.07326382665162);
+  const Scalar f_u_6_6_t_x = Scalar(0.054922286959804) * c_6 - s_6 * hc_6_x;
+  const Scalar t12 = Scalar(2.430379746835443) * f_u_6_6_t_x;
   const Scalar t13 = t11 + t12;
   const Scalar Iu_6_t_yy = Iu_7_t_xx + t5;
   const Scalar Ic_5_zz = Iu_6_t_yy + Scalar(0.04498331431194894);
-  const Scalar hu_6_t_x = Scalar(0.0143388882094425) * s_6 + c_6 * hc_6_x;
-  const Scalar hc_5_x = hu_6_t_x - Scalar(0.001208932934385);
-  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0055993270925625);
+  const Scalar hu_6_t_x = Scalar(0.054922286959804) * s_6 + c_6 * hc_6_x;
+  const Scalar hc_5_x = hu_6_t_x - Scalar(0.004630579482008);
+  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0214471195303);
   const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar t14 = Scalar(2.0) * hu_5_t_x;
+  const Scalar t14 = Scalar(0.5221518987341772) * hu_5_t_x;
   const Scalar Ic_4_yy = Ic_5_zz - t14 - Scalar(0.6898040971210785);
   const Scalar Iu_6_t_xy = Ic_6_xy - s_6 * t4;
   const Scalar Ic_5_xz = Iu_6_t_xy - Scalar(0.004600245517563106);
   const Scalar t15 = s_6 * t8 - c_6 * Ic_6_yz;
   const Scalar t16 = t15 + Scalar(0.00216405205209813);
   const Scalar t17 = s_5 * t16 - c_5 * Ic_5_xz;
-  const Scalar t18 = t17 + Scalar(4.654545454545454) * hu_5_t_x;
-  const Scalar t19 = f_u_6_6_t_x + t18 - Scalar(0.16284087268546085);
-  const Scalar t20 = Scalar(2.0) * s_4 * t19 - c_4 * (t13 + Ic_4_yy);
-  const Scalar t21 = c_4 * t20;
-  const Scalar Iu_4_t_xx = t21 + Ic_4_yy;
+  const Scalar t18 = t17 + Scalar(1.2151898734177216) * hu_5_t_x;
+  const Scalar t19 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
+  const Scalar t20 = t19 + t18 - Scalar(0.16284087268546085);
+  const Scalar t21 = Scalar(2.0) * s_4 * t20 - c_4 * (t13 + Ic_4_yy);
+  const Scalar t22 = c_4 * t21;
+  const Scalar Iu_4_t_xx = t22 + Ic_4_yy;
   const Scalar Iu_5_t_yy = Iu_6_t_xx + t10;
-  const Scalar t22 = Iu_5_t_yy - t14 - t12 + Scalar(0.7918443694347095);
-  const Scalar hc_4_x = hu_5_t_x - Scalar(0.045604372658625);
-  const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.1660331931722475);
+  const Scalar t23 = Iu_5_t_yy - t14 - t12 + Scalar(0.7918443694347095);
+  const Scalar hc_4_x = hu_5_t_x - Scalar(0.1746785667894);
+  const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.635957442938548);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t23 = Scalar(2.0) * hu_4_t_x;
-  const Scalar t24 = t23 + t22 - Scalar(0.7013999612162445);
-  const Scalar Iu_3_t_d = Iu_4_t_xx - t24;
+  const Scalar t24 = Scalar(0.5221518987341772) * hu_4_t_x;
+  const Scalar t25 = t24 + t23 - Scalar(0.7013999612162445);
+  const Scalar Iu_3_t_d = Iu_4_t_xx - t25;
   const Scalar Iu_5_t_xy = Ic_5_xy - s_5 * t9;
-  const Scalar t25 = s_5 * hc_5_x - c_5 * f_5_5_x;
-  const Scalar t26 = t25 - Scalar(0.0039053550262761) + Iu_5_t_xy;
-  const Scalar t27 = c_5 * t16 + s_5 * Ic_5_xz;
-  const Scalar t28 = Scalar(4.654545454545454) * t25 - t27;
-  const Scalar t29 = t28 - Scalar(0.00164448757736927);
-  const Scalar t30 = c_4 * t26 + s_4 * t29;
-  const Scalar t31 = Scalar(0.000121912420950744) + t25 - t30;
-  const Scalar Iu_3_t_g = Scalar(2.0) * s_3 * t31 + c_3 * Iu_3_t_d;
-  const Scalar t32 = c_3 * Iu_3_t_g;
-  const Scalar t33 = t32 + t24;
-  const Scalar t34 = s_4 * hc_4_x - c_4 * f_4_4_x;
-  const Scalar t35 = Scalar(-7.66060606060606) * t34;
-  const Scalar t36 = t33 - t35;
-  const Scalar t37 = t13 + t21;
-  const Scalar t38 = t37 - t23 - Scalar(0.8246048032693);
-  const Scalar t39 = t19 - s_4 * t20;
-  const Scalar t40 = Scalar(0.005487648106562256) + t34 + t39;
-  const Scalar Iu_4_a_xy = s_4 * t26 - c_4 * t29;
+  const Scalar t26 = s_5 * hc_5_x - c_5 * f_5_5_x;
+  const Scalar t27 = Scalar(-0.2610759493670886) * t26;
+  const Scalar t28 = Scalar(-0.0039053550262761) - t27 + Iu_5_t_xy;
+  const Scalar t29 = c_5 * t16 + s_5 * Ic_5_xz;
+  const Scalar t30 = Scalar(1.2151898734177216) * t26 - t29;
+  const Scalar t31 = t30 - Scalar(0.00164448757736927);
+  const Scalar t32 = c_4 * t28 + s_4 * t31;
+  const Scalar t33 = t27 - Scalar(0.000121912420950744) + t32;
+  const Scalar t34 = Scalar(2.0) * s_3 * t33 - c_3 * Iu_3_t_d;
+  const Scalar t35 = c_3 * t34;
+  const Scalar t36 = t25 - t35;
+  const Scalar t37 = s_4 * hc_4_x - c_4 * f_4_4_x;
+  const Scalar t38 = Scalar(-2.0) * t37;
+  const Scalar t39 = t36 - t38;
+  const Scalar t40 = t13 + t22;
+  const Scalar t41 = t40 - t24 - Scalar(0.8246048032693);
+  const Scalar t42 = t20 - s_4 * t21;
+  const Scalar t43 = Scalar(0.005487648106562256) + Scalar(0.2610759493670886) * t37 + t42;
+  const Scalar Iu_4_a_xy = s_4 * t28 - c_4 * t31;
   const Scalar Ic_3_yz = Iu_4_a_xy - Scalar(0.004377257121839584);
-  const Scalar t41 = s_3 * Ic_3_yz + c_3 * t40;
-  const Scalar hc_3_x = Scalar(0.06161578168944) + hu_4_t_x;
-  const Scalar t42 = Scalar(0.002328735327435) + t25;
-  const Scalar t43 = s_3 * t42 - c_3 * hc_3_x;
-  const Scalar t44 = Scalar(3.83030303030303) * t43 - t41;
-  const Scalar t45 = Scalar(0.00398335888393552) + t44;
-  const Scalar t46 = Scalar(2.0) * s_2 * t45 + c_2 * (t38 + t36 + Scalar(1.7720865609797212));
-  const Scalar t47 = (t45 - s_2 * t46) * qd_1;
-  const Scalar Iu_3_t_yy = Iu_4_t_xx - t32;
-  const Scalar t48 = t33 - Iu_3_t_yy;
-  const Scalar t49 = s_2 * (t38 + t48);
-  const Scalar t50 = qd_1 * (t47 - qd_3 * t49);
-  const Scalar t51 = Scalar(2.0) * qd_2;
-  const Scalar t52 = s_3 * t40 - c_3 * Ic_3_yz;
-  const Scalar t53 = s_2 * qd_1;
-  const Scalar t54 = qd_1 * (c_2 * (t52 * t53 - t44 * t51) + qd_2 * t49);
-  const Scalar Iu_4_d = t37 + Iu_4_t_xx;
-  const Scalar t55 = c_3 * t53;
-  const Scalar t56 = s_3 * qd_2;
-  const Scalar t57 = t56 - t55;
-  const Scalar t58 = s_3 * t53;
-  const Scalar t59 = c_3 * qd_2;
-  const Scalar omega_r_3_y = t58 + t59;
+  const Scalar hc_3_x = Scalar(0.236007115319552) + hu_4_t_x;
+  const Scalar t44 = Scalar(0.008919761981448) + t26;
+  const Scalar t45 = s_3 * t44 - c_3 * hc_3_x;
+  const Scalar t46 = t45 - (s_3 * Ic_3_yz + c_3 * t43);
+  const Scalar t47 = Scalar(0.00398335888393552) + t46;
+  const Scalar t48 = Scalar(2.0) * s_2 * t47 + c_2 * (t41 + t39 + Scalar(1.7720865609797212));
+  const Scalar t49 = (t47 - s_2 * t48) * qd_1;
+  const Scalar Iu_3_t_yy = Iu_4_t_xx + t35;
+  const Scalar t50 = t36 - Iu_3_t_yy;
+  const Scalar t51 = s_2 * (t41 + t50);
+  const Scalar t52 = qd_1 * (t49 - qd_3 * t51);
+  const Scalar t53 = Scalar(2.0) * qd_2;
+  const Scalar t54 = s_3 * t43 - c_3 * Ic_3_yz;
+  const Scalar t55 = s_2 * qd_1;
+  const Scalar t56 = qd_1 * (c_2 * (t54 * t55 - t46 * t53) + qd_2 * t51);
+  const Scalar Iu_4_d = t40 + Iu_4_t_xx;
+  const Scalar t57 = c_3 * t55;
+  const Scalar t58 = s_3 * qd_2 - t57;
+  const Scalar t59 = s_3 * t55;
+  const Scalar omega_r_3_y = t59 + c_3 * qd_2;
   const Scalar t60 = Scalar(2.0) * omega_r_3_y;
   const Scalar beta_4_f = qd_4 - t60;
-  const Scalar t61 = Scalar(2.0) * t39;
+  const Scalar t61 = Scalar(2.0) * t42;
   const Scalar t62 = c_2 * qd_1;
   const Scalar omega_3_z = qd_3 + t62;
-  const Scalar t63 = qd_4 * ((t30 * beta_4_f + t57 * (t22 - Iu_4_d)) + omega_3_z * t61);
+  const Scalar t63 = qd_4 * ((t32 * beta_4_f + t58 * (t23 - Iu_4_d)) + omega_3_z * t61);
   const Scalar t64 = Iu_5_t_yy + t11;
   const Scalar Iu_5_y = Ic_5_zz - t64;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t65 = s_4 * t57 - c_4 * omega_3_z;
+  const Scalar t65 = s_4 * t58 - c_4 * omega_3_z;
   const Scalar t66 = Scalar(-2.0) * t65;
   const Scalar beta_5_f = qd_5 + t66;
   const Scalar t67 = Scalar(2.0) * Iu_5_t_xy;
-  const Scalar t68 = c_4 * t57 + s_4 * omega_3_z;
-  const Scalar t69 = qd_5 * (t68 * t67 + (t27 * beta_5_f + omega_4_z * Iu_5_y));
+  const Scalar t68 = c_4 * t58 + s_4 * omega_3_z;
+  const Scalar t69 = qd_5 * (t68 * t67 + (t29 * beta_5_f + omega_4_z * Iu_5_y));
   const Scalar t70 = s_5 * omega_4_z - c_5 * t68;
   const Scalar omega_5_z = qd_5 - t65;
   const Scalar omega_r_6_y = s_6 * t70 + c_6 * omega_5_z;
@@ -2325,7 +2295,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t73 = Scalar(2.0) * Iu_7_t_xy;
   const Scalar t74 = qd_7 * ((Iu_7_a_xy * beta_7_f + omega_6_z * Iu_7_y) - t72 * t73);
   const Scalar t75 = qd_7 * beta_7_f;
-  const Scalar t76 = Scalar(1.0666666666666667) * t75;
+  const Scalar t76 = Scalar(0.27848101265822783) * t75;
   const Scalar t77 = s_6 * hu_7_t_y;
   const Scalar Iu_6_d = Iu_6_t_xx - Iu_6_t_yy;
   const Scalar t78 = Scalar(2.0) * omega_r_6_a_z;
@@ -2340,222 +2310,219 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar f_p_6_a_y = hu_7_t_y * t75 +
       Scalar(2.0) * qd_6 * (hu_6_t_x * t70 + f_u_6_6_t_x * omega_5_z);
   const Scalar t86 = qd_5 * beta_5_f;
-  const Scalar t87 = t25 * t86 + s_5 * t85 - c_5 * f_p_6_a_y;
+  const Scalar t87 = t26 * t86 + s_5 * t85 - c_5 * f_p_6_a_y;
   const Scalar t88 = qd_7 * (omega_6_z * t73 +
       (t72 * (Iu_7_d - Scalar(0.006684151967360946)) - Iu_7_a_xz * beta_7_f));
-  const Scalar t89 = t88 - Scalar(2.1333333333333333) * t83;
-  const Scalar t90 = s_5 * t89 - c_5 * t81 - t69 + Scalar(4.654545454545454) * t87;
+  const Scalar t89 = t88 - Scalar(0.5569620253164557) * t83;
+  const Scalar t90 = s_5 * t89 - c_5 * t81 - t69 + Scalar(1.2151898734177216) * t87;
   const Scalar t91 = c_6 * hu_7_t_y;
   const Scalar t92 = qd_6 * ((Iu_6_a_xz * beta_6_f + t70 * (Iu_6_d + t6)) - omega_5_z * t79);
   const Scalar t93 = t91 * t76 + s_6 * t74 - t92;
-  const Scalar t94 = t93 + t87;
-  const Scalar t95 = t87 + Scalar(2.0) * qd_4 * (t34 * omega_3_z + hu_4_t_x * t57);
-  const Scalar t96 = t95 - c_4 * t94 - s_4 * t90 + t63;
-  const Scalar t97 = t31 - s_3 * Iu_3_t_g;
-  const Scalar t98 = t53 * t53;
+  const Scalar t94 = t93 + Scalar(0.2610759493670886) * t87;
+  const Scalar t95 = t87 + Scalar(2.0) * qd_4 * (t37 * omega_3_z + hu_4_t_x * t58);
+  const Scalar t96 = Scalar(0.2610759493670886) * t95 - c_4 * t94 - s_4 * t90 + t63;
+  const Scalar t97 = t33 - s_3 * t34;
+  const Scalar t98 = t55 * t55;
   const Scalar t99 = qd_2 * qd_2;
-  const Scalar t100 = omega_3_z * t60 - t62 * (t58 + c_3 * t51);
-  const Scalar t101 = t57 * omega_r_3_y;
-  const Scalar t102 = qd_2 * t53;
-  const Scalar U_3_xy = t101 + t102;
-  const Scalar t103 = c_4 * t100 - s_4 * U_3_xy + omega_4_z * t66;
-  const Scalar t104 = t68 * t65;
-  const Scalar t105 = t57 * omega_3_z;
-  const Scalar domega_r_4_z = t105 + t62 * (t55 - s_3 * t51);
-  const Scalar t106 = domega_r_4_z + t104;
-  const Scalar Uz_o_6_z = s_5 * t106 + omega_5_z * t78 - c_5 * t103;
-  const Scalar t107 = t72 * omega_6_z;
-  const Scalar t108 = t68 * omega_4_z;
-  const Scalar t109 = c_4 * U_3_xy + t108 + s_4 * t100;
-  const Scalar U_5_xy = t70 * omega_r_6_a_z + t109;
-  const Scalar domega_r_7_z = t107 - s_6 * Uz_o_6_z + c_6 * U_5_xy;
-  const Scalar t110 = (qd_1 * t62 + Scalar(31.044303797468356)) * Scalar(3.83030303030303) * s_2;
-  const Scalar t111 = Scalar(7.66060606060606) * t62;
-  const Scalar t112 = t101 - t102 + t108 + t109 + t59 * t111 + s_3 * t110 -
-      Scalar(4.654545454545454) * t103;
+  const Scalar t100 = c_3 * t53;
+  const Scalar t101 = omega_3_z * t60 - t62 * (t59 + t100);
+  const Scalar t102 = t68 * omega_4_z;
+  const Scalar t103 = t58 * omega_r_3_y;
+  const Scalar t104 = qd_2 * t55;
+  const Scalar U_3_xy = t103 + t104;
+  const Scalar t105 = c_4 * U_3_xy + t102 + s_4 * t101;
+  const Scalar t106 = (t103 - t104) + (t102 + t105);
+  const Scalar t107 = c_4 * t101 - s_4 * U_3_xy + omega_4_z * t66;
+  const Scalar t108 = s_2 * (qd_1 * t62 + Scalar(31.044303797468356));
+  const Scalar t109 = Scalar(-0.2610759493670886) * t106 - t62 * t100 - s_3 * t108 +
+      Scalar(1.2151898734177216) * t107;
+  const Scalar t110 = t58 * omega_3_z;
+  const Scalar t111 = s_3 * t53;
+  const Scalar domega_r_4_z = t110 + t62 * (t57 - t111);
+  const Scalar Uz_o_3_y = t98 + t99;
+  const Scalar t112 = Scalar(0.2610759493670886) * (t110 + domega_r_4_z) - Uz_o_3_y +
+      Scalar(31.044303797468356) * c_2;
   const Scalar t113 = t68 * t68;
-  const Scalar t114 = t57 * t57;
+  const Scalar t114 = t58 * t58;
   const Scalar t115 = omega_3_z * omega_3_z;
   const Scalar Uz_o_4_y = t114 + t115;
   const Scalar t116 = omega_4_z * omega_4_z;
   const Scalar t117 = Uz_o_4_y + t116 - t113;
-  const Scalar Uz_o_3_y = t98 + t99;
-  const Scalar t118 = t105 + domega_r_4_z - Scalar(3.83030303030303) * Uz_o_3_y +
-      Scalar(118.9090909090909) * c_2;
-  const Scalar t119 = Uz_o_3_y - t114 + t115;
-  const Scalar t120 = t119 - t56 * t111 + c_3 * t110;
-  const Scalar ddp_o_5_x = t117 - c_4 * t120 - Scalar(4.654545454545454) * t106 + s_4 * t118;
-  const Scalar t121 = hu_7_t_x * (Scalar(1.0666666666666667) * (t107 + domega_r_7_z) +
-      s_5 * ddp_o_5_x - c_5 * t112);
-  const Scalar ddp_5_x = s_5 * t112 + c_5 * ddp_o_5_x;
-  const Scalar t122 = t70 * t70;
-  const Scalar t123 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t122 + t123;
-  const Scalar t124 = Uz_o_6_y - t72 * t72 + omega_6_z * omega_6_z;
-  const Scalar t125 = domega_r_4_z - t104 - s_4 * t120 + Scalar(4.654545454545454) * (t116 + t113) -
-      c_4 * t118;
-  const Scalar t126 = hu_7_t_y * (Scalar(1.0666666666666667) * t124 + s_6 * t125 - c_6 * ddp_5_x);
-  const Scalar t127 = Iu_7_a_xz * (-s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_6_z * t71);
-  const Scalar t128 = t70 * omega_5_z;
-  const Scalar t129 = t128 - c_5 * t106 - s_5 * t103;
-  const Scalar t130 = Iu_7_a_xy * (t72 * omega_r_6_y + t129);
-  const Scalar t131 = t126 + t121 - t107 * Iu_7_d + t130 - t127 + Iu_7_t_xy * (Uz_o_6_y - t124) +
+  const Scalar t118 = t68 * t65;
+  const Scalar t119 = domega_r_4_z + t118;
+  const Scalar t120 = Uz_o_3_y - t114 + t115;
+  const Scalar t121 = Scalar(0.2610759493670886) * t120 - t62 * t111 + c_3 * t108;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t117 - c_4 * t121 -
+      Scalar(1.2151898734177216) * t119 + s_4 * t112;
+  const Scalar t122 = s_5 * t109 - c_5 * ddp_o_5_x;
+  const Scalar t123 = t70 * t70;
+  const Scalar t124 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_y = t123 + t124;
+  const Scalar t125 = Uz_o_6_y - t72 * t72 + omega_6_z * omega_6_z;
+  const Scalar U_4_yx = domega_r_4_z - t118;
+  const Scalar t126 = Scalar(0.2610759493670886) * U_4_yx - s_4 * t121 +
+      Scalar(1.2151898734177216) * (t116 + t113) - c_4 * t112;
+  const Scalar t127 = hu_7_t_y * (Scalar(0.27848101265822783) * t125 + s_6 * t126 + c_6 * t122);
+  const Scalar Uz_o_6_z = s_5 * t119 + omega_5_z * t78 - c_5 * t107;
+  const Scalar t128 = t72 * omega_6_z;
+  const Scalar U_5_xy = t70 * omega_r_6_a_z + t105;
+  const Scalar domega_r_7_z = t128 - s_6 * Uz_o_6_z + c_6 * U_5_xy;
+  const Scalar t129 = hu_7_t_x * (Scalar(0.27848101265822783) * (t128 + domega_r_7_z) +
+      s_5 * ddp_o_5_x + c_5 * t109);
+  const Scalar t130 = Iu_7_a_xz * (-s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_6_z * t71);
+  const Scalar t131 = t70 * omega_5_z;
+  const Scalar t132 = t131 - c_5 * t119 - s_5 * t107;
+  const Scalar t133 = Iu_7_a_xy * (t72 * omega_r_6_y + t132);
+  const Scalar t134 = t127 + t129 - t128 * Iu_7_d + t133 - t130 + Iu_7_t_xy * (Uz_o_6_y - t125) +
       Scalar(0.006684151967360946) * domega_r_7_z - tau_7;
-  const Scalar t132 = Scalar(149.60760989322966) * Iu_7_a_xy;
-  const Scalar t133 = t15 * U_5_xy + Iu_6_a_xz * Uz_o_6_z + t89 + t128 * Iu_6_d -
-      Iu_6_t_xy * (t123 - t122) + t132 * t131 + t6 * t129 + f_u_6_6_t_x * ddp_5_x -
-      hu_6_t_x * t125 - tau_6;
-  const Scalar t134 = Scalar(1.0666666666666667) * hu_7_t_x + Scalar(0.006684151967360946);
-  const Scalar t135 = s_6 * Iu_7_a_xz + c_6 * t134;
-  const Scalar t136 = t135 * t132 + t15;
-  const Scalar t137 = Iu_7_a_xy * t132 + t6;
-  const Scalar t138 = Scalar(1.0) / t137;
-  const Scalar t139 = t136 * t138;
-  const Scalar t140 = Scalar(149.60760989322966) * t135;
-  const Scalar t141 = -t27 * t106 - t139 * t133 - t17 * t103 + t93 + Iu_5_t_xy * (Uz_o_4_y - t117) -
-      Ic_5_zz * t109 - t108 * t64 - t25 * ddp_o_5_x + hu_5_t_x * t112 + t140 * t131 - tau_5;
-  const Scalar t142 = t6 + Scalar(4.654545454545454) * f_u_6_6_t_x;
-  const Scalar mu_u_6_4_a_y = hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t142;
-  const Scalar t143 = s_6 * t134 - c_6 * Iu_7_a_xz;
-  const Scalar t144 = s_5 * hu_7_t_x - c_5 * t91;
-  const Scalar t145 = Scalar(4.654545454545454) * t144 - t77 + c_5 * Iu_7_a_xy + s_5 * t143;
-  const Scalar t146 = t145 * t132 + mu_u_6_4_a_y;
-  const Scalar t147 = t146 * t139 - t145 * t140 + t28;
-  const Scalar b_6_5_5 = t136 * t139 - t135 * t140 + Ic_5_zz;
+  const Scalar t135 = Scalar(149.60760989322966) * Iu_7_a_xy;
+  const Scalar t136 = t15 * U_5_xy + Iu_6_a_xz * Uz_o_6_z + t89 + t131 * Iu_6_d -
+      Iu_6_t_xy * (t124 - t123) + t135 * t134 + t6 * t132 - f_u_6_6_t_x * t122 - hu_6_t_x * t126 -
+      tau_6;
+  const Scalar t137 = Scalar(0.27848101265822783) * hu_7_t_x + Scalar(0.006684151967360946);
+  const Scalar t138 = s_6 * Iu_7_a_xz + c_6 * t137;
+  const Scalar t139 = t138 * t135 + t15;
+  const Scalar t140 = Iu_7_a_xy * t135 + t6;
+  const Scalar t141 = Scalar(1.0) / t140;
+  const Scalar t142 = t139 * t141;
+  const Scalar t143 = Scalar(149.60760989322966) * t138;
+  const Scalar t144 = -t29 * t119 - t142 * t136 - t17 * t107 + t93 + Iu_5_t_xy * (Uz_o_4_y - t117) -
+      Ic_5_zz * t105 - t102 * t64 - t26 * ddp_o_5_x - hu_5_t_x * t109 + t143 * t134 - tau_5;
+  const Scalar t145 = t6 + Scalar(1.2151898734177216) * f_u_6_6_t_x;
+  const Scalar mu_u_6_4_a_y = Scalar(0.2610759493670886) * hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t145;
+  const Scalar t146 = s_6 * t137 - c_6 * Iu_7_a_xz;
+  const Scalar t147 = s_5 * hu_7_t_x - c_5 * t91;
+  const Scalar t148 = Scalar(1.2151898734177216) * t147 - Scalar(0.2610759493670886) * t77 +
+      c_5 * Iu_7_a_xy + s_5 * t146;
+  const Scalar t149 = t148 * t135 + mu_u_6_4_a_y;
+  const Scalar t150 = t149 * t142 - t148 * t143 + t30;
+  const Scalar b_6_5_5 = t139 * t142 - t138 * t143 + Ic_5_zz;
   const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t148 = t147 * d_5;
+  const Scalar t151 = t150 * d_5;
   const Scalar Iu_5_x = Ic_5_zz + t64;
-  const Scalar t149 = qd_5 * ((t17 * beta_5_f + t68 * Iu_5_x) + omega_4_z * t67);
-  const Scalar t150 = hu_5_t_x * t86 + s_5 * f_p_6_a_y + c_5 * t85;
-  const Scalar t151 = qd_5 * (t25 * omega_4_z - hu_5_t_x * t68);
-  const Scalar t152 = -s_6 * t82 - Scalar(2.0) * c_6 * t83 + f_u_6_6_t_x * t84 - Scalar(2.0) * t151;
-  const Scalar mu_4_z = c_5 * t89 - t152 + s_5 * t81 + t149 + Scalar(4.654545454545454) * t150;
-  const Scalar t153 = t146 * t138;
-  const Scalar t154 = Scalar(-149.60760989322966) * t145;
-  const Scalar t155 = Iu_4_a_xy * U_3_xy - t30 * t100 + mu_4_z - t154 * t131 - tau_4 - t148 * t141 -
-      t153 * t133 - t105 * Iu_4_d - t39 * (Uz_o_3_y - t119) + t34 * t120 + hu_4_t_x * t118 +
-      t22 * domega_r_4_z;
-  const Scalar mu_5_4_y = Ic_5_zz - hu_5_t_x;
-  const Scalar mu_5_3_z = hu_5_t_x - s_4 * t18 + c_4 * mu_5_4_y;
-  const Scalar t156 = c_5 * Iu_6_a_xz + s_5 * t142;
-  const Scalar t157 = s_5 * f_u_6_6_t_x;
-  const Scalar t158 = t15 + t157;
-  const Scalar mu_6_3_z = t157 - c_4 * t158 - s_4 * t156;
+  const Scalar t152 = qd_5 * ((t17 * beta_5_f + t68 * Iu_5_x) + omega_4_z * t67);
+  const Scalar t153 = hu_5_t_x * t86 + s_5 * f_p_6_a_y + c_5 * t85;
+  const Scalar t154 = qd_5 * (t26 * omega_4_z - hu_5_t_x * t68);
+  const Scalar t155 = -s_6 * t82 - Scalar(2.0) * c_6 * t83 + f_u_6_6_t_x * t84 - Scalar(2.0) * t154;
+  const Scalar mu_4_z = c_5 * t89 - Scalar(0.2610759493670886) * t155 + s_5 * t81 + t152 +
+      Scalar(1.2151898734177216) * t153;
+  const Scalar t156 = t149 * t141;
+  const Scalar t157 = Scalar(-149.60760989322966) * t148;
+  const Scalar t158 = Iu_4_a_xy * U_3_xy - t32 * t101 + mu_4_z - t157 * t134 - tau_4 - t151 * t144 -
+      t156 * t136 - t110 * Iu_4_d - t42 * (Uz_o_3_y - t120) + t37 * t121 + hu_4_t_x * t112 +
+      t23 * domega_r_4_z;
+  const Scalar t159 = Scalar(0.2610759493670886) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t159;
+  const Scalar mu_5_3_z = t159 - s_4 * t18 + c_4 * mu_5_4_y;
+  const Scalar t160 = c_5 * Iu_6_a_xz + s_5 * t145;
+  const Scalar t161 = s_5 * t19;
+  const Scalar t162 = t15 + t161;
+  const Scalar mu_6_3_z = t161 - c_4 * t162 - s_4 * t160;
   const Scalar f_u_7_5_a_z = s_5 * t91 + c_5 * hu_7_t_x;
-  const Scalar mu_7_4_x = Scalar(4.654545454545454) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t143;
-  const Scalar t159 = t135 - f_u_7_5_a_z;
-  const Scalar mu_u_7_3_a_y = f_u_7_5_a_z - s_4 * mu_7_4_x + c_4 * t159;
-  const Scalar b_7_6_3 = mu_6_3_z - mu_u_7_3_a_y * t132;
-  const Scalar b_6_5_3 = -b_7_6_3 * t139 - mu_u_7_3_a_y * t140 + mu_5_3_z;
-  const Scalar t160 = Iu_4_a_xy - mu_u_7_3_a_y * t154 + b_7_6_3 * t153 + b_6_5_3 * t148;
-  const Scalar t161 = t145 * t154 - t147 * t148 + t146 * t153 + t22;
-  const Scalar t162 = Scalar(1.0) / t161;
-  const Scalar t163 = t160 * t162;
-  const Scalar t164 = b_6_5_3 * d_5;
-  const Scalar t165 = b_7_6_3 * t138;
-  const Scalar t166 = Scalar(149.60760989322966) * mu_u_7_3_a_y;
-  const Scalar t167 = c_3 * t42 + s_3 * hc_3_x;
-  const Scalar t168 = -t163 * t155 - t166 * t131 - t97 * (t99 - t98) + t96 + tau_3 + t164 * t141 -
-      t165 * t133 - t167 * t110 - t54;
-  const Scalar t169 = Scalar(3.83030303030303) * t167 + t52;
-  const Scalar t170 = s_4 * mu_5_4_y + c_4 * t18;
-  const Scalar t171 = t28 - s_4 * t25;
-  const Scalar mu_u_7_4_t_x = s_4 * t159 + c_4 * mu_7_4_x;
-  const Scalar t172 = s_4 * t77 + c_4 * t144;
-  const Scalar t173 = s_3 * f_u_7_5_a_z + c_3 * t172;
-  const Scalar t174 = c_4 * t77 - s_4 * t144 + t145;
-  const Scalar t175 = Scalar(3.83030303030303) * t173 + s_3 * mu_u_7_4_t_x + c_3 * t174;
-  const Scalar t176 = s_4 * t158 - c_4 * t156;
-  const Scalar t177 = c_5 * f_u_6_6_t_x;
-  const Scalar mu_6_3_y = -s_4 * t177 - c_4 * hu_6_t_x + mu_u_6_4_a_y;
-  const Scalar t178 = s_4 * hu_6_t_x - c_4 * t177;
-  const Scalar t179 = s_3 * t157 + c_3 * t178;
-  const Scalar t180 = Scalar(3.83030303030303) * t179 - t175 * t132 - s_3 * t176 - c_3 * mu_6_3_y;
-  const Scalar t181 = c_4 * t25;
-  const Scalar t182 = c_3 * t181 + s_3 * hu_5_t_x;
-  const Scalar t183 = -t180 * t139 - t175 * t140 + Scalar(3.83030303030303) * t182 + s_3 * t170 +
-      c_3 * t171;
-  const Scalar t184 = Scalar(3.83030303030303) * t34 + (hu_4_t_x + t22);
-  const Scalar t185 = -t175 * t154 - s_3 * t30 + t183 * t148 + t180 * t153 - c_3 * t184;
-  const Scalar t186 = t180 * t165 - t175 * t166 - t185 * t163 - t183 * t164 + t169;
-  const Scalar t187 = mu_u_7_3_a_y * t166 + t160 * t163 - b_7_6_3 * t165 + b_6_5_3 * t164 + t38;
-  const Scalar t188 = Scalar(1.0) / t187;
-  const Scalar t189 = t186 * t188;
-  const Scalar t190 = qd_4 * (t57 * t61 + (Iu_4_a_xy * beta_4_f + omega_3_z * (t22 + Iu_4_d)));
-  const Scalar t191 = s_4 * t94 - c_4 * t90 - t190;
+  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t146;
+  const Scalar t163 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
+  const Scalar t164 = t138 - t163;
+  const Scalar mu_u_7_3_a_y = t163 - s_4 * mu_7_4_x + c_4 * t164;
+  const Scalar b_7_6_3 = mu_6_3_z - mu_u_7_3_a_y * t135;
+  const Scalar b_6_5_3 = -b_7_6_3 * t142 - mu_u_7_3_a_y * t143 + mu_5_3_z;
+  const Scalar t165 = Iu_4_a_xy - mu_u_7_3_a_y * t157 + b_7_6_3 * t156 + b_6_5_3 * t151;
+  const Scalar t166 = t148 * t157 - t150 * t151 + t149 * t156 + t23;
+  const Scalar t167 = Scalar(1.0) / t166;
+  const Scalar t168 = t165 * t167;
+  const Scalar t169 = b_6_5_3 * d_5;
+  const Scalar t170 = b_7_6_3 * t141;
+  const Scalar t171 = Scalar(149.60760989322966) * mu_u_7_3_a_y;
+  const Scalar t172 = c_3 * t44 + s_3 * hc_3_x;
+  const Scalar t173 = t97 * (t99 - t98) - t168 * t158 - t171 * t134 + t96 + tau_3 + t169 * t144 -
+      t170 * t136 - t172 * t108 - t56;
+  const Scalar t174 = t172 + t54;
+  const Scalar t175 = hu_5_t_x + (s_4 * mu_5_4_y + c_4 * t18);
+  const Scalar t176 = (s_4 * t27 + t30) + c_4 * t26;
+  const Scalar mu_u_7_4_t_x = s_4 * t164 + c_4 * mu_7_4_x;
+  const Scalar t177 = f_u_7_5_a_z + mu_u_7_4_t_x;
+  const Scalar t178 = t148 - Scalar(0.2610759493670886) * (s_4 * t147 - c_4 * t77);
+  const Scalar t179 = (s_4 * t77 + c_4 * t147) + t178;
+  const Scalar t180 = c_3 * t179 + s_3 * t177;
+  const Scalar t181 = (s_4 * t162 - c_4 * t160) - s_5 * f_u_6_6_t_x;
+  const Scalar t182 = c_5 * f_u_6_6_t_x;
+  const Scalar f_u_6_4_t_y = s_4 * t182 + c_4 * hu_6_t_x;
+  const Scalar mu_6_3_y = mu_u_6_4_a_y - Scalar(0.2610759493670886) * f_u_6_4_t_y;
+  const Scalar t183 = (s_4 * hu_6_t_x - c_4 * t182) - mu_6_3_y;
+  const Scalar b_7_6_2 = t180 * t135 + s_3 * t181 - c_3 * t183;
+  const Scalar t184 = b_7_6_2 * t142 - t180 * t143 + c_3 * t176 + s_3 * t175;
+  const Scalar t185 = t37 + (Scalar(0.2610759493670886) * hu_4_t_x + t23);
+  const Scalar t186 = -t180 * t157 - s_3 * t32 + t184 * t151 - b_7_6_2 * t156 - c_3 * t185;
+  const Scalar t187 = -t180 * t171 - t186 * t168 - t184 * t169 - b_7_6_2 * t170 + t174;
+  const Scalar t188 = mu_u_7_3_a_y * t171 + t165 * t168 - b_7_6_3 * t170 + b_6_5_3 * t169 + t41;
+  const Scalar t189 = Scalar(1.0) / t188;
+  const Scalar t190 = t187 * t189;
+  const Scalar t191 = qd_4 * (t58 * t61 + (Iu_4_a_xy * beta_4_f + omega_3_z * (t23 + Iu_4_d)));
+  const Scalar t192 = t95 - (s_4 * t94 - c_4 * t90 - t191);
   const Scalar beta_3_f = qd_3 + Scalar(2.0) * t62;
-  const Scalar t192 = qd_3 * (t41 * beta_3_f + t97 * t51);
-  const Scalar t193 = t185 * t162;
-  const Scalar t194 = qd_4 * beta_4_f;
-  const Scalar t195 = c_4 * t152 - s_4 * t150 + mu_4_z - t34 * t194;
-  const Scalar t196 = s_4 * t152 + c_4 * t150 + hu_4_t_x * t194;
-  const Scalar t197 = qd_3 * beta_3_f;
-  const Scalar t198 = t43 * t197 - c_3 * t196 + s_3 * t95;
-  const Scalar t199 = t183 * d_5;
-  const Scalar t200 = t180 * t138;
-  const Scalar t201 = Scalar(-149.60760989322966) * t175;
-  const Scalar hu_2_t_x = s_2 * (t34 + Scalar(0.27592125358974)) -
-      c_2 * (Scalar(0.000167639551695) + t43);
-  const Scalar y_3_2 = c_3 * t195 - t201 * t131 - Scalar(3.83030303030303) * t198 + tau_2 +
-      t200 * t133 + s_3 * t191 + t192 + Scalar(118.9090909090909) * hu_2_t_x - t189 * t168 +
-      t193 * t155 - t199 * t141 - t50;
-  const Scalar t202 = t175 * t201 - t183 * t199 + t180 * t200 + t186 * t189 - t35 - t185 * t193 +
+  const Scalar t193 = qd_3 * (t46 * beta_3_f + t97 * t53);
+  const Scalar t194 = t186 * t167;
+  const Scalar t195 = qd_4 * beta_4_f;
+  const Scalar t196 = mu_4_z - Scalar(0.2610759493670886) * (s_4 * t153 - c_4 * t155 + t37 * t195);
+  const Scalar t197 = t196 + (s_4 * t155 + c_4 * t153 + hu_4_t_x * t195);
+  const Scalar t198 = t184 * d_5;
+  const Scalar t199 = b_7_6_2 * t141;
+  const Scalar t200 = Scalar(149.60760989322966) * t180;
+  const Scalar hu_2_t_x = s_2 * (t37 + Scalar(1.056862013749792)) -
+      c_2 * (Scalar(0.000642110282856) + t45);
+  const Scalar y_3_2 = t200 * t134 + c_3 * t197 + tau_2 - t199 * t136 - s_3 * t192 - t193 +
+      Scalar(31.044303797468356) * hu_2_t_x - t190 * t173 + t194 * t158 - t198 * t144 - t52;
+  const Scalar t201 = b_7_6_2 * t199 - t180 * t200 - t184 * t198 + t187 * t190 - t38 - t186 * t194 +
       Iu_3_t_yy + Scalar(1.8182423259695848);
-  const Scalar t203 = Scalar(1.0) / t202;
-  const Scalar t204 = s_3 * t181 - c_3 * hu_5_t_x;
-  const Scalar t205 = s_2 * (Scalar(3.83030303030303) * t204 + s_3 * t171 - c_3 * t170);
-  const Scalar t206 = s_3 * t172 - c_3 * f_u_7_5_a_z;
-  const Scalar t207 = s_2 * (Scalar(3.83030303030303) * t206 + s_3 * t174 - c_3 * mu_u_7_4_t_x);
-  const Scalar t208 = t207 - c_2 * mu_u_7_3_a_y;
-  const Scalar t209 = s_3 * t178 - c_3 * t157;
-  const Scalar t210 = s_2 * (Scalar(3.83030303030303) * t209 - s_3 * mu_6_3_y + c_3 * t176);
-  const Scalar b_7_6_1 = t208 * t132 - t210 + c_2 * mu_6_3_z;
-  const Scalar t211 = b_7_6_1 * t139 - t208 * t140 + t205 - c_2 * mu_5_3_z;
-  const Scalar t212 = s_2 * (c_3 * t30 - s_3 * t184);
-  const Scalar t213 = -t208 * t154 - c_2 * Iu_4_a_xy + t211 * t148 - b_7_6_1 * t153 + t212;
-  const Scalar t214 = t208 * t166 + t213 * t163 + b_7_6_1 * t165 + t211 * t164 - s_2 * t44 -
-      c_2 * t38;
-  const Scalar t215 = t97 - Scalar(0.01026110182100817);
-  const Scalar t216 = Scalar(0.0007689361029464) + t169;
-  const Scalar t217 = t211 * t199 - t208 * t201 + b_7_6_1 * t200 + t214 * t189 + t213 * t193 -
-      s_2 * t215 + c_2 * t216;
-  const Scalar t218 = t217 * t203;
-  const Scalar t219 = qd_2 * (Scalar(2.0) * t47 - (s_2 * t216 + c_2 * t215) * qd_2);
-  const Scalar t220 = t214 * t188;
-  const Scalar t221 = Scalar(2.0) * t97 * t53 + (qd_2 * (t38 - t48) - t52 * beta_3_f);
-  const Scalar t222 = t167 * t197 + s_3 * t196 + c_3 * t95;
-  const Scalar t223 = s_3 * t195 + Scalar(3.83030303030303) * t222 - c_3 * t191 - qd_3 * t221;
-  const Scalar t224 = t213 * t162;
-  const Scalar t225 = t211 * d_5;
-  const Scalar t226 = b_7_6_1 * t138;
-  const Scalar t227 = Scalar(-149.60760989322966) * t208;
-  const Scalar t228 = tau_1 - t227 * t131 - t226 * t133 + c_2 * t96 + t218 * y_3_2 + t220 * t168 +
-      t224 * t155 - t225 * t141 + s_2 * t223 + t219;
-  const Scalar t229 = t208 * t227 - t211 * t225 + b_7_6_1 * t226 - t217 * t218 - t213 * t224 +
-      t214 * t220 + t36 - c_2 * t46 + Scalar(1.8094240094691274);
-  const Scalar qdd_1 = (Scalar(1.0) / t229) * t228;
+  const Scalar t202 = Scalar(1.0) / t201;
+  const Scalar t203 = s_2 * (s_3 * t176 - c_3 * t175);
+  const Scalar t204 = s_2 * (s_3 * t179 - c_3 * t177) - c_2 * mu_u_7_3_a_y;
+  const Scalar t205 = s_2 * (c_3 * t181 + s_3 * t183);
+  const Scalar b_7_6_1 = t204 * t135 - t205 + c_2 * mu_6_3_z;
+  const Scalar t206 = b_7_6_1 * t142 - t204 * t143 + t203 - c_2 * mu_5_3_z;
+  const Scalar t207 = s_2 * (c_3 * t32 - s_3 * t185);
+  const Scalar t208 = -t204 * t157 - c_2 * Iu_4_a_xy + t206 * t151 - b_7_6_1 * t156 + t207;
+  const Scalar t209 = t204 * t171 + t208 * t168 + b_7_6_1 * t170 + t206 * t169 - s_2 * t46 -
+      c_2 * t41;
+  const Scalar t210 = Scalar(0.01026110182100817) + t97;
+  const Scalar t211 = Scalar(0.0007689361029464) + t174;
+  const Scalar t212 = t204 * t200 + t206 * t198 - b_7_6_1 * t199 + t209 * t190 + t208 * t194 +
+      s_2 * t210 + c_2 * t211;
+  const Scalar t213 = t212 * t202;
+  const Scalar t214 = qd_2 * (Scalar(2.0) * t49 - (s_2 * t211 - c_2 * t210) * qd_2);
+  const Scalar t215 = t209 * t189;
+  const Scalar t216 = (qd_2 * (t41 - t50) - Scalar(2.0) * t97 * t55) - t174 * beta_3_f;
+  const Scalar t217 = s_2 * (s_3 * t197 + c_3 * t192 - qd_3 * t216);
+  const Scalar t218 = t208 * t167;
+  const Scalar t219 = t206 * d_5;
+  const Scalar t220 = b_7_6_1 * t141;
+  const Scalar t221 = Scalar(-149.60760989322966) * t204;
+  const Scalar t222 = tau_1 - t221 * t134 - t220 * t136 + c_2 * t96 + t213 * y_3_2 + t215 * t173 +
+      t218 * t158 - t219 * t144 + t217 + t214;
+  const Scalar t223 = t204 * t221 - t206 * t219 + b_7_6_1 * t220 - t212 * t213 - t208 * t218 +
+      t209 * t215 + t39 - c_2 * t48 + Scalar(1.8094240094691274);
+  const Scalar qdd_1 = (Scalar(1.0) / t223) * t222;
   qdd[0] = qdd_1;
-  const Scalar qdd_2 = t203 * (t217 * qdd_1 + y_3_2);
+  const Scalar qdd_2 = t202 * (t212 * qdd_1 + y_3_2);
   qdd[1] = qdd_2;
-  const Scalar t230 = t188 * (t168 - (t214 * qdd_1 - t186 * qdd_2));
-  qdd[2] = -t230;
-  const Scalar t231 = t162 * ((t213 * qdd_1 + t185 * qdd_2) + (t160 * t230 + t155));
-  qdd[3] = -t231;
-  const Scalar t232 = t141 - (t211 * qdd_1 + t183 * qdd_2);
-  const Scalar t233 = d_5 * (t232 - (b_6_5_3 * t230 + t147 * t231));
-  qdd[4] = -t233;
-  const Scalar t234 = (b_7_6_3 * t230 - t146 * t231) - (b_7_6_1 * qdd_1 - t180 * qdd_2);
-  const Scalar t235 = t138 * (t234 - (t136 * t233 + t133));
-  qdd[5] = -t235;
-  const Scalar t236 = (t175 * qdd_2 + mu_u_7_3_a_y * t230) + (t145 * t231 + t135 * t233);
-  qdd[6] = Scalar(-149.60760989322966) * t236 -
-      Scalar(149.60760989322966) * (Iu_7_a_xy * t235 + (t208 * qdd_1 + t131));
-  bool positive = t229 > Scalar(0.0);
-  positive &= t202 > Scalar(0.0);
-  positive &= -t187 > Scalar(0.0);
-  positive &= t161 > Scalar(0.0);
+  const Scalar t224 = t189 * (t173 - (t209 * qdd_1 - t187 * qdd_2));
+  qdd[2] = -t224;
+  const Scalar t225 = t167 * ((t208 * qdd_1 + t186 * qdd_2) + (t165 * t224 + t158));
+  qdd[3] = -t225;
+  const Scalar t226 = t144 - (t206 * qdd_1 + t184 * qdd_2);
+  const Scalar t227 = d_5 * (t226 - (b_6_5_3 * t224 + t150 * t225));
+  qdd[4] = -t227;
+  const Scalar t228 = (b_7_6_3 * t224 - t149 * t225) - (b_7_6_1 * qdd_1 + b_7_6_2 * qdd_2);
+  const Scalar t229 = t141 * (t228 - (t139 * t227 + t136));
+  qdd[5] = -t229;
+  const Scalar t230 = (t180 * qdd_2 + mu_u_7_3_a_y * t224) + (t148 * t225 + t138 * t227);
+  qdd[6] = Scalar(-149.60760989322966) * t230 -
+      Scalar(149.60760989322966) * (Iu_7_a_xy * t229 + (t204 * qdd_1 + t134));
+  bool positive = t223 > Scalar(0.0);
+  positive &= t201 > Scalar(0.0);
+  positive &= -t188 > Scalar(0.0);
+  positive &= t166 > Scalar(0.0);
   positive &= b_6_5_5 > Scalar(0.0);
-  positive &= -t137 > Scalar(0.0);
+  positive &= -t140 > Scalar(0.0);
   return positive;
 }
 
@@ -2563,7 +2530,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   q[7]   in  joint positions, rad or m
 //   qd[7]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
-// Reads q[1..6], qd[0..6]. Operations: 130 mul, 94 add, 12 sin/cos.
+// Reads q[1..6], qd[0..6]. Operations: 128 mul, 94 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
     const SinCos& sin_cos = {}) noexcept {
@@ -2575,82 +2542,81 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = s_3 * qd_2 - c_3 * t1;
-  const Scalar t3 = c_2 * qd_1;
-  const Scalar omega_3_z = t3 + qd_3;
-  const Scalar t4 = c_4 * t2 + s_4 * omega_3_z;
   const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
+  const Scalar t2 = c_4 * omega_r_3_y;
+  const Scalar t3 = s_4 * omega_r_3_y;
+  const Scalar t4 = Scalar(3.83030303030303) * t2 - t3;
   const Scalar omega_r_5_a_y = omega_r_3_y - qd_4;
-  const Scalar t5 = s_5 * omega_r_5_a_y + c_5 * t4;
-  const Scalar t6 = s_4 * t2 - c_4 * omega_3_z;
-  const Scalar t7 = t6 - qd_5;
-  const Scalar t8 = s_6 * t5 + c_6 * t7;
-  const Scalar t9 = s_4 * omega_r_3_y;
-  const Scalar t10 = c_4 * omega_r_3_y;
-  const Scalar t11 = Scalar(0.2610759493670886) * t9 - t10;
-  const Scalar t12 = t11 - Scalar(1.2151898734177216) * omega_r_5_a_y;
-  const Scalar t13 = t2 - Scalar(0.2610759493670886) * omega_3_z;
-  const Scalar t14 = t13 - Scalar(0.2610759493670886) * t6 + Scalar(1.2151898734177216) * t4;
-  const Scalar v_r_5_y = s_5 * t12 - c_5 * t14;
-  const Scalar t15 = v_r_5_y - Scalar(0.27848101265822783) * t8;
-  const Scalar t16 = s_5 * t14 + c_5 * t12;
-  const Scalar t17 = Scalar(0.2610759493670886) * t10 + t9;
-  const Scalar t18 = t17 - Scalar(0.2610759493670886) * omega_r_5_a_y;
-  const Scalar t19 = s_6 * t18 + c_6 * t16;
-  const Scalar t20 = s_7 * t15 + c_7 * t19;
-  const Scalar t21 = s_7 * t19 - c_7 * t15;
-  const Scalar t22 = s_6 * t7 - c_6 * t5;
-  const Scalar t23 = s_5 * t4 - c_5 * omega_r_5_a_y;
-  const Scalar t24 = t23 + qd_6;
-  const Scalar t25 = s_7 * t24 - c_7 * t22;
-  const Scalar t26 = s_7 * t22 + c_7 * t24;
-  const Scalar t27 = t8 + qd_7;
-  const Scalar t28 = Scalar(0.0009653051699191118) * t25 + Scalar(0.0012555365982728983) * t26 -
-      Scalar(0.0012857660538742556) * t20 - Scalar(0.0016265185946857444) * t21 -
-      Scalar(0.006684151967360946) * t27;
-  const Scalar t29 = s_6 * t16 - c_6 * t18;
-  const Scalar t30 = Scalar(0.27848101265822783) * t24 + t29;
-  const Scalar t31 = t26 * (Scalar(0.000391391281684248) * t25 +
-      Scalar(0.0016265185946857444) * t30 - Scalar(0.0012555365982728983) * t27);
-  const Scalar t32 = Scalar(0.0012857660538742556) * t30 - Scalar(0.000391391281684248) * t26 +
-      Scalar(0.0009653051699191118) * t27 - Scalar(0.00242094377852123) * t25;
-  const Scalar L_6_z = Scalar(0.000103758917218685) * t22 - Scalar(0.000093569097314605) * t8 +
-      Scalar(0.05258828201066731) * t24 - Scalar(0.109844573919608) * t19 +
-      Scalar(0.14652765330324) * t29;
-  const Scalar L_6_y = Scalar(0.000093569097314605) * t24 - Scalar(0.014748570382675316) * t22 +
-      Scalar(0.14652765330324) * v_r_5_y;
-  const Scalar L_6_x = Scalar(-0.000103758917218685) * t24 - Scalar(0.009543771269492195) * t22 -
-      Scalar(0.014748570382675316) * t8 + Scalar(0.109844573919608) * v_r_5_y;
-  const Scalar t33 = Scalar(0.00216405205209813) * t23 + Scalar(0.004600245517563106) * t5 +
-      Scalar(0.009261158964016) * v_r_5_y - Scalar(0.0428942390606) * t16 +
-      Scalar(0.033018599263935515) * t7;
-  const Scalar t34 = t23 * (Scalar(0.00151524447332703) * t5 + Scalar(0.00216405205209813) * t7 +
-      Scalar(0.009261158964016) * t18);
-  const Scalar t35 = Scalar(-0.00151524447332703) * t23 - Scalar(0.004600245517563106) * t7 +
-      Scalar(0.0428942390606) * t18 - Scalar(0.030116287133882085) * t5;
-  const Scalar t36 = Scalar(0.00164448757736927) * t6 + Scalar(0.0039053550262761) * t4 +
-      Scalar(0.3493571335788) * t17 + Scalar(1.271914885877096) * t11 -
+  const Scalar t5 = t4 + Scalar(4.654545454545454) * omega_r_5_a_y;
+  const Scalar t6 = c_3 * t1 - s_3 * qd_2;
+  const Scalar t7 = c_2 * qd_1;
+  const Scalar omega_3_z = t7 + qd_3;
+  const Scalar t8 = c_4 * t6 - s_4 * omega_3_z;
+  const Scalar t9 = s_4 * t6 + c_4 * omega_3_z;
+  const Scalar t10 = omega_3_z + Scalar(3.83030303030303) * t6;
+  const Scalar t11 = t10 - t9 + Scalar(4.654545454545454) * t8;
+  const Scalar t12 = c_5 * t5 + s_5 * t11;
+  const Scalar t13 = t2 + Scalar(3.83030303030303) * t3;
+  const Scalar t14 = t13 - omega_r_5_a_y;
+  const Scalar t15 = c_6 * t12 - s_6 * t14;
+  const Scalar t16 = c_5 * t8 - s_5 * omega_r_5_a_y;
+  const Scalar t17 = t9 + qd_5;
+  const Scalar t18 = c_6 * t17 + s_6 * t16;
+  const Scalar t19 = c_5 * t11 - s_5 * t5;
+  const Scalar t20 = Scalar(1.0666666666666667) * t18 + t19;
+  const Scalar t21 = c_7 * t15 - s_7 * t20;
+  const Scalar t22 = c_7 * t20 + s_7 * t15;
+  const Scalar t23 = c_6 * t16 - s_6 * t17;
+  const Scalar t24 = c_5 * omega_r_5_a_y + s_5 * t8;
+  const Scalar t25 = t24 - qd_6;
+  const Scalar t26 = c_7 * t23 + s_7 * t25;
+  const Scalar t27 = c_7 * t25 - s_7 * t23;
+  const Scalar t28 = t18 - qd_7;
+  const Scalar t29 = Scalar(0.0009653051699191118) * t26 + Scalar(0.0012555365982728983) * t27 -
+      Scalar(0.0003356825931791965) * t21 - Scalar(0.0004246448862708035) * t22 -
+      Scalar(0.006684151967360946) * t28;
+  const Scalar t30 = c_6 * t14 + s_6 * t12;
+  const Scalar t31 = Scalar(1.0666666666666667) * t25 + t30;
+  const Scalar t32 = Scalar(0.0003356825931791965) * t31 - Scalar(0.000391391281684248) * t27 +
+      Scalar(0.0009653051699191118) * t28 - Scalar(0.00242094377852123) * t26;
+  const Scalar t33 = t27 * (Scalar(0.000391391281684248) * t26 +
+      Scalar(0.0004246448862708035) * t31 - Scalar(0.0012555365982728983) * t28);
+  const Scalar L_6_z = Scalar(0.000103758917218685) * t23 + Scalar(0.000093569097314605) * t18 -
+      Scalar(0.05258828201066731) * t25 + Scalar(0.028677776418885) * t15 -
+      Scalar(0.038254846194675) * t30;
+  const Scalar t34 = Scalar(0.000103758917218685) * t25 - Scalar(0.009543771269492195) * t23 +
+      Scalar(0.014748570382675316) * t18 + Scalar(0.028677776418885) * t19;
+  const Scalar t35 = t18 * (Scalar(-0.000093569097314605) * t25 -
+      Scalar(0.014748570382675316) * t23 + Scalar(0.038254846194675) * t19);
+  const Scalar t36 = Scalar(0.00216405205209813) * t24 + Scalar(0.004600245517563106) * t16 -
+      Scalar(0.00241786586877) * t19 - Scalar(0.011198654185125) * t12 +
+      Scalar(0.033018599263935515) * t17;
+  const Scalar t37 = Scalar(0.00151524447332703) * t24 + Scalar(0.004600245517563106) * t17 +
+      Scalar(0.011198654185125) * t14 + Scalar(0.030116287133882085) * t16;
+  const Scalar t38 = t24 * (Scalar(-0.00151524447332703) * t16 - Scalar(0.00216405205209813) * t17 +
+      Scalar(0.00241786586877) * t14);
+  const Scalar t39 = Scalar(0.0039053550262761) * omega_r_5_a_y - Scalar(0.16284087268546085) * t9 +
+      Scalar(0.332066386344495) * t10 + Scalar(0.647723094939183) * t8;
+  const Scalar t40 = t9 * (Scalar(0.09120874531725) * t10 -
+      Scalar(0.00164448757736927) * omega_r_5_a_y + Scalar(0.16284087268546085) * t8);
+  const Scalar t41 = Scalar(0.00164448757736927) * t9 + Scalar(0.0039053550262761) * t8 -
+      Scalar(0.09120874531725) * t13 + Scalar(0.332066386344495) * t4 +
       Scalar(0.749763367252814) * omega_r_5_a_y;
-  const Scalar t37 = t6 * (Scalar(0.00164448757736927) * omega_r_5_a_y +
-      Scalar(0.3493571335788) * t13 + Scalar(0.16284087268546085) * t4);
-  const Scalar t38 = Scalar(-0.0039053550262761) * omega_r_5_a_y -
-      Scalar(0.16284087268546085) * t6 + Scalar(1.271914885877096) * t13 +
-      Scalar(0.647723094939183) * t4;
-  const Scalar t39 = omega_3_z * (Scalar(0.022216781084735585) * omega_r_3_y -
-      Scalar(0.13480070614822143) * omega_3_z + Scalar(0.47750187874566624) * t2);
-  const Scalar t40 = omega_r_3_y *
-      (Scalar(0.000121912420950744) * t2 + Scalar(0.004377257121839584) * omega_3_z);
-  const Scalar t41 = t2 * (Scalar(0.01159586409516604) * t2 -
-      Scalar(0.000121912420950744) * omega_r_3_y - Scalar(0.005487648106562256) * omega_3_z);
-  const Scalar L_2_y = Scalar(0.0007689361029464) * qd_2 + Scalar(0.00398335888393552) * t1;
-  const Scalar L_2_x = Scalar(0.00398335888393552) * t3 + Scalar(0.01026110182100817) * qd_2 -
+  const Scalar L_2_x = Scalar(0.00398335888393552) * t7 + Scalar(0.01026110182100817) * qd_2 -
       Scalar(1.0706865997634767) * t1;
-  const Scalar L_2_z = Scalar(-0.0007689361029464) * t3 - Scalar(0.01026110182100817) * t1 +
+  const Scalar L_2_y = Scalar(0.0007689361029464) * qd_2 + Scalar(0.00398335888393552) * t1;
+  const Scalar t42 = qd_1 * (Scalar(0.03733744848940618) * qd_1 - (c_2 * L_2_y + s_2 * L_2_x));
+  const Scalar t43 = t6 * (Scalar(0.000121912420950744) * omega_r_3_y +
+      Scalar(0.01159586409516604) * t6 + Scalar(0.005487648106562256) * omega_3_z);
+  const Scalar t44 = omega_r_3_y *
+      (Scalar(0.000121912420950744) * t6 - Scalar(0.004377257121839584) * omega_3_z);
+  const Scalar t45 = omega_3_z * (Scalar(0.13480070614822143) * omega_3_z -
+      Scalar(0.022216781084735585) * omega_r_3_y + Scalar(0.47750187874566624) * t6);
+  const Scalar L_2_z = Scalar(-0.0007689361029464) * t7 - Scalar(0.01026110182100817) * t1 +
       Scalar(1.1168423647533403) * qd_2;
-  const Scalar t42 = t3 * L_2_y - t31 + t25 * t32 + t40 - t34 - t41 + t27 * t28 + t5 * t35 -
-      Scalar(0.03733744848940618) * qd_1 * qd_1 - t7 * t33 - t24 * L_6_z + t8 * L_6_y +
-      t22 * L_6_x + t37 + t39 + t1 * L_2_x + omega_r_5_a_y * t36 - t4 * t38 - qd_2 * L_2_z;
-  return Scalar(-0.5) * t42;
+  const Scalar t46 = t44 - t26 * t32 + t33 + t43 - t38 - t28 * t29 + t16 * t37 + t17 * t36 - t40 -
+      t23 * t34 + t35 - t25 * L_6_z + t42 + t45 + qd_2 * L_2_z + t8 * t39 + omega_r_5_a_y * t41;
+  return Scalar(0.5) * t46;
 }
 
 // Potential energy of links and rotors (7.36).

@@ -21,10 +21,11 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
-// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
-// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
-// gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
+// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
+// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
+// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
+// of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
 #define FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
@@ -202,9 +203,9 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar g_2 = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
-  g[1] = g_2;
-  g[0] = g_2 + Scalar(784.8) * c_1;
+  const Scalar hu_2_t_x = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
+  g[1] = hu_2_t_x;
+  g[0] = hu_2_t_x + Scalar(784.8) * c_1;
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
@@ -280,15 +281,14 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
 // Potential energy of links and rotors (7.36).
 //   q[2]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
-// Reads q[0..1]. Operations: 5 mul, 2 add, 4 sin/cos.
+// Reads q[0..1]. Operations: 4 mul, 2 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar hc_1_x = Scalar(25.0) * c_2 + Scalar(80.0);
-  const Scalar hu_1_t_y = Scalar(25.0) * c_1 * s_2 + s_1 * hc_1_x;
-  return Scalar(9.81) * hu_1_t_y;
+  const Scalar s_1_2 = s_1 * c_2 + c_1 * s_2;
+  return Scalar(245.25) * s_1_2 + Scalar(784.8) * s_1;
 }
 
 // The entries of R in forward_kinematics that are not always zero.

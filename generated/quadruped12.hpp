@@ -32,10 +32,11 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
 // throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine. Of link i: omega_i and domega_i are its angular velocity and acceleration,
-// ddp_i the acceleration of its frame's origin less gravity, f_i and mu_i the force and moment that
-// it gets from the link before, hc_i and hu_i the first moment of all that its joint carries (in
-// gravity() times the size of gravity); t1, t2, ... are parts of sums.
+// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
+// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
+// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
+// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
+// of gravity); t1, t2, ... are parts of sums.
 
 #ifndef FLATDYN_QUADRUPED12_HPP
 #define FLATDYN_QUADRUPED12_HPP
@@ -108,7 +109,7 @@ struct GivenSinCos {
 //   qd[12]   in   joint velocities, rad/s or m/s
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11], qdd[0..11]. Operations: 288 mul, 220 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11], qdd[0..11]. Operations: 272 mul, 168 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
@@ -125,217 +126,154 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
   const Scalar t1 = qd_1 * qd_1;
-  const Scalar t2 = c_2 * t1;
-  const Scalar t3 = c_2 * t2;
-  const Scalar t4 = qd_2 * qd_2;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = Scalar(61.3125) * c_1;
-  const Scalar t7 = s_2 * t2;
-  const Scalar t8 = t7 + qdd_2;
-  const Scalar t9 = s_3 * (t5 + c_2 * t6) + c_3 * (t8 + s_2 * t6);
-  const Scalar t10 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t11 = t1 * t10;
-  const Scalar t12 = c_2 * s_3 + s_2 * c_3;
-  const Scalar t13 = t12 * t11;
+  const Scalar t2 = qd_2 * qd_2;
+  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar t3 = c_2_3 * (s_2 * qdd_2 + c_2 * (t1 + t2) + Scalar(61.3125) * c_1);
+  const Scalar t4 = c_2 * c_3 - s_2 * s_3;
+  const Scalar t5 = t4 * (c_2 * qdd_2 - s_2 * t2) + t3;
+  const Scalar t6 = c_2_3 * (qdd_1 + Scalar(2.3310271737123758) * t4 * t1);
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar t14 = domega_3_z - t13;
-  const Scalar U_3_yx = t13 + domega_3_z;
-  const Scalar t15 = qdd_1 * t12;
-  const Scalar N_3_z = Scalar(1.505e-06) * U_3_yx + Scalar(0.00023148988883634047) * t15 +
-      Scalar(0.0005411142213171667) * t14 + Scalar(0.000615720268358608) * t9;
+  const Scalar N_3_z = Scalar(0.00023148988883634047) * t6 +
+      Scalar(0.0005426192213171668) * domega_3_z + Scalar(0.000615720268358608) * t5;
   tau[2] = N_3_z;
-  const Scalar t16 = qd_4 * qd_4;
-  const Scalar t17 = c_5 * t16;
-  const Scalar t18 = c_5 * t17;
-  const Scalar t19 = qd_5 * qd_5;
-  const Scalar t20 = t18 + t19;
-  const Scalar t21 = Scalar(61.3125) * c_4;
-  const Scalar t22 = s_5 * t17;
-  const Scalar t23 = t22 + qdd_5;
-  const Scalar t24 = s_6 * (t20 + c_5 * t21) + c_6 * (t23 + s_5 * t21);
-  const Scalar t25 = s_5 * s_6 - c_5 * c_6;
-  const Scalar t26 = t16 * t25;
-  const Scalar t27 = c_5 * s_6 + s_5 * c_6;
-  const Scalar t28 = t27 * t26;
+  const Scalar t7 = qd_4 * qd_4;
+  const Scalar t8 = qd_5 * qd_5;
+  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
+  const Scalar t9 = c_5_6 * (s_5 * qdd_5 + c_5 * (t7 + t8) + Scalar(61.3125) * c_4);
+  const Scalar t10 = c_5 * c_6 - s_5 * s_6;
+  const Scalar t11 = t10 * (c_5 * qdd_5 - s_5 * t8) + t9;
+  const Scalar t12 = c_5_6 * (qdd_4 - Scalar(2.3310271737123758) * t10 * t7);
   const Scalar domega_6_z = qdd_5 + qdd_6;
-  const Scalar t29 = domega_6_z - t28;
-  const Scalar U_6_yx = t28 + domega_6_z;
-  const Scalar t30 = qdd_4 * t27;
-  const Scalar tau_6 = Scalar(1.505e-06) * U_6_yx - Scalar(0.00023148988883634047) * t30 +
-      Scalar(0.0005411142213171667) * t29 + Scalar(0.000615720268358608) * t24;
-  tau[5] = tau_6;
-  const Scalar t31 = qd_7 * qd_7;
-  const Scalar t32 = c_8 * t31;
-  const Scalar t33 = c_8 * t32;
-  const Scalar t34 = qd_8 * qd_8;
-  const Scalar t35 = t33 + t34;
-  const Scalar t36 = Scalar(61.3125) * c_7;
-  const Scalar t37 = s_8 * t32;
-  const Scalar t38 = t37 + qdd_8;
-  const Scalar t39 = s_9 * (t35 + c_8 * t36) + c_9 * (t38 + s_8 * t36);
-  const Scalar t40 = s_8 * s_9 - c_8 * c_9;
-  const Scalar t41 = t31 * t40;
-  const Scalar t42 = c_8 * s_9 + s_8 * c_9;
-  const Scalar t43 = t42 * t41;
+  const Scalar N_6_z = Scalar(0.0005426192213171668) * domega_6_z -
+      Scalar(0.00023148988883634047) * t12 + Scalar(0.000615720268358608) * t11;
+  tau[5] = N_6_z;
+  const Scalar t13 = qd_7 * qd_7;
+  const Scalar t14 = qd_8 * qd_8;
+  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
+  const Scalar t15 = c_8_9 * (s_8 * qdd_8 + c_8 * (t13 + t14) + Scalar(61.3125) * c_7);
+  const Scalar t16 = c_8 * c_9 - s_8 * s_9;
+  const Scalar t17 = t16 * (c_8 * qdd_8 - s_8 * t14) + t15;
+  const Scalar t18 = c_8_9 * (qdd_7 + Scalar(2.3310271737123758) * t16 * t13);
   const Scalar domega_9_z = qdd_8 + qdd_9;
-  const Scalar t44 = domega_9_z - t43;
-  const Scalar U_9_yx = t43 + domega_9_z;
-  const Scalar t45 = qdd_7 * t42;
-  const Scalar N_9_z = Scalar(1.505e-06) * U_9_yx + Scalar(0.00023148988883634047) * t45 +
-      Scalar(0.0005411142213171667) * t44 + Scalar(0.000615720268358608) * t39;
+  const Scalar N_9_z = Scalar(0.00023148988883634047) * t18 +
+      Scalar(0.0005426192213171668) * domega_9_z + Scalar(0.000615720268358608) * t17;
   tau[8] = N_9_z;
-  const Scalar t46 = qd_10 * qd_10;
-  const Scalar t47 = c_11 * t46;
-  const Scalar t48 = c_11 * t47;
-  const Scalar t49 = qd_11 * qd_11;
-  const Scalar t50 = t48 + t49;
-  const Scalar t51 = Scalar(61.3125) * c_10;
-  const Scalar t52 = s_11 * t47;
-  const Scalar t53 = t52 + qdd_11;
-  const Scalar t54 = s_12 * (t50 + c_11 * t51) + c_12 * (t53 + s_11 * t51);
-  const Scalar t55 = s_11 * s_12 - c_11 * c_12;
-  const Scalar t56 = t46 * t55;
-  const Scalar t57 = c_11 * s_12 + s_11 * c_12;
-  const Scalar t58 = t57 * t56;
+  const Scalar t19 = qd_10 * qd_10;
+  const Scalar t20 = qd_11 * qd_11;
+  const Scalar c_11_12 = c_11 * s_12 + s_11 * c_12;
+  const Scalar t21 = c_11_12 * (s_11 * qdd_11 + c_11 * (t19 + t20) + Scalar(61.3125) * c_10);
+  const Scalar t22 = c_11 * c_12 - s_11 * s_12;
+  const Scalar t23 = t22 * (c_11 * qdd_11 - s_11 * t20) + t21;
+  const Scalar t24 = c_11_12 * (qdd_10 - Scalar(2.3310271737123758) * t22 * t19);
   const Scalar domega_12_z = qdd_11 + qdd_12;
-  const Scalar t59 = domega_12_z - t58;
-  const Scalar U_12_yx = t58 + domega_12_z;
-  const Scalar t60 = qdd_10 * t57;
-  const Scalar tau_12 = Scalar(1.505e-06) * U_12_yx - Scalar(0.00023148988883634047) * t60 +
-      Scalar(0.0005411142213171667) * t59 + Scalar(0.000615720268358608) * t54;
-  tau[11] = tau_12;
+  const Scalar N_12_z = Scalar(0.0005426192213171668) * domega_12_z -
+      Scalar(0.00023148988883634047) * t24 + Scalar(0.000615720268358608) * t23;
+  tau[11] = N_12_z;
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t61 = t55 * t56 + omega_12_z * omega_12_z;
-  const Scalar t62 = s_12 * t61 - c_12 * t59;
-  const Scalar t63 = t49 - t48 + t46;
-  const Scalar U_11_yx = qdd_11 - t52;
-  const Scalar t64 = s_11 * qdd_10;
-  const Scalar t65 = c_11 * qdd_10;
-  tau[10] = Scalar(-6.823068516838894e-08) * t65 - Scalar(1.609852873477455e-07) * (t63 - t50) +
-      Scalar(0.000020065123418265) * c_10 * c_11 + Scalar(0.000015550028164806267) * U_11_yx -
-      Scalar(0.0007940924716883453) * t64 - Scalar(0.000615720268358608) * t62 +
-      Scalar(0.002280028171323094) * t53 + tau_12 + Scalar(0.1737624403145115) * c_10 * s_11;
+  const Scalar t25 = c_11_12 * omega_12_z;
+  const Scalar t26 = c_11 * (t22 * domega_12_z - omega_12_z * t25);
+  const Scalar t27 = omega_12_z * omega_12_z;
+  const Scalar t28 = c_11_12 * domega_12_z;
+  const Scalar t29 = t26 + s_11 * (t22 * (t19 + t27) + t28);
+  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
+  const Scalar t30 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+  const Scalar mr_11_y = c_11 + Scalar(8659.923823660012) * s_11;
+  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
+      Scalar(0.0007940924716883453) * s_11;
+  tau[10] = Scalar(0.000615720268358608) * t29 - qdd_10 * I_11_yz + t19 * t30 +
+      Scalar(0.0022955781994879005) * qdd_11 + N_12_z +
+      Scalar(0.000020065123418265) * c_10 * mr_11_y;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t66 = t40 * t41 + omega_9_z * omega_9_z;
-  const Scalar t67 = s_9 * t66 - c_9 * t44;
-  const Scalar t68 = t34 - t33 + t31;
-  const Scalar U_8_yx = qdd_8 - t37;
-  const Scalar t69 = s_8 * qdd_7;
-  const Scalar t70 = c_8 * qdd_7;
-  tau[7] = Scalar(1.609852873477455e-07) * (t68 - t35) - Scalar(6.823068516838894e-08) * t70 -
-      Scalar(0.000020065123418265) * c_7 * c_8 + Scalar(0.000015550028164806267) * U_8_yx +
-      Scalar(0.0007940924716883453) * t69 - Scalar(0.000615720268358608) * t67 +
-      Scalar(0.002280028171323094) * t38 + N_9_z + Scalar(0.1737624403145115) * c_7 * s_8;
+  const Scalar t31 = c_8_9 * omega_9_z;
+  const Scalar t32 = c_8 * (t16 * domega_9_z - omega_9_z * t31);
+  const Scalar t33 = omega_9_z * omega_9_z;
+  const Scalar t34 = c_8_9 * domega_9_z;
+  const Scalar t35 = t32 + s_8 * (t16 * (t13 + t33) + t34);
+  const Scalar t36 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
+  const Scalar I_8_xy = c_8 * t36 - Scalar(1.609852873477455e-07);
+  const Scalar t37 = c_7 * (c_8 - Scalar(8659.923823660012) * s_8);
+  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
+  tau[7] = Scalar(0.000615720268358608) * t35 - qdd_7 * I_8_yz - t13 * I_8_xy +
+      Scalar(0.0022955781994879005) * qdd_8 + N_9_z - Scalar(0.000020065123418265) * t37;
+  const Scalar t38 = qd_7 * t31;
+  const Scalar t39 = t33 + Scalar(2.6598149554338075) * c_8 * qdd_7 -
+      Scalar(4.6620543474247516) * t38 - Scalar(5.319629910867615) * s_8 * qd_7 * qd_8 +
+      Scalar(163.07990445503535) * s_7;
+  const Scalar t40 = qd_8 * (Scalar(6.823068516838894e-08) * s_8 +
+      Scalar(0.0007940924716883453) * c_8) + Scalar(2.0) * qd_7 * I_8_xy;
+  const Scalar t41 = c_8 * (Scalar(0.000615720268358608) * t16 * qdd_7 -
+      Scalar(0.001231440536717216) * t38);
+  const Scalar t42 = qdd_7 * (Scalar(0.0005396092213171668) * c_8_9 * c_8_9 - s_8 * t36 -
+      Scalar(0.0031799702681776175));
+  const Scalar mr_8_x = Scalar(0.00011547445686160344) * s_8 + c_8;
+  tau[6] = t41 - qdd_8 * I_8_yz + Scalar(0.00023148988883634047) * (t34 + t16 * t39) + qd_8 * t40 +
+      Scalar(0.08509272390476785) * c_7 - t42 + Scalar(0.1737624403145115) * s_7 * mr_8_x;
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t71 = t25 * t26 + omega_6_z * omega_6_z;
-  const Scalar t72 = s_6 * t71 - c_6 * t29;
-  const Scalar t73 = t19 - t18 + t16;
-  const Scalar U_5_yx = qdd_5 - t22;
-  const Scalar t74 = s_5 * qdd_4;
-  const Scalar t75 = c_5 * qdd_4;
-  tau[4] = Scalar(-6.823068516838894e-08) * t75 - Scalar(1.609852873477455e-07) * (t73 - t20) +
-      Scalar(0.000020065123418265) * c_4 * c_5 + Scalar(0.000015550028164806267) * U_5_yx -
-      Scalar(0.0007940924716883453) * t74 - Scalar(0.000615720268358608) * t72 +
-      Scalar(0.002280028171323094) * t23 + tau_6 + Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar t43 = c_5_6 * omega_6_z;
+  const Scalar t44 = c_5 * (t10 * domega_6_z - omega_6_z * t43);
+  const Scalar t45 = omega_6_z * omega_6_z;
+  const Scalar t46 = c_5_6 * domega_6_z;
+  const Scalar t47 = t44 + s_5 * (t10 * (t7 + t45) + t46);
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar t48 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
+  const Scalar mr_5_y = c_5 + Scalar(8659.923823660012) * s_5;
+  const Scalar I_5_yz = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.0007940924716883453) * s_5;
+  tau[4] = Scalar(0.000615720268358608) * t47 - qdd_4 * I_5_yz + t7 * t48 +
+      Scalar(0.0022955781994879005) * qdd_5 + N_6_z + Scalar(0.000020065123418265) * c_4 * mr_5_y;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t76 = t10 * t11 + omega_3_z * omega_3_z;
-  const Scalar t77 = s_3 * t76 - c_3 * t14;
-  const Scalar t78 = t4 - t3 + t1;
-  const Scalar U_2_yx = qdd_2 - t7;
-  const Scalar t79 = s_2 * qdd_1;
-  const Scalar t80 = c_2 * qdd_1;
-  tau[1] = Scalar(1.609852873477455e-07) * (t78 - t5) - Scalar(6.823068516838894e-08) * t80 -
-      Scalar(0.000020065123418265) * c_1 * c_2 + Scalar(0.000015550028164806267) * U_2_yx +
-      Scalar(0.0007940924716883453) * t79 - Scalar(0.000615720268358608) * t77 +
-      Scalar(0.002280028171323094) * t8 + N_3_z + Scalar(0.1737624403145115) * c_1 * s_2;
-  const Scalar U_9_yy_zz = t31 - t66;
-  const Scalar t81 = Scalar(2.0) * qd_7;
-  const Scalar t82 = qdd_7 * t40 + t81 * t42 * omega_9_z;
-  const Scalar t83 = qd_8 * t81;
-  const Scalar t84 = s_8 * t83 - t70;
-  const Scalar t85 = Scalar(-0.00023148988883634047) * U_9_yy_zz -
-      Scalar(0.000615720268358608) * t84 - Scalar(0.0005411142213171667) * t82 +
-      Scalar(0.037751348953737156) * s_7;
-  const Scalar t86 = Scalar(1.505e-06) * t45 - Scalar(3.01e-06) * qd_7 * t40 * omega_9_z +
-      Scalar(0.00023148988883634047) * t44;
-  const Scalar U_8_zx = t69 + c_8 * t83;
-  const Scalar t87 = Scalar(-6.823068516838894e-08) * (t31 - t68) -
-      Scalar(1.609852873477455e-07) * t84 + Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.000015550028164806267) * U_8_zx + c_9 * t86 + Scalar(0.0007940924716883453) * t38 -
-      s_9 * t85;
-  const Scalar U_8_yy_zz = t31 - t35;
-  const Scalar t88 = Scalar(1.609852873477455e-07) * U_8_zx -
-      Scalar(6.823068516838894e-08) * U_8_yx + s_9 * t86 - Scalar(0.000615720268358608) * t82 -
-      Scalar(0.0007940924716883453) * U_8_yy_zz + c_9 * t85 - Scalar(0.002280028171323094) * t84 +
-      Scalar(0.1737624403145115) * s_7;
-  tau[6] = Scalar(0.00035882787553735663) * qdd_7 + s_8 * t87 + Scalar(0.08509272390476785) * c_7 +
-      c_8 * t88;
-  const Scalar U_3_yy_zz = t1 - t76;
-  const Scalar t89 = Scalar(2.0) * qd_1;
-  const Scalar t90 = qdd_1 * t10 + t89 * t12 * omega_3_z;
-  const Scalar t91 = qd_2 * t89;
-  const Scalar t92 = s_2 * t91 - t80;
-  const Scalar t93 = Scalar(-0.00023148988883634047) * U_3_yy_zz -
-      Scalar(0.000615720268358608) * t92 - Scalar(0.0005411142213171667) * t90 +
-      Scalar(0.037751348953737156) * s_1;
-  const Scalar t94 = Scalar(1.505e-06) * t15 - Scalar(3.01e-06) * qd_1 * t10 * omega_3_z +
-      Scalar(0.00023148988883634047) * t14;
-  const Scalar U_2_zx = t79 + c_2 * t91;
-  const Scalar t95 = Scalar(-6.823068516838894e-08) * (t1 - t78) -
-      Scalar(1.609852873477455e-07) * t92 + Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.000015550028164806267) * U_2_zx + c_3 * t94 + Scalar(0.0007940924716883453) * t8 -
-      s_3 * t93;
-  const Scalar U_2_yy_zz = t1 - t5;
-  const Scalar t96 = Scalar(1.609852873477455e-07) * U_2_zx -
-      Scalar(6.823068516838894e-08) * U_2_yx + s_3 * t94 - Scalar(0.000615720268358608) * t90 -
-      Scalar(0.0007940924716883453) * U_2_yy_zz + c_3 * t93 - Scalar(0.002280028171323094) * t92 +
-      Scalar(0.1737624403145115) * s_1;
-  tau[0] = Scalar(0.00035882787553735663) * qdd_1 + s_2 * t95 + Scalar(0.08509272390476785) * c_1 +
-      c_2 * t96;
-  const Scalar U_12_yy_zz = t46 - t61;
-  const Scalar t97 = Scalar(2.0) * qd_10;
-  const Scalar t98 = qdd_10 * t55 + t97 * t57 * omega_12_z;
-  const Scalar t99 = qd_11 * t97;
-  const Scalar t100 = s_11 * t99 - t65;
-  const Scalar t101 = Scalar(0.00023148988883634047) * U_12_yy_zz -
-      Scalar(0.000615720268358608) * t100 - Scalar(0.0005411142213171667) * t98 +
-      Scalar(0.037751348953737156) * s_10;
-  const Scalar t102 = Scalar(3.01e-06) * qd_10 * t55 * omega_12_z - Scalar(1.505e-06) * t60 +
-      Scalar(0.00023148988883634047) * t59;
-  const Scalar U_11_zx = t64 + c_11 * t99;
-  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t46 - t63) -
-      Scalar(1.609852873477455e-07) * t100 + Scalar(0.000020065123418265) * s_10 -
-      Scalar(0.000015550028164806267) * U_11_zx + c_12 * t102 +
-      Scalar(0.0007940924716883453) * t53 + s_12 * t101;
-  const Scalar U_11_yy_zz = t46 - t50;
-  const Scalar t103 = Scalar(-6.823068516838894e-08) * U_11_yx -
-      Scalar(1.609852873477455e-07) * U_11_zx - s_12 * t102 - Scalar(0.000615720268358608) * t98 +
-      Scalar(0.0007940924716883453) * U_11_yy_zz + c_12 * t101 -
-      Scalar(0.002280028171323094) * t100 + Scalar(0.1737624403145115) * s_10;
-  tau[9] = Scalar(0.00035882787553735663) * qdd_10 - s_11 * mu_11_y -
-      Scalar(0.08509272390476785) * c_10 + c_11 * t103;
-  const Scalar U_6_yy_zz = t16 - t71;
-  const Scalar t104 = Scalar(2.0) * qd_4;
-  const Scalar t105 = qdd_4 * t25 + t104 * t27 * omega_6_z;
-  const Scalar t106 = qd_5 * t104;
-  const Scalar t107 = s_5 * t106 - t75;
-  const Scalar t108 = Scalar(0.00023148988883634047) * U_6_yy_zz -
-      Scalar(0.000615720268358608) * t107 - Scalar(0.0005411142213171667) * t105 +
-      Scalar(0.037751348953737156) * s_4;
-  const Scalar t109 = Scalar(3.01e-06) * qd_4 * t25 * omega_6_z - Scalar(1.505e-06) * t30 +
-      Scalar(0.00023148988883634047) * t29;
-  const Scalar U_5_zx = t74 + c_5 * t106;
-  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t16 - t73) -
-      Scalar(1.609852873477455e-07) * t107 + Scalar(0.000020065123418265) * s_4 -
-      Scalar(0.000015550028164806267) * U_5_zx + c_6 * t109 + Scalar(0.0007940924716883453) * t23 +
-      s_6 * t108;
-  const Scalar U_5_yy_zz = t16 - t20;
-  const Scalar t110 = Scalar(-6.823068516838894e-08) * U_5_yx -
-      Scalar(1.609852873477455e-07) * U_5_zx - s_6 * t109 - Scalar(0.000615720268358608) * t105 +
-      Scalar(0.0007940924716883453) * U_5_yy_zz + c_6 * t108 - Scalar(0.002280028171323094) * t107 +
-      Scalar(0.1737624403145115) * s_4;
-  tau[3] = Scalar(0.00035882787553735663) * qdd_4 - s_5 * mu_5_y -
-      Scalar(0.08509272390476785) * c_4 + c_5 * t110;
+  const Scalar t49 = c_2_3 * omega_3_z;
+  const Scalar t50 = c_2 * (t4 * domega_3_z - omega_3_z * t49);
+  const Scalar t51 = omega_3_z * omega_3_z;
+  const Scalar t52 = c_2_3 * domega_3_z;
+  const Scalar t53 = t50 + s_2 * (t4 * (t1 + t51) + t52);
+  const Scalar t54 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
+  const Scalar I_2_xy = c_2 * t54 - Scalar(1.609852873477455e-07);
+  const Scalar t55 = c_1 * (c_2 - Scalar(8659.923823660012) * s_2);
+  const Scalar I_2_yz = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.0007940924716883453) * s_2;
+  tau[1] = Scalar(0.000615720268358608) * t53 - qdd_1 * I_2_yz - t1 * I_2_xy +
+      Scalar(0.0022955781994879005) * qdd_2 + N_3_z - Scalar(0.000020065123418265) * t55;
+  const Scalar t56 = qd_1 * t49;
+  const Scalar t57 = t51 + Scalar(2.6598149554338075) * c_2 * qdd_1 -
+      Scalar(4.6620543474247516) * t56 - Scalar(5.319629910867615) * s_2 * qd_1 * qd_2 +
+      Scalar(163.07990445503535) * s_1;
+  const Scalar t58 = qd_2 * (Scalar(6.823068516838894e-08) * s_2 +
+      Scalar(0.0007940924716883453) * c_2) + Scalar(2.0) * qd_1 * I_2_xy;
+  const Scalar t59 = c_2 * (Scalar(0.000615720268358608) * t4 * qdd_1 -
+      Scalar(0.001231440536717216) * t56);
+  const Scalar t60 = qdd_1 * (Scalar(0.0005396092213171668) * c_2_3 * c_2_3 - s_2 * t54 -
+      Scalar(0.0031799702681776175));
+  const Scalar mr_2_x = Scalar(0.00011547445686160344) * s_2 + c_2;
+  tau[0] = t59 - qdd_2 * I_2_yz + Scalar(0.00023148988883634047) * (t52 + t4 * t57) + qd_2 * t58 +
+      Scalar(0.08509272390476785) * c_1 - t60 + Scalar(0.1737624403145115) * s_1 * mr_2_x;
+  const Scalar t61 = qd_10 * t25;
+  const Scalar t62 = Scalar(2.6598149554338075) * c_11 * qdd_10 - t27 -
+      Scalar(4.6620543474247516) * t61 - Scalar(5.319629910867615) * s_11 * qd_10 * qd_11 +
+      Scalar(163.07990445503535) * s_10;
+  const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
+      Scalar(6.823068516838894e-08) * s_11;
+  const Scalar t63 = qd_11 * (qd_11 * I_11_xz + Scalar(2.0) * qd_10 * t30);
+  const Scalar t64 = c_11 * (Scalar(0.000615720268358608) * t22 * qdd_10 -
+      Scalar(0.001231440536717216) * t61);
+  const Scalar t65 = qdd_10 * (Scalar(0.0005396092213171668) * c_11_12 * c_11_12 + s_11 * I_t11_g -
+      Scalar(0.0031799702681776175));
+  const Scalar mr_11_x = c_11 - Scalar(0.00011547445686160344) * s_11;
+  const Scalar t66 = qdd_11 * I_11_yz - t64 + Scalar(0.00023148988883634047) * (t28 - t22 * t62) +
+      t63 + Scalar(0.08509272390476785) * c_10 + t65 - Scalar(0.1737624403145115) * s_10 * mr_11_x;
+  tau[9] = -t66;
+  const Scalar t67 = qd_4 * t43;
+  const Scalar t68 = Scalar(2.6598149554338075) * c_5 * qdd_4 - t45 -
+      Scalar(4.6620543474247516) * t67 - Scalar(5.319629910867615) * s_5 * qd_4 * qd_5 +
+      Scalar(163.07990445503535) * s_4;
+  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
+  const Scalar t69 = qd_5 * (qd_5 * I_5_xz + Scalar(2.0) * qd_4 * t48);
+  const Scalar t70 = c_5 * (Scalar(0.000615720268358608) * t10 * qdd_4 -
+      Scalar(0.001231440536717216) * t67);
+  const Scalar t71 = qdd_4 * (Scalar(0.0005396092213171668) * c_5_6 * c_5_6 + s_5 * I_t5_g -
+      Scalar(0.0031799702681776175));
+  const Scalar mr_5_x = c_5 - Scalar(0.00011547445686160344) * s_5;
+  const Scalar t72 = qdd_5 * I_5_yz - t70 + Scalar(0.00023148988883634047) * (t46 - t10 * t68) +
+      t69 + Scalar(0.08509272390476785) * c_4 + t71 - Scalar(0.1737624403145115) * s_4 * mr_5_x;
+  tau[3] = -t72;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -344,7 +282,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]   in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 326 mul, 242 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 299 mul, 190 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
@@ -362,235 +300,174 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = qd_1 * qd_1;
-  const Scalar t2 = c_2 * t1;
-  const Scalar t3 = c_2 * t2;
-  const Scalar t4 = qd_2 * qd_2;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = Scalar(9.81) * c_1;
-  const Scalar t7 = s_3 * (Scalar(0.16) * t5 + c_2 * t6);
-  const Scalar t8 = s_2 * t2;
-  const Scalar t9 = t8 + qdd_2;
-  const Scalar t10 = t7 + c_3 * (Scalar(0.16) * t9 + s_2 * t6);
-  const Scalar t11 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t12 = t1 * t11;
-  const Scalar t13 = c_2 * s_3 + s_2 * c_3;
-  const Scalar t14 = t13 * t12;
+  const Scalar t1 = qd_2 * qd_2;
+  const Scalar t2 = qd_1 * qd_1;
+  const Scalar t3 = s_2 * qdd_2 + c_2 * (t1 + t2);
+  const Scalar t4 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t5 = Scalar(0.006131963366925577) * qdd_1 - Scalar(0.014293773236512354) * t4 * t2 +
+      Scalar(0.0163098878695209) * t3 + c_1;
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t6 = t4 * (s_2 * t1 - c_2 * qdd_2);
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar t15 = domega_3_z - t14;
-  const Scalar U_3_yx = t14 + domega_3_z;
-  const Scalar t16 = qdd_1 * t13;
-  const Scalar N_3_z = Scalar(1.505e-06) * U_3_yx + Scalar(0.00023148988883634047) * t16 +
-      Scalar(0.0005411142213171667) * t15 + Scalar(0.0038482516772413) * t10;
+  const Scalar N_3_z = Scalar(0.0005426192213171668) * domega_3_z +
+      Scalar(0.000615720268358608) * t6 + Scalar(0.037751348953737156) * c_2_3 * t5;
   tau[2] = N_3_z;
-  const Scalar t17 = qd_4 * qd_4;
-  const Scalar t18 = c_5 * t17;
-  const Scalar t19 = c_5 * t18;
-  const Scalar t20 = qd_5 * qd_5;
-  const Scalar t21 = t19 + t20;
-  const Scalar t22 = Scalar(9.81) * c_4;
-  const Scalar t23 = s_6 * (Scalar(0.16) * t21 + c_5 * t22);
-  const Scalar t24 = s_5 * t18;
-  const Scalar t25 = t24 + qdd_5;
-  const Scalar t26 = t23 + c_6 * (Scalar(0.16) * t25 + s_5 * t22);
-  const Scalar t27 = s_5 * s_6 - c_5 * c_6;
-  const Scalar t28 = t17 * t27;
-  const Scalar t29 = c_5 * s_6 + s_5 * c_6;
-  const Scalar t30 = t29 * t28;
+  const Scalar t7 = qd_5 * qd_5;
+  const Scalar t8 = qd_4 * qd_4;
+  const Scalar t9 = s_5 * qdd_5 + c_5 * (t7 + t8);
+  const Scalar t10 = s_5 * s_6 - c_5 * c_6;
+  const Scalar t11 = Scalar(-0.006131963366925577) * qdd_4 -
+      Scalar(0.014293773236512354) * t10 * t8 + Scalar(0.0163098878695209) * t9 + c_4;
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  const Scalar t12 = t10 * (s_5 * t7 - c_5 * qdd_5);
   const Scalar domega_6_z = qdd_5 + qdd_6;
-  const Scalar t31 = domega_6_z - t30;
-  const Scalar U_6_yx = t30 + domega_6_z;
-  const Scalar t32 = qdd_4 * t29;
-  const Scalar tau_6 = Scalar(1.505e-06) * U_6_yx - Scalar(0.00023148988883634047) * t32 +
-      Scalar(0.0005411142213171667) * t31 + Scalar(0.0038482516772413) * t26;
-  tau[5] = tau_6;
-  const Scalar t33 = qd_7 * qd_7;
-  const Scalar t34 = c_8 * t33;
-  const Scalar t35 = c_8 * t34;
-  const Scalar t36 = qd_8 * qd_8;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = Scalar(9.81) * c_7;
-  const Scalar t39 = s_9 * (Scalar(0.16) * t37 + c_8 * t38);
-  const Scalar t40 = s_8 * t34;
-  const Scalar t41 = t40 + qdd_8;
-  const Scalar t42 = t39 + c_9 * (Scalar(0.16) * t41 + s_8 * t38);
-  const Scalar t43 = s_8 * s_9 - c_8 * c_9;
-  const Scalar t44 = t33 * t43;
-  const Scalar t45 = c_8 * s_9 + s_8 * c_9;
-  const Scalar t46 = t45 * t44;
+  const Scalar N_6_z = Scalar(0.0005426192213171668) * domega_6_z +
+      Scalar(0.000615720268358608) * t12 + Scalar(0.037751348953737156) * c_5_6 * t11;
+  tau[5] = N_6_z;
+  const Scalar t13 = qd_8 * qd_8;
+  const Scalar t14 = qd_7 * qd_7;
+  const Scalar t15 = s_8 * qdd_8 + c_8 * (t13 + t14);
+  const Scalar t16 = s_8 * s_9 - c_8 * c_9;
+  const Scalar t17 = Scalar(0.006131963366925577) * qdd_7 -
+      Scalar(0.014293773236512354) * t16 * t14 + Scalar(0.0163098878695209) * t15 + c_7;
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar t18 = t16 * (s_8 * t13 - c_8 * qdd_8);
   const Scalar domega_9_z = qdd_8 + qdd_9;
-  const Scalar t47 = domega_9_z - t46;
-  const Scalar U_9_yx = t46 + domega_9_z;
-  const Scalar t48 = qdd_7 * t45;
-  const Scalar N_9_z = Scalar(1.505e-06) * U_9_yx + Scalar(0.00023148988883634047) * t48 +
-      Scalar(0.0005411142213171667) * t47 + Scalar(0.0038482516772413) * t42;
+  const Scalar N_9_z = Scalar(0.0005426192213171668) * domega_9_z +
+      Scalar(0.000615720268358608) * t18 + Scalar(0.037751348953737156) * c_8_9 * t17;
   tau[8] = N_9_z;
-  const Scalar t49 = s_10 * h_e_2 - c_10 * h_e_3;
-  const Scalar t50 = s_11 * h_e_1 - c_11 * t49;
-  const Scalar f_e11_x = s_11 * t49 + c_11 * h_e_1;
-  const Scalar t51 = s_12 * t50 - c_12 * f_e11_x;
-  const Scalar t52 = qd_10 * qd_10;
-  const Scalar t53 = c_11 * t52;
-  const Scalar t54 = c_11 * t53;
-  const Scalar t55 = qd_11 * qd_11;
-  const Scalar t56 = t54 + t55;
-  const Scalar t57 = Scalar(9.81) * c_10;
-  const Scalar t58 = s_12 * (Scalar(0.16) * t56 + c_11 * t57);
-  const Scalar t59 = s_11 * t53;
-  const Scalar t60 = t59 + qdd_11;
-  const Scalar t61 = t58 + c_12 * (Scalar(0.16) * t60 + s_11 * t57);
-  const Scalar t62 = s_11 * s_12 - c_11 * c_12;
-  const Scalar t63 = t52 * t62;
-  const Scalar t64 = c_11 * s_12 + s_11 * c_12;
-  const Scalar t65 = t64 * t63;
+  const Scalar t19 = s_11 * s_12 - c_11 * c_12;
+  const Scalar t20 = qd_10 * qd_10;
+  const Scalar t21 = t19 * t20;
+  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
+  const Scalar t22 = c_11_12 * t21;
   const Scalar domega_12_z = qdd_11 + qdd_12;
-  const Scalar t66 = domega_12_z - t65;
-  const Scalar U_12_yx = t65 + domega_12_z;
-  const Scalar t67 = qdd_10 * t64;
-  const Scalar mu_12_z = Scalar(1.505e-06) * U_12_yx - Scalar(0.00023148988883634047) * t67 +
-      Scalar(0.0005411142213171667) * t66 + Scalar(0.0038482516772413) * t61 + Scalar(0.16) * t51 +
-      s_10 * h_e_6 + c_10 * h_e_5;
+  const Scalar t23 = domega_12_z - t22;
+  const Scalar U_12_yx = t22 + domega_12_z;
+  const Scalar t24 = qd_11 * qd_11;
+  const Scalar t25 = s_11 * qdd_11 + c_11 * (t24 + t20);
+  const Scalar t26 = c_11_12 * (Scalar(2.6598149554338075) * t25 - qdd_10 +
+      Scalar(163.07990445503535) * c_10);
+  const Scalar t27 = s_10 * h_e_2 - c_10 * h_e_3;
+  const Scalar t28 = t19 * h_e_1 - c_11_12 * t27;
+  const Scalar t29 = t19 * (s_11 * t24 - c_11 * qdd_11);
+  const Scalar mu_12_z = Scalar(1.505e-06) * U_12_yx + Scalar(0.000615720268358608) * t29 +
+      Scalar(0.0005411142213171667) * t23 + Scalar(0.00023148988883634047) * t26 +
+      Scalar(0.16) * t28 + s_10 * h_e_6 + c_10 * h_e_5;
   tau[11] = mu_12_z;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t68 = t43 * t44 + omega_9_z * omega_9_z;
-  const Scalar t69 = s_9 * t68 - c_9 * t47;
-  const Scalar t70 = t36 - t35 + t33;
-  const Scalar U_8_yx = qdd_8 - t40;
-  const Scalar t71 = s_8 * qdd_7;
-  const Scalar t72 = c_8 * qdd_7;
-  tau[7] = Scalar(1.609852873477455e-07) * (t70 - t37) - Scalar(6.823068516838894e-08) * t72 -
-      Scalar(0.000020065123418265) * c_7 * c_8 + Scalar(0.000015550028164806267) * U_8_yx +
-      Scalar(0.0007940924716883453) * t71 - Scalar(0.000615720268358608) * t69 +
-      Scalar(0.002280028171323094) * t41 + N_9_z + Scalar(0.1737624403145115) * c_7 * s_8;
+  const Scalar t30 = c_8_9 * omega_9_z;
+  const Scalar t31 = c_8_9 * domega_9_z;
+  const Scalar t32 = omega_9_z * omega_9_z;
+  const Scalar t33 = s_8 * (t31 - t16 * (t14 + t32));
+  const Scalar t34 = t33 - c_8 * (omega_9_z * t30 + t16 * domega_9_z);
+  const Scalar t35 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
+  const Scalar I_8_xy = c_8 * t35 - Scalar(1.609852873477455e-07);
+  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
+  const Scalar t36 = c_7 * (c_8 - Scalar(8659.923823660012) * s_8);
+  tau[7] = Scalar(0.000615720268358608) * t34 - qdd_7 * I_8_yz - t14 * I_8_xy +
+      Scalar(0.0022955781994879005) * qdd_8 + N_9_z - Scalar(0.000020065123418265) * t36;
+  const Scalar t37 = qd_7 * t30;
+  const Scalar t38 = t32 + Scalar(2.6598149554338075) * c_8 * qdd_7 -
+      Scalar(4.6620543474247516) * t37 - Scalar(5.319629910867615) * s_8 * qd_7 * qd_8 +
+      Scalar(163.07990445503535) * s_7;
+  const Scalar t39 = c_8 * (Scalar(0.5) * t16 * qdd_7 + t37);
+  const Scalar t40 = qd_8 * (Scalar(6.823068516838894e-08) * s_8 +
+      Scalar(0.0007940924716883453) * c_8) + Scalar(2.0) * qd_7 * I_8_xy;
+  const Scalar t41 = qdd_7 * (s_8 * t35 - Scalar(0.0005396092213171668) * c_8_9 * c_8_9 +
+      Scalar(0.0031799702681776175));
+  const Scalar mr_8_x = Scalar(0.00011547445686160344) * s_8 + c_8;
+  tau[6] = -qdd_8 * I_8_yz - Scalar(0.001231440536717216) * t39 +
+      Scalar(0.00023148988883634047) * (t31 - t16 * t38) + qd_8 * t40 +
+      Scalar(0.08509272390476785) * c_7 + t41 + Scalar(0.1737624403145115) * s_7 * mr_8_x;
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t73 = t27 * t28 + omega_6_z * omega_6_z;
-  const Scalar t74 = s_6 * t73 - c_6 * t31;
-  const Scalar t75 = t20 - t19 + t17;
-  const Scalar U_5_yx = qdd_5 - t24;
-  const Scalar t76 = s_5 * qdd_4;
-  const Scalar t77 = c_5 * qdd_4;
-  tau[4] = Scalar(-6.823068516838894e-08) * t77 - Scalar(1.609852873477455e-07) * (t75 - t21) +
-      Scalar(0.000020065123418265) * c_4 * c_5 + Scalar(0.000015550028164806267) * U_5_yx -
-      Scalar(0.0007940924716883453) * t76 - Scalar(0.000615720268358608) * t74 +
-      Scalar(0.002280028171323094) * t25 + tau_6 + Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar t42 = c_5_6 * omega_6_z;
+  const Scalar t43 = c_5_6 * domega_6_z;
+  const Scalar t44 = omega_6_z * omega_6_z;
+  const Scalar t45 = s_5 * (t43 - t10 * (t8 + t44));
+  const Scalar t46 = t45 - c_5 * (omega_6_z * t42 + t10 * domega_6_z);
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar t47 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
+  const Scalar I_5_yz = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.0007940924716883453) * s_5;
+  const Scalar mr_5_y = c_5 + Scalar(8659.923823660012) * s_5;
+  tau[4] = Scalar(0.000615720268358608) * t46 - qdd_4 * I_5_yz + t8 * t47 +
+      Scalar(0.0022955781994879005) * qdd_5 + N_6_z + Scalar(0.000020065123418265) * c_4 * mr_5_y;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t78 = t11 * t12 + omega_3_z * omega_3_z;
-  const Scalar t79 = s_3 * t78 - c_3 * t15;
-  const Scalar t80 = t4 - t3 + t1;
-  const Scalar U_2_yx = qdd_2 - t8;
-  const Scalar t81 = s_2 * qdd_1;
-  const Scalar t82 = c_2 * qdd_1;
-  tau[1] = Scalar(1.609852873477455e-07) * (t80 - t5) - Scalar(6.823068516838894e-08) * t82 -
-      Scalar(0.000020065123418265) * c_1 * c_2 + Scalar(0.000015550028164806267) * U_2_yx +
-      Scalar(0.0007940924716883453) * t81 - Scalar(0.000615720268358608) * t79 +
-      Scalar(0.002280028171323094) * t9 + N_3_z + Scalar(0.1737624403145115) * c_1 * s_2;
-  const Scalar t83 = s_12 * f_e11_x + c_12 * t50;
+  const Scalar t48 = c_2_3 * omega_3_z;
+  const Scalar t49 = c_2_3 * domega_3_z;
+  const Scalar t50 = omega_3_z * omega_3_z;
+  const Scalar t51 = s_2 * (t49 - t4 * (t2 + t50));
+  const Scalar t52 = t51 - c_2 * (omega_3_z * t48 + t4 * domega_3_z);
+  const Scalar t53 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
+  const Scalar I_2_xy = c_2 * t53 - Scalar(1.609852873477455e-07);
+  const Scalar I_2_yz = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.0007940924716883453) * s_2;
+  const Scalar t54 = c_1 * (c_2 - Scalar(8659.923823660012) * s_2);
+  tau[1] = Scalar(0.000615720268358608) * t52 - qdd_1 * I_2_yz - t2 * I_2_xy +
+      Scalar(0.0022955781994879005) * qdd_2 + N_3_z - Scalar(0.000020065123418265) * t54;
+  const Scalar t55 = qd_1 * t48;
+  const Scalar t56 = t50 + Scalar(2.6598149554338075) * c_2 * qdd_1 -
+      Scalar(4.6620543474247516) * t55 - Scalar(5.319629910867615) * s_2 * qd_1 * qd_2 +
+      Scalar(163.07990445503535) * s_1;
+  const Scalar t57 = c_2 * (Scalar(0.5) * t4 * qdd_1 + t55);
+  const Scalar t58 = qd_2 * (Scalar(6.823068516838894e-08) * s_2 +
+      Scalar(0.0007940924716883453) * c_2) + Scalar(2.0) * qd_1 * I_2_xy;
+  const Scalar t59 = qdd_1 * (s_2 * t53 - Scalar(0.0005396092213171668) * c_2_3 * c_2_3 +
+      Scalar(0.0031799702681776175));
+  const Scalar mr_2_x = Scalar(0.00011547445686160344) * s_2 + c_2;
+  tau[0] = -qdd_2 * I_2_yz - Scalar(0.001231440536717216) * t57 +
+      Scalar(0.00023148988883634047) * (t49 - t4 * t56) + qd_2 * t58 +
+      Scalar(0.08509272390476785) * c_1 + t59 + Scalar(0.1737624403145115) * s_1 * mr_2_x;
+  const Scalar t60 = qd_4 * t42;
+  const Scalar t61 = Scalar(2.6598149554338075) * c_5 * qdd_4 - t44 -
+      Scalar(4.6620543474247516) * t60 - Scalar(5.319629910867615) * s_5 * qd_4 * qd_5 +
+      Scalar(163.07990445503535) * s_4;
+  const Scalar t62 = c_5 * (Scalar(0.5) * t10 * qdd_4 + t60);
+  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
+  const Scalar t63 = qd_5 * (qd_5 * I_5_xz + Scalar(2.0) * qd_4 * t47);
+  const Scalar t64 = qdd_4 * (Scalar(0.0005396092213171668) * c_5_6 * c_5_6 + s_5 * I_t5_g -
+      Scalar(0.0031799702681776175));
+  const Scalar mr_5_x = c_5 - Scalar(0.00011547445686160344) * s_5;
+  const Scalar t65 = qdd_5 * I_5_yz + Scalar(0.001231440536717216) * t62 +
+      Scalar(0.00023148988883634047) * (t43 + t10 * t61) + t63 + Scalar(0.08509272390476785) * c_4 +
+      t64 - Scalar(0.1737624403145115) * s_4 * mr_5_x;
+  tau[3] = -t65;
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t84 = t62 * t63 + omega_12_z * omega_12_z;
-  const Scalar f_u_12_t_x = s_12 * (Scalar(0.0038482516772413) * t84 + t83) -
-      c_12 * (Scalar(0.0038482516772413) * t66 + t51);
-  const Scalar t85 = t55 - t54 + t52;
-  const Scalar U_11_yx = qdd_11 - t59;
-  const Scalar t86 = s_11 * qdd_10;
-  const Scalar t87 = c_11 * qdd_10;
-  tau[10] = Scalar(-6.823068516838894e-08) * t87 - Scalar(1.609852873477455e-07) * (t85 - t56) +
-      Scalar(0.000020065123418265) * c_10 * c_11 + Scalar(0.000015550028164806267) * U_11_yx -
-      Scalar(0.0007940924716883453) * t86 + Scalar(0.002280028171323094) * t60 +
-      Scalar(0.1737624403145115) * c_10 * s_11 - Scalar(0.16) * f_u_12_t_x + mu_12_z;
-  const Scalar U_9_yy_zz = t33 - t68;
-  const Scalar t88 = Scalar(2.0) * qd_7;
-  const Scalar t89 = qdd_7 * t43 + t88 * t45 * omega_9_z;
-  const Scalar t90 = qd_8 * t88;
-  const Scalar t91 = s_8 * t90 - t72;
-  const Scalar t92 = Scalar(-0.00023148988883634047) * U_9_yy_zz -
-      Scalar(0.000615720268358608) * t91 - Scalar(0.0005411142213171667) * t89 +
-      Scalar(0.037751348953737156) * s_7;
-  const Scalar t93 = Scalar(1.505e-06) * t48 - Scalar(3.01e-06) * qd_7 * t43 * omega_9_z +
-      Scalar(0.00023148988883634047) * t47;
-  const Scalar U_8_zx = t71 + c_8 * t90;
-  const Scalar t94 = Scalar(-6.823068516838894e-08) * (t33 - t70) -
-      Scalar(1.609852873477455e-07) * t91 + Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.000015550028164806267) * U_8_zx + c_9 * t93 + Scalar(0.0007940924716883453) * t41 -
-      s_9 * t92;
-  const Scalar U_8_yy_zz = t33 - t37;
-  const Scalar t95 = Scalar(1.609852873477455e-07) * U_8_zx -
-      Scalar(6.823068516838894e-08) * U_8_yx + s_9 * t93 - Scalar(0.000615720268358608) * t89 -
-      Scalar(0.0007940924716883453) * U_8_yy_zz + c_9 * t92 - Scalar(0.002280028171323094) * t91 +
-      Scalar(0.1737624403145115) * s_7;
-  tau[6] = Scalar(0.00035882787553735663) * qdd_7 + s_8 * t94 + Scalar(0.08509272390476785) * c_7 +
-      c_8 * t95;
-  const Scalar U_3_yy_zz = t1 - t78;
-  const Scalar t96 = Scalar(2.0) * qd_1;
-  const Scalar t97 = qdd_1 * t11 + t96 * t13 * omega_3_z;
-  const Scalar t98 = qd_2 * t96;
-  const Scalar t99 = s_2 * t98 - t82;
-  const Scalar t100 = Scalar(-0.00023148988883634047) * U_3_yy_zz -
-      Scalar(0.000615720268358608) * t99 - Scalar(0.0005411142213171667) * t97 +
-      Scalar(0.037751348953737156) * s_1;
-  const Scalar t101 = Scalar(1.505e-06) * t16 - Scalar(3.01e-06) * qd_1 * t11 * omega_3_z +
-      Scalar(0.00023148988883634047) * t15;
-  const Scalar U_2_zx = t81 + c_2 * t98;
-  const Scalar t102 = Scalar(-6.823068516838894e-08) * (t1 - t80) -
-      Scalar(1.609852873477455e-07) * t99 + Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.000015550028164806267) * U_2_zx + c_3 * t101 + Scalar(0.0007940924716883453) * t9 -
-      s_3 * t100;
-  const Scalar U_2_yy_zz = t1 - t5;
-  const Scalar t103 = Scalar(1.609852873477455e-07) * U_2_zx -
-      Scalar(6.823068516838894e-08) * U_2_yx + s_3 * t101 - Scalar(0.000615720268358608) * t97 -
-      Scalar(0.0007940924716883453) * U_2_yy_zz + c_3 * t100 - Scalar(0.002280028171323094) * t99 +
-      Scalar(0.1737624403145115) * s_1;
-  tau[0] = Scalar(0.00035882787553735663) * qdd_1 + s_2 * t102 + Scalar(0.08509272390476785) * c_1 +
-      c_2 * t103;
-  const Scalar U_12_yy_zz = t52 - t84;
-  const Scalar t104 = s_10 * h_e_5 - c_10 * h_e_6;
-  const Scalar t105 = s_11 * h_e_4 - c_11 * t104;
-  const Scalar mu_e11_x = s_11 * t104 + c_11 * h_e_4;
-  const Scalar t106 = Scalar(2.0) * qd_10;
-  const Scalar t107 = qdd_10 * t62 + t106 * t64 * omega_12_z;
-  const Scalar t108 = qd_11 * t106;
-  const Scalar t109 = s_11 * t108 - t87;
+  const Scalar t66 = t19 * t21 + omega_12_z * omega_12_z;
+  const Scalar U_12_yy_zz = t20 - t66;
+  const Scalar t67 = t19 * t27 + c_11_12 * h_e_1;
+  const Scalar t68 = Scalar(2.0) * qd_10;
+  const Scalar t69 = t19 * qdd_10 + c_11_12 * omega_12_z * t68;
+  const Scalar t70 = s_10 * h_e_5 - c_10 * h_e_6;
   const Scalar f_e10_y = s_10 * h_e_3 + c_10 * h_e_2;
-  const Scalar t110 = Scalar(0.16) * f_e10_y;
   const Scalar mu_12_x = Scalar(0.00023148988883634047) * U_12_yy_zz -
-      Scalar(0.000615720268358608) * t109 - Scalar(0.0005411142213171667) * t107 +
-      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t83 + t110 - s_12 * t105 +
-      c_12 * mu_e11_x;
-  const Scalar t111 = Scalar(3.01e-06) * qd_10 * t62 * omega_12_z - Scalar(1.505e-06) * t67 +
-      Scalar(0.00023148988883634047) * t66 + Scalar(0.05945) * t51 - s_12 * mu_e11_x - c_12 * t105;
-  const Scalar U_11_zx = t86 + c_11 * t108;
-  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t52 - t85) -
-      Scalar(1.609852873477455e-07) * t109 + Scalar(0.000020065123418265) * s_10 -
-      Scalar(0.000015550028164806267) * U_11_zx + Scalar(0.0007940924716883453) * t60 +
-      s_12 * mu_12_x + c_12 * t111;
-  const Scalar U_11_yy_zz = t52 - t56;
-  const Scalar mu_11_x = Scalar(-6.823068516838894e-08) * U_11_yx -
-      Scalar(1.609852873477455e-07) * U_11_zx - Scalar(0.000615720268358608) * t107 +
-      Scalar(0.0007940924716883453) * U_11_yy_zz - Scalar(0.002280028171323094) * t109 +
-      Scalar(0.1737624403145115) * s_10 + t110 - s_12 * t111 + c_12 * mu_12_x;
-  tau[9] = Scalar(0.00035882787553735663) * qdd_10 - Scalar(0.08509272390476785) * c_10 -
-      s_11 * mu_11_y + c_11 * mu_11_x;
-  const Scalar U_6_yy_zz = t17 - t73;
-  const Scalar t112 = Scalar(2.0) * qd_4;
-  const Scalar t113 = qdd_4 * t27 + t112 * t29 * omega_6_z;
-  const Scalar t114 = qd_5 * t112;
-  const Scalar t115 = s_5 * t114 - t77;
-  const Scalar t116 = Scalar(0.00023148988883634047) * U_6_yy_zz -
-      Scalar(0.000615720268358608) * t115 - Scalar(0.0005411142213171667) * t113 +
-      Scalar(0.037751348953737156) * s_4;
-  const Scalar t117 = Scalar(3.01e-06) * qd_4 * t27 * omega_6_z - Scalar(1.505e-06) * t32 +
-      Scalar(0.00023148988883634047) * t31;
-  const Scalar U_5_zx = t76 + c_5 * t114;
-  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t17 - t75) -
-      Scalar(1.609852873477455e-07) * t115 + Scalar(0.000020065123418265) * s_4 -
-      Scalar(0.000015550028164806267) * U_5_zx + c_6 * t117 + Scalar(0.0007940924716883453) * t25 +
-      s_6 * t116;
-  const Scalar U_5_yy_zz = t17 - t21;
-  const Scalar t118 = Scalar(-6.823068516838894e-08) * U_5_yx -
-      Scalar(1.609852873477455e-07) * U_5_zx - s_6 * t117 - Scalar(0.000615720268358608) * t113 +
-      Scalar(0.0007940924716883453) * U_5_yy_zz + c_6 * t116 - Scalar(0.002280028171323094) * t115 +
-      Scalar(0.1737624403145115) * s_4;
-  tau[3] = Scalar(0.00035882787553735663) * qdd_4 - s_5 * mu_5_y -
-      Scalar(0.08509272390476785) * c_4 + c_5 * t118;
+      Scalar(0.001231440536717216) * s_11 * qd_10 * qd_11 +
+      Scalar(0.000615720268358608) * c_11 * qdd_10 - Scalar(0.0005411142213171667) * t69 +
+      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t67 + Scalar(0.16) * f_e10_y -
+      t19 * h_e_4 + c_11_12 * t70;
+  const Scalar t71 = t19 * (t70 - Scalar(3.01e-06) * qd_10 * omega_12_z);
+  const Scalar t72 = c_11_12 * (Scalar(1.505e-06) * qdd_10 + h_e_4);
+  const Scalar mu_12_y = Scalar(0.00023148988883634047) * t23 + Scalar(0.05945) * t28 - t72 - t71;
+  const Scalar f_12_z = f_e10_y - Scalar(0.0038482516772413) * t69;
+  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
+  const Scalar t73 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+  const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
+      Scalar(6.823068516838894e-08) * s_11;
+  const Scalar t74 = qd_11 * (qd_11 * I_11_xz + t68 * t73);
+  const Scalar t75 = qdd_10 * (s_11 * I_t11_g - Scalar(0.0026388560468604506));
+  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
+      Scalar(0.0007940924716883453) * s_11;
+  const Scalar mr_11_x = c_11 - Scalar(0.00011547445686160344) * s_11;
+  const Scalar t76 = qdd_11 * I_11_yz + t74 + t75 + Scalar(0.08509272390476785) * c_10 -
+      Scalar(0.1737624403145115) * s_10 * mr_11_x - Scalar(0.16) * c_11 * f_12_z + t19 * mu_12_x +
+      c_11_12 * mu_12_y;
+  tau[9] = -t76;
+  const Scalar t77 = Scalar(0.0038482516772413) * t66 + t67;
+  const Scalar t78 = Scalar(0.0038482516772413) * t23 + t28;
+  const Scalar t79 = s_11 * (t19 * t77 - c_11_12 * t78);
+  const Scalar t80 = t79 + c_11 * (t19 * t78 + c_11_12 * t77);
+  const Scalar mr_11_y = c_11 + Scalar(8659.923823660012) * s_11;
+  tau[10] = t20 * t73 - qdd_10 * I_11_yz + Scalar(0.0022955781994879005) * qdd_11 +
+      Scalar(0.000020065123418265) * c_10 * mr_11_y - Scalar(0.16) * t80 + mu_12_z;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -612,7 +489,7 @@ inline constexpr bool inertia_matrix_nonzero[144] = {
 //   q[12]   in   joint positions, rad or m
 //   B[144]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //                12 x 12, row by row: entry (i, j) is B[12 * i + j]
-// Reads q[1..2], q[4..5], q[7..8], q[10..11]. Operations: 64 mul, 60 add, 16 sin/cos. Always zero:
+// Reads q[1..2], q[4..5], q[7..8], q[10..11]. Operations: 70 mul, 44 add, 16 sin/cos. Always zero:
 // 108 of the 144 entries of B.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
@@ -622,70 +499,54 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
       c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
-  B[14] = B[25] = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
-  B[53] = B[64] = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
-  B[92] = B[103] = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
-  B[131] = B[142] = Scalar(0.000615720268358608) * c_12 + Scalar(0.0005426192213171668);
-  const Scalar t1 = Scalar(0.001231440536717216) * c_12;
-  B[130] = t1 + Scalar(0.002838197420805067);
-  const Scalar t2 = Scalar(0.001231440536717216) * c_9;
-  B[91] = t2 + Scalar(0.002838197420805067);
-  const Scalar t3 = Scalar(0.001231440536717216) * c_6;
-  B[52] = t3 + Scalar(0.002838197420805067);
-  const Scalar t4 = Scalar(0.001231440536717216) * c_3;
-  B[13] = t4 + Scalar(0.002838197420805067);
-  const Scalar t5 = Scalar(0.00023148988883634047) * c_3;
-  const Scalar t6 = Scalar(0.00023148988883634047) * s_3;
-  B[2] = B[24] = s_2 * t5 + c_2 * t6;
-  const Scalar t7 = Scalar(0.00023148988883634047) * c_9;
-  const Scalar t8 = Scalar(0.00023148988883634047) * s_9;
-  B[80] = B[102] = s_8 * t7 + c_8 * t8;
-  const Scalar Ic_8_xz = t8 - Scalar(6.823068516838894e-08);
-  B[79] = B[90] = c_8 * Ic_8_xz + s_8 * (t7 + Scalar(0.0007940924716883453));
-  const Scalar Ic_2_xz = t6 - Scalar(6.823068516838894e-08);
-  B[1] = B[12] = c_2 * Ic_2_xz + s_2 * (t5 + Scalar(0.0007940924716883453));
-  const Scalar t9 = Scalar(0.00023148988883634047) * c_6;
-  const Scalar t10 = Scalar(0.00023148988883634047) * s_6;
-  B[41] = B[63] = -s_5 * t9 - c_5 * t10;
-  const Scalar t11 = Scalar(0.00023148988883634047) * c_12;
-  const Scalar t12 = Scalar(0.00023148988883634047) * s_12;
-  B[119] = B[141] = -s_11 * t11 - c_11 * t12;
-  const Scalar Ic_11_yz = t11 + Scalar(0.0007940924716883453);
-  B[118] = B[129] = -c_11 * (Scalar(6.823068516838894e-08) + t12) - s_11 * Ic_11_yz;
-  const Scalar Ic_5_yz = t9 + Scalar(0.0007940924716883453);
-  B[40] = B[51] = -c_5 * (Scalar(6.823068516838894e-08) + t10) - s_5 * Ic_5_yz;
-  const Scalar t13 = Scalar(0.0005396092213171668) * c_12;
-  const Scalar t14 = c_12 * t13;
-  const Scalar Ic_11_xx = t14 + t1 + Scalar(0.0022644781431582876);
-  const Scalar Iu_11_t_d = t14 - Scalar(0.0005396092213171668) + Ic_11_xx;
-  const Scalar Ic_11_xy = Scalar(1.609852873477455e-07) + Scalar(0.000615720268358608) * s_12 +
-      s_12 * t13;
-  const Scalar Iu_11_t_g = Scalar(2.0) * c_11 * Ic_11_xy + s_11 * Iu_11_t_d;
-  B[117] = Scalar(0.00037588290370216287) - s_11 * Iu_11_t_g + Ic_11_xx;
-  const Scalar t15 = Scalar(0.0005396092213171668) * c_9;
-  const Scalar t16 = c_9 * t15;
-  const Scalar Ic_8_xx = t16 + t2 + Scalar(0.0022644781431582876);
-  const Scalar Iu_8_t_d = t16 - Scalar(0.0005396092213171668) + Ic_8_xx;
-  const Scalar Ic_8_xy = Scalar(0.000615720268358608) * s_9 - Scalar(1.609852873477455e-07) +
-      s_9 * t15;
-  const Scalar Iu_8_t_g = Scalar(2.0) * c_8 * Ic_8_xy + s_8 * Iu_8_t_d;
-  B[78] = Scalar(0.00037588290370216287) - s_8 * Iu_8_t_g + Ic_8_xx;
-  const Scalar t17 = Scalar(0.0005396092213171668) * c_6;
-  const Scalar t18 = c_6 * t17;
-  const Scalar Ic_5_xx = t18 + t3 + Scalar(0.0022644781431582876);
-  const Scalar Iu_5_t_d = t18 - Scalar(0.0005396092213171668) + Ic_5_xx;
-  const Scalar Ic_5_xy = Scalar(1.609852873477455e-07) + Scalar(0.000615720268358608) * s_6 +
-      s_6 * t17;
-  const Scalar Iu_5_t_g = Scalar(2.0) * c_5 * Ic_5_xy + s_5 * Iu_5_t_d;
-  B[39] = Scalar(0.00037588290370216287) - s_5 * Iu_5_t_g + Ic_5_xx;
-  const Scalar t19 = Scalar(0.0005396092213171668) * c_3;
-  const Scalar t20 = c_3 * t19;
-  const Scalar Ic_2_xx = t20 + t4 + Scalar(0.0022644781431582876);
-  const Scalar Iu_2_t_d = t20 - Scalar(0.0005396092213171668) + Ic_2_xx;
-  const Scalar Ic_2_xy = Scalar(0.000615720268358608) * s_3 - Scalar(1.609852873477455e-07) +
-      s_3 * t19;
-  const Scalar Iu_2_t_g = Scalar(2.0) * c_2 * Ic_2_xy + s_2 * Iu_2_t_d;
-  B[0] = Scalar(0.00037588290370216287) - s_2 * Iu_2_t_g + Ic_2_xx;
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar mu_u_9_8_a_z = Scalar(0.00023148988883634047) * c_8_9;
+  B[80] = B[102] = mu_u_9_8_a_z;
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar mu_u_3_2_a_z = Scalar(0.00023148988883634047) * c_2_3;
+  B[2] = B[24] = mu_u_3_2_a_z;
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  B[41] = B[63] = Scalar(-0.00023148988883634047) * c_5_6;
+  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
+  B[119] = B[141] = Scalar(-0.00023148988883634047) * c_11_12;
+  B[118] = B[129] = Scalar(-6.823068516838894e-08) * c_11 -
+      Scalar(0.00023148988883634047) * c_11_12 - Scalar(0.0007940924716883453) * s_11;
+  const Scalar t1 = c_11 * (s_11 * s_12 - c_11 * c_12);
+  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
+  B[117] = Scalar(-0.0005396092213171668) * c_11_12 * c_11_12 - Scalar(0.001231440536717216) * t1 -
+      s_11 * I_t11_g + Scalar(0.0031799702681776175);
+  B[79] = B[90] = mu_u_9_8_a_z - Scalar(6.823068516838894e-08) * c_8 +
+      Scalar(0.0007940924716883453) * s_8;
+  const Scalar t2 = c_8 * (s_8 * s_9 - c_8 * c_9);
+  const Scalar t3 = s_8 * (Scalar(3.21970574695491e-07) * c_8 -
+      Scalar(0.0022644781431582876) * s_8);
+  B[78] = Scalar(-0.0005396092213171668) * c_8_9 * c_8_9 - Scalar(0.001231440536717216) * t2 + t3 +
+      Scalar(0.0031799702681776175);
+  B[40] = B[51] = Scalar(-6.823068516838894e-08) * c_5 - Scalar(0.00023148988883634047) * c_5_6 -
+      Scalar(0.0007940924716883453) * s_5;
+  const Scalar t4 = c_5 * (s_5 * s_6 - c_5 * c_6);
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  B[39] = Scalar(-0.0005396092213171668) * c_5_6 * c_5_6 - Scalar(0.001231440536717216) * t4 -
+      s_5 * I_t5_g + Scalar(0.0031799702681776175);
+  B[1] = B[12] = mu_u_3_2_a_z - Scalar(6.823068516838894e-08) * c_2 +
+      Scalar(0.0007940924716883453) * s_2;
+  const Scalar t5 = c_2 * (s_2 * s_3 - c_2 * c_3);
+  const Scalar t6 = s_2 * (Scalar(3.21970574695491e-07) * c_2 -
+      Scalar(0.0022644781431582876) * s_2);
+  B[0] = Scalar(-0.0005396092213171668) * c_2_3 * c_2_3 - Scalar(0.001231440536717216) * t5 + t6 +
+      Scalar(0.0031799702681776175);
+  const Scalar t7 = t1 - s_11 * c_11_12;
+  B[130] = Scalar(0.002838197420805067) - Scalar(0.001231440536717216) * t7;
+  const Scalar t8 = t2 - s_8 * c_8_9;
+  B[91] = Scalar(0.002838197420805067) - Scalar(0.001231440536717216) * t8;
+  const Scalar t9 = t4 - s_5 * c_5_6;
+  B[52] = Scalar(0.002838197420805067) - Scalar(0.001231440536717216) * t9;
+  const Scalar t10 = t5 - s_2 * c_2_3;
+  B[13] = Scalar(0.002838197420805067) - Scalar(0.001231440536717216) * t10;
+  B[14] = B[25] = Scalar(0.0005426192213171668) - Scalar(0.000615720268358608) * t10;
+  B[53] = B[64] = Scalar(0.0005426192213171668) - Scalar(0.000615720268358608) * t9;
+  B[92] = B[103] = Scalar(0.0005426192213171668) - Scalar(0.000615720268358608) * t8;
+  B[131] = B[142] = Scalar(0.0005426192213171668) - Scalar(0.000615720268358608) * t7;
   B[3] = B[4] = B[5] = B[6] = B[7] = B[8] = B[9] = B[10] = Scalar(0.0);
   B[11] = B[15] = B[16] = B[17] = B[18] = B[19] = B[20] = B[21] = Scalar(0.0);
   B[22] = B[23] = B[27] = B[28] = B[29] = B[30] = B[31] = B[32] = Scalar(0.0);
@@ -746,7 +607,7 @@ inline constexpr bool christoffel_nonzero[936] = {
 //   q[12]   in   joint positions, rad or m
 //   c[936]  out  Christoffel symbols c_ijk = c_ikj, j <= k
 //                c_ijk = c_ikj is c[78 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
-// Reads q[1..2], q[4..5], q[7..8], q[10..11]. Operations: 96 mul, 48 add, 16 sin/cos. Always zero:
+// Reads q[1..2], q[4..5], q[7..8], q[10..11]. Operations: 74 mul, 40 add, 16 sin/cos. Always zero:
 // 896 of the 936 entries of c.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
@@ -756,79 +617,79 @@ inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) 
       c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
-  c[158] = Scalar(0.000615720268358608) * s_3;
-  c[82] = c[83] = Scalar(-0.000615720268358608) * s_3;
-  c[404] = Scalar(0.000615720268358608) * s_6;
-  c[331] = c[332] = Scalar(-0.000615720268358608) * s_6;
-  c[659] = Scalar(0.000615720268358608) * s_9;
-  c[589] = c[590] = Scalar(-0.000615720268358608) * s_9;
-  c[923] = Scalar(0.000615720268358608) * s_12;
-  c[856] = c[857] = Scalar(-0.000615720268358608) * s_12;
   const Scalar t1 = c_2 * c_3 - s_2 * s_3;
   c[4] = c[5] = Scalar(0.00023148988883634047) * t1;
   const Scalar t2 = c_5 * c_6 - s_5 * s_6;
-  c[253] = c[254] = Scalar(-0.00023148988883634047) * t2;
+  const Scalar c_4_6_6 = Scalar(-0.00023148988883634047) * t2;
+  c[253] = c[254] = c_4_6_6;
   const Scalar t3 = c_8 * c_9 - s_8 * s_9;
   c[511] = c[512] = Scalar(0.00023148988883634047) * t3;
   const Scalar t4 = c_11 * c_12 - s_11 * s_12;
-  c[778] = c[779] = Scalar(-0.00023148988883634047) * t4;
-  const Scalar dI_2_xz = Scalar(0.00011574494441817024) * c_3 + Scalar(0.00039704623584417266);
-  const Scalar Ic_2_xz = Scalar(0.00011574494441817024) * s_3 - Scalar(3.411534258419447e-08);
-  c[2] = Scalar(2.0) * (c_2 * dI_2_xz - s_2 * Ic_2_xz);
-  const Scalar dmu_1_3_y = Scalar(0.000615720268358608) * c_2 + Scalar(0.0005396092213171668) * t1;
-  const Scalar c_3_1_1 = (c_2 * s_3 + s_2 * c_3) * dmu_1_3_y;
-  c[156] = c_3_1_1;
-  const Scalar Ic_5_yz = Scalar(0.00011574494441817024) * c_6 + Scalar(0.00039704623584417266);
-  c[248] = Scalar(-2.0) * (c_5 * Ic_5_yz -
-      s_5 * (Scalar(3.411534258419447e-08) + Scalar(0.00011574494441817024) * s_6));
-  const Scalar dmu_4_6_y = Scalar(0.000615720268358608) * c_5 + Scalar(0.0005396092213171668) * t2;
-  const Scalar c_6_4_4 = (c_5 * s_6 + s_5 * c_6) * dmu_4_6_y;
-  c[399] = c_6_4_4;
-  const Scalar dI_8_xz = Scalar(0.00011574494441817024) * c_9 + Scalar(0.00039704623584417266);
-  const Scalar Ic_8_xz = Scalar(0.00011574494441817024) * s_9 - Scalar(3.411534258419447e-08);
-  c[503] = Scalar(2.0) * (c_8 * dI_8_xz - s_8 * Ic_8_xz);
-  const Scalar dmu_7_9_y = Scalar(0.000615720268358608) * c_8 + Scalar(0.0005396092213171668) * t3;
-  const Scalar c_9_7_7 = (c_8 * s_9 + s_8 * c_9) * dmu_7_9_y;
-  c[651] = c_9_7_7;
-  const Scalar Ic_11_yz = Scalar(0.00011574494441817024) * c_12 + Scalar(0.00039704623584417266);
-  c[767] = Scalar(-2.0) * (c_11 * Ic_11_yz -
-      s_11 * (Scalar(3.411534258419447e-08) + Scalar(0.00011574494441817024) * s_12));
+  const Scalar c_10_12_12 = Scalar(-0.00023148988883634047) * t4;
+  c[778] = c[779] = c_10_12_12;
   const Scalar dmu_10_12_y = Scalar(0.000615720268358608) * c_11 +
       Scalar(0.0005396092213171668) * t4;
-  const Scalar c_12_10_10 = (c_11 * s_12 + s_11 * c_12) * dmu_10_12_y;
+  const Scalar c_11_12 = c_11 * s_12 + s_11 * c_12;
+  const Scalar c_12_10_10 = c_11_12 * dmu_10_12_y;
   c[912] = c_12_10_10;
+  const Scalar dmu_7_9_y = Scalar(0.000615720268358608) * c_8 + Scalar(0.0005396092213171668) * t3;
+  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
+  const Scalar c_9_7_7 = c_8_9 * dmu_7_9_y;
+  c[651] = c_9_7_7;
+  const Scalar dmu_4_6_y = Scalar(0.000615720268358608) * c_5 + Scalar(0.0005396092213171668) * t2;
+  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
+  const Scalar c_6_4_4 = c_5_6 * dmu_4_6_y;
+  c[399] = c_6_4_4;
+  const Scalar dmu_1_3_y = Scalar(0.000615720268358608) * c_2 + Scalar(0.0005396092213171668) * t1;
+  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar c_3_1_1 = c_2_3 * dmu_1_3_y;
+  c[156] = c_3_1_1;
+  c[2] = Scalar(6.823068516838894e-08) * s_2 - Scalar(-0.00023148988883634047) * t1 +
+      Scalar(0.0007940924716883453) * c_2;
+  c[503] = Scalar(6.823068516838894e-08) * s_8 - Scalar(-0.00023148988883634047) * t3 +
+      Scalar(0.0007940924716883453) * c_8;
+  const Scalar t5 = s_11 * t4;
+  const Scalar I_t11_g = c_11 + Scalar(7033.183530202893) * s_11;
+  const Scalar dI_11_xx = c_12_10_10 - Scalar(1.609852873477455e-07) +
+      Scalar(0.000615720268358608) * t5 + Scalar(3.21970574695491e-07) * c_11 * I_t11_g;
+  c[834] = dI_11_xx;
+  const Scalar t6 = s_8 * t3;
+  const Scalar t7 = c_8 * (c_8 - Scalar(7033.183530202893) * s_8);
+  const Scalar dI_8_xx = Scalar(1.609852873477455e-07) + c_9_7_7 +
+      Scalar(0.000615720268358608) * t6 - Scalar(3.21970574695491e-07) * t7;
+  c[573] = dI_8_xx;
+  const Scalar t8 = s_5 * t2;
+  const Scalar I_t5_g = c_5 + Scalar(7033.183530202893) * s_5;
+  const Scalar dI_5_xx = c_6_4_4 - Scalar(1.609852873477455e-07) +
+      Scalar(0.000615720268358608) * t8 + Scalar(3.21970574695491e-07) * c_5 * I_t5_g;
+  c[321] = dI_5_xx;
+  const Scalar t9 = s_2 * t1;
+  const Scalar t10 = c_2 * (c_2 - Scalar(7033.183530202893) * s_2);
+  const Scalar dI_2_xx = Scalar(1.609852873477455e-07) + c_3_1_1 +
+      Scalar(0.000615720268358608) * t9 - Scalar(3.21970574695491e-07) * t10;
+  c[78] = dI_2_xx;
   c[3] = -c_3_1_1;
+  const Scalar t11 = t9 - c_2 * c_2_3;
+  c[158] = Scalar(-0.000615720268358608) * t11;
+  c[82] = c[83] = Scalar(0.000615720268358608) * t11;
+  c[248] = Scalar(6.823068516838894e-08) * s_5 + c_4_6_6 - Scalar(0.0007940924716883453) * c_5;
   c[252] = -c_6_4_4;
+  const Scalar t12 = t8 - c_5 * c_5_6;
+  c[404] = Scalar(-0.000615720268358608) * t12;
+  c[331] = c[332] = Scalar(0.000615720268358608) * t12;
   c[510] = -c_9_7_7;
+  const Scalar t13 = t6 - c_8 * c_8_9;
+  c[659] = Scalar(-0.000615720268358608) * t13;
+  c[589] = c[590] = Scalar(0.000615720268358608) * t13;
+  c[767] = Scalar(6.823068516838894e-08) * s_11 + c_10_12_12 - Scalar(0.0007940924716883453) * c_11;
   c[777] = -c_12_10_10;
-  const Scalar t5 = Scalar(0.0005396092213171668) * c_3 + Scalar(0.000615720268358608);
-  const Scalar Ic_2_xy = s_3 * t5 - Scalar(1.609852873477455e-07);
-  const Scalar Iu_2_t_d = c_3 * t5 + Scalar(0.0008624344609205605);
-  const Scalar Iu_2_t_g = c_2 * Ic_2_xy + s_2 * Iu_2_t_d;
-  const Scalar c_2_1_1 = c_2 * Iu_2_t_g + s_2 * (c_2 * Iu_2_t_d - s_2 * Ic_2_xy);
-  c[78] = c_2_1_1;
-  const Scalar t6 = Scalar(0.0005396092213171668) * c_6 + Scalar(0.000615720268358608);
-  const Scalar Ic_5_xy = Scalar(1.609852873477455e-07) + s_6 * t6;
-  const Scalar Iu_5_t_d = c_6 * t6 + Scalar(0.0008624344609205605);
-  const Scalar Iu_5_t_g = c_5 * Ic_5_xy + s_5 * Iu_5_t_d;
-  const Scalar c_5_4_4 = c_5 * Iu_5_t_g + s_5 * (c_5 * Iu_5_t_d - s_5 * Ic_5_xy);
-  c[321] = c_5_4_4;
-  const Scalar t7 = Scalar(0.0005396092213171668) * c_9 + Scalar(0.000615720268358608);
-  const Scalar Ic_8_xy = s_9 * t7 - Scalar(1.609852873477455e-07);
-  const Scalar Iu_8_t_d = c_9 * t7 + Scalar(0.0008624344609205605);
-  const Scalar Iu_8_t_g = c_8 * Ic_8_xy + s_8 * Iu_8_t_d;
-  const Scalar c_8_7_7 = c_8 * Iu_8_t_g + s_8 * (c_8 * Iu_8_t_d - s_8 * Ic_8_xy);
-  c[573] = c_8_7_7;
-  const Scalar t8 = Scalar(0.0005396092213171668) * c_12 + Scalar(0.000615720268358608);
-  const Scalar Ic_11_xy = Scalar(1.609852873477455e-07) + s_12 * t8;
-  const Scalar Iu_11_t_d = c_12 * t8 + Scalar(0.0008624344609205605);
-  const Scalar Iu_11_t_g = c_11 * Ic_11_xy + s_11 * Iu_11_t_d;
-  const Scalar c_11_10_10 = c_11 * Iu_11_t_g + s_11 * (c_11 * Iu_11_t_d - s_11 * Ic_11_xy);
-  c[834] = c_11_10_10;
-  c[1] = -c_2_1_1;
-  c[247] = -c_5_4_4;
-  c[502] = -c_8_7_7;
-  c[766] = -c_11_10_10;
+  const Scalar t14 = t5 - c_11 * c_11_12;
+  c[923] = Scalar(-0.000615720268358608) * t14;
+  c[856] = c[857] = Scalar(0.000615720268358608) * t14;
+  c[766] = -dI_11_xx;
+  c[502] = -dI_8_xx;
+  c[247] = -dI_5_xx;
+  c[1] = -dI_2_xx;
   c[0] = c[6] = c[7] = c[8] = c[9] = c[10] = c[11] = c[12] = Scalar(0.0);
   c[13] = c[14] = c[15] = c[16] = c[17] = c[18] = c[19] = c[20] = Scalar(0.0);
   c[21] = c[22] = c[23] = c[24] = c[25] = c[26] = c[27] = c[28] = Scalar(0.0);
@@ -963,7 +824,7 @@ inline constexpr bool coriolis_matrix_nonzero[144] = {
 //   qd[12]  in   joint velocities, rad/s or m/s
 //   C[144]  out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
 //                12 x 12, row by row: entry (i, j) is C[12 * i + j]
-// Reads q[1..2], q[4..5], q[7..8], q[10..11], qd[0..11]. Operations: 140 mul, 72 add, 16 sin/cos.
+// Reads q[1..2], q[4..5], q[7..8], q[10..11], qd[0..11]. Operations: 108 mul, 60 add, 16 sin/cos.
 // Always zero: 112 of the 144 entries of C.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
@@ -976,115 +837,100 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
       c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
-  const Scalar t1 = Scalar(0.000615720268358608) * s_3;
-  const Scalar C_3_2 = qd_2 * t1;
-  C[25] = C_3_2;
-  const Scalar t2 = Scalar(0.000615720268358608) * s_6;
-  const Scalar C_6_5 = qd_5 * t2;
-  C[64] = C_6_5;
-  const Scalar t3 = Scalar(0.000615720268358608) * s_9;
-  const Scalar C_9_8 = qd_8 * t3;
-  C[103] = C_9_8;
-  const Scalar t4 = Scalar(0.000615720268358608) * s_12;
-  const Scalar C_12_11 = qd_11 * t4;
-  C[142] = C_12_11;
-  const Scalar t5 = qd_3 * t1;
-  C[13] = -t5;
-  const Scalar t6 = qd_6 * t2;
-  C[52] = -t6;
-  const Scalar t7 = qd_9 * t3;
-  C[91] = -t7;
-  const Scalar t8 = qd_12 * t4;
-  C[130] = -t8;
-  C[14] = -t5 - C_3_2;
-  C[53] = -t6 - C_6_5;
-  C[92] = -t7 - C_9_8;
-  C[131] = -t8 - C_12_11;
-  const Scalar t9 = s_2 * s_3 - c_2 * c_3;
-  const Scalar dmu_1_3_y = Scalar(0.000307860134179304) * c_2 - Scalar(0.0002698046106585834) * t9;
-  const Scalar t10 = dmu_1_3_y * Scalar(2.0) * (s_2 * c_3 + c_2 * s_3);
-  const Scalar C_3_1 = qd_1 * t10;
+  const Scalar t1 = c_2 * c_3 - s_2 * s_3;
+  const Scalar t2 = Scalar(0.000615720268358608) * c_2;
+  const Scalar dmu_1_3_y = Scalar(0.0005396092213171668) * t1 + t2;
+  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar t3 = c_2_3 * dmu_1_3_y;
+  const Scalar C_3_1 = qd_1 * t3;
   C[24] = C_3_1;
-  const Scalar t11 = s_5 * s_6 - c_5 * c_6;
-  const Scalar dmu_4_6_y = Scalar(0.000307860134179304) * c_5 - Scalar(0.0002698046106585834) * t11;
-  const Scalar t12 = dmu_4_6_y * Scalar(2.0) * (s_5 * c_6 + c_5 * s_6);
-  const Scalar C_6_4 = qd_4 * t12;
+  const Scalar t4 = c_5 * c_6 - s_5 * s_6;
+  const Scalar t5 = Scalar(0.000615720268358608) * c_5;
+  const Scalar dmu_4_6_y = Scalar(0.0005396092213171668) * t4 + t5;
+  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
+  const Scalar t6 = c_5_6 * dmu_4_6_y;
+  const Scalar C_6_4 = qd_4 * t6;
   C[63] = C_6_4;
-  const Scalar t13 = s_8 * s_9 - c_8 * c_9;
-  const Scalar dmu_7_9_y = Scalar(0.000307860134179304) * c_8 - Scalar(0.0002698046106585834) * t13;
-  const Scalar t14 = dmu_7_9_y * Scalar(2.0) * (s_8 * c_9 + c_8 * s_9);
-  const Scalar C_9_7 = qd_7 * t14;
+  const Scalar t7 = c_8 * c_9 - s_8 * s_9;
+  const Scalar t8 = Scalar(0.000615720268358608) * c_8;
+  const Scalar dmu_7_9_y = Scalar(0.0005396092213171668) * t7 + t8;
+  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
+  const Scalar t9 = c_8_9 * dmu_7_9_y;
+  const Scalar C_9_7 = qd_7 * t9;
   C[102] = C_9_7;
-  const Scalar t15 = s_11 * s_12 - c_11 * c_12;
-  const Scalar dmu_10_12_y = Scalar(0.000307860134179304) * c_11 -
-      Scalar(0.0002698046106585834) * t15;
-  const Scalar t16 = dmu_10_12_y * Scalar(2.0) * (s_11 * c_12 + c_11 * s_12);
-  const Scalar C_12_10 = qd_10 * t16;
+  const Scalar t10 = c_11 * c_12 - s_11 * s_12;
+  const Scalar t11 = Scalar(0.000615720268358608) * c_11;
+  const Scalar dmu_10_12_y = Scalar(0.0005396092213171668) * t10 + t11;
+  const Scalar c_11_12 = c_11 * s_12 + s_11 * c_12;
+  const Scalar t12 = c_11_12 * dmu_10_12_y;
+  const Scalar C_12_10 = qd_10 * t12;
   C[141] = C_12_10;
-  const Scalar t17 = Scalar(-0.00023148988883634047) * t9;
-  const Scalar t18 = qd_3 * t17;
-  C[2] = t18 + qd_2 * t17 - C_3_1;
-  const Scalar t19 = Scalar(-0.00023148988883634047) * t13;
-  const Scalar t20 = qd_9 * t19;
-  C[80] = t20 + qd_8 * t19 - C_9_7;
-  const Scalar t21 = Scalar(-0.00023148988883634047) * t11;
-  const Scalar t22 = qd_6 * t21;
-  C[41] = -t22 - qd_5 * t21 - C_6_4;
-  const Scalar t23 = Scalar(-0.00023148988883634047) * t15;
-  const Scalar t24 = qd_12 * t23;
-  C[119] = -t24 - qd_11 * t23 - C_12_10;
-  const Scalar t25 = c_3 + Scalar(1.1410484551313946);
-  const Scalar Ic_2_xy = Scalar(0.0002698046106585834) * s_3 * t25 - Scalar(8.049264367387275e-08);
-  const Scalar t26 = Scalar(2.0) * Ic_2_xy;
-  const Scalar Iu_2_t_d = Scalar(0.0005396092213171668) * c_3 * t25 + Scalar(0.0008624344609205605);
-  const Scalar Iu_2_t_g = c_2 * t26 + s_2 * Iu_2_t_d;
-  const Scalar t27 = s_2 * (s_2 * t26 - c_2 * Iu_2_t_d) - c_2 * Iu_2_t_g;
-  const Scalar t28 = qd_1 * t27;
-  C[12] = -t28;
-  const Scalar Ic_2_xz = Scalar(0.00011574494441817024) * s_3 - Scalar(3.411534258419447e-08);
-  const Scalar dI_2_xz = Scalar(0.00011574494441817024) * c_3 + Scalar(0.00039704623584417266);
-  C[1] = t18 - Scalar(2.0) * qd_2 * (s_2 * Ic_2_xz - c_2 * dI_2_xz) + t28;
-  const Scalar t29 = c_6 + Scalar(1.1410484551313946);
-  const Scalar Ic_5_xy = Scalar(8.049264367387275e-08) + Scalar(0.0002698046106585834) * s_6 * t29;
-  const Scalar t30 = Scalar(2.0) * Ic_5_xy;
-  const Scalar Iu_5_t_d = Scalar(0.0005396092213171668) * c_6 * t29 + Scalar(0.0008624344609205605);
-  const Scalar Iu_5_t_g = c_5 * t30 + s_5 * Iu_5_t_d;
-  const Scalar t31 = s_5 * (s_5 * t30 - c_5 * Iu_5_t_d) - c_5 * Iu_5_t_g;
-  const Scalar t32 = qd_4 * t31;
-  C[51] = -t32;
-  const Scalar Ic_5_yz = Scalar(0.00011574494441817024) * c_6 + Scalar(0.00039704623584417266);
-  const Scalar t33 = qd_5 * (s_5 *
-      (Scalar(3.411534258419447e-08) + Scalar(0.00011574494441817024) * s_6) - c_5 * Ic_5_yz);
-  C[40] = Scalar(2.0) * t33 - t22 + t32;
-  const Scalar t34 = c_9 + Scalar(1.1410484551313946);
-  const Scalar Ic_8_xy = Scalar(0.0002698046106585834) * s_9 * t34 - Scalar(8.049264367387275e-08);
-  const Scalar t35 = Scalar(2.0) * Ic_8_xy;
-  const Scalar Iu_8_t_d = Scalar(0.0005396092213171668) * c_9 * t34 + Scalar(0.0008624344609205605);
-  const Scalar Iu_8_t_g = c_8 * t35 + s_8 * Iu_8_t_d;
-  const Scalar t36 = s_8 * (s_8 * t35 - c_8 * Iu_8_t_d) - c_8 * Iu_8_t_g;
-  const Scalar t37 = qd_7 * t36;
-  C[90] = -t37;
-  const Scalar Ic_8_xz = Scalar(0.00011574494441817024) * s_9 - Scalar(3.411534258419447e-08);
-  const Scalar dI_8_xz = Scalar(0.00011574494441817024) * c_9 + Scalar(0.00039704623584417266);
-  C[79] = t20 - Scalar(2.0) * qd_8 * (s_8 * Ic_8_xz - c_8 * dI_8_xz) + t37;
-  const Scalar t38 = c_12 + Scalar(1.1410484551313946);
-  const Scalar Ic_11_xy = Scalar(8.049264367387275e-08) +
-      Scalar(0.0002698046106585834) * s_12 * t38;
-  const Scalar t39 = Scalar(2.0) * Ic_11_xy;
-  const Scalar Iu_11_t_d = Scalar(0.0005396092213171668) * c_12 * t38 +
-      Scalar(0.0008624344609205605);
-  const Scalar Iu_11_t_g = c_11 * t39 + s_11 * Iu_11_t_d;
-  const Scalar t40 = s_11 * (s_11 * t39 - c_11 * Iu_11_t_d) - c_11 * Iu_11_t_g;
-  const Scalar t41 = qd_10 * t40;
-  C[129] = -t41;
-  const Scalar Ic_11_yz = Scalar(0.00011574494441817024) * c_12 + Scalar(0.00039704623584417266);
-  const Scalar t42 = qd_11 * (s_11 *
-      (Scalar(3.411534258419447e-08) + Scalar(0.00011574494441817024) * s_12) - c_11 * Ic_11_yz);
-  C[118] = Scalar(2.0) * t42 - t24 + t41;
-  C[0] = qd_2 * t27 - qd_3 * t10;
-  C[39] = qd_5 * t31 - qd_6 * t12;
-  C[78] = qd_8 * t36 - qd_9 * t14;
-  C[117] = qd_11 * t40 - qd_12 * t16;
+  const Scalar t13 = Scalar(-0.000615720268358608) * s_2 * t1;
+  const Scalar t14 = Scalar(1.609852873477455e-07) + t3 - t13 -
+      Scalar(3.21970574695491e-07) * c_2 * (c_2 - Scalar(7033.183530202893) * s_2);
+  const Scalar C_2_1 = qd_1 * t14;
+  C[12] = C_2_1;
+  const Scalar t15 = t13 + c_2_3 * t2;
+  C[25] = qd_2 * t15;
+  const Scalar t16 = Scalar(-0.000615720268358608) * s_5 * t4;
+  const Scalar I_t5_g = c_5 + Scalar(7033.183530202893) * s_5;
+  const Scalar t17 = t6 - Scalar(1.609852873477455e-07) - t16 +
+      Scalar(3.21970574695491e-07) * c_5 * I_t5_g;
+  const Scalar C_5_4 = qd_4 * t17;
+  C[51] = C_5_4;
+  const Scalar t18 = t16 + c_5_6 * t5;
+  C[64] = qd_5 * t18;
+  const Scalar t19 = Scalar(-0.000615720268358608) * s_8 * t7;
+  const Scalar t20 = Scalar(1.609852873477455e-07) + t9 - t19 -
+      Scalar(3.21970574695491e-07) * c_8 * (c_8 - Scalar(7033.183530202893) * s_8);
+  const Scalar C_8_7 = qd_7 * t20;
+  C[90] = C_8_7;
+  const Scalar t21 = t19 + c_8_9 * t8;
+  C[103] = qd_8 * t21;
+  const Scalar t22 = Scalar(-0.000615720268358608) * s_11 * t10;
+  const Scalar I_t11_g = c_11 + Scalar(7033.183530202893) * s_11;
+  const Scalar t23 = t12 - Scalar(1.609852873477455e-07) - t22 +
+      Scalar(3.21970574695491e-07) * c_11 * I_t11_g;
+  const Scalar C_11_10 = qd_10 * t23;
+  C[129] = C_11_10;
+  const Scalar t24 = t22 + c_11_12 * t11;
+  C[142] = qd_11 * t24;
+  const Scalar t25 = Scalar(-0.00023148988883634047) * t1;
+  const Scalar t26 = qd_2 + qd_3;
+  C[2] = -t25 * t26 - C_3_1;
+  C[13] = -qd_3 * t15;
+  C[14] = -t15 * t26;
+  const Scalar t27 = Scalar(-0.00023148988883634047) * t4;
+  const Scalar t28 = qd_5 + qd_6;
+  C[41] = t27 * t28 - C_6_4;
+  C[52] = -qd_6 * t18;
+  C[53] = -t18 * t28;
+  const Scalar t29 = Scalar(-0.00023148988883634047) * t7;
+  const Scalar t30 = qd_8 + qd_9;
+  C[80] = -t29 * t30 - C_9_7;
+  C[91] = -qd_9 * t21;
+  C[92] = -t21 * t30;
+  const Scalar t31 = Scalar(-0.00023148988883634047) * t10;
+  const Scalar t32 = qd_11 + qd_12;
+  C[119] = t31 * t32 - C_12_10;
+  C[130] = -qd_12 * t24;
+  C[131] = -t24 * t32;
+  C[0] = -qd_3 * t3 - qd_2 * t14;
+  C[39] = -qd_6 * t6 - qd_5 * t17;
+  C[78] = -qd_9 * t9 - qd_8 * t20;
+  C[117] = -qd_12 * t12 - qd_11 * t23;
+  const Scalar db_12_2 = Scalar(0.00008592284601731775) * s_2 + Scalar(0.2915150276442773) * t1 +
+      c_2;
+  C[1] = -qd_3 * t25 - (C_2_1 - Scalar(0.0007940924716883453) * qd_2 * db_12_2);
+  const Scalar Ic_5_xz = Scalar(0.2915150276442773) * t4 - Scalar(0.00008592284601731775) * s_5 +
+      c_5;
+  C[40] = qd_6 * t27 - (Scalar(0.0007940924716883453) * qd_5 * Ic_5_xz + C_5_4);
+  const Scalar db_78_8 = Scalar(0.00008592284601731775) * s_8 + Scalar(0.2915150276442773) * t7 +
+      c_8;
+  C[79] = -qd_9 * t29 - (C_8_7 - Scalar(0.0007940924716883453) * qd_8 * db_78_8);
+  const Scalar Ic_11_xz = Scalar(0.2915150276442773) * t10 - Scalar(0.00008592284601731775) * s_11 +
+      c_11;
+  C[118] = qd_12 * t31 - (Scalar(0.0007940924716883453) * qd_11 * Ic_11_xz + C_11_10);
   C[3] = C[4] = C[5] = C[6] = C[7] = C[8] = C[9] = C[10] = Scalar(0.0);
   C[11] = C[15] = C[16] = C[17] = C[18] = C[19] = C[20] = C[21] = Scalar(0.0);
   C[22] = C[23] = C[26] = C[27] = C[28] = C[29] = C[30] = C[31] = Scalar(0.0);
@@ -1152,7 +998,7 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
 //   q[12]   in   joint positions, rad or m
 //   qd[12]  in   joint velocities, rad/s or m/s
 //   n[12]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11]. Operations: 232 mul, 160 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11]. Operations: 192 mul, 100 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
@@ -1165,155 +1011,123 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = c_2 * qd_1;
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = qd_2 * qd_2;
-  const Scalar t4 = t2 + t3;
-  const Scalar t5 = Scalar(61.3125) * c_1;
-  const Scalar t6 = s_2 * qd_1;
-  const Scalar t7 = t1 * t6;
-  const Scalar t8 = s_3 * (t4 + c_2 * t5) + c_3 * (t7 + s_2 * t5);
-  const Scalar t9 = s_3 * t6 - c_3 * t1;
-  const Scalar t10 = s_3 * t1 + c_3 * t6;
-  const Scalar t11 = t9 * t10;
-  const Scalar N_3_z = Scalar(0.000615720268358608) * t8 - Scalar(0.0005396092213171668) * t11;
-  n[2] = N_3_z;
-  const Scalar t12 = c_5 * qd_4;
-  const Scalar t13 = t12 * t12;
-  const Scalar t14 = qd_5 * qd_5;
-  const Scalar t15 = t13 + t14;
-  const Scalar t16 = Scalar(61.3125) * c_4;
-  const Scalar t17 = s_5 * qd_4;
-  const Scalar t18 = t12 * t17;
-  const Scalar t19 = s_6 * (t15 + c_5 * t16) + c_6 * (t18 + s_5 * t16);
-  const Scalar t20 = s_6 * t17 - c_6 * t12;
-  const Scalar t21 = s_6 * t12 + c_6 * t17;
-  const Scalar t22 = t20 * t21;
-  const Scalar N_6_z = Scalar(0.000615720268358608) * t19 - Scalar(0.0005396092213171668) * t22;
-  n[5] = N_6_z;
-  const Scalar t23 = c_8 * qd_7;
-  const Scalar t24 = t23 * t23;
-  const Scalar t25 = qd_8 * qd_8;
-  const Scalar t26 = t24 + t25;
-  const Scalar t27 = Scalar(61.3125) * c_7;
-  const Scalar t28 = s_8 * qd_7;
-  const Scalar t29 = t23 * t28;
-  const Scalar t30 = s_9 * (t26 + c_8 * t27) + c_9 * (t29 + s_8 * t27);
-  const Scalar t31 = s_9 * t28 - c_9 * t23;
-  const Scalar t32 = s_9 * t23 + c_9 * t28;
-  const Scalar t33 = t31 * t32;
-  const Scalar N_9_z = Scalar(0.000615720268358608) * t30 - Scalar(0.0005396092213171668) * t33;
-  n[8] = N_9_z;
-  const Scalar t34 = c_11 * qd_10;
-  const Scalar t35 = t34 * t34;
-  const Scalar t36 = qd_11 * qd_11;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = Scalar(61.3125) * c_10;
-  const Scalar t39 = s_11 * qd_10;
-  const Scalar t40 = t34 * t39;
-  const Scalar t41 = s_12 * (t37 + c_11 * t38) + c_12 * (t40 + s_11 * t38);
-  const Scalar t42 = s_12 * t39 - c_12 * t34;
-  const Scalar t43 = s_12 * t34 + c_12 * t39;
-  const Scalar t44 = t42 * t43;
-  const Scalar N_12_z = Scalar(0.000615720268358608) * t41 - Scalar(0.0005396092213171668) * t44;
-  n[11] = N_12_z;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t45 = t42 * t42 + omega_12_z * omega_12_z;
-  const Scalar t46 = qd_10 * qd_10;
-  const Scalar t47 = t36 - t35 + t46;
-  n[10] = Scalar(0.000020065123418265) * c_10 * c_11 - Scalar(1.609852873477455e-07) * (t47 - t37) -
-      Scalar(0.000615720268358608) * c_12 * t44 + Scalar(0.0022644781431582876) * t40 -
-      Scalar(0.000615720268358608) * s_12 * t45 + N_12_z + Scalar(0.1737624403145115) * c_10 * s_11;
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar t1 = s_8 * s_9 - c_8 * c_9;
+  const Scalar t2 = c_8_9 * t1;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t48 = t31 * t31 + omega_9_z * omega_9_z;
-  const Scalar t49 = qd_7 * qd_7;
-  const Scalar t50 = t25 - t24 + t49;
-  n[7] = Scalar(1.609852873477455e-07) * (t50 - t26) - Scalar(0.000020065123418265) * c_7 * c_8 -
-      Scalar(0.000615720268358608) * c_9 * t33 + Scalar(0.0022644781431582876) * t29 -
-      Scalar(0.000615720268358608) * s_9 * t48 + N_9_z + Scalar(0.1737624403145115) * c_7 * s_8;
-  const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t51 = t20 * t20 + omega_6_z * omega_6_z;
-  const Scalar t52 = qd_4 * qd_4;
-  const Scalar t53 = t14 - t13 + t52;
-  n[4] = Scalar(0.000020065123418265) * c_4 * c_5 - Scalar(1.609852873477455e-07) * (t53 - t15) -
-      Scalar(0.000615720268358608) * c_6 * t22 + Scalar(0.0022644781431582876) * t18 -
-      Scalar(0.000615720268358608) * s_6 * t51 + N_6_z + Scalar(0.1737624403145115) * c_4 * s_5;
+  const Scalar t3 = qd_7 * omega_9_z;
+  const Scalar t4 = qd_8 * Scalar(2.0) * qd_7;
+  const Scalar t5 = Scalar(61.3125) * s_7;
+  const Scalar t6 = Scalar(-0.000615720268358608) * t1;
+  const Scalar t7 = (s_8 * t4 - t5) * t6;
+  const Scalar I_8_xy = c_8 * (Scalar(3.21970574695491e-07) * c_8 -
+      Scalar(0.0022644781431582876) * s_8) - Scalar(1.609852873477455e-07);
+  const Scalar t8 = omega_9_z * omega_9_z;
+  const Scalar t9 = qd_8 * qd_8;
+  const Scalar t10 = t9 * (Scalar(6.823068516838894e-08) * s_8 +
+      Scalar(0.0007940924716883453) * c_8);
+  const Scalar mr_8_x = Scalar(3.2725991304e-07) * s_8 + Scalar(0.002834045917464) * c_8;
+  n[6] = Scalar(0.0010792184426343335) * t2 * t3 - Scalar(0.00023148988883634047) * t1 * t8 -
+      Scalar(0.001231440536717216) * c_8 * c_8_9 * t3 + t10 - t7 + t4 * I_8_xy +
+      Scalar(0.08509272390476785) * c_7 + mr_8_x * t5;
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t11 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t12 = c_2_3 * t11;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t54 = t9 * t9 + omega_3_z * omega_3_z;
-  const Scalar t55 = qd_1 * qd_1;
-  const Scalar t56 = t3 - t2 + t55;
-  n[1] = Scalar(1.609852873477455e-07) * (t56 - t4) - Scalar(0.000020065123418265) * c_1 * c_2 -
-      Scalar(0.000615720268358608) * c_3 * t11 + Scalar(0.0022644781431582876) * t7 -
-      Scalar(0.000615720268358608) * s_3 * t54 + N_3_z + Scalar(0.1737624403145115) * c_1 * s_2;
-  const Scalar U_9_yy_zz = t49 - t48;
-  const Scalar t57 = t32 * omega_9_z;
-  const Scalar t58 = qd_8 * t28;
-  const Scalar t59 = Scalar(-0.00023148988883634047) * U_9_yy_zz -
-      Scalar(0.001231440536717216) * t58 - Scalar(0.0010822284426343334) * t57 +
-      Scalar(0.037751348953737156) * s_7;
-  const Scalar t60 = Scalar(3.01e-06) * t31 * omega_9_z + Scalar(0.00023148988883634047) * t33;
-  const Scalar t61 = qd_8 * t23;
-  const Scalar t62 = Scalar(-6.823068516838894e-08) * (t49 - t50) -
-      Scalar(3.21970574695491e-07) * t58 + Scalar(0.000020065123418265) * s_7 +
-      Scalar(0.000031100056329612534) * t61 - c_9 * t60 + Scalar(0.0007940924716883453) * t29 -
-      s_9 * t59;
-  const Scalar U_8_yy_zz = t49 - t26;
-  const Scalar t63 = Scalar(6.823068516838894e-08) * t29 + Scalar(3.21970574695491e-07) * t61 -
-      s_9 * t60 - Scalar(0.0007940924716883453) * U_8_yy_zz - Scalar(0.001231440536717216) * t57 -
-      Scalar(0.004560056342646188) * t58 + c_9 * t59 + Scalar(0.1737624403145115) * s_7;
-  n[6] = s_8 * t62 + Scalar(0.08509272390476785) * c_7 + c_8 * t63;
-  const Scalar U_3_yy_zz = t55 - t54;
-  const Scalar t64 = t10 * omega_3_z;
-  const Scalar t65 = qd_2 * t6;
-  const Scalar t66 = Scalar(-0.00023148988883634047) * U_3_yy_zz -
-      Scalar(0.001231440536717216) * t65 - Scalar(0.0010822284426343334) * t64 +
-      Scalar(0.037751348953737156) * s_1;
-  const Scalar t67 = Scalar(3.01e-06) * t9 * omega_3_z + Scalar(0.00023148988883634047) * t11;
-  const Scalar t68 = qd_2 * t1;
-  const Scalar t69 = Scalar(-6.823068516838894e-08) * (t55 - t56) -
-      Scalar(3.21970574695491e-07) * t65 + Scalar(0.000020065123418265) * s_1 +
-      Scalar(0.000031100056329612534) * t68 - c_3 * t67 + Scalar(0.0007940924716883453) * t7 -
-      s_3 * t66;
-  const Scalar U_2_yy_zz = t55 - t4;
-  const Scalar t70 = Scalar(6.823068516838894e-08) * t7 + Scalar(3.21970574695491e-07) * t68 -
-      s_3 * t67 - Scalar(0.0007940924716883453) * U_2_yy_zz - Scalar(0.001231440536717216) * t64 -
-      Scalar(0.004560056342646188) * t65 + c_3 * t66 + Scalar(0.1737624403145115) * s_1;
-  n[0] = s_2 * t69 + Scalar(0.08509272390476785) * c_1 + c_2 * t70;
-  const Scalar U_12_yy_zz = t46 - t45;
-  const Scalar t71 = t43 * omega_12_z;
-  const Scalar t72 = qd_11 * t39;
-  const Scalar t73 = Scalar(0.00023148988883634047) * U_12_yy_zz -
-      Scalar(0.001231440536717216) * t72 - Scalar(0.0010822284426343334) * t71 +
-      Scalar(0.037751348953737156) * s_10;
-  const Scalar N_12_y = Scalar(3.01e-06) * t42 * omega_12_z - Scalar(0.00023148988883634047) * t44;
-  const Scalar t74 = qd_11 * t34;
-  const Scalar mu_11_y = Scalar(6.823068516838894e-08) * (t46 - t47) -
-      Scalar(3.21970574695491e-07) * t72 + Scalar(0.000020065123418265) * s_10 -
-      Scalar(0.000031100056329612534) * t74 + c_12 * N_12_y + Scalar(0.0007940924716883453) * t40 +
-      s_12 * t73;
-  const Scalar U_11_yy_zz = t46 - t37;
-  const Scalar t75 = Scalar(6.823068516838894e-08) * t40 - Scalar(3.21970574695491e-07) * t74 -
-      s_12 * N_12_y + Scalar(0.0007940924716883453) * U_11_yy_zz -
-      Scalar(0.001231440536717216) * t71 - Scalar(0.004560056342646188) * t72 + c_12 * t73 +
-      Scalar(0.1737624403145115) * s_10;
-  n[9] = -s_11 * mu_11_y - Scalar(0.08509272390476785) * c_10 + c_11 * t75;
-  const Scalar U_6_yy_zz = t52 - t51;
-  const Scalar t76 = t21 * omega_6_z;
-  const Scalar t77 = qd_5 * t17;
-  const Scalar t78 = Scalar(0.00023148988883634047) * U_6_yy_zz -
-      Scalar(0.001231440536717216) * t77 - Scalar(0.0010822284426343334) * t76 +
-      Scalar(0.037751348953737156) * s_4;
-  const Scalar N_6_y = Scalar(3.01e-06) * t20 * omega_6_z - Scalar(0.00023148988883634047) * t22;
-  const Scalar t79 = qd_5 * t12;
-  const Scalar mu_5_y = Scalar(6.823068516838894e-08) * (t52 - t53) -
-      Scalar(3.21970574695491e-07) * t77 + Scalar(0.000020065123418265) * s_4 -
-      Scalar(0.000031100056329612534) * t79 + c_6 * N_6_y + Scalar(0.0007940924716883453) * t18 +
-      s_6 * t78;
-  const Scalar U_5_yy_zz = t52 - t15;
-  const Scalar t80 = Scalar(6.823068516838894e-08) * t18 - Scalar(3.21970574695491e-07) * t79 -
-      s_6 * N_6_y + Scalar(0.0007940924716883453) * U_5_yy_zz - Scalar(0.001231440536717216) * t76 -
-      Scalar(0.004560056342646188) * t77 + c_6 * t78 + Scalar(0.1737624403145115) * s_4;
-  n[3] = -s_5 * mu_5_y - Scalar(0.08509272390476785) * c_4 + c_5 * t80;
+  const Scalar t13 = qd_1 * omega_3_z;
+  const Scalar t14 = qd_2 * Scalar(2.0) * qd_1;
+  const Scalar t15 = Scalar(61.3125) * s_1;
+  const Scalar t16 = Scalar(-0.000615720268358608) * t11;
+  const Scalar t17 = (s_2 * t14 - t15) * t16;
+  const Scalar I_2_xy = c_2 * (Scalar(3.21970574695491e-07) * c_2 -
+      Scalar(0.0022644781431582876) * s_2) - Scalar(1.609852873477455e-07);
+  const Scalar t18 = omega_3_z * omega_3_z;
+  const Scalar t19 = qd_2 * qd_2;
+  const Scalar t20 = t19 * (Scalar(6.823068516838894e-08) * s_2 +
+      Scalar(0.0007940924716883453) * c_2);
+  const Scalar mr_2_x = Scalar(3.2725991304e-07) * s_2 + Scalar(0.002834045917464) * c_2;
+  n[0] = Scalar(0.0010792184426343335) * t12 * t13 - Scalar(0.00023148988883634047) * t11 * t18 -
+      Scalar(0.001231440536717216) * c_2 * c_2_3 * t13 + t20 - t17 + t14 * I_2_xy +
+      Scalar(0.08509272390476785) * c_1 + mr_2_x * t15;
+  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
+  const Scalar t21 = s_11 * s_12 - c_11 * c_12;
+  const Scalar t22 = c_11_12 * t21;
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t23 = qd_10 * omega_12_z;
+  const Scalar t24 = qd_11 * Scalar(2.0) * qd_10;
+  const Scalar t25 = Scalar(61.3125) * s_10;
+  const Scalar t26 = Scalar(-0.000615720268358608) * t21;
+  const Scalar t27 = (s_11 * t24 - t25) * t26;
+  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
+  const Scalar t28 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+  const Scalar t29 = omega_12_z * omega_12_z;
+  const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
+      Scalar(6.823068516838894e-08) * s_11;
+  const Scalar t30 = qd_11 * qd_11;
+  const Scalar mr_11_x = Scalar(0.002834045917464) * c_11 - Scalar(3.2725991304e-07) * s_11;
+  const Scalar t31 = Scalar(0.001231440536717216) * c_11 * c_11_12 * t23 -
+      Scalar(0.00023148988883634047) * t21 * t29 - Scalar(0.0010792184426343335) * t22 * t23 +
+      t30 * I_11_xz + t27 + t24 * t28 + Scalar(0.08509272390476785) * c_10 - mr_11_x * t25;
+  n[9] = -t31;
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  const Scalar t32 = s_5 * s_6 - c_5 * c_6;
+  const Scalar t33 = c_5_6 * t32;
+  const Scalar omega_6_z = qd_5 + qd_6;
+  const Scalar t34 = qd_4 * omega_6_z;
+  const Scalar t35 = qd_5 * Scalar(2.0) * qd_4;
+  const Scalar t36 = Scalar(61.3125) * s_4;
+  const Scalar t37 = Scalar(-0.000615720268358608) * t32;
+  const Scalar t38 = (s_5 * t35 - t36) * t37;
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar t39 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
+  const Scalar t40 = omega_6_z * omega_6_z;
+  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
+  const Scalar t41 = qd_5 * qd_5;
+  const Scalar mr_5_x = Scalar(0.002834045917464) * c_5 - Scalar(3.2725991304e-07) * s_5;
+  const Scalar t42 = Scalar(0.001231440536717216) * c_5 * c_5_6 * t34 -
+      Scalar(0.00023148988883634047) * t32 * t40 - Scalar(0.0010792184426343335) * t33 * t34 +
+      t41 * I_5_xz + t38 + t35 * t39 + Scalar(0.08509272390476785) * c_4 - mr_5_x * t36;
+  n[3] = -t42;
+  const Scalar t43 = s_2 * t16;
+  const Scalar t44 = qd_1 * qd_1;
+  const Scalar t45 = Scalar(61.3125) * c_1;
+  const Scalar t46 = Scalar(0.000615720268358608) * c_2_3;
+  const Scalar t47 = (c_2 * (t19 + t44) + t45) * t46;
+  const Scalar t48 = Scalar(0.0005396092213171668) * t44 * t12 + t19 * t43 - t47;
+  n[2] = -t48;
+  const Scalar t49 = s_5 * t37;
+  const Scalar t50 = qd_4 * qd_4;
+  const Scalar t51 = Scalar(61.3125) * c_4;
+  const Scalar t52 = Scalar(0.000615720268358608) * c_5_6;
+  const Scalar t53 = (c_5 * (t41 + t50) + t51) * t52;
+  const Scalar t54 = Scalar(0.0005396092213171668) * t50 * t33 + t41 * t49 - t53;
+  n[5] = -t54;
+  const Scalar t55 = s_8 * t6;
+  const Scalar t56 = qd_7 * qd_7;
+  const Scalar t57 = Scalar(61.3125) * c_7;
+  const Scalar t58 = Scalar(0.000615720268358608) * c_8_9;
+  const Scalar t59 = (c_8 * (t9 + t56) + t57) * t58;
+  const Scalar t60 = Scalar(0.0005396092213171668) * t56 * t2 + t9 * t55 - t59;
+  n[8] = -t60;
+  const Scalar t61 = s_11 * t26;
+  const Scalar t62 = qd_10 * qd_10;
+  const Scalar t63 = Scalar(61.3125) * c_10;
+  const Scalar t64 = Scalar(0.000615720268358608) * c_11_12;
+  const Scalar t65 = (c_11 * (t30 + t62) + t63) * t64;
+  const Scalar t66 = Scalar(0.0005396092213171668) * t62 * t22 + t30 * t61 - t65;
+  n[11] = -t66;
+  const Scalar mr_11_y = Scalar(3.2725991304e-07) * c_11 + Scalar(0.002834045917464) * s_11;
+  const Scalar t67 = c_11 * t29 * t64 - (t62 + t29) * t61 - t62 * t28 + t66 - mr_11_y * t63;
+  n[10] = -t67;
+  const Scalar t68 = (Scalar(3.2725991304e-07) * c_8 - Scalar(0.002834045917464) * s_8) * t57;
+  const Scalar t69 = c_8 * t8 * t58 - (t56 + t8) * t55 + t56 * I_8_xy + t60 + t68;
+  n[7] = -t69;
+  const Scalar mr_5_y = Scalar(3.2725991304e-07) * c_5 + Scalar(0.002834045917464) * s_5;
+  const Scalar t70 = c_5 * t40 * t52 - (t50 + t40) * t49 - t50 * t39 + t54 - mr_5_y * t51;
+  n[4] = -t70;
+  const Scalar t71 = (Scalar(3.2725991304e-07) * c_2 - Scalar(0.002834045917464) * s_2) * t45;
+  const Scalar t72 = c_2 * t18 * t46 - (t44 + t18) * t43 + t44 * I_2_xy + t48 + t71;
+  n[1] = -t72;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -1322,7 +1136,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[12]  in   joint torques or forces, N m or N
 //   qdd[12]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[0..11], qd[0..11], tau[0..11]. Operations: 316 mul, 224 add, 8 div, 24 sin/cos.
+// Reads q[0..11], qd[0..11], tau[0..11]. Operations: 288 mul, 180 add, 8 div, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1338,240 +1152,194 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = Scalar(0.0005396092213171668) * c_6 * c_6;
-  const Scalar t2 = t1 - Scalar(0.0005396092213171668);
-  const Scalar Iu_6_d = t1 + t2;
-  const Scalar t3 = qd_4 * qd_4;
-  const Scalar t4 = c_5 * t3;
-  const Scalar t5 = Scalar(61.3125) * c_4;
-  const Scalar t6 = t4 + t5;
-  const Scalar t7 = Scalar(0.000615720268358608) * c_6;
-  const Scalar t8 = qd_5 * qd_5 + c_5 * t6;
-  const Scalar t9 = Scalar(2.0) * c_5;
-  const Scalar t10 = Scalar(0.0005396092213171668) * s_6;
-  const Scalar t11 = t10 * (Scalar(1.1410484551313946) * t8 - c_6 * (t3 - t9 * t4));
-  const Scalar t12 = -t11 - s_5 * (t4 * Iu_6_d + t7 * t6) + tau_6;
-  const Scalar mu_6_5_z = t7 + Scalar(0.0005426192213171668);
-  const Scalar t13 = Scalar(1842.912968642313) * mu_6_5_z;
-  const Scalar t14 = Scalar(0.001231440536717216) * c_6;
-  const Scalar Ic_5_xx = t1 + t14 + Scalar(0.0022644781431582876);
-  const Scalar Iu_5_t_d = t2 + Ic_5_xx;
-  const Scalar Ic_5_xy = Scalar(1.609852873477455e-07) + (c_6 + Scalar(1.1410484551313946)) * t10;
-  const Scalar Iu_5_t_g = Ic_5_xy * t9 + s_5 * Iu_5_t_d;
-  const Scalar Iu_5_t_xy = Ic_5_xy - c_5 * Iu_5_t_g;
-  const Scalar hc_5_y = t7 + Scalar(0.002834045917464);
-  const Scalar t15 = Scalar(0.000615720268358608) * s_6;
-  const Scalar t16 = Scalar(3.2725991304e-07) + t15;
-  const Scalar hu_5_t_y = c_5 * t16 + s_5 * hc_5_y;
-  const Scalar beta_6_f = qd_6 + Scalar(2.0) * qd_5;
-  const Scalar t17 = qd_6 * beta_6_f;
-  const Scalar y_6_5 = Iu_5_t_xy * t3 + t15 * t17 - hu_5_t_y * t5 + tau_5 - t13 * t12;
-  const Scalar b_6_5_5 = t14 - mu_6_5_z * t13 + Scalar(0.002838197420805067);
-  const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t18 = Scalar(0.00023148988883634047) * c_6;
-  const Scalar t19 = Scalar(0.00023148988883634047) * s_6;
-  const Scalar mu_u_6_5_t_y = s_5 * t18 + c_5 * t19;
-  const Scalar Ic_5_yz = t18 + Scalar(0.0007940924716883453);
-  const Scalar t20 = Scalar(6.823068516838894e-08) + t19;
-  const Scalar t21 = mu_u_6_5_t_y * t13 - c_5 * t20 - s_5 * Ic_5_yz;
-  const Scalar t22 = t21 * d_5;
-  const Scalar t23 = (s_5 * t20 - c_5 * Ic_5_yz) * qd_5 + Scalar(2.0) * Iu_5_t_xy * qd_4;
-  const Scalar t24 = s_6 * Scalar(0.0010792184426343335) * c_6;
-  const Scalar t25 = qd_4 * qd_6 * (c_5 * (Iu_6_d - Scalar(0.0005426192213171668)) - s_5 * t24);
-  const Scalar t26 = s_5 * (t19 * t17 - t25);
-  const Scalar Iu_6_y = Iu_6_d + Scalar(0.0005426192213171668);
-  const Scalar t27 = qd_4 * (c_5 * t24 + Scalar(5.319629910867615) * mu_u_6_5_t_y + s_5 * Iu_6_y);
-  const Scalar t28 = c_5 * qd_6 * (t18 * beta_6_f + t27);
-  const Scalar t29 = Scalar(1842.912968642313) * mu_u_6_5_t_y;
-  const Scalar t30 = s_4 * (s_5 * t16 - c_5 * hc_5_y);
-  const Scalar y_5_4 = t28 - t26 - qd_5 * t23 + Scalar(0.08509272390476785) * c_4 +
-      Scalar(61.3125) * t30 - t22 * y_6_5 + t29 * t12 + tau_4;
-  const Scalar b_5_4_4 = -mu_u_6_5_t_y * t29 - t21 * t22 + Scalar(0.00037588290370216287) -
-      s_5 * Iu_5_t_g + Ic_5_xx;
-  const Scalar d_4 = Scalar(1.0) / b_5_4_4;
-  const Scalar qdd_4 = d_4 * y_5_4;
-  qdd[3] = qdd_4;
-  const Scalar t31 = Scalar(0.0005396092213171668) * c_12 * c_12;
-  const Scalar t32 = t31 - Scalar(0.0005396092213171668);
-  const Scalar Iu_12_d = t31 + t32;
-  const Scalar t33 = qd_10 * qd_10;
-  const Scalar t34 = c_11 * t33;
-  const Scalar t35 = Scalar(61.3125) * c_10;
-  const Scalar t36 = t34 + t35;
-  const Scalar t37 = Scalar(0.000615720268358608) * c_12;
-  const Scalar t38 = qd_11 * qd_11 + c_11 * t36;
-  const Scalar t39 = Scalar(2.0) * c_11;
-  const Scalar t40 = Scalar(0.0005396092213171668) * s_12;
-  const Scalar t41 = t40 * (Scalar(1.1410484551313946) * t38 - c_12 * (t33 - t39 * t34));
-  const Scalar t42 = -t41 - s_11 * (t34 * Iu_12_d + t37 * t36) + tau_12;
-  const Scalar mu_12_11_z = t37 + Scalar(0.0005426192213171668);
-  const Scalar t43 = Scalar(1842.912968642313) * mu_12_11_z;
-  const Scalar t44 = Scalar(0.001231440536717216) * c_12;
-  const Scalar Ic_11_xx = t31 + t44 + Scalar(0.0022644781431582876);
-  const Scalar Iu_11_t_d = t32 + Ic_11_xx;
-  const Scalar Ic_11_xy = Scalar(1.609852873477455e-07) + (c_12 + Scalar(1.1410484551313946)) * t40;
-  const Scalar Iu_11_t_g = Ic_11_xy * t39 + s_11 * Iu_11_t_d;
-  const Scalar Iu_11_t_xy = Ic_11_xy - c_11 * Iu_11_t_g;
-  const Scalar hc_11_y = t37 + Scalar(0.002834045917464);
-  const Scalar t45 = Scalar(0.000615720268358608) * s_12;
-  const Scalar t46 = Scalar(3.2725991304e-07) + t45;
-  const Scalar hu_11_t_y = c_11 * t46 + s_11 * hc_11_y;
-  const Scalar beta_12_f = qd_12 + Scalar(2.0) * qd_11;
-  const Scalar t47 = qd_12 * beta_12_f;
-  const Scalar y_12_11 = Iu_11_t_xy * t33 + t45 * t47 - hu_11_t_y * t35 + tau_11 - t43 * t42;
-  const Scalar b_12_11_11 = t44 - mu_12_11_z * t43 + Scalar(0.002838197420805067);
-  const Scalar d_11 = Scalar(1.0) / b_12_11_11;
-  const Scalar t48 = Scalar(0.00023148988883634047) * c_12;
-  const Scalar t49 = Scalar(0.00023148988883634047) * s_12;
-  const Scalar mu_u_12_11_t_y = s_11 * t48 + c_11 * t49;
-  const Scalar Ic_11_yz = t48 + Scalar(0.0007940924716883453);
-  const Scalar t50 = Scalar(6.823068516838894e-08) + t49;
-  const Scalar t51 = mu_u_12_11_t_y * t43 - c_11 * t50 - s_11 * Ic_11_yz;
-  const Scalar t52 = t51 * d_11;
-  const Scalar t53 = (s_11 * t50 - c_11 * Ic_11_yz) * qd_11 + Scalar(2.0) * Iu_11_t_xy * qd_10;
-  const Scalar t54 = s_12 * Scalar(0.0010792184426343335) * c_12;
-  const Scalar t55 = qd_10 * qd_12 *
-      (c_11 * (Iu_12_d - Scalar(0.0005426192213171668)) - s_11 * t54);
-  const Scalar t56 = s_11 * (t49 * t47 - t55);
-  const Scalar Iu_12_y = Iu_12_d + Scalar(0.0005426192213171668);
-  const Scalar t57 = qd_10 * (c_11 * t54 + Scalar(5.319629910867615) * mu_u_12_11_t_y +
-      s_11 * Iu_12_y);
-  const Scalar t58 = c_11 * qd_12 * (t48 * beta_12_f + t57);
-  const Scalar t59 = Scalar(1842.912968642313) * mu_u_12_11_t_y;
-  const Scalar t60 = s_10 * (s_11 * t46 - c_11 * hc_11_y);
-  const Scalar y_11_10 = t58 - t56 - qd_11 * t53 + Scalar(0.08509272390476785) * c_10 +
-      Scalar(61.3125) * t60 - t52 * y_12_11 + t59 * t42 + tau_10;
-  const Scalar b_11_10_10 = -mu_u_12_11_t_y * t59 - t51 * t52 + Scalar(0.00037588290370216287) -
-      s_11 * Iu_11_t_g + Ic_11_xx;
-  const Scalar d_10 = Scalar(1.0) / b_11_10_10;
-  const Scalar qdd_10 = d_10 * y_11_10;
-  qdd[9] = qdd_10;
-  const Scalar t61 = Scalar(0.0005396092213171668) * c_3 * c_3;
-  const Scalar t62 = t61 - Scalar(0.0005396092213171668);
-  const Scalar Iu_3_d = t61 + t62;
-  const Scalar t63 = qd_1 * qd_1;
-  const Scalar t64 = c_2 * t63;
-  const Scalar t65 = Scalar(61.3125) * c_1;
-  const Scalar t66 = t64 + t65;
-  const Scalar t67 = Scalar(0.000615720268358608) * c_3;
-  const Scalar t68 = qd_2 * qd_2 + c_2 * t66;
-  const Scalar t69 = Scalar(2.0) * c_2;
-  const Scalar t70 = Scalar(0.0005396092213171668) * s_3;
-  const Scalar t71 = t70 * (Scalar(1.1410484551313946) * t68 - c_3 * (t63 - t69 * t64));
-  const Scalar t72 = -t71 - s_2 * (t64 * Iu_3_d + t67 * t66) + tau_3;
-  const Scalar mu_3_2_z = t67 + Scalar(0.0005426192213171668);
-  const Scalar t73 = Scalar(1842.912968642313) * mu_3_2_z;
-  const Scalar t74 = Scalar(0.001231440536717216) * c_3;
-  const Scalar Ic_2_xx = t61 + t74 + Scalar(0.0022644781431582876);
-  const Scalar Iu_2_t_d = t62 + Ic_2_xx;
-  const Scalar Ic_2_xy = (c_3 + Scalar(1.1410484551313946)) * t70 - Scalar(1.609852873477455e-07);
-  const Scalar Iu_2_t_g = Ic_2_xy * t69 + s_2 * Iu_2_t_d;
-  const Scalar Iu_2_t_xy = Ic_2_xy - c_2 * Iu_2_t_g;
-  const Scalar hc_2_y = t67 + Scalar(0.002834045917464);
-  const Scalar t75 = Scalar(0.000615720268358608) * s_3;
-  const Scalar t76 = t75 - Scalar(3.2725991304e-07);
-  const Scalar hu_2_t_y = c_2 * t76 + s_2 * hc_2_y;
-  const Scalar beta_3_f = qd_3 + Scalar(2.0) * qd_2;
-  const Scalar t77 = qd_3 * beta_3_f;
-  const Scalar y_3_2 = Iu_2_t_xy * t63 + t75 * t77 - hu_2_t_y * t65 + tau_2 - t73 * t72;
-  const Scalar b_3_2_2 = t74 - mu_3_2_z * t73 + Scalar(0.002838197420805067);
-  const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t78 = Scalar(0.00023148988883634047) * c_3;
-  const Scalar t79 = Scalar(0.00023148988883634047) * s_3;
-  const Scalar mu_u_3_2_a_z = s_2 * t78 + c_2 * t79;
-  const Scalar t80 = t78 + Scalar(0.0007940924716883453);
-  const Scalar Ic_2_xz = t79 - Scalar(6.823068516838894e-08);
-  const Scalar t81 = mu_u_3_2_a_z * t73 - c_2 * Ic_2_xz - s_2 * t80;
-  const Scalar t82 = t81 * d_2;
-  const Scalar t83 = (s_2 * Ic_2_xz - c_2 * t80) * qd_2 - Scalar(2.0) * Iu_2_t_xy * qd_1;
-  const Scalar t84 = s_3 * Scalar(0.0010792184426343335) * c_3;
-  const Scalar t85 = qd_1 * qd_3 * (c_2 * (Iu_3_d - Scalar(0.0005426192213171668)) - s_2 * t84);
-  const Scalar t86 = s_2 * (t79 * t77 + t85);
-  const Scalar Iu_3_y = Iu_3_d + Scalar(0.0005426192213171668);
-  const Scalar t87 = qd_1 * (c_2 * t84 + Scalar(5.319629910867615) * mu_u_3_2_a_z + s_2 * Iu_3_y);
-  const Scalar t88 = c_2 * qd_3 * (t78 * beta_3_f - t87);
-  const Scalar t89 = Scalar(1842.912968642313) * mu_u_3_2_a_z;
-  const Scalar t90 = s_1 * (s_2 * t76 - c_2 * hc_2_y);
-  const Scalar t91 = t88 - t86 - qd_2 * t83 + Scalar(0.08509272390476785) * c_1 -
-      Scalar(61.3125) * t90 - t82 * y_3_2 + t89 * t72 - tau_1;
-  const Scalar b_2_1_1 = -mu_u_3_2_a_z * t89 - t81 * t82 + Scalar(0.00037588290370216287) -
-      s_2 * Iu_2_t_g + Ic_2_xx;
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t92 = d_1 * t91;
-  qdd[0] = -t92;
-  const Scalar t93 = Scalar(0.0005396092213171668) * c_9 * c_9;
-  const Scalar t94 = t93 - Scalar(0.0005396092213171668);
-  const Scalar Iu_9_d = t93 + t94;
-  const Scalar t95 = qd_7 * qd_7;
-  const Scalar t96 = c_8 * t95;
-  const Scalar t97 = Scalar(61.3125) * c_7;
-  const Scalar t98 = t96 + t97;
-  const Scalar t99 = Scalar(0.000615720268358608) * c_9;
-  const Scalar t100 = qd_8 * qd_8 + c_8 * t98;
-  const Scalar t101 = Scalar(2.0) * c_8;
-  const Scalar t102 = Scalar(0.0005396092213171668) * s_9;
-  const Scalar t103 = t102 * (Scalar(1.1410484551313946) * t100 - c_9 * (t95 - t101 * t96));
-  const Scalar t104 = -t103 - s_8 * (t96 * Iu_9_d + t99 * t98) + tau_9;
-  const Scalar mu_9_8_z = t99 + Scalar(0.0005426192213171668);
-  const Scalar t105 = Scalar(1842.912968642313) * mu_9_8_z;
-  const Scalar t106 = Scalar(0.001231440536717216) * c_9;
-  const Scalar Ic_8_xx = t93 + t106 + Scalar(0.0022644781431582876);
-  const Scalar Iu_8_t_d = t94 + Ic_8_xx;
-  const Scalar Ic_8_xy = (c_9 + Scalar(1.1410484551313946)) * t102 - Scalar(1.609852873477455e-07);
-  const Scalar Iu_8_t_g = Ic_8_xy * t101 + s_8 * Iu_8_t_d;
-  const Scalar Iu_8_t_xy = Ic_8_xy - c_8 * Iu_8_t_g;
-  const Scalar hc_8_y = t99 + Scalar(0.002834045917464);
-  const Scalar t107 = Scalar(0.000615720268358608) * s_9;
-  const Scalar t108 = t107 - Scalar(3.2725991304e-07);
-  const Scalar hu_8_t_y = c_8 * t108 + s_8 * hc_8_y;
-  const Scalar beta_9_f = qd_9 + Scalar(2.0) * qd_8;
-  const Scalar t109 = qd_9 * beta_9_f;
-  const Scalar y_9_8 = Iu_8_t_xy * t95 + t107 * t109 - hu_8_t_y * t97 + tau_8 - t105 * t104;
-  const Scalar b_9_8_8 = t106 - mu_9_8_z * t105 + Scalar(0.002838197420805067);
-  const Scalar d_8 = Scalar(1.0) / b_9_8_8;
-  const Scalar t110 = Scalar(0.00023148988883634047) * c_9;
-  const Scalar t111 = Scalar(0.00023148988883634047) * s_9;
-  const Scalar mu_u_9_8_a_z = s_8 * t110 + c_8 * t111;
-  const Scalar t112 = t110 + Scalar(0.0007940924716883453);
-  const Scalar Ic_8_xz = t111 - Scalar(6.823068516838894e-08);
-  const Scalar t113 = mu_u_9_8_a_z * t105 - c_8 * Ic_8_xz - s_8 * t112;
-  const Scalar t114 = t113 * d_8;
-  const Scalar t115 = (s_8 * Ic_8_xz - c_8 * t112) * qd_8 - Scalar(2.0) * Iu_8_t_xy * qd_7;
-  const Scalar t116 = s_9 * Scalar(0.0010792184426343335) * c_9;
-  const Scalar t117 = qd_7 * qd_9 * (c_8 * (Iu_9_d - Scalar(0.0005426192213171668)) - s_8 * t116);
-  const Scalar t118 = s_8 * (t111 * t109 + t117);
-  const Scalar Iu_9_y = Iu_9_d + Scalar(0.0005426192213171668);
-  const Scalar t119 = qd_7 * (c_8 * t116 + Scalar(5.319629910867615) * mu_u_9_8_a_z + s_8 * Iu_9_y);
-  const Scalar t120 = c_8 * qd_9 * (t110 * beta_9_f - t119);
-  const Scalar t121 = Scalar(1842.912968642313) * mu_u_9_8_a_z;
-  const Scalar t122 = s_7 * (s_8 * t108 - c_8 * hc_8_y);
-  const Scalar t123 = t120 - t118 - qd_8 * t115 + Scalar(0.08509272390476785) * c_7 -
-      Scalar(61.3125) * t122 - t114 * y_9_8 + t121 * t104 - tau_7;
-  const Scalar b_8_7_7 = -mu_u_9_8_a_z * t121 - t113 * t114 + Scalar(0.00037588290370216287) -
-      s_8 * Iu_8_t_g + Ic_8_xx;
-  const Scalar d_7 = Scalar(1.0) / b_8_7_7;
-  const Scalar t124 = d_7 * t123;
-  qdd[6] = -t124;
-  const Scalar qdd_2 = d_2 * (y_3_2 - t81 * t92);
+  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t2 = c_2 * t1;
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t3 = t2 - s_2 * c_2_3;
+  const Scalar t4 = Scalar(0.000615720268358608) * t3 - Scalar(0.0005426192213171668);
+  const Scalar t5 = Scalar(-1842.912968642313) * t4;
+  const Scalar t6 = Scalar(0.001231440536717216) * t3 - t4 * t5 - Scalar(0.002838197420805067);
+  const Scalar t7 = Scalar(1.0) / t6;
+  const Scalar t8 = Scalar(0.4266157182460592) * c_2_3;
+  const Scalar t9 = Scalar(6.823068516838894e-08) * c_2 -
+      (t4 + Scalar(0.0005426192213171668)) * t8 - Scalar(0.0007940924716883453) * s_2;
+  const Scalar t10 = t9 * t7;
+  const Scalar t11 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
+  const Scalar t12 = Scalar(0.0006383664465097825) * c_2_3 * c_2_3 - t9 * t10 +
+      Scalar(0.001231440536717216) * t2 - s_2 * t11 - Scalar(0.0031799702681776175);
+  const Scalar t13 = qd_2 * qd_2;
+  const Scalar t14 = qd_1 * qd_1;
+  const Scalar t15 = Scalar(61.3125) * c_1;
+  const Scalar t16 = c_2_3 * (Scalar(1.1410484551313946) * (c_2 * (t13 + t14) + t15) - t1 * t14);
+  const Scalar t17 = s_2 * t1;
+  const Scalar t18 = Scalar(0.000615720268358608) * t13 * t17 + Scalar(0.0005396092213171668) * t16;
+  const Scalar t19 = t18 - tau_3;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t20 = omega_3_z * omega_3_z;
+  const Scalar t21 = (t14 + t20) * t17 + c_2 * c_2_3 * t20;
+  const Scalar I_2_xy = c_2 * t11 - Scalar(1.609852873477455e-07);
+  const Scalar t22 = (Scalar(3.2725991304e-07) * c_2 - Scalar(0.002834045917464) * s_2) * t15;
+  const Scalar t23 = Scalar(-0.000615720268358608) * t21 - t14 * I_2_xy + t18 - t22 - tau_2 -
+      t5 * t19;
+  const Scalar t24 = t8 * (Scalar(0.0028865334399304945) * qd_1 * omega_3_z *
+      (c_2 - Scalar(0.8763869715636636) * t1) + t19);
+  const Scalar t25 = Scalar(2.0) * qd_1;
+  const Scalar t26 = qd_2 * (qd_2 *
+      (Scalar(6.823068516838894e-08) * s_2 + Scalar(0.0007940924716883453) * c_2) + t25 * I_2_xy);
+  const Scalar t27 = Scalar(61.3125) * s_1;
+  const Scalar t28 = t1 * (t20 - Scalar(2.6598149554338075) * (s_2 * qd_2 * t25 - t27));
+  const Scalar mr_2_x = Scalar(3.2725991304e-07) * s_2 + Scalar(0.002834045917464) * c_2;
+  const Scalar t29 = t26 - Scalar(0.00023148988883634047) * t28 +
+      Scalar(0.08509272390476785) * c_1 + mr_2_x * t27 - t10 * t23 - t24 - tau_1;
+  const Scalar qdd_1 = (Scalar(1.0) / t12) * t29;
+  qdd[0] = qdd_1;
+  const Scalar t30 = s_8 * s_9 - c_8 * c_9;
+  const Scalar t31 = c_8 * t30;
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar t32 = t31 - s_8 * c_8_9;
+  const Scalar t33 = Scalar(0.000615720268358608) * t32 - Scalar(0.0005426192213171668);
+  const Scalar t34 = Scalar(-1842.912968642313) * t33;
+  const Scalar t35 = Scalar(0.001231440536717216) * t32 - t33 * t34 - Scalar(0.002838197420805067);
+  const Scalar t36 = Scalar(1.0) / t35;
+  const Scalar t37 = Scalar(0.4266157182460592) * c_8_9;
+  const Scalar t38 = Scalar(6.823068516838894e-08) * c_8 -
+      (t33 + Scalar(0.0005426192213171668)) * t37 - Scalar(0.0007940924716883453) * s_8;
+  const Scalar t39 = t38 * t36;
+  const Scalar t40 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
+  const Scalar t41 = Scalar(0.0006383664465097825) * c_8_9 * c_8_9 - t38 * t39 +
+      Scalar(0.001231440536717216) * t31 - s_8 * t40 - Scalar(0.0031799702681776175);
+  const Scalar t42 = qd_8 * qd_8;
+  const Scalar t43 = qd_7 * qd_7;
+  const Scalar t44 = Scalar(61.3125) * c_7;
+  const Scalar t45 = c_8_9 * (Scalar(1.1410484551313946) * (c_8 * (t42 + t43) + t44) - t30 * t43);
+  const Scalar t46 = s_8 * t30;
+  const Scalar t47 = Scalar(0.000615720268358608) * t42 * t46 + Scalar(0.0005396092213171668) * t45;
+  const Scalar t48 = t47 - tau_9;
+  const Scalar omega_9_z = qd_8 + qd_9;
+  const Scalar t49 = omega_9_z * omega_9_z;
+  const Scalar t50 = (t43 + t49) * t46 + c_8 * c_8_9 * t49;
+  const Scalar I_8_xy = c_8 * t40 - Scalar(1.609852873477455e-07);
+  const Scalar t51 = (Scalar(3.2725991304e-07) * c_8 - Scalar(0.002834045917464) * s_8) * t44;
+  const Scalar t52 = Scalar(-0.000615720268358608) * t50 - t43 * I_8_xy + t47 - t51 - tau_8 -
+      t34 * t48;
+  const Scalar t53 = t37 * (Scalar(0.0028865334399304945) * qd_7 * omega_9_z *
+      (c_8 - Scalar(0.8763869715636636) * t30) + t48);
+  const Scalar t54 = Scalar(2.0) * qd_7;
+  const Scalar t55 = qd_8 * (qd_8 *
+      (Scalar(6.823068516838894e-08) * s_8 + Scalar(0.0007940924716883453) * c_8) + t54 * I_8_xy);
+  const Scalar t56 = Scalar(61.3125) * s_7;
+  const Scalar t57 = t30 * (t49 - Scalar(2.6598149554338075) * (s_8 * qd_8 * t54 - t56));
+  const Scalar mr_8_x = Scalar(3.2725991304e-07) * s_8 + Scalar(0.002834045917464) * c_8;
+  const Scalar t58 = t55 - Scalar(0.00023148988883634047) * t57 +
+      Scalar(0.08509272390476785) * c_7 + mr_8_x * t56 - t39 * t52 - t53 - tau_7;
+  const Scalar qdd_7 = (Scalar(1.0) / t41) * t58;
+  qdd[6] = qdd_7;
+  const Scalar t59 = s_5 * s_6 - c_5 * c_6;
+  const Scalar t60 = c_5 * t59;
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  const Scalar t61 = t60 - s_5 * c_5_6;
+  const Scalar t62 = Scalar(0.000615720268358608) * t61 - Scalar(0.0005426192213171668);
+  const Scalar t63 = Scalar(-1842.912968642313) * t62;
+  const Scalar t64 = Scalar(0.001231440536717216) * t61 - t62 * t63 - Scalar(0.002838197420805067);
+  const Scalar t65 = Scalar(1.0) / t64;
+  const Scalar t66 = Scalar(0.4266157182460592) * c_5_6;
+  const Scalar t67 = Scalar(6.823068516838894e-08) * c_5 +
+      (t62 + Scalar(0.0005426192213171668)) * t66 + Scalar(0.0007940924716883453) * s_5;
+  const Scalar t68 = t67 * t65;
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar t69 = Scalar(0.0006383664465097825) * c_5_6 * c_5_6 - t67 * t68 +
+      Scalar(0.001231440536717216) * t60 + s_5 * I_t5_g - Scalar(0.0031799702681776175);
+  const Scalar t70 = qd_5 * qd_5;
+  const Scalar t71 = qd_4 * qd_4;
+  const Scalar t72 = Scalar(61.3125) * c_4;
+  const Scalar t73 = c_5_6 * (Scalar(1.1410484551313946) * (c_5 * (t70 + t71) + t72) - t59 * t71);
+  const Scalar t74 = s_5 * t59;
+  const Scalar t75 = Scalar(0.000615720268358608) * t70 * t74 + Scalar(0.0005396092213171668) * t73;
+  const Scalar t76 = t75 - tau_6;
+  const Scalar omega_6_z = qd_5 + qd_6;
+  const Scalar t77 = omega_6_z * omega_6_z;
+  const Scalar t78 = (t71 + t77) * t74 + c_5 * c_5_6 * t77;
+  const Scalar t79 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
+  const Scalar mr_5_y = Scalar(3.2725991304e-07) * c_5 + Scalar(0.002834045917464) * s_5;
+  const Scalar t80 = t71 * t79 - Scalar(0.000615720268358608) * t78 + t75 + mr_5_y * t72 - tau_5 -
+      t63 * t76;
+  const Scalar t81 = t66 * (t76 - Scalar(0.0028865334399304945) * qd_4 * omega_6_z *
+      (c_5 - Scalar(0.8763869715636636) * t59));
+  const Scalar t82 = Scalar(2.0) * qd_4;
+  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
+  const Scalar t83 = qd_5 * (qd_5 * I_5_xz + t82 * t79);
+  const Scalar t84 = Scalar(61.3125) * s_4;
+  const Scalar t85 = t59 * (t77 + Scalar(2.6598149554338075) * (s_5 * qd_5 * t82 - t84));
+  const Scalar mr_5_x = Scalar(0.002834045917464) * c_5 - Scalar(3.2725991304e-07) * s_5;
+  const Scalar y_5_4 = t83 - Scalar(0.00023148988883634047) * t85 +
+      Scalar(0.08509272390476785) * c_4 - mr_5_x * t84 + t68 * t80 - t81 + tau_4;
+  const Scalar t86 = (Scalar(1.0) / t69) * y_5_4;
+  qdd[3] = -t86;
+  const Scalar t87 = s_11 * s_12 - c_11 * c_12;
+  const Scalar t88 = c_11 * t87;
+  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
+  const Scalar t89 = t88 - s_11 * c_11_12;
+  const Scalar t90 = Scalar(0.000615720268358608) * t89 - Scalar(0.0005426192213171668);
+  const Scalar t91 = Scalar(-1842.912968642313) * t90;
+  const Scalar t92 = Scalar(0.001231440536717216) * t89 - t90 * t91 - Scalar(0.002838197420805067);
+  const Scalar t93 = Scalar(1.0) / t92;
+  const Scalar t94 = Scalar(0.4266157182460592) * c_11_12;
+  const Scalar t95 = Scalar(6.823068516838894e-08) * c_11 +
+      (t90 + Scalar(0.0005426192213171668)) * t94 + Scalar(0.0007940924716883453) * s_11;
+  const Scalar t96 = t95 * t93;
+  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
+  const Scalar t97 = Scalar(0.0006383664465097825) * c_11_12 * c_11_12 - t95 * t96 +
+      Scalar(0.001231440536717216) * t88 + s_11 * I_t11_g - Scalar(0.0031799702681776175);
+  const Scalar t98 = qd_11 * qd_11;
+  const Scalar t99 = qd_10 * qd_10;
+  const Scalar t100 = Scalar(61.3125) * c_10;
+  const Scalar t101 = c_11_12 * (Scalar(1.1410484551313946) * (c_11 * (t98 + t99) + t100) -
+      t87 * t99);
+  const Scalar t102 = s_11 * t87;
+  const Scalar t103 = Scalar(0.000615720268358608) * t98 * t102 +
+      Scalar(0.0005396092213171668) * t101;
+  const Scalar t104 = t103 - tau_12;
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t105 = omega_12_z * omega_12_z;
+  const Scalar t106 = (t99 + t105) * t102 + c_11 * c_11_12 * t105;
+  const Scalar t107 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+  const Scalar mr_11_y = Scalar(3.2725991304e-07) * c_11 + Scalar(0.002834045917464) * s_11;
+  const Scalar t108 = t99 * t107 - Scalar(0.000615720268358608) * t106 + t103 + mr_11_y * t100 -
+      tau_11 - t91 * t104;
+  const Scalar t109 = t94 * (t104 -
+      Scalar(0.0028865334399304945) * qd_10 * omega_12_z *
+      (c_11 - Scalar(0.8763869715636636) * t87));
+  const Scalar t110 = Scalar(2.0) * qd_10;
+  const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
+      Scalar(6.823068516838894e-08) * s_11;
+  const Scalar t111 = qd_11 * (qd_11 * I_11_xz + t110 * t107);
+  const Scalar t112 = Scalar(61.3125) * s_10;
+  const Scalar t113 = t87 * (t105 + Scalar(2.6598149554338075) * (s_11 * qd_11 * t110 - t112));
+  const Scalar mr_11_x = Scalar(0.002834045917464) * c_11 - Scalar(3.2725991304e-07) * s_11;
+  const Scalar y_11_10 = t111 - Scalar(0.00023148988883634047) * t113 +
+      Scalar(0.08509272390476785) * c_10 - mr_11_x * t112 + t96 * t108 - t109 + tau_10;
+  const Scalar t114 = (Scalar(1.0) / t97) * y_11_10;
+  qdd[9] = -t114;
+  const Scalar qdd_2 = t7 * (t23 - t9 * qdd_1);
   qdd[1] = qdd_2;
-  const Scalar qdd_5 = d_5 * (y_6_5 - t21 * qdd_4);
+  const Scalar qdd_5 = t65 * (t67 * t86 + t80);
   qdd[4] = qdd_5;
-  const Scalar qdd_8 = d_8 * (y_9_8 - t113 * t124);
+  const Scalar qdd_8 = t36 * (t52 - t38 * qdd_7);
   qdd[7] = qdd_8;
-  const Scalar qdd_11 = d_11 * (y_12_11 - t51 * qdd_10);
+  const Scalar qdd_11 = t93 * (t95 * t114 + t108);
   qdd[10] = qdd_11;
-  qdd[2] = Scalar(1842.912968642313) * (mu_u_3_2_a_z * t92 + t72) - t73 * qdd_2;
-  qdd[5] = Scalar(1842.912968642313) * (mu_u_6_5_t_y * qdd_4 + t12) - t13 * qdd_5;
-  qdd[8] = Scalar(1842.912968642313) * (mu_u_9_8_a_z * t124 + t104) - t105 * qdd_8;
-  qdd[11] = Scalar(1842.912968642313) * (mu_u_12_11_t_y * qdd_10 + t42) - t43 * qdd_11;
-  bool positive = b_2_1_1 > Scalar(0.0);
-  positive &= b_3_2_2 > Scalar(0.0);
-  positive &= b_5_4_4 > Scalar(0.0);
-  positive &= b_6_5_5 > Scalar(0.0);
-  positive &= b_8_7_7 > Scalar(0.0);
-  positive &= b_9_8_8 > Scalar(0.0);
-  positive &= b_11_10_10 > Scalar(0.0);
-  positive &= b_12_11_11 > Scalar(0.0);
+  qdd[2] = -t8 * qdd_1 - Scalar(1842.912968642313) * (t19 - t4 * qdd_2);
+  qdd[5] = -t66 * t86 - Scalar(1842.912968642313) * (t76 - t62 * qdd_5);
+  qdd[8] = -t37 * qdd_7 - Scalar(1842.912968642313) * (t48 - t33 * qdd_8);
+  qdd[11] = -t94 * t114 - Scalar(1842.912968642313) * (t104 - t90 * qdd_11);
+  bool positive = -t12 > Scalar(0.0);
+  positive &= -t6 > Scalar(0.0);
+  positive &= -t69 > Scalar(0.0);
+  positive &= -t64 > Scalar(0.0);
+  positive &= -t41 > Scalar(0.0);
+  positive &= -t35 > Scalar(0.0);
+  positive &= -t97 > Scalar(0.0);
+  positive &= -t92 > Scalar(0.0);
   return positive;
 }
 
@@ -1579,7 +1347,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   q[12]   in  joint positions, rad or m
 //   qd[12]  in  joint velocities, rad/s or m/s
 // Returns T: kinetic energy, J.
-// Reads q[1..2], q[4..5], q[7..8], q[10..11], qd[0..11]. Operations: 113 mul, 71 add, 16 sin/cos.
+// Reads q[1..2], q[4..5], q[7..8], q[10..11], qd[0..11]. Operations: 110 mul, 67 add, 16 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1591,67 +1359,60 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
       c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
-  const Scalar t1 = c_11 * qd_10;
-  const Scalar t2 = s_11 * qd_10;
-  const Scalar t3 = Scalar(0.00023148988883634047) * (s_12 * t1 + c_12 * t2);
+  const Scalar t1 = s_11 * s_12 - c_11 * c_12;
+  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
+  const Scalar t2 = Scalar(0.001231440536717216) * t1 * (c_11 - Scalar(0.4381934857818318) * t1) +
+      (s_11 * I_t11_g - Scalar(0.0022644781431582876));
+  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
+      Scalar(0.0007940924716883453) * s_11;
+  const Scalar t3 = qd_10 * (qd_11 * I_11_yz + qd_10 * t2);
+  const Scalar t4 = s_8 * s_9 - c_8 * c_9;
+  const Scalar I_8_yy = s_8 * (Scalar(3.21970574695491e-07) * c_8 -
+      Scalar(0.0022644781431582876) * s_8) + Scalar(0.0022644781431582876);
+  const Scalar t5 = qd_7 * (I_8_yy -
+      Scalar(0.001231440536717216) * t4 * (c_8 - Scalar(0.4381934857818318) * t4));
+  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
+  const Scalar t6 = qd_7 * (qd_8 * I_8_yz - t5);
+  const Scalar t7 = s_5 * s_6 - c_5 * c_6;
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar t8 = Scalar(0.001231440536717216) * t7 * (c_5 - Scalar(0.4381934857818318) * t7) +
+      (s_5 * I_t5_g - Scalar(0.0022644781431582876));
+  const Scalar I_5_yz = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.0007940924716883453) * s_5;
+  const Scalar t9 = qd_4 * (qd_5 * I_5_yz + qd_4 * t8);
+  const Scalar t10 = s_2 * s_3 - c_2 * c_3;
+  const Scalar I_2_yy = s_2 * (Scalar(3.21970574695491e-07) * c_2 -
+      Scalar(0.0022644781431582876) * s_2) + Scalar(0.0022644781431582876);
+  const Scalar t11 = qd_1 * (I_2_yy -
+      Scalar(0.001231440536717216) * t10 * (c_2 - Scalar(0.4381934857818318) * t10));
+  const Scalar I_2_yz = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.0007940924716883453) * s_2;
+  const Scalar t12 = qd_1 * (qd_2 * I_2_yz - t11);
+  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
+  const Scalar t13 = qd_11 * (c_11 * t1 - s_11 * c_11_12);
   const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t4 = omega_12_z * (Scalar(0.0005426192213171668) * omega_12_z - t3 +
-      Scalar(0.001231440536717216) * c_12 * qd_11);
-  const Scalar t5 = c_8 * qd_7;
-  const Scalar t6 = s_8 * qd_7;
-  const Scalar t7 = Scalar(0.00023148988883634047) * (s_9 * t5 + c_9 * t6);
+  const Scalar t14 = omega_12_z * (Scalar(0.0005426192213171668) * omega_12_z -
+      Scalar(0.00046297977767268094) * c_11_12 * qd_10 - Scalar(0.001231440536717216) * t13);
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar t15 = qd_8 * (c_8 * t4 - s_8 * c_8_9);
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar L_9_z = t7 + Scalar(0.0005426192213171668) * omega_9_z +
-      Scalar(0.001231440536717216) * c_9 * qd_8;
-  const Scalar t8 = c_5 * qd_4;
-  const Scalar t9 = s_5 * qd_4;
-  const Scalar t10 = Scalar(0.00023148988883634047) * (s_6 * t8 + c_6 * t9);
+  const Scalar t16 = omega_9_z * (Scalar(0.00046297977767268094) * c_8_9 * qd_7 +
+      Scalar(0.0005426192213171668) * omega_9_z - Scalar(0.001231440536717216) * t15);
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  const Scalar t17 = qd_5 * (c_5 * t7 - s_5 * c_5_6);
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t11 = omega_6_z * (Scalar(0.0005426192213171668) * omega_6_z - t10 +
-      Scalar(0.001231440536717216) * c_6 * qd_5);
-  const Scalar t12 = c_2 * qd_1;
-  const Scalar t13 = s_2 * qd_1;
-  const Scalar t14 = Scalar(0.00023148988883634047) * (s_3 * t12 + c_3 * t13);
+  const Scalar t18 = omega_6_z * (Scalar(0.0005426192213171668) * omega_6_z -
+      Scalar(0.00046297977767268094) * c_5_6 * qd_4 - Scalar(0.001231440536717216) * t17);
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t19 = qd_2 * (c_2 * t10 - s_2 * c_2_3);
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar L_3_z = t14 + Scalar(0.0005426192213171668) * omega_3_z +
-      Scalar(0.001231440536717216) * c_3 * qd_2;
-  const Scalar t15 = s_12 * t2 - c_12 * t1;
-  const Scalar L_12_x = Scalar(0.001231440536717216) * t1 - Scalar(0.0005396092213171668) * t15;
-  const Scalar t16 = s_9 * t6 - c_9 * t5;
-  const Scalar L_9_x = Scalar(0.001231440536717216) * t5 - Scalar(0.0005396092213171668) * t16;
-  const Scalar t17 = s_6 * t9 - c_6 * t8;
-  const Scalar L_6_x = Scalar(0.001231440536717216) * t8 - Scalar(0.0005396092213171668) * t17;
-  const Scalar t18 = s_3 * t13 - c_3 * t12;
-  const Scalar L_3_x = Scalar(0.001231440536717216) * t12 - Scalar(0.0005396092213171668) * t18;
-  const Scalar L_11_y = Scalar(1.609852873477455e-07) * t1 + Scalar(0.0007940924716883453) * qd_11;
-  const Scalar t19 = t1 * (Scalar(6.823068516838894e-08) * qd_11 +
-      Scalar(1.609852873477455e-07) * t2 - Scalar(0.0022644781431582876) * t1);
-  const Scalar L_11_z = Scalar(-6.823068516838894e-08) * t1 - Scalar(0.0007940924716883453) * t2 +
-      Scalar(0.0022955781994879005) * qd_11;
-  const Scalar t20 = t6 * (Scalar(1.609852873477455e-07) * t5 +
-      Scalar(0.0007940924716883453) * qd_8);
-  const Scalar t21 = t5 * (Scalar(6.823068516838894e-08) * qd_8 -
-      Scalar(1.609852873477455e-07) * t6 - Scalar(0.0022644781431582876) * t5);
-  const Scalar L_8_z = Scalar(0.0007940924716883453) * t6 - Scalar(6.823068516838894e-08) * t5 +
-      Scalar(0.0022955781994879005) * qd_8;
-  const Scalar L_5_y = Scalar(1.609852873477455e-07) * t8 + Scalar(0.0007940924716883453) * qd_5;
-  const Scalar t22 = t8 * (Scalar(6.823068516838894e-08) * qd_5 +
-      Scalar(1.609852873477455e-07) * t9 - Scalar(0.0022644781431582876) * t8);
-  const Scalar L_5_z = Scalar(-6.823068516838894e-08) * t8 - Scalar(0.0007940924716883453) * t9 +
-      Scalar(0.0022955781994879005) * qd_5;
-  const Scalar t23 = t13 * (Scalar(1.609852873477455e-07) * t12 +
-      Scalar(0.0007940924716883453) * qd_2);
-  const Scalar t24 = t12 * (Scalar(6.823068516838894e-08) * qd_2 -
-      Scalar(1.609852873477455e-07) * t13 - Scalar(0.0022644781431582876) * t12);
-  const Scalar L_2_z = Scalar(0.0007940924716883453) * t13 - Scalar(6.823068516838894e-08) * t12 +
-      Scalar(0.0022955781994879005) * qd_2;
-  const Scalar T_2 = Scalar(0.00037588290370216287) * qd_10 * qd_10 - omega_12_z * t3 +
-      omega_9_z * t7 + Scalar(0.00037588290370216287) * qd_7 * qd_7 - omega_6_z * t10 +
-      Scalar(0.00037588290370216287) * qd_4 * qd_4 + omega_3_z * t14 +
-      Scalar(0.00037588290370216287) * qd_1 * qd_1 - t15 * L_12_x - t2 * L_11_y - t16 * L_9_x +
-      t20 - t17 * L_6_x - t9 * L_5_y - t18 * L_3_x + t23 + t4 - t19 + omega_9_z * L_9_z - t21 +
-      t11 - t22 + omega_3_z * L_3_z - t24 + qd_11 * L_11_z + qd_8 * L_8_z + qd_5 * L_5_z +
-      qd_2 * L_2_z;
+  const Scalar t20 = omega_3_z * (Scalar(0.00046297977767268094) * c_2_3 * qd_1 +
+      Scalar(0.0005426192213171668) * omega_3_z - Scalar(0.001231440536717216) * t19);
+  const Scalar L_11_z = Scalar(0.0022955781994879005) * qd_11 - qd_10 * I_11_yz;
+  const Scalar L_8_z = Scalar(0.0022955781994879005) * qd_8 - qd_7 * I_8_yz;
+  const Scalar L_5_z = Scalar(0.0022955781994879005) * qd_5 - qd_4 * I_5_yz;
+  const Scalar L_2_z = Scalar(0.0022955781994879005) * qd_2 - qd_1 * I_2_yz;
+  const Scalar t21 = qd_4 * qd_4 + qd_1 * qd_1 + qd_10 * qd_10 + qd_7 * qd_7;
+  const Scalar T_2 = Scalar(0.00037588290370216287) * t21 + t14 + t16 + t18 + t20 + qd_11 * L_11_z +
+      qd_8 * L_8_z + qd_5 * L_5_z + qd_2 * L_2_z - t3 - t6 - t9 - t12;
   return Scalar(0.5) * T_2;
 }
 

@@ -4,19 +4,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 #include "input/content_hash.hpp"
 #include "passes/draft.hpp"
-#include "passes/reorder.hpp"
+#include "plan.hpp"
 #include "scene/specialise.hpp"
 #include "search/search.hpp"
-#include "symbolic/closed_functions.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 
 namespace flatdyn {
+namespace {
+
+ExitCode code_of(const Diagnostics& errors) {
+  if (errors.only_on_command_line()) return ExitCode::usage;
+  return errors.only_unsupported() ? ExitCode::unsupported : ExitCode::input;
+}
+
+}  // namespace
+
+void refuse_errors(const Diagnostics& found) {
+  if (found.has_errors()) throw BadInput(code_of(found), found);
+}
+
 namespace {
 
 // All of them before the first is derived.
@@ -27,70 +38,6 @@ void check_names(const Mechanism& mechanism, const std::vector<std::string>& nam
       throw Failure(ExitCode::usage, "function \"" + *name + "\" is asked for twice", "name it once");
     }
   }
-}
-
-OptimisedFunction optimised(const Function& derived, unsigned order = 0) {
-  OptimisedFunction result{{}, derived, {}, {}};
-  result.function = run_passes(reordered(derived, order), &result.passes);
-  return result;
-}
-
-ExitCode code_of(const Diagnostics& errors) {
-  if (errors.only_on_command_line()) return ExitCode::usage;
-  return errors.only_unsupported() ? ExitCode::unsupported : ExitCode::input;
-}
-
-void stop_at_errors(const Diagnostics& found) {
-  if (found.has_errors()) throw BadInput(code_of(found), found);
-}
-
-// Without those that cost so much more than the cheapest that no pass makes up for it.
-std::vector<Formulation> within_reach(std::vector<Formulation> candidates) {
-  constexpr double kReach = 1.5;
-  const auto operations = [](const Formulation& each) { return count_operations(each.function).arithmetic(); };
-  int least = operations(candidates.front());
-  for (const Formulation& candidate : candidates) least = std::min(least, operations(candidate));
-  std::erase_if(candidates, [&](const Formulation& candidate) { return operations(candidate) > kReach * least; });
-  return candidates;
-}
-
-// A function as made from the usual choices, and how it is made from others.
-struct Plan {
-  OptimisedFunction made;
-  Choices choices;
-  bool is_closed_form = false;
-  std::function<OptimisedFunction(const Choices&)> remake;
-};
-
-OptimisedFunction as_needed(const Model& model, const Function& derived, unsigned order) {
-  Diagnostics found;
-  const Function needed = specialised(derived, derived_from(model), model.robot.scene, found);
-  stop_at_errors(found);
-  return optimised(needed, order);
-}
-
-// In the formulation, recursive or the closed form, that costs least once what the scene does not need is taken out and
-// the passes are through with it.
-Plan make_function(const Model& model, const std::string& name, Progress& progress) {
-  const Mechanism& mechanism = derived_from(model);
-  progress.step("deriving " + name);
-  const std::vector<Formulation> candidates = within_reach(formulations(mechanism, name));
-  std::optional<Function> closed = closed_variant(mechanism, candidates.front().function);
-  progress.step("optimising " + name);
-  std::optional<Plan> best;
-  for (const Formulation& candidate : candidates) {
-    OptimisedFunction made = as_needed(model, candidate.function, 0);
-    if (best && cost(made.function) >= cost(best->made.function)) continue;
-    best = Plan{std::move(made), candidate.choices, false,
-                [&model, &mechanism, name, way = candidate.way](const Choices& choices) {
-                  return as_needed(model, *formulation(mechanism, name, way, choices), choices.order);
-                }};
-  }
-  if (!closed) return *best;
-  OptimisedFunction made = as_needed(model, *closed, 0);
-  if (cost(made.function) >= cost(best->made.function)) return *best;
-  return {std::move(made), candidates.front().choices, true,
-          [&model, closed](const Choices& choices) { return as_needed(model, *closed, choices.order); }};
 }
 
 // The same functions from the best choices that a search finds for each.
@@ -138,7 +85,7 @@ void check_scene_names(const Model& model) {
       found.error(function.place, failure.what(), failure.hint());
     }
   }
-  stop_at_errors(found);
+  refuse_errors(found);
 }
 
 // What the command line asks for, else the scene; empty if neither asks for anything.
@@ -186,7 +133,7 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
   std::vector<Plan> plans;
   for (const std::string& name : names) {
     try {
-      plans.push_back(make_function(model, name, progress));
+      plans.push_back(planned(model, name, progress));
     } catch (const Failure& failure) {
       if (asked || failure.code() != ExitCode::unsupported) throw;
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
@@ -218,7 +165,7 @@ Fusion fused_from(const Model& model, const std::vector<std::string>& functions,
     }
     chosen.push_back(ways.back().front());
   }
-  stop_at_errors(found);
+  refuse_errors(found);
   Fusion best = fused(chosen);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     for (std::size_t other = 1; other < ways[k].size(); ++other) {
@@ -255,7 +202,7 @@ OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& 
   // Where there is little to share, each function in its own best form may cost less.
   std::vector<Function> apart, derived;
   for (const std::string& name : functions) {
-    OptimisedFunction made = make_function(model, name, progress).made;
+    OptimisedFunction made = planned(model, name, progress).made;
     apart.push_back(std::move(made.function));
     derived.push_back(std::move(made.derived));
   }

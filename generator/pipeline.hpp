@@ -40,6 +40,9 @@ const Mechanism& derived_from(const Model& model);
 // Reads and makes canonical. Errors in the input end in BadInput, which carries the diagnostics.
 Model read_model(const std::filesystem::path& path, const PipelineOptions& options);
 
+// Throws BadInput if errors are among them.
+void refuse_errors(const Diagnostics& found);
+
 class BadInput : public Failure {
  public:
   BadInput(ExitCode code, Diagnostics found)

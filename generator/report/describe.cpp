@@ -232,11 +232,11 @@ nlohmann::ordered_json search_json(const SearchRecord& search) {
   json["formulation"] = search.is_closed_form ? "closed form" : "recursive";
   if (search.is_closed_form) return json;
   json["length_unit"] = plain_number_text(search.choices.length_unit);
-  json["leaf_frames"] = search.choices.leaves == LeafFrames::still ? "still" : "turning";
   for (const JointChoice& joint : search.choices.joints) {
     json["joints"].push_back({{"origin_raised_by", plain_number_text(joint.rise)},
                               {"cancelled_inertia", name_of(joint.grouping.grouping)},
-                              {"cancelled_first_moment_of_parent", name_of(joint.grouping.balance)}});
+                              {"cancelled_first_moment_of_parent", name_of(joint.grouping.balance)},
+                              {"axes", joint.axes == Axes::still ? "still" : "turning"}});
   }
   return json;
 }

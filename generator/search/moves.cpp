@@ -53,8 +53,11 @@ std::vector<Move> possible_moves(const Mechanism& mechanism, const Choices& choi
       moves.emplace_back([k, grouping](Choices& c) { return changed(c.joints[k].grouping.grouping, grouping); });
     }
   }
-  for (const LeafFrames leaves : {LeafFrames::turning, LeafFrames::still}) {
-    moves.emplace_back([leaves](Choices& c) { return changed(c.leaves, leaves); });
+  for (std::size_t k = 0; k < choices.joints.size(); ++k) {
+    if (!can_be_still(mechanism, static_cast<int>(k))) continue;
+    for (const Axes axes : {Axes::turning, Axes::still}) {
+      moves.emplace_back([k, axes](Choices& c) { return changed(c.joints[k].axes, axes); });
+    }
   }
   return moves;
 }

@@ -14,35 +14,57 @@ ChoiceSearch::ChoiceSearch(const Mechanism& mechanism, Choices start, const Func
       make_(std::move(make)),
       best_(std::move(start)),
       before_(best_),
+      here_(best_),
       cost_(cost(made)),
+      cost_here_(cost_),
       has_moves_(moves) {}
 
 void ChoiceSearch::start_round() {
   is_improved_ = false;
   next_move_ = 0;
-  moves_ = possible_moves(*mechanism_, best_);
+  moves_ = possible_moves(*mechanism_, here_);
 }
 
-// The next change of the best that changes anything; after a round without success, the next order of factoring.
+// The next change that changes anything; on the top of a hill, something else.
 Choices ChoiceSearch::next() {
+  constexpr unsigned kOrders = 10;
   if (has_moves_ && is_round_over() && is_improved_) start_round();
   while (!is_round_over()) {
-    Choices candidate = best_;
+    Choices candidate = here_;
     if (moves_[next_move_++](candidate)) return candidate;
   }
+  return has_moves_ && last_order_ >= kOrders ? shaken() : in_other_order();
+}
+
+Choices ChoiceSearch::in_other_order() {
   Choices candidate = best_;
   candidate.order = ++last_order_;
   return candidate;
 }
 
+Choices ChoiceSearch::shaken() {
+  constexpr int kChanges = 3;
+  is_shaken_ = true;
+  Choices candidate = best_;
+  for (int k = 0; k < kChanges; ++k) {
+    const std::vector<Move> moves = possible_moves(*mechanism_, candidate);
+    moves[random_() % moves.size()](candidate);
+  }
+  return candidate;
+}
+
 void ChoiceSearch::step() {
   before_ = best_;
+  is_shaken_ = false;
   Choices candidate = next();
   const int found = cost(make_(candidate));
-  if (found >= cost_) return;
-  cost_ = found;
-  best_ = std::move(candidate);
+  if (found >= cost_here_ && !is_shaken_) return;
+  here_ = std::move(candidate);
+  cost_here_ = found;
   is_improved_ = true;
+  if (found >= cost_) return;
+  best_ = here_;
+  cost_ = found;
 }
 
 void ChoiceSearch::step_back() { best_ = before_; }

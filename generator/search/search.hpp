@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Search for the choices from which a function costs least after the passes: up the hill, one change at a time, in a
-// fixed order; then other orders of factoring. Which candidates are tried depends on nothing but the mechanism and the
+// fixed order; then some other orders of factoring; then up the hill again and again from some changes at random of the
+// best, the same ones on every machine. Which candidates are tried depends on nothing but the mechanism and the
 // function, so that their number alone makes the same result again.
 #pragma once
 
 #include <functional>
+#include <random>
 #include <vector>
 
 #include "graph/function.hpp"
@@ -30,15 +32,18 @@ class ChoiceSearch {
   Choices next();
   bool is_round_over() const { return next_move_ == moves_.size(); }
   void start_round();
+  Choices in_other_order();
+  Choices shaken();
 
   const Mechanism* mechanism_;
   MakeFunction make_;
-  Choices best_, before_;
-  int cost_;
+  Choices best_, before_, here_;  // here: where it climbs
+  int cost_, cost_here_;
   std::vector<Move> moves_;
   std::size_t next_move_ = 0;
-  bool has_moves_, is_improved_ = true;
+  bool has_moves_, is_improved_ = true, is_shaken_ = false;
   unsigned last_order_ = 0;
+  std::mt19937_64 random_;
 };
 
 // All searches go on side by side until the limit is reached; then each has tried the number of candidates that is

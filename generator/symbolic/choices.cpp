@@ -48,8 +48,28 @@ Mechanism chosen(const Mechanism& mechanism, const Choices& choices) {
   return regrouped(result, groupings);
 }
 
-Choices uniform_choices(const Mechanism& mechanism, Grouping grouping, LeafFrames leaves) {
-  return {std::vector<JointChoice>(mechanism.bodies.size(), {0, {grouping, Balance::no}}), 1, leaves};
+Choices uniform_choices(const Mechanism& mechanism, Grouping grouping) {
+  const JointChoice each = {0, {grouping, Balance::no}, Axes::turning};
+  return {std::vector<JointChoice>(mechanism.bodies.size(), each)};
+}
+
+Choices with_still_frames(const Mechanism& mechanism, Choices choices, StillFrames which) {
+  std::vector<bool> is_leaf(choices.joints.size(), true);
+  for (const Body& body : mechanism.bodies) {
+    if (body.parent >= 0) is_leaf[static_cast<std::size_t>(body.parent)] = false;
+  }
+  for (std::size_t k = 0; k < choices.joints.size(); ++k) {
+    const bool is_one = which == StillFrames::all || which == (is_leaf[k] ? StillFrames::leaves : StillFrames::inner);
+    const bool is_still = is_one && can_be_still(mechanism, static_cast<int>(k));
+    choices.joints[k].axes = is_still ? Axes::still : Axes::turning;
+  }
+  return choices;
+}
+
+std::vector<Axes> axes_of(const Choices& choices) {
+  std::vector<Axes> axes;
+  for (const JointChoice& joint : choices.joints) axes.push_back(joint.axes);
+  return axes;
 }
 
 std::vector<Number> possible_rises(const Mechanism& mechanism, int i) {
@@ -90,6 +110,15 @@ std::vector<Number> possible_length_units(const Mechanism& mechanism) {
   return units;
 }
 
+std::vector<Number> usual_length_units(const Mechanism& mechanism) {
+  constexpr std::size_t kUsual = 3;
+  std::vector<Number> units = possible_length_units(mechanism);
+  if (units.empty()) return units;
+  units.resize(std::min(units.size(), kUsual));
+  units.emplace_back(1);
+  return units;
+}
+
 namespace {
 
 // Every joint's mass balances an entry of the parent's first moment, if there is one that it can.
@@ -114,14 +143,11 @@ Choices cheapest_choices(const Mechanism& mechanism, const std::function<int(con
     best = choices;
   };
   for (const Grouping grouping : kGroupings) consider(uniform_choices(mechanism, grouping));
-  Choices still = best;
-  still.leaves = LeafFrames::still;
-  consider(still);
-  constexpr std::size_t kUsualUnits = 3;
-  const std::vector<Number> units = possible_length_units(mechanism);
-  for (std::size_t k = 0; k < std::min(units.size(), kUsualUnits); ++k) {
+  const Choices turning = best;
+  for (const StillFrames which : kStillFrames) consider(with_still_frames(mechanism, turning, which));
+  for (const Number& unit : usual_length_units(mechanism)) {
     Choices scaled = best;
-    scaled.length_unit = units[k];
+    scaled.length_unit = unit;
     consider(scaled);
   }
   consider(balanced(mechanism, best, Balance::x, Balance::y));

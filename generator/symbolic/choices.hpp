@@ -15,13 +15,13 @@ namespace flatdyn {
 struct JointChoice {
   Number rise = 0;  // of the frame's origin along the joint's axis, m; rational
   JointGrouping grouping;
+  Axes axes = Axes::turning;  // of the link's frame
 };
 
 struct Choices {
   std::vector<JointChoice> joints;  // one for each
   Number length_unit = 1;           // m; rational
-  LeafFrames leaves = LeafFrames::turning;
-  unsigned order = 0;  // in which the passes find what they may factor; 0: as derived
+  unsigned order = 0;               // in which the passes find what they may factor; 0: as derived
 };
 
 // The mechanism in these frames, and nothing else changed.
@@ -31,7 +31,15 @@ Mechanism in_raised_frames(const Mechanism& mechanism, const Choices& choices);
 Mechanism chosen(const Mechanism& mechanism, const Choices& choices);
 
 // The same for all joints, and nothing else changed.
-Choices uniform_choices(const Mechanism& mechanism, Grouping grouping, LeafFrames leaves = LeafFrames::turning);
+Choices uniform_choices(const Mechanism& mechanism, Grouping grouping);
+
+// Which of the frames that can be still are so: none, those of links at the end of a branch, the others, or all.
+enum class StillFrames { none, leaves, inner, all };
+inline constexpr StillFrames kStillFrames[] = {StillFrames::none, StillFrames::leaves, StillFrames::inner,
+                                               StillFrames::all};
+Choices with_still_frames(const Mechanism& mechanism, Choices choices, StillFrames which);
+
+std::vector<Axes> axes_of(const Choices& choices);
 
 // Where else the origin of a revolute joint's frame might well be, relative to where it is, m: where its parent needs
 // fewer numbers to reach it, and where it needs fewer to reach its children. Rational ones, none twice.
@@ -41,8 +49,11 @@ std::vector<Number> possible_rises(const Mechanism& mechanism, int i);
 // Empty if a joint is prismatic: lengths are not free.
 std::vector<Number> possible_length_units(const Mechanism& mechanism);
 
+// Of these the first ones, and 1 m.
+std::vector<Number> usual_length_units(const Mechanism& mechanism);
+
 // What functions are derived from unless a search has found better ones: what costs least of one grouping for all
-// joints, still leaf frames, a usual length unit, and balanced masses, each tried after the other. `operations`: of the
+// joints, still frames, a usual length unit, and balanced masses, each tried after the other. `operations`: of the
 // function derived from some choices.
 Choices cheapest_choices(const Mechanism& mechanism, const std::function<int(const Choices&)>& operations);
 

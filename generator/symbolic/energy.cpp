@@ -32,12 +32,12 @@ Number twice_link_energy(Derivation& d, const InertialParameters& body, const Ve
   return d.named(body.mass, "m_" + n) * d.named(dot(v, v), "v_v_" + n) + dot(w, momentum);
 }
 
-Number twice_rotor_energy(Derivation& d, const Body& body, const std::vector<Velocity>& links, const Number& qd,
-                          const std::string& n) {
+Number twice_rotor_energy(Derivation& d, const Body& body, const Vec3& axis, const std::vector<Velocity>& links,
+                          const Number& qd, const std::string& n) {
   Number coupling = 0;
   if (body.rotor && body.rotor->carrier >= 0) {
     const Rotor& rotor = *body.rotor;
-    const Number omega = dot(d.named(rotor.axis, "z_m" + n), links[static_cast<std::size_t>(rotor.carrier)].omega);
+    const Number omega = dot(axis, links[static_cast<std::size_t>(rotor.carrier)].omega);
     coupling = d.named(2 * rotor.gear_ratio * rotor.inertia, "kI_2_" + n) * d.named(omega, "omega_m" + n);
   }
   return qd * d.named(d.named(reflected_inertia(body), "I_r" + n) * qd + coupling, "L_m" + n);
@@ -55,7 +55,7 @@ Number kinetic_energy(Frames& frames) {
     const Number qd = d.input(InputKind::qd, i);
     links.push_back(moved(frames, i, body.parent < 0 ? Velocity{} : links[static_cast<std::size_t>(body.parent)], qd));
     twice += d.named(twice_link_energy(d, frames.inertia(i), links.back(), label(i)), "T_" + label(i));
-    twice += d.named(twice_rotor_energy(d, body, links, qd, label(i)), "T_m" + label(i));
+    twice += d.named(twice_rotor_energy(d, body, frames.rotor_axis(i), links, qd, label(i)), "T_m" + label(i));
   }
   return d.named(d.named(twice, "T_2") / 2, "T");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/frames.hpp"
 
+#include <algorithm>
+
 #include "symbolic/turns.hpp"
 
 namespace flatdyn {
@@ -37,48 +39,80 @@ Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
   return cycled(cycled(turn_tensor_z(d, a, cycled(T), name)));
 }
 
+// By both angles.
+PlanarRotation added(Derivation& d, const PlanarRotation& a, const PlanarRotation& b, const std::string& name) {
+  return {d.named(a.c * b.c - a.s * b.s, "c_" + name), d.named(a.s * b.c + a.c * b.s, "s_" + name)};
+}
+
 }  // namespace
 
-Frames::Frames(const Mechanism& mechanism, Derivation& derivation, LeafFrames leaves)
+bool can_be_still(const Mechanism& mechanism, int i) {
+  if (mechanism.bodies[static_cast<std::size_t>(i)].prismatic) return false;
+  return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                     [i](const Body& body) { return body.parent != i || vanishes(body.alpha.s); });
+}
+
+Frames::Frames(const Mechanism& mechanism, Derivation& derivation, const std::vector<Axes>& axes)
     : mechanism_(mechanism), derivation_(derivation) {
   for (int i = 0; i < mechanism.size(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-    const auto constant = [&](const PlanarRotation& a, const std::string& name) {
-      return PlanarRotation{derivation.named(a.c, "c_" + name + label(i)),
-                            derivation.named(a.s, "s_" + name + label(i))};
-    };
-    Turn turn{constant(body.beta, "beta"), constant(body.alpha, "alpha"), constant(body.theta, "theta")};
-    const Number q = derivation.input(InputKind::q, i);
-    if (!body.prismatic) {
-      const Number c = derivation.cos(q, "c_" + label(i)), s = derivation.sin(q, "s_" + label(i));
-      const PlanarRotation theta = turn.gamma;
-      turn.gamma = {derivation.named(c * theta.c - s * theta.s, "c_" + label(i) + "t"),
-                    derivation.named(s * theta.c + c * theta.s, "s_" + label(i) + "t")};
-    }
-    turns_.push_back(turn);
-    slide_.push_back(body.prismatic ? q : Number(0));
+    turns_.push_back(turn_by_joint(i));
+    slide_.push_back(body.prismatic ? derivation.input(InputKind::q, i) : Number(0));
     p_.push_back(derivation.named(body.p, "p_" + label(i)));
     inertia_.push_back(body.inertia);
+    rotor_axis_.push_back(body.rotor ? derivation.named(body.rotor->axis, "z_m" + label(i)) : zero_vector());
   }
-  if (leaves == LeafFrames::turning) return;
-  std::vector<bool> is_leaf(inertia_.size(), true);
-  for (const Body& body : mechanism.bodies) {
-    if (body.parent >= 0) is_leaf[static_cast<std::size_t>(body.parent)] = false;
+  for (int i = 0; i < mechanism.size() && !axes.empty(); ++i) {
+    if (axes[static_cast<std::size_t>(i)] == Axes::still && can_be_still(mechanism, i)) hold(i);
   }
-  for (int i = 0; i < mechanism.size(); ++i) {
-    if (is_leaf[static_cast<std::size_t>(i)] && !mechanism.bodies[static_cast<std::size_t>(i)].prismatic) hold(i);
-  }
+}
+
+Frames::Turn Frames::turn_by_joint(int i) {
+  const Body& body = mechanism_.bodies[static_cast<std::size_t>(i)];
+  const auto constant = [&](const PlanarRotation& a, const std::string& name) {
+    return PlanarRotation{derivation_.named(a.c, "c_" + name + label(i)),
+                          derivation_.named(a.s, "s_" + name + label(i))};
+  };
+  Turn turn{constant(body.beta, "beta"), constant(body.alpha, "alpha"), constant(body.theta, "theta"), ""};
+  if (body.prismatic) return turn;
+  turn.angles = label(i);
+  const Number q = derivation_.input(InputKind::q, i);
+  const PlanarRotation joint = {derivation_.cos(q, "c_" + label(i)), derivation_.sin(q, "s_" + label(i))};
+  turn.gamma = added(derivation_, joint, turn.gamma, label(i) + "t");
+  return turn;
 }
 
 // The link's parameters in axes that do not turn. The inertia is not named entry by entry: its trace stays a number.
 void Frames::hold(int i) {
   const auto k = static_cast<std::size_t>(i);
   const std::string n = label(i);
-  PlanarRotation& turn = turns_[k].gamma;
+  const Turn held = turns_[k];
   InertialParameters& body = inertia_[k];
-  body.first_moment = derivation_.named(turn_z(turn, body.first_moment), "mr_" + n);
-  body.inertia = turned_tensor_z(derivation_, turn, derivation_.named_symmetric(body.inertia, "I_" + n), "I_t" + n);
-  turn = {};
+  body.first_moment = derivation_.named(turn_z(held.gamma, body.first_moment), "mr_" + n);
+  body.inertia =
+      turned_tensor_z(derivation_, held.gamma, derivation_.named_symmetric(body.inertia, "I_" + n), "I_t" + n);
+  turns_[k].gamma = {};
+  for (int other = 0; other < mechanism_.size(); ++other) {
+    const Body& each = mechanism_.bodies[static_cast<std::size_t>(other)];
+    if (each.parent == i) hand_on(held, other);
+    if (!each.rotor || each.rotor->carrier != i) continue;
+    Vec3& axis = rotor_axis_[static_cast<std::size_t>(other)];
+    axis = derivation_.named(turn_z(held.gamma, axis), "z_m" + label(other));
+  }
+}
+
+// To a joint whose axis is parallel: Rz(held) Rz(beta) Rx(alpha) Rz(gamma), alpha = 0 or pi, is Rx(alpha) turned by all
+// of these angles together; the first ones the other way round where alpha = pi.
+void Frames::hand_on(const Turn& held, int child) {
+  const auto k = static_cast<std::size_t>(child);
+  Turn& turn = turns_[k];
+  p_[k] = derivation_.named(turn_z(held.gamma, p_[k]), "p_" + label(child));
+  const std::string before = held.angles + "_b" + label(child);
+  PlanarRotation first = added(derivation_, held.gamma, turn.beta, before);
+  if (turn.alpha.c.is_equal(-1)) first = back(first);
+  turn.angles = held.angles + (turn.angles.empty() ? "" : "_" + turn.angles);
+  turn.gamma = added(derivation_, first, turn.gamma, turn.angles);
+  turn.beta = {};
 }
 
 Vec3 Frames::down(int i, const Vec3& v, const std::string& name) {

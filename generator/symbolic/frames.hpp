@@ -7,14 +7,19 @@
 
 namespace flatdyn {
 
-// Whether the frame of a link at the end of a branch turns with it. In axes that stay where the joint's angle is zero,
-// all that moves the link is known from its parent without a turn, and its inertial parameters turn instead: that costs
-// less where these are few, or alike about the joint's axis.
-enum class LeafFrames { turning, still };
+// Whether the frame of a link turns with it. In axes that stay where the joint's angle is zero, all that moves the link
+// is known from its parent without a turn, and its inertial parameters turn instead: that costs less where these are
+// few, or alike about the joint's axis. It helps where nobody has to turn after all: at the end of a branch, and where
+// the next joints are parallel, which then turn by the sum of the angles.
+enum class Axes { turning, still };
+
+// Whether body i may have still axes: its joint is revolute, and the joints that it carries are parallel to it.
+bool can_be_still(const Mechanism& mechanism, int i);
 
 class Frames {
  public:
-  Frames(const Mechanism& mechanism, Derivation& derivation, LeafFrames leaves = LeafFrames::turning);
+  // `axes`: by body; empty: all turn. Where a body cannot be still, it turns.
+  Frames(const Mechanism& mechanism, Derivation& derivation, const std::vector<Axes>& axes = {});
 
   // A vector given in the parent's frame, in frame i.
   Vec3 down(int i, const Vec3& v, const std::string& name);
@@ -33,6 +38,7 @@ class Frames {
   // The joint's motion along z in frame i: q_i for a prismatic joint, 0 for a revolute one.
   Number slide(int i) const { return slide_[static_cast<std::size_t>(i)]; }
   // Displacement of frame i's origin at q_i = 0, in the parent's frame; the slide comes on top, along z of frame i.
+  // Numbers if the parent's frame turns with it.
   const Vec3& p(int i) const { return p_[static_cast<std::size_t>(i)]; }
   // z of frame i in the parent's frame: constant.
   Vec3 axis_in_parent(int i) const;
@@ -41,15 +47,21 @@ class Frames {
   // Of the augmented link, in axes of frame i, about its origin.
   const InertialParameters& inertia(int i) const { return inertia_[static_cast<std::size_t>(i)]; }
 
+  // z_m of the rotor that drives joint i, in the frame of the body that carries it.
+  const Vec3& rotor_axis(int i) const { return rotor_axis_[static_cast<std::size_t>(i)]; }
+
   const Body& body(int i) const { return mechanism_.bodies[static_cast<std::size_t>(i)]; }
   Derivation& derivation() { return derivation_; }
 
  private:
   struct Turn {
     PlanarRotation beta, alpha, gamma;  // gamma: theta and, for a revolute joint, q
+    std::string angles;                 // of which joints gamma is the sum: "2_3"
   };
 
+  Turn turn_by_joint(int i);
   void hold(int i);
+  void hand_on(const Turn& held, int child);
 
   const Turn& turn_of(int i) const { return turns_[static_cast<std::size_t>(i)]; }
 
@@ -59,6 +71,7 @@ class Frames {
   std::vector<Number> slide_;
   std::vector<Vec3> p_;
   std::vector<InertialParameters> inertia_;
+  std::vector<Vec3> rotor_axis_;
 };
 
 // "3" for body 2: people count joints from 1.

@@ -21,7 +21,7 @@ namespace {
 Function derived(const Mechanism& mechanism, const Choices& choices,
                  const std::function<Function(Workbench&)>& derive) {
   const Mechanism described = chosen(mechanism, choices);
-  Workbench bench(described, choices.leaves);
+  Workbench bench(described, axes_of(choices));
   return derive(bench);
 }
 
@@ -34,15 +34,15 @@ Function inverse_dynamics(const Mechanism& mechanism, const Choices& choices) {
   });
 }
 
-// In metres and in frames that turn, as the wrench at the tip is given.
-Choices as_given(Choices choices) {
-  choices.leaves = LeafFrames::turning;
+// In metres and in the axes of the tip's link, as the wrench at the tip is given.
+Choices as_given(Choices choices, const LinkFrame& tip) {
+  if (tip.body >= 0) choices.joints[static_cast<std::size_t>(tip.body)].axes = Axes::turning;
   choices.length_unit = 1;
   return choices;
 }
 
 Function inverse_dynamics_tip_force(const Mechanism& mechanism, const Choices& choices) {
-  return derived(mechanism, as_given(choices), [](Workbench& bench) {
+  return derived(mechanism, as_given(choices, mechanism.tip), [](Workbench& bench) {
     const std::vector<Number> h = inputs(bench.derivation, InputKind::h_e, 6);
     const Wrench tip = wrench_on_body(bench.frames, bench.mechanism.tip, {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}});
     const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), bench.mechanism.gravity, true};

@@ -60,7 +60,8 @@ std::vector<Momenta> composite_momenta(Frames& frames, const Motion& motion, con
     if (!rotor || rotor->carrier < 0) continue;
     const Number spin = rotor->gear_ratio * rotor->inertia * motion.qd[i];
     Momenta& carrier = result[static_cast<std::size_t>(rotor->carrier)];
-    carrier.L = carrier.L + d.named(spin, "kIqd_" + label(static_cast<int>(i))) * rotor->axis;
+    carrier.L =
+        carrier.L + d.named(spin, "kIqd_" + label(static_cast<int>(i))) * frames.rotor_axis(static_cast<int>(i));
   }
   for (std::size_t i = links.size(); i-- > 0;) {
     const int k = static_cast<int>(i), parent = frames.body(k).parent;

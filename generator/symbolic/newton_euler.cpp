@@ -107,7 +107,7 @@ Vec3 rotor_reaction(Frames& frames, int i, const LinkMotion& carrier, const Moti
   const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i));
   const Number spin = d.named(krI * motion.qdd[k], "kIqdd_" + label(i));
   const Number momentum = d.named(krI * motion.qd[k], "kIqd_" + label(i));
-  const Vec3 z = d.named(rotor.axis, "z_m" + label(i));
+  const Vec3& z = frames.rotor_axis(i);
   return spin * z + momentum * cross(carrier.omega, z);
 }
 
@@ -148,7 +148,7 @@ Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string&
 Vec3 rotor_momentum(Frames& frames, int i) {
   Derivation& d = frames.derivation();
   const Rotor& rotor = *frames.body(i).rotor;
-  return d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i)) * d.named(rotor.axis, "z_m" + label(i));
+  return d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i)) * frames.rotor_axis(i);
 }
 
 Number reflected_inertia(const Body& body) {
@@ -182,7 +182,7 @@ Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vect
   if (body.rotor && body.rotor->carrier >= 0) {
     const Rotor& rotor = *body.rotor;
     const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + n);
-    const Vec3 z = d.named(rotor.axis, "z_m" + n);
+    const Vec3& z = frames.rotor_axis(i);
     tau += krI * d.named(dot(z, links[static_cast<std::size_t>(rotor.carrier)].domega), "domega_m" + n);
   }
   tau += d.named(reflected_inertia(body), "I_r" + n) * motion.qdd[k];

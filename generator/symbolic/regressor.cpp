@@ -105,7 +105,7 @@ class Columns {
     if (rotor && rotor->carrier >= 0) {
       const auto c = static_cast<std::size_t>(rotor->carrier);
       const BodyMotion& carrier = bodies_[c];
-      const Vec3 z = d.named(rotor->axis, "z_m" + label(j));
+      const Vec3& z = frames_.rotor_axis(j);
       entries[jj] += ratio * d.named(dot(z, carrier.domega), "domega_m" + label(j));
       const Vec3 momentum = ratio * rate_times_omega(motion_, j, carrier.omega, carrier.omega_r);
       const Vec3 reaction = d.named(spin * z + cross(momentum, z), "mu_m" + label(j));

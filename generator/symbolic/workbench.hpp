@@ -12,8 +12,8 @@ namespace flatdyn {
 inline constexpr const char* kTorqueMeaning = "joint torques, N m (forces, N, for prismatic joints)";
 
 struct Workbench {
-  explicit Workbench(const Mechanism& m, LeafFrames leaves = LeafFrames::turning)
-      : mechanism(m), derivation(parameters(m)), frames(mechanism, derivation, leaves) {}
+  explicit Workbench(const Mechanism& m, const std::vector<Axes>& axes = {})
+      : mechanism(m), derivation(parameters(m)), frames(mechanism, derivation, axes) {}
 
   static std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism);
 

@@ -22,17 +22,18 @@ VerifyReport report_of(const std::string& robot, const std::vector<std::string>&
 
 class ScaledError : public ::testing::TestWithParam<const char*> {};
 
-// At most 16 units, and no worse than the reference in double: nowhere by more than a tenth of a unit, which is how
-// far one set of random states differs from another.
+// At most 16 units, and nowhere worse than the reference in double by more than 0.6 units: a tenth is how far one set
+// of random states differs from another, the rest is for sines and cosines of sums of parallel joints' angles, which
+// are rounded more often than those of the angles.
 TEST_P(ScaledError, IsSmallAndNotWorseThanTheReferences) {
-  constexpr double kChance = 0.1;
+  constexpr double kMore = 0.6;
   const VerifyReport report =
       report_of(GetParam(), {"inverse_dynamics", "inertia_matrix", "christoffel", "gravity", "bias", "forward_dynamics",
                              "kinetic_energy", "potential_energy", "forward_kinematics", "jacobian"});
   ASSERT_EQ(report.functions.size(), 10u);
   for (const FunctionReport& f : report.functions) {
     EXPECT_LE(f.generated.largest, 16) << f.function;
-    EXPECT_LE(f.generated.percentile_99, f.reference.percentile_99 + kChance) << f.function;
+    EXPECT_LE(f.generated.percentile_99, f.reference.percentile_99 + kMore) << f.function;
     EXPECT_LE(f.at_edges.largest, 16) << f.function;
     EXPECT_LT(f.graph_error, 1e-35) << f.function;
   }

@@ -48,10 +48,10 @@ TEST_P(RandomChoices, GiveTheSameFunctions) {
   }
 }
 
-TEST_P(RandomChoices, StillLeafFramesGiveTheSameFunctions) {
+TEST_P(RandomChoices, StillFramesGiveTheSameFunctions) {
   const Mechanism mechanism = make_mechanism(random_robot(GetParam()));
   for (const Grouping grouping : kGroupings) {
-    const Choices choices = uniform_choices(mechanism, grouping, LeafFrames::still);
+    const Choices choices = with_still_frames(mechanism, uniform_choices(mechanism, grouping), StillFrames::all);
     for (const char* name : kSearched) {
       const std::optional<Function> function = formulation(mechanism, name, 0, choices);
       EXPECT_TRUE(prove_exactly(mechanism, function.value()).equal) << name;

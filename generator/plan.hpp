@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One function, from the formulation and the usual choices from which it costs least; and how it is made from others.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "pipeline.hpp"
+
+namespace flatdyn {
+
+struct Plan {
+  OptimisedFunction made;
+  Choices choices;
+  bool is_closed_form = false;
+  std::function<OptimisedFunction(const Choices&)> remake;  // of the same formulation
+};
+
+// Throws BadInput where the scene asks of the function what it has not. The model must outlive the plan.
+Plan planned(const Model& model, const std::string& name, Progress& progress);
+
+}  // namespace flatdyn
