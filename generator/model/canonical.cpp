@@ -119,6 +119,20 @@ class RawTree {
   }
 };
 
+// Coordinates that are zero but for the replacement of irrational numbers by rational ones: 1e-44 of the whole is
+// nothing that a file can say, and as a number it would cost a multiplication, or be divided by.
+Vec3 without_residues(Vec3 v) {
+  const GiNaC::numeric tolerance = GiNaC::numeric(10).power(-40);
+  GiNaC::numeric largest = 0;
+  for (const Number& x : v) {
+    if (is_rational(x)) largest = std::max(largest, GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x)));
+  }
+  for (Number& x : v) {
+    if (is_rational(x) && GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x)) < tolerance * largest) x = 0;
+  }
+  return v;
+}
+
 // Where each body's final frame is in its raw frame: turned by `phase` about z, moved by `shift`.
 struct Placement {
   PlanarRotation phase;
@@ -138,8 +152,8 @@ class Placer {
   Vec3 displacement(std::size_t i) const {
     const Vec3 raw = raw_displacement(i) + tree_.raw_[i].R * placements_[i].shift;
     const int parent = tree_.parent_[i];
-    if (parent < 0) return expanded(raw);
-    return expanded(rotation_z(inverse(placements_[static_cast<std::size_t>(parent)].phase)) * raw);
+    if (parent < 0) return without_residues(expanded(raw));
+    return without_residues(expanded(rotation_z(inverse(placements_[static_cast<std::size_t>(parent)].phase)) * raw));
   }
 
  private:

@@ -18,7 +18,7 @@ std::string digits(double value) { return fmt::format("{:.2g}", value); }
 
 std::string verdict(const FamilyReport& report, const StressRow& row) {
   const std::string text = row.lost.ratio > report.options.ratio ? "LOST" : row.passed ? "ok" : "LARGE";
-  return row.refused > 0 ? fmt::format("{} ({} of {} refused)", text, row.refused, row.states) : text;
+  return row.refused > 0 ? fmt::format("{} ({} of {} refused)", text, row.refused, row.tried) : text;
 }
 
 std::vector<std::string> names_of(const FamilyReport& report, const std::string& scalar) {
@@ -76,6 +76,7 @@ ordered_json family_json(const FamilyReport& report) {
                             {"function", row.function},
                             {"scalar", row.scalar},
                             {"states", row.states},
+                            {"tried", row.tried},
                             {"refused", row.refused},
                             {"random", {{"p99", row.random.percentile_99}, {"max", row.random.largest}}},
                             {"edge_max", row.edge},

@@ -31,7 +31,7 @@ std::vector<std::string> table_row(const StressReport& report, const StressRow& 
           two_digits(row.worst.error.condition),
           two_digits(row.worst.reference),
           two_digits(row.lost.ratio),
-          row.refused > 0 ? fmt::format("{} ({} refused)", verdict, row.refused) : verdict};
+          row.refused > 0 ? fmt::format("{} ({} of {} refused)", verdict, row.refused, row.tried) : verdict};
 }
 
 ordered_json json_of(const StressReport& report, const StressRow& row, const StressFinding& finding) {
@@ -47,12 +47,11 @@ ordered_json json_of(const StressReport& report, const StressRow& row, const Str
 }
 
 ordered_json json_of(const StressReport& report, const StressRow& row) {
-  ordered_json json = {{"function", row.function},
-                       {"scalar", row.scalar},
-                       {"states", row.states},
-                       {"refused", row.refused},
-                       {"random", {{"p99", row.random.percentile_99}, {"max", row.random.largest}}},
-                       {"edge_max", row.edge}};
+  ordered_json json = {
+      {"function", row.function}, {"scalar", row.scalar},
+      {"states", row.states},     {"tried", row.tried},
+      {"refused", row.refused},   {"random", {{"p99", row.random.percentile_99}, {"max", row.random.largest}}},
+      {"edge_max", row.edge}};
   for (const auto& [name, largest] : row.variants) json["variants"][name] = largest;
   json["worst"] = json_of(report, row, row.worst);
   json["lost"] = json_of(report, row, row.lost);

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kJoints = 6;
+constexpr int kJoints = 4;
 
 Number power_of_ten(int exponent) {
   const GiNaC::numeric ten(10);
@@ -101,8 +101,8 @@ std::vector<FamilyMember> light_links(int count, unsigned seed) {
     const int exponent = kExponents[static_cast<std::size_t>(k / 2) % std::size(kExponents)];
     const bool is_tip = k % 2 == 0;
     Robot robot = growth_robot(true, kJoints, seed + static_cast<unsigned>(k));
-    scale(robot.links[is_tip ? kJoints : 3], power_of_ten(exponent));
-    if (!is_tip) robot.joints[3].origin = {};
+    scale(robot.links[is_tip ? kJoints : 2], power_of_ten(exponent));
+    if (!is_tip) robot.joints[2].origin = {};
     members.push_back(
         {label_of(is_tip ? "tip" : "between equal axes", exponent), std::pow(10.0, exponent), std::move(robot)});
   }

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Numbers below the smallest normal one lose digits in every code, and lengths and masses multiply what is lost: errors
-// of terms that are smaller than so many of it count against that size.
-constexpr double kUnderflow = 1e4;
+// Numbers below the smallest normal one lose digits in every code, and lengths, masses and other rates (up to 1e6 here)
+// multiply what is lost: errors of terms that are smaller than so many of it count against that size.
+constexpr double kUnderflow = 1e12;
 
 double as_double(long double x) { return static_cast<double>(x); }
 double as_double(const Real50& x) { return x.convert_to<double>(); }

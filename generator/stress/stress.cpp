@@ -144,6 +144,7 @@ class StressRun {
   }
 
   std::optional<StressError> at(const State& state) {
+    ++row_.tried;
     const Judged found = worst_variant(state);
     if (!found.error) {
       ++row_.refused;

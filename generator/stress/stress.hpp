@@ -45,7 +45,8 @@ struct StressRow {
   double edge = 0;                                       // the largest at edge states
   StressFinding worst;                                   // the largest error
   StressFinding lost;                                    // the largest ratio
-  std::size_t states = 0, refused = 0;                   // refused: the function does not hold, or says so
+  std::size_t states = 0;                                // random ones
+  std::size_t tried = 0, refused = 0;                    // with edges; the function does not hold there, or says so
   std::vector<std::pair<std::string, double>> variants;  // name, largest at random and edge states
   std::vector<StressError> points;                       // a sample of all states
   std::vector<std::size_t> histogram;                    // of scaled errors at random states, kStressBins
