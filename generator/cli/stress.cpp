@@ -16,7 +16,7 @@ namespace {
 struct StressArguments : RobotArguments {
   std::vector<std::string> functions;
   std::string folder, family;
-  int robots = 20;
+  int robots = 20, joints = 4;
   StressOptions stress;
 };
 
@@ -36,6 +36,7 @@ ExitCode run_family(const StressArguments& arguments) {
   FamilyOptions options;
   options.family = arguments.family;
   options.robots = arguments.robots;
+  options.joints = arguments.joints;
   options.stress = arguments.stress;
   if (!arguments.functions.empty()) options.functions = arguments.functions;
   Progress progress(arguments.quiet);
@@ -122,6 +123,10 @@ Run add_stress(CLI::App& app) {
   command->add_option("--robots", arguments->robots, "of the family, at most")
       ->capture_default_str()
       ->check(CLI::Range(1, 1'000'000))
+      ->needs("--family");
+  command->add_option("--joints", arguments->joints, "of each robot of the family; not for chains, of trees about")
+      ->capture_default_str()
+      ->check(CLI::Range(3, 100))
       ->needs("--family");
   command->add_option("--seed", arguments->stress.seed, "of the states and of the search")->capture_default_str();
   command->add_option("--bound", arguments->stress.bound, "largest scaled error allowed")

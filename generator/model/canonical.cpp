@@ -75,6 +75,14 @@ InertialParameters still_rotor(const Motor& motor) {
   return rotor;
 }
 
+// Turned by what its angles, rational in their turn, come to. So the frames that are placed by them, and the distances
+// to axes, are zero where they have to be, to the last digit.
+Transform from_zxz(Transform frame) {
+  const ZxzAngles angles = zxz_angles(frame.R);
+  frame.R = expanded(rotation_z(angles.beta) * rotation_x(angles.alpha) * rotation_z(angles.theta));
+  return frame;
+}
+
 // The tree with raw frames: z on each axis, origin and phase wherever the file put them.
 class RawTree {
  public:
@@ -109,7 +117,7 @@ class RawTree {
       merged_.push_back(robot_.links[child].name);
     } else {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
-      raw_.push_back(compose(frame, onto_axis));
+      raw_.push_back(from_zxz(compose(frame, onto_axis)));
       parent_.push_back(body_of_[parent]);
       joint_of_.push_back(joint_index);
       body_of_[child] = static_cast<int>(raw_.size()) - 1;
@@ -118,20 +126,6 @@ class RawTree {
     walk(joint.child);
   }
 };
-
-// Coordinates that are zero but for the replacement of irrational numbers by rational ones: 1e-44 of the whole is
-// nothing that a file can say, and as a number it would cost a multiplication, or be divided by.
-Vec3 without_residues(Vec3 v) {
-  const GiNaC::numeric tolerance = GiNaC::numeric(10).power(-40);
-  GiNaC::numeric largest = 0;
-  for (const Number& x : v) {
-    if (is_rational(x)) largest = std::max(largest, GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x)));
-  }
-  for (Number& x : v) {
-    if (is_rational(x) && GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x)) < tolerance * largest) x = 0;
-  }
-  return v;
-}
 
 // Where each body's final frame is in its raw frame: turned by `phase` about z, moved by `shift`.
 struct Placement {
@@ -152,8 +146,8 @@ class Placer {
   Vec3 displacement(std::size_t i) const {
     const Vec3 raw = raw_displacement(i) + tree_.raw_[i].R * placements_[i].shift;
     const int parent = tree_.parent_[i];
-    if (parent < 0) return without_residues(expanded(raw));
-    return without_residues(expanded(rotation_z(inverse(placements_[static_cast<std::size_t>(parent)].phase)) * raw));
+    if (parent < 0) return expanded(raw);
+    return expanded(rotation_z(inverse(placements_[static_cast<std::size_t>(parent)].phase)) * raw);
   }
 
  private:

@@ -46,7 +46,8 @@ bool FamilyReport::passed() const {
 
 FamilyReport stress_family(const FamilyOptions& options, Progress& progress) {
   FamilyReport report{options.family, options.stress, {}, {}};
-  for (FamilyMember& member : entry_of(options.family).members(options.robots, options.stress.seed)) {
+  const FamilySize size{options.robots, options.joints, options.stress.seed};
+  for (FamilyMember& member : entry_of(options.family).members(size)) {
     Mechanism mechanism = make_mechanism(member.robot);
     const Model model{std::move(member.robot), std::move(mechanism), std::nullopt, {}, ""};
     const std::vector<Function> functions = functions_for(model, member, options, progress, report);

@@ -15,17 +15,23 @@ struct FamilyMember {
   Robot robot;
 };
 
+struct FamilySize {
+  int robots = 20;  // at most
+  int joints = 4;   // of each; not for chains, of trees about
+  unsigned seed = 1;
+};
+
 // Names and what they are, for the help.
 struct FamilyEntry {
   const char* name;
   const char* meaning;
-  std::vector<FamilyMember> (*members)(int count, unsigned seed);
+  std::vector<FamilyMember> (*members)(const FamilySize&);
 };
 const std::vector<FamilyEntry>& family_table();
 
 struct FamilyOptions {
   std::string family;
-  int robots = 20;  // at most
+  int robots = 20, joints = 4;  // as of FamilySize; the seed is that of `stress`
   std::vector<std::string> functions = {"inverse_dynamics", "inertia_matrix", "forward_dynamics"};
   StressOptions stress;
 };

@@ -11,8 +11,6 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kJoints = 4;
-
 Number power_of_ten(int exponent) {
   const GiNaC::numeric ten(10);
   return ten.power(GiNaC::numeric(exponent));
@@ -28,13 +26,13 @@ void scale(Link& link, const Number& by) {
 }
 
 // Masses and inertias from 10^-e at one end to 10^e at the other.
-std::vector<FamilyMember> inertia_ratios(int count, unsigned seed) {
+std::vector<FamilyMember> inertia_ratios(const FamilySize& size) {
   std::vector<FamilyMember> members;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < size.robots; ++k) {
     const int most = 9 - 3 * (k / 2 % 3), sign = k % 2 == 0 ? 1 : -1;
-    Robot robot = growth_robot(true, kJoints, seed + static_cast<unsigned>(k));
-    for (int i = 1; i <= kJoints; ++i) {
-      const int exponent = static_cast<int>(std::lround(most * (2.0 * (i - 1) / (kJoints - 1) - 1)));
+    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
+    for (int i = 1; i <= size.joints; ++i) {
+      const int exponent = static_cast<int>(std::lround(most * (2.0 * (i - 1) / (size.joints - 1) - 1)));
       scale(robot.links[static_cast<std::size_t>(i)], power_of_ten(sign * exponent));
     }
     members.push_back(
@@ -44,12 +42,12 @@ std::vector<FamilyMember> inertia_ratios(int count, unsigned seed) {
 }
 
 // Rotors of 1e-12 to 1e-6 kg m², whose inertia at the joint is that times the square of the ratio.
-std::vector<FamilyMember> gear_ratios(int count, unsigned seed) {
+std::vector<FamilyMember> gear_ratios(const FamilySize& size) {
   std::vector<FamilyMember> members;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < size.robots; ++k) {
     const int exponent = 5 - k % 5;
-    Robot robot = growth_robot(true, kJoints, seed + static_cast<unsigned>(k));
-    Hundredths draw(seed + static_cast<unsigned>(k));
+    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
+    Hundredths draw(size.seed + static_cast<unsigned>(k));
     for (Joint& joint : robot.joints) {
       Motor motor;
       motor.gear_ratio.number = power_of_ten(exponent) * draw.between(50, 100);
@@ -65,11 +63,11 @@ std::vector<FamilyMember> gear_ratios(int count, unsigned seed) {
 }
 
 // Centres of mass so many metres from their joints.
-std::vector<FamilyMember> far_centres(int count, unsigned seed) {
+std::vector<FamilyMember> far_centres(const FamilySize& size) {
   std::vector<FamilyMember> members;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < size.robots; ++k) {
     const int exponent = 4 - k % 4;
-    Robot robot = growth_robot(true, kJoints, seed + static_cast<unsigned>(k));
+    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
     for (Link& link : robot.links) {
       for (Inertial& body : link.inertials) body.centre_of_mass = power_of_ten(exponent) * body.centre_of_mass;
     }
@@ -79,11 +77,11 @@ std::vector<FamilyMember> far_centres(int count, unsigned seed) {
 }
 
 // Axes that are parallel but for so many rad.
-std::vector<FamilyMember> near_parallel(int count, unsigned seed) {
+std::vector<FamilyMember> near_parallel(const FamilySize& size) {
   std::vector<FamilyMember> members;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < size.robots; ++k) {
     const int exponent = -3 - k % 10;
-    Robot robot = growth_robot(true, kJoints, seed + static_cast<unsigned>(k));
+    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
     for (Joint& joint : robot.joints) {
       for (Displacement& each : joint.origin.displacements) each.angle = each.angle * power_of_ten(exponent);
     }
@@ -94,29 +92,29 @@ std::vector<FamilyMember> near_parallel(int count, unsigned seed) {
 
 // A last link of next to no mass, or of none; and a light link between two joints about the same axis, where B has two
 // equal rows but for the last places.
-std::vector<FamilyMember> light_links(int count, unsigned seed) {
+std::vector<FamilyMember> light_links(const FamilySize& size) {
   constexpr int kExponents[] = {-6, -12, -18, -30, -100};
   std::vector<FamilyMember> members;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < size.robots; ++k) {
     const int exponent = kExponents[static_cast<std::size_t>(k / 2) % std::size(kExponents)];
     const bool is_tip = k % 2 == 0;
-    Robot robot = growth_robot(true, kJoints, seed + static_cast<unsigned>(k));
-    scale(robot.links[is_tip ? kJoints : 2], power_of_ten(exponent));
+    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
+    scale(robot.links[is_tip ? size.joints : 2], power_of_ten(exponent));
     if (!is_tip) robot.joints[2].origin = {};
     members.push_back(
         {label_of(is_tip ? "tip" : "between equal axes", exponent), std::pow(10.0, exponent), std::move(robot)});
   }
-  Robot robot = growth_robot(true, kJoints, seed);
+  Robot robot = growth_robot(true, size.joints, size.seed);
   robot.links.back().inertials.clear();
   members.push_back({"tip without mass", 1e-300, std::move(robot)});
   return members;
 }
 
-std::vector<FamilyMember> chains(int count, unsigned seed) {
+std::vector<FamilyMember> chains(const FamilySize& size) {
   constexpr int kSizes[] = {2, 4, 8, 16, 32, 64, 100};
   std::vector<FamilyMember> members;
-  for (int k = 0; k < count && k < static_cast<int>(std::size(kSizes)); ++k) {
-    members.push_back({fmt::format("{} joints", kSizes[k]), 1.0 * kSizes[k], growth_robot(true, kSizes[k], seed)});
+  for (int k = 0; k < size.robots && k < static_cast<int>(std::size(kSizes)); ++k) {
+    members.push_back({fmt::format("{} joints", kSizes[k]), 1.0 * kSizes[k], growth_robot(true, kSizes[k], size.seed)});
   }
   return members;
 }
@@ -139,14 +137,14 @@ Motor random_motor(const Robot& robot, int parent, Hundredths& draw) {
   return motor;
 }
 
-// Trees of 3 to 8 joints, revolute or prismatic, some with motors on links before them, some with friction.
-std::vector<FamilyMember> trees(int count, unsigned seed) {
+// Trees of some joints, revolute or prismatic, some with motors on links before them, some with friction.
+std::vector<FamilyMember> trees(const FamilySize& size) {
   std::vector<FamilyMember> members;
-  for (int k = 0; k < count; ++k) {
-    Hundredths draw(seed + static_cast<unsigned>(k));
-    const int joints = draw.integer(3, 8);
+  for (int k = 0; k < size.robots; ++k) {
+    Hundredths draw(size.seed + static_cast<unsigned>(k));
+    const int joints = draw.integer(2, size.joints + 2);
     Robot robot;
-    robot.name = fmt::format("tree_{}", seed + static_cast<unsigned>(k));
+    robot.name = fmt::format("tree_{}", size.seed + static_cast<unsigned>(k));
     robot.root = 0;
     robot.links.push_back({"base", {}, {}});
     for (int i = 0; i < joints; ++i) {
