@@ -99,7 +99,7 @@ std::vector<FamilyMember> light_links(const FamilySize& size) {
     const int exponent = kExponents[static_cast<std::size_t>(k / 2) % std::size(kExponents)];
     const bool is_tip = k % 2 == 0;
     Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
-    scale(robot.links[is_tip ? size.joints : 2], power_of_ten(exponent));
+    scale(robot.links[static_cast<std::size_t>(is_tip ? size.joints : 2)], power_of_ten(exponent));
     if (!is_tip) robot.joints[2].origin = {};
     members.push_back(
         {label_of(is_tip ? "tip" : "between equal axes", exponent), std::pow(10.0, exponent), std::move(robot)});
