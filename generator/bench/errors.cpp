@@ -8,17 +8,6 @@
 namespace flatdyn {
 namespace {
 
-// What a function in float is given: its error is that of its own arithmetic.
-State as_given(const State& state, const std::string& scalar) {
-  State given = state;
-  if (scalar != "float") return given;
-  for (std::vector<double>* numbers : {&given.q, &given.qd, &given.qdd, &given.tau, &given.h_e, &given.parameters,
-                                       &given.qd_r, &given.qdd_r, &given.pi_b}) {
-    for (double& x : *numbers) x = static_cast<double>(static_cast<float>(x));
-  }
-  return given;
-}
-
 // A function's values in 50 digits, and the size of their terms, state by state.
 struct Truth {
   std::vector<std::vector<Real50>> values;
@@ -28,7 +17,8 @@ struct Truth {
 Truth truth_of(const BenchSubject& subject, const Expected& expected, const std::string& scalar, std::size_t count) {
   Truth truth;
   for (std::size_t k = 0; k < count; ++k) {
-    const State state = as_given(subject.states[k], scalar);
+    // What a function in float is given: its error is that of its own arithmetic.
+    const State state = scalar == "float" ? in_float(subject.states[k]) : subject.states[k];
     truth.values.push_back(expected.exact(state));
     truth.scales.push_back(expected.scale(state));
   }

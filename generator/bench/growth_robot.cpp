@@ -1,31 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <random>
-
+#include "bench/drawn_robot.hpp"
 #include "bench/growth.hpp"
 
 namespace flatdyn {
-namespace {
 
-// Hundredths, the same on every machine.
-class Hundredths {
- public:
-  explicit Hundredths(unsigned seed) : engine_(seed) {}
-
-  Number between(int low, int high) {
-    const int drawn = low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-    return GiNaC::numeric(drawn, 100);
-  }
-  Number any() { return between(-99, 99); }
-  Vec3 vector() {
-    const Number x = any(), y = any(), z = any();
-    return {x, y, z};
-  }
-
- private:
-  std::mt19937 engine_;
-};
-
-// Point masses, so that the inertia is one that a body can have.
 Link random_link(Hundredths& draw, const std::string& name) {
   Inertial body;
   body.mass.number = draw.between(10, 99);
@@ -49,8 +27,6 @@ Joint random_joint(Hundredths& draw, const std::string& name, int parent, int ch
                                 {Displacement::Kind::rotation_x, zero_vector(), roll}};
   return joint;
 }
-
-}  // namespace
 
 Robot growth_robot(bool chain, int joints, unsigned seed) {
   Hundredths draw(seed);

@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "input/content_hash.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
 #include "report/proof_report.hpp"
@@ -85,6 +86,8 @@ ExitCode generate(const GenerateArguments& arguments) {
   manifest["proof"] = proofs_json(proofs);
   const std::string text = emit_cpp(model.mechanism, functions_of(functions), emit, stages);
   prove_text(text, functions, stages);
+  // So that a reader sees whether the two files belong together.
+  manifest["header_hash"] = content_hash({text});
   write_files({{folder / header, text}, {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
   print_diagnostics(model.diagnostics, arguments.quiet);
   print_diagnostics(findings, arguments.quiet);

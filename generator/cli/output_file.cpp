@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/output_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <memory>
 
 #include "diagnostics/diagnostics.hpp"
 
@@ -78,6 +82,39 @@ class Cleanup {
   const std::vector<TextFile>& files_;
 };
 
+// One run at a time writes to a folder: files that belong together are not mixed with another run's. A file system
+// that knows no locks goes without; the kernel lets go of a lock when a run ends, however it ends.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& file) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor_ < 0) return;
+    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+ private:
+  int descriptor_ = -1;
+};
+
+// The folders' locks, in one order for all runs, so that none waits for another that waits for it.
+std::vector<std::unique_ptr<FolderLock>> locked(const std::vector<TextFile>& files) {
+  std::map<fs::path, fs::path> by_folder;
+  for (const TextFile& file : files) {
+    std::error_code ignored;
+    by_folder.emplace(fs::weakly_canonical(fs::absolute(file.path), ignored).parent_path(), file.path);
+  }
+  std::vector<std::unique_ptr<FolderLock>> locks;
+  for (const auto& [folder, file] : by_folder) locks.push_back(std::make_unique<FolderLock>(file));
+  return locks;
+}
+
 }  // namespace
 
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
@@ -100,6 +137,7 @@ void write_files(const std::vector<TextFile>& wanted) {
   std::vector<TextFile> files;
   for (const TextFile& file : wanted) files.push_back(followed(file));
   for (const TextFile& file : files) check_writable(file);
+  const std::vector<std::unique_ptr<FolderLock>> locks = locked(files);
   const Cleanup cleanup(files);
   for (const TextFile& file : files) {
     if (is_replaced(file.path)) write_text(beside(file.path), file);

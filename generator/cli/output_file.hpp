@@ -17,7 +17,8 @@ struct TextFile {
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 // Writes all of them beside their places and renames them at the end, so that nobody ever sees half a file and an
-// interrupted run loses nothing. A link stays a link; a device is written to. Throws Failure(io).
+// interrupted run loses nothing. Of several runs in one folder, one after the other does so. A link stays a link; a
+// device is written to. Throws Failure(io).
 void write_files(const std::vector<TextFile>& wanted);
 
 }  // namespace flatdyn

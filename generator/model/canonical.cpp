@@ -75,6 +75,14 @@ InertialParameters still_rotor(const Motor& motor) {
   return rotor;
 }
 
+// Turned by what its angles, rational in their turn, come to. So the frames that are placed by them, and the distances
+// to axes, are zero where they have to be, to the last digit.
+Transform from_zxz(Transform frame) {
+  const ZxzAngles angles = zxz_angles(frame.R);
+  frame.R = expanded(rotation_z(angles.beta) * rotation_x(angles.alpha) * rotation_z(angles.theta));
+  return frame;
+}
+
 // The tree with raw frames: z on each axis, origin and phase wherever the file put them.
 class RawTree {
  public:
@@ -109,7 +117,7 @@ class RawTree {
       merged_.push_back(robot_.links[child].name);
     } else {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
-      raw_.push_back(compose(frame, onto_axis));
+      raw_.push_back(from_zxz(compose(frame, onto_axis)));
       parent_.push_back(body_of_[parent]);
       joint_of_.push_back(joint_index);
       body_of_[child] = static_cast<int>(raw_.size()) - 1;

@@ -45,6 +45,14 @@ double bound(const std::optional<Value>& limit, double otherwise) {
 
 }  // namespace
 
+State in_float(State state) {
+  for (std::vector<double>* numbers : {&state.q, &state.qd, &state.qdd, &state.tau, &state.h_e, &state.parameters,
+                                       &state.qd_r, &state.qdd_r, &state.pi_b}) {
+    for (double& x : *numbers) x = static_cast<double>(static_cast<float>(x));
+  }
+  return state;
+}
+
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed) {
   Uniform uniform(seed), reference(seed + kReferenceSeed);
   std::vector<State> states;

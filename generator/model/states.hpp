@@ -30,13 +30,16 @@ struct StateOf {
 // Doubles: what the compiled code gets is exactly what the reference gets.
 using State = StateOf<double>;
 
-// The same state, exactly, in a wider type.
+// The same state in another type: exactly, if that is wider.
 template <class S>
 StateOf<S> widened(const State& state) {
   const auto wide = [](const std::vector<double>& v) { return std::vector<S>(v.begin(), v.end()); };
   return {wide(state.q),          wide(state.qd),   wide(state.qdd),   wide(state.tau), wide(state.h_e),
           wide(state.parameters), wide(state.qd_r), wide(state.qdd_r), wide(state.pi_b)};
 }
+
+// The state that a function in float is given: every number rounded.
+State in_float(State state);
 
 // Uniform within the limits; where there are none: a turn, 1 m, 5 rad/s, 1 m/s, 20 rad/s^2, 10 m/s^2. The same on every
 // machine for the same seed. Base parameters are none.

@@ -10,6 +10,9 @@ namespace flatdyn {
 
 namespace {
 
+// Walks from the root go as deep as the tree does, each step on the stack; code for so many joints would be of no use.
+constexpr std::size_t kMostJoints = 2000;
+
 template <class Named>
 void report_duplicates(const std::vector<Named>& all, const std::string& kind, Diagnostics& diagnostics) {
   std::map<std::string, int> line_of_name;
@@ -98,6 +101,13 @@ bool all_named(const Robot& robot) {
 bool find_tree(Robot& robot, Diagnostics& diagnostics) {
   if (robot.links.empty()) {
     diagnostics.error({robot.file, 0}, "the robot has no links", "add a link for the base and one for each joint");
+    return false;
+  }
+  if (robot.joints.size() > kMostJoints) {
+    diagnostics.unsupported(
+        {robot.file, 0},
+        fmt::format("the robot has {} joints; more than {} are not supported", robot.joints.size(), kMostJoints),
+        "leave out what does not move, or cut the robot in parts");
     return false;
   }
   report_duplicates(robot.links, "link", diagnostics);

@@ -61,9 +61,9 @@ ordered_json json_of(const GrowthCurve& curve) {
 using Quantity = double (*)(const GrowthRow&);
 
 Panel panel_of(const GrowthReport& report, const std::string& title, Quantity quantity) {
-  Panel panel{title, "", "", {}, true};
+  Panel panel{title, "", "", {}, PanelStyle::marked};
   for (const GrowthCurve& curve : report.curves) {
-    Series series{curve.shape + ", " + curve.function, {}, {}};
+    Series series{curve.shape + ", " + curve.function, {}, {}, false};
     for (const GrowthRow& row : curve.rows) {
       series.x.push_back(row.joints);
       series.y.push_back(quantity(row));

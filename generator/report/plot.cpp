@@ -48,21 +48,47 @@ std::string style_text(const std::vector<Panel>& panels) {
       kPlotInk, key_width(panels));
 }
 
+std::string drawn_with(PanelStyle style, const Series& series, std::size_t k) {
+  if (series.is_guide) return fmt::format("lines linewidth 1 dashtype 2 linecolor rgb '{}'", kPlotInk);
+  const std::string colour = fmt::format("linecolor rgb '{}'", kPlotColours[k % kColourCount]);
+  const std::string line = fmt::format("linewidth 1.4 {} dashtype {}", colour, k / kColourCount + 1);
+  switch (style) {
+    case PanelStyle::curves:
+      return "lines " + line;
+    case PanelStyle::marked:
+      return "linespoints pointtype 7 pointsize 0.5 " + line;
+    case PanelStyle::cloud:
+      return fmt::format("points pointtype {} pointsize 0.35 {}", k < kColourCount ? 7 : 4, colour);
+    case PanelStyle::steps:
+      return "histeps " + line;
+  }
+  return "";
+}
+
+std::string axes_text(const Panel& panel) {
+  switch (panel.style) {
+    case PanelStyle::curves:
+      return "unset logscale\nset xtics autofreq\n";
+    case PanelStyle::marked:
+      return fmt::format("set logscale xy\nset offsets 0, 0, 0, 0\nset xtics ({})\n",
+                         fmt::join(panel.series.front().x, ", "));
+    case PanelStyle::cloud:
+      return "set logscale xy\nset offsets 0, 0, 0, 0\nset xtics autofreq\nset format '10^{%T}'\n";
+    case PanelStyle::steps:
+      return "unset logscale\nset logscale x 2\nset offsets 0, 0, 0, 0\nset xtics autofreq\nset format '%g'\n";
+  }
+  return "";
+}
+
 std::string panel_text(const Panel& panel, std::size_t index) {
   std::string text = gnuplot_label("title", panel.title, "offset 0,-0.5") + gnuplot_label("xlabel", panel.x_label) +
-                     gnuplot_label("ylabel", panel.y_label);
+                     gnuplot_label("ylabel", panel.y_label) + axes_text(panel);
   std::vector<std::string> curves;
   for (std::size_t k = 0; k < panel.series.size(); ++k) {
     const std::string name = fmt::format("panel{}_{}", index, k);
     text += data_text(panel.series[k], name);
-    curves.push_back(fmt::format("${} with {} linewidth 1.4 linecolor rgb '{}' dashtype {} title {}", name,
-                                 panel.logarithmic ? "linespoints pointtype 7 pointsize 0.5" : "lines",
-                                 kPlotColours[k % kColourCount], k / kColourCount + 1,
+    curves.push_back(fmt::format("${} with {} title {}", name, drawn_with(panel.style, panel.series[k], k),
                                  gnuplot_string(panel.series[k].name)));
-  }
-  if (panel.logarithmic) {
-    text += fmt::format("set logscale xy\nset offsets 0, 0, 0, 0\nset xtics ({})\n",
-                        fmt::join(panel.series.front().x, ", "));
   }
   return text + fmt::format("plot {}\n", fmt::join(curves, ", "));
 }

@@ -10,12 +10,20 @@ namespace flatdyn {
 struct Series {
   std::string name;
   std::vector<double> x, y;
+  bool is_guide = false;  // a thin line among the points of a cloud
+};
+
+enum class PanelStyle {
+  curves,
+  marked,  // logarithmic axes; points on the curves, x marked where the first has one
+  cloud,   // logarithmic axes; points
+  steps,   // x logarithmic; a histogram's outline
 };
 
 struct Panel {
   std::string title, x_label, y_label;
   std::vector<Series> series;
-  bool logarithmic = false;  // both axes; points on the curves, x marked where the first has one
+  PanelStyle style = PanelStyle::curves;
 };
 
 // Panels below each other in one SVG, without background and in colours for white and for dark pages. The same input

@@ -69,15 +69,38 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
   return columns;
 }
 
+namespace {
+
+// ω̇ of a body from the joints' own q̇ ω × z. As a part of U it stands beside ω², which may be far larger.
+Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion>& links,
+                          const std::vector<Number>& qd) {
+  Derivation& d = frames.derivation();
+  std::vector<int> path = path_to_base(frames, body);
+  std::reverse(path.begin(), path.end());
+  Vec3 domega = zero_vector();
+  for (const int i : path) {
+    const auto k = static_cast<std::size_t>(i);
+    domega = frames.down(i, domega, "domega_f_" + label(i));
+    if (frames.body(i).prismatic) continue;
+    const Vec3 carried = {qd[k] * links[k].omega[1], -qd[k] * links[k].omega[0], 0};
+    domega = d.named(domega + carried, "domega_q_" + label(i));
+  }
+  return domega;
+}
+
+}  // namespace
+
 JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
   if (link.body < 0) return {};
   Derivation& d = frames.derivation();
   const int n = frames.mechanism().size();
   const Motion motion{inputs(d, InputKind::qd, n), std::vector<Number>(static_cast<std::size_t>(n), 0), zero_vector(),
                       false};
-  const LinkMotion body = link_motions(frames, motion)[static_cast<std::size_t>(link.body)];
+  const std::vector<LinkMotion> links = link_motions(frames, motion);
+  const LinkMotion& body = links[static_cast<std::size_t>(link.body)];
   const Vec3 ddp = d.named(body.ddp + body.U * link.p, "ddp_e");
-  return {to_base(frames, link.body, ddp, "a"), to_base(frames, link.body, body.domega, "domega_e")};
+  return {to_base(frames, link.body, ddp, "a"),
+          to_base(frames, link.body, angular_acceleration(frames, link.body, links, motion.qd), "domega_e")};
 }
 
 Wrench wrench_on_body(Frames& frames, const LinkFrame& link, const Wrench& wrench) {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "verify/compiled.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
+#include <optional>
 
-#include "diagnostics/diagnostics.hpp"
 #include "diagnostics/process.hpp"
+#include "diagnostics/shared_library.hpp"
 #include "diagnostics/temporary_folder.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
@@ -64,33 +63,17 @@ class CompiledFunctions::Library {
     std::string driver = "#include \"robot.hpp\"\n";
     for (std::size_t k = 0; k < functions.size(); ++k) driver += entry_text(mechanism, functions[k], k);
     write_file(folder_.path() / "driver.cpp", driver);
-    compile();
-    handle_ = ::dlopen((folder_.path() / "driver.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (handle_ == nullptr) throw Failure(ExitCode::bug, fmt::format("emitted code cannot be loaded: {}", ::dlerror()));
+    library_.emplace(folder_.path(), "driver", "-std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror");
     for (std::size_t k = 0; k < functions.size(); ++k) {
-      entries_.push_back(reinterpret_cast<Entry>(::dlsym(handle_, fmt::format("entry_{}", k).c_str())));
+      entries_.push_back(reinterpret_cast<Entry>(library_->symbol(fmt::format("entry_{}", k))));
     }
   }
-  ~Library() {
-    if (handle_ != nullptr) ::dlclose(handle_);
-  }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
 
   Entry entry(std::size_t index) const { return entries_[index]; }
 
  private:
-  void compile() const {
-    const std::string command = fmt::format(
-        "{} -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror -shared -fPIC driver.cpp -o driver.so "
-        "2> log",
-        machine_compiler());
-    if (run_command(command, folder_.path()) == 0) return;
-    throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of_file(folder_.path() / "log"));
-  }
-
   TemporaryFolder folder_;
-  void* handle_ = nullptr;
+  std::optional<SharedLibrary> library_;
   std::vector<Entry> entries_;
 };
 

@@ -9,13 +9,19 @@
 #include "verify/values.hpp"
 
 namespace flatdyn {
+namespace {
+
+std::vector<double> doubles(const std::vector<float>& values) { return {values.begin(), values.end()}; }
+
+}  // namespace
 
 ExpectedValues::ExpectedValues(const Robot& robot, const Mechanism& mechanism, unsigned seed)
     : robot_(robot),
       mechanism_(mechanism),
       symbols_(random_symbol_values(robot, seed)),
       exact_(reference_robot<Real50>(robot, symbols_)),
-      rounded_(reference_robot<double>(robot, symbols_)) {}
+      rounded_(reference_robot<double>(robot, symbols_)),
+      in_float_(reference_robot<float>(robot, symbols_)) {}
 
 Expected ExpectedValues::of(const Function& function) const {
   return is_regressor(function.name) ? regressor_of(function) : torques_and_poses(function);
@@ -24,21 +30,31 @@ Expected ExpectedValues::of(const Function& function) const {
 Expected ExpectedValues::torques_and_poses(const Function& function) const {
   const auto exact = seen_by(function, robot_, exact_);
   const auto rounded = seen_by(function, robot_, rounded_);
+  const auto in_float = seen_by(function, robot_, in_float_);
   return {[&function, exact](const State& s) { return reference_values<Real50>(function, exact, widened<Real50>(s)); },
           [&function, rounded](const State& s) { return reference_values<double>(function, rounded, s); },
-          [&function, rounded](const State& s) { return magnitudes(function, rounded, s); }};
+          [&function, rounded](const State& s) { return magnitudes(function, rounded, s); },
+          [&function, in_float](const State& s) {
+            return doubles(reference_values<float>(function, in_float, widened<float>(s)));
+          }};
 }
 
 Expected ExpectedValues::regressor_of(const Function& function) const {
   const RegressorReference<Real50> exact(mechanism_, exact_, symbols_, function.name);
   const RegressorReference<double> rounded(mechanism_, rounded_, symbols_, function.name);
+  const RegressorReference<float> in_float(mechanism_, in_float_, symbols_, function.name);
   return {[exact](const State& s) { return exact.values(widened<Real50>(s)); },
           [rounded](const State& s) { return rounded.values(s); },
-          [rounded](const State& s) { return magnitudes(rounded, s); }};
+          [rounded](const State& s) { return magnitudes(rounded, s); },
+          [in_float](const State& s) { return doubles(in_float.values(widened<float>(s))); }};
+}
+
+bool costs_many_recursions(const Function& function) {
+  return function.name == "christoffel" || function.name == "coriolis_matrix" || is_regressor(function.name);
 }
 
 std::size_t affordable_states(const Function& function, std::size_t joints, std::size_t wanted) {
-  const bool many = function.name == "christoffel" || function.name == "coriolis_matrix" || is_regressor(function.name);
+  const bool many = costs_many_recursions(function);
   const std::size_t n = std::max<std::size_t>(1, joints);
   const std::size_t affordable = many ? std::max<std::size_t>(2, 1500 / (n * n)) : std::max<std::size_t>(10, 2000 / n);
   return std::min(wanted, affordable);

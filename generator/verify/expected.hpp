@@ -15,6 +15,7 @@ namespace flatdyn {
 struct Expected {
   std::function<std::vector<Real50>(const State&)> exact;           // from the recursive reference
   std::function<std::vector<double>(const State&)> rounded, scale;  // the reference in double; magnitudes
+  std::function<std::vector<double>(const State&)> in_float;        // the reference in float
 };
 
 // The recursive reference of one robot, with values for its free symbols.
@@ -36,10 +37,13 @@ class ExpectedValues {
   SymbolValues symbols_;
   reference::Robot<Real50> exact_;
   reference::Robot<double> rounded_;
+  reference::Robot<float> in_float_;
 };
 
-// Symbols by polarisation cost n² recursions in 50 digits each, regressors one per column: fewer states where n is
-// large. At most `wanted`.
+// Symbols by polarisation cost n² recursions each, regressors one per column.
+bool costs_many_recursions(const Function& function);
+
+// In 50 digits fewer states where n is large, and of functions that cost many recursions. At most `wanted`.
 std::size_t affordable_states(const Function& function, std::size_t joints, std::size_t wanted);
 
 // The largest over the entries of abs(x - exact) / (ε · magnitude), ε that of double. An entry with magnitude 0 must be

@@ -19,8 +19,8 @@ template <class S>
 S to_scalar(const Number& a, const GiNaC::exmap& values) {
   constexpr int kDigits = 60;
   const std::string text = to_decimal(a.subs(values), kDigits);
-  if constexpr (std::is_same_v<S, double>) {
-    return Real50(text).convert_to<double>();
+  if constexpr (std::is_floating_point_v<S>) {
+    return Real50(text).convert_to<S>();
   } else {
     return S(text);
   }
@@ -164,8 +164,10 @@ reference::Robot<S> reference_robot(const Robot& robot, const SymbolValues& valu
   return Converter<S>(robot, values).run();
 }
 
+template float to_scalar<float>(const Number&, const GiNaC::exmap&);
 template double to_scalar<double>(const Number&, const GiNaC::exmap&);
 template Real50 to_scalar<Real50>(const Number&, const GiNaC::exmap&);
+template reference::Robot<float> reference_robot(const Robot&, const SymbolValues&);
 template reference::Robot<double> reference_robot(const Robot&, const SymbolValues&);
 template reference::Robot<Real50> reference_robot(const Robot&, const SymbolValues&);
 

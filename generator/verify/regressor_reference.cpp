@@ -205,6 +205,7 @@ std::vector<double> magnitudes(const RegressorReference<double>& of, const State
   return row_by_row(M);
 }
 
+template class RegressorReference<float>;
 template class RegressorReference<double>;
 template class RegressorReference<Real50>;
 

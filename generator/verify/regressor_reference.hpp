@@ -44,6 +44,7 @@ class RegressorReference {
 // of point masses of ±1/2 kg at 1 m, which can count twice.
 std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state);
 
+extern template class RegressorReference<float>;
 extern template class RegressorReference<double>;
 extern template class RegressorReference<Real50>;
 

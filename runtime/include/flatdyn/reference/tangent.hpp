@@ -16,7 +16,7 @@ struct Tangent {
 
   Tangent() = default;
   template <class Constant, class = std::enable_if_t<std::is_arithmetic_v<Constant>>>
-  Tangent(Constant v) : value(v) {}  // NOLINT(google-explicit-constructor): Eigen makes its zeros and ones so
+  Tangent(Constant v) : value(static_cast<S>(v)) {}  // NOLINT(google-explicit-constructor): Eigen makes its own
   explicit Tangent(const S& v, const S& along = S(0)) : value(v), slope(along) {}
 
   Tangent& operator+=(const Tangent& b) { return *this = *this + b; }

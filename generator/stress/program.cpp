@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "stress/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/calls.hpp"
+#include "bench/toolchain.hpp"
+#include "diagnostics/process.hpp"
+#include "emit/arguments.hpp"
+#include "emit/emit.hpp"
+#include "emit/page.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+namespace {
+
+using kainjow::mustache::data;
+
+// The order of a call's arguments.
+constexpr InputKind kArguments[] = {InputKind::q,     InputKind::qd,   InputKind::qdd,
+                                    InputKind::tau,   InputKind::h_e,  InputKind::qd_r,
+                                    InputKind::qdd_r, InputKind::pi_b, InputKind::parameter};
+
+// Rounding as everywhere: the machine's registers, no contraction. Little optimisation is enough, and compiles fast.
+constexpr const char* kFlags = "-std=c++17 -O1 -march=native -ffp-contract=off";
+
+bool is_wanted(const BenchVariant& variant, const std::vector<std::string>& wanted) {
+  return wanted.empty() || std::find(wanted.begin(), wanted.end(), variant.name) != wanted.end();
+}
+
+std::string symbol_of(std::size_t function, const BenchVariant& variant) {
+  std::string name = fmt::format("stress_{}_{}", function, variant.name);
+  for (char& c : name) c = c == '-' ? '_' : c;
+  return name;
+}
+
+data row_of(const Mechanism& mechanism, const Function& function, std::size_t k, const BenchVariant& variant) {
+  const CalledFunction called{function, kBenchNamespace, std::string(kBenchNamespace) + "::"};
+  data row;
+  row["symbol"] = symbol_of(k, variant);
+  row["scalar"] = std::string(variant.scalar);
+  row["entries"] = std::to_string(entry_count(function));
+  if (variant.calling == Calling::batch) {
+    const BatchCall call = batch_call(mechanism, called, variant);
+    row["batch"] = true;
+    row["capture"] = call.capture;
+    row["parameters"] = call.parameters;
+    row["call"] = call.call;
+    row["columns"] = call.columns;
+  } else {
+    row["single"] = true;
+    row["call"] = single_call(mechanism, called, variant);
+  }
+  return row;
+}
+
+data argument_rows(const State& like) {
+  data rows(data::type::list);
+  std::size_t place = 0;
+  for (const InputKind kind : kArguments) {
+    data row;
+    row["name"] = kind == InputKind::parameter ? "parameters" : input_argument(kind, 0).name;
+    row["length"] = std::to_string(like.of(kind).size());
+    row["place"] = std::to_string(place++);
+    rows << row;
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<BenchVariant> stress_variants() {
+  std::vector<BenchVariant> variants;
+  for (const BenchVariant& variant : bench_variants()) {
+    if (variant.calling != Calling::staged && *variant.budget == '\0') variants.push_back(variant);
+  }
+  return variants;
+}
+
+StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Function>& functions, const State& like,
+                             const std::vector<std::string>& wanted)
+    : has_xsimd_(find_toolchain().has_xsimd), calls_(functions.size()) {
+  data rows(data::type::list);
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    for (const BenchVariant& variant : stress_variants()) {
+      if (!is_wanted(variant, wanted) || !is_made(variant, functions[k], has_xsimd_)) continue;
+      rows << row_of(mechanism, functions[k], k, variant);
+      calls_[k].push_back({variant});
+    }
+  }
+  data page;
+  page["joints"] = std::to_string(mechanism.size());
+  page["arguments"] = argument_rows(like);
+  page["calls"] = data(rows);
+  page["headers"] = list_of(has_xsimd_ ? std::vector<std::string>{"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"}
+                                       : std::vector<std::string>{});
+  EmitOptions emit;
+  emit.name_space = kBenchNamespace;
+  write_file(folder_.path() / "robot.hpp", emit_cpp(mechanism, functions, emit));
+  for (const templates::Header& header : templates::headers) {
+    const std::filesystem::path path = folder_.path() / header.path;
+    std::filesystem::create_directories(path.parent_path());
+    write_file(path, header.text);
+  }
+  write_file(folder_.path() / "stress.cpp", rendered(templates::stress_cpp, page));
+  library_ = std::make_unique<SharedLibrary>(folder_.path(), "stress", std::string(kFlags) + " -I.");
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    for (StressCall& call : calls_[k]) {
+      call.entry = reinterpret_cast<decltype(call.entry)>(library_->symbol(symbol_of(k, call.variant)));
+    }
+  }
+}
+
+std::vector<StressCall> StressProgram::calls(std::size_t k, const std::string& scalar) const {
+  std::vector<StressCall> calls;
+  for (const StressCall& call : calls_[k]) {
+    if (call.variant.scalar == scalar) calls.push_back(call);
+  }
+  return calls;
+}
+
+bool evaluate(const StressCall& call, const State& state, std::vector<double>& out) {
+  const double* in[std::size(kArguments)];
+  std::size_t place = 0;
+  for (const InputKind kind : kArguments) in[place++] = state.of(kind).data();
+  return call.entry(in, out.data());
+}
+
+}  // namespace flatdyn

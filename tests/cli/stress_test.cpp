@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kShort = " -q --states 50 --edges 30 --evaluations 50";
+
+TEST(Stress, FindsWorstStatesThatEvalRepeats) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_flatdyn("stress robots/prismatic_revolute.toml --functions inverse_dynamics -o " + scratch.path() + kShort);
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  for (const char* text : {"inverse_dynamics  double", "inverse_dynamics  float", "condition", "ratio"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+  EXPECT_THAT(scratch.read("stress.svg"), HasSubstr("error against condition, double"));
+  const auto row = nlohmann::json::parse(scratch.read("stress.json"))["rows"][0];
+  EXPECT_EQ(row["states"], 50);
+  EXPECT_EQ(row["variants"].size(), 5u);
+  EXPECT_EQ(row["worst"]["state"], scratch.read("worst_inverse_dynamics_double.csv"));
+  // What the emitted code's graph comes to there is what the reference says, to the last places.
+  const std::string eval = "eval robots/prismatic_revolute.toml -q --function inverse_dynamics --states " +
+                           scratch.path("worst_inverse_dynamics_double.csv");
+  const Outcome graph = run_flatdyn(eval), reference = run_flatdyn(eval + " --reference");
+  EXPECT_EQ(graph.code, 0) << graph.err;
+  EXPECT_EQ(reference.code, 0) << reference.err;
+}
+
+TEST(Stress, IsTheSameInEveryRun) {
+  const std::string command = std::string("stress robots/planar_2r.toml --functions bias --json") + kShort;
+  EXPECT_EQ(run_flatdyn(command).out, run_flatdyn(command).out);
+}
+
+TEST(Stress, EndsWithVerificationFailedAboveTheBound) {
+  const std::string command = "stress robots/ur5.urdf --functions gravity --variants double";
+  EXPECT_EQ(run_flatdyn(command + kShort + " --bound 1e-3").code, 5);
+  const Outcome lost = run_flatdyn(command + kShort + " --ratio 1e-3");
+  EXPECT_EQ(lost.code, 5);
+  EXPECT_THAT(lost.out, HasSubstr("LOST"));
+}
+
+TEST(Stress, TakesFamiliesInsteadOfRobots) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn("stress --family chains --robots 2 --functions gravity --variants double -o " +
+                                      scratch.path() + kShort);
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("4 joints"));
+  EXPECT_THAT(scratch.read("family_chains.svg"), HasSubstr("gravity, reference"));
+  EXPECT_EQ(nlohmann::json::parse(scratch.read("family_chains.json"))["rows"].size(), 2u);
+}
+
+TEST(Stress, RefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(run_flatdyn("stress").code, 2);
+  EXPECT_EQ(run_flatdyn("stress robots/ur5.urdf --family chains").code, 2);
+  const Outcome family = run_flatdyn("stress --family chain");
+  EXPECT_EQ(family.code, 2);
+  EXPECT_THAT(family.err, HasSubstr("chains"));
+  EXPECT_THAT(run_flatdyn("stress robots/planar_2r.toml --functions gravity --variants duoble").err,
+              HasSubstr("double"));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Short forms of `flatdyn stress`: robots that are hard on numbers, and one of robots/. The long ones by command.
+#include "stress/families.hpp"
+
+#include <gtest/gtest.h>
+
+#include "report/family_report.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+FamilyReport report_of(const std::string& family, int robots, const std::vector<std::string>& functions) {
+  FamilyOptions options;
+  options.family = family;
+  options.robots = robots;
+  options.joints = 3;
+  options.functions = functions;
+  options.stress.states = 200;
+  options.stress.edges = 50;
+  options.stress.evaluations = 200;
+  options.stress.variants = {"double", "float"};
+  Progress quiet(true);
+  return stress_family(options, quiet);
+}
+
+class Families : public ::testing::TestWithParam<const char*> {};
+
+// Nowhere more than four times what the reference loses in the same precision, nowhere above 64 units.
+TEST_P(Families, LoseNoMoreThanTheReference) {
+  const FamilyReport report = report_of(GetParam(), 1, {"inverse_dynamics"});
+  EXPECT_EQ(report.rows.size(), 2u);
+  EXPECT_TRUE(report.passed()) << family_text(report);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hard, Families,
+                         ::testing::Values("inertia_ratios", "gear_ratios", "far_centres", "near_parallel", "trees"));
+
+TEST(LightLinks, AreComputedAndATipWithoutMassIsLeftOut) {
+  const FamilyReport report = report_of("light_links", 2, {"forward_dynamics"});
+  EXPECT_TRUE(report.passed()) << family_text(report);
+  for (const FamilyRow& row : report.rows) EXPECT_EQ(row.found.refused, 0u) << row.label;
+  ASSERT_EQ(report.left_out.size(), 1u);
+  EXPECT_NE(report.left_out[0].find("moves no inertia"), std::string::npos);
+}
+
+TEST(Chains, LoseNoMoreThanTheReferenceAtFourJoints) {
+  const FamilyReport report = report_of("chains", 2, {"inverse_dynamics", "inertia_matrix"});
+  EXPECT_EQ(report.rows.back().joints, 4);
+  EXPECT_TRUE(report.passed()) << family_text(report);
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
