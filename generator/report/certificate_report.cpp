@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "diagnostics/table.hpp"
 
@@ -43,7 +44,7 @@ using Rows = std::vector<std::vector<std::string>>;
 Rows rows_of(const Certificate& certificate, const std::vector<CertifiedOutput>& outputs) {
   Rows rows = {{"output", "unit", "bound", "seen", "ratio", "of effort", "proven by"}};
   for (const CertifiedOutput& output : outputs) {
-    rows.push_back({output.name, output.unit, fmt::format("{:.2e}", output.bound),
+    rows.push_back({output.name, output.unit, fmt::format("{:.3e}", output.bound),  // all digits that it has
                     fmt::format("{:.2e}", output.observed), ratio_text(output), part_of_effort(output),
                     prover(certificate, output)});
   }
@@ -139,11 +140,12 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       "- within the limits of position, speed, acceleration and torque that the header states;\n"
       "- for sines and cosines that are right to 1 ulp;\n"
       "- in builds in which `rounding_is_as_written<{}>()` is true.\n\n"
-      "Check it with Gappa alone: `for g in *.g; do gappa $g || echo \"$g: refused\"; done`. Gappa proves what each "
+      "Check it with Gappa alone: `for g in {}/*.g; do gappa $g || echo \"$g: refused\"; done`. Gappa proves what each "
       "script says: how large the error of each operation is, and that all together are within the bound. How large an "
       "operation's result can be, and how much of its error reaches an output, are hypotheses there, which flatdyn "
       "has proven from norms.\n",
-      certificate.robot, certificate.scalar, header, hash, certificate.scalar);
+      certificate.robot, certificate.scalar, header, hash, certificate.scalar,
+      std::filesystem::path(header).replace_extension("gappa").string());
   for (const CertifiedFunction& function : certificate.functions) {
     text += fmt::format("\n## {}\n\n{}", function.name, markdown_table(rows_of(certificate, function.outputs)));
   }
