@@ -2837,7 +2837,7 @@ inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 //   q[7]   in   joint positions, rad or m
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Reads q[0..6], qd[0..6]. Operations: 160 mul, 107 add, 14 sin/cos.
+// Reads q[0..6], qd[0..6]. Operations: 186 mul, 121 add, 14 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
@@ -2862,88 +2862,116 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   const Scalar t9 = s_5 * omega_4_z - c_5 * t6;
   const Scalar t10 = s_4 * t4 - c_4 * omega_3_z;
   const Scalar omega_5_z = qd_5 - t10;
-  const Scalar omega_r_6_y = s_6 * t9 + c_6 * omega_5_z;
+  const Scalar t11 = s_6 * omega_5_z - c_6 * t9;
   const Scalar omega_r_6_a_z = s_5 * t6 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t11 = t6 * omega_4_z;
-  const Scalar t12 = t5 * (t7 + Scalar(2.0) * t8);
-  const Scalar t13 = Scalar(2.0) * omega_r_3_y * omega_3_z - t12;
-  const Scalar t14 = t4 * omega_r_3_y;
-  const Scalar t15 = qd_2 * t1;
-  const Scalar U_3_xy = t14 + t15;
-  const Scalar t16 = c_4 * U_3_xy + t11 + s_4 * t13;
-  const Scalar U_5_xy = t9 * omega_r_6_a_z + t16;
-  const Scalar t17 = t6 * t10;
-  const Scalar t18 = t4 * omega_3_z;
-  const Scalar t19 = t5 * (Scalar(2.0) * t3 - t2);
-  const Scalar domega_r_4_z = t18 - t19;
-  const Scalar t20 = domega_r_4_z + t17;
-  const Scalar t21 = s_4 * U_3_xy - c_4 * t13 + Scalar(2.0) * t10 * omega_4_z;
-  const Scalar Uz_o_6_z = s_5 * t20 + Scalar(2.0) * omega_r_6_a_z * omega_5_z + c_5 * t21;
-  const Scalar t22 = -s_6 * U_5_xy - c_6 * Uz_o_6_z + Scalar(2.0) * omega_r_6_y * omega_6_z;
-  const Scalar t23 = s_6 * omega_5_z - c_6 * t9;
-  const Scalar t24 = t23 * omega_r_6_y;
-  const Scalar t25 = t9 * omega_5_z - c_5 * t20 + s_5 * t21;
-  const Scalar t26 = t24 + t25;
-  const Scalar t27 = c_7 * t26 + s_7 * t22;
-  const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t28 = (s_7 * omega_6_z + c_7 * t23) * omega_7_z + t27;
-  const Scalar t29 = s_7 * t26 - c_7 * t22;
-  const Scalar t30 = (s_7 * t23 - c_7 * omega_6_z) * omega_7_z + t29;
-  const Scalar t31 = s_7 * t28 - c_7 * t30;
-  const Scalar t32 = t23 * omega_6_z;
-  const Scalar domega_r_7_z = t32 - s_6 * Uz_o_6_z + c_6 * U_5_xy;
-  const Scalar t33 = s_6 * domega_r_7_z + c_6 * t31;
-  const Scalar t34 = s_7 * t30 + c_7 * t28;
-  const Scalar t35 = s_5 * t34 - c_5 * t33;
-  const Scalar t36 = s_6 * t31 - c_6 * domega_r_7_z;
-  const Scalar t37 = s_4 * t36 + c_4 * t35;
-  const Scalar t38 = s_5 * t33 + c_5 * t34;
-  const Scalar t39 = s_3 * t38 + c_3 * t37;
-  const Scalar domega_e_3_a_y = s_4 * t35 - c_4 * t36;
-  a[5] = s_2 * t39 - c_2 * domega_e_3_a_y;
-  const Scalar t40 = (t14 - t15) + (t11 + t16);
-  const Scalar t41 = Scalar(0.316) * t12 + Scalar(0.0825) * t40 + Scalar(0.384) * t21;
+  const Scalar t12 = qd_7 * (s_7 * omega_6_z + c_7 * t11);
+  const Scalar omega_r_6_y = s_6 * t9 + c_6 * omega_5_z;
+  const Scalar t13 = t8 * t5 - qd_3 * omega_r_3_y;
+  const Scalar t14 = qd_2 * t1;
+  const Scalar t15 = s_4 * t14 + c_4 * t13 + qd_4 * t10;
+  const Scalar domega_q_3_y = t3 * t5 - qd_3 * t4;
+  const Scalar t16 = qd_5 * omega_r_6_a_z - s_5 * domega_q_3_y + c_5 * t15;
+  const Scalar t17 = c_4 * t14 - s_4 * t13 + qd_4 * t6;
+  const Scalar t18 = qd_6 * omega_r_6_y - s_6 * t17 - c_6 * t16;
+  const Scalar domega_q_5_y = c_5 * domega_q_3_y + qd_5 * t9 + s_5 * t15;
+  const Scalar t19 = t12 + s_7 * t18 + c_7 * domega_q_5_y;
+  const Scalar t20 = qd_7 * (s_7 * t11 - c_7 * omega_6_z);
+  const Scalar t21 = t20 + s_7 * domega_q_5_y - c_7 * t18;
+  const Scalar t22 = s_7 * t19 - c_7 * t21;
+  const Scalar domega_f_7_a_z = qd_6 * t11 - s_6 * t16 + c_6 * t17;
+  const Scalar t23 = s_6 * domega_f_7_a_z + c_6 * t22;
+  const Scalar domega_e_6_a_y = s_7 * t21 + c_7 * t19;
+  const Scalar t24 = s_5 * domega_e_6_a_y - c_5 * t23;
+  const Scalar t25 = s_6 * t22 - c_6 * domega_f_7_a_z;
+  const Scalar t26 = s_4 * t25 + c_4 * t24;
+  const Scalar domega_e_5_t_y = s_5 * t23 + c_5 * domega_e_6_a_y;
+  const Scalar t27 = s_3 * domega_e_5_t_y + c_3 * t26;
+  const Scalar domega_e_3_a_y = s_4 * t24 - c_4 * t25;
+  a[5] = s_2 * t27 - c_2 * domega_e_3_a_y;
+  const Scalar t28 = s_2 * domega_e_3_a_y + c_2 * t27;
+  const Scalar t29 = s_3 * t26 - c_3 * domega_e_5_t_y;
+  a[3] = s_1 * t29 - c_1 * t28;
+  const Scalar t30 = t6 * omega_4_z;
+  const Scalar t31 = t5 * (t7 + Scalar(2.0) * t8);
+  const Scalar t32 = Scalar(2.0) * omega_r_3_y * omega_3_z - t31;
+  const Scalar t33 = t4 * omega_r_3_y;
+  const Scalar U_3_xy = t33 + t14;
+  const Scalar t34 = c_4 * U_3_xy + t30 + s_4 * t32;
+  const Scalar t35 = (t33 - t14) + (t30 + t34);
+  const Scalar t36 = s_4 * U_3_xy - c_4 * t32 + Scalar(2.0) * t10 * omega_4_z;
+  const Scalar t37 = Scalar(0.316) * t31 + Scalar(0.0825) * t35 + Scalar(0.384) * t36;
+  const Scalar t38 = t4 * omega_3_z;
+  const Scalar t39 = t5 * (Scalar(2.0) * t3 - t2);
+  const Scalar domega_r_4_z = t38 - t39;
   const Scalar Uz_o_3_y = t1 * t1 + qd_2 * qd_2;
-  const Scalar t42 = Scalar(0.316) * Uz_o_3_y - Scalar(0.0825) * (t18 + domega_r_4_z);
-  const Scalar t43 = t6 * t6;
-  const Scalar t44 = omega_4_z * omega_4_z;
-  const Scalar t45 = t4 * t4;
-  const Scalar t46 = omega_3_z * omega_3_z;
-  const Scalar t47 = t45 + t46 + t44 - t43;
-  const Scalar t48 = Scalar(0.316) * t19 - Scalar(0.0825) * (Uz_o_3_y - t45 + t46);
-  const Scalar ddp_o_5_x = Scalar(0.0825) * t47 - s_4 * t42 + c_4 * t48 - Scalar(0.384) * t20;
-  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * t41;
-  const Scalar t49 = t23 * t23;
+  const Scalar t40 = Scalar(0.316) * Uz_o_3_y - Scalar(0.0825) * (t38 + domega_r_4_z);
+  const Scalar t41 = t6 * t6;
+  const Scalar t42 = omega_4_z * omega_4_z;
+  const Scalar t43 = t4 * t4;
+  const Scalar t44 = omega_3_z * omega_3_z;
+  const Scalar t45 = t43 + t44 + t42 - t41;
+  const Scalar t46 = t6 * t10;
+  const Scalar t47 = domega_r_4_z + t46;
+  const Scalar t48 = Scalar(0.316) * t39 - Scalar(0.0825) * (Uz_o_3_y - t43 + t44);
+  const Scalar ddp_o_5_x = Scalar(0.0825) * t45 - s_4 * t40 + c_4 * t48 - Scalar(0.384) * t47;
+  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * t37;
+  const Scalar t49 = t11 * t11;
   const Scalar t50 = omega_6_z * omega_6_z;
   const Scalar t51 = t9 * t9 - t49 + t50 + omega_5_z * omega_5_z;
-  const Scalar U_4_yx = domega_r_4_z - t17;
-  const Scalar t52 = Scalar(0.0825) * U_4_yx + s_4 * t48 + c_4 * t42 + Scalar(0.384) * (t44 + t43);
+  const Scalar U_4_yx = domega_r_4_z - t46;
+  const Scalar t52 = Scalar(0.0825) * U_4_yx + s_4 * t48 + c_4 * t40 + Scalar(0.384) * (t42 + t41);
   const Scalar t53 = Scalar(0.088) * t51 + s_6 * t52 - c_6 * ddp_5_x;
-  const Scalar t54 = Scalar(0.088) * (t32 + domega_r_7_z) + s_5 * ddp_o_5_x - c_5 * t41;
-  const Scalar t55 = s_7 * t53 + c_7 * t54 + Scalar(0.2104) * t29;
-  const Scalar t56 = c_7 * t53 - s_7 * t54 + Scalar(0.2104) * t27;
-  const Scalar t57 = s_7 * t55 + c_7 * t56;
+  const Scalar t54 = t11 * omega_r_6_y;
+  const Scalar t55 = t9 * omega_5_z - c_5 * t47 + s_5 * t36;
+  const Scalar t56 = t54 + t55;
+  const Scalar t57 = Scalar(2.0) * omega_6_z;
+  const Scalar U_5_xy = t9 * omega_r_6_a_z + t34;
+  const Scalar Uz_o_6_z = s_5 * t47 + Scalar(2.0) * omega_r_6_a_z * omega_5_z + c_5 * t36;
+  const Scalar t58 = -s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_r_6_y * t57;
+  const Scalar t59 = s_7 * t56 - c_7 * t58;
+  const Scalar t60 = c_6 * U_5_xy - s_6 * Uz_o_6_z + t11 * t57;
+  const Scalar t61 = Scalar(0.088) * t60 + s_5 * ddp_o_5_x - c_5 * t37;
+  const Scalar t62 = s_7 * t53 + c_7 * t61 + Scalar(0.2104) * t59;
+  const Scalar t63 = c_7 * t56 + s_7 * t58;
+  const Scalar t64 = c_7 * t53 - s_7 * t61 + Scalar(0.2104) * t63;
+  const Scalar t65 = s_7 * t62 + c_7 * t64;
   const Scalar Uz_o_7_y = t49 + t50;
-  const Scalar t58 = Scalar(0.088) * (t25 - t24) - Scalar(0.2104) * Uz_o_7_y + s_6 * ddp_5_x +
+  const Scalar t66 = Scalar(0.088) * (t55 - t54) - Scalar(0.2104) * Uz_o_7_y + s_6 * ddp_5_x +
       c_6 * t52;
-  const Scalar a_6_t_x = s_6 * t58 - c_6 * t57;
-  const Scalar t59 = s_7 * t56 - c_7 * t55;
-  const Scalar t60 = s_5 * t59 - c_5 * a_6_t_x;
-  const Scalar t61 = c_6 * t58 + s_6 * t57;
-  const Scalar a_4_t_x = s_4 * t61 - c_4 * t60;
-  const Scalar t62 = s_5 * a_6_t_x + c_5 * t59;
-  const Scalar t63 = s_3 * t62 - c_3 * a_4_t_x;
-  const Scalar t64 = s_4 * t60 + c_4 * t61;
-  a[2] = s_2 * t63 - c_2 * t64;
-  const Scalar t65 = s_2 * domega_e_3_a_y + c_2 * t39;
-  const Scalar t66 = s_3 * t37 - c_3 * t38;
-  a[3] = s_1 * t66 - c_1 * t65;
-  a[4] = -s_1 * t65 - c_1 * t66;
-  const Scalar t67 = s_2 * t64 + c_2 * t63;
-  const Scalar t68 = s_3 * a_4_t_x + c_3 * t62;
-  a[0] = -s_1 * t68 - c_1 * t67;
-  a[1] = c_1 * t68 - s_1 * t67;
+  const Scalar a_6_t_x = s_6 * t66 - c_6 * t65;
+  const Scalar t67 = s_7 * t64 - c_7 * t62;
+  const Scalar t68 = s_5 * t67 - c_5 * a_6_t_x;
+  const Scalar t69 = c_6 * t66 + s_6 * t65;
+  const Scalar a_4_t_x = s_4 * t69 - c_4 * t68;
+  const Scalar t70 = s_5 * a_6_t_x + c_5 * t67;
+  const Scalar t71 = s_3 * t70 - c_3 * a_4_t_x;
+  const Scalar t72 = s_4 * t68 + c_4 * t69;
+  a[2] = s_2 * t71 - c_2 * t72;
+  a[4] = -s_1 * t28 - c_1 * t29;
+  const Scalar t73 = s_2 * t72 + c_2 * t71;
+  const Scalar t74 = s_3 * a_4_t_x + c_3 * t70;
+  a[0] = -s_1 * t74 - c_1 * t73;
+  a[1] = c_1 * t74 - s_1 * t73;
+}
+
+// Whether the build rounds every operation as it is written, to nearest: compilers fuse products
+// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
+// What certificates say of rounding errors holds for builds in which this is true. It speaks of the
+// file that calls it, for float and double.
+template <class Scalar = Real>
+static bool rounding_is_as_written() noexcept {
+  const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
+      nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
+      smallest = sizeof(Scalar) == sizeof(float) ? Scalar(0x1p-126) : Scalar(0x1p-1022);
+  const volatile Scalar product = a * b, quotient = nine / seven;
+  const Scalar x = one, y = tiny;
+  const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
+  return is_zero(a * b - product)                   // no fused multiply-add, no digits too many
+         && is_zero((x + y) - x)                    // no other order, no rounding upward
+         && is_zero((x - y) - x)                    // or downward
+         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
+         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
 }
 
 }  // namespace panda

@@ -414,6 +414,25 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
   a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
 
+// Whether the build rounds every operation as it is written, to nearest: compilers fuse products
+// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
+// What certificates say of rounding errors holds for builds in which this is true. It speaks of the
+// file that calls it, for float and double.
+template <class Scalar = Real>
+static bool rounding_is_as_written() noexcept {
+  const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
+      nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
+      smallest = sizeof(Scalar) == sizeof(float) ? Scalar(0x1p-126) : Scalar(0x1p-1022);
+  const volatile Scalar product = a * b, quotient = nine / seven;
+  const Scalar x = one, y = tiny;
+  const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
+  return is_zero(a * b - product)                   // no fused multiply-add, no digits too many
+         && is_zero((x + y) - x)                    // no other order, no rounding upward
+         && is_zero((x - y) - x)                    // or downward
+         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
+         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
+}
+
 }  // namespace prismatic_revolute
 
 #endif  // FLATDYN_PRISMATIC_REVOLUTE_HPP

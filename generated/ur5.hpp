@@ -1260,7 +1260,7 @@ inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 //   q[6]   in   joint positions, rad or m
 //   qd[6]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Reads q[0..5], qd[0..5]. Operations: 126 mul, 69 add, 12 sin/cos.
+// Reads q[0..5], qd[0..5]. Operations: 133 mul, 70 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
@@ -1270,70 +1270,95 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
-  const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = c_2 * qd_1;
-  const Scalar t3 = s_3 * t1 - c_3 * t2;
-  const Scalar omega_r_3_x = s_3 * t2 + c_3 * t1;
-  const Scalar t4 = s_4 * t3 - c_4 * omega_r_3_x;
+  const Scalar t1 = c_2 * c_3;
+  const Scalar t2 = s_2 * s_3 - t1;
+  const Scalar t3 = c_2 * s_3;
+  const Scalar t4 = t3 + s_2 * c_3;
+  const Scalar t5 = s_4 * t2 - c_4 * t4;
+  const Scalar t6 = qd_1 * t5;
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar omega_4_z = qd_4 + omega_3_z;
-  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t4;
-  const Scalar omega_r_5_y = s_5 * t4 + c_5 * omega_4_z;
-  const Scalar t5 = omega_r_5_x * omega_r_5_y + t4 * omega_4_z;
-  const Scalar t6 = s_4 * omega_r_3_x + c_4 * t3;
-  const Scalar omega_5_z = qd_5 + t6;
-  const Scalar t7 = t6 * omega_4_z;
-  const Scalar t8 = Scalar(-2.0) * t7;
-  const Scalar t9 = t4 * t6;
-  const Scalar U_5_zy = c_5 * t8 - s_5 * t9 + Scalar(2.0) * omega_r_5_y * omega_5_z;
-  const Scalar t10 = s_6 * t5 + c_6 * U_5_zy;
-  const Scalar t11 = qd_1 * qd_1;
-  const Scalar t12 = t11 - omega_r_3_x * omega_r_3_x + omega_3_z * omega_3_z;
-  const Scalar t13 = qd_2 * qd_2 - t1 * t1 + t11;
-  const Scalar t14 = Scalar(0.425) * c_3;
-  const Scalar t15 = t1 * t2;
-  const Scalar t16 = Scalar(0.425) * s_3;
-  const Scalar ddp_o_4_x = t13 * t14 - t15 * t16 + Scalar(0.39225) * t12;
-  const Scalar t17 = t15 * t14 - Scalar(0.39225) * omega_r_3_x * t3 + t13 * t16;
-  const Scalar t18 = Scalar(0.09465) * t9 + s_4 * t17 - c_4 * ddp_o_4_x;
-  const Scalar t19 = Scalar(0.10915) * t11 - Scalar(0.1893) * t7 +
-      Scalar(0.7845) * omega_r_3_x * omega_3_z + Scalar(0.85) * qd_2 * t1;
-  const Scalar t20 = s_5 * t19 + c_5 * t18;
-  const Scalar Uz_o_5_y = t4 * t4 + omega_4_z * omega_4_z;
-  const Scalar ddp_o_5_y = Scalar(0.09465) * Uz_o_5_y - c_4 * t17 - s_4 * ddp_o_4_x;
-  const Scalar t21 = Scalar(0.0823) * t10 - s_6 * t20 - c_6 * ddp_o_5_y;
-  const Scalar t22 = s_6 * U_5_zy - c_6 * t5;
-  const Scalar t23 = Scalar(0.0823) * t22 - s_6 * ddp_o_5_y + c_6 * t20;
-  const Scalar t24 = s_6 * t21 - c_6 * t23;
-  const Scalar t25 = omega_5_z * omega_5_z + omega_r_5_x * omega_r_5_x;
-  const Scalar t26 = Scalar(0.0823) * t25 - s_5 * t18 + c_5 * t19;
-  const Scalar t27 = s_5 * t26 + c_5 * t24;
-  const Scalar a_6_a_z = s_6 * t23 + c_6 * t21;
-  const Scalar t28 = s_4 * t27 - c_4 * a_6_a_z;
-  const Scalar t29 = s_4 * a_6_a_z + c_4 * t27;
-  const Scalar t30 = s_3 * t28 - c_3 * t29;
-  const Scalar t31 = s_3 * t29 + c_3 * t28;
-  a[2] = c_2 * t31 - s_2 * t30;
-  const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t32 = t22 - (s_6 * omega_5_z - c_6 * omega_r_5_x) * omega_6_z;
-  const Scalar domega_6_x = t10 - (s_6 * omega_r_5_x + c_6 * omega_5_z) * omega_6_z;
-  const Scalar domega_e_6_t_x = s_6 * t32 + c_6 * domega_6_x;
-  const Scalar t33 = c_5 * t9 + omega_r_5_x * omega_5_z + s_5 * t8;
-  const Scalar domega_e_5_t_x = s_5 * t33 + c_5 * domega_e_6_t_x;
-  const Scalar t34 = s_6 * domega_6_x - c_6 * t32;
-  const Scalar t35 = s_4 * domega_e_5_t_x + c_4 * t34;
-  const Scalar t36 = s_4 * t34 - c_4 * domega_e_5_t_x;
-  const Scalar t37 = s_3 * t35 + c_3 * t36;
-  const Scalar t38 = s_3 * t36 - c_3 * t35;
-  a[5] = -s_2 * t37 - c_2 * t38;
-  const Scalar t39 = s_2 * t31 + c_2 * t30;
-  const Scalar t40 = s_5 * t24 - c_5 * t26;
-  a[0] = s_1 * t40 - c_1 * t39;
-  const Scalar domega_e_2_t_x = s_2 * t38 - c_2 * t37;
-  const Scalar t41 = s_5 * domega_e_6_t_x - c_5 * t33;
-  a[3] = s_1 * t41 + c_1 * domega_e_2_t_x;
-  a[4] = s_1 * domega_e_2_t_x - c_1 * t41;
-  a[1] = -s_1 * t39 - c_1 * t40;
+  const Scalar t7 = s_5 * omega_4_z;
+  const Scalar omega_r_5_x = t7 - c_5 * t6;
+  const Scalar t8 = s_4 * t4 + c_4 * t2;
+  const Scalar t9 = qd_1 * t8;
+  const Scalar omega_5_z = qd_5 + t9;
+  const Scalar t10 = qd_6 * (s_6 * omega_5_z - c_6 * omega_r_5_x);
+  const Scalar t11 = s_5 * t6;
+  const Scalar t12 = c_5 * omega_4_z;
+  const Scalar omega_r_5_y = t11 + t12;
+  const Scalar domega_q_5_x = qd_5 * omega_r_5_y - t12 * t9;
+  const Scalar t13 = omega_4_z * t6;
+  const Scalar t14 = c_6 * t13 + t10 - s_6 * domega_q_5_x;
+  const Scalar t15 = qd_6 * (s_6 * omega_r_5_x + c_6 * omega_5_z);
+  const Scalar t16 = t15 - s_6 * t13 - c_6 * domega_q_5_x;
+  const Scalar t17 = s_6 * t14 + c_6 * t16;
+  const Scalar t18 = qd_5 * omega_r_5_x - t7 * t9;
+  const Scalar domega_e_5_t_x = s_5 * t18 - c_5 * t17;
+  const Scalar domega_e_6_a_z = s_6 * t16 - c_6 * t14;
+  const Scalar t19 = s_4 * domega_e_5_t_x - c_4 * domega_e_6_a_z;
+  const Scalar domega_e_4_t_x = s_4 * domega_e_6_a_z + c_4 * domega_e_5_t_x;
+  const Scalar t20 = s_3 * t19 - c_3 * domega_e_4_t_x;
+  const Scalar t21 = s_3 * domega_e_4_t_x + c_3 * t19;
+  a[5] = c_2 * t21 - s_2 * t20;
+  const Scalar t22 = omega_r_5_x * omega_r_5_y + t13;
+  const Scalar U_5_zy = Scalar(2.0) * omega_r_5_y * omega_5_z - t9 * (t11 + Scalar(2.0) * t12);
+  const Scalar t23 = s_6 * t22 + c_6 * U_5_zy;
+  const Scalar t24 = Scalar(4.144215530903328) *
+      (t4 * omega_3_z + Scalar(1.0834926704907584) * s_2 * qd_2) - t8 * omega_4_z;
+  const Scalar t25 = qd_1 * qd_1;
+  const Scalar t26 = Scalar(0.10915) * t25 + Scalar(0.1893) * qd_1 * t24;
+  const Scalar t27 = s_2 * t25;
+  const Scalar t28 = qd_2 * qd_2 - s_2 * t27 + t25;
+  const Scalar t29 = t25 * t4;
+  const Scalar t30 = Scalar(0.425) * (t27 * t1 + s_3 * t28) - Scalar(0.39225) * t2 * t29;
+  const Scalar t31 = t25 - t4 * t29 + omega_3_z * omega_3_z;
+  const Scalar ddp_o_4_x = Scalar(0.39225) * t31 - Scalar(0.425) * (t27 * t3 - c_3 * t28);
+  const Scalar t32 = t25 * t5;
+  const Scalar t33 = Scalar(0.09465) * t8 * t32 + s_4 * t30 - c_4 * ddp_o_4_x;
+  const Scalar t34 = s_5 * t26 + c_5 * t33;
+  const Scalar Uz_o_5_y = t5 * t32 + omega_4_z * omega_4_z;
+  const Scalar ddp_o_5_y = Scalar(0.09465) * Uz_o_5_y - c_4 * t30 - s_4 * ddp_o_4_x;
+  const Scalar t35 = Scalar(0.0823) * t23 - s_6 * t34 - c_6 * ddp_o_5_y;
+  const Scalar t36 = s_6 * U_5_zy - c_6 * t22;
+  const Scalar t37 = Scalar(0.0823) * t36 - s_6 * ddp_o_5_y + c_6 * t34;
+  const Scalar t38 = s_6 * t35 - c_6 * t37;
+  const Scalar t39 = omega_5_z * omega_5_z + omega_r_5_x * omega_r_5_x;
+  const Scalar t40 = Scalar(0.0823) * t39 - s_5 * t33 + c_5 * t26;
+  const Scalar t41 = s_5 * t40 + c_5 * t38;
+  const Scalar a_6_a_z = s_6 * t37 + c_6 * t35;
+  const Scalar t42 = s_4 * t41 - c_4 * a_6_a_z;
+  const Scalar t43 = s_4 * a_6_a_z + c_4 * t41;
+  const Scalar t44 = s_3 * t42 - c_3 * t43;
+  const Scalar t45 = s_3 * t43 + c_3 * t42;
+  a[2] = c_2 * t45 - s_2 * t44;
+  const Scalar t46 = s_2 * t45 + c_2 * t44;
+  const Scalar t47 = s_5 * t38 - c_5 * t40;
+  a[0] = s_1 * t47 - c_1 * t46;
+  const Scalar t48 = s_2 * t21 + c_2 * t20;
+  const Scalar domega_e_2_a_y = s_5 * t17 + c_5 * t18;
+  a[3] = -s_1 * domega_e_2_a_y - c_1 * t48;
+  a[4] = c_1 * domega_e_2_a_y - s_1 * t48;
+  a[1] = -s_1 * t46 - c_1 * t47;
+}
+
+// Whether the build rounds every operation as it is written, to nearest: compilers fuse products
+// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
+// What certificates say of rounding errors holds for builds in which this is true. It speaks of the
+// file that calls it, for float and double.
+template <class Scalar = Real>
+static bool rounding_is_as_written() noexcept {
+  const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
+      nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
+      smallest = sizeof(Scalar) == sizeof(float) ? Scalar(0x1p-126) : Scalar(0x1p-1022);
+  const volatile Scalar product = a * b, quotient = nine / seven;
+  const Scalar x = one, y = tiny;
+  const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
+  return is_zero(a * b - product)                   // no fused multiply-add, no digits too many
+         && is_zero((x + y) - x)                    // no other order, no rounding upward
+         && is_zero((x - y) - x)                    // or downward
+         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
+         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
 }
 
 }  // namespace ur5

@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   Run chosen;
   for (const auto add : {add_generate, add_inspect, add_derive, add_verify, add_eval, add_excite, add_identify,
-                         add_payload, add_bench, add_stress}) {
+                         add_payload, add_bench, add_certify, add_stress}) {
     const Run command = add(app);
     app.get_subcommands({}).back()->callback([&chosen, command] { chosen = command; });
   }

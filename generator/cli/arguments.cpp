@@ -207,14 +207,8 @@ void add_search_option(CLI::App& command, RobotArguments& arguments) {
       ->type_name("LIMIT");
 }
 
-void add_functions_option(CLI::App& command, std::vector<std::string>& functions) {
-  command
-      .add_option("--functions", functions,
-                  "what to compute, separated by commas; default: what the scene names, else all below down to the "
-                  "blank line")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
+void add_functions_option(CLI::App& command, std::vector<std::string>& functions, const std::string& meaning) {
+  command.add_option("--functions", functions, meaning)->delimiter(',')->allow_extra_args(false)->type_name("NAMES");
   std::vector<std::vector<std::string>> rows;
   for (const bool on_request : {false, true}) {
     if (on_request) rows.emplace_back();
@@ -250,6 +244,24 @@ void add_parameters_option(CLI::App& command, std::string& name, const std::stri
 }
 
 ParameterSet parameter_set(const std::string& name) { return kParameterSets.at(name); }
+
+std::string stamp(const std::vector<std::pair<std::string, std::string>>& options) {
+  std::string text;
+  for (const auto& [option, value] : options) {
+    if (!value.empty()) text += (text.empty() ? "" : " ") + option + " " + value;
+  }
+  return text;
+}
+
+std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunction>& functions) const {
+  const bool searched = !functions.empty() && functions.front().search;
+  return stamp({{"--snap", snap == "1e-5" ? "" : snap},
+                {"--gravity", gravity},
+                {"--error-budget", error_budget},
+                {"--search", searched ? std::to_string(functions.front().search->candidates) : ""},
+                {"--tip", tip},
+                {"--fix", fmt::format("{}", fmt::join(fixed_joints, " --fix "))}});
+}
 
 std::vector<std::string> RobotArguments::settings(const Model& model) const {
   const Scene& wanted = model.robot.scene;

@@ -33,6 +33,8 @@ struct RobotArguments {
   // TOML lines that repeat --gravity, --tip and --fix, and what the scene says of these, for a file over the robot
   // file. Throws Failure(unsupported) if the scene says more.
   std::vector<std::string> settings(const Model& model) const;
+  // Those of these options that shape emitted text, for its stamp; behind others. Of a search, how far it went.
+  std::string stamp_of_settings(const std::vector<OptimisedFunction>& functions) const;
   // For subcommands that make no functions: what of the scene has no effect.
   void note_function_keys(const Model& model) const;
   // Ends the run with BadInput after an error, or after a warning if these are errors; else prints what was found.
@@ -52,8 +54,14 @@ void add_error_budget_option(CLI::App& command, RobotArguments& arguments);
 // --search.
 void add_search_option(CLI::App& command, RobotArguments& arguments);
 
-// --functions, and the table of functions at the end of the help.
-void add_functions_option(CLI::App& command, std::vector<std::string>& functions);
+// --functions, with its meaning, and the table of functions at the end of the help.
+void add_functions_option(CLI::App& command, std::vector<std::string>& functions,
+                          const std::string& meaning =
+                              "what to compute, separated by commas; default: what the scene names, else all below "
+                              "down to the blank line");
+
+// Options as they go into the stamp of emitted text, those without a value left out: "--scalar float --tip hand".
+std::string stamp(const std::vector<std::pair<std::string, std::string>>& options);
 
 // --band and --decimate.
 void add_stream_options(CLI::App& command, StreamOptions& options);
@@ -71,6 +79,7 @@ Run add_identify(CLI::App& app);
 Run add_payload(CLI::App& app);
 Run add_excite(CLI::App& app);
 Run add_bench(CLI::App& app);
+Run add_certify(CLI::App& app);
 Run add_stress(CLI::App& app);
 
 // Diagnostics on stderr, one each.

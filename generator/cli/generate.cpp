@@ -24,27 +24,17 @@ struct GenerateArguments : RobotArguments {
   int most_lines = 0;  // 0: no limit
 };
 
-// The options that shape the output, as they go into its stamp: of a search, how far it went.
+// The options that shape the output, as they go into its stamp.
 std::string stamp_of(const GenerateArguments& arguments, const std::vector<OptimisedFunction>& functions) {
-  std::string stamp;
-  const auto add = [&stamp](const std::string& option, const std::string& value) {
-    if (!value.empty()) stamp += (stamp.empty() ? "" : " ") + option + " " + value;
-  };
-  add("--functions", fmt::format("{}", fmt::join(arguments.functions, ",")));
-  add("--stages", fmt::format("{}", fmt::join(arguments.staged, ",")));
-  add("--fuse", fmt::format("{}", fmt::join(arguments.fused, ",")));
-  add("--scalar", arguments.scalar == "double" ? "" : arguments.scalar);
-  add("--namespace", arguments.name_space);
-  add("--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines));
-  add("--snap", arguments.snap == "1e-5" ? "" : arguments.snap);
-  add("--gravity", arguments.gravity);
-  add("--error-budget", arguments.error_budget);
-  if (!functions.empty() && functions.front().search) {
-    add("--search", std::to_string(functions.front().search->candidates));
-  }
-  add("--tip", arguments.tip);
-  add("--fix", fmt::format("{}", fmt::join(arguments.fixed_joints, " --fix ")));
-  return stamp;
+  const std::string of_functions =
+      stamp({{"--functions", fmt::format("{}", fmt::join(arguments.functions, ","))},
+             {"--stages", fmt::format("{}", fmt::join(arguments.staged, ","))},
+             {"--fuse", fmt::format("{}", fmt::join(arguments.fused, ","))},
+             {"--scalar", arguments.scalar == "double" ? "" : arguments.scalar},
+             {"--namespace", arguments.name_space},
+             {"--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines)}});
+  const std::string of_robot = arguments.stamp_of_settings(functions);
+  return of_functions + (of_functions.empty() || of_robot.empty() ? "" : " ") + of_robot;
 }
 
 ExitCode generate(const GenerateArguments& arguments) {

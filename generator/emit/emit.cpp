@@ -52,7 +52,8 @@ class HeaderWriter {
         stages_(stages),
         namespace_(namespace_of(mechanism.name, options.name_space)),
         names_({"Scalar", "Real", "Parameters", "SinCos", "Joints", "LibrarySinCos", "GivenSinCos", "at",
-                "Configuration", "Motion", "detail", "std", "sin", "cos", "joint_count", "joint_names"}) {
+                "Configuration", "Motion", "detail", "std", "sin", "cos", "joint_count", "joint_names",
+                "rounding_is_as_written"}) {
     if (options.scalar != "double" && options.scalar != "float") {
       throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
     }

@@ -53,18 +53,25 @@ State in_float(State state) {
   return state;
 }
 
-std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed) {
+StateSource::StateSource(const Mechanism& mechanism) {
+  for (const Body& body : mechanism.bodies) {
+    const Range position = position_range(body);
+    joints_.push_back({position.low, position.high, bound(body.limits.velocity, body.prismatic ? 1 : 5),
+                       bound(body.limits.acceleration, body.prismatic ? 10 : 20), bound(body.limits.effort, 100)});
+  }
+}
+
+std::vector<State> StateSource::draw(int count, unsigned seed) const {
   Uniform uniform(seed), reference(seed + kReferenceSeed);
   std::vector<State> states;
   for (int k = 0; k < count; ++k) {
     State state;
-    for (const Body& body : mechanism.bodies) {
+    for (const Joint& joint : joints_) {
       const auto symmetric = [&uniform](double b) { return uniform(-b, b); };
-      const Range range = position_range(body);
-      state.q.push_back(uniform(range.low, range.high));
-      state.qd.push_back(symmetric(bound(body.limits.velocity, body.prismatic ? 1 : 5)));
-      state.qdd.push_back(symmetric(bound(body.limits.acceleration, body.prismatic ? 10 : 20)));
-      state.tau.push_back(symmetric(bound(body.limits.effort, 100)));
+      state.q.push_back(uniform(joint.lower, joint.upper));
+      state.qd.push_back(symmetric(joint.velocity));
+      state.qdd.push_back(symmetric(joint.acceleration));
+      state.tau.push_back(symmetric(joint.effort));
       state.qd_r.push_back(reference(-5, 5));
       state.qdd_r.push_back(reference(-20, 20));
     }
@@ -72,6 +79,10 @@ std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned
     states.push_back(std::move(state));
   }
   return states;
+}
+
+std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed) {
+  return StateSource(mechanism).draw(count, seed);
 }
 
 void draw_base_parameters(std::vector<State>& states, int count, unsigned seed) {

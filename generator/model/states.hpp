@@ -45,6 +45,19 @@ State in_float(State state);
 // machine for the same seed. Base parameters are none.
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed);
 
+// The same for many draws: the mechanism's exact numbers are read once, and draws may go on at the same time.
+class StateSource {
+ public:
+  explicit StateSource(const Mechanism& mechanism);
+  std::vector<State> draw(int count, unsigned seed) const;
+
+ private:
+  struct Joint {
+    double lower, upper, velocity, acceleration, effort;
+  };
+  std::vector<Joint> joints_;
+};
+
 // As many base parameters, between -1 and 1, in each of the states.
 void draw_base_parameters(std::vector<State>& states, int count, unsigned seed);
 

@@ -205,9 +205,9 @@ class StressRun {
 };
 
 // A robot's states, its free symbols' values and base parameters with them.
-class StateSource {
+class StressStates {
  public:
-  StateSource(const Mechanism& mechanism, const SymbolValues& symbols, int base_parameters, unsigned seed)
+  StressStates(const Mechanism& mechanism, const SymbolValues& symbols, int base_parameters, unsigned seed)
       : mechanism_(mechanism), symbols_(symbols), base_parameters_(base_parameters), seed_(seed) {}
 
   std::vector<State> random(int count, int chunk) const {
@@ -250,7 +250,7 @@ int affordable(const Function& function, const Mechanism& mechanism, int wanted)
 }
 
 StressRow row_of(const Function& function, const StressProgram& program, std::size_t k, const std::string& scalar,
-                 const ExpectedValues& expected, const StateSource& source, const Mechanism& mechanism,
+                 const ExpectedValues& expected, const StressStates& source, const Mechanism& mechanism,
                  StressOptions options) {
   options.evaluations = affordable(function, mechanism, options.evaluations);
   options.edges = affordable(function, mechanism, options.edges);
@@ -290,7 +290,7 @@ StressReport stress(const Robot& robot, const Mechanism& mechanism, const std::v
                     const StressOptions& options, Progress& progress) {
   check_variants(options.variants);
   const ExpectedValues expected(robot, mechanism, options.seed);
-  const StateSource source(mechanism, expected.symbols(), base_parameters_of(functions), options.seed);
+  const StressStates source(mechanism, expected.symbols(), base_parameters_of(functions), options.seed);
   progress.step("compiling all variants of " + mechanism.name);
   const StressProgram program(mechanism, functions, source.random(1, 0).front(), options.variants);
   StressReport report{mechanism.name, options, {}, {}, {}};

@@ -67,6 +67,11 @@ class Scanner {
     } while (depth > 0);
   }
 
+  void skip_past_block() {
+    while (!is("{")) ++at_;
+    skip_block();
+  }
+
   void open_namespace() {
     namespaces_.push_back(tokens_.at(at_ + 1).text);
     while (!is("{")) ++at_;
@@ -84,6 +89,8 @@ class Scanner {
     ++at_;
     if (is("struct")) {
       structure();
+    } else if (is("static")) {
+      skip_past_block();  // of no robot's own: rounding_is_as_written()
     } else {
       function();
     }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "verify/straight_line.hpp"
 #include "verify/tokens.hpp"
 
 namespace flatdyn {
@@ -38,6 +39,9 @@ class EmittedText {
 
   // Those of the robot's namespace, in their order, members of stages included.
   const std::vector<WrittenFunction>& functions() const { return functions_; }
+
+  // Function k, as it is executed, for the outputs of `like`. Throws Failure(bug) if the text is no such function.
+  StraightLine operations(std::size_t k, const Function& like) const;
 
   // Function k, as what it computes for the outputs and conditions of `like`. Throws Failure(bug) if the text is no
   // such function.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Statements of one function, carried out in a graph.
+// Statements of one function, carried out one operation after the other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,9 +29,8 @@ class TextReader {
     }
   }
 
-  Function read(const Function& like) {
+  StraightLine read(const Function& like) {
     carry_out(written_);
-    Function result = like;
     std::vector<std::string> outputs;
     for (const WrittenFunction::Parameter& parameter : written_.parameters) {
       if (parameter.is_output) outputs.push_back(parameter.name);
@@ -39,17 +38,15 @@ class TextReader {
     if (written_.returns != "void" && written_.returns != "bool") outputs = {kReturned};
     if (outputs.size() != like.outputs.size()) fail("another number of outputs");
     for (std::size_t k = 0; k < outputs.size(); ++k) {
-      std::map<int, NodeId>& written = arrays_[outputs[k]];
-      std::vector<NodeId>& entries = result.outputs[k].entries;
-      for (std::size_t e = 0; e < entries.size(); ++e) {
-        const auto found = written.find(static_cast<int>(e));
-        entries[e] = found == written.end() ? graph_.constant(0) : found->second;
+      const std::map<int, int>& written = arrays_[outputs[k]];
+      std::vector<int> entries(like.outputs[k].entries.size(), -1);
+      for (const auto& [entry, value] : written) {
+        if (entry >= static_cast<int>(entries.size())) fail("an entry too many");
+        entries[static_cast<std::size_t>(entry)] = value;
       }
-      if (!written.empty() && written.rbegin()->first >= static_cast<int>(entries.size())) fail("an entry too many");
+      lines_.outputs.push_back(std::move(entries));
     }
-    result.positive = positive_;
-    result.graph = std::move(graph_);
-    return result;
+    return std::move(lines_);
   }
 
  private:
@@ -80,7 +77,7 @@ class TextReader {
   // A function or a part, with variables of its own; arrays are common to all.
   void carry_out(const WrittenFunction& function) {
     const std::size_t back = at_;
-    std::map<std::string, NodeId> others = std::move(variables_);
+    std::map<std::string, int> others = std::move(variables_);
     variables_.clear();
     for (at_ = function.begin; at_ < function.end;) statement();
     variables_ = std::move(others);
@@ -124,9 +121,8 @@ class TextReader {
     skip_past("<");
     do {
       const int joint = index();
-      const NodeId angle = graph_.input({InputKind::q, joint});
-      arrays_["sine"][joint] = graph_.sin(angle);
-      arrays_["cosine"][joint] = graph_.cos(angle);
+      arrays_["sine"][joint] = lines_.sine(joint);
+      arrays_["cosine"][joint] = lines_.cosine(joint);
     } while (accept(","));
     skip_past(";");
   }
@@ -136,7 +132,7 @@ class TextReader {
     expect("positive");
     expect(sign);
     if (!accept("true")) {
-      positive_.push_back(sum());
+      lines_.positive.push_back(sum());
       for (const char* text : {">", "Scalar", "(", "0.0", ")"}) expect(text);
     }
     expect(";");
@@ -148,7 +144,7 @@ class TextReader {
                              "Scalar", "(", "0.0", ")", ";"}) {
       expect(text);
     }
-    for (const auto& [index, pivot] : arrays_["pivots"]) positive_.push_back(pivot);
+    for (const auto& [index, pivot] : arrays_["pivots"]) lines_.positive.push_back(pivot);
   }
 
   // True, positive, a stage, or a value.
@@ -174,14 +170,14 @@ class TextReader {
 
   // "B[1] = B[7] = sum;": entries until there is no other =.
   void assignment() {
-    std::vector<NodeId*> targets;
+    std::vector<int*> targets;
     const std::size_t last = last_assignment();
     while (at_ < last) {
       targets.push_back(&target());
       expect("=");
     }
-    const NodeId value = sum();
-    for (NodeId* target : targets) *target = value;
+    const int value = sum();
+    for (int* target : targets) *target = value;
     expect(";");
   }
 
@@ -194,7 +190,7 @@ class TextReader {
   }
 
   // "B[1]", "stage.x1", "result".
-  NodeId& target() {
+  int& target() {
     const std::string name = take();
     if (accept(".")) return arrays_[name][field(written_.returns, take())];
     if (!accept("[")) return arrays_[name][0];
@@ -219,42 +215,45 @@ class TextReader {
     return value;
   }
 
-  NodeId sum() {
-    std::vector<Term> terms;
-    Rational sign = accept("-") ? -1 : 1;
+  // From left to right; a leading minus changes the sign of the first product.
+  int sum() {
+    const bool is_negative = accept("-");
+    int value = product();
+    if (is_negative) value = lines_.negate(value);
     for (;;) {
-      terms.push_back({sign, product()});
-      if (is("+") || is("-")) {
-        sign = take() == "-" ? -1 : 1;
-      } else {
-        return graph_.sum(std::move(terms));
-      }
-    }
-  }
-
-  NodeId product() {
-    NodeId value = factor();
-    for (;;) {
-      if (accept("*")) {
-        value = graph_.product({value, factor()});
-      } else if (accept("/")) {
-        value = graph_.quotient(value, factor());
+      if (accept("+")) {
+        value = lines_.add(value, product());
+      } else if (accept("-")) {
+        value = lines_.subtract(value, product());
       } else {
         return value;
       }
     }
   }
 
-  NodeId factor() {
+  int product() {
+    int value = factor();
+    for (;;) {
+      if (accept("*")) {
+        value = lines_.multiply(value, factor());
+      } else if (accept("/")) {
+        value = lines_.divide(value, factor());
+      } else {
+        return value;
+      }
+    }
+  }
+
+  int factor() {
     if (accept("(")) {
-      const NodeId value = sum();
+      const int value = sum();
       expect(")");
       return value;
     }
     if (accept("Scalar")) return literal();
     if (accept("detail")) {
       for (const char* text : {"::", "sign", "("}) expect(text);
-      const NodeId value = graph_.sign(sum());
+      const int value = lines_.sign(sum());
       expect(")");
       return value;
     }
@@ -262,7 +261,7 @@ class TextReader {
   }
 
   // (0.0825), (-2.0)
-  NodeId literal() {
+  int literal() {
     expect("(");
     const bool is_negative = accept("-");
     const std::string text = take();
@@ -270,11 +269,11 @@ class TextReader {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) fail("a number expected");
     expect(")");
-    return graph_.constant(Rational(is_negative ? -value : value));
+    return lines_.constant(is_negative ? -value : value);
   }
 
   // A variable, an entry of an array, a parameter, or what a stage has stored.
-  NodeId named_value(const std::string& name) {
+  int named_value(const std::string& name) {
     if (accept("[")) {
       const int entry = index();
       expect("]");
@@ -282,20 +281,20 @@ class TextReader {
     }
     if (accept(".")) {
       const std::string member = take();
-      if (name == "parameters") return graph_.input({InputKind::parameter, field("Parameters", member)});
-      if (name == "stored") return graph_.input({InputKind::stored, field(written_.member_of, member)});
+      if (name == "parameters") return lines_.input({InputKind::parameter, field("Parameters", member)});
+      if (name == "stored") return lines_.input({InputKind::stored, field(written_.member_of, member)});
       fail("no such struct");
     }
     const auto known = variables_.find(name);
     if (known != variables_.end()) return known->second;
-    return graph_.input({InputKind::stored, field(written_.member_of, name)});
+    return lines_.input({InputKind::stored, field(written_.member_of, name)});
   }
 
-  NodeId entry_of(const std::string& name, int entry) {
+  int entry_of(const std::string& name, int entry) {
     if (std::find(inputs_.begin(), inputs_.end(), name) != inputs_.end()) {
       const auto kind = input_kinds().find(name);
       if (kind == input_kinds().end()) fail("an unknown argument");
-      return graph_.input({kind->second, entry});
+      return lines_.input({kind->second, entry});
     }
     const auto array = arrays_.find(name);
     if (array == arrays_.end() || array->second.count(entry) == 0) fail("read before it is written");
@@ -305,15 +304,16 @@ class TextReader {
   const EmittedText& text_;
   const WrittenFunction& written_;
   std::vector<std::string> inputs_;
-  Graph graph_;
-  std::map<std::string, NodeId> variables_;
-  std::map<std::string, std::map<int, NodeId>> arrays_;
-  std::vector<NodeId> positive_;
+  StraightLine lines_;
+  std::map<std::string, int> variables_;
+  std::map<std::string, std::map<int, int>> arrays_;
   std::size_t at_ = 0;
 };
 
-Function EmittedText::read(std::size_t k, const Function& like) const {
+StraightLine EmittedText::operations(std::size_t k, const Function& like) const {
   return TextReader(*this, functions_.at(k)).read(like);
 }
+
+Function EmittedText::read(std::size_t k, const Function& like) const { return graph_of(operations(k, like), like); }
 
 }  // namespace flatdyn

@@ -58,5 +58,7 @@ int main() {
   const bool gravity = check("standing still needs gravity's torques only", standing_still_needs_gravity_only(q));
   const bool inertia = check("B is symmetric, its diagonal positive", inertia_is_symmetric_and_positive(q));
   const bool scalars = check("float agrees with double", float_agrees_with_double(q));
-  return gravity && inertia && scalars ? 0 : 1;
+  const bool rounding = check("operations are rounded as they are written",
+                              panda::rounding_is_as_written() && panda::rounding_is_as_written<float>());
+  return gravity && inertia && scalars && rounding ? 0 : 1;
 }

@@ -53,7 +53,8 @@ int longest_function(const std::string& header) {
   std::istringstream text(header);
   int longest = 0, lines = 0;
   for (std::string line; std::getline(text, line); ++lines) {
-    if (begins_with(line, "void ") || begins_with(line, "inline ")) lines = 0;
+    const bool begins = begins_with(line, "void ") || begins_with(line, "inline ") || begins_with(line, "static ");
+    if (begins) lines = 0;
     if (line == "}") longest = std::max(longest, lines + 1);
   }
   return longest;

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "certify/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/literals.hpp"
+#include "verify/emitted_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double distance(const Rational& exact, double value) {
+  return std::abs(Rational(exact - Rational(value)).convert_to<double>()) * kUpward;
+}
+
+// The model's numbers, by the literal that they are printed as.
+class Constants {
+ public:
+  explicit Constants(const Function& function) {
+    for (NodeId id = 0; id < function.graph.size(); ++id) {
+      const Node& node = function.graph[id];
+      add(node.value);
+      for (const Term& term : node.terms) add(term.coefficient);
+    }
+  }
+
+  // How far the scalar is from them. Of a literal that stands for none: what a literal can be off.
+  double error(double literal, const RoundingFormat& format) const {
+    const double value = std::abs(literal);
+    const auto known = values_.find(value);
+    if (known == values_.end()) {
+      return rounding_format("double").half_ulp(value) + std::abs(format.rounded(value) - value);
+    }
+    double largest = 0;
+    for (const Rational& exact : known->second) largest = std::max(largest, distance(exact, format.rounded(value)));
+    return largest;
+  }
+  // It stands for several, whose errors differ.
+  bool is_ambiguous(double literal) const {
+    const auto known = values_.find(std::abs(literal));
+    return known != values_.end() && known->second.size() > 1;
+  }
+
+ private:
+  void add(const Rational& value) { values_[std::abs(nearest_double(value))].insert(abs(value)); }
+
+  std::map<double, std::set<Rational>> values_;
+};
+
+// Sines and cosines of <cmath>, and of flatdyn's own in registers, are right to 1 ulp, which is half of that of 1 or
+// less.
+RoundingModel rounding_model(const Constants& constants, const RoundingFormat& format) {
+  return {format, std::ldexp(1.0, -format.precision),
+          [&constants, &format](double literal) { return constants.error(literal, format); }};
+}
+
+bool is_torque(const Output& output) { return output.meaning.find("N m (forces, N,") != std::string::npos; }
+
+bool is_prismatic(const Mechanism& mechanism, int joint) {
+  return mechanism.bodies.at(static_cast<std::size_t>(joint)).prismatic;
+}
+
+std::string unit_of(const Mechanism& mechanism, const Output& output, int entry) {
+  if (is_torque(output)) return is_prismatic(mechanism, entry) ? "N" : "N m";
+  if (output.name == "B" && output.layout == Layout::matrix) {
+    const int lengths = !is_prismatic(mechanism, entry / output.cols) + !is_prismatic(mechanism, entry % output.cols);
+    return lengths == 2 ? "kg m^2" : lengths == 1 ? "kg m" : "kg";
+  }
+  return "";
+}
+
+std::optional<double> effort_of(const Mechanism& mechanism, const Output& output, int entry) {
+  if (!is_torque(output)) return std::nullopt;
+  const std::optional<Value>& limit = mechanism.bodies.at(static_cast<std::size_t>(entry)).limits.effort;
+  if (!limit || has_symbols(limit->number) || vanishes(limit->number)) return std::nullopt;
+  return std::abs(nearest_double(limit->number));
+}
+
+std::string name_of(const Output& output, std::size_t entry) {
+  return output.layout == Layout::scalar ? output.name : fmt::format("{}[{}]", output.name, entry);
+}
+
+// Long double has 11 bits more than double, double has 29 more than float: two are left for what adds up.
+int bits_more(const RoundingFormat& format) { return format.scalar == "float" ? 27 : 9; }
+
+bool asks_gappa(const CertifyOptions& options) { return options.time_limit > 0 && has_gappa(); }
+
+class Certifier {
+ public:
+  Certifier(const Mechanism& mechanism, const Function& function, const StraightLine& text,
+            const CertifyOptions& options)
+      : mechanism_(mechanism),
+        function_(function),
+        format_(rounding_format(options.scalar)),
+        options_(options),
+        constants_(function),
+        analysis_(with_constants_apart(text, [this](double literal) { return constants_.is_ambiguous(literal); }),
+                  rounding_model(constants_, format_), input_limits(mechanism)) {
+    result_.name = function.name;
+  }
+
+  CertifiedFunction run(Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    progress.step("bounding the errors of " + function_.name);
+    find_outputs();
+    result_.scripts = rounding_scripts(function_.name, analysis_, format_);
+    roundings_ = result_.scripts.size();
+    for (std::size_t k = 0; k < operations_.size(); ++k) bound(k);
+    result_.seconds = seconds_since(start);
+    progress.step("looking for errors of " + function_.name);
+    const std::vector<double> observed =
+        observed_errors(mechanism_, analysis_.text(), operations_, function_, exact_, format_, options_.observed);
+    for (std::size_t k = 0; k < observed.size(); ++k) result_.outputs[k].observed = observed[k];
+    if (asks_gappa(options_)) ask(progress);
+    return std::move(result_);
+  }
+
+ private:
+  // One for every operation that goes to an entry.
+  void find_outputs() {
+    for (std::size_t o = 0; o < function_.outputs.size(); ++o) {
+      const Output& output = function_.outputs[o];
+      for (std::size_t e = 0; e < output.entries.size(); ++e) {
+        const int operation = analysis_.text().outputs[o][e];
+        if (operation >= 0) find_output(output, e, operation);
+      }
+    }
+  }
+
+  void find_output(const Output& output, std::size_t entry, int operation) {
+    const bool is_zero = function_.graph.is_zero(output.entries[entry]);
+    if (is_zero) return;
+    const auto known = std::find(operations_.begin(), operations_.end(), operation);
+    if (known != operations_.end()) {
+      result_.outputs[static_cast<std::size_t>(known - operations_.begin())].also.push_back(name_of(output, entry));
+      return;
+    }
+    CertifiedOutput found;
+    found.name = name_of(output, entry);
+    found.unit = unit_of(mechanism_, output, static_cast<int>(entry));
+    found.effort = effort_of(mechanism_, output, static_cast<int>(entry));
+    result_.outputs.push_back(std::move(found));
+    operations_.push_back(operation);
+    exact_.push_back(output.entries[entry]);
+  }
+
+  void bound(std::size_t k) {
+    CertifiedOutput& output = result_.outputs[k];
+    const OutputError error = analysis_.error_of(operations_[k]);
+    output.bound = error.bound;
+    output.terms = static_cast<int>(error.terms.size());
+    output.doubt = std::ldexp(error.bound, -bits_more(format_)) +
+                   std::ldexp(analysis_.norms().largest(operations_[k]), -format_.precision - bits_more(format_));
+    if (!error.terms.empty()) result_.scripts.push_back(sum_script(function_.name, output.name, output.unit, error));
+  }
+
+  // An output is proven if its sum is, and all roundings; or if there is no error that it could have.
+  void ask(Progress& progress) {
+    progress.step("asking Gappa about " + function_.name);
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<Verdict> verdicts = ask_gappa(result_.scripts, options_.time_limit);
+    Verdict of_roundings = Verdict::proven;
+    for (std::size_t k = 0; k < roundings_; ++k) {
+      if (verdicts[k] != Verdict::proven) of_roundings = verdicts[k];
+    }
+    std::size_t next = roundings_;
+    for (CertifiedOutput& output : result_.outputs) {
+      const Verdict of_sum = output.terms == 0 ? Verdict::proven : verdicts[next++];
+      output.verdict = of_roundings == Verdict::proven ? of_sum : of_roundings;
+    }
+    result_.gappa_seconds = seconds_since(start);
+  }
+
+  const Mechanism& mechanism_;
+  const Function& function_;
+  const RoundingFormat& format_;
+  CertifyOptions options_;
+  Constants constants_;
+  ErrorAnalysis analysis_;
+  CertifiedFunction result_;
+  std::vector<int> operations_;  // by output
+  std::vector<NodeId> exact_;    // by output
+  std::size_t roundings_ = 0;    // scripts about roundings, before those of outputs
+};
+
+}  // namespace
+
+Certificate certify(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& header,
+                    const CertifyOptions& options, Progress& progress) {
+  const EmittedText text(header);
+  Certificate result{mechanism.name, options.scalar, asks_gappa(options), options, {}};
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    try {
+      Certifier certifier(mechanism, functions[k], text.operations(k, functions[k]), options);
+      result.functions.push_back(certifier.run(progress));
+    } catch (const Failure& failure) {
+      if (failure.code() != ExitCode::unsupported) throw;
+      throw Failure(failure.code(), fmt::format("{} cannot be certified: {}", functions[k].name, failure.what()),
+                    failure.hint());
+    }
+  }
+  return result;
+}
+
+}  // namespace flatdyn

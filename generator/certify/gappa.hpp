@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Gappa, the prover of bounds: Debian's package gappa.
+#pragma once
+
+#include <vector>
+
+#include "certify/gappa_script.hpp"
+
+namespace flatdyn {
+
+bool has_gappa();
+
+enum class Verdict { proven, refused, out_of_time };
+
+// Of each script, as many at a time as there are cores; each may take `seconds`. Throws Failure(io).
+std::vector<Verdict> ask_gappa(const std::vector<GappaScript>& scripts, double seconds);
+
+}  // namespace flatdyn

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "certify/gappa_script.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "emit/literals.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Gappa's time grows with the square of a formula's length.
+constexpr std::size_t kLongest = 250;
+
+const char* name_of(InputKind kind) {
+  switch (kind) {
+    case InputKind::q:
+      return "q";
+    case InputKind::qd:
+      return "qd";
+    case InputKind::qdd:
+      return "qdd";
+    case InputKind::tau:
+      return "tau";
+    default:
+      return "in";
+  }
+}
+
+std::string expression(ErrorAnalysis& analysis, int k);
+
+// What is exact is written out: "-x5", "rnd(2.0) * qd_1".
+std::string operand(ErrorAnalysis& analysis, int k) {
+  const StraightLine& lines = analysis.text();
+  const Operation& operation = lines[k];
+  switch (operation.step) {
+    case Step::constant:
+      return fmt::format("rnd({})", decimal_literal(operation.value));
+    case Step::input:
+      return fmt::format("{}_{}", name_of(operation.input.kind), operation.input.index + 1);
+    case Step::sine:
+      return fmt::format("s_{}", operation.input.index + 1);
+    case Step::cosine:
+      return fmt::format("c_{}", operation.input.index + 1);
+    case Step::sign:
+      return fmt::format("x{}", k);
+    default:
+      return analysis.norms().own_error(k) > 0 ? fmt::format("x{}", k) : "(" + expression(analysis, k) + ")";
+  }
+}
+
+// As the text has it: "s_2 * qd_1".
+std::string expression(ErrorAnalysis& analysis, int k) {
+  const StraightLine& lines = analysis.text();
+  const Operation& operation = lines[k];
+  const auto binary = [&](const char* sign) {
+    return fmt::format("{} {} {}", operand(analysis, operation.a), sign, operand(analysis, operation.b));
+  };
+  switch (operation.step) {
+    case Step::add:
+      return binary("+");
+    case Step::subtract:
+      return binary("-");
+    case Step::multiply:
+      return binary("*");
+    case Step::negate:
+      return "-" + operand(analysis, operation.a);
+    default:
+      return operand(analysis, k);
+  }
+}
+
+// Powers of two exactly: "1b-53".
+std::string number(double value) {
+  int exponent = 0;
+  if (std::frexp(value, &exponent) == 0.5) return fmt::format("1b{}", exponent - 1);
+  return fmt::format("{:.17g}", value);
+}
+
+std::string within(const std::string& what, const std::string& bound) {
+  return fmt::format("{} in [-{}, {}]", what, bound, bound);
+}
+
+struct Line {
+  std::string text, comment;
+};
+
+std::string conjunction(const std::vector<Line>& lines) {
+  std::string text;
+  for (const Line& line : lines) {
+    text += "  " + line.text;
+    if (&line != &lines.back()) text += " /\\";
+    text += line.comment.empty() ? "\n" : "  # " + line.comment + "\n";
+  }
+  return text;
+}
+
+std::string formula(const std::vector<Line>& hypotheses, const std::vector<Line>& goals) {
+  return "{\n" + conjunction(hypotheses) + "->\n" + conjunction(goals) + "}\n";
+}
+
+constexpr const char* kRoundings =
+    "# Errors of the operations of {}().\n"
+    "# An operation is no larger than it says here before it is rounded (x5: the result of operation 5; s, c: sines "
+    "and\n"
+    "# cosines), as flatdyn has shown from norms. Gappa proves that its rounding error is then no larger than the "
+    "bound.\n"
+    "#   gappa {}\n"
+    "# ends with code 0 if all of that is true.\n\n"
+    "@rnd = {};\n\n";
+
+constexpr const char* kSum =
+    "# The error of {} of {}(){}.\n"
+    "# r5: the error that operation 5 makes itself, see {}.roundings_1.g; also those of sines, cosines and constants.\n"
+    "# a5: how much of it reaches the output, which is the derivative by it; no larger than this, as flatdyn has "
+    "shown\n"
+    "# from norms. Gappa proves that the error of the output, which is the sum of all of these, is within the bound.\n"
+    "#   gappa {}\n"
+    "# ends with code 0 if it is.\n\n";
+
+}  // namespace
+
+std::vector<GappaScript> rounding_scripts(const std::string& function, ErrorAnalysis& analysis,
+                                          const RoundingFormat& format) {
+  std::vector<GappaScript> scripts;
+  std::vector<Line> hypotheses, goals;
+  const auto finish = [&] {
+    if (goals.empty()) return;
+    const std::string name = fmt::format("{}.roundings_{}.g", function, scripts.size() + 1);
+    scripts.push_back(
+        {name, fmt::format(fmt::runtime(kRoundings), function, name, format.gappa) + formula(hypotheses, goals)});
+    hypotheses.clear();
+    goals.clear();
+  };
+  for (int k = 0; k < analysis.executed(); ++k) {
+    const double before = analysis.norms().largest_before_rounding(k);
+    if (!(before > 0)) continue;
+    const std::string exact = expression(analysis, k);
+    const std::string result = operand(analysis, k);
+    hypotheses.push_back({within(exact, four_digits(before)), result});
+    goals.push_back({within(fmt::format("rnd({0}) - ({0})", exact), number(analysis.norms().own_error(k))), ""});
+    if (goals.size() == kLongest) finish();
+  }
+  finish();
+  return scripts;
+}
+
+GappaScript sum_script(const std::string& function, const std::string& output, const std::string& unit,
+                       const OutputError& error) {
+  std::string file_name = output;
+  for (char& c : file_name) c = c == '[' ? '_' : c;
+  std::erase(file_name, ']');
+  const std::string name = fmt::format("{}.{}.g", function, file_name);
+  std::vector<Line> hypotheses;
+  std::vector<std::string> terms;
+  for (const ErrorTerm& term : error.terms) {
+    const std::string k = std::to_string(term.operation);
+    const std::string error_and_sensitivity =
+        fmt::format("{} /\\ {}", within("r" + k, number(term.error)), within("a" + k, four_digits(term.sensitivity)));
+    hypotheses.push_back({error_and_sensitivity, ""});
+    terms.push_back(fmt::format("a{0} * r{0}", k));
+  }
+  const std::string in = unit.empty() ? "" : ", " + unit;
+  const std::string sum = fmt::format("{}", fmt::join(terms, "\n  + "));
+  return {name, fmt::format(fmt::runtime(kSum), output, function, in, function, name) +
+                    formula(hypotheses, {{within(sum, four_digits(error.bound)), ""}})};
+}
+
+}  // namespace flatdyn

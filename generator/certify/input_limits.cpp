@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "certify/input_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certify/rounding.hpp"
+#include "diagnostics/diagnostics.hpp"
+
+namespace flatdyn {
+namespace {
+
+// A limit of 0 says that nobody gave it, but for positions.
+double size_of(const Body& body, const std::optional<Value>& limit, const char* what) {
+  const bool is_position = std::string(what) == "position";
+  if (!limit || has_symbols(limit->number) || (vanishes(limit->number) && !is_position)) {
+    throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no limit of {}", body.joint, what),
+                  "give it in the robot file, or in [limits] of the scene");
+  }
+  return std::abs(nearest_double(limit->number)) * kUpward;
+}
+
+double limit_of(const Body& body, InputKind kind) {
+  switch (kind) {
+    case InputKind::q:
+      return std::max(size_of(body, body.limits.lower, "position"), size_of(body, body.limits.upper, "position"));
+    case InputKind::qd:
+      return size_of(body, body.limits.velocity, "velocity");
+    case InputKind::qdd:
+      return size_of(body, body.limits.acceleration, "acceleration");
+    case InputKind::tau:
+      return size_of(body, body.limits.effort, "effort");
+    case InputKind::h_e:
+      throw Failure(ExitCode::unsupported, "it reads tip forces, which have no limit");
+    case InputKind::parameter:
+      throw Failure(ExitCode::unsupported, "the robot has free symbols", "give them numbers");
+    default:
+      throw Failure(ExitCode::unsupported, "it reads inputs that have no limit");
+  }
+}
+
+}  // namespace
+
+InputLimits input_limits(const Mechanism& mechanism) {
+  return [&mechanism](const Input& input) {
+    // Free symbols and tip forces are none of a joint.
+    const bool is_of_joint = input.kind != InputKind::h_e && input.kind != InputKind::parameter;
+    const auto joint = static_cast<std::size_t>(is_of_joint && input.index < mechanism.size() ? input.index : 0);
+    return limit_of(mechanism.bodies.at(joint), input.kind);
+  };
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "certify/observed.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <thread>
+#include <unordered_map>
+
+#include "graph/arithmetic.hpp"
+#include "model/states.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr std::size_t kTogether = 64;  // states that go through an operation together
+
+// A number for each of these states.
+template <class T>
+struct Lanes {
+  std::array<T, kTogether> of{};
+
+  template <class Operator>
+  Lanes& by(const Lanes& other, Operator apply) {
+    for (std::size_t k = 0; k < kTogether; ++k) of[k] = apply(of[k], other.of[k]);
+    return *this;
+  }
+  Lanes& operator+=(const Lanes& b) {
+    return by(b, [](T x, T y) { return x + y; });
+  }
+  Lanes& operator-=(const Lanes& b) {
+    return by(b, [](T x, T y) { return x - y; });
+  }
+  Lanes& operator*=(const Lanes& b) {
+    return by(b, [](T x, T y) { return x * y; });
+  }
+  Lanes& operator/=(const Lanes& b) {
+    return by(b, [](T x, T y) { return x / y; });
+  }
+  friend Lanes operator*(Lanes a, const Lanes& b) { return a *= b; }
+};
+
+template <class T, class Function>
+Lanes<T> mapped(Lanes<T> x, Function apply) {
+  for (T& each : x.of) each = apply(each);
+  return x;
+}
+
+template <class T>
+Lanes<T> filled(T value) {
+  Lanes<T> all;
+  all.of.fill(value);
+  return all;
+}
+
+// The numbers of these states, in the format's own values, so that both sides are given the same; never beyond a limit.
+class Batch {
+ public:
+  Batch(const StateSource& source, const RoundingFormat& format, unsigned seed)
+      : states_(source.draw(kTogether, seed)), format_(format) {}
+
+  template <class T>
+  Lanes<T> input(const Input& input) const {
+    Lanes<T> values;
+    for (std::size_t k = 0; k < kTogether; ++k) {
+      values.of[k] =
+          static_cast<T>(format_.toward_zero(states_[k].of(input.kind)[static_cast<std::size_t>(input.index)]));
+    }
+    return values;
+  }
+
+ private:
+  std::vector<State> states_;
+  const RoundingFormat& format_;
+};
+
+template <class T>
+Lanes<T> sine_or_cosine(const Lanes<T>& angle, bool is_cosine) {
+  return mapped(angle, [is_cosine](T x) { return is_cosine ? std::cos(x) : std::sin(x); });
+}
+
+template <class T>
+Lanes<T> sign(const Lanes<T>& x) {
+  return mapped(x, [](T each) { return static_cast<T>((each > 0) - (each < 0)); });
+}
+
+// The text, operation by operation.
+template <class T>
+std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch) {
+  std::vector<Lanes<T>> values;
+  values.reserve(static_cast<std::size_t>(lines.size()));
+  for (int k = 0; k < lines.size(); ++k) {
+    const Operation& operation = lines[k];
+    const auto a = [&] { return values[static_cast<std::size_t>(operation.a)]; };
+    const auto b = [&]() -> const Lanes<T>& { return values[static_cast<std::size_t>(operation.b)]; };
+    switch (operation.step) {
+      case Step::constant:
+        values.push_back(filled(static_cast<T>(operation.value)));
+        break;
+      case Step::input:
+        values.push_back(batch.input<T>(operation.input));
+        break;
+      case Step::sine:
+      case Step::cosine:
+        values.push_back(sine_or_cosine(batch.input<T>(operation.input), operation.step == Step::cosine));
+        break;
+      case Step::negate:
+        values.push_back(mapped(a(), [](T x) { return -x; }));
+        break;
+      case Step::add:
+        values.push_back(a() += b());
+        break;
+      case Step::subtract:
+        values.push_back(a() -= b());
+        break;
+      case Step::multiply:
+        values.push_back(a() *= b());
+        break;
+      case Step::divide:
+        values.push_back(a() /= b());
+        break;
+      case Step::sign:
+        values.push_back(sign(a()));
+        break;
+    }
+  }
+  return values;
+}
+
+// For evaluate(): constants are converted once.
+template <class T>
+class LaneArithmetic {
+ public:
+  using Scalar = Lanes<T>;
+
+  void take(const Batch& batch) { batch_ = &batch; }
+  const Scalar& constant(const Rational& value) {
+    const auto known = constants_.find(&value);
+    if (known != constants_.end()) return known->second;
+    return constants_.emplace(&value, filled(to_real<T>(value))).first->second;
+  }
+  Scalar input(const Input& input) const { return batch_->input<T>(input); }
+  Scalar divide(Scalar a, const Scalar& b) const { return a /= b; }
+  Scalar sin(const Graph&, NodeId, const Scalar& angle) const { return sine_or_cosine(angle, false); }
+  Scalar cos(const Graph&, NodeId, const Scalar& angle) const { return sine_or_cosine(angle, true); }
+  Scalar sign(const Scalar& x) const { return flatdyn::sign(x); }
+
+ private:
+  const Batch* batch_ = nullptr;
+  std::unordered_map<const Rational*, Scalar> constants_;
+};
+
+struct Comparison {
+  StateSource source;
+  const StraightLine& lines;
+  const std::vector<int>& of;
+  const Function& function;
+  const std::vector<NodeId>& exact;
+  const RoundingFormat& format;
+  ObservedOptions options;
+};
+
+// Batches are taken by whoever is free.
+template <class T, class Wide>
+std::vector<double> largest_errors(const Comparison& comparison, std::atomic<unsigned>& next, unsigned batches) {
+  std::vector<double> largest(comparison.of.size(), 0);
+  LaneArithmetic<Wide> arithmetic;
+  for (unsigned b = next++; b < batches; b = next++) {
+    const Batch batch(comparison.source, comparison.format, comparison.options.seed + b);
+    arithmetic.take(batch);
+    const std::vector<Lanes<T>> computed = executed<T>(comparison.lines, batch);
+    const std::vector<Lanes<Wide>> exact = evaluate(comparison.function, arithmetic);
+    for (std::size_t k = 0; k < largest.size(); ++k) {
+      const Lanes<T>& x = computed[static_cast<std::size_t>(comparison.of[k])];
+      const Lanes<Wide>& y = exact[static_cast<std::size_t>(comparison.exact[k])];
+      for (std::size_t s = 0; s < kTogether; ++s) {
+        largest[k] = std::max(largest[k], static_cast<double>(std::abs(static_cast<Wide>(x.of[s]) - y.of[s])));
+      }
+    }
+  }
+  return largest;
+}
+
+template <class T, class Wide>
+std::vector<double> on_all_cores(const Comparison& comparison) {
+  const auto batches =
+      static_cast<unsigned>((static_cast<std::size_t>(comparison.options.states) + kTogether - 1) / kTogether);
+  std::atomic<unsigned> next = 0;
+  std::vector<std::future<std::vector<double>>> running;
+  for (unsigned core = 0; core < std::max(1u, std::thread::hardware_concurrency()); ++core) {
+    running.push_back(std::async(std::launch::async, [&comparison, &next, batches] {
+      return largest_errors<T, Wide>(comparison, next, batches);
+    }));
+  }
+  std::vector<double> largest(comparison.of.size(), 0);
+  for (auto& each : running) {
+    const std::vector<double> found = each.get();
+    for (std::size_t k = 0; k < largest.size(); ++k) largest[k] = std::max(largest[k], found[k]);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<double> observed_errors(const Mechanism& mechanism, const StraightLine& lines, const std::vector<int>& of,
+                                    const Function& function, const std::vector<NodeId>& exact,
+                                    const RoundingFormat& format, const ObservedOptions& options) {
+  const Comparison comparison{StateSource(mechanism), lines, of, function, exact, format, options};
+  return format.scalar == "float" ? on_all_cores<float, double>(comparison)
+                                  : on_all_cores<double, long double>(comparison);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Errors that are seen: a function as its text executes it, at many random states, against its graph in a wider type.
+#pragma once
+
+#include <vector>
+
+#include "certify/rounding.hpp"
+#include "graph/function.hpp"
+#include "model/mechanism.hpp"
+#include "verify/straight_line.hpp"
+
+namespace flatdyn {
+
+struct ObservedOptions {
+  int states = 1'000'000;
+  unsigned seed = 1;
+};
+
+// By operation in `of`: the largest absolute difference between its result in the format and the entry of the graph
+// that it computes, within the limits of the joints. `exact` are nodes of the graph, one for each. In long double for
+// the format double, in double for float. Sines and cosines are those of <cmath>. The same for the same seed, on any
+// number of cores.
+std::vector<double> observed_errors(const Mechanism& mechanism, const StraightLine& lines, const std::vector<int>& of,
+                                    const Function& function, const std::vector<NodeId>& exact,
+                                    const RoundingFormat& format, const ObservedOptions& options);
+
+}  // namespace flatdyn

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "input/content_hash.hpp"
+#include "report/certificate_report.hpp"
+#include "report/scene_report.hpp"
+#include "verify/proof.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct CertifyArguments : RobotArguments {
+  std::string folder;
+  std::vector<std::string> functions;
+  CertifyOptions options;
+  double enough = 0.1;  // %
+};
+
+const std::vector<std::string> kUsual = {"inverse_dynamics", "inertia_matrix"};
+
+PipelineOptions pipeline_options(const CertifyArguments& arguments) {
+  PipelineOptions options = arguments.RobotArguments::options();
+  options.functions = arguments.functions;
+  return options;
+}
+
+std::string stamp_of(const CertifyArguments& arguments, const std::vector<OptimisedFunction>& functions) {
+  std::vector<std::string> names;
+  for (const OptimisedFunction& each : functions) names.push_back(each.function.name);
+  const std::string of_functions =
+      stamp({{"--functions", fmt::format("{}", fmt::join(names, ","))},
+             {"--scalar", arguments.options.scalar == "double" ? "" : arguments.options.scalar}});
+  const std::string of_robot = arguments.stamp_of_settings(functions);
+  return of_functions + (of_robot.empty() ? "" : " ") + of_robot;
+}
+
+struct Certified {
+  Certificate certificate;
+  std::string header, text;  // the name of the header, and its content
+};
+
+Certified certified(const CertifyArguments& arguments, const Model& model, PipelineOptions options) {
+  const Scene& scene = model.robot.scene;
+  if (options.functions.empty() && scene.functions.empty() && scene.outputs.empty()) options.functions = kUsual;
+  Progress progress(arguments.quiet);
+  Diagnostics findings;
+  const std::vector<OptimisedFunction> functions = make_functions(model, options, progress, findings);
+  progress.step("proving");
+  prove(derived_from(model), functions, std::nullopt, std::nullopt);
+  const EmitOptions emit{"",
+                         arguments.options.scalar,
+                         stamp_of(arguments, functions),
+                         model.input_hash,
+                         scene_stamp(model),
+                         scene_facts(model),
+                         0};
+  Certified result;
+  result.header = header_name(model.mechanism, emit);
+  result.text = emit_cpp(model.mechanism, functions_of(functions), emit);
+  prove_text(result.text, functions, std::nullopt);
+  result.certificate = certify(model.mechanism, functions_of(functions), result.text, arguments.options, progress);
+  print_diagnostics(findings, arguments.quiet);
+  return result;
+}
+
+// The header, its certificate, and a folder with the scripts.
+void write(const CertifyArguments& arguments, const Certified& result, const std::string& hash) {
+  const std::filesystem::path folder = arguments.folder;
+  const std::filesystem::path header = folder / result.header;
+  const auto beside = [&header](const char* extension) {
+    return std::filesystem::path(header).replace_extension(extension);
+  };
+  std::vector<TextFile> files = {
+      {header, result.text},
+      {beside("certificate.md"), certificate_markdown(result.certificate, arguments.enough / 100, result.header, hash)},
+      {beside("certificate.json"), certificate_json(result.certificate, result.header, hash).dump(2) + "\n"}};
+  for (const CertifiedFunction& function : result.certificate.functions) {
+    for (const GappaScript& script : function.scripts) files.push_back({beside("gappa") / script.name, script.text});
+  }
+  write_files(files);
+}
+
+bool has_refusal(const Certificate& certificate) {
+  for (const CertifiedFunction& function : certificate.functions) {
+    for (const CertifiedOutput& output : function.outputs) {
+      if (certificate.by_gappa && output.verdict == Verdict::refused) return true;
+      if (output.observed > output.bound + output.doubt) return true;
+    }
+  }
+  return false;
+}
+
+ExitCode run_certify(const CertifyArguments& arguments) {
+  const PipelineOptions options = pipeline_options(arguments);
+  const Model model = read_model(arguments.robot, options);
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  const Certified result = certified(arguments, model, options);
+  const std::string hash = content_hash({result.text});
+  if (has_refusal(result.certificate)) {
+    fmt::print("{}", describe_certificate(result.certificate, arguments.enough / 100));
+    throw Failure(ExitCode::verification_failed, "a bound is wrong: Gappa refuses it, or a larger error was seen",
+                  "nothing was written; this is a mistake of the program: report it, with the robot file");
+  }
+  if (!arguments.folder.empty()) write(arguments, result, hash);
+  if (!has_gappa()) {
+    Diagnostics missing;
+    missing.warning({model.robot.file, 0}, "Gappa is not there: the bounds are flatdyn's own, checked by nobody",
+                    "install the package gappa");
+    print_diagnostics(missing, arguments.quiet);
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", certificate_json(result.certificate, result.header, hash).dump(2));
+  } else {
+    fmt::print("{}", describe_certificate(result.certificate, arguments.enough / 100));
+    if (!arguments.folder.empty()) {
+      fmt::print("wrote {}, its certificate, and scripts for Gappa\n",
+                 (std::filesystem::path(arguments.folder) / result.header).string());
+    }
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_certify(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("certify",
+                         "Prove how large the rounding errors of the emitted code can be within the joints' limits.\n\n"
+                         "  flatdyn certify robots/panda.urdf -o out/\n"
+                         "  flatdyn certify robots/puma560.toml --functions gravity --scalar float");
+  const auto arguments = std::make_shared<CertifyArguments>();
+  arguments->add_to(*command);
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder for the header, its certificate and the scripts; made if it is not there; default: no files")
+      ->check(kNotEmpty)
+      ->type_name("FOLDER");
+  add_functions_option(*command, arguments->functions,
+                       "what to certify, separated by commas; default: what the scene names, else inverse_dynamics and "
+                       "inertia_matrix");
+  add_error_budget_option(*command, *arguments);
+  add_search_option(*command, *arguments);
+  command->add_option("--scalar", arguments->options.scalar, "scalar that the code runs in")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command->add_option("--states", arguments->options.observed.states, "random states at which errors are looked for")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1'000'000'000));
+  command->add_option("--seed", arguments->options.observed.seed, "of the random states")->capture_default_str();
+  command->add_option("--enough", arguments->enough, "error that does not matter, in % of the joints' effort limits")
+      ->check(positive_number())
+      ->capture_default_str();
+  command->add_option("--time-limit", arguments->options.time_limit, "of Gappa for one script, s; 0: do not ask it")
+      ->check(number_between(0, 1e6))
+      ->capture_default_str();
+  return [arguments] { return run_certify(*arguments); };
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/certificate_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "diagnostics/table.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Longer tables show what is largest; all of them are in the files.
+constexpr std::size_t kLongestTable = 12;
+
+const char* prover(const Certificate& certificate, const CertifiedOutput& output) {
+  if (output.terms == 0) return "exact";
+  if (!certificate.by_gappa) return "flatdyn";
+  switch (output.verdict) {
+    case Verdict::proven:
+      return "Gappa";
+    case Verdict::out_of_time:
+      return "flatdyn: Gappa ran out of time";
+    case Verdict::refused:
+      break;
+  }
+  return "flatdyn: GAPPA REFUSES IT";
+}
+
+double ratio(const CertifiedOutput& output) { return output.observed > 0 ? output.bound / output.observed : 0; }
+
+std::string ratio_text(const CertifiedOutput& output) {
+  return output.observed > 0 ? fmt::format("{:.3g}", ratio(output)) : "-";
+}
+
+std::string part_of_effort(const CertifiedOutput& output) {
+  return output.effort ? fmt::format("{:.2g} %", 100 * output.bound / *output.effort) : "";
+}
+
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows rows_of(const Certificate& certificate, const std::vector<CertifiedOutput>& outputs) {
+  Rows rows = {{"output", "unit", "bound", "seen", "ratio", "of effort", "proven by"}};
+  for (const CertifiedOutput& output : outputs) {
+    rows.push_back({output.name, output.unit, fmt::format("{:.3e}", output.bound),  // all digits that it has
+                    fmt::format("{:.2e}", output.observed), ratio_text(output), part_of_effort(output),
+                    prover(certificate, output)});
+  }
+  return rows;
+}
+
+// The largest bound, the largest ratio, and what Gappa did not prove.
+std::vector<CertifiedOutput> most_telling(const Certificate& certificate, std::vector<CertifiedOutput> outputs) {
+  if (outputs.size() <= kLongestTable) return outputs;
+  const auto by = [&outputs](auto less) { return *std::max_element(outputs.begin(), outputs.end(), less); };
+  std::vector<CertifiedOutput> chosen = {by([](const auto& a, const auto& b) { return a.bound < b.bound; }),
+                                         by([](const auto& a, const auto& b) { return ratio(a) < ratio(b); })};
+  if (chosen[0].name == chosen[1].name) chosen.pop_back();
+  for (const CertifiedOutput& output : outputs) {
+    const bool is_shown = output.name == chosen.front().name || output.name == chosen.back().name;
+    if (certificate.by_gappa && output.verdict != Verdict::proven && !is_shown) chosen.push_back(output);
+  }
+  return chosen;
+}
+
+std::string heading(const CertifiedFunction& function) {
+  return fmt::format("{}: bounds in {:.1f} s, Gappa {:.1f} s", function.name, function.seconds, function.gappa_seconds);
+}
+
+// "enough", "not proven to be enough", "not enough" for this part of the effort limits, and where.
+std::string judgement(const Certificate& certificate, double enough) {
+  std::vector<std::string> unproven, exceeded;
+  bool has_torques = false;
+  for (const CertifiedFunction& function : certificate.functions) {
+    for (const CertifiedOutput& output : function.outputs) {
+      if (!output.effort) continue;
+      has_torques = true;
+      const double allowed = enough * *output.effort;
+      const std::string name = function.name + "::" + output.name;
+      if (output.observed > allowed) {
+        exceeded.push_back(name);
+      } else if (output.bound > allowed) {
+        unproven.push_back(name);
+      }
+    }
+  }
+  if (!has_torques) return "";
+  const std::string part = fmt::format("{:.3g} % of the joints' effort limits", 100 * enough);
+  if (!exceeded.empty()) {
+    return fmt::format("{} is not enough: errors of more than {} were seen in {}\n", certificate.scalar, part,
+                       fmt::join(exceeded, ", "));
+  }
+  if (!unproven.empty()) {
+    return fmt::format("{} is not proven to be enough for {}: {}; larger errors were not seen\n", certificate.scalar,
+                       part, fmt::join(unproven, ", "));
+  }
+  return fmt::format("{} is enough: no torque is off by more than {}\n", certificate.scalar, part);
+}
+
+std::string markdown_table(const Rows& rows) {
+  std::string text;
+  for (const auto& row : rows) {
+    text += fmt::format("| {} |\n", fmt::join(row, " | "));
+    if (&row == &rows.front()) text += "|---|---|---:|---:|---:|---:|---|\n";
+  }
+  return text;
+}
+
+const char* verdict_name(Verdict verdict) {
+  return verdict == Verdict::proven ? "proven" : verdict == Verdict::refused ? "refused" : "out of time";
+}
+
+}  // namespace
+
+std::string describe_certificate(const Certificate& certificate, double enough) {
+  std::string text;
+  for (const CertifiedFunction& function : certificate.functions) {
+    const std::vector<CertifiedOutput> shown = most_telling(certificate, function.outputs);
+    text += heading(function) + "\n";
+    if (shown.size() < function.outputs.size()) {
+      text += fmt::format("the largest bound and the largest ratio of {} outputs\n", function.outputs.size());
+    }
+    text += "\n" + aligned_table(rows_of(certificate, shown)) + "\n";
+  }
+  text += fmt::format(
+      "bound: of the absolute rounding error in {}, within the joints' limits\nseen: the largest of {} random states\n",
+      certificate.scalar, certificate.options.observed.states);
+  return text + judgement(certificate, enough);
+}
+
+std::string certificate_markdown(const Certificate& certificate, double enough, const std::string& header,
+                                 const std::string& hash) {
+  std::string text = fmt::format(
+      "# Rounding errors of {} in {}\n\n"
+      "Of the text of `{}` ({}): how far a result can be from the exact value of the model, with the model's exact "
+      "numbers, at the same inputs.\n\n"
+      "This holds\n\n"
+      "- within the limits of position, speed, acceleration and torque that the header states;\n"
+      "- for sines and cosines that are right to 1 ulp;\n"
+      "- in builds in which `rounding_is_as_written<{}>()` is true.\n\n"
+      "Check it with Gappa alone: `for g in {}/*.g; do gappa $g || echo \"$g: refused\"; done`. Gappa proves what each "
+      "script says: how large the error of each operation is, and that all together are within the bound. How large an "
+      "operation's result can be, and how much of its error reaches an output, are hypotheses there, which flatdyn "
+      "has proven from norms.\n",
+      certificate.robot, certificate.scalar, header, hash, certificate.scalar,
+      std::filesystem::path(header).replace_extension("gappa").string());
+  for (const CertifiedFunction& function : certificate.functions) {
+    text += fmt::format("\n## {}\n\n{}", function.name, markdown_table(rows_of(certificate, function.outputs)));
+  }
+  text += fmt::format("\nSeen: the largest error at {} random states within the limits.\n",
+                      certificate.options.observed.states);
+  const std::string judged = judgement(certificate, enough);
+  return judged.empty() ? text : text + "\n" + judged;
+}
+
+nlohmann::ordered_json certificate_json(const Certificate& certificate, const std::string& header,
+                                        const std::string& hash) {
+  nlohmann::ordered_json json = {{"flatdyn", FLATDYN_VERSION},
+                                 {"robot", certificate.robot},
+                                 {"scalar", certificate.scalar},
+                                 {"header", header},
+                                 {"hash", hash},
+                                 {"gappa", certificate.by_gappa},
+                                 {"states", certificate.options.observed.states},
+                                 {"seed", certificate.options.observed.seed}};
+  json["functions"] = nlohmann::ordered_json::array();
+  for (const CertifiedFunction& function : certificate.functions) {
+    nlohmann::ordered_json outputs = nlohmann::ordered_json::array();
+    for (const CertifiedOutput& output : function.outputs) {
+      nlohmann::ordered_json row = {{"output", output.name}, {"also", output.also},     {"unit", output.unit},
+                                    {"bound", output.bound}, {"seen", output.observed}, {"errors", output.terms}};
+      if (output.effort) row["effort_limit"] = *output.effort;
+      if (certificate.by_gappa) row["gappa"] = verdict_name(output.verdict);
+      outputs.push_back(row);
+    }
+    json["functions"].push_back({{"name", function.name}, {"outputs", outputs}});
+  }
+  return json;
+}
+
+}  // namespace flatdyn

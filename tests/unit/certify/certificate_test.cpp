@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// No error that is seen is larger than its bound; and what is bounded is what the text executes.
+#include "certify/certificate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/emit.hpp"
+#include "passes/passes.hpp"
+#include "support/limited_robots.hpp"
+#include "support/straight_line_values.hpp"
+#include "verify/compiled.hpp"
+#include "verify/emitted_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+std::vector<Function> functions_to_certify(const Mechanism& mechanism, const std::vector<std::string>& names) {
+  std::vector<Function> functions;
+  for (const std::string& name : names) functions.push_back(run_passes(derive_function(mechanism, name)));
+  return functions;
+}
+
+// Without Gappa, which has no part in what is tested here.
+Certificate certificate_of(const Mechanism& mechanism, const std::string& scalar,
+                           const std::vector<std::string>& names) {
+  CertifyOptions options;
+  options.scalar = scalar;
+  options.observed.states = 5'000;
+  options.time_limit = 0;
+  Progress quiet(true);
+  const std::vector<Function> functions = functions_to_certify(mechanism, names);
+  return certify(mechanism, functions, emit_cpp(mechanism, functions, {}), options, quiet);
+}
+
+class Certificates : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(Certificates, AreAboveEveryErrorThatIsSeen) {
+  const auto& [robot, scalar] = GetParam();
+  const Certificate certificate =
+      certificate_of(testing::limited_robot(robot), scalar, {"inverse_dynamics", "inertia_matrix", "gravity"});
+  int seen = 0;
+  for (const CertifiedFunction& function : certificate.functions) {
+    for (const CertifiedOutput& output : function.outputs) {
+      EXPECT_LE(output.observed, output.bound + output.doubt) << function.name << " " << output.name;
+      EXPECT_LE(output.bound, 1000 * output.observed + 1e-30) << function.name << " " << output.name;
+      seen += output.observed > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(seen, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Certificates,
+                         ::testing::Combine(::testing::Values("planar_2r_example_7_2.toml", "puma560.toml", "rx90.toml",
+                                                              "ur5.urdf"),
+                                            ::testing::Values("double", "float")));
+
+// Bit for bit, at any state.
+TEST(StraightLine, IsWhatTheCompiledTextDoes) {
+  const Mechanism mechanism = testing::limited_robot("puma560.toml");
+  const std::vector<Function> functions = functions_to_certify(mechanism, {"inverse_dynamics", "forward_dynamics"});
+  const CompiledFunctions compiled(mechanism, functions);
+  const EmittedText text(emit_cpp(mechanism, functions, {}));
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    const StraightLine lines = text.operations(f, functions[f]);
+    for (const State& state : random_states(mechanism, 50, 1)) {
+      const std::vector<double> values = testing::values_of(lines, state), expected = compiled.call(f, state);
+      for (std::size_t e = 0; e < expected.size(); ++e) {
+        EXPECT_EQ(values[static_cast<std::size_t>(lines.outputs[0][e])], expected[e]);
+      }
+    }
+  }
+}
+
+// What Gappa takes for granted: results and derivatives of all operations, at random states.
+TEST(Norms, AreAboveResultsAndDerivatives) {
+  const Mechanism mechanism = testing::limited_robot("rx90.toml");
+  const std::vector<Function> functions = functions_to_certify(mechanism, {"inverse_dynamics"});
+  const StraightLine text = EmittedText(emit_cpp(mechanism, functions, {})).operations(0, functions[0]);
+  const RoundingModel model{rounding_format("double"), 0x1p-53, [](double) { return 1e-16; }};
+  ErrorAnalysis analysis(text, model, input_limits(mechanism));
+  for (const int output : text.outputs[0]) analysis.error_of(output);
+  ASSERT_GT(analysis.text().size(), 2 * analysis.executed());  // derivatives are there
+  std::vector<double> largest(static_cast<std::size_t>(analysis.text().size()), 0);
+  for (const State& state : random_states(mechanism, 300, 1)) {
+    const std::vector<double> values = testing::values_of(analysis.text(), state);
+    for (std::size_t k = 0; k < values.size(); ++k) largest[k] = std::max(largest[k], std::abs(values[k]));
+  }
+  constexpr double kRoundings = 1e-12;  // of the values themselves
+  double looseness = 0;
+  for (int k = 0; k < analysis.text().size(); ++k) {
+    const double seen = largest[static_cast<std::size_t>(k)], bound = analysis.norms().largest(k);
+    EXPECT_LE(seen, bound + kRoundings) << "operation " << k;
+    looseness += std::log(std::max(bound, kRoundings) / std::max(seen, kRoundings));
+  }
+  EXPECT_LT(std::exp(looseness / analysis.text().size()), 20);  // in the geometric mean
+}
+
+TEST(Certify, NeedsLimits) {
+  Mechanism mechanism = testing::limited_robot("ur5.urdf");
+  mechanism.bodies[3].limits.acceleration = std::nullopt;
+  try {
+    certificate_of(mechanism, "double", {"inverse_dynamics"});
+    FAIL() << "a limit is missing";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+    EXPECT_THAT(failure.what(), ::testing::HasSubstr("\"wrist_1_joint\""));
+  }
+  EXPECT_NO_THROW(certificate_of(mechanism, "double", {"gravity"}));
+}
+
+TEST(Certify, RefusesWhatItCannotBound) {
+  const Mechanism mechanism = testing::limited_robot("ur5.urdf");
+  for (const char* name : {"forward_dynamics", "inverse_dynamics_tip_force"}) {
+    EXPECT_THROW(certificate_of(mechanism, "double", {name}), Failure) << name;
+  }
+  EXPECT_THROW(certificate_of(testing::limited_robot("planar_2r.toml"), "double", {"gravity"}), Failure);
+}
+
+// Two numbers of the model that are printed alike have errors of their own.
+TEST(StraightLine, KeepsConstantsApart) {
+  StraightLine lines;
+  const int x = lines.input({InputKind::qd, 0}), c = lines.constant(0.5), d = lines.constant(0.25);
+  lines.outputs = {{lines.add(lines.multiply(c, x), lines.multiply(d, lines.add(c, d)))}};
+  const StraightLine apart = with_constants_apart(lines, [](double value) { return value == 0.5; });
+  int halves = 0, quarters = 0;
+  for (int k = 0; k < apart.size(); ++k) {
+    if (apart[k].step != Step::constant) continue;
+    halves += apart[k].value == 0.5 ? 1 : 0;
+    quarters += apart[k].value == 0.25 ? 1 : 0;
+  }
+  EXPECT_EQ(halves, 3);  // the one that nobody reads any more, and two
+  EXPECT_EQ(quarters, 1);
+  EXPECT_EQ(apart[apart.outputs[0][0]].step, Step::add);
+}
+
+}  // namespace
+}  // namespace flatdyn

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Bounds of intermediate results, where they are known by hand.
+#include "certify/norms.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnostics/diagnostics.hpp"
+
+namespace flatdyn {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Ge;
+using ::testing::Le;
+
+// Velocities up to 3, 4, 3, 4, ...
+double limit_of_norms_test(const Input& input) { return input.index % 2 == 0 ? 3 : 4; }
+
+class NormsTest : public ::testing::Test {
+ protected:
+  int speed(int k) { return lines_.input({InputKind::qd, k}); }
+  Norms norms() const {
+    const RoundingFormat& format = rounding_format("double");
+    return {lines_, lines_.size(), {format, 0x1p-53, [](double) { return 0.0; }}, limit_of_norms_test};
+  }
+  std::pair<int, int> rotated(int joint, int x, int y) {
+    const int s = lines_.sine(joint), c = lines_.cosine(joint);
+    return {lines_.subtract(lines_.multiply(c, x), lines_.multiply(s, y)),
+            lines_.add(lines_.multiply(s, x), lines_.multiply(c, y))};
+  }
+
+  StraightLine lines_;
+};
+
+// From the value to half a percent more, which the four digits of rounded bounds may come to.
+auto just_above(double value) { return AllOf(Ge(value), Le(1.005 * value)); }
+
+TEST_F(NormsTest, ARotationKeepsTheNorm) {
+  std::pair<int, int> x = {speed(0), speed(1)};
+  for (int joint = 0; joint < 3; ++joint) x = rotated(joint, x.first, x.second);
+  Norms of = norms();
+  EXPECT_THAT(of.largest(x.first), just_above(5));  // and not 7 * 2 * 2
+  EXPECT_THAT(of.largest(x.second), just_above(5));
+}
+
+TEST_F(NormsTest, RotationsAboutDifferentAxesKeepIt) {
+  // (x, y, z) about z, then about x, then about z again: a component is never longer than (3, 4, 3).
+  auto [x, y] = rotated(0, speed(0), speed(1));
+  auto [y2, z2] = rotated(1, y, speed(2));
+  auto [x3, y3] = rotated(2, x, y2);
+  Norms of = norms();
+  for (const int component : {x3, y3, z2}) EXPECT_LE(of.largest(component), 1.005 * std::sqrt(34.0));
+  EXPECT_THAT(of.largest(x3), just_above(std::sqrt(34.0)));
+}
+
+TEST_F(NormsTest, SumsAndProductsAddAndMultiply) {
+  const int sum = lines_.add(speed(0), speed(1)), product = lines_.multiply(speed(0), speed(1));
+  const int both = lines_.subtract(product, sum), times_two = lines_.multiply(lines_.constant(-2), both);
+  Norms of = norms();
+  EXPECT_THAT(of.largest(sum), just_above(7));
+  EXPECT_THAT(of.largest(product), just_above(12));
+  EXPECT_THAT(of.largest(both), just_above(19));
+  EXPECT_THAT(of.largest(times_two), just_above(38));
+}
+
+TEST_F(NormsTest, TermsThatCancelAreGone) {
+  const int sum = lines_.add(speed(0), speed(1));
+  Norms of = norms();
+  const int rest = lines_.subtract(sum, speed(0));
+  EXPECT_THAT(of.largest(rest), just_above(4));
+}
+
+TEST_F(NormsTest, ErrorsAreHalfAUnitOfTheLastPlace) {
+  const int sum = lines_.add(speed(0), speed(1));                // within 7: units of 2^-50
+  const int doubled = lines_.multiply(lines_.constant(2), sum);  // exact
+  const int negative = lines_.negate(sum);
+  const int sine = lines_.sine(0);
+  Norms of = norms();
+  EXPECT_EQ(of.own_error(sum), 0x1p-51);
+  EXPECT_EQ(of.own_error(doubled), 0);
+  EXPECT_EQ(of.own_error(negative), 0);
+  EXPECT_EQ(of.own_error(sine), 0x1p-53);
+  EXPECT_EQ(of.own_error(speed(0)), 0);
+}
+
+TEST_F(NormsTest, RefusesDivisions) {
+  const int quotient = lines_.divide(speed(0), speed(1));
+  Norms of = norms();
+  EXPECT_THROW(of.largest(quotient), Failure);
+}
+
+TEST_F(NormsTest, TakesTheSignOfWhatIsExact) {
+  const int sign = lines_.sign(speed(0)), of_sum = lines_.sign(lines_.add(speed(0), speed(1)));
+  Norms of = norms();
+  EXPECT_THAT(of.largest(sign), just_above(1));
+  EXPECT_THROW(of.largest(of_sum), Failure);
+}
+
+TEST(RoundingFormat, KnowsHalfAUnitOfTheLastPlace) {
+  EXPECT_EQ(rounding_format("double").half_ulp(1), 0x1p-53);
+  EXPECT_EQ(rounding_format("double").half_ulp(0.999), 0x1p-54);
+  EXPECT_EQ(rounding_format("float").half_ulp(5), 0x1p-22);
+  EXPECT_EQ(rounding_format("float").half_ulp(1e-44), 0x1p-150);
+  EXPECT_EQ(rounding_format("double").half_ulp(1e-320), 0x1p-1074);
+  EXPECT_EQ(rounding_format("double").half_ulp(0), 0);
+}
+
+TEST(RoundingFormat, RoundsLiteralsAndInputs) {
+  EXPECT_EQ(rounding_format("double").rounded(0.1), 0.1);
+  EXPECT_EQ(rounding_format("float").rounded(0.1), static_cast<double>(0.1F));
+  EXPECT_GT(static_cast<double>(0.1F), 0.1);
+  EXPECT_LT(rounding_format("float").toward_zero(0.1), 0.1);
+  EXPECT_LT(rounding_format("float").toward_zero(-0.1), 0.0);
+  EXPECT_GT(rounding_format("float").toward_zero(-0.1), -0.1);
+}
+
+TEST(RoundedUp, IsFourDigitsAndNeverLess) {
+  for (const double value : {1.0, 0.12341, 9.9999, 1.2345e-13, 7e20}) {
+    EXPECT_GE(rounded_up(value), value);
+    EXPECT_LE(rounded_up(value), value * 1.0015);
+    EXPECT_EQ(std::stod(four_digits(rounded_up(value))), rounded_up(value));
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn
