@@ -81,6 +81,8 @@ Run add_excite(CLI::App& app);
 Run add_bench(CLI::App& app);
 Run add_certify(CLI::App& app);
 Run add_stress(CLI::App& app);
+Run add_man(CLI::App& app);
+Run add_completion(CLI::App& app);
 
 // Diagnostics on stderr, one each.
 void print_diagnostics(const Diagnostics& diagnostics, bool quiet);

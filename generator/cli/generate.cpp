@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/output_file.hpp"
+#include "cli/delivery.hpp"
 #include "input/content_hash.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
@@ -20,9 +20,16 @@ struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused;
   std::string scalar = "double";
-  std::string name_space;
-  int most_lines = 0;  // 0: no limit
+  std::string name_space, file_name;  // empty: the robot's name
+  int most_lines = 0;                 // 0: no limit
+  Delivery delivery;
 };
+
+const CLI::Validator kFileName(
+    [](const std::string& text) {
+      return text.empty() || text.find('/') != std::string::npos ? "it is no name of a file" : "";
+    },
+    "");
 
 // The options that shape the output, as they go into its stamp.
 std::string stamp_of(const GenerateArguments& arguments, const std::vector<OptimisedFunction>& functions) {
@@ -32,6 +39,7 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--fuse", fmt::format("{}", fmt::join(arguments.fused, ","))},
              {"--scalar", arguments.scalar == "double" ? "" : arguments.scalar},
              {"--namespace", arguments.name_space},
+             {"--name", arguments.file_name},
              {"--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines)}});
   const std::string of_robot = arguments.stamp_of_settings(functions);
   return of_functions + (of_functions.empty() || of_robot.empty() ? "" : " ") + of_robot;
@@ -62,7 +70,8 @@ ExitCode generate(const GenerateArguments& arguments) {
                          model.input_hash,     scene_stamp(model), scene_facts(model),
                          arguments.most_lines};
   const std::filesystem::path folder = arguments.folder;
-  const std::string header = header_name(model.mechanism, emit);
+  const std::string header =
+      arguments.file_name.empty() ? header_name(model.mechanism, emit) : arguments.file_name + ".hpp";
   const std::vector<double> effects = snap_effects(model, options.read);
   nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
   manifest.update(model_json(model, effects));
@@ -78,7 +87,9 @@ ExitCode generate(const GenerateArguments& arguments) {
   prove_text(text, functions, stages);
   // So that a reader sees whether the two files belong together.
   manifest["header_hash"] = content_hash({text});
-  write_files({{folder / header, text}, {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}});
+  const std::string done = arguments.delivery.deliver(
+      {{folder / header, text}, {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}},
+      model.robot.files);
   print_diagnostics(model.diagnostics, arguments.quiet);
   print_diagnostics(findings, arguments.quiet);
   if (arguments.json) {
@@ -88,7 +99,7 @@ ExitCode generate(const GenerateArguments& arguments) {
                describe_functions(functions, symbol_names(model.mechanism)));
     if (stages) fmt::print("{}\n", describe_stages(*stages));
     if (seen) fmt::print("{}\n", describe_abbreviation(model, *seen));
-    fmt::print("{}\nwrote {}\n", describe_proofs(proofs), (folder / header).string());
+    fmt::print("{}\n{}", describe_proofs(proofs), done);
   }
   return ExitCode::ok;
 }
@@ -128,11 +139,15 @@ Run add_generate(CLI::App& app) {
   command->add_option("--namespace", arguments->name_space, "C++ namespace; default: the robot's name")
       ->check(kNotEmpty)
       ->type_name("NAME");
+  command->add_option("--name", arguments->file_name, "name of the files, without folder; default: the robot's name")
+      ->check(kFileName)
+      ->type_name("NAME");
   command
       ->add_option("--max-lines", arguments->most_lines,
                    "no function of the header is longer: longer ones call parts of their own")
       ->check(CLI::Range(kFewestLines, kMostLines))
       ->type_name("N");
+  arguments->delivery.add_to(*command);
   return [arguments] { return generate(*arguments); };
 }
 

@@ -60,6 +60,7 @@ enum class ExitCode : int {
   unsupported = 4,
   verification_failed = 5,
   io = 6,
+  outdated = 7,
 };
 
 // Something that ends the run with one of the documented exit codes.

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# `cpack` makes flatdyn_VERSION_ARCHITECTURE.deb: libraries that the program needs are found by dpkg-shlibdeps; what
+# only some subcommands need is recommended.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_CONTACT "flatdyn developers <flatdyn@users.noreply.github.com>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "symbolic generator of flat code for robot dynamics")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "flatdyn reads a robot file (URDF, or TOML with DH parameters and motors),
+derives the robot's dynamics, and writes C++ without dependencies that
+computes them: inertia matrix, gravity, inverse and forward dynamics,
+regressors. The code is proven to be equal to the Lagrangian equations of
+motion, and its rounding errors can be certified.")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | c++-compiler, gappa")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libxsimd-dev, cmake, gnuplot-nox")
+
+# Debian's policy asks for these two.
+set(debian ${CMAKE_CURRENT_BINARY_DIR}/debian)
+configure_file(cmake/debian/changelog.in ${debian}/changelog @ONLY)
+add_custom_command(
+  OUTPUT ${debian}/changelog.gz
+  COMMAND gzip -9nkf ${debian}/changelog
+  DEPENDS ${debian}/changelog
+  VERBATIM)
+add_custom_target(debian_changelog ALL DEPENDS ${debian}/changelog.gz)
+install(FILES cmake/debian/copyright ${debian}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
+include(CPack)

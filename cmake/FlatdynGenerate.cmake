@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# flatdyn_generate(TARGET
+#   ROBOT file              robot file: URDF or TOML
+#   [SCENE file]            scene file
+#   [FUNCTIONS name...]     what to compute; default: what the scene names, else all
+#   [STAGES name...] [FUSE name...]
+#   [SCALAR double|float]   default: double
+#   [NAMESPACE name]        default: TARGET
+#   [OPTIONS option...])    any others of `flatdyn generate`
+#
+# Makes a library to link with. Its header is TARGET.hpp. It is generated anew when the robot file, a
+# file that this one names, the scene, or flatdyn itself changes, and only then. Who links with it compiles with
+# -ffp-contract=off, as every operation is meant to be rounded as it is written.
+#
+# The program is $CACHE{FLATDYN_EXECUTABLE} if that is set, as for a cross build with a flatdyn of the build machine;
+# else the installed one, or the one of this build.
+
+set(FLATDYN_EXECUTABLE "" CACHE FILEPATH "flatdyn of the machine that builds; empty: the installed one")
+
+# In `result` what runs flatdyn, in `dependency` what changes when it does.
+function(flatdyn_find_program result dependency)
+  if(FLATDYN_EXECUTABLE)
+    set(program ${FLATDYN_EXECUTABLE})
+    set(depends ${FLATDYN_EXECUTABLE})
+  elseif(TARGET flatdyn::flatdyn)
+    set(program $<TARGET_FILE:flatdyn::flatdyn>)
+    set(depends $<TARGET_FILE:flatdyn::flatdyn>)
+  else()
+    message(FATAL_ERROR "flatdyn_generate: there is no flatdyn to run on this machine\n"
+                        "Set -D FLATDYN_EXECUTABLE=/path/to/flatdyn")
+  endif()
+  if(CMAKE_CROSSCOMPILING AND NOT FLATDYN_EXECUTABLE AND NOT flatdyn_FOUND)
+    message(FATAL_ERROR "flatdyn_generate: the flatdyn of this build does not run on this machine\n"
+                        "Build one for it, and set -D FLATDYN_EXECUTABLE=/path/to/flatdyn")
+  endif()
+  set(${result} ${program} PARENT_SCOPE)
+  set(${dependency} ${depends} PARENT_SCOPE)
+endfunction()
+
+# Options whose values are lists go with commas; those that are not given, not at all.
+function(flatdyn_list_option result option)
+  if(ARGN)
+    list(JOIN ARGN "," value)
+    set(${result} ${option} ${value} PARENT_SCOPE)
+  else()
+    set(${result} "" PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(flatdyn_generate target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROBOT;SCENE;SCALAR;NAMESPACE" "FUNCTIONS;STAGES;FUSE;OPTIONS")
+  if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "flatdyn_generate(${target}): cannot make sense of "
+                        "\"${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}\"")
+  endif()
+  if(NOT arg_ROBOT)
+    message(FATAL_ERROR "flatdyn_generate(${target}): ROBOT is missing: a URDF or TOML file")
+  endif()
+  if(NOT arg_NAMESPACE)
+    set(arg_NAMESPACE ${target})
+  endif()
+  cmake_path(ABSOLUTE_PATH arg_ROBOT BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+  set(depends ${arg_ROBOT})
+  set(scene "")
+  if(arg_SCENE)
+    cmake_path(ABSOLUTE_PATH arg_SCENE BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    list(APPEND depends ${arg_SCENE})
+    set(scene --scene ${arg_SCENE})
+  endif()
+  flatdyn_find_program(program tool)
+  flatdyn_list_option(functions --functions ${arg_FUNCTIONS})
+  flatdyn_list_option(stages --stages ${arg_STAGES})
+  flatdyn_list_option(fuse --fuse ${arg_FUSE})
+  flatdyn_list_option(scalar --scalar ${arg_SCALAR})
+
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.flatdyn)
+  set(outputs ${folder}/${target}.hpp)
+  add_custom_command(
+    OUTPUT ${outputs} ${folder}/${target}.json
+    COMMAND ${program} generate ${arg_ROBOT} -o ${folder} --name ${target} --namespace ${arg_NAMESPACE}
+            ${scene} ${functions} ${stages} ${fuse} ${scalar} ${arg_OPTIONS}
+            --quiet --depfile ${folder}/${target}.d > ${target}.flatdyn.log
+    DEPENDS ${depends} ${tool}
+    DEPFILE ${folder}/${target}.d
+    WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
+    COMMENT "Generating the dynamics of ${target}"
+    VERBATIM)
+  add_library(${target} INTERFACE)
+  add_custom_target(${target}_generate DEPENDS ${outputs})
+  add_dependencies(${target} ${target}_generate)
+  target_include_directories(${target} INTERFACE ${folder})
+  target_compile_features(${target} INTERFACE cxx_std_17)
+  target_compile_options(${target} INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+endfunction()

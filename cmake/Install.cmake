@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# What `cmake --install` puts where; find_package(flatdyn), pkg-config flatdyn-runtime, and `cpack` (a .deb) over it.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(ROBOTS ${CMAKE_INSTALL_DATADIR}/flatdyn/robots)
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/flatdyn)
+install(TARGETS flatdyn_runtime EXPORT flatdynTargets)
+install(DIRECTORY runtime/include/flatdyn DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY robots/ DESTINATION ${ROBOTS})
+if(TARGET flatdyn)
+  install(TARGETS flatdyn EXPORT flatdynTargets)
+
+  # Manual pages and completion come from the program itself.
+  set(manual ${CMAKE_CURRENT_BINARY_DIR}/manual)
+  find_program(GZIP gzip REQUIRED)
+  add_custom_command(
+    OUTPUT ${manual}/flatdyn
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
+    COMMAND flatdyn man -o ${manual}/man1
+    COMMAND sh -c "\"$1\" -9n \"$2\"/*.1" gzip ${GZIP} ${manual}/man1
+    COMMAND sh -c "\"$1\" completion > \"$2\"" completion $<TARGET_FILE:flatdyn> ${manual}/flatdyn
+    DEPENDS flatdyn
+    VERBATIM)
+  add_custom_target(manual ALL DEPENDS ${manual}/flatdyn)
+  install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+  install(FILES ${manual}/flatdyn DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endif()
+
+install(EXPORT flatdynTargets NAMESPACE flatdyn:: DESTINATION ${config_dir})
+configure_package_config_file(cmake/flatdynConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/flatdynConfig.cmake
+                              INSTALL_DESTINATION ${config_dir} PATH_VARS ROBOTS)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/flatdynConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/flatdynConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/flatdynConfigVersion.cmake
+              cmake/FlatdynGenerate.cmake
+        DESTINATION ${config_dir})
+
+configure_file(cmake/flatdyn-runtime.pc.in flatdyn-runtime.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/flatdyn-runtime.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+
+install(FILES README.md CHANGELOG.md LICENSES/BSD-3-Clause.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+
+if(PROJECT_IS_TOP_LEVEL)
+  include(DebianPackage)
+endif()

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Manual pages in the macros of man(7), made from what --help prints from: they cannot differ.
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "cli/commands.hpp"
+#include "cli/option_list.hpp"
+#include "cli/output_file.hpp"
+#include "diagnostics/diagnostics.hpp"
+#include "diagnostics/nearest.hpp"
+
+namespace flatdyn {
+namespace {
+
+// As roff would print it: neither a request at the beginning of a line, nor a hyphen that may be broken at.
+std::string roff(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool at_line_start = result.empty() || result.back() == '\n';
+    if (at_line_start && (c == '.' || c == '\'')) result += "\\&";
+    result += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+  }
+  return result;
+}
+
+// Its lines stay lines.
+std::string lines(const std::string& text) {
+  std::string result;
+  for (const char c : roff(text)) result += c == '\n' ? "\n.br\n" : std::string(1, c);
+  return result;
+}
+
+std::string unfilled(const std::string& text) { return text.empty() ? "" : ".nf\n" + roff(text) + "\n.fi\n"; }
+
+std::string section(const std::string& title, const std::string& body) {
+  return body.empty() ? "" : ".SH " + title + "\n" + body;
+}
+
+std::string option_rows(const CLI::App& command) {
+  std::string rows;
+  for (const ListedOption& option : listed_options(command)) {
+    std::string names;
+    for (const std::string& name : option.names) names += (names.empty() ? "" : ", ") + name;
+    const std::string value = option.value.empty() ? "" : " \\fI" + roff(option.value) + "\\fR";
+    const std::string standard = option.standard.empty() ? "" : " (default: " + option.standard + ")";
+    rows += fmt::format(".TP\n\\fB{}\\fR{}\n{}{}\n", roff(names), value, lines(option.meaning), roff(standard));
+  }
+  return rows;
+}
+
+// A description's paragraphs are for people; its indented lines are commands to copy.
+struct Description {
+  std::string first, text, examples;
+};
+
+Description description_of(const CLI::App& command) {
+  Description result;
+  std::istringstream lines(command.get_description());
+  for (std::string line; std::getline(lines, line);) {
+    std::string& part = line.rfind("  ", 0) == 0 ? result.examples : result.text;
+    if (result.first.empty()) result.first = line;
+    if (!line.empty()) part += (part.empty() ? "" : "\n") + line;
+  }
+  return result;
+}
+
+std::string head(const std::string& name, const std::string& summary) {
+  const std::string full_stop_dropped = summary.substr(0, summary.find_last_not_of('.') + 1);
+  return fmt::format(".TH {} 1 \"\" \"flatdyn {}\" \"flatdyn\"\n", roff(name), FLATDYN_VERSION) +
+         section("NAME", roff(name) + " \\- " + roff(full_stop_dropped) + "\n");
+}
+
+std::string exit_status() {
+  return section("EXIT STATUS",
+                 "0: done. 1: a bug. 2: the command line is wrong. 3: the input is wrong. 4: not supported. 5: a "
+                 "verification failed.\n6: a file could not be read or written. 7: "
+                 "\\fBgenerate \\-\\-check\\fR found outputs that differ.\n");
+}
+
+std::string page_of_command(const CLI::App& command) {
+  const Description about = description_of(command);
+  std::string usage = fmt::format("\\fBflatdyn {}\\fR [\\fIOPTIONS\\fR]", roff(command.get_name()));
+  for (const CLI::Option* argument : positionals(command)) {
+    const std::string name = "\\fI" + roff(argument->get_name(true)) + "\\fR";
+    usage += argument->get_required() ? " " + name : " [" + name + "]";
+  }
+  return head("flatdyn-" + command.get_name(), about.first) + section("SYNOPSIS", usage + "\n") +
+         section("DESCRIPTION", roff(about.text) + "\n") + section("EXAMPLES", unfilled(about.examples)) +
+         section("OPTIONS", option_rows(command)) + section("NOTES", unfilled(command.get_footer())) + exit_status() +
+         section("SEE ALSO", "\\fBflatdyn\\fR(1)\n");
+}
+
+std::string page_of_program(const CLI::App& app) {
+  std::string rows, pages;
+  for (const CLI::App* command : subcommands(app)) {
+    const std::string name = roff(command->get_name());
+    rows += fmt::format(".TP\n\\fB{}\\fR\n{}\n", name, roff(description_of(*command).first));
+    pages += fmt::format("{}\\fBflatdyn\\-{}\\fR(1)", pages.empty() ? "" : ",\n", name);
+  }
+  const Description about = description_of(app);
+  return head("flatdyn", about.first) + section("SYNOPSIS", "\\fBflatdyn\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n") +
+         section("DESCRIPTION", roff(about.first) + "\n") + section("EXAMPLES", unfilled(about.examples)) +
+         section("COMMANDS", rows) + exit_status() + section("SEE ALSO", pages + "\n");
+}
+
+ExitCode print_page(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : subcommands(app)) {
+    names.push_back(command->get_name());
+    if (names.back() != name) continue;
+    fmt::print("{}", page_of_command(*command));
+    return ExitCode::ok;
+  }
+  if (!name.empty()) {
+    throw Failure(ExitCode::usage, "there is no subcommand \"" + name + "\"",
+                  hint_for_unknown(name, names, "subcommands"));
+  }
+  fmt::print("{}", page_of_program(app));
+  return ExitCode::ok;
+}
+
+ExitCode write_pages(const CLI::App& app, const std::filesystem::path& folder) {
+  std::vector<TextFile> files = {{folder / "flatdyn.1", page_of_program(app)}};
+  for (const CLI::App* command : subcommands(app)) {
+    files.push_back({folder / ("flatdyn-" + command->get_name() + ".1"), page_of_command(*command)});
+  }
+  write_files(files);
+  return ExitCode::ok;
+}
+
+struct ManArguments {
+  std::string subcommand, folder;
+};
+
+}  // namespace
+
+Run add_man(CLI::App& app) {
+  auto* command = app.add_subcommand("man",
+                                     "Print the manual page of the program, or of a subcommand, for man(1).\n\n"
+                                     "  flatdyn man generate | man -l -\n"
+                                     "  flatdyn man -o share/man/man1/");
+  const auto arguments = std::make_shared<ManArguments>();
+  auto* name = command->add_option("subcommand", arguments->subcommand, "whose page; default: the program's");
+  name->type_name("NAME");
+  command->add_option("-o,--output", arguments->folder, "write all pages to this folder; made if it is not there")
+      ->excludes(name)
+      ->check(kNotEmpty)
+      ->type_name("FOLDER");
+  return [&app, arguments] {
+    return arguments->folder.empty() ? print_page(app, arguments->subcommand) : write_pages(app, arguments->folder);
+  };
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "cli/option_list.hpp"
+
+namespace flatdyn {
+namespace {
+
+// "TEXT:{double,float}" → double, float.
+std::vector<std::string> choices_of(const std::string& type) {
+  const std::size_t open = type.find('{'), close = type.find('}');
+  if (open == std::string::npos || close == std::string::npos) return {};
+  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
+}
+
+ListedOption listed(const CLI::Option& option) {
+  ListedOption result;
+  for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
+  result.meaning = option.get_description();
+  if (option.get_type_size() == 0) return result;
+  const std::string type = option.get_type_name();
+  result.choices = choices_of(type);
+  result.value = type.substr(0, type.find(':'));
+  if (!result.choices.empty()) result.value = CLI::detail::join(result.choices, "|");
+  result.standard = option.get_default_str();
+  return result;
+}
+
+}  // namespace
+
+std::vector<ListedOption> listed_options(const CLI::App& command) {
+  std::vector<ListedOption> result;
+  for (const CLI::Option* option : command.get_options([](const CLI::Option* each) { return each->nonpositional(); })) {
+    result.push_back(listed(*option));
+  }
+  return result;
+}
+
+std::vector<const CLI::Option*> positionals(const CLI::App& command) {
+  return command.get_options([](const CLI::Option* each) { return each->get_positional(); });
+}
+
+std::vector<const CLI::App*> subcommands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Outputs that are compared or only named instead of written, and what a build tool is told about them.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string generate(const std::string& folder, const std::string& more = "", const std::string& robot = "") {
+  return fmt::format("generate {} -q --functions gravity -o '{}' {}",
+                     robot.empty() ? "robots/pendulum_motor.toml" : robot, folder, more);
+}
+
+TEST(Check, PassesOnWhatARunHasWritten) {
+  const Scratch scratch;
+  ASSERT_EQ(run_flatdyn(generate(scratch.path())).code, 0);
+  const Outcome outcome = run_flatdyn(generate(scratch.path(), "--check"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("up to date: " + scratch.path("pendulum_motor.hpp")));
+}
+
+TEST(Check, NamesTheFirstLineThatDiffersAndWritesNothing) {
+  const Scratch scratch;
+  ASSERT_EQ(run_flatdyn(generate(scratch.path())).code, 0);
+  const std::string edited = "// edited\n" + scratch.read("pendulum_motor.hpp");
+  scratch.write("pendulum_motor.hpp", edited);
+  const Outcome outcome = run_flatdyn(generate(scratch.path(), "--check"));
+  EXPECT_EQ(outcome.code, 7);
+  EXPECT_THAT(outcome.err, HasSubstr("pendulum_motor.hpp: is not what this run would write: from line 1 on"));
+  EXPECT_EQ(scratch.read("pendulum_motor.hpp"), edited);
+}
+
+TEST(Check, SaysWhatIsMissing) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn(generate(scratch.path(), "--check"));
+  EXPECT_EQ(outcome.code, 7);
+  EXPECT_THAT(outcome.err, HasSubstr("it is not there"));
+  EXPECT_TRUE(scratch.is_empty());
+}
+
+TEST(DryRun, NamesTheOutputsAndWritesNothing) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn(generate(scratch.path(), "-n --depfile " + scratch.path("d")));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* name : {"pendulum_motor.hpp", "pendulum_motor.json", "d"}) {
+    EXPECT_THAT(outcome.out, HasSubstr("would write " + scratch.path(name) + "\n"));
+  }
+  EXPECT_TRUE(scratch.is_empty());
+}
+
+TEST(DryRun, IsNoCheck) { EXPECT_EQ(run_flatdyn(generate("/nowhere/at/all", "-n --check")).code, 2); }
+
+// A scene and the robot file that the robot file is written over count, too; make takes the rule as it is.
+TEST(Depfile, NamesEveryFileThatWasRead) {
+  const Scratch scratch;
+  scratch.write("a pendulum.toml",
+                fmt::format("robot = '{}/robots/pendulum_motor.toml'\nname = 'mine'\n", FLATDYN_SOURCE_DIR));
+  scratch.write("still.toml", "static = true\n");
+  const std::string more =
+      fmt::format("--scene '{}' --depfile '{}'", scratch.path("still.toml"), scratch.path("out.d"));
+  const Outcome outcome =
+      run_flatdyn(generate(scratch.path(), more, fmt::format("'{}'", scratch.path("a pendulum.toml"))));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string rule = scratch.read("out.d");
+  EXPECT_THAT(rule, StartsWith(scratch.path("mine.hpp") + " " + scratch.path("mine.json") + ": \\\n"));
+  for (const char* file : {"a\\ pendulum.toml", "/robots/pendulum_motor.toml", "/still.toml"}) {
+    EXPECT_THAT(rule, HasSubstr(file));
+  }
+  scratch.write("Makefile",
+                fmt::format("include {}\n{}:\n\t@echo made anew\n", scratch.path("out.d"), scratch.path("mine.hpp")));
+  const std::string make =
+      fmt::format("make -s -C '{}' '{}' > '{}' 2>&1", scratch.path(), scratch.path("mine.hpp"), scratch.path("log"));
+  ASSERT_EQ(std::system(make.c_str()), 0) << scratch.read("log");
+  EXPECT_EQ(scratch.read("log").find("made anew"), std::string::npos);
+  scratch.write("still.toml", "static = true  # changed\n");
+  ASSERT_EQ(std::system(make.c_str()), 0) << scratch.read("log");
+  EXPECT_THAT(scratch.read("log"), HasSubstr("made anew"));
+}
+
+TEST(Depfile, IsNeitherAnInputNorAnotherOutput) {
+  const Scratch scratch;
+  EXPECT_EQ(run_flatdyn(generate(scratch.path(), "--depfile robots/pendulum_motor.toml")).code, 2);
+  EXPECT_EQ(run_flatdyn(generate(scratch.path(), "--depfile " + scratch.path("pendulum_motor.hpp"))).code, 2);
+  EXPECT_TRUE(scratch.is_empty());
+}
+
+// Every page is read by man without a warning, and knows every option of --help.
+TEST(Man, HasAPageForEverySubcommand) {
+  const Scratch scratch;
+  ASSERT_EQ(run_flatdyn("man -o " + scratch.path("man")).code, 0);
+  EXPECT_EQ(scratch.read("man/flatdyn.1"), run_flatdyn("man").out);
+  EXPECT_EQ(scratch.read("man/flatdyn-generate.1"), run_flatdyn("man generate").out);
+  for (const auto& page : std::filesystem::directory_iterator(scratch.path("man"))) {
+    const std::string file = page.path().string();
+    const std::string read = fmt::format("LC_ALL=C groff -K utf8 -man -ww -Tutf8 -P-cbou '{}' > '{}' 2> '{}'", file,
+                                         scratch.path("text"), scratch.path("warnings"));
+    ASSERT_EQ(std::system(read.c_str()), 0) << file;
+    EXPECT_EQ(scratch.read("warnings"), "") << file;
+    EXPECT_THAT(scratch.read("text"), HasSubstr("SYNOPSIS")) << file;
+  }
+  const std::string page = run_flatdyn("man generate").out;
+  for (const char* option : {"\\-o, \\-\\-output", "\\-\\-functions", "\\-\\-check", "\\-W", "\\fIFOLDER\\fR"}) {
+    EXPECT_THAT(page, HasSubstr(option));
+  }
+  EXPECT_EQ(run_flatdyn("man generat").code, 2);
+}
+
+// What bash offers for a line, with the cursor at its end.
+std::string completed(const std::string& line) {
+  const Scratch scratch;
+  scratch.write("complete", fmt::format(R"(source <('{}' completion)
+compopt() {{ :; }}
+read -ra COMP_WORDS <<< '{}'
+[[ '{}' == *' ' ]] && COMP_WORDS+=('')
+COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))
+_flatdyn
+printf '%s ' "${{COMPREPLY[@]}}"
+)",
+                                        FLATDYN_PROGRAM, line, line));
+  const std::string command = fmt::format("cd '{}' && bash --norc '{}' > '{}' 2>&1", FLATDYN_SOURCE_DIR,
+                                          scratch.path("complete"), scratch.path("offered"));
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return scratch.read("offered");
+}
+
+TEST(Completion, OffersSubcommandsOptionsValuesFilesAndFunctions) {
+  EXPECT_EQ(completed("flatdyn ge"), "generate ");
+  EXPECT_EQ(completed("flatdyn generate --sc"), "--scene --scalar ");
+  EXPECT_EQ(completed("flatdyn generate --scalar "), "double float ");
+  EXPECT_EQ(completed("flatdyn generate robots/pan"), "robots/panda.urdf ");
+  EXPECT_EQ(completed("flatdyn verify --functions gravity,coriolis"), "gravity,coriolis_matrix ");
+  EXPECT_EQ(completed("flatdyn generate -o robo"), "robots ");
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

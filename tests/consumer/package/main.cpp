@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Holds both links level: the shoulder carries 2 kg at 1 m and 1 kg at 2 m, the elbow 1 kg at 1 m.
+#include <cmath>
+#include <cstdio>
+
+#include "my_arm.hpp"
+
+namespace {
+
+constexpr double kGravity = 9.81;
+
+bool close(double a, double b) { return std::abs(a - b) <= 1e-12; }
+
+}  // namespace
+
+int main() {
+  const double q[my_arm::joint_count] = {}, zero[my_arm::joint_count] = {};
+  double g[my_arm::joint_count], tau[my_arm::joint_count];
+  my_arm::gravity(q, g);
+  my_arm::inverse_dynamics(q, zero, zero, tau);
+  std::printf("gravity: %g %g N m\n", g[0], g[1]);
+  const bool right = close(g[0], 4 * kGravity) && close(g[1], kGravity);
+  const bool alike = close(tau[0], g[0]) && close(tau[1], g[1]);
+  return right && alike && my_arm::rounding_is_as_written() ? 0 : 1;
+}

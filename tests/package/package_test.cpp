@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What `cmake --install` leaves is what an outside project needs: tests/consumer/package finds it, generates in its
+// build, and does so again only when something changed. The same with flatdyn's sources in a folder of the project.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string kConsumers = std::string(FLATDYN_SOURCE_DIR) + "/tests/consumer/";
+
+// A project of its own with a copy of the consumer, whose files may be changed.
+class Project {
+ public:
+  // `name`: the folder in tests/consumer.
+  explicit Project(std::string name) : name_(std::move(name)) {
+    copy("package");
+    copy("subdirectory");
+  }
+
+  bool configure(const std::string& options) {
+    return run(fmt::format("cmake -S '{}' -B '{}' {}", scratch_.path(name_), build(), options));
+  }
+
+  void replace(const std::string& file, const std::string& old, const std::string& text) {
+    std::string content = scratch_.read(file);
+    const std::size_t place = content.find(old);
+    ASSERT_NE(place, std::string::npos);
+    scratch_.write(file, content.replace(place, old.size(), text));
+  }
+
+  bool make() { return run(fmt::format("cmake --build '{}'", build())); }
+  bool runs() { return run(fmt::format("'{}/consumer'", build())); }
+  std::string log() const { return scratch_.read("log"); }
+  std::string generated(const std::string& file) const { return scratch_.read("build/my_arm.flatdyn/" + file); }
+
+ private:
+  std::string build() const { return scratch_.path("build"); }
+
+  void copy(const std::string& name) {
+    std::filesystem::create_directories(scratch_.path(name));
+    for (const auto& file : std::filesystem::directory_iterator(kConsumers + name)) {
+      scratch_.write(name + "/" + file.path().filename().string(), content_of(file.path()));
+    }
+  }
+
+  static std::string content_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  bool run(const std::string& command) {
+    return std::system(fmt::format("{} > '{}' 2>&1", command, scratch_.path("log")).c_str()) == 0;
+  }
+
+  std::string name_;
+  Scratch scratch_;
+};
+
+const std::string& prefix() {
+  static const Scratch scratch;
+  static const std::string folder = scratch.path("prefix");
+  static const int installed = std::system(
+      fmt::format("cmake --install '{}' --prefix '{}' > '{}' 2>&1", FLATDYN_BUILD_DIR, folder, scratch.path("log"))
+          .c_str());
+  EXPECT_EQ(installed, 0) << scratch.read("log");
+  return folder;
+}
+
+class Package : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Package, IsGeneratedFromAgainOnlyWhenAFileChanged) {
+  Project project("package");
+  ASSERT_TRUE(project.configure(fmt::format("-G '{}' -D CMAKE_PREFIX_PATH='{}'", GetParam(), prefix())))
+      << project.log();
+  ASSERT_TRUE(project.make()) << project.log();
+  EXPECT_THAT(project.log(), HasSubstr("Generating the dynamics of my_arm"));
+  ASSERT_TRUE(project.runs()) << project.log();
+  EXPECT_THAT(project.generated("my_arm.hpp"), HasSubstr("namespace my_arm {"));
+
+  ASSERT_TRUE(project.make()) << project.log();
+  EXPECT_THAT(project.log(), Not(HasSubstr("Generating")));
+
+  // The file that the robot file names, which only the depfile knows of.
+  project.replace("package/arm.urdf", "<mass value=\"1\"/>", "<mass value=\"3\"/>");
+  ASSERT_TRUE(project.make()) << project.log();
+  EXPECT_THAT(project.log(), HasSubstr("Generating the dynamics of my_arm"));
+  EXPECT_FALSE(project.runs());
+  EXPECT_THAT(project.log(), HasSubstr("gravity: 78.48 29.43 N m"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Generators, Package, ::testing::Values("Ninja", "Unix Makefiles"),
+                         [](const auto& tool) { return std::string(tool.param, 4); });
+
+TEST(InstalledPackage, SaysWhichFileOfWhichProjectIsWrong) {
+  Project project("package");
+  ASSERT_TRUE(project.configure(fmt::format("-D CMAKE_PREFIX_PATH='{}'", prefix()))) << project.log();
+  project.replace("package/arm.urdf", "<mass value=\"1\"/>", "<mass value=\"-1\"/>");
+  EXPECT_FALSE(project.make());
+  EXPECT_THAT(project.log(), HasSubstr("package/arm.urdf:"));
+  EXPECT_EQ(project.generated("my_arm.hpp"), "");
+}
+
+// docs/examples/controller: in float, against an arm that is simulated in double.
+TEST(InstalledPackage, ControlsASimulatedArm) {
+  const Scratch build;
+  const std::string command = fmt::format(
+      "(cmake -S '{}/docs/examples/controller' -B '{}' -D CMAKE_PREFIX_PATH='{}' && cmake --build '{}' && "
+      "'{}/controller') > '{}' 2>&1",
+      FLATDYN_SOURCE_DIR, build.path("b"), prefix(), build.path("b"), build.path("b"), build.path("log"));
+  EXPECT_EQ(std::system(command.c_str()), 0) << build.read("log");
+  EXPECT_THAT(build.read("log"), HasSubstr("computed torque: follows to"));
+}
+
+// Every library that the program needs is named, and Debian's checker finds no error.
+TEST(InstalledPackage, IsADebianPackage) {
+  const Scratch scratch;
+  const std::string command = fmt::format(
+      "(cd '{0}' && cpack -B '{1}' && lintian --allow-root --fail-on error '{1}'/*.deb && dpkg-deb -x '{1}'/*.deb "
+      "'{1}/x' && "
+      "dpkg-deb -f '{1}'/*.deb Depends && '{1}/x/usr/bin/flatdyn' --version) > '{1}/log' 2>&1",
+      FLATDYN_BUILD_DIR, scratch.path());
+  EXPECT_EQ(std::system(command.c_str()), 0) << scratch.read("log");
+  for (const char* library : {"libginac", "libcln", "libtinyxml2", "libtomlplusplus", "libnlopt"}) {
+    EXPECT_THAT(scratch.read("log"), HasSubstr(library));
+  }
+}
+
+TEST(InstalledPackage, IsFoundByPkgConfig) {
+  const Scratch scratch;
+  scratch.write("main.cpp", "#include <flatdyn/sincos.hpp>\nint main() {}\n");
+  const std::string command = fmt::format(
+      "cd '{0}' && PKG_CONFIG_PATH='{1}/share/pkgconfig' && export PKG_CONFIG_PATH && "
+      "g++ -std=c++17 $(pkg-config --cflags flatdyn-runtime) main.cpp -o main && ./main",
+      scratch.path(), prefix());
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+TEST(Subdirectory, GeneratesWithAProgramThatIsThere) {
+  Project project("subdirectory");
+  ASSERT_TRUE(project.configure(
+      fmt::format("-D FLATDYN_SOURCE='{}' -D FLATDYN_EXECUTABLE='{}'", FLATDYN_SOURCE_DIR, FLATDYN_PROGRAM)))
+      << project.log();
+  ASSERT_TRUE(project.make()) << project.log();
+  EXPECT_TRUE(project.runs()) << project.log();
+}
+
+// As for firmware: another compiler, and no program of that machine.
+TEST(Subdirectory, SaysWhatACrossBuildNeeds) {
+  Project project("subdirectory");
+  EXPECT_FALSE(project.configure(
+      fmt::format("-D FLATDYN_SOURCE='{}' -D CMAKE_SYSTEM_NAME=Generic -D CMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
+                  FLATDYN_SOURCE_DIR)));
+  EXPECT_THAT(project.log(), HasSubstr("FLATDYN_EXECUTABLE"));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
