@@ -13,7 +13,8 @@ namespace {
 TEST(Consumer, BuildsAndRuns) {
   const TemporaryFolder build;
   const std::string command = fmt::format(
-      "(cmake -S '{0}/tests/consumer/header' -B '{1}' -D GENERATED='{0}/generated' && cmake --build '{1}' && '{1}/consumer') "
+      "(cmake -S '{0}/tests/consumer/header' -B '{1}' -D GENERATED='{0}/generated' && cmake --build '{1}' && "
+      "'{1}/consumer') "
       "> '{1}/log' 2>&1",
       FLATDYN_SOURCE_DIR, build.path().string());
   EXPECT_EQ(std::system(command.c_str()), 0) << content_of(build.path() / "log");
