@@ -88,7 +88,7 @@ ExitCode generate(const GenerateArguments& arguments) {
                describe_functions(functions, symbol_names(model.mechanism)));
     if (stages) fmt::print("{}\n", describe_stages(*stages));
     if (seen) fmt::print("{}\n", describe_abbreviation(model, *seen));
-    fmt::print("{}\nwrote {}\n", describe_proofs(proofs), (folder / header).string());
+    fmt::print("{}\nwrote {}\n", describe_proofs(proofs, "double"), (folder / header).string());
   }
   return ExitCode::ok;
 }
