@@ -5,10 +5,11 @@
 #   [FUNCTIONS name...]     what to compute; default: what the scene names, else all
 #   [STAGES name...] [FUSE name...]
 #   [SCALAR double|float]   default: double
-#   [NAMESPACE name]        default: TARGET
+#   [LANGUAGE c++|c]        default: c++
+#   [NAMESPACE name]        in C what names begin with; default: TARGET
 #   [OPTIONS option...])    any others of `flatdyn generate`
 #
-# Makes a library to link with. Its header is TARGET.hpp. It is generated anew when the robot file, a
+# Makes a library to link with. Its header is TARGET.hpp (of C: TARGET.h). It is generated anew when the robot file, a
 # file that this one names, the scene, or flatdyn itself changes, and only then. Who links with it compiles with
 # -ffp-contract=off, as every operation is meant to be rounded as it is written.
 #
@@ -48,13 +49,18 @@ function(flatdyn_list_option result option)
 endfunction()
 
 function(flatdyn_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROBOT;SCENE;SCALAR;NAMESPACE" "FUNCTIONS;STAGES;FUSE;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROBOT;SCENE;SCALAR;LANGUAGE;NAMESPACE" "FUNCTIONS;STAGES;FUSE;OPTIONS")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "flatdyn_generate(${target}): cannot make sense of "
                         "\"${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}\"")
   endif()
   if(NOT arg_ROBOT)
     message(FATAL_ERROR "flatdyn_generate(${target}): ROBOT is missing: a URDF or TOML file")
+  endif()
+  if(NOT arg_LANGUAGE)
+    set(arg_LANGUAGE c++)
+  elseif(NOT arg_LANGUAGE MATCHES "^(c|c[+][+])$")
+    message(FATAL_ERROR "flatdyn_generate(${target}): LANGUAGE is c or c++, not \"${arg_LANGUAGE}\"")
   endif()
   if(NOT arg_NAMESPACE)
     set(arg_NAMESPACE ${target})
@@ -75,16 +81,29 @@ function(flatdyn_generate target)
 
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.flatdyn)
   set(outputs ${folder}/${target}.hpp)
+  if(arg_LANGUAGE STREQUAL c)
+    set(outputs ${folder}/${target}.h ${folder}/${target}.c)
+  endif()
   add_custom_command(
     OUTPUT ${outputs} ${folder}/${target}.json
     COMMAND ${program} generate ${arg_ROBOT} -o ${folder} --name ${target} --namespace ${arg_NAMESPACE}
-            ${scene} ${functions} ${stages} ${fuse} ${scalar} ${arg_OPTIONS}
+            --language ${arg_LANGUAGE} ${scene} ${functions} ${stages} ${fuse} ${scalar} ${arg_OPTIONS}
             --quiet --depfile ${folder}/${target}.d > ${target}.flatdyn.log
     DEPENDS ${depends} ${tool}
     DEPFILE ${folder}/${target}.d
     WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
     COMMENT "Generating the dynamics of ${target}"
     VERBATIM)
+  if(arg_LANGUAGE STREQUAL c)
+    add_library(${target} STATIC ${outputs})
+    target_include_directories(${target} PUBLIC ${folder})
+    target_compile_features(${target} PUBLIC c_std_99)
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
+    if(UNIX)
+      target_link_libraries(${target} PUBLIC m)
+    endif()
+    return()
+  endif()
   add_library(${target} INTERFACE)
   add_custom_target(${target}_generate DEPENDS ${outputs})
   add_dependencies(${target} ${target}_generate)

@@ -3,7 +3,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
+#include "firmware/folder.hpp"
 #include "input/content_hash.hpp"
+#include "python/module.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
 #include "report/proof_report.hpp"
@@ -20,8 +22,12 @@ struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused;
   std::string scalar = "double";
+  std::string language = "c++";
   std::string name_space, file_name;  // empty: the robot's name
-  int most_lines = 0;                 // 0: no limit
+  std::string firmware;               // a processor; empty: none
+  bool python = false;
+  const CLI::Option *scalar_given = nullptr, *language_given = nullptr;
+  int most_lines = 0;  // 0: no limit
   Delivery delivery;
 };
 
@@ -38,6 +44,7 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--stages", fmt::format("{}", fmt::join(arguments.staged, ","))},
              {"--fuse", fmt::format("{}", fmt::join(arguments.fused, ","))},
              {"--scalar", arguments.scalar == "double" ? "" : arguments.scalar},
+             {"--language", arguments.language == "c++" ? "" : arguments.language},
              {"--namespace", arguments.name_space},
              {"--name", arguments.file_name},
              {"--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines)}});
@@ -45,7 +52,52 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
   return of_functions + (of_functions.empty() || of_robot.empty() ? "" : " ") + of_robot;
 }
 
-ExitCode generate(const GenerateArguments& arguments) {
+struct Emitted {
+  std::vector<TextFile> files;  // the header first
+  EmittedText read_back;
+};
+
+Emitted emitted(const Model& model, const std::vector<Function>& functions, const EmitOptions& options,
+                const std::optional<Stages>& stages, const std::filesystem::path& folder) {
+  const std::filesystem::path header = folder / header_name(model.mechanism, options);
+  if (options.language == Language::cpp) {
+    const std::string text = emit_cpp(model.mechanism, functions, options, stages);
+    return {{{header, text}}, EmittedText(text)};
+  }
+  const CText text = emit_c(model.mechanism, functions, options);
+  return {{{header, text.header}, {folder / source_name(model.mechanism, options), text.source}},
+          EmittedText(text.header, text.source, options.scalar)};
+}
+
+// What Python calls is in C.
+void choose_for_python(GenerateArguments& arguments) {
+  if (!arguments.python) return;
+  if (arguments.language_given->count() > 0 && arguments.language != "c") {
+    throw Failure(ExitCode::usage, "--python: its code is in C", "leave --language out");
+  }
+  arguments.language = "c";
+}
+
+// A folder for a processor is in C, and in the scalar that its floating-point unit computes in, unless another is
+// given.
+void choose_for_firmware(GenerateArguments& arguments) {
+  if (arguments.firmware.empty()) return;
+  if (arguments.language_given->count() > 0 && arguments.language != "c") {
+    throw Failure(ExitCode::usage, "--firmware: its code is in C", "leave --language out");
+  }
+  if (!arguments.fused.empty()) {
+    throw Failure(ExitCode::usage, "--firmware: fused functions have no self test", "leave --fuse out");
+  }
+  arguments.language = "c";
+  if (arguments.scalar_given->count() == 0) arguments.scalar = firmware_target(arguments.firmware).scalar;
+}
+
+ExitCode generate(GenerateArguments arguments) {
+  choose_for_firmware(arguments);
+  choose_for_python(arguments);
+  if (arguments.language == "c" && !arguments.staged.empty()) {
+    throw Failure(ExitCode::usage, "--stages: there are none in C", "--fuse computes several functions in one call");
+  }
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   std::vector<OptimisedFunction> functions;
@@ -66,12 +118,17 @@ ExitCode generate(const GenerateArguments& arguments) {
     proofs = prove(derived_from(model), functions, fused, stages);
     if (fused) functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
   }
-  const EmitOptions emit{arguments.name_space, arguments.scalar,   stamp_of(arguments, functions),
-                         model.input_hash,     scene_stamp(model), scene_facts(model),
-                         arguments.most_lines};
+  const EmitOptions emit{arguments.name_space,
+                         arguments.scalar,
+                         stamp_of(arguments, functions),
+                         model.input_hash,
+                         scene_stamp(model),
+                         scene_facts(model),
+                         arguments.most_lines,
+                         arguments.language == "c" ? Language::c : Language::cpp,
+                         arguments.file_name};
   const std::filesystem::path folder = arguments.folder;
-  const std::string header =
-      arguments.file_name.empty() ? header_name(model.mechanism, emit) : arguments.file_name + ".hpp";
+  const std::string header = header_name(model.mechanism, emit);
   const std::vector<double> effects = snap_effects(model, options.read);
   nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
   manifest.update(model_json(model, effects));
@@ -83,13 +140,29 @@ ExitCode generate(const GenerateArguments& arguments) {
   }
   if (stages) manifest["stages"] = stages_json(*stages);
   manifest["proof"] = proofs_json(proofs);
-  const std::string text = emit_cpp(model.mechanism, functions_of(functions), emit, stages);
-  prove_text(text, functions, stages);
-  // So that a reader sees whether the two files belong together.
-  manifest["header_hash"] = content_hash({text});
-  const std::string done = arguments.delivery.deliver(
-      {{folder / header, text}, {(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"}},
-      model.robot.files);
+  auto [files, read_back] = emitted(model, functions_of(functions), emit, stages, folder);
+  prove_text(read_back, functions, stages);
+  // So that a reader sees whether the files belong together.
+  manifest["header_hash"] = content_hash({files[0].text});
+  if (files.size() > 1) {
+    manifest["source"] = files[1].path.filename().string();
+    manifest["source_hash"] = content_hash({files[1].text});
+  }
+  if (!arguments.firmware.empty()) {
+    const FirmwareTarget& target = firmware_target(arguments.firmware);
+    for (const FirmwareFile& file :
+         firmware_files(model.robot, model.mechanism, functions_of(functions), emit, target)) {
+      files.push_back({folder / file.name, file.text});
+    }
+  }
+  if (arguments.python) {
+    const std::string name = module_name(model.mechanism, emit);
+    const PythonModule made = python_module(model.mechanism, functions_of(functions), emit);
+    files.push_back({folder / (name + ".py"), made.module});
+    files.push_back({folder / (name + "_batch.c"), made.batch});
+  }
+  files.push_back({(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"});
+  const std::string done = arguments.delivery.deliver(std::move(files), model.robot.files);
   print_diagnostics(model.diagnostics, arguments.quiet);
   print_diagnostics(findings, arguments.quiet);
   if (arguments.json) {
@@ -99,7 +172,10 @@ ExitCode generate(const GenerateArguments& arguments) {
                describe_functions(functions, symbol_names(model.mechanism)));
     if (stages) fmt::print("{}\n", describe_stages(*stages));
     if (seen) fmt::print("{}\n", describe_abbreviation(model, *seen));
-    fmt::print("{}\n{}", describe_proofs(proofs), done);
+    fmt::print("{}\n{}", describe_proofs(proofs, read_back.constants()), done);
+    if (!arguments.firmware.empty()) {
+      fmt::print("a self test for {}: make -C {} run\n", arguments.firmware, folder.string());
+    }
   }
   return ExitCode::ok;
 }
@@ -133,10 +209,23 @@ Run add_generate(CLI::App& app) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
-  command->add_option("--scalar", arguments->scalar, "scalar of the constants")
-      ->check(CLI::IsMember({"double", "float"}))
-      ->capture_default_str();
-  command->add_option("--namespace", arguments->name_space, "C++ namespace; default: the robot's name")
+  arguments->scalar_given = command->add_option("--scalar", arguments->scalar, "scalar of the constants")
+                                ->check(CLI::IsMember({"double", "float"}))
+                                ->capture_default_str();
+  arguments->language_given =
+      command->add_option("--language", arguments->language, "a C++17 header, or a C99 header and source in one scalar")
+          ->check(CLI::IsMember({"c++", "c"}))
+          ->capture_default_str();
+  command
+      ->add_option("--firmware", arguments->firmware,
+                   "a folder in C that builds for this processor as it is, with a self test that qemu runs; in float "
+                   "for the cortex-m4")
+      ->check(CLI::IsMember(firmware_target_names()));
+  command->add_flag("--python", arguments->python,
+                    "a module for Python over the C form, for one state or a batch: ctypes and numpy");
+  command
+      ->add_option("--namespace", arguments->name_space,
+                   "C++ namespace, and in C what names begin with; default: the robot's name")
       ->check(kNotEmpty)
       ->type_name("NAME");
   command->add_option("--name", arguments->file_name, "name of the files, without folder; default: the robot's name")

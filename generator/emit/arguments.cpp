@@ -38,12 +38,13 @@ std::string variable_of_input(const Input& input, const std::vector<std::string>
   return fmt::format("{}_{}", input_argument(input.kind, 0).name, input.index + 1);
 }
 
-std::string access_of_input(const Input& input, const std::vector<std::string>& parameters) {
-  if (input.kind == InputKind::parameter) return "parameters." + variable_of_input(input, parameters);
+std::string access_of_input(const Input& input, const std::vector<std::string>& parameters, const Dialect& dialect) {
+  if (input.kind == InputKind::parameter) return dialect.parameter(variable_of_input(input, parameters));
   return fmt::format("{}[{}]", input_argument(input.kind, 0).name, input.index);
 }
 
-std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters) {
+std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters,
+                           const Dialect& dialect) {
   std::string text;
   for (std::size_t first = 0, last = 0; first < inputs.size(); first = last + 1) {
     const Input& input = inputs[first];
@@ -55,7 +56,7 @@ std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<s
     }
     if (!text.empty()) text += ", ";
     if (last == first) {
-      text += access_of_input(input, parameters);
+      text += access_of_input(input, parameters, dialect);
     } else {
       text += fmt::format("{}[{}..{}]", input_argument(input.kind, 0).name, input.index, inputs[last].index);
     }

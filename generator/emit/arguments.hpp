@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/dialect.hpp"
 #include "graph/function.hpp"
 
 namespace flatdyn {
@@ -22,10 +23,12 @@ InputArgument input_argument(InputKind kind, int joints, int base_parameters = 0
 std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters);
 
 // "qd[1]", "parameters.m1".
-std::string access_of_input(const Input& input, const std::vector<std::string>& parameters);
+std::string access_of_input(const Input& input, const std::vector<std::string>& parameters,
+                            const Dialect& dialect = {});
 
 // "q[1..6], qd[0..6], parameters.m1"; "nothing".
-std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters);
+std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters,
+                           const Dialect& dialect = {});
 
 // The function has one scalar output and cannot fail: it returns the value.
 bool returns_value(const Function& function);

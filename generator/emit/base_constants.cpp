@@ -30,11 +30,6 @@ std::vector<std::string> comment_of(const BaseParameters& base) {
   return lines;
 }
 
-std::string array(const std::string& type, const std::string& name, const std::string& count,
-                  const std::vector<std::string>& entries) {
-  return list_line(fmt::format("inline constexpr {} {}[{}] = {{", type, name, count), entries, "};", 0);
-}
-
 }  // namespace
 
 bool uses_base_parameters(const Function& function) {
@@ -42,19 +37,19 @@ bool uses_base_parameters(const Function& function) {
          function.name == "base_parameters" || function.base_parameters > 0;
 }
 
-BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names) {
+BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names,
+                             const Dialect& dialect) {
   const BaseParameters base = base_parameters(mechanism);
-  BaseConstants constants;
-  constants.comment = comment_of(base);
-  constants.declarations = fmt::format("inline constexpr int {} = {};\n", names[0], base.size());
+  BaseConstants constants{comment_of(base), base.size(), {}};
   if (base.size() == 0) return constants;
   std::vector<std::string> kept, values;
   for (const int index : base.columns) kept.push_back(quoted(parameter_name(index)));
   for (const Number& value : base_values(mechanism, base)) {
-    if (const auto decimal = decimal_of(value)) values.push_back("Real(" + *decimal + ")");
+    if (const auto rational = rational_of(value)) values.push_back(dialect.real_literal(*rational));
   }
-  constants.declarations += array("const char*", names[1], names[0], kept);
-  if (values.size() == kept.size()) constants.declarations += array("Real", names[2], names[0], values);
+  const bool all_known = values.size() == kept.size();
+  constants.arrays.push_back({"const char*", names[1], names[0], std::move(kept)});
+  if (all_known) constants.arrays.push_back({kReal, names[2], names[0], std::move(values)});
   return constants;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/dialect.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 
@@ -19,10 +20,11 @@ inline constexpr const char* kBaseConstants[] = {"base_parameter_count", "base_p
 
 struct BaseConstants {
   std::vector<std::string> comment;  // lines: each combination, "pi_b[0] = I1zz + …"
-  std::string declarations;          // values only for a robot without free symbols
+  int count = 0;
+  std::vector<ConstantArray> arrays;  // values only for a robot without free symbols
 };
 
 // `names`: what kBaseConstants are called in this header.
-BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names);
+BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names, const Dialect& dialect);
 
 }  // namespace flatdyn

@@ -9,6 +9,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/base_constants.hpp"
+#include "emit/c_section.hpp"
 #include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
 #include "emit/joints.hpp"
@@ -29,8 +30,6 @@ namespace {
 
 using kainjow::mustache::data;
 
-constexpr std::size_t kConstantIndent = 4;
-
 // One blank line where there are several: a section of a template that is left out leaves its own.
 std::string squeezed(const std::string& text) {
   std::string result;
@@ -42,18 +41,18 @@ std::string squeezed(const std::string& text) {
   return result;
 }
 
-class HeaderWriter {
+// What the templates of all languages are filled with.
+class PageWriter {
  public:
-  HeaderWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
-               const std::optional<Stages>& stages)
+  PageWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
+             const std::optional<Stages>& stages)
       : mechanism_(mechanism),
         functions_(functions),
         options_(options),
         stages_(stages),
         namespace_(namespace_of(mechanism.name, options.name_space)),
-        names_({"Scalar", "Real", "Parameters", "SinCos", "Joints", "LibrarySinCos", "GivenSinCos", "at",
-                "Configuration", "Motion", "detail", "std", "sin", "cos", "joint_count", "joint_names",
-                "rounding_is_as_written"}) {
+        dialect_(dialect_of(mechanism, options)),
+        names_(as_set(dialect_.reserved())) {
     if (options.scalar != "double" && options.scalar != "float") {
       throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
     }
@@ -61,7 +60,7 @@ class HeaderWriter {
     take_names();
   }
 
-  std::string text() {
+  data page() {
     data header;
     write_documentation(header);
     write_constants(header);
@@ -69,17 +68,27 @@ class HeaderWriter {
     write_stages(header);
     header["uses_sign"] = uses_sign_;
     header["uses_trigonometry"] = uses_trigonometry_;
-    return squeezed(rendered(templates::header_hpp, header));
+    if (dialect_.is_c()) write_c_names(header, dialect_, header_name(mechanism_, options_));
+    header["uses_math"] = uses_trigonometry_ || uses_infinity();
+    return header;
   }
 
  private:
+  static std::set<std::string> as_set(const std::vector<std::string>& words) { return {words.begin(), words.end()}; }
+
   // All names at namespace scope, before any function is written: its variables must differ from them.
   void take_names() {
-    for (const LimitKind& kind : limits_given(mechanism_)) names_.unique(kind.constant);
+    for (const LimitKind& kind : limits_given(mechanism_)) names_.unique(dialect_.global(kind.constant));
     if (std::any_of(functions_.begin(), functions_.end(), uses_base_parameters)) {
-      for (const char* name : kBaseConstants) base_names_.push_back(names_.unique(name));
+      for (const char* name : kBaseConstants) {
+        const bool is_count = base_names_.empty();
+        base_names_.push_back(names_.unique(is_count ? dialect_.count_name(name) : dialect_.global(name)));
+      }
     }
-    for (const Function& function : functions_) function_names_.push_back(names_.unique(function.name));
+    for (const Function& function : functions_) {
+      function_names_.push_back(names_.unique(dialect_.global(function.name)));
+      if (dialect_.is_c()) given_names_.push_back(names_.unique(function_names_.back() + "_given"));
+    }
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       for (const Output& output : functions_[k].outputs) {
         const bool only = functions_[k].outputs.size() == 1;
@@ -87,10 +96,11 @@ class HeaderWriter {
         nonzero_names_.push_back(names_.unique(wanted));
       }
     }
+    scope_.dialect = dialect_;
     scope_.joints = mechanism_.size();
     scope_.most_lines = options_.most_lines;
     scope_.names.insert(names_.taken().begin(), names_.taken().end());
-    NameTable members({"Scalar", "Parameters", "Real"});
+    NameTable members({"Scalar", "Parameters", "Real", "restrict"});
     for (const FreeSymbol& symbol : mechanism_.symbols) scope_.parameters.push_back(members.unique(symbol.name));
   }
 
@@ -106,9 +116,9 @@ class HeaderWriter {
     }
     header["stamp"] = list_of(stamp);
     header["joint_table"] = list_of(joint_table(mechanism_));
-    header["writes"] = list_of(writing_rule(functions_));
+    header["writes"] = list_of(writing_rule(functions_, dialect_.is_c()));
     header["facts"] = list_of(wrapped_words(facts(), kCommentWidth));
-    header["guard"] = guard_of(namespace_);
+    header["guard"] = guard_of(namespace_, dialect_.is_c() ? "H" : "HPP");
     header["namespace"] = namespace_;
     header["scalar"] = options_.scalar;
   }
@@ -132,29 +142,43 @@ class HeaderWriter {
     if (mechanism_.size() > 0) {
       std::vector<std::string> joints;
       for (const Body& body : mechanism_.bodies) joints.push_back(quoted(body.joint));
-      constants << constant("As the robot file names them", "const char*", "joint_names", joints);
+      constants << constant("As the robot file names them", per_joint("const char*", "joint_names", joints));
     }
     for (const LimitKind& kind : limits_given(mechanism_)) {
-      const std::vector<std::string> entries = limit_entries(mechanism_, kind);
-      constants << constant(kind.meaning, "Real", kind.constant, entries);
+      const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
+      constants << constant(kind.meaning, per_joint(kReal, kind.constant, entries));
     }
     header["constants"] = data(constants);
     header["base?"] = !base_names_.empty();
     if (!base_names_.empty()) {
-      const BaseConstants base = base_constants(mechanism_, base_names_);
-      header["base_comment"] = list_of(base.comment);
-      header["base_declarations"] = without_newline(base.declarations);
+      write_base_constants(header);
     }
     header["parameters?"] = !scope_.parameters.empty();
     header["parameters"] = list_of(scope_.parameters);
   }
 
-  static data constant(const std::string& comment, const std::string& type, const std::string& name,
-                       const std::vector<std::string>& entries) {
+  void write_base_constants(data& header) const {
+    const BaseConstants base = base_constants(mechanism_, base_names_, dialect_);
+    const std::string count = dialect_.count_definition(base_names_[0], base.count);
+    std::string definitions, declarations;
+    for (const ConstantArray& array : base.arrays) {
+      definitions += dialect_.definition(array);
+      declarations += dialect_.declaration(array);
+    }
+    header["base_comment"] = list_of(base.comment);
+    header["base_definitions"] = without_newline(dialect_.is_c() ? definitions : count + definitions);
+    header["base_declarations"] = without_newline(count + declarations);
+  }
+
+  ConstantArray per_joint(const char* type, const char* name, std::vector<std::string> entries) const {
+    return {type, dialect_.global(name), dialect_.count_name("joint_count"), std::move(entries)};
+  }
+
+  data constant(const std::string& comment, const ConstantArray& array) const {
     data item;
     item["comment"] = comment;
-    item["declaration"] = without_newline(
-        list_line(fmt::format("inline constexpr {} {}[joint_count] = {{", type, name), entries, "};", 0));
+    item["definition"] = without_newline(dialect_.definition(array));
+    item["declaration"] = without_newline(dialect_.declaration(array));
     return item;
   }
 
@@ -162,9 +186,12 @@ class HeaderWriter {
     data list(data::type::list);
     std::size_t next_nonzero = 0;
     for (std::size_t k = 0; k < functions_.size(); ++k) {
-      const FunctionText text = function_text(functions_[k], function_names_[k], scope_);
+      const FunctionText text =
+          function_text(functions_[k], function_names_[k], scope_, dialect_.is_c() ? given_names_[k] : "");
       note_needs(text);
-      if (k == 0) header["example"] = list_of(example(text));
+      if (k == 0)
+        header["example"] =
+            list_of(dialect_.is_c() ? c_example(text, dialect_, !scope_.parameters.empty()) : example(text));
       data item;
       item["nonzero"] = nonzero(k, next_nonzero);
       write_parts(item, text);
@@ -172,10 +199,19 @@ class HeaderWriter {
       item["template_parameters"] = template_parameters(text);
       item["signature"] = signature(text);
       item["body"] = without_newline(text.body);
+      if (dialect_.is_c()) write_c_function(item, functions_[k], text);
       list << item;
       next_nonzero += functions_[k].outputs.size();
     }
     header["functions"] = data(list);
+  }
+
+  bool uses_infinity() const {
+    for (const LimitKind& kind : limits_given(mechanism_)) {
+      const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
+      if (std::count(entries.begin(), entries.end(), dialect_.infinity(kind.is_lower)) > 0) return true;
+    }
+    return false;
   }
 
   void write_stages(data& header) {
@@ -201,20 +237,16 @@ class HeaderWriter {
     for (std::size_t o = 0; o < function.outputs.size(); ++o) {
       const Output& output = function.outputs[o];
       if (!is_array_of_arrays(output)) continue;
-      std::string text =
-          fmt::format("inline constexpr bool {}[{}] = {{\n", nonzero_names_[first_name + o], output.entries.size());
-      for (int i = 0; i < output.rows; ++i) {
-        std::vector<std::string> row;
-        for (int j = 0; j < output.cols; ++j) {
-          const NodeId entry = output.entries[static_cast<std::size_t>(i * output.cols + j)];
-          row.push_back(function.graph.is_zero(entry) ? "0" : "1");  // 0 also where it is left out
-        }
-        text += list_line("", row, i + 1 < output.rows ? "," : "};", kConstantIndent);
+      ConstantArray array{
+          "bool", nonzero_names_[first_name + o], std::to_string(output.entries.size()), {}, output.cols};
+      for (const NodeId entry : output.entries) {
+        array.entries.push_back(function.graph.is_zero(entry) ? "0" : "1");  // 0 also where it is left out
       }
       data item;
       item["output"] = comment_text(output.name);
       item["function"] = function_names_[k];
-      item["declaration"] = without_newline(text);
+      item["definition"] = without_newline(dialect_.definition(array));
+      item["declaration"] = without_newline(dialect_.declaration(array));
       list << item;
     }
     return list;
@@ -250,8 +282,10 @@ class HeaderWriter {
   const EmitOptions& options_;
   const std::optional<Stages>& stages_;
   std::string namespace_;
+  Dialect dialect_;
   NameTable names_;
   std::vector<std::string> function_names_;
+  std::vector<std::string> given_names_;    // in C, of those that take sines and cosines
   std::vector<std::string> nonzero_names_;  // of all outputs of all functions, in order
   std::vector<std::string> base_names_;     // of kBaseConstants; empty where no function needs them
   HeaderScope scope_;
@@ -260,13 +294,36 @@ class HeaderWriter {
 
 }  // namespace
 
-std::string header_name(const Mechanism& mechanism, const EmitOptions&) {
-  return cpp_identifier(mechanism.name) + ".hpp";
+namespace {
+
+std::string file_name(const Mechanism& mechanism, const EmitOptions& options) {
+  return options.file_name.empty() ? cpp_identifier(mechanism.name) : options.file_name;
+}
+
+}  // namespace
+
+std::string header_name(const Mechanism& mechanism, const EmitOptions& options) {
+  return file_name(mechanism, options) + (options.language == Language::c ? ".h" : ".hpp");
+}
+
+std::string source_name(const Mechanism& mechanism, const EmitOptions& options) {
+  return file_name(mechanism, options) + ".c";
+}
+
+Dialect dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
+  if (options.language == Language::cpp) return {};
+  return Dialect::c(options.scalar, namespace_of(mechanism.name, options.name_space));
 }
 
 std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
                      const std::optional<Stages>& stages) {
-  return HeaderWriter(mechanism, functions, options, stages).text();
+  return squeezed(rendered(templates::header_hpp, PageWriter(mechanism, functions, options, stages).page()));
+}
+
+CText emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
+  const std::optional<Stages> none;
+  const data page = PageWriter(mechanism, functions, options, none).page();
+  return {squeezed(rendered(templates::header_h, page)), squeezed(rendered(templates::source_c, page))};
 }
 
 }  // namespace flatdyn

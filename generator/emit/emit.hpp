@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Functions → text of a self-contained C++17 header.
+// Functions → text of a self-contained C++17 header, or of a C99 header and source.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "emit/dialect.hpp"
 #include "emit/stages.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
@@ -20,13 +21,25 @@ struct EmitOptions {
   std::string scene_stamp;        // the content of the scene file
   std::string scene_facts;        // sentences that say what a scene fixed
   int most_lines = 0;             // of any function in the header; 0: no limit but that of compilers
+  Language language = Language::cpp;
+  std::string file_name{};  // of header and source, without what follows the dot; empty: the robot's name
 };
 
-// The header's file name for this mechanism: "panda.hpp".
+// The header's file name for this mechanism: "panda.hpp", in C "panda.h".
 std::string header_name(const Mechanism& mechanism, const EmitOptions& options);
+std::string source_name(const Mechanism& mechanism, const EmitOptions& options);  // "panda.c"
 
 // The whole header: documentation, constants, one function template per Function, and the stages. Deterministic.
 std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
                      const std::optional<Stages>& stages = std::nullopt);
+
+// The same functions in C99, for options.scalar: no templates, plain arrays, names with a prefix. The same bits.
+struct CText {
+  std::string header, source;
+};
+CText emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options);
+
+// In which a robot's code is written: its scalar, and how its names begin.
+Dialect dialect_of(const Mechanism& mechanism, const EmitOptions& options);
 
 }  // namespace flatdyn

@@ -5,17 +5,21 @@
 #include <cmath>
 #include <tuple>
 
-#include "emit/literals.hpp"
-
 namespace flatdyn {
 
-std::string scalar_literal(const Rational& value) { return "Scalar(" + decimal_literal(value) + ")"; }
+namespace {
+
+bool starts_with_minus(const std::string& code) { return code.front() == '-'; }
+
+}  // namespace
 
 ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
   const Node& node = graph_[id];
   switch (node.op) {
-    case Op::constant:
-      return {scalar_literal(node.value), Binding::atom};
+    case Op::constant: {
+      const std::string code = dialect_.literal(node.value);
+      return {code, starts_with_minus(code) ? Binding::sum : Binding::atom};
+    }
     case Op::sum:
       if (const Node* inner = negated_sum(node)) return sum(*inner, true);
       return sum(node, false);
@@ -24,7 +28,7 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
     case Op::quotient:
       return quotient(node);
     case Op::sign:
-      return {"detail::sign(" + use(node.operands[0]) + ")", Binding::atom};
+      return {dialect_.sign(use(node.operands[0])), Binding::atom};
     case Op::sin:
     case Op::cos:
     case Op::input:
@@ -107,9 +111,9 @@ std::vector<ExpressionPrinter::Summand> ExpressionPrinter::small_first(std::vect
 
 ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node, bool negated) const {
   const std::vector<Summand> items = small_first(summands(node, negated));
-  const auto magnitude = [](const Summand& item) {
-    if (item.factor.empty()) return scalar_literal(abs(item.coefficient));
-    return item.binding == Binding::atom ? item.factor : scalar_literal(abs(item.coefficient)) + " * " + item.factor;
+  const auto magnitude = [this](const Summand& item) {
+    if (item.factor.empty()) return dialect_.literal(abs(item.coefficient));
+    return item.binding == Binding::atom ? item.factor : dialect_.literal(abs(item.coefficient)) + " * " + item.factor;
   };
   const Summand& first = items.front();
   const bool leading_minus = first.coefficient < 0 && first.binding == Binding::atom && !first.factor.empty();
@@ -117,12 +121,12 @@ ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node, bool negated) c
   if (leading_minus) {
     code = "-" + code;
   } else if (first.coefficient < 0) {
-    code = scalar_literal(first.coefficient) + (first.factor.empty() ? "" : " * " + first.factor);
+    code = dialect_.literal(first.coefficient) + (first.factor.empty() ? "" : " * " + first.factor);
   }
   for (std::size_t k = 1; k < items.size(); ++k) {
     code += (items[k].coefficient < 0 ? " - " : " + ") + magnitude(items[k]);
   }
-  const bool single = items.size() == 1 && !leading_minus;
+  const bool single = items.size() == 1 && !starts_with_minus(code);
   return {code, single ? first.binding : Binding::sum};
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Nodes → C++ expressions.
+// Nodes → expressions.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "emit/dialect.hpp"
 #include "emit/magnitudes.hpp"
 #include "graph/graph.hpp"
 
@@ -15,8 +17,8 @@ using VariableNames = std::vector<std::string>;
 
 class ExpressionPrinter {
  public:
-  ExpressionPrinter(const Graph& graph, const VariableNames& names)
-      : graph_(graph), names_(names), magnitudes_(typical_magnitudes(graph)) {}
+  ExpressionPrinter(const Graph& graph, const VariableNames& names, Dialect dialect = {})
+      : graph_(graph), names_(names), dialect_(std::move(dialect)), magnitudes_(typical_magnitudes(graph)) {}
 
   // What the node's variable is set to: "c_2 * omega_1_x + s_2 * omega_1_y".
   std::string definition(NodeId id) const { return define(id).code; }
@@ -50,10 +52,8 @@ class ExpressionPrinter {
 
   const Graph& graph_;
   const VariableNames& names_;
+  Dialect dialect_;
   std::vector<double> magnitudes_;
 };
-
-// "Scalar(0.0825)": one conversion that the compiler does, whatever Scalar is.
-std::string scalar_literal(const Rational& value);
 
 }  // namespace flatdyn

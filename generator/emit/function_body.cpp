@@ -19,8 +19,11 @@ namespace {
 
 // Compilers manage this much at once, and do best where they see much.
 constexpr int kLongFunction = 4000, kLongPart = 1000;
-// Lines of a function besides its body.
-constexpr int kLinesAround = 4;
+// Lines of a function besides its body. In C names are longer, and what is not read is a statement of its own.
+int lines_around(const Function& function, const Dialect& dialect) {
+  constexpr int kInCpp = 4, kInC = 6;
+  return dialect.is_c() ? kInC + static_cast<int>(function.inputs.size() + function.outputs.size()) : kInCpp;
+}
 
 // What parts share beside a function's own arguments.
 constexpr const char *kKept = "kept", *kPivots = "pivots", *kStored = "stored", *kResult = "result";
@@ -47,9 +50,11 @@ class BodyWriter {
       : function_(function),
         name_(name),
         scope_(scope),
+        dialect_(scope.dialect),
+        lines_around_(lines_around(function, scope.dialect)),
         inputs_(arguments_read(function)),
         schedule_(make_schedule(function)),
-        printer_(function.graph, variables_) {
+        printer_(function.graph, variables_, scope.dialect) {
     NameTable names = names_in_scope(function, scope);
     for (const Output& output : function_.outputs) output_names_.push_back(names.unique(output.name));
     variables_ = name_variables(function_, schedule_, scope_.parameters, scope_.stored, names);
@@ -63,10 +68,15 @@ class BodyWriter {
     body.inputs = inputs_;
     body.output_names = output_names_;
     body.uses_sign = has_op(Op::sign);
-    body.uses_trigonometry = !turning_joints_.empty();
+    body.uses_positions = std::any_of(inputs_.begin(), inputs_.end(), [this](const Input& input) {
+      return input.kind == InputKind::q && is_used_by_itself(find_input(input));
+    });
+    body.turning_joints.assign(turning_joints_.begin(), turning_joints_.end());
+    body.takes_sines = has_op(Op::sin);
+    body.takes_cosines = has_op(Op::cos);
     body.text = whole();
     const auto lines = std::count(body.text.begin(), body.text.end(), '\n');
-    if (lines + kLinesAround > (scope_.most_lines > 0 ? scope_.most_lines : kLongFunction)) write_parts(body);
+    if (lines + lines_around_ > (scope_.most_lines > 0 ? scope_.most_lines : kLongFunction)) write_parts(body);
     return body;
   }
 
@@ -80,7 +90,7 @@ class BodyWriter {
   // The same statements in functions of their own. All inputs are read by the first ones.
   void write_parts(FunctionBody& body) const {
     const std::string name = scope_.stored_in.empty() ? name_ : scope_.stored_in + "_" + name_;
-    LongBody long_body{name, input_steps(), variables_, sources(), part_arguments(), scope_.most_lines};
+    LongBody long_body{name, input_steps(), variables_, sources(), part_arguments(), scope_.most_lines, dialect_};
     if (long_body.most_lines == 0) long_body.most_lines = kLongPart;
     for (const std::vector<Step>& more : {steps(true), pivot_steps()}) {
       long_body.steps.insert(long_body.steps.end(), more.begin(), more.end());
@@ -88,7 +98,7 @@ class BodyWriter {
     const std::string before = trigonometry() + stage(), after = ending_of_parts();
     const auto lines = std::count(before.begin(), before.end(), '\n') + std::count(after.begin(), after.end(), '\n');
     const Parts parts =
-        in_parts(long_body, std::max(2, (long_body.most_lines - static_cast<int>(lines) - kLinesAround) / 2));
+        in_parts(long_body, std::max(2, (long_body.most_lines - static_cast<int>(lines) - lines_around_) / 2));
     body.parts = parts.definitions;
     body.text = before + shared_by_parts(parts.kept);
     for (const std::string& call : parts.calls) body.text += call;
@@ -101,16 +111,17 @@ class BodyWriter {
     if (const std::vector<NodeId> pivots = pivots_to_check(); !pivots.empty()) {
       items.push_back(fmt::format("{}[{}]", kPivots, pivots.size()));
     }
-    if (returns_value(function_)) items.emplace_back(kResult);
-    return items.empty() ? "" : list_line("Scalar ", items, ";", kStatementIndent);
+    if (returns_value(function_)) items.push_back(dialect_.number_definition(kResult));
+    return items.empty() ? "" : list_line(dialect_.scalar() + " ", items, ";", kStatementIndent);
   }
 
   std::string ending_of_parts() const {
-    if (returns_value(function_)) return code_line(fmt::format("return {};", kResult), kStatementIndent);
-    if (pivots_to_check().empty()) return condition();
-    return code_line("bool positive = true;", kStatementIndent) +
-           code_line(fmt::format("for (const Scalar& pivot : {}) positive &= pivot > Scalar(0.0);", kPivots),
-                     kStatementIndent) +
+    if (returns_value(function_)) {
+      return code_line(fmt::format("return {};", dialect_.number_use(kResult)), kStatementIndent);
+    }
+    const std::size_t pivots = pivots_to_check().size();
+    if (pivots == 0) return condition();
+    return code_line("bool positive = true;", kStatementIndent) + dialect_.all_positive(kPivots, pivots) +
            code_line("return positive;", kStatementIndent);
   }
 
@@ -121,7 +132,7 @@ class BodyWriter {
       if (!is_used_by_itself(id)) continue;
       const bool in_struct = input.kind == InputKind::parameter;
       const std::string argument = in_struct ? "parameters" : input_argument(input.kind, 0).name;
-      steps.push_back({access_of_input(input, scope_.parameters), id, {}, {argument}});
+      steps.push_back({access_of_input(input, scope_.parameters, dialect_), id, {}, {argument}});
     }
     return steps;
   }
@@ -153,16 +164,21 @@ class BodyWriter {
   }
 
   std::vector<PartArgument> part_arguments() const {
-    std::vector<PartArgument> list = {{"parameters", "const Parameters<Scalar>& parameters", "parameters"}};
+    std::vector<PartArgument> list = {{"parameters", dialect_.parameters_argument(), "parameters"}};
     list.push_back({kStored, fmt::format("const {}<Scalar>& {}", scope_.stored_in, kStored), "*this"});
-    const auto add = [&list](const std::string& type, const std::string& name) {
-      list.push_back({name, type + name, name});
-    };
-    for (InputKind kind : function_.inputs) add("const Scalar* ", input_argument(kind, 0).name);
-    for (const char* name : {"sine", "cosine"}) add("const Scalar* ", name);
-    for (const char* name : {kKept, kPivots}) add("Scalar* ", name);
-    add("Scalar& ", kResult);
-    for (const std::string& name : output_names_) add(makes_stage() ? scope_.made + "<Scalar>& " : "Scalar* ", name);
+    const auto add_input = [&](const std::string& name) { list.push_back({name, dialect_.input(name), name}); };
+    const auto add_output = [&](const std::string& name) { list.push_back({name, dialect_.output(name), name}); };
+    for (InputKind kind : function_.inputs) add_input(input_argument(kind, 0).name);
+    for (const char* name : {"sine", "cosine"}) add_input(name);
+    for (const char* name : {kKept, kPivots}) add_output(name);
+    list.push_back({kResult, dialect_.number_output(kResult), kResult});
+    for (const std::string& name : output_names_) {
+      if (makes_stage()) {
+        list.push_back({name, scope_.made + "<Scalar>& " + name, name});
+      } else {
+        add_output(name);
+      }
+    }
     return list;
   }
 
@@ -208,11 +224,11 @@ class BodyWriter {
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
       const NodeId input = find_input(inputs_[k]);
       if (is_used_by_itself(input)) {
-        items.push_back(variable(input) + " = " + access_of_input(inputs_[k], scope_.parameters));
+        items.push_back(variable(input) + " = " + access_of_input(inputs_[k], scope_.parameters, dialect_));
       }
       const bool last_of_kind = k + 1 == inputs_.size() || inputs_[k + 1].kind != inputs_[k].kind;
       if (!last_of_kind || items.empty()) continue;
-      text += list_line("const Scalar ", items, ";", kStatementIndent);
+      text += list_line(constant_variable(), items, ";", kStatementIndent);
       items.clear();
     }
     return text;
@@ -234,9 +250,11 @@ class BodyWriter {
                        [&](NodeId part) { return part == wanted || (!is_variable(part) && mentions(part, wanted)); });
   }
 
-  // One call for the sines and cosines of all joints, so that they can be evaluated together.
+  std::string constant_variable() const { return fmt::format("const {} ", dialect_.scalar()); }
+
+  // One call for the sines and cosines of all joints, so that they can be evaluated together. In C they are arguments.
   std::string trigonometry() const {
-    if (turning_joints_.empty()) return "";
+    if (turning_joints_.empty() || dialect_.is_c()) return "";
     return code_line("Scalar sine[joint_count], cosine[joint_count];", kStatementIndent) +
            code_line(fmt::format("sin_cos(q, Joints<{}>(), sine, cosine);", fmt::join(turning_joints_, ", ")),
                      kStatementIndent);
@@ -248,7 +266,7 @@ class BodyWriter {
       if (!is_angle_function(statement)) continue;
       variables.push_back(variable(statement.node) + " = " + source_of_angle_function(statement.node).text);
     }
-    return variables.empty() ? "" : list_line("const Scalar ", variables, ";", kStatementIndent);
+    return variables.empty() ? "" : list_line(constant_variable(), variables, ";", kStatementIndent);
   }
 
   // "sine[2]".
@@ -288,14 +306,16 @@ class BodyWriter {
 
   Step give_back(NodeId id, bool by_part) const {
     const std::string value = printer_.use(id);
-    const std::string code = by_part ? fmt::format("{} = {};", kResult, value) : fmt::format("return {};", value);
+    const std::string code =
+        by_part ? fmt::format("{} = {};", dialect_.number_use(kResult), value) : fmt::format("return {};", value);
     return {code_line(code, kStatementIndent), {}, variables_used(id), {kResult}};
   }
 
   Step definition(NodeId id) const { return {printer_.definition(id), id, variables_in(id), {}}; }
 
   std::string definition_line(const Step& step) const {
-    return code_line(fmt::format("const Scalar {} = {};", variable(*step.makes), step.code), kStatementIndent);
+    return code_line(fmt::format("{}{} = {};", constant_variable(), variable(*step.makes), step.code),
+                     kStatementIndent);
   }
 
   // Variables in what is written for a node's definition.
@@ -349,10 +369,12 @@ class BodyWriter {
   std::string condition() const {
     if (makes_stage()) return code_line(fmt::format("return {};", output_names_[0]), kStatementIndent);
     if (function_.positive.empty()) return "";
+    const std::string zero = dialect_.literal(0);
     std::string text;
     for (const NodeId id : pivots_to_check()) {
-      text += code_line((text.empty() ? "bool positive = " : "positive &= ") + printer_.use(id) + " > Scalar(0.0);",
-                        kStatementIndent);
+      text += code_line(
+          fmt::format("{}{} > {};", text.empty() ? "bool positive = " : "positive &= ", printer_.use(id), zero),
+          kStatementIndent);
     }
     return text + code_line(text.empty() ? "return true;" : "return positive;", kStatementIndent);
   }
@@ -368,6 +390,8 @@ class BodyWriter {
   const Function& function_;
   const std::string& name_;
   const HeaderScope& scope_;
+  const Dialect& dialect_;
+  int lines_around_;
   std::vector<Input> inputs_;
   Schedule schedule_;
   std::vector<std::string> output_names_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One Function → the statements of its C++ function.
+// One Function → the statements of its function in C++ or C.
 #pragma once
 
 #include <set>
@@ -12,12 +12,16 @@
 namespace flatdyn {
 
 struct FunctionBody {
-  std::string text;           // indented lines
-  std::string parts;          // function templates that it calls, for namespace detail; empty if it is short
-  std::vector<Input> inputs;  // that it reads, but for what an earlier stage has stored
+  std::string text;                       // indented lines
+  std::string parts;                      // functions that it calls, in C++ for namespace detail; empty if it is short
+  std::vector<Input> inputs;              // that it reads, but for what an earlier stage has stored
   std::vector<std::string> output_names;  // as the outputs are called in it
   bool uses_sign = false;
-  bool uses_trigonometry = false;
+  bool uses_positions = false;      // reads entries of q, not only for their sines and cosines
+  std::vector<int> turning_joints;  // whose sines and cosines it takes
+  bool takes_sines = false, takes_cosines = false;
+
+  bool uses_trigonometry() const { return !turning_joints.empty(); }
 };
 
 FunctionBody function_body(const Function& function, const std::string& name, const HeaderScope& scope);

@@ -8,6 +8,7 @@
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "emit/function_body.hpp"
+#include "emit/writer.hpp"
 
 namespace flatdyn {
 
@@ -16,9 +17,13 @@ namespace {
 class FunctionWriter {
  public:
   FunctionWriter(const Function& function, const std::string& name, const HeaderScope& scope)
-      : function_(function), name_(name), scope_(scope), body_(function_body(function, name, scope)) {}
+      : function_(function),
+        name_(name),
+        scope_(scope),
+        dialect_(scope.dialect),
+        body_(function_body(function, name, scope)) {}
 
-  FunctionText text() const {
+  FunctionText text(const std::string& given_name) const {
     FunctionText text;
     text.name = name_;
     text.returns = return_type();
@@ -31,21 +36,110 @@ class FunctionWriter {
     text.body = body_.text;
     text.parts = body_.parts;
     text.uses_sign = body_.uses_sign;
-    text.uses_trigonometry = body_.uses_trigonometry;
+    text.uses_trigonometry = body_.uses_trigonometry();
+    if (dialect_.is_c()) in_two(text, given_name);
     return text;
   }
 
  private:
   std::string reads_text() const {
-    if (scope_.stored.empty()) return list_of_inputs(body_.inputs, scope_.parameters);
-    return (body_.inputs.empty() ? "" : list_of_inputs(body_.inputs, scope_.parameters) + " and ") + "what is stored";
+    const std::string inputs = list_of_inputs(body_.inputs, scope_.parameters, dialect_);
+    if (scope_.stored.empty()) return inputs;
+    return (body_.inputs.empty() ? "" : inputs + " and ") + "what is stored";
+  }
+
+  // Who has sines and cosines calls the function with them; the other one asks the library first.
+  void in_two(FunctionText& text, const std::string& given_name) const {
+    text.declared = c_parameters(false, false);
+    text.parameters = c_parameters(false, true);
+    if (!body_.uses_trigonometry()) {
+      text.body = unread() + text.body;
+      return;
+    }
+    GivenText given{given_name, c_parameters(true, true), c_parameters(true, false), {}, "", unread() + text.body};
+    for (const CArgument& argument : c_arguments(true)) given.arguments.push_back(argument.name);
+    text.body = body_that_asks(given);
+    text.given = std::move(given);
+  }
+
+  struct CArgument {
+    enum class Kind { parameters, input, output } kind;
+    std::string name;
+    bool is_read;  // or written
+  };
+
+  // Sines and cosines stand in for q, but where positions themselves are read, too.
+  std::vector<CArgument> c_arguments(bool given) const {
+    std::vector<CArgument> list;
+    if (!scope_.parameters.empty()) {
+      list.push_back({CArgument::Kind::parameters, "parameters", reads(InputKind::parameter)});
+    }
+    if (given) {
+      list.push_back({CArgument::Kind::input, "sine", body_.takes_sines});
+      list.push_back({CArgument::Kind::input, "cosine", body_.takes_cosines});
+    }
+    for (InputKind kind : function_.inputs) {
+      if (given && kind == InputKind::q && !body_.uses_positions) continue;
+      list.push_back({CArgument::Kind::input, input_argument(kind, 0).name, reads(kind)});
+    }
+    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_); ++k) {
+      list.push_back({CArgument::Kind::output, body_.output_names[k], function_.outputs[k].is_written()});
+    }
+    return list;
+  }
+
+  std::vector<std::string> c_parameters(bool given, bool restricts) const {
+    std::vector<std::string> list;
+    for (const CArgument& argument : c_arguments(given)) {
+      list.push_back(argument.kind == CArgument::Kind::parameters ? dialect_.parameters_argument(restricts)
+                     : argument.kind == CArgument::Kind::input    ? dialect_.input(argument.name, restricts)
+                                                                  : dialect_.output(argument.name, restricts));
+    }
+    return list;
+  }
+
+  // "(void)qd;", so that no compiler complains: in C a parameter has a name.
+  std::string unread() const {
+    std::string text;
+    for (const CArgument& argument : c_arguments(body_.uses_trigonometry())) {
+      if (!argument.is_read) text += code_line(fmt::format("(void){};", argument.name), kStatementIndent);
+    }
+    return text;
+  }
+
+  // The joints that turn, as first and last of those with indices in a row.
+  std::vector<std::pair<int, int>> runs_of_joints() const {
+    std::vector<std::pair<int, int>> runs;
+    for (const int joint : body_.turning_joints) {
+      if (!runs.empty() && runs.back().second + 1 == joint) {
+        runs.back().second = joint;
+      } else {
+        runs.emplace_back(joint, joint);
+      }
+    }
+    return runs;
+  }
+
+  // Tells `given` whose sines and cosines it gets.
+  std::string body_that_asks(GivenText& given) const {
+    const std::string count = dialect_.count_name("joint_count");
+    std::string text =
+        code_line(fmt::format("{0} sine[{1}], cosine[{1}];", dialect_.scalar(), count), kStatementIndent);
+    for (const auto& [first, last] : runs_of_joints()) {
+      text += code_line(fmt::format("{}(q, {}, {}, sine, cosine);", dialect_.global("sines_and_cosines"), first, last),
+                        kStatementIndent);
+      given.joints += (given.joints.empty() ? "" : ", ") + std::to_string(first);
+      if (last > first) given.joints += ".." + std::to_string(last);
+    }
+    const char* give_back = return_type() == "void" ? "" : "return ";
+    return text + list_line(fmt::format("{}{}(", give_back, given.name), given.arguments, ");", kStatementIndent);
   }
 
   bool makes_stage() const { return !scope_.made.empty(); }
 
   std::string return_type() const {
     if (makes_stage()) return scope_.made + "<Scalar>";
-    return returns_value(function_) ? "Scalar" : function_.positive.empty() ? "void" : "bool";
+    return returns_value(function_) ? dialect_.scalar() : function_.positive.empty() ? "void" : "bool";
   }
 
   bool reads(InputKind kind) const {
@@ -69,7 +163,7 @@ class FunctionWriter {
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
       list.push_back(parameter("Scalar*", body_.output_names[k], function_.outputs[k].is_written()));
     }
-    if (body_.uses_trigonometry) list.emplace_back("const SinCos& sin_cos = {}");
+    if (body_.uses_trigonometry()) list.emplace_back("const SinCos& sin_cos = {}");
     return list;
   }
 
@@ -120,13 +214,15 @@ class FunctionWriter {
   const Function& function_;
   const std::string& name_;
   const HeaderScope& scope_;
+  const Dialect& dialect_;
   FunctionBody body_;
 };
 
 }  // namespace
 
-FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope) {
-  return FunctionWriter(function, name, scope).text();
+FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope,
+                           const std::string& given_name) {
+  return FunctionWriter(function, name, scope).text(given_name);
 }
 
 }  // namespace flatdyn

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One Function → the text of one C++ function template.
+// One Function → the text of one C++ function template, or of one or two C functions.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,21 +16,35 @@ struct ArrayArgument {
   std::size_t length = 0;
 };
 
+// In C, a function that takes sines and cosines: the one that is called without them calls it.
+struct GivenText {
+  std::string name;                     // "panda_gravity_given"
+  std::vector<std::string> parameters;  // of its definition
+  std::vector<std::string> declared;    // of its declaration
+  std::vector<std::string> arguments;   // that a call has
+  std::string joints;                   // whose sines and cosines it takes: "1..6"
+  std::string body;                     // indented lines
+};
+
 struct FunctionText {
   std::string name;
   std::string returns;                  // "void", "bool", "Scalar"
   std::vector<std::string> parameters;  // "const Scalar* q", …
+  std::vector<std::string> declared;    // in C, of its declaration: without "restrict"
   std::vector<ArrayArgument> inputs;    // in the order of the parameters, after the robot's own
   std::vector<ArrayArgument> outputs;   // empty for a function that returns its value
   std::vector<std::string> arguments;   // lines that document them
   std::string reads;                    // "q[1..6]"
   std::string result;                   // what is returned; empty for void
   std::string body;                     // indented lines
-  std::string parts;                    // templates for namespace detail that a long body calls; else empty
+  std::string parts;                    // functions for nobody else that a long body calls; else empty
+  std::optional<GivenText> given;       // in C, where sines or cosines are needed
   bool uses_sign = false;
   bool uses_trigonometry = false;  // then it has SinCos as a template parameter, and is passed one
 };
 
-FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope);
+// `given_name`: in C, of the function that takes sines and cosines, if there is one.
+FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope,
+                           const std::string& given_name = "");
 
 }  // namespace flatdyn

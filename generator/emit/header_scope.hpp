@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "emit/dialect.hpp"
+
 namespace flatdyn {
 
 struct HeaderScope {
+  Dialect dialect;
   int joints = 0;
   int most_lines = 0;                   // of a function; 0: no limit but that of compilers
   std::vector<std::string> parameters;  // members of Parameters, by index of the free symbol

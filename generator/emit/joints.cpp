@@ -13,11 +13,11 @@ namespace flatdyn {
 namespace {
 
 constexpr LimitKind kLimitKinds[] = {
-    {"lower", "position_lower", "Smallest position, rad or m", "-HUGE_VAL", &Limits::lower},
-    {"upper", "position_upper", "Largest position, rad or m", "HUGE_VAL", &Limits::upper},
-    {"speed", "velocity_limit", "Largest speed, rad/s or m/s", "HUGE_VAL", &Limits::velocity},
-    {"acceleration", "acceleration_limit", "Largest acceleration, rad/s^2 or m/s^2", "HUGE_VAL", &Limits::acceleration},
-    {"effort", "effort_limit", "Largest torque or force, N m or N", "HUGE_VAL", &Limits::effort},
+    {"lower", "position_lower", "Smallest position, rad or m", true, &Limits::lower},
+    {"upper", "position_upper", "Largest position, rad or m", false, &Limits::upper},
+    {"speed", "velocity_limit", "Largest speed, rad/s or m/s", false, &Limits::velocity},
+    {"acceleration", "acceleration_limit", "Largest acceleration, rad/s^2 or m/s^2", false, &Limits::acceleration},
+    {"effort", "effort_limit", "Largest torque or force, N m or N", false, &Limits::effort},
 };
 
 // A decimal without the ".0" that only a compiler needs.
@@ -33,9 +33,9 @@ Rational to_rational(const GiNaC::numeric& number) {
   return Rational(text.str());
 }
 
-std::optional<std::string> limit_of(const Body& body, const LimitKind& kind) {
+std::optional<Rational> limit_of(const Body& body, const LimitKind& kind) {
   const std::optional<Value>& limit = body.limits.*(kind.value);
-  return limit ? decimal_of(limit->number) : std::nullopt;
+  return limit ? rational_of(limit->number) : std::nullopt;
 }
 
 std::string type_of(const Body& body) {
@@ -54,18 +54,18 @@ std::vector<LimitKind> limits_given(const Mechanism& mechanism) {
   return given;
 }
 
-std::optional<std::string> decimal_of(const Number& number) {
+std::optional<Rational> rational_of(const Number& number) {
   constexpr int kDigits = 40;  // of Pi and roots: enough for the nearest double
   if (has_symbols(number)) return std::nullopt;
   const Number exact = is_rational(number) ? number : exact_decimal(to_decimal(number, kDigits));
-  return decimal_literal(to_rational(GiNaC::ex_to<GiNaC::numeric>(exact)));
+  return to_rational(GiNaC::ex_to<GiNaC::numeric>(exact));
 }
 
-std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind) {
+std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind, const Dialect& dialect) {
   std::vector<std::string> entries;
   for (const Body& body : mechanism.bodies) {
-    const std::optional<std::string> limit = limit_of(body, kind);
-    entries.push_back(limit ? "Real(" + *limit + ")" : "Real(" + std::string(kind.none) + ")");
+    const std::optional<Rational> limit = limit_of(body, kind);
+    entries.push_back(limit ? dialect.real_literal(*limit) : dialect.infinity(kind.is_lower));
   }
   return entries;
 }
@@ -79,8 +79,8 @@ std::vector<std::string> joint_table(const Mechanism& mechanism) {
     std::vector<std::string> row = {std::to_string(i), comment_text(body.joint), comment_text(body.link), type_of(body),
                                     body.prismatic ? "m" : "rad"};
     for (const LimitKind& kind : limits) {
-      const std::optional<std::string> limit = limit_of(body, kind);
-      row.push_back(limit ? plain(*limit) : "none");
+      const std::optional<Rational> limit = limit_of(body, kind);
+      row.push_back(limit ? plain(decimal_literal(*limit)) : "none");
     }
     rows.push_back(row);
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/dialect.hpp"
 #include "model/mechanism.hpp"
 
 namespace flatdyn {
@@ -15,18 +16,18 @@ struct LimitKind {
   const char* column;    // heading in the table
   const char* constant;  // name of the emitted array
   const char* meaning;   // comment of the array
-  const char* none;      // what stands for "no limit" in it
+  bool is_lower;         // no limit is minus infinity
   std::optional<Value> Limits::*value;
 };
 
 // The kinds that at least one joint of the mechanism has, in a fixed order.
 std::vector<LimitKind> limits_given(const Mechanism& mechanism);
 
-// A number as a decimal literal of the nearest double; nullopt if it depends on a free symbol.
-std::optional<std::string> decimal_of(const Number& number);
+// A number, of Pi and roots as many digits as matter; nullopt if it depends on a free symbol.
+std::optional<Rational> rational_of(const Number& number);
 
-// The entries of the emitted array of one kind of limit: "Real(2.8973)", "HUGE_VAL".
-std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind);
+// The entries of the emitted array of one kind of limit: "Real(2.8973)", "Real(HUGE_VAL)".
+std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind, const Dialect& dialect);
 
 // Lines: index, joint, link, type, unit and the limits given.
 std::vector<std::string> joint_table(const Mechanism& mechanism);

@@ -57,10 +57,23 @@ double nearest_double(const Rational& value) {
   return value < 0 ? -magnitude : magnitude;
 }
 
-std::string decimal_literal(double value) {
-  constexpr double kSmallestFixed = 1e-5;
-  constexpr double kLargestFixed = 1e15;
-  const double magnitude = std::abs(value);
+float float_of(const Rational& value) {
+  const auto rounded = static_cast<float>(nearest_double(value));
+  if (std::isinf(rounded)) {
+    throw Failure(ExitCode::input, "a constant of the model is out of the range of float",
+                  "generate code in double, or write the robot in other units");
+  }
+  return rounded;
+}
+
+namespace {
+
+// Of either type, always with what makes it one of floating type.
+template <class T>
+std::string shortest_decimal(T value) {
+  constexpr T kSmallestFixed = T(1e-5);
+  constexpr T kLargestFixed = T(1e15);
+  const T magnitude = std::abs(value);
   const bool fixed = magnitude < kSmallestFixed ? !(magnitude > 0) : magnitude < kLargestFixed;
   std::array<char, 32> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
@@ -69,5 +82,11 @@ std::string decimal_literal(double value) {
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }
+
+}  // namespace
+
+std::string decimal_literal(double value) { return shortest_decimal(value); }
+
+std::string float_literal(const Rational& value) { return shortest_decimal(float_of(value)) + "f"; }
 
 }  // namespace flatdyn

@@ -18,4 +18,11 @@ std::string decimal_literal(double value);
 
 inline std::string decimal_literal(const Rational& value) { return decimal_literal(nearest_double(value)); }
 
+// The nearest double rounded to float, as a cast from the literal of a double gives it. Throws Failure(input) if it is
+// beyond float's range.
+float float_of(const Rational& value);
+
+// The shortest decimal that reads back as that float, with its suffix: "0.0825f".
+std::string float_literal(const Rational& value);
+
 }  // namespace flatdyn

@@ -65,11 +65,15 @@ std::string namespace_of(const std::string& robot, const std::string& wanted) {
   return wanted;
 }
 
-std::string guard_of(const std::string& name_space) {
+std::string guard_of(const std::string& name_space, const std::string& ending) {
   std::string guard = "FLATDYN";
   for (const std::string& part : parts_of_namespace(name_space)) guard += "_" + part;
-  for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  return guard + "_HPP";
+  return in_capitals(guard + "_" + ending);
+}
+
+std::string in_capitals(std::string text) {
+  for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return text;
 }
 
 }  // namespace flatdyn

@@ -13,7 +13,10 @@ std::vector<std::string> parts_of_namespace(const std::string& name);
 // What is wanted, or a name made of the robot's. Throws Failure(usage) for what is no namespace.
 std::string namespace_of(const std::string& robot, const std::string& wanted);
 
-// "a::b" → "FLATDYN_A_B_HPP"
-std::string guard_of(const std::string& name_space);
+// "a::b", "HPP" → "FLATDYN_A_B_HPP"
+std::string guard_of(const std::string& name_space, const std::string& ending);
+
+// ASCII only, whatever the locale.
+std::string in_capitals(std::string text);
 
 }  // namespace flatdyn

@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* kKept = "kept";
 
+std::string variable_of(const Dialect& dialect) { return "const " + dialect.scalar() + " "; }
+
 int lines_of(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
 
 // Places of an array, the first free one first.
@@ -32,7 +34,7 @@ class Places {
   int length_ = 0;
 };
 
-// A function of namespace detail, by its name and the arguments that it has.
+// A function that only calls of the same file reach, by its name and the arguments that it has.
 struct Call {
   std::size_t first = 0, last = 0;  // parts, counted from 1
   std::string name;
@@ -63,7 +65,7 @@ class Cutter {
     }
     while (calls_.size() > static_cast<std::size_t>(most_calls)) gather();
     Parts parts{std::move(definitions_), {}, places_.length()};
-    for (const Call& call : calls_) parts.calls.push_back(statement(call, "detail::", kStatementIndent));
+    for (const Call& call : calls_) parts.calls.push_back(statement(call, true, kStatementIndent));
     return parts;
   }
 
@@ -134,7 +136,7 @@ class Cutter {
       reads.push_back(body_.variables[static_cast<std::size_t>(id)] + " = " + source(id));
     }
     std::string code = head(name, arguments(first, last));
-    if (!reads.empty()) code += list_line("const Scalar ", reads, ";", kStatementIndent);
+    if (!reads.empty()) code += list_line(variable_of(body_.dialect), reads, ";", kStatementIndent);
     for (std::size_t k = first; k < last; ++k) {
       const Step& step = body_.steps[k];
       code += step.makes ? definition(step, last) : step.code;
@@ -148,7 +150,9 @@ class Cutter {
     const bool is_used = first_use_[static_cast<std::size_t>(id)] < last;
     const std::string& variable = body_.variables[static_cast<std::size_t>(id)];
     std::string code;
-    if (is_used) code += code_line(fmt::format("const Scalar {} = {};", variable, step.code), kStatementIndent);
+    if (is_used) {
+      code += code_line(fmt::format("{}{} = {};", variable_of(body_.dialect), variable, step.code), kStatementIndent);
+    }
     if (is_kept(id, last)) {
       code += code_line(fmt::format("{} = {};", place_text(id), is_used ? variable : step.code), kStatementIndent);
     }
@@ -160,15 +164,17 @@ class Cutter {
     for (const PartArgument& argument : body_.arguments) {
       if (arguments.count(argument.name) != 0) declared.push_back(argument.declared);
     }
-    return list_line(fmt::format("void {}(", name), declared, ") noexcept {", 0);
+    return list_line(body_.dialect.part_begin(name), declared, body_.dialect.function_end(), 0);
   }
 
-  std::string statement(const Call& call, const std::string& scope, std::size_t indent) const {
+  // By the robot's own function, or by another part.
+  std::string statement(const Call& call, bool by_function, std::size_t indent) const {
     std::vector<std::string> passed;
     for (const PartArgument& argument : body_.arguments) {
-      if (call.arguments.count(argument.name) != 0) passed.push_back(scope.empty() ? argument.name : argument.passed);
+      if (call.arguments.count(argument.name) != 0) passed.push_back(by_function ? argument.passed : argument.name);
     }
-    return list_line(fmt::format("{}{}(", scope, call.name), passed, ");", indent);
+    const std::string begin = by_function ? body_.dialect.part_call(call.name) : call.name + "(";
+    return list_line(begin, passed, ");", indent);
   }
 
   // A part reads before it keeps anything: so the places of what it reads last are free for what it keeps.
@@ -183,7 +189,8 @@ class Cutter {
   }
 
   void define(const std::string& function) {
-    definitions_ += (definitions_.empty() ? "" : "\n") + ("template <class Scalar>\n" + function);
+    const std::string before = body_.dialect.is_c() ? "" : "template <class Scalar>\n";
+    definitions_ += (definitions_.empty() ? "" : "\n") + (before + function);
   }
 
   // As many calls as there is room for become one.
@@ -198,7 +205,7 @@ class Cutter {
       std::string calls;
       for (std::size_t i = k; i < end; ++i) {
         all.arguments.insert(calls_[i].arguments.begin(), calls_[i].arguments.end());
-        calls += statement(calls_[i], "", kStatementIndent);
+        calls += statement(calls_[i], false, kStatementIndent);
       }
       define(head(all.name, all.arguments) + calls + "}\n");
       gathered.push_back(std::move(all));

@@ -40,10 +40,11 @@ struct LongBody {
   std::map<NodeId, PartSource> sources;
   std::vector<PartArgument> arguments;  // that parts may have, in their order
   int most_lines = 0;                   // of a part, from its first line to its closing brace
+  Dialect dialect = {};
 };
 
 struct Parts {
-  std::string definitions;         // function templates for namespace detail
+  std::string definitions;         // function templates for namespace detail, or functions of the C file
   std::vector<std::string> calls;  // statements, in order
   int kept = 0;                    // length of the array "kept", an argument of the parts
 };

@@ -61,6 +61,11 @@ std::string signature(const FunctionText& text, const std::string& stage) {
                                    stage.empty() ? ") noexcept {" : ") const noexcept {", 0));
 }
 
+std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
+                        const std::string& end) {
+  return without_newline(list_line(fmt::format("{} {}(", returns, name), parameters, ")" + end, 0));
+}
+
 void write_parts(kainjow::mustache::data& item, const FunctionText& text) {
   item["parts?"] = !text.parts.empty();
   item["part_of"] = text.name;

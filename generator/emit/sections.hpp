@@ -23,6 +23,10 @@ std::string template_parameters(const FunctionText& text);
 // const".
 std::string signature(const FunctionText& text, const std::string& stage = "");
 
+// In C: "void panda_gravity(const double* q, double* g)", and what stands behind it: " {" or ";".
+std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
+                        const std::string& end);
+
 // The parts of a long body go before the function.
 void write_parts(kainjow::mustache::data& item, const FunctionText& text);
 

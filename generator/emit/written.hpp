@@ -9,8 +9,8 @@
 
 namespace flatdyn {
 
-// Lines for the head of the header.
-std::vector<std::string> writing_rule(const std::vector<Function>& functions);
+// Lines for the head of the header. In C no arguments overlap, so nothing depends on what is read first.
+std::vector<std::string> writing_rule(const std::vector<Function>& functions, bool in_c);
 
 // " Written: tau[0..2], and nothing else of tau." of each output of which entries are left out; `outputs`: its arrays.
 std::string written_text(const Function& function, const std::vector<ArrayArgument>& outputs);

@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-std::string describe_proofs(const std::vector<Proof>& proofs) {
+std::string describe_proofs(const std::vector<Proof>& proofs, const std::string& constants) {
   if (proofs.empty()) return "proven: nothing, as there is no function";
   int entries = 0;
   double worst = proofs.front().result.failure_log2;
@@ -18,8 +18,8 @@ std::string describe_proofs(const std::vector<Proof>& proofs) {
   }
   return fmt::format(
       "proven in exact arithmetic: all {} entries of {} function{} are what the Lagrangian says, each wrong with "
-      "probability below 2^{:.0f}; the text, read back, says the same with constants rounded to double",
-      entries, proofs.size(), proofs.size() == 1 ? "" : "s", std::ceil(worst));
+      "probability below 2^{:.0f}; the text, read back, says the same with constants rounded to {}",
+      entries, proofs.size(), proofs.size() == 1 ? "" : "s", std::ceil(worst), constants);
 }
 
 nlohmann::ordered_json proofs_json(const std::vector<Proof>& proofs) {

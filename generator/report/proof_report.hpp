@@ -10,8 +10,9 @@
 
 namespace flatdyn {
 
-// "proven: 13 functions are what the Lagrangian says ...", with the least certain of the probabilities.
-std::string describe_proofs(const std::vector<Proof>& proofs);
+// "proven: 13 functions are what the Lagrangian says ...", with the least certain of the probabilities. `constants`:
+// what those of the text are rounded to.
+std::string describe_proofs(const std::vector<Proof>& proofs, const std::string& constants);
 nlohmann::ordered_json proofs_json(const std::vector<Proof>& proofs);
 
 }  // namespace flatdyn

@@ -7,6 +7,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/literals.hpp"
+#include "verify/scanned.hpp"
 
 namespace flatdyn {
 namespace {
@@ -14,15 +15,9 @@ namespace {
 // What stands at namespace scope: structs and function templates.
 class Scanner {
  public:
-  struct Found {
-    std::vector<WrittenFunction> functions;
-    std::map<std::string, WrittenFunction> parts;
-    std::map<std::string, std::vector<std::string>> fields;
-  };
-
   explicit Scanner(const std::vector<Token>& tokens) : tokens_(tokens) {}
 
-  Found run() {
+  Scanned run() {
     while (at_ < tokens_.size()) {
       if (is("namespace")) {
         open_namespace();
@@ -156,21 +151,29 @@ class Scanner {
   const std::vector<Token>& tokens_;
   std::size_t at_ = 0;
   std::vector<std::string> namespaces_;
-  Found found_;
+  Scanned found_;
 };
 
 }  // namespace
 
-EmittedText::EmittedText(const std::string& header) : tokens_(tokens_of(header)) {
-  Scanner::Found found = Scanner(tokens_).run();
+EmittedText::EmittedText(std::vector<Token> tokens, std::string scalar)
+    : scalar_(std::move(scalar)), tokens_(std::move(tokens)) {
+  Scanned found = is_c() ? scanned_c(tokens_, scalar_) : Scanner(tokens_).run();
   functions_ = std::move(found.functions);
   parts_ = std::move(found.parts);
   fields_ = std::move(found.fields);
 }
 
-Function as_printed(const Function& function) {
+EmittedText::EmittedText(const std::string& header) : EmittedText(tokens_of(header), "Scalar") {}
+
+EmittedText::EmittedText(const std::string& header, const std::string& source, const std::string& scalar)
+    : EmittedText(tokens_of(header + source), scalar) {}
+
+Function as_printed(const Function& function, const std::string& scalar) {
   Graph graph;
-  const auto printed = [](const Rational& value) { return Rational(nearest_double(value)); };
+  const auto printed = [&scalar](const Rational& value) {
+    return Rational(scalar == "float" ? double(float_of(value)) : nearest_double(value));
+  };
   std::vector<NodeId> image;
   for (NodeId id = 0; id < function.graph.size(); ++id) {
     Node node = function.graph[id];

@@ -2,7 +2,6 @@
 #include "verify/proof.hpp"
 
 #include "diagnostics/diagnostics.hpp"
-#include "verify/emitted_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -64,17 +63,21 @@ std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<Optimised
   return proofs;
 }
 
-void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
+void prove_text(const EmittedText& text, const std::vector<OptimisedFunction>& functions,
                 const std::optional<Stages>& stages) {
-  const EmittedText text(header);
   const std::vector<Function> wanted = written(functions, stages);
   if (text.functions().size() != wanted.size()) {
     throw Failure(ExitCode::bug, "the emitted text has other functions than were made");
   }
   for (std::size_t k = 0; k < wanted.size(); ++k) {
-    const Function printed = as_printed(wanted[k]);
+    const Function printed = as_printed(wanted[k], text.constants());
     require(prove_equal(printed, text.read(k, printed), kQuick), "the text of " + wanted[k].name, "was to be printed");
   }
+}
+
+void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
+                const std::optional<Stages>& stages) {
+  prove_text(EmittedText(header), functions, stages);
 }
 
 }  // namespace flatdyn

@@ -10,6 +10,7 @@
 #include "emit/stages.hpp"
 #include "graph/fusion.hpp"
 #include "pipeline.hpp"
+#include "verify/emitted_text.hpp"
 #include "verify/exact.hpp"
 
 namespace flatdyn {
@@ -24,8 +25,11 @@ struct Proof {
 std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
                          const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages);
 
-// Reads the header back: every function in it must be what was to be printed, the constants rounded to double. Throws
-// Failure(verification_failed) for the first that is not.
+// The text that was read back: every function in it must be what was to be printed, the constants rounded to its
+// scalar. Throws Failure(verification_failed) for the first that is not.
+void prove_text(const EmittedText& text, const std::vector<OptimisedFunction>& functions,
+                const std::optional<Stages>& stages);
+// Of a C++ header.
 void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
                 const std::optional<Stages>& stages);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 #include "diagnostics/diagnostics.hpp"
@@ -86,12 +87,14 @@ class TextReader {
 
   void statement() {
     if (accept("const")) {
-      expect("Scalar");
+      expect(text_.scalar_.c_str());
       definitions();
-    } else if (is("Scalar") || word(1) == "<") {
-      skip_past(";");  // arrays, or an empty stage
+    } else if (word() == text_.scalar_ || word(1) == "<" || is("(")) {
+      skip_past(";");  // arrays, an empty stage, or "(void)qd;"
     } else if (accept("sin_cos")) {
       sines_and_cosines();
+    } else if (text_.is_c() && ends_with(word(), "_sines_and_cosines")) {
+      sines_and_cosines_in_c();
     } else if (accept("bool")) {
       positivity("=");
     } else if (is("positive") && word(1) == "&=") {
@@ -127,30 +130,71 @@ class TextReader {
     skip_past(";");
   }
 
+  static bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+  }
+
+  // arm_sines_and_cosines(q, 1, 6, sine, cosine); of all joints between these.
+  void sines_and_cosines_in_c() {
+    ++at_;
+    for (const char* text : {"(", "q", ","}) expect(text);
+    const int first = index();
+    expect(",");
+    const int last = index();
+    for (const char* text : {",", "sine", ",", "cosine", ")", ";"}) expect(text);
+    for (int joint = first; joint <= last; ++joint) {
+      arrays_["sine"][joint] = lines_.sine(joint);
+      arrays_["cosine"][joint] = lines_.cosine(joint);
+    }
+  }
+
+  // "> Scalar(0.0)", "> 0.0f"
+  void above_zero() {
+    expect(">");
+    if (text_.is_c()) {
+      if (lines_[literal_in_c()].value != 0) fail("zero expected");
+    } else {
+      for (const char* text : {"Scalar", "(", "0.0", ")"}) expect(text);
+    }
+  }
+
   // "bool positive = true;", "positive &= D_2 > Scalar(0.0);"
   void positivity(const char* sign) {
     expect("positive");
     expect(sign);
     if (!accept("true")) {
       lines_.positive.push_back(sum());
-      for (const char* text : {">", "Scalar", "(", "0.0", ")"}) expect(text);
+      above_zero();
     }
     expect(";");
   }
 
   // for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0);
+  // for (int k = 0; k < 7; ++k) positive &= pivots[k] > 0.0f;
   void all_pivots() {
-    for (const char* text : {"(", "const", "Scalar", "&", "pivot", ":", "pivots", ")", "positive", "&=", "pivot", ">",
-                             "Scalar", "(", "0.0", ")", ";"}) {
-      expect(text);
+    if (text_.is_c()) {
+      for (const char* text : {"(", "int", "k", "=", "0", ";", "k", "<"}) expect(text);
+      if (index() != static_cast<int>(arrays_["pivots"].size())) fail("another number of pivots");
+      for (const char* text : {";", "+", "+", "k", ")", "positive", "&=", "pivots", "[", "k", "]"}) expect(text);
+    } else {
+      for (const char* text : {"(", "const", "Scalar", "&", "pivot", ":", "pivots", ")", "positive", "&=", "pivot"}) {
+        expect(text);
+      }
     }
+    above_zero();
+    expect(";");
     for (const auto& [index, pivot] : arrays_["pivots"]) lines_.positive.push_back(pivot);
   }
 
   // True, positive, a stage, or a value.
   void give_back() {
-    if (written_.returns == "Scalar") {
-      arrays_[kReturned][0] = arrays_.count(word()) != 0 ? arrays_.at(take()).at(0) : sum();
+    if (word(1) == "(" && text_.parts_.count(word()) != 0) {
+      call();
+      return;
+    }
+    if (written_.returns == text_.scalar_) {
+      const bool is_array = arrays_.count(word()) != 0 && word(1) == ";";
+      arrays_[kReturned][0] = is_array ? arrays_.at(take()).at(0) : sum();
     } else if (written_.returns != "bool") {
       arrays_[kReturned] = arrays_[take()];
     } else if (!accept("true")) {
@@ -164,8 +208,24 @@ class TextReader {
     if (accept("detail")) expect("::");
     const auto part = text_.parts_.find(take());
     if (part == text_.parts_.end()) fail("a call of what is no part");
-    skip_past(";");
+    if (text_.is_c()) {
+      arguments_of(part->second);
+    } else {
+      skip_past(";");
+    }
     carry_out(part->second);
+  }
+
+  // Every argument has the name that the part knows it by.
+  void arguments_of(const WrittenFunction& part) {
+    const char* before = "(";
+    for (const WrittenFunction::Parameter& parameter : part.parameters) {
+      expect(before);
+      expect(parameter.name.c_str());
+      before = ",";
+    }
+    expect(")");
+    expect(";");
   }
 
   // "B[1] = B[7] = sum;": entries until there is no other =.
@@ -251,6 +311,13 @@ class TextReader {
       return value;
     }
     if (accept("Scalar")) return literal();
+    if (text_.is_c() && std::isdigit(static_cast<unsigned char>(word().front())) != 0) return literal_in_c();
+    if (text_.is_c() && ends_with(word(), "_sign") && word(1) == "(") {
+      at_ += 2;
+      const int value = lines_.sign(sum());
+      expect(")");
+      return value;
+    }
     if (accept("detail")) {
       for (const char* text : {"::", "sign", "("}) expect(text);
       const int value = lines_.sign(sum());
@@ -272,6 +339,19 @@ class TextReader {
     return lines_.constant(is_negative ? -value : value);
   }
 
+  // 0.0825 in double, 0.0825f in float: in its own type, and rounded only once.
+  int literal_in_c() {
+    const std::string text = take();
+    const bool is_float = text_.scalar_ == "float";
+    const char* const last = text.data() + text.size() - (is_float ? 1 : 0);
+    double value = 0;
+    float narrow = 0;
+    const auto [end, error] =
+        is_float ? std::from_chars(text.data(), last, narrow) : std::from_chars(text.data(), last, value);
+    if (error != std::errc() || end != last || (is_float && *last != 'f')) fail("a number expected");
+    return lines_.constant(is_float ? double(narrow) : value);
+  }
+
   // A variable, an entry of an array, a parameter, or what a stage has stored.
   int named_value(const std::string& name) {
     if (accept("[")) {
@@ -279,7 +359,9 @@ class TextReader {
       expect("]");
       return entry_of(name, entry);
     }
-    if (accept(".")) {
+    const bool is_pointed_at = text_.is_c() && is("-") && word(1) == ">";
+    if (is_pointed_at) at_ += 1;
+    if (accept(is_pointed_at ? ">" : ".")) {
       const std::string member = take();
       if (name == "parameters") return lines_.input({InputKind::parameter, field("Parameters", member)});
       if (name == "stored") return lines_.input({InputKind::stored, field(written_.member_of, member)});

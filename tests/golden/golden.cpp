@@ -16,10 +16,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<fs::path> headers_in(const fs::path& folder) {
+std::vector<fs::path> code_in(const fs::path& folder) {
   std::vector<fs::path> headers;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".hpp") headers.push_back(entry.path());
+    const std::string kind = entry.path().extension().string();
+    if (kind == ".hpp" || kind == ".h" || kind == ".c") headers.push_back(entry.path());
   }
   std::sort(headers.begin(), headers.end());
   return headers;
@@ -64,7 +65,7 @@ std::string generate(const std::string& program, const fs::path& source_dir, con
 
 std::vector<std::string> differences(const fs::path& expected, const fs::path& produced) {
   std::vector<std::string> found;
-  const std::vector<fs::path> headers = headers_in(produced);
+  const std::vector<fs::path> headers = code_in(produced);
   if (headers.empty()) found.push_back("no header was written");
   for (const fs::path& header : headers) {
     const fs::path golden = expected / header.filename();

@@ -95,6 +95,92 @@ TEST(EmittedText, WithASlipIsRefused) {
   EXPECT_GE(mutants, 40);
 }
 
+// Made once, written in several ways.
+class PrintedInC {
+ public:
+  explicit PrintedInC(const char* robot) : model_(testing::model_of(robot)) {
+    PipelineOptions options;
+    options.functions = kNames;
+    Progress quiet(true);
+    Diagnostics findings;
+    functions_ = make_functions(model_, options, quiet, findings);
+  }
+
+  CText text(const std::string& scalar, int most_lines = 0) const {
+    EmitOptions emit;
+    emit.language = Language::c;
+    emit.scalar = scalar;
+    emit.most_lines = most_lines;
+    return emit_c(model_.mechanism, functions_of(functions_), emit);
+  }
+
+  void prove(const CText& text, const std::string& source, const std::string& scalar) const {
+    prove_text(EmittedText(text.header, source, scalar), functions_, std::nullopt);
+  }
+
+ private:
+  Model model_;
+  std::vector<OptimisedFunction> functions_;
+};
+
+TEST(EmittedText, InCIsWhatWasPrinted) {
+  for (const char* robot : {"scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml"}) {
+    const PrintedInC all(robot);
+    for (const char* scalar : {"double", "float"}) {
+      for (const int most_lines : {0, 40}) {
+        const CText text = all.text(scalar, most_lines);
+        EXPECT_NO_THROW(all.prove(text, text.source, scalar)) << robot << " " << scalar << ", lines: " << most_lines;
+      }
+    }
+  }
+}
+
+// Every one of these changes what the text computes, wherever it is made.
+TEST(EmittedText, InCWithASlipIsRefused) {
+  const PrintedInC all("scara.toml");
+  const CText printed = all.text("float");
+  const std::string& source = printed.source;
+  const std::pair<const char*, const char*> slips[] = {{" + ", " - "},
+                                                       {" - ", " + "},
+                                                       {" * ", " + "},
+                                                       {" / ", " * "},
+                                                       {"= sine[1]", "= cosine[1]"},
+                                                       {"qd[1]", "qd[2]"},
+                                                       {"B[5]", "B[6]"},
+                                                       {"0.5f * ", "0.25f * "},
+                                                       {"tau[1] =", "tau[0] ="},
+                                                       {"(q, 0, 1,", "(q, 0, 0,"},
+                                                       {"sine, cosine, qd, qdd", "sine, cosine, qdd, qd"},
+                                                       {"(sine, cosine, ", "(cosine, sine, "},
+                                                       {"f * ", " * "}};
+  std::mt19937 engine(1);
+  int mutants = 0;
+  for (const auto& [text, instead] : slips) {
+    std::vector<std::size_t> places;
+    const std::size_t code = source.find("scara_inverse_dynamics_given(");
+    for (std::size_t at = source.find(text, code); at < source.find("scara_is_zero"); at = source.find(text, at + 1)) {
+      const std::size_t line = source.rfind('\n', at) + 1;
+      if (source.compare(line, 2, "  ") == 0) places.push_back(at);
+    }
+    for (int k = 0; k < 5 && !places.empty(); ++k) {
+      const std::size_t place = places[engine() % places.size()];
+      std::string wrong = source;
+      wrong.replace(place, std::string(text).size(), instead);
+      EXPECT_THROW(all.prove(printed, wrong, "float"), Failure) << text << " at " << wrong.substr(place - 40, 80);
+      ++mutants;
+    }
+  }
+  EXPECT_GE(mutants, 45);
+}
+
+TEST(EmittedText, InCThatIsNoneIsRefused) {
+  const PrintedInC all("scara.toml");
+  const CText text = all.text("double");
+  EXPECT_THROW(all.prove(text, "", "double"), Failure);
+  EXPECT_THROW(all.prove(text, text.source.substr(0, text.source.size() / 2), "double"), Failure);
+  EXPECT_THROW(all.prove(text, text.source + "}", "double"), Failure);
+}
+
 TEST(EmittedText, ThatIsNoneIsRefused) {
   const Printed all = printed("scara.toml", {"gravity"});
   EXPECT_THROW(prove_text("", all.functions, all.stages), Failure);

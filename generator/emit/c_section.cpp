@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/c_section.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/page.hpp"
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+
+namespace flatdyn {
+
+using kainjow::mustache::data;
+
+namespace {
+
+// The function that takes sines and cosines before the one that calls it.
+std::string definitions(const FunctionText& text) {
+  const auto definition = [&text](const std::string& name, const std::vector<std::string>& parameters,
+                                  const std::string& body) {
+    return c_signature(text.returns, name, parameters, " {") + "\n" + body + "}";
+  };
+  const std::string own = definition(text.name, text.parameters, text.body);
+  return text.given ? definition(text.given->name, text.given->parameters, text.given->body) + "\n\n" + own : own;
+}
+
+}  // namespace
+
+void write_c_names(data& page, const Dialect& dialect, const std::string& header) {
+  const bool is_float = dialect.scalar() == "float";
+  page["header_file"] = header;
+  page["prefix"] = dialect.global("");
+  page["count"] = dialect.count_name("joint_count");
+  page["sin"] = dialect.library("sin");
+  page["cos"] = dialect.library("cos");
+  page["f"] = std::string(is_float ? "f" : "");
+  page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
+}
+
+void write_c_function(data& item, const Function& function, const FunctionText& text) {
+  const std::string equation = function.equation.empty() ? "" : " " + function.equation;
+  item["brief"] = list_of(wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth));
+  item["declaration"] = c_signature(text.returns, text.name, text.declared, ";");
+  item["definitions"] = definitions(text);
+  item["given?"] = text.given.has_value();
+  if (!text.given) return;
+  item["given_comment"] = fmt::format(
+      "The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = {}.", text.given->joints);
+  item["given_declaration"] = c_signature(text.returns, text.given->name, text.given->declared, ";");
+}
+
+std::vector<std::string> c_example(const FunctionText& text, const Dialect& dialect, bool has_parameters) {
+  std::vector<std::string> lines;
+  std::string declarations, call;
+  const auto add = [&](const ArrayArgument& array, const char* initial) {
+    declarations += fmt::format("{}{}[{}]{}", declarations.empty() ? "" : ", ", array.name, array.length, initial);
+    call += (call.empty() ? "" : ", ") + array.name;
+  };
+  for (const ArrayArgument& array : text.inputs) add(array, " = {0}");
+  for (const ArrayArgument& array : text.outputs) add(array, "");
+  if (has_parameters) {
+    lines.push_back(fmt::format("{} parameters = {{0}};  // then set its members", dialect.global("parameters")));
+    call = "&parameters" + (call.empty() ? "" : ", " + call);
+  }
+  if (!declarations.empty()) lines.push_back(fmt::format("{} {};", dialect.scalar(), declarations));
+  const std::string receiver = text.returns == "void" ? "" : "const " + text.returns + " result = ";
+  lines.push_back(fmt::format("{}{}({});", receiver, text.name, call));
+  return lines;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/dialect.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/literals.hpp"
+#include "emit/name_space.hpp"
+#include "emit/writer.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr std::size_t kRowIndent = 4;
+
+std::string prefix_of(const std::string& name_space) {
+  std::string prefix;
+  for (std::string part : parts_of_namespace(name_space)) {
+    while (part.size() > 1 && part.back() == '_') part.pop_back();  // two underscores in a row are C++'s own
+    prefix += part + "_";
+  }
+  return prefix;
+}
+
+}  // namespace
+
+Dialect Dialect::c(const std::string& scalar, const std::string& name_space) {
+  Dialect dialect;
+  dialect.language_ = Language::c;
+  dialect.scalar_ = scalar;
+  dialect.prefix_ = prefix_of(name_space);
+  return dialect;
+}
+
+std::string Dialect::count_name(const std::string& name) const { return is_c() ? in_capitals(prefix_ + name) : name; }
+
+std::string Dialect::count_definition(const std::string& name, int value) const {
+  return is_c() ? fmt::format("enum {{ {} = {} }};\n", name, value)
+                : fmt::format("inline constexpr int {} = {};\n", name, value);
+}
+
+std::vector<std::string> Dialect::reserved() const {
+  if (!is_c()) {
+    return {"Scalar",
+            "Real",
+            "Parameters",
+            "SinCos",
+            "Joints",
+            "LibrarySinCos",
+            "GivenSinCos",
+            "at",
+            "Configuration",
+            "Motion",
+            "detail",
+            "std",
+            "sin",
+            "cos",
+            "joint_count",
+            "joint_names",
+            "rounding_is_as_written"};
+  }
+  std::vector<std::string> words = {"restrict", "sin", "cos", "sinf", "cosf", count_name("joint_count")};
+  for (const char* name :
+       {"joint_names", "parameters", "sign", "is_zero", "sines_and_cosines", "rounding_is_as_written"}) {
+    words.push_back(global(name));
+  }
+  return words;
+}
+
+std::string Dialect::literal(const Rational& value) const {
+  if (!is_c()) return "Scalar(" + decimal_literal(value) + ")";
+  return scalar_ == "float" ? float_literal(value) : decimal_literal(value);
+}
+
+std::string Dialect::real_literal(const Rational& value) const {
+  return is_c() ? literal(value) : "Real(" + decimal_literal(value) + ")";
+}
+
+std::string Dialect::infinity(bool negative) const {
+  const std::string sign = negative ? "-" : "";
+  if (!is_c()) return "Real(" + sign + "HUGE_VAL)";
+  return sign + (scalar_ == "float" ? "HUGE_VALF" : "HUGE_VAL");
+}
+
+std::string Dialect::library(const std::string& function) const {
+  return is_c() && scalar_ == "float" ? function + "f" : function;
+}
+
+std::string Dialect::sign(const std::string& of) const {
+  return (is_c() ? global("sign(") : "detail::sign(") + of + ")";
+}
+
+std::string Dialect::parameter(const std::string& member) const {
+  return (is_c() ? "parameters->" : "parameters.") + member;
+}
+
+std::string Dialect::restricted(const std::string& type, const std::string& name, bool restricts) const {
+  return type + (is_c() && restricts ? "* restrict " : "* ") + name;
+}
+
+std::string Dialect::input(const std::string& name, bool restricts) const {
+  return restricted("const " + scalar_, name, restricts);
+}
+
+std::string Dialect::output(const std::string& name, bool restricts) const {
+  return restricted(scalar_, name, restricts);
+}
+
+std::string Dialect::parameters_argument(bool restricts) const {
+  if (!is_c()) return "const Parameters<Scalar>& parameters";
+  return restricted("const " + global("parameters"), "parameters", restricts);
+}
+
+std::string Dialect::number_output(const std::string& name) const {
+  return is_c() ? output(name) : scalar_ + "& " + name;
+}
+
+std::string Dialect::number_definition(const std::string& name) const { return is_c() ? name + "[1]" : name; }
+std::string Dialect::number_use(const std::string& name) const { return is_c() ? name + "[0]" : name; }
+
+std::string Dialect::part_begin(const std::string& name) const {
+  return is_c() ? fmt::format("static void {}(", name) : fmt::format("void {}(", name);
+}
+
+std::string Dialect::function_end() const { return is_c() ? ") {" : ") noexcept {"; }
+
+std::string Dialect::part_call(const std::string& name) const { return (is_c() ? "" : "detail::") + name + "("; }
+
+std::string Dialect::function_begin(const std::string& returns, const std::string& name) const {
+  return fmt::format("{}{} {}(", is_c() ? "" : "inline ", returns, name);
+}
+
+std::string Dialect::type_of(const ConstantArray& array) const {
+  if (!is_c()) return array.type;
+  if (array.type == kReal) return "const " + scalar_;
+  return array.type.back() == '*' ? array.type + " const" : "const " + array.type;
+}
+
+std::string Dialect::definition(const ConstantArray& array) const {
+  const std::string begin =
+      fmt::format("{}{} {}[{}] = {{", is_c() ? "" : "inline constexpr ", type_of(array), array.name, array.length);
+  if (array.row == 0) return list_line(begin, array.entries, "};", 0);
+  std::string text = begin + "\n";
+  const auto row = static_cast<std::size_t>(array.row);
+  for (std::size_t k = 0; k < array.entries.size(); k += row) {
+    const auto first = array.entries.begin() + static_cast<std::ptrdiff_t>(k);
+    const bool is_last = k + row >= array.entries.size();
+    text += list_line("", {first, first + static_cast<std::ptrdiff_t>(row)}, is_last ? "};" : ",", kRowIndent);
+  }
+  return text;
+}
+
+std::string Dialect::declaration(const ConstantArray& array) const {
+  return fmt::format("extern {} {}[{}];\n", type_of(array), array.name, array.length);
+}
+
+std::string Dialect::all_positive(const std::string& array, std::size_t length) const {
+  const std::string loop =
+      is_c() ? fmt::format("for (int k = 0; k < {}; ++k) positive &= {}[k] > {};", length, array, literal(0))
+             : fmt::format("for (const Scalar& pivot : {}) positive &= pivot > Scalar(0.0);", array);
+  return code_line(loop, kStatementIndent);
+}
+
+}  // namespace flatdyn

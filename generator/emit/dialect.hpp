@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the languages of emitted code differ in, and the only place that knows. Names of variables, the order of
+// statements and the shape of expressions are common to them, so that all forms compute the same bits.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/rational.hpp"
+
+namespace flatdyn {
+
+enum class Language { cpp, c };
+
+// An array of constants at file or namespace scope.
+struct ConstantArray {
+  std::string type;    // "const char*", "bool"; kReal: numbers
+  std::string name;    // as it is emitted
+  std::string length;  // "joint_count", "49"
+  std::vector<std::string> entries;
+  int row = 0;  // entries per line; 0: as many as there is room for
+};
+
+inline constexpr const char* kReal = "Real";
+
+class Dialect {
+ public:
+  // C++: templates over Scalar, in the robot's namespace; constants of type Real.
+  Dialect() = default;
+  // C99 in one scalar, "double" or "float"; `name_space`: of the C++ form, "a::b", here the prefix a_b_.
+  static Dialect c(const std::string& scalar, const std::string& name_space);
+
+  bool is_c() const { return language_ == Language::c; }
+
+  // The type of variables: "Scalar", "float".
+  const std::string& scalar() const { return scalar_; }
+  // What is known outside of its function: "gravity", "panda_gravity".
+  std::string global(const std::string& name) const { return prefix_ + name; }
+  // A count: "joint_count", "PANDA_JOINT_COUNT".
+  std::string count_name(const std::string& name) const;
+  // Words that variables must differ from beside those of C++.
+  std::vector<std::string> reserved() const;
+
+  // "Scalar(0.0825)", "0.0825f". Throws Failure(input) if the scalar is too small for it.
+  std::string literal(const Rational& value) const;
+  // In an array of constants: "Real(0.0825)", "0.0825f"; and "Real(-HUGE_VAL)", "-HUGE_VALF".
+  std::string real_literal(const Rational& value) const;
+  std::string infinity(bool negative) const;
+  // "sinf": of <math.h>, where a form for each scalar has a name of its own.
+  std::string library(const std::string& function) const;
+
+  // "detail::sign(x)", "panda_sign(x)".
+  std::string sign(const std::string& of) const;
+  // A free symbol of the robot: "parameters.m_1", "parameters->m_1".
+  std::string parameter(const std::string& member) const;
+
+  // Arguments of functions. In C their definitions say `restrict`, their declarations, which C++ reads too, do not.
+  std::string input(const std::string& name, bool restricts = true) const;   // "const Scalar* q"
+  std::string output(const std::string& name, bool restricts = true) const;  // "Scalar* tau"
+  std::string parameters_argument(bool restricts = true) const;              // "const Parameters<Scalar>& parameters"
+  std::string number_output(const std::string& name) const;                  // "Scalar& result", an array of one in C
+  std::string number_definition(const std::string& name) const;              // "result", "result[1]"
+  std::string number_use(const std::string& name) const;                     // "result", "result[0]"
+
+  // A function that only others of the same file call: what stands before its parameters, and behind.
+  std::string part_begin(const std::string& name) const;
+  std::string function_end() const;  // ") noexcept {"
+  // "detail::f_part_1(" where the robot's own functions call it.
+  std::string part_call(const std::string& name) const;
+  // "inline void gravity("
+  std::string function_begin(const std::string& returns, const std::string& name) const;
+
+  // Lines; names are as they are emitted. In C a definition goes to the .c file, and a declaration to the header.
+  std::string count_definition(const std::string& name, int value) const;
+  std::string definition(const ConstantArray& array) const;
+  std::string declaration(const ConstantArray& array) const;
+  // for … positive &= pivots[k] > 0;
+  std::string all_positive(const std::string& array, std::size_t length) const;
+
+ private:
+  std::string restricted(const std::string& type, const std::string& name, bool restricts) const;
+  std::string type_of(const ConstantArray& array) const;
+
+  Language language_ = Language::cpp;
+  std::string scalar_ = "Scalar";
+  std::string prefix_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "firmware/folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/arguments.hpp"
+#include "emit/identifiers.hpp"
+#include "emit/literals.hpp"
+#include "emit/page.hpp"
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+#include "firmware/test_vectors.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+namespace {
+
+using kainjow::mustache::data;
+
+// The arrays of a state, in this order.
+constexpr InputKind kArrays[] = {InputKind::q,   InputKind::qd,   InputKind::qdd,  InputKind::tau,
+                                 InputKind::h_e, InputKind::qd_r, InputKind::qdd_r};
+
+class FolderWriter {
+ public:
+  FolderWriter(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
+               const EmitOptions& options, const FirmwareTarget& target)
+      : mechanism_(mechanism),
+        functions_(functions),
+        options_(options),
+        target_(target),
+        dialect_(dialect_of(mechanism, options)) {
+    for (const Function& function : functions) {
+      const bool is_known = std::all_of(function.inputs.begin(), function.inputs.end(), [](InputKind kind) {
+        return std::find(std::begin(kArrays), std::end(kArrays), kind) != std::end(kArrays);
+      });
+      if (!is_known) throw Failure(ExitCode::unsupported, "--firmware: no self test for " + function.name);
+    }
+    vectors_ = test_vectors(robot, mechanism, functions, options.scalar);
+  }
+
+  std::vector<FirmwareFile> files() const {
+    const data page = filled();
+    return {{"test_vectors.h", rendered(templates::firmware_vectors_h, page)},
+            {"test_vectors.c", rendered(templates::firmware_vectors_c, page)},
+            {"main.c", rendered(templates::firmware_main_c, page)},
+            {"startup.c", rendered(templates::firmware_startup_c, page)},
+            {"target.ld", rendered(templates::firmware_target_ld, page)},
+            {"makefile", rendered(templates::firmware_makefile, page)},
+            {"report", rendered(templates::firmware_report, page)}};
+  }
+
+ private:
+  data filled() const {
+    data page;
+    const std::string header = header_name(mechanism_, options_);
+    page["robot"] = comment_text(mechanism_.name);
+    page["version"] = std::string(FLATDYN_VERSION);
+    page["name"] = header.substr(0, header.size() - 2);
+    page["prefix"] = dialect_.global("");
+    page["scalar"] = options_.scalar;
+    page["is_float"] = options_.scalar == "float";
+    page["target"] = std::string(target_.name);
+    page["flags"] = std::string(target_.flags);
+    page["machine"] = std::string(target_.machine);
+    page["units"] = fmt::format("{}", kAllowedUnits);
+    page["state_count"] = std::to_string(vectors_.states.size());
+    page["function_count"] = std::to_string(functions_.size());
+    page["most_entries"] = std::to_string(most_entries());
+    page["parameters?"] = !mechanism_.symbols.empty();
+    page["arrays"] = arrays();
+    page["states"] = states();
+    page["functions"] = functions();
+    return page;
+  }
+
+  static std::size_t entries_of(const Function& function) {
+    std::size_t count = 0;
+    for (const Output& output : function.outputs) count += output.entries.size();
+    return count;
+  }
+
+  std::size_t most_entries() const {
+    std::size_t most = 1;
+    for (const Function& function : functions_) most = std::max(most, entries_of(function));
+    return most;
+  }
+
+  bool is_read(InputKind kind) const {
+    return std::any_of(functions_.begin(), functions_.end(), [kind](const Function& function) {
+      return std::find(function.inputs.begin(), function.inputs.end(), kind) != function.inputs.end();
+    });
+  }
+
+  data arrays() const {
+    data list(data::type::list);
+    for (const InputKind kind : kArrays) {
+      const InputArgument argument = input_argument(kind, mechanism_.size());
+      if (!is_read(kind)) continue;
+      data item;
+      item["name"] = argument.name;
+      item["length"] = std::to_string(argument.length);
+      list << item;
+    }
+    return list;
+  }
+
+  // Lines: ".q = {0.5f, -1.25f},"
+  data states() const {
+    data list(data::type::list);
+    for (const State& state : vectors_.states) {
+      std::string lines;
+      if (!mechanism_.symbols.empty()) lines += member("parameters", state.parameters);
+      for (const InputKind kind : kArrays) {
+        if (is_read(kind)) lines += member(input_argument(kind, 0).name, state.of(kind));
+      }
+      list << data("members", without_newline(lines));
+    }
+    return list;
+  }
+
+  std::string member(const std::string& name, const std::vector<double>& values) const {
+    constexpr std::size_t kIndent = 6;
+    std::vector<std::string> literals;
+    for (const double value : values) literals.push_back(dialect_.literal(Rational(value)));
+    return list_line(fmt::format(".{} = {{", name), literals, "},", kIndent);
+  }
+
+  data functions() const {
+    data list(data::type::list);
+    for (std::size_t k = 0; k < functions_.size(); ++k) {
+      data item, expected(data::type::list);
+      for (const ExpectedEntry& entry : vectors_.expected[k]) {
+        expected << data("entry", fmt::format("{}, {}, {}", decimal_literal(entry.exact), decimal_literal(entry.rest),
+                                              decimal_literal(entry.allowed)));
+      }
+      item["function"] = cpp_identifier(functions_[k].name);
+      item["entries"] = std::to_string(entries_of(functions_[k]));
+      item["call"] = call(functions_[k]);
+      item["expected"] = data(expected);
+      list << item;
+    }
+    return list;
+  }
+
+  // "return panda_forward_dynamics(s->q, s->qd, s->tau, out);"
+  std::string call(const Function& function) const {
+    constexpr std::size_t kIndent = 2;
+    std::vector<std::string> arguments;
+    if (!mechanism_.symbols.empty()) arguments.emplace_back("&s->parameters");
+    for (const InputKind kind : function.inputs) arguments.push_back("s->" + input_argument(kind, 0).name);
+    std::size_t offset = 0;
+    for (const Output& output : function.outputs) {
+      if (!returns_value(function)) arguments.push_back(offset == 0 ? "out" : fmt::format("out + {}", offset));
+      offset += output.entries.size();
+    }
+    const bool gives_bool = !function.positive.empty();
+    const std::string begin = returns_value(function) ? "out[0] = " : gives_bool ? "return " : "";
+    const std::string name = dialect_.global(cpp_identifier(function.name));
+    const std::string line = list_line(begin + name + "(", arguments, ");", kIndent);
+    return without_newline(line + (gives_bool ? "" : "  return true;\n"));
+  }
+
+  const Mechanism& mechanism_;
+  const std::vector<Function>& functions_;
+  const EmitOptions& options_;
+  const FirmwareTarget& target_;
+  Dialect dialect_;
+  TestVectors vectors_;
+};
+
+}  // namespace
+
+std::vector<FirmwareFile> firmware_files(const Robot& robot, const Mechanism& mechanism,
+                                         const std::vector<Function>& functions, const EmitOptions& options,
+                                         const FirmwareTarget& target) {
+  return FolderWriter(robot, mechanism, functions, options, target).files();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What goes into a folder that builds for a microcontroller as it is, beside a robot's C header and source: the self
+// test, its vectors, what starts it, and a makefile.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/emit.hpp"
+#include "firmware/target.hpp"
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+struct FirmwareFile {
+  std::string name, text;
+};
+
+// Throws Failure(unsupported) for functions that have no reference values.
+std::vector<FirmwareFile> firmware_files(const Robot& robot, const Mechanism& mechanism,
+                                         const std::vector<Function>& functions, const EmitOptions& options,
+                                         const FirmwareTarget& target);
+
+}  // namespace flatdyn

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What stands in emitted text outside of functions.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "verify/emitted_text.hpp"
+
+namespace flatdyn {
+
+struct Scanned {
+  std::vector<WrittenFunction> functions;                  // the robot's, in their order
+  std::map<std::string, WrittenFunction> parts;            // that only these call, by name
+  std::map<std::string, std::vector<std::string>> fields;  // of structs, by name
+};
+
+// Of a C header and its source. Throws Failure(bug) where the text is none of the emitter's.
+Scanned scanned_c(const std::vector<Token>& tokens, const std::string& scalar);
+
+}  // namespace flatdyn

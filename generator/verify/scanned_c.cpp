@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnostics/diagnostics.hpp"
+#include "verify/scanned.hpp"
+
+namespace flatdyn {
+namespace {
+
+// At file scope there are declarations, constants, one struct of parameters, and functions.
+class CScanner {
+ public:
+  CScanner(const std::vector<Token>& tokens, const std::string& scalar) : tokens_(tokens), scalar_(scalar) {}
+
+  Scanned run() {
+    while (at_ < tokens_.size()) item();
+    return std::move(found_);
+  }
+
+ private:
+  bool is(const char* text) const { return at_ < tokens_.size() && tokens_[at_].text == text; }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    const int line = tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line;
+    throw Failure(ExitCode::bug, fmt::format("emitted text cannot be read back: line {}: {}", line, what));
+  }
+
+  void item() {
+    if (is("extern") && at_ + 1 < tokens_.size() && tokens_[at_ + 1].text == "\"C\"") {
+      at_ += 3;  // with its brace
+      ++open_;
+    } else if (is("}")) {
+      if (open_-- == 0) fail("a } too many");
+      ++at_;
+    } else if (is("typedef")) {
+      structure();
+    } else if (const std::size_t end = end_of_head(); tokens_[end].text == "{" && tokens_[end - 1].text == ")") {
+      function(end);
+    } else {
+      skip_past_semicolon();
+    }
+  }
+
+  // The first ; or brace.
+  std::size_t end_of_head() const {
+    std::size_t k = at_;
+    while (k < tokens_.size() && tokens_[k].text != ";" && tokens_[k].text != "{") ++k;
+    if (k >= tokens_.size()) fail("no end");
+    return k;
+  }
+
+  void skip_past_semicolon() {
+    while (!is(";")) {
+      if (at_ >= tokens_.size()) fail("no ;");
+      ++at_;
+    }
+    ++at_;
+  }
+
+  // typedef struct { float g; float a_1; } arm_parameters;
+  void structure() {
+    at_ += 3;
+    std::vector<std::string>& fields = found_.fields["Parameters"];
+    for (; !is("}"); at_ += 3) {
+      if (at_ + 2 >= tokens_.size() || !is(scalar_.c_str()) || tokens_[at_ + 2].text != ";") fail("a field expected");
+      fields.push_back(tokens_[at_ + 1].text);
+    }
+    skip_past_semicolon();
+  }
+
+  void function(std::size_t end) {
+    WrittenFunction written;
+    const bool is_static = is("static");
+    if (is_static) ++at_;
+    written.returns = tokens_.at(at_).text;
+    written.name = tokens_.at(at_ + 1).text;
+    at_ += 3;
+    while (at_ < end) parameter(written);
+    written.begin = end + 1;
+    at_ = end;
+    skip_block();
+    written.end = at_ - 1;
+    if (is_static) {
+      if (!written.parameters.empty() && !found_.parts.emplace(written.name, written).second) fail("a part made twice");
+    } else if (!written.parameters.empty()) {  // else rounding_is_as_written(void), of no robot's own
+      forget_what_it_calls(written);
+      found_.functions.push_back(written);
+    }
+  }
+
+  // "const float* restrict q," or the last one with its parenthesis.
+  void parameter(WrittenFunction& written) {
+    const bool is_constant = is("const");
+    bool is_pointer = false;
+    while (!is(",") && !is(")")) {
+      is_pointer = is_pointer || is("*");
+      ++at_;
+    }
+    if (is_pointer) written.parameters.push_back({tokens_[at_ - 1].text, !is_constant});
+    ++at_;
+  }
+
+  void skip_block() {
+    int depth = 0;
+    do {
+      if (at_ >= tokens_.size()) fail("no }");
+      depth += is("{") ? 1 : is("}") ? -1 : 0;
+      ++at_;
+    } while (depth > 0);
+  }
+
+  // A function that asks for sines and cosines calls the one before it: that is a part of it.
+  void forget_what_it_calls(const WrittenFunction& written) {
+    if (found_.functions.empty()) return;
+    const WrittenFunction& before = found_.functions.back();
+    const bool is_called = std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(written.begin),
+                                       tokens_.begin() + static_cast<std::ptrdiff_t>(written.end),
+                                       [&before](const Token& token) { return token.text == before.name; });
+    if (!is_called) return;
+    found_.parts.emplace(before.name, before);
+    found_.functions.pop_back();
+  }
+
+  const std::vector<Token>& tokens_;
+  const std::string& scalar_;
+  std::size_t at_ = 0;
+  int open_ = 0;  // braces of extern "C"
+  Scanned found_;
+};
+
+}  // namespace
+
+Scanned scanned_c(const std::vector<Token>& tokens, const std::string& scalar) {
+  return CScanner(tokens, scalar).run();
+}
+
+}  // namespace flatdyn

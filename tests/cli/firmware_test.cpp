@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// `flatdyn generate --language c` and `--firmware`: the folder builds as it is, its self test passes in the emulated
+// processor, and does not where a vector is wrong; code and stack of the Panda's inverse dynamics stay within limits.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <sstream>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+bool has_program(const char* name) { return std::system(fmt::format("command -v {} > /dev/null", name).c_str()) == 0; }
+
+class Firmware : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* program : {"arm-none-eabi-gcc", "qemu-system-arm", "make"}) {
+      if (!has_program(program)) GTEST_SKIP() << program << " is not installed: scripts/setup";
+    }
+  }
+
+  void generate(const std::string& arguments) const {
+    const Outcome outcome = run_flatdyn(fmt::format("generate {} -q -o '{}'", arguments, folder_.path()));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+
+  // The exit code, and in `log` what was printed.
+  int make(const std::string& target) {
+    const int status = std::system(fmt::format("make -C '{}' {} > '{}' 2>&1", folder_.path(), target, log()).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  std::string log() const { return folder_.path("log"); }
+  std::string printed() const { return folder_.read("log"); }
+
+  // A row of `make size`: its numbers.
+  std::vector<int> row(const std::string& function) const {
+    std::istringstream lines(printed());
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string name;
+      words >> name;
+      if (name != function) continue;
+      std::vector<int> numbers;
+      for (int number; words >> number;) numbers.push_back(number);
+      return numbers;
+    }
+    return {};
+  }
+
+  Scratch folder_;
+};
+
+TEST_F(Firmware, PandaInFloatOnCortexM4PassesAndStaysSmall) {
+  generate("robots/panda.urdf --firmware cortex-m4 --functions inverse_dynamics");
+  EXPECT_EQ(make("run"), 0) << printed();
+  EXPECT_THAT(printed(), HasSubstr("rounding is as written\n"));
+  EXPECT_THAT(printed(), HasSubstr("panda on cortex-m4, in float, at 12 states: passed\n"));
+  EXPECT_THAT(printed(), Not(HasSubstr("warning")));
+  EXPECT_EQ(make("size"), 0) << printed();
+  const std::vector<int> given = row("panda_inverse_dynamics_given"), asking = row("panda_inverse_dynamics");
+  ASSERT_EQ(given.size(), 4u) << printed();
+  ASSERT_EQ(asking.size(), 4u) << printed();
+  EXPECT_LE(given[0] + asking[0], 12'000);  // bytes of code
+  EXPECT_LE(given[1] + asking[1], 700);     // bytes of stack
+  EXPECT_GE(given[2], 535);                 // instructions: one at least for each operation
+  EXPECT_EQ(given[3], 0);                   // conditional branches
+  EXPECT_THAT(printed(), HasSubstr("needs from libraries: cosf sinf \n"));
+}
+
+TEST_F(Firmware, PandaInDoubleOnCortexM7Passes) {
+  generate("robots/panda.urdf --firmware cortex-m7 --functions inverse_dynamics");
+  EXPECT_EQ(make("run"), 0) << printed();
+  EXPECT_THAT(printed(), HasSubstr("panda on cortex-m7, in double, at 12 states: passed\n"));
+  EXPECT_EQ(make("size"), 0) << printed();
+}
+
+TEST_F(Firmware, AllFunctionsOfSmallRobotsPass) {
+  generate("robots/scara.toml --firmware cortex-m4");
+  EXPECT_EQ(make("run"), 0) << printed();
+  EXPECT_THAT(printed(), HasSubstr("jacobian_dot_qd "));
+  EXPECT_EQ(make("clean"), 0);
+  generate("robots/planar_2r.toml --firmware cortex-m7 --scalar float");  // with free symbols
+  EXPECT_EQ(make("run"), 0) << printed();
+  EXPECT_THAT(printed(), HasSubstr("planar_2r on cortex-m7, in float, at 12 states: passed\n"));
+}
+
+TEST_F(Firmware, ASelfTestCanFail) {
+  generate("robots/scara.toml --firmware cortex-m4 --functions gravity,forward_dynamics");
+  std::string vectors = folder_.read("test_vectors.c");
+  std::size_t entry = vectors.find("{ ", vectors.find("expected_gravity["));
+  while (vectors.compare(entry, 5, "{ 0.0") == 0) entry = vectors.find("{ ", entry + 1);
+  vectors.insert(entry + 2, "1 + ");  // another torque is expected
+  folder_.write("test_vectors.c", vectors);
+  EXPECT_NE(make("run"), 0);
+  EXPECT_THAT(printed(), HasSubstr("units: FAILED\n"));
+  EXPECT_THAT(printed(), ::testing::ContainsRegex("forward_dynamics .*: ok\n"));
+  EXPECT_THAT(printed(), HasSubstr("in float, at 12 states: FAILED\n"));
+}
+
+TEST_F(Firmware, FusedMultiplyAddsAreNoticed) {
+  generate("robots/scara.toml --firmware cortex-m4 --functions gravity");
+  EXPECT_NE(make("run TARGET='-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffp-contract=fast' "
+                 "CFLAGS='$(TARGET) -std=gnu99 -O2'"),
+            0);
+  EXPECT_THAT(printed(), HasSubstr("rounding is NOT as written\n"));
+}
+
+TEST(LanguageC, WritesHeaderAndSource) {
+  const Scratch folder;
+  const Outcome outcome = run_flatdyn(fmt::format(
+      "generate robots/puma560.toml --language c --scalar float --functions inverse_dynamics -o '{}'", folder.path()));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              HasSubstr(fmt::format("wrote {} and {}\n", folder.path("puma560.h"), folder.path("puma560.c"))));
+  EXPECT_THAT(outcome.out, HasSubstr("the text, read back, says the same with constants rounded to float"));
+  EXPECT_THAT(folder.read("puma560.json"), HasSubstr("\"source\": \"puma560.c\""));
+  const std::string source = folder.read("puma560.c");
+  EXPECT_THAT(source, HasSubstr("static float puma560_sign(float x)"));
+  EXPECT_THAT(source, Not(HasSubstr("double ")));
+}
+
+TEST(LanguageC, RefusesWhatItHasNot) {
+  const Scratch folder;
+  const auto refused = [&](const std::string& options) {
+    const Outcome outcome = run_flatdyn(fmt::format("generate robots/scara.toml {} -o '{}'", options, folder.path()));
+    EXPECT_EQ(outcome.code, 2) << options;
+    EXPECT_TRUE(folder.is_empty()) << options;
+    return outcome.err;
+  };
+  EXPECT_THAT(refused("--language c --stages gravity,bias"), HasSubstr("--stages: there are none in C"));
+  EXPECT_THAT(refused("--firmware cortex-m4 --language c++"), HasSubstr("its code is in C"));
+  EXPECT_THAT(refused("--firmware cortex-m4 --fuse gravity,bias"), HasSubstr("have no self test"));
+  refused("--firmware z80");
+  refused("--language fortran");
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The C form of every robot beside its C++ form, in one program: the same bits, in double and in float. It compiles
+// without a warning as C99; two robots link; C++ includes its headers. Of robots with more than four joints a few
+// functions; FLATDYN_ALL_FUNCTIONS=1 compares all that there are of those with up to twenty, which takes some minutes.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+
+#include "emit/arguments.hpp"
+#include "emit/emit.hpp"
+#include "emit/identifiers.hpp"
+#include "golden/golden.hpp"
+#include "pipeline.hpp"
+#include "support/robot_models.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScalars[] = {"double", "float"};
+constexpr const char* kFlagsOfC =
+    "-std=c99 -O1 -ffp-contract=off -Wall -Wextra -pedantic -Wconversion -Wshadow -Wfloat-equal -Wdouble-promotion "
+    "-Werror";
+
+std::vector<Function> functions_of_robot(const Model& model) {
+  PipelineOptions options;
+  const bool is_large = model.mechanism.size() > 20;
+  if (is_large) options.functions = {"inverse_dynamics", "gravity", "jacobian"};
+  const bool is_quick = std::getenv("FLATDYN_ALL_FUNCTIONS") == nullptr;
+  if (!is_large && is_quick && model.mechanism.size() > 4) {
+    options.functions = {"inverse_dynamics", "inertia_matrix", "forward_dynamics", "potential_energy"};
+  }
+  Progress quiet(true);
+  Diagnostics left_out;
+  return functions_of(make_functions(model, options, quiet, left_out));
+}
+
+// "in_float", a C robot of its own; "whole", the C++ one.
+EmitOptions options_of(const std::string& scalar, Language language, int most_lines) {
+  EmitOptions options;
+  options.name_space = language == Language::c ? "in_" + scalar : "whole";
+  options.scalar = scalar;
+  options.language = language;
+  options.most_lines = most_lines;
+  return options;
+}
+
+std::string joined(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
+
+// Calls one function of all forms, and counts outputs that differ.
+std::string comparison(const Function& function, const std::string& scalar, const std::string& header,
+                       bool has_symbols) {
+  const std::string name = cpp_identifier(function.name), in_c = "in_" + scalar + "_" + name;
+  std::size_t length = 0;
+  std::vector<std::string> inputs, outputs;
+  for (const InputKind kind : function.inputs) inputs.push_back(input_argument(kind, 0).name);
+  for (const Output& output : function.outputs) {
+    outputs.push_back(fmt::format("out + {}", length));
+    length += output.entries.size();
+  }
+  const bool returns = returns_value(function);
+  if (returns) outputs.clear();
+  const auto run = [&](const std::string& callee, std::vector<std::string> arguments, int place) {
+    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+    const bool is_void = !returns && function.positive.empty();
+    return fmt::format("    {{ {}* const out = all[{}]; {}{}({}); }}\n", scalar, place,
+                       returns   ? "out[0] = "
+                       : is_void ? ""
+                                 : "out[" + std::to_string(length) + "] = ",
+                       callee, joined(arguments));
+  };
+  const auto with = [has_symbols](const char* parameters, std::vector<std::string> arguments) {
+    if (has_symbols) arguments.insert(arguments.begin(), parameters);
+    return arguments;
+  };
+  std::string text = fmt::format("  {{\n    {} all[3][{}] = {{}};\n", scalar, length + 1);
+  text += run("whole::" + name, with("p", inputs), 0) + run(in_c, with("&p_in_c", inputs), 1);
+  if (const std::size_t given = header.find(" " + in_c + "_given("); given != std::string::npos) {
+    const bool takes_q = header.substr(given, header.find(';', given) - given).find("* q,") != std::string::npos;
+    std::vector<std::string> arguments = inputs;
+    if (!takes_q) arguments.erase(arguments.begin());
+    arguments.insert(arguments.begin(), {"sine", "cosine"});
+    text += run(in_c + "_given", with("&p_in_c", arguments), 2) + "    differ += !same(all[0], all[2]);\n";
+  }
+  return text + fmt::format("    differ += !same(all[0], all[1]);\n    changed += all[0][0] != all[0][1];\n  }}\n");
+}
+
+std::string program(const Model& model, const std::vector<Function>& functions, const std::string (&headers)[2]) {
+  const std::size_t n = static_cast<std::size_t>(model.mechanism.size()), symbols = model.mechanism.symbols.size();
+  std::string text =
+      "#include <cmath>\n#include <cstdio>\n#include <cstring>\n#include \"whole.hpp\"\n"
+      "#include \"in_double.h\"\n#include \"in_float.h\"\n"
+      "template <class S, int n> bool same(const S (&a)[n], const S (&b)[n]) { return !std::memcmp(a, b, sizeof a); }\n"
+      "static unsigned state = 1;\n"
+      "static double drawn() {\n  state = state * 1664525u + 1013904223u;\n  return state / 1073741824.0 - 2;\n}\n"
+      "static int differ = 0, changed = 0;\n";
+  for (int s = 0; s < 2; ++s) {
+    const std::string scalar = kScalars[s];
+    text +=
+        fmt::format("static void compare_in_{0}() {{\n  {0} q[{1}], qd[{1}], qdd[{1}], tau[{1}], h_e[6];\n", scalar, n);
+    for (const char* array : {"q", "qd", "qdd", "tau", "h_e"}) {
+      text += fmt::format("  for ({0}& x : {1}) x = {0}(drawn() * 2);\n", scalar, array);
+    }
+    text += fmt::format("  {0} sine[{1}], cosine[{1}];\n", scalar, n);
+    text += fmt::format("  for (int k = 0; k < {}; ++k) sine[k] = std::sin(q[k]), cosine[k] = std::cos(q[k]);\n", n);
+    if (symbols > 0) {
+      std::vector<std::string> values;
+      for (std::size_t k = 0; k < symbols; ++k) values.push_back(fmt::format("{}({})", scalar, 0.3 + 0.07 * double(k)));
+      text += fmt::format("  const whole::Parameters<{0}> p = {{{1}}};\n", scalar, joined(values));
+      text += fmt::format("  const in_{0}_parameters p_in_c = {{{1}}};\n", scalar, joined(values));
+    }
+    for (const Function& function : functions) text += comparison(function, scalar, headers[s], symbols > 0);
+    text += "}\n";
+  }
+  return text +
+         "int main() {\n  for (int k = 0; k < 20; ++k) compare_in_double(), compare_in_float();\n"
+         "  std::printf(\"%d differ\\n\", differ);\n"
+         "  return changed > 0 && in_double_rounding_is_as_written() && in_float_rounding_is_as_written() ? 0 : "
+         "1;\n}\n";
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+std::string output_of(const fs::path& folder, const std::string& command) {
+  const int status = std::system(fmt::format("cd '{}' && ({}) > log 2>&1", folder.string(), command).c_str());
+  return (status == 0 ? "" : "failed: ") + content_of(folder / "log");
+}
+
+// All of one robot, in one folder.
+std::string differences_of(const std::string& robot, int most_lines) {
+  const Model model = model_of(robot);
+  const std::vector<Function> functions = functions_of_robot(model);
+  const TemporaryFolder folder;
+  std::string headers[2], sources;
+  write(folder.path() / "whole.hpp", emit_cpp(model.mechanism, functions, options_of("double", Language::cpp, 0)));
+  for (int s = 0; s < 2; ++s) {
+    const std::string name = fmt::format("in_{}", kScalars[s]),
+                      own = header_name(model.mechanism, options_of("", Language::c, 0));
+    CText text = emit_c(model.mechanism, functions, options_of(kScalars[s], Language::c, most_lines));
+    const std::size_t at = text.source.find("#include \"" + own);
+    text.source.replace(at + 10, own.size(), name + ".h");  // two forms of one robot in one folder
+    write(folder.path() / (name + ".h"), text.header);
+    write(folder.path() / (name + ".c"), text.source);
+    headers[s] = text.header;
+    sources += fmt::format("gcc {} -c {}.c && ", kFlagsOfC, name);
+  }
+  write(folder.path() / "main.cpp", program(model, functions, headers));
+  return output_of(
+      folder.path(),
+      sources +
+          "g++ -std=c++17 -O1 -ffp-contract=off -Wall -Wextra -Wpedantic -Werror "
+          "-Wno-unused-variable -Wno-unused-but-set-variable main.cpp in_double.o in_float.o -o main && ./main");
+}
+
+std::vector<std::string> robots() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(fs::path(FLATDYN_SOURCE_DIR) / "robots")) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".urdf" || extension == ".toml") names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class CForm : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(CForm, HasTheBitsOfTheCppForm) { EXPECT_EQ(differences_of(GetParam(), 0), "0 differ\n"); }
+
+INSTANTIATE_TEST_SUITE_P(Robots, CForm, ::testing::ValuesIn(robots()),
+                         [](const auto& test) { return test.param.substr(0, test.param.find('.')); });
+
+TEST(CFormInParts, HasTheBitsOfTheCppForm) {
+  for (const char* robot : {"scara.toml", "ur5.urdf"}) {
+    EXPECT_EQ(differences_of(robot, 40), "0 differ\n") << robot;
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

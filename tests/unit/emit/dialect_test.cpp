@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/dialect.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/emit.hpp"
+#include "emit/expression.hpp"
+#include "unit/emit/hand_made.hpp"
+
+namespace flatdyn {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(Dialect, WritesLiterals) {
+  EXPECT_EQ(Dialect().literal(Rational(-1, 4)), "Scalar(-0.25)");
+  EXPECT_EQ(Dialect::c("double", "arm").literal(Rational(-1, 4)), "-0.25");
+  EXPECT_EQ(Dialect::c("float", "arm").literal(Rational(2)), "2.0f");
+  EXPECT_EQ(Dialect::c("float", "arm").infinity(true), "-HUGE_VALF");
+}
+
+// As a cast from double does: one tenth in float, of as many digits as tell it from its neighbours.
+TEST(Dialect, RoundsToFloatByWayOfDouble) {
+  EXPECT_EQ(Dialect::c("float", "arm").literal(Rational(1, 10)), "0.1f");
+  // A little above the middle of two floats, at which its nearest double is: half to even.
+  const Rational middle = 1 + Rational(1, 1 << 24);
+  const Rational above = middle + Rational(1, boost::multiprecision::mpz_int(1) << 80);
+  EXPECT_EQ(Dialect::c("float", "arm").literal(above), "1.0f");
+  EXPECT_THROW(Dialect::c("float", "arm").literal(Rational(boost::multiprecision::mpz_int(1) << 128)), Failure);
+}
+
+TEST(Dialect, MakesPrefixesOfNamespaces) {
+  EXPECT_EQ(Dialect::c("double", "acme::arm").global("gravity"), "acme_arm_gravity");
+  EXPECT_EQ(Dialect::c("double", "class_").global("gravity"), "class_gravity");
+  EXPECT_EQ(Dialect::c("double", "acme::arm").count_name("joint_count"), "ACME_ARM_JOINT_COUNT");
+  EXPECT_EQ(Dialect().global("gravity"), "gravity");
+}
+
+TEST(Dialect, WritesExpressionsOfTheSameShape) {
+  testing::Builder b;
+  const VariableNames names = {"a"};
+  const NodeId a = b.q(0), scaled = b.scaled("-1/2", a);
+  VariableNames all(static_cast<std::size_t>(b.graph.size()));
+  all[static_cast<std::size_t>(a)] = "a";
+  const ExpressionPrinter printer(b.graph, all, Dialect::c("float", "arm"));
+  EXPECT_EQ(printer.definition(scaled), "-0.5f * a");
+}
+
+// A C compiler sees "- -0.5f" as what it is, but people should not have to.
+TEST(Dialect, NegativeConstantsNeverMeetASign) {
+  testing::Builder b;
+  const NodeId a = b.q(0), product = b.times({b.scaled("-1/2", a), b.q(1)});
+  VariableNames all(static_cast<std::size_t>(b.graph.size()));
+  all[static_cast<std::size_t>(a)] = "a";
+  all[static_cast<std::size_t>(b.q(1))] = "b";
+  const std::string text = ExpressionPrinter(b.graph, all, Dialect::c("double", "arm")).definition(product);
+  EXPECT_THAT(text, Not(HasSubstr("* -")));
+  EXPECT_THAT(text, HasSubstr("0.5"));
+}
+
+EmitOptions in_c() {
+  EmitOptions options;
+  options.language = Language::c;
+  return options;
+}
+
+TEST(CText, AsksTheLibraryInOnePlace) {
+  const CText text = emit_c(testing::two_link_mechanism({"m1"}), {testing::two_link_inertia_matrix()}, in_c());
+  EXPECT_THAT(text.header, HasSubstr("void two_link_arm_inertia_matrix(const two_link_arm_parameters* parameters,"));
+  EXPECT_THAT(text.header, HasSubstr("// The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, "
+                                     "k = 1.\n"));
+  EXPECT_THAT(text.header, Not(HasSubstr("restrict ")));
+  EXPECT_THAT(text.source, HasSubstr("  two_link_arm_sines_and_cosines(q, 1, 1, sine, cosine);\n"
+                                     "  two_link_arm_inertia_matrix_given(parameters, sine, cosine, B, D);\n"));
+  EXPECT_THAT(text.source, HasSubstr("  (void)parameters;\n  (void)sine;\n"));
+  EXPECT_EQ(text.source.find("cos(q["), text.source.rfind("cos(q["));
+}
+
+TEST(CText, NamesNeverCollide) {
+  Function gravity = testing::pendulum_gravity(), other = gravity;
+  gravity.name = "gravity";
+  other.name = "gravity:given";
+  const CText text = emit_c(testing::two_link_mechanism({"m1"}), {gravity, other}, in_c());
+  EXPECT_THAT(text.header, HasSubstr("two_link_arm_gravity_given("));
+  EXPECT_THAT(text.header, HasSubstr("two_link_arm_gravity_given_2("));
+  EXPECT_THAT(text.header, HasSubstr("two_link_arm_gravity_given_2_given("));
+}
+
+}  // namespace
+}  // namespace flatdyn
