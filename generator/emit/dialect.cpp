@@ -155,7 +155,7 @@ std::string Dialect::declaration(const ConstantArray& array) const {
 
 std::string Dialect::all_positive(const std::string& array, std::size_t length) const {
   const std::string loop =
-      is_c() ? fmt::format("for (int k = 0; k < {}; ++k) positive &= {}[k] > {};", length, array, literal(0))
+      is_c() ? fmt::format("for (int k = 0; k < {}; ++k) {{ positive &= {}[k] > {}; }}", length, array, literal(0))
              : fmt::format("for (const Scalar& pivot : {}) positive &= pivot > Scalar(0.0);", array);
   return code_line(loop, kStatementIndent);
 }

@@ -170,12 +170,12 @@ class TextReader {
   }
 
   // for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0);
-  // for (int k = 0; k < 7; ++k) positive &= pivots[k] > 0.0f;
+  // for (int k = 0; k < 7; ++k) { positive &= pivots[k] > 0.0f; }
   void all_pivots() {
     if (text_.is_c()) {
       for (const char* text : {"(", "int", "k", "=", "0", ";", "k", "<"}) expect(text);
       if (index() != static_cast<int>(arrays_["pivots"].size())) fail("another number of pivots");
-      for (const char* text : {";", "+", "+", "k", ")", "positive", "&=", "pivots", "[", "k", "]"}) expect(text);
+      for (const char* text : {";", "+", "+", "k", ")", "{", "positive", "&=", "pivots", "[", "k", "]"}) expect(text);
     } else {
       for (const char* text : {"(", "const", "Scalar", "&", "pivot", ":", "pivots", ")", "positive", "&=", "pivot"}) {
         expect(text);
@@ -183,6 +183,7 @@ class TextReader {
     }
     above_zero();
     expect(";");
+    if (text_.is_c()) expect("}");
     for (const auto& [index, pivot] : arrays_["pivots"]) lines_.positive.push_back(pivot);
   }
 
