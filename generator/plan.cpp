@@ -50,16 +50,8 @@ void refine(const Mechanism& mechanism, Plan& plan) {
   constexpr int kLarge = 1500;  // operations: beyond, it takes long
   const Function& made = plan.made.function;
   if (!has_choices(mechanism, made.name) || count_operations(made).arithmetic() > kLarge) return;
-  for (const StillFrames which : kStillFrames) {
-    const Choices other = with_still_frames(mechanism, plan.choices, which);
-    if (axes_of(other) != axes_of(plan.choices)) keep_cheaper(plan, other);
-  }
-  for (const Number& unit : usual_length_units(mechanism)) {
-    if (plan.choices.length_unit.is_equal(unit)) continue;
-    Choices other = plan.choices;
-    other.length_unit = unit;
-    keep_cheaper(plan, other);
-  }
+  for (const Choices& other : with_other_still_frames(mechanism, plan.choices)) keep_cheaper(plan, other);
+  for (const Choices& other : with_other_length_units(mechanism, plan.choices)) keep_cheaper(plan, other);
 }
 
 }  // namespace

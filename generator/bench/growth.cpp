@@ -9,6 +9,7 @@
 #include "bench/errors.hpp"
 #include "bench/program.hpp"
 #include "diagnostics/temporary_folder.hpp"
+#include "model/drawn_robot.hpp"
 #include "pipeline.hpp"
 
 namespace flatdyn {
@@ -99,7 +100,7 @@ GrowthReport bench_growth(const GrowthOptions& options, Progress& progress) {
     for (const std::string& function : options.functions) {
       GrowthCurve curve{chain ? "chain" : "tree", function, {}};
       for (const int joints : sizes) {
-        Robot robot = growth_robot(chain, joints, options.seed);
+        Robot robot = random_robot(chain, joints, options.seed);
         Mechanism mechanism = make_mechanism(robot);
         const Model model{std::move(robot), std::move(mechanism), std::nullopt, {}, ""};
         curve.rows.push_back(measured(model, function, toolchain, seconds, progress));

@@ -12,10 +12,6 @@
 
 namespace flatdyn {
 
-// A chain, or a tree in which every link carries two. Revolute joints about skew axes, links with all ten inertial
-// parameters, everything in exact numbers drawn from `seed`.
-Robot growth_robot(bool chain, int joints, unsigned seed);
-
 struct GrowthOptions {
   int joints = 32;      // of the largest robots; sizes are powers of two
   double seconds = 10;  // of all timing

@@ -65,7 +65,7 @@ RoundingModel rounding_model(const Constants& constants, const RoundingFormat& f
           [&constants, &format](double literal) { return constants.error(literal, format); }};
 }
 
-bool is_torque(const Output& output) { return output.meaning.find("N m (forces, N,") != std::string::npos; }
+bool is_torque(const Output& output) { return output.meaning == kTorqueMeaning; }
 
 bool is_prismatic(const Mechanism& mechanism, int joint) {
   return mechanism.bodies.at(static_cast<std::size_t>(joint)).prismatic;

@@ -30,6 +30,9 @@ struct Output {
   bool is_written() const;  // any entry of it
 };
 
+// What an output of joint torques means.
+inline constexpr const char* kTorqueMeaning = "joint torques, N m (forces, N, for prismatic joints)";
+
 struct Function {
   std::string name;               // "inverse_dynamics"
   std::string summary;            // one line for people

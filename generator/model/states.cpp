@@ -46,9 +46,8 @@ double bound(const std::optional<Value>& limit, double otherwise) {
 }  // namespace
 
 State in_float(State state) {
-  for (std::vector<double>* numbers : {&state.q, &state.qd, &state.qdd, &state.tau, &state.h_e, &state.parameters,
-                                       &state.qd_r, &state.qdd_r, &state.pi_b}) {
-    for (double& x : *numbers) x = static_cast<double>(static_cast<float>(x));
+  for (const InputKind kind : kStateKinds) {
+    for (double& x : state.of(kind)) x = static_cast<double>(static_cast<float>(x));
   }
   return state;
 }

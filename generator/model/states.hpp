@@ -2,6 +2,7 @@
 // States of motion at which functions are compared.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct StateOf {
   }
   std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }
 };
+
+// All kinds of numbers in a state; those that a motion may have, without the robot's free symbols.
+inline constexpr InputKind kStateKinds[] = {InputKind::q,     InputKind::qd,   InputKind::qdd,
+                                            InputKind::tau,   InputKind::h_e,  InputKind::qd_r,
+                                            InputKind::qdd_r, InputKind::pi_b, InputKind::parameter};
+inline constexpr std::span kMotionKinds = std::span(kStateKinds).first<std::size(kStateKinds) - 1>();
 
 // Doubles: what the compiled code gets is exactly what the reference gets.
 using State = StateOf<double>;

@@ -26,14 +26,15 @@ void ChoiceSearch::start_round() {
 }
 
 // The next change that changes anything; on the top of a hill, something else.
-Choices ChoiceSearch::next() {
+ChoiceSearch::Candidate ChoiceSearch::next() {
   constexpr unsigned kOrders = 10;
   if (has_moves_ && is_round_over() && is_improved_) start_round();
   while (!is_round_over()) {
     Choices candidate = here_;
-    if (moves_[next_move_++](candidate)) return candidate;
+    if (moves_[next_move_++](candidate)) return {std::move(candidate)};
   }
-  return has_moves_ && last_order_ >= kOrders ? shaken() : in_other_order();
+  if (has_moves_ && last_order_ >= kOrders) return {shaken(), true};
+  return {in_other_order()};
 }
 
 Choices ChoiceSearch::in_other_order() {
@@ -44,7 +45,6 @@ Choices ChoiceSearch::in_other_order() {
 
 Choices ChoiceSearch::shaken() {
   constexpr int kChanges = 3;
-  is_shaken_ = true;
   Choices candidate = best_;
   for (int k = 0; k < kChanges; ++k) {
     const std::vector<Move> moves = possible_moves(*mechanism_, candidate);
@@ -55,11 +55,10 @@ Choices ChoiceSearch::shaken() {
 
 void ChoiceSearch::step() {
   before_ = best_;
-  is_shaken_ = false;
-  Choices candidate = next();
-  const int found = cost(make_(candidate));
-  if (found >= cost_here_ && !is_shaken_) return;
-  here_ = std::move(candidate);
+  Candidate candidate = next();
+  const int found = cost(make_(candidate.choices));
+  if (found >= cost_here_ && !candidate.is_start) return;
+  here_ = std::move(candidate.choices);
   cost_here_ = found;
   is_improved_ = true;
   if (found >= cost_) return;

@@ -29,7 +29,12 @@ class ChoiceSearch {
   const Choices& best() const { return best_; }
 
  private:
-  Choices next();
+  struct Candidate {
+    Choices choices;
+    bool is_start = false;  // of another climb, whatever it costs
+  };
+
+  Candidate next();
   bool is_round_over() const { return next_move_ == moves_.size(); }
   void start_round();
   Choices in_other_order();
@@ -41,7 +46,7 @@ class ChoiceSearch {
   int cost_, cost_here_;
   std::vector<Move> moves_;
   std::size_t next_move_ = 0;
-  bool has_moves_, is_improved_ = true, is_shaken_ = false;
+  bool has_moves_, is_improved_ = true;
   unsigned last_order_ = 0;
   std::mt19937_64 random_;
 };

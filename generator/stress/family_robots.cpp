@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/drawn_robot.hpp"
-#include "bench/growth.hpp"
+#include "model/drawn_robot.hpp"
 #include "stress/families.hpp"
 
 namespace flatdyn {
@@ -30,7 +29,7 @@ std::vector<FamilyMember> inertia_ratios(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
     const int most = 9 - 3 * (k / 2 % 3), sign = k % 2 == 0 ? 1 : -1;
-    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
+    Robot robot = random_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
     for (int i = 1; i <= size.joints; ++i) {
       const int exponent = static_cast<int>(std::lround(most * (2.0 * (i - 1) / (size.joints - 1) - 1)));
       scale(robot.links[static_cast<std::size_t>(i)], power_of_ten(sign * exponent));
@@ -46,7 +45,7 @@ std::vector<FamilyMember> gear_ratios(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
     const int exponent = 5 - k % 5;
-    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
+    Robot robot = random_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
     Hundredths draw(size.seed + static_cast<unsigned>(k));
     for (Joint& joint : robot.joints) {
       Motor motor;
@@ -67,7 +66,7 @@ std::vector<FamilyMember> far_centres(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
     const int exponent = 4 - k % 4;
-    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
+    Robot robot = random_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
     for (Link& link : robot.links) {
       for (Inertial& body : link.inertials) body.centre_of_mass = power_of_ten(exponent) * body.centre_of_mass;
     }
@@ -81,7 +80,7 @@ std::vector<FamilyMember> near_parallel(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
     const int exponent = -3 - k % 10;
-    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
+    Robot robot = random_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
     for (Joint& joint : robot.joints) {
       for (Displacement& each : joint.origin.displacements) each.angle = each.angle * power_of_ten(exponent);
     }
@@ -98,13 +97,13 @@ std::vector<FamilyMember> light_links(const FamilySize& size) {
   for (int k = 0; k < size.robots; ++k) {
     const int exponent = kExponents[static_cast<std::size_t>(k / 2) % std::size(kExponents)];
     const bool is_tip = k % 2 == 0;
-    Robot robot = growth_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
+    Robot robot = random_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
     scale(robot.links[static_cast<std::size_t>(is_tip ? size.joints : 2)], power_of_ten(exponent));
     if (!is_tip) robot.joints[2].origin = {};
     members.push_back(
         {label_of(is_tip ? "tip" : "between equal axes", exponent), std::pow(10.0, exponent), std::move(robot)});
   }
-  Robot robot = growth_robot(true, size.joints, size.seed);
+  Robot robot = random_robot(true, size.joints, size.seed);
   robot.links.back().inertials.clear();
   members.push_back({"tip without mass", 1e-300, std::move(robot)});
   return members;
@@ -114,7 +113,7 @@ std::vector<FamilyMember> chains(const FamilySize& size) {
   constexpr int kSizes[] = {2, 4, 8, 16, 32, 64, 100};
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots && k < static_cast<int>(std::size(kSizes)); ++k) {
-    members.push_back({fmt::format("{} joints", kSizes[k]), 1.0 * kSizes[k], growth_robot(true, kSizes[k], size.seed)});
+    members.push_back({fmt::format("{} joints", kSizes[k]), 1.0 * kSizes[k], random_robot(true, kSizes[k], size.seed)});
   }
   return members;
 }

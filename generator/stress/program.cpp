@@ -18,11 +18,6 @@ namespace {
 
 using kainjow::mustache::data;
 
-// The order of a call's arguments.
-constexpr InputKind kArguments[] = {InputKind::q,     InputKind::qd,   InputKind::qdd,
-                                    InputKind::tau,   InputKind::h_e,  InputKind::qd_r,
-                                    InputKind::qdd_r, InputKind::pi_b, InputKind::parameter};
-
 // Rounding as everywhere: the machine's registers, no contraction. Little optimisation is enough, and compiles fast.
 constexpr const char* kFlags = "-std=c++17 -O1 -march=native -ffp-contract=off";
 
@@ -56,10 +51,11 @@ data row_of(const Mechanism& mechanism, const Function& function, std::size_t k,
   return row;
 }
 
+// A call's arguments, in the order of kStateKinds.
 data argument_rows(const State& like) {
   data rows(data::type::list);
   std::size_t place = 0;
-  for (const InputKind kind : kArguments) {
+  for (const InputKind kind : kStateKinds) {
     data row;
     row["name"] = kind == InputKind::parameter ? "parameters" : input_argument(kind, 0).name;
     row["length"] = std::to_string(like.of(kind).size());
@@ -122,9 +118,9 @@ std::vector<StressCall> StressProgram::calls(std::size_t k, const std::string& s
 }
 
 bool evaluate(const StressCall& call, const State& state, std::vector<double>& out) {
-  const double* in[std::size(kArguments)];
+  const double* in[std::size(kStateKinds)];
   std::size_t place = 0;
-  for (const InputKind kind : kArguments) in[place++] = state.of(kind).data();
+  for (const InputKind kind : kStateKinds) in[place++] = state.of(kind).data();
   return call.entry(in, out.data());
 }
 

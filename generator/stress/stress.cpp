@@ -39,8 +39,7 @@ std::vector<State> neighbours_of(const State& state, unsigned seed) {
   std::vector<State> all = {state};
   for (int k = 0; k < kNeighbours; ++k) {
     State next = state;
-    for (const InputKind kind : {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::tau, InputKind::h_e,
-                                 InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b}) {
+    for (const InputKind kind : kMotionKinds) {
       for (double& x : next.of(kind)) x += x * part();
     }
     all.push_back(std::move(next));

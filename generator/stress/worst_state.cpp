@@ -21,8 +21,7 @@ class Mutation {
     const std::size_t one_in = std::size_t(1) << below(6);
     const double part = std::ldexp(1.0, -static_cast<int>(below(kLeastExponent)));
     State child = parent;
-    for (const InputKind kind : {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::tau, InputKind::h_e,
-                                 InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b}) {
+    for (const InputKind kind : kMotionKinds) {
       std::vector<double>& x = child.of(kind);
       for (std::size_t i = 0; i < x.size(); ++i) {
         if (below(one_in) == 0) x[i] += part * (other.of(kind)[i] - x[i]);

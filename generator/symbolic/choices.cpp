@@ -66,6 +66,18 @@ Choices with_still_frames(const Mechanism& mechanism, Choices choices, StillFram
   return choices;
 }
 
+std::vector<Choices> with_other_still_frames(const Mechanism& mechanism, const Choices& choices) {
+  std::vector<Choices> others;
+  std::vector<std::vector<Axes>> known = {axes_of(choices)};
+  for (const StillFrames which : {StillFrames::none, StillFrames::leaves, StillFrames::inner, StillFrames::all}) {
+    Choices other = with_still_frames(mechanism, choices, which);
+    if (std::find(known.begin(), known.end(), axes_of(other)) != known.end()) continue;
+    known.push_back(axes_of(other));
+    others.push_back(std::move(other));
+  }
+  return others;
+}
+
 std::vector<Axes> axes_of(const Choices& choices) {
   std::vector<Axes> axes;
   for (const JointChoice& joint : choices.joints) axes.push_back(joint.axes);
@@ -110,13 +122,19 @@ std::vector<Number> possible_length_units(const Mechanism& mechanism) {
   return units;
 }
 
-std::vector<Number> usual_length_units(const Mechanism& mechanism) {
+std::vector<Choices> with_other_length_units(const Mechanism& mechanism, const Choices& choices) {
   constexpr std::size_t kUsual = 3;
   std::vector<Number> units = possible_length_units(mechanism);
-  if (units.empty()) return units;
+  if (units.empty()) return {};
   units.resize(std::min(units.size(), kUsual));
   units.emplace_back(1);
-  return units;
+  std::vector<Choices> others;
+  for (const Number& unit : units) {
+    if (unit.is_equal(choices.length_unit)) continue;
+    others.push_back(choices);
+    others.back().length_unit = unit;
+  }
+  return others;
 }
 
 namespace {
@@ -143,13 +161,8 @@ Choices cheapest_choices(const Mechanism& mechanism, const std::function<int(con
     best = choices;
   };
   for (const Grouping grouping : kGroupings) consider(uniform_choices(mechanism, grouping));
-  const Choices turning = best;
-  for (const StillFrames which : kStillFrames) consider(with_still_frames(mechanism, turning, which));
-  for (const Number& unit : usual_length_units(mechanism)) {
-    Choices scaled = best;
-    scaled.length_unit = unit;
-    consider(scaled);
-  }
+  for (const Choices& other : with_other_still_frames(mechanism, best)) consider(other);
+  for (const Choices& other : with_other_length_units(mechanism, best)) consider(other);
   consider(balanced(mechanism, best, Balance::x, Balance::y));
   consider(balanced(mechanism, best, Balance::y, Balance::x));
   return best;

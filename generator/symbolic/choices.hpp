@@ -35,9 +35,9 @@ Choices uniform_choices(const Mechanism& mechanism, Grouping grouping);
 
 // Which of the frames that can be still are so: none, those of links at the end of a branch, the others, or all.
 enum class StillFrames { none, leaves, inner, all };
-inline constexpr StillFrames kStillFrames[] = {StillFrames::none, StillFrames::leaves, StillFrames::inner,
-                                               StillFrames::all};
 Choices with_still_frames(const Mechanism& mechanism, Choices choices, StillFrames which);
+// Each of these that is not what the choices are.
+std::vector<Choices> with_other_still_frames(const Mechanism& mechanism, const Choices& choices);
 
 std::vector<Axes> axes_of(const Choices& choices);
 
@@ -49,8 +49,8 @@ std::vector<Number> possible_rises(const Mechanism& mechanism, int i);
 // Empty if a joint is prismatic: lengths are not free.
 std::vector<Number> possible_length_units(const Mechanism& mechanism);
 
-// Of these the first ones, and 1 m.
-std::vector<Number> usual_length_units(const Mechanism& mechanism);
+// In the first of these, and in 1 m, where the choices are not.
+std::vector<Choices> with_other_length_units(const Mechanism& mechanism, const Choices& choices);
 
 // What functions are derived from unless a search has found better ones: what costs least of one grouping for all
 // joints, still frames, a usual length unit, and balanced masses, each tried after the other. `operations`: of the

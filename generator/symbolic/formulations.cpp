@@ -94,20 +94,23 @@ namespace {
 Choices plain_choices(const Mechanism& mechanism) { return uniform_choices(mechanism, Grouping::i_yy); }
 
 std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, const std::string& name, Way way) {
-  std::optional<Function> plain = formulation(mechanism, name, way, plain_choices(mechanism));
-  if (!plain) return std::nullopt;
-  if (!has_choices(mechanism, name)) return Formulation{way, plain_choices(mechanism), std::move(*plain)};
-  Formulation best{way, {}, {}};
-  std::optional<int> fewest;
-  best.choices = cheapest_choices(mechanism, [&](const Choices& choices) {
-    Function made = *formulation(mechanism, name, way, choices);
-    const int operations = count_operations(made).arithmetic();
-    if (!fewest || operations < *fewest) {
+  std::optional<Formulation> best;
+  int fewest = 0;
+  const auto consider = [&](const Choices& choices) {
+    std::optional<Function> made = formulation(mechanism, name, way, choices);
+    if (!made) return 0;  // nor from any other choices
+    const int operations = count_operations(*made).arithmetic();
+    if (!best || operations < fewest) {
+      best = Formulation{way, choices, std::move(*made)};
       fewest = operations;
-      best.function = std::move(made);
     }
     return operations;
-  });
+  };
+  if (has_choices(mechanism, name)) {
+    cheapest_choices(mechanism, consider);
+  } else {
+    consider(plain_choices(mechanism));
+  }
   return best;
 }
 

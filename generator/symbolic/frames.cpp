@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/rational_rotation.hpp"
 #include "symbolic/turns.hpp"
 
 namespace flatdyn {
@@ -39,9 +40,8 @@ Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
   return cycled(cycled(turn_tensor_z(d, a, cycled(T), name)));
 }
 
-// By both angles.
-PlanarRotation added(Derivation& d, const PlanarRotation& a, const PlanarRotation& b, const std::string& name) {
-  return {d.named(a.c * b.c - a.s * b.s, "c_" + name), d.named(a.s * b.c + a.c * b.s, "s_" + name)};
+PlanarRotation named(Derivation& d, const PlanarRotation& a, const std::string& name) {
+  return {d.named(a.c, "c_" + name), d.named(a.s, "s_" + name)};
 }
 
 }  // namespace
@@ -69,16 +69,15 @@ Frames::Frames(const Mechanism& mechanism, Derivation& derivation, const std::ve
 
 Frames::Turn Frames::turn_by_joint(int i) {
   const Body& body = mechanism_.bodies[static_cast<std::size_t>(i)];
-  const auto constant = [&](const PlanarRotation& a, const std::string& name) {
-    return PlanarRotation{derivation_.named(a.c, "c_" + name + label(i)),
-                          derivation_.named(a.s, "s_" + name + label(i))};
+  const auto constant = [&](const PlanarRotation& a, const char* name) {
+    return named(derivation_, a, name + label(i));
   };
   Turn turn{constant(body.beta, "beta"), constant(body.alpha, "alpha"), constant(body.theta, "theta"), ""};
   if (body.prismatic) return turn;
   turn.angles = label(i);
   const Number q = derivation_.input(InputKind::q, i);
   const PlanarRotation joint = {derivation_.cos(q, "c_" + label(i)), derivation_.sin(q, "s_" + label(i))};
-  turn.gamma = added(derivation_, joint, turn.gamma, label(i) + "t");
+  turn.gamma = named(derivation_, joint * turn.gamma, label(i) + "t");
   return turn;
 }
 
@@ -108,10 +107,10 @@ void Frames::hand_on(const Turn& held, int child) {
   Turn& turn = turns_[k];
   p_[k] = derivation_.named(turn_z(held.gamma, p_[k]), "p_" + label(child));
   const std::string before = held.angles + "_b" + label(child);
-  PlanarRotation first = added(derivation_, held.gamma, turn.beta, before);
+  PlanarRotation first = named(derivation_, held.gamma * turn.beta, before);
   if (turn.alpha.c.is_equal(-1)) first = back(first);
   turn.angles = held.angles + (turn.angles.empty() ? "" : "_" + turn.angles);
-  turn.gamma = added(derivation_, first, turn.gamma, turn.angles);
+  turn.gamma = named(derivation_, first * turn.gamma, turn.angles);
   turn.beta = {};
 }
 

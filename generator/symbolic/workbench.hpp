@@ -9,8 +9,6 @@
 
 namespace flatdyn {
 
-inline constexpr const char* kTorqueMeaning = "joint torques, N m (forces, N, for prismatic joints)";
-
 struct Workbench {
   explicit Workbench(const Mechanism& m, const std::vector<Axes>& axes = {})
       : mechanism(m), derivation(parameters(m)), frames(mechanism, derivation, axes) {}

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bench/growth.hpp"
+#include "model/drawn_robot.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -19,10 +19,10 @@ Toolchain with_everything() {
   return toolchain;
 }
 
-Mechanism tree() { return make_mechanism(growth_robot(false, 3, 1)); }
+Mechanism tree() { return make_mechanism(random_robot(false, 3, 1)); }
 
 TEST(Peers, AllThatThereMayBeKnowAPlainChain) {
-  const BenchPeers peers = find_peers(with_everything(), make_mechanism(growth_robot(true, 3, 1)));
+  const BenchPeers peers = find_peers(with_everything(), make_mechanism(random_robot(true, 3, 1)));
   EXPECT_THAT(peers.found, SizeIs(std::size(kBenchPeers)));
   EXPECT_THAT(peers.left_out, IsEmpty());
 }

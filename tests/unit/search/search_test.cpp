@@ -20,7 +20,7 @@ constexpr const char* kSearched[] = {
     "potential_energy", "kinetic_energy", "gravity",         "inverse_dynamics_tip_force"};
 
 // Of odd seeds without sliding joints: there, lengths are free, too.
-Robot random_robot(unsigned seed) {
+Robot drawn_robot(unsigned seed) {
   Robot robot = testing::random_tree(seed, 5);
   for (Joint& joint : robot.joints) {
     if (seed % 2 == 1 && joint.type == JointType::prismatic) joint.type = JointType::revolute;
@@ -32,7 +32,7 @@ Robot random_robot(unsigned seed) {
 class RandomChoices : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomChoices, GiveTheSameFunctions) {
-  const Mechanism mechanism = make_mechanism(random_robot(GetParam()));
+  const Mechanism mechanism = make_mechanism(drawn_robot(GetParam()));
   testing::Numbers random(GetParam());
   Choices choices = uniform_choices(mechanism, Grouping::i_yy);
   for (int k = 0; k < 12; ++k) {
@@ -49,7 +49,7 @@ TEST_P(RandomChoices, GiveTheSameFunctions) {
 }
 
 TEST_P(RandomChoices, StillFramesGiveTheSameFunctions) {
-  const Mechanism mechanism = make_mechanism(random_robot(GetParam()));
+  const Mechanism mechanism = make_mechanism(drawn_robot(GetParam()));
   for (const Grouping grouping : kGroupings) {
     const Choices choices = with_still_frames(mechanism, uniform_choices(mechanism, grouping), StillFrames::all);
     for (const char* name : kSearched) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/drawn_robot.hpp"
-#include "bench/growth.hpp"
+#include "model/drawn_robot.hpp"
 
 namespace flatdyn {
 
@@ -28,7 +27,7 @@ Joint random_joint(Hundredths& draw, const std::string& name, int parent, int ch
   return joint;
 }
 
-Robot growth_robot(bool chain, int joints, unsigned seed) {
+Robot random_robot(bool chain, int joints, unsigned seed) {
   Hundredths draw(seed);
   Robot robot;
   robot.name = (chain ? "chain_" : "tree_") + std::to_string(joints);

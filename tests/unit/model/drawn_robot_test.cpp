@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/drawn_robot.hpp"
+
 #include <gtest/gtest.h>
 
-#include "bench/growth.hpp"
 #include "model/mechanism.hpp"
 #include "model/validate.hpp"
 
 namespace flatdyn::testing {
 namespace {
 
-class GrowthRobot : public ::testing::TestWithParam<bool> {};
+class DrawnRobot : public ::testing::TestWithParam<bool> {};
 
-TEST_P(GrowthRobot, IsARobotThatCanBe) {
-  Robot robot = growth_robot(GetParam(), 9, 3);
+TEST_P(DrawnRobot, IsARobotThatCanBe) {
+  Robot robot = random_robot(GetParam(), 9, 3);
   Diagnostics found;
   robot.root = -1;  // to be found
   EXPECT_TRUE(validate_tree(robot, found));
@@ -22,17 +23,17 @@ TEST_P(GrowthRobot, IsARobotThatCanBe) {
   for (const Body& body : mechanism.bodies) EXPECT_FALSE(body.inertia.mass.is_zero());
 }
 
-TEST_P(GrowthRobot, IsTheSameForTheSameSeed) {
-  const Robot a = growth_robot(GetParam(), 4, 1), b = growth_robot(GetParam(), 4, 1),
-              c = growth_robot(GetParam(), 4, 2);
+TEST_P(DrawnRobot, IsTheSameForTheSameSeed) {
+  const Robot a = random_robot(GetParam(), 4, 1), b = random_robot(GetParam(), 4, 1),
+              c = random_robot(GetParam(), 4, 2);
   EXPECT_TRUE(a.links[4].inertials[0].mass.number.is_equal(b.links[4].inertials[0].mass.number));
   EXPECT_FALSE(a.links[4].inertials[0].tensor[0][0].is_equal(c.links[4].inertials[0].tensor[0][0]));
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, GrowthRobot, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Shapes, DrawnRobot, ::testing::Bool());
 
-TEST(GrowthRobotShape, IsAChainOrATreeOfTwos) {
-  const Robot chain = growth_robot(true, 7, 1), tree = growth_robot(false, 7, 1);
+TEST(DrawnRobotShape, IsAChainOrATreeOfTwos) {
+  const Robot chain = random_robot(true, 7, 1), tree = random_robot(false, 7, 1);
   std::vector<int> children(8, 0);
   for (std::size_t i = 0; i < 7; ++i) {
     EXPECT_EQ(chain.joints[i].parent, static_cast<int>(i));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Random parts of robots, in exact numbers, the same on every machine.
+// Robots at random, and their parts, in exact numbers: the same on every machine.
 #pragma once
 
 #include <random>
@@ -31,5 +31,8 @@ Link random_link(Hundredths& draw, const std::string& name);
 
 // A revolute joint about a skew axis, at the end of a skew arm.
 Joint random_joint(Hundredths& draw, const std::string& name, int parent, int child);
+
+// A chain, or a tree in which every link carries two: of such joints and links.
+Robot random_robot(bool chain, int joints, unsigned seed);
 
 }  // namespace flatdyn
