@@ -152,7 +152,9 @@ class Parser {
     const int bound = has_symbols(base) ? kLargestSymbolicExponent : kLargestExponent;
     if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > bound) fail("the exponent is too large");
     if (has_symbols(base)) refuse(growth_of_power(growth_of(base), exponent));
-    if (vanishes(base) && exponent.info(GiNaC::info_flags::negative)) fail("division by zero");
+    const bool is_zero = vanishes(base);
+    if (is_zero && exponent.is_zero()) fail("0^0 has no value");
+    if (is_zero && exponent.info(GiNaC::info_flags::negative)) fail("division by zero");
     return bounded(GiNaC::pow(base, exponent));
   }
 
