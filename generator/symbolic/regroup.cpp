@@ -59,12 +59,14 @@ std::optional<Number> balancing_mass(const Body& body, const Body& parent, const
 }  // namespace
 
 bool is_lever(const Vec3& p, Balance balance) {
-  constexpr int kLeast = 1000;  // part of the largest entry
+  constexpr int kLeast = 1000;                             // part of the largest entry
+  static const Number kShortest = exact_decimal("1e-12");  // m
   if (balance == Balance::no) return false;
   const Number& arm = p[entry_of(balance)];
   if (!is_rational(arm)) return !vanishes(arm);
   const GiNaC::numeric least = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(arm)) * kLeast;
-  return !arm.is_zero() && std::all_of(p.begin(), p.end(), [&least](const Number& entry) {
+  if (least < kLeast * GiNaC::ex_to<GiNaC::numeric>(kShortest)) return false;
+  return std::all_of(p.begin(), p.end(), [&least](const Number& entry) {
     return !is_rational(entry) || GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(entry)) <= least;
   });
 }
