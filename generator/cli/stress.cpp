@@ -7,8 +7,10 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "report/family_report.hpp"
+#include "report/random_robots_report.hpp"
 #include "report/stress_report.hpp"
 #include "stress/families.hpp"
+#include "stress/random_robots.hpp"
 
 namespace flatdyn {
 namespace {
@@ -16,7 +18,8 @@ namespace {
 struct StressArguments : RobotArguments {
   std::vector<std::string> functions;
   std::string folder, family;
-  int robots = 20, joints = 4;
+  std::optional<int> robots;
+  int joints = 4;
   StressOptions stress;
 };
 
@@ -35,7 +38,7 @@ void write_findings(const StressArguments& arguments, const StressReport& report
 ExitCode run_family(const StressArguments& arguments) {
   FamilyOptions options;
   options.family = arguments.family;
-  options.robots = arguments.robots;
+  options.robots = arguments.robots.value_or(options.robots);
   options.joints = arguments.joints;
   options.stress = arguments.stress;
   if (!arguments.functions.empty()) options.functions = arguments.functions;
@@ -47,6 +50,28 @@ ExitCode run_family(const StressArguments& arguments) {
     const std::string stem = (std::filesystem::path(arguments.folder) / ("family_" + arguments.family)).string();
     write_files({{stem + ".json", family_json(report).dump(2) + "\n"}, {stem + ".svg", family_plot(report)}});
     if (!arguments.json) fmt::print("\nwrote {0}.json\nwrote {0}.svg\n", stem);
+  }
+  return report.passed() ? ExitCode::ok : ExitCode::verification_failed;
+}
+
+// Each failing robot as a file, to be kept.
+ExitCode run_random(const StressArguments& arguments) {
+  RandomRobotsOptions options;
+  options.robots = arguments.robots.value_or(options.robots);
+  options.seed = arguments.stress.seed;
+  options.bound = arguments.stress.bound;
+  if (!arguments.functions.empty()) options.functions = arguments.functions;
+  Progress progress(arguments.quiet);
+  const RandomRobotsReport report = stress_random_robots(options, progress);
+  fmt::print("{}", arguments.json ? random_robots_json(report).dump(2) + "\n" : random_robots_text(report));
+  std::fflush(stdout);
+  if (!arguments.folder.empty()) {
+    const std::filesystem::path folder = arguments.folder;
+    std::vector<TextFile> files = {{folder / "family_random.json", random_robots_json(report).dump(2) + "\n"}};
+    for (const RandomRobotFailure& failure : report.failures) {
+      files.push_back({folder / (failure.smallest.name + ".toml"), failure.file});
+    }
+    write_files(files);
   }
   return report.passed() ? ExitCode::ok : ExitCode::verification_failed;
 }
@@ -79,13 +104,15 @@ ExitCode run_stress(const StressArguments& arguments) {
     throw Failure(ExitCode::usage, "a robot file or --family is needed, and not both",
                   "flatdyn stress robots/panda.urdf, or flatdyn stress --family chains");
   }
-  return arguments.family.empty() ? run_robot(arguments) : run_family(arguments);
+  if (arguments.family.empty()) return run_robot(arguments);
+  return arguments.family == kRandomFamily ? run_random(arguments) : run_family(arguments);
 }
 
 std::string families_text() {
   std::string text = "instead of a robot file, robots made for it:";
   for (const FamilyEntry& entry : family_table()) text += fmt::format("\n{}: {}", entry.name, entry.meaning);
-  return text;
+  return text +
+         fmt::format("\n{}: random chains and trees; those that fail are made small and written to -o", kRandomFamily);
 }
 
 }  // namespace
@@ -121,7 +148,7 @@ Run add_stress(CLI::App& app) {
       ->type_name("NAMES");
   command->add_option("--family", arguments->family, families_text())->type_name("NAME");
   command->add_option("--robots", arguments->robots, "of the family, at most")
-      ->capture_default_str()
+      ->default_str("20; of random 1000")
       ->check(CLI::Range(1, 1'000'000))
       ->needs("--family");
   command->add_option("--joints", arguments->joints, "of each robot of the family; not for chains, of trees about")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/expression.hpp"
 
+#include <algorithm>
+
 #include "input/exact_root.hpp"
 
 namespace flatdyn {
@@ -12,9 +14,49 @@ constexpr int kDeepestNesting = 100;
 constexpr int kLargestExponent = 1000;
 constexpr int kLargestSymbolicExponent = 20;  // the closed form expands powers
 constexpr int kMostBits = 8192;               // of a numerator or denominator
+constexpr double kLargestDegree = 400;        // of a power of powers
+constexpr double kMostTerms = 40;             // of a sum, once all is multiplied out
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+// What an expression in symbols would grow to, multiplied out. A few nested powers are enough to fill any memory.
+struct Growth {
+  double terms = 1;   // at most
+  double degree = 0;  // of the highest power
+  double bits = 0;    // of the longest number
+};
+
+double bits_of(const GiNaC::numeric& number) {
+  return std::max(number.numer().int_length(), number.denom().int_length());
+}
+
+Growth growth_of(const Number& value);
+
+// n of m terms: C(m + n - 1, n).
+Growth growth_of_power(const Growth& base, const Number& exponent) {
+  const double times = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)).to_double();
+  double terms = 1;
+  for (double k = 1; k <= times && terms <= kMostTerms; ++k) terms *= (base.terms + k - 1) / k;
+  const bool is_below = exponent.info(GiNaC::info_flags::negative);  // what stands below is not multiplied out
+  return {is_below ? 1 : terms, base.degree * times, base.bits * times};
+}
+
+Growth growth_of(const Number& value) {
+  if (GiNaC::is_a<GiNaC::numeric>(value)) return {1, 0, bits_of(GiNaC::ex_to<GiNaC::numeric>(value))};
+  if (!has_symbols(value)) return {};
+  if (GiNaC::is_a<GiNaC::symbol>(value)) return {1, 1, 0};
+  if (GiNaC::is_a<GiNaC::power>(value)) return growth_of_power(growth_of(value.op(0)), value.op(1));
+  const bool is_sum = GiNaC::is_a<GiNaC::add>(value);
+  Growth all{is_sum ? 0.0 : 1.0, 0, 0};
+  for (const Number& part : value) {
+    const Growth growth = growth_of(part);
+    all.terms = is_sum ? all.terms + growth.terms : all.terms * growth.terms;
+    all.degree = is_sum ? std::max(all.degree, growth.degree) : all.degree + growth.degree;
+    all.bits = std::max(all.bits, growth.bits);
+  }
+  return all;
+}
 
 class Parser {
  public:
@@ -24,7 +66,7 @@ class Parser {
     if (text_.size() > kLongestText) throw ExpressionError("the expression is too long", 1);
     const Number value = sum();
     if (peek() != '\0') fail("an operator (+ - * / ^) is expected before " + rest());
-    return value;
+    return limited(value);
   }
 
  private:
@@ -53,6 +95,19 @@ class Parser {
     return value;
   }
 
+  const Number& limited(const Number& value) const {
+    if (!has_symbols(value)) return value;
+    refuse(growth_of(value));
+    return value;
+  }
+
+  void refuse(const Growth& growth) const {
+    if (growth.bits > kMostBits) fail("the number is too large or too long");
+    if (growth.degree > kLargestDegree) fail("the exponents together are too large");
+    if (growth.terms > kMostTerms)
+      fail("multiplied out, the expression has too many terms: give a part of it a symbol");
+  }
+
   Number sum() {
     Number value = product();
     while (true) {
@@ -74,7 +129,7 @@ class Parser {
         value = bounded(value * factor());
       } else if (take('/')) {
         const Number divisor = factor();
-        if (vanishes(divisor)) fail("division by zero");
+        if (vanishes(limited(divisor))) fail("division by zero");
         value = bounded(value / divisor);
       } else {
         return value;
@@ -96,7 +151,10 @@ class Parser {
     if (!exponent.info(GiNaC::info_flags::integer)) fail("an exponent must be an integer (roots: sqrt(...))");
     const int bound = has_symbols(base) ? kLargestSymbolicExponent : kLargestExponent;
     if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > bound) fail("the exponent is too large");
-    if (vanishes(base) && exponent.info(GiNaC::info_flags::negative)) fail("division by zero");
+    if (has_symbols(base)) refuse(growth_of_power(growth_of(base), exponent));
+    const bool is_zero = vanishes(base);
+    if (is_zero && exponent.is_zero()) fail("0^0 has no value");
+    if (is_zero && exponent.info(GiNaC::info_flags::negative)) fail("division by zero");
     return bounded(GiNaC::pow(base, exponent));
   }
 

@@ -7,6 +7,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "pipeline.hpp"
+#include "stress/random_robots.hpp"
 
 namespace flatdyn {
 namespace {
@@ -17,6 +18,7 @@ const FamilyEntry& entry_of(const std::string& family) {
     if (family == entry.name) return entry;
     names.emplace_back(entry.name);
   }
+  names.emplace_back(kRandomFamily);
   throw Failure(ExitCode::usage, "no family named \"" + family + "\"", hint_for_unknown(family, names, "families"));
 }
 

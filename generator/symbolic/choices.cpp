@@ -143,8 +143,7 @@ namespace {
 Choices balanced(const Mechanism& mechanism, Choices choices, Balance first, Balance second) {
   for (std::size_t k = 0; k < choices.joints.size(); ++k) {
     const Vec3& p = mechanism.bodies[k].p;
-    const auto has_arm = [&p](Balance balance) { return !vanishes(p[balance == Balance::x ? 0 : 1]); };
-    choices.joints[k].grouping.balance = has_arm(first) ? first : has_arm(second) ? second : Balance::no;
+    choices.joints[k].grouping.balance = is_lever(p, first) ? first : is_lever(p, second) ? second : Balance::no;
   }
   return choices;
 }

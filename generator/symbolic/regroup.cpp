@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/regroup.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace flatdyn {
@@ -41,19 +42,34 @@ InertialParameters negative(const InertialParameters& a) {
   return result;
 }
 
+std::size_t entry_of(Balance balance) { return balance == Balance::x ? 0 : 1; }
+
 // The mass that cancels an entry of the parent's first moment, as it stands with `part` moved there; nothing if none
 // does.
 std::optional<Number> balancing_mass(const Body& body, const Body& parent, const InertialParameters& part,
                                      Balance balance) {
-  if (balance == Balance::no || body.prismatic) return std::nullopt;
-  const std::size_t entry = balance == Balance::x ? 0 : 1;
+  if (balance == Balance::no || body.prismatic || !is_lever(body.p, balance)) return std::nullopt;
+  const std::size_t entry = entry_of(balance);
   const Number& arm = body.p[entry];
-  if (!is_rational(arm) || vanishes(arm)) return std::nullopt;
+  if (!is_rational(arm)) return std::nullopt;
   const Vec3 moved = constant_rotation(body) * part.first_moment;
   return (-(parent.inertia.first_moment[entry] + moved[entry]) / arm).expand();
 }
 
 }  // namespace
+
+bool is_lever(const Vec3& p, Balance balance) {
+  constexpr int kLeast = 1000;                             // part of the largest entry
+  static const Number kShortest = exact_decimal("1e-12");  // m
+  if (balance == Balance::no) return false;
+  const Number& arm = p[entry_of(balance)];
+  if (!is_rational(arm)) return !vanishes(arm);
+  const GiNaC::numeric least = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(arm)) * kLeast;
+  if (least < kLeast * GiNaC::ex_to<GiNaC::numeric>(kShortest)) return false;
+  return std::all_of(p.begin(), p.end(), [&least](const Number& entry) {
+    return !is_rational(entry) || GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(entry)) <= least;
+  });
+}
 
 Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>& groupings) {
   Mechanism result = mechanism;

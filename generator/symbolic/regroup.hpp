@@ -31,6 +31,11 @@ struct JointGrouping {
   Balance balance = Balance::no;
 };
 
+// Whether masses of the body at that displacement from its parent can balance an entry of the parent's first moment.
+// Not at an arm that is next to nothing: what is left where rational rotations should cancel, 1e-41 m, would do
+// exactly, by masses of 1e41 kg that no double brings back together.
+bool is_lever(const Vec3& p, Balance balance);
+
 // One grouping for each joint.
 Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>& groupings);
 

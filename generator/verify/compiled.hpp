@@ -12,6 +12,15 @@
 
 namespace flatdyn {
 
+// A plain C function `symbol` that calls the function of that namespace: its inputs as arrays, in order, behind them
+// the parameters; all outputs one after the other in `out`; false where a condition of the function does not hold.
+using PlainEntry = bool (*)(const double* const* in, double* out);
+std::string plain_entry_text(const Mechanism& mechanism, const Function& function, const std::string& name_space,
+                             const std::string& symbol);
+
+// Entries of all outputs at a state, in order; not-a-number where the function returns false.
+std::vector<double> called(PlainEntry entry, const Function& function, const State& state);
+
 class CompiledFunctions {
  public:
   // Emits, writes to a temporary folder, compiles ($CXX or c++, contraction off) and loads. Throws Failure(io) if there

@@ -35,6 +35,13 @@ class Scanner {
  private:
   bool is(const char* text) const { return at_ < tokens_.size() && tokens_[at_].text == text; }
 
+  // Of the token so far ahead, or behind.
+  const std::string& word(std::ptrdiff_t ahead = 0) const {
+    const std::size_t k = at_ + static_cast<std::size_t>(ahead);  // wraps around before the first
+    if (k >= tokens_.size()) fail("it ends here");
+    return tokens_[k].text;
+  }
+
   [[noreturn]] void fail(const std::string& expected) const {
     const int line = tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line;
     throw Failure(ExitCode::bug, fmt::format("emitted text cannot be read back: line {}: {}", line, expected));
@@ -62,14 +69,18 @@ class Scanner {
     } while (depth > 0);
   }
 
+  void skip_to(const std::string& text) {
+    while (word() != text) ++at_;
+  }
+
   void skip_past_block() {
-    while (!is("{")) ++at_;
+    skip_to("{");
     skip_block();
   }
 
   void open_namespace() {
-    namespaces_.push_back(tokens_.at(at_ + 1).text);
-    while (!is("{")) ++at_;
+    namespaces_.push_back(word(1));
+    skip_to("{");
     ++at_;
   }
 
@@ -80,7 +91,7 @@ class Scanner {
   }
 
   void declaration() {
-    while (!is(">")) ++at_;
+    skip_to(">");
     ++at_;
     if (is("struct")) {
       structure();
@@ -93,7 +104,7 @@ class Scanner {
 
   // Fields are declared as "Scalar x, y;".
   void structure() {
-    const std::string name = tokens_.at(at_ + 1).text;
+    const std::string name = word(1);
     at_ += 2;
     const std::size_t begin = at_;
     skip_past(";");
@@ -104,7 +115,7 @@ class Scanner {
       const bool starts = tokens_[k - 1].text == "{" || tokens_[k - 1].text == ";";
       const bool is_field = tokens_[k + 2].text == "," || tokens_[k + 2].text == ";";
       if (!starts || tokens_[k].text != "Scalar" || !is_field) continue;
-      for (; tokens_[k].text != ";"; k += 2) fields.push_back(tokens_[k + 1].text);
+      for (; k + 1 < at_ && tokens_[k].text != ";"; k += 2) fields.push_back(tokens_[k + 1].text);
       --k;
     }
   }
@@ -113,14 +124,14 @@ class Scanner {
     WrittenFunction written;
     const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
     if (is("inline")) ++at_;
-    written.returns = tokens_.at(at_).text;
-    while (!is("(")) {
-      if (tokens_[at_].text == "::") written.member_of = tokens_[at_ - 4].text;  // Motion<Scalar>::
+    written.returns = word();
+    while (word() != "(") {
+      if (is("::")) written.member_of = word(-4);  // Motion<Scalar>::
       ++at_;
     }
-    written.name = tokens_[at_ - 1].text;
+    written.name = word(-1);
     parameters(written);
-    while (!is("{")) ++at_;
+    skip_to("{");
     written.begin = at_ + 1;
     skip_block();
     written.end = at_ - 1;
@@ -137,7 +148,7 @@ class Scanner {
     while (!is(")")) {
       const bool is_constant = is("const");
       std::size_t star = 0;
-      while (!is(",") && !is(")")) {
+      while (word() != "," && word() != ")") {
         if (is("*")) star = at_;
         at_ += is("{") ? 2 : 1;  // "= {}"
       }

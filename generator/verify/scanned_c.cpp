@@ -36,14 +36,15 @@ class CScanner {
       ++at_;
     } else if (is("typedef")) {
       structure();
-    } else if (const std::size_t end = end_of_head(); tokens_[end].text == "{" && tokens_[end - 1].text == ")") {
+    } else if (const std::size_t end = end_of_head();
+               end > at_ + 2 && tokens_[end].text == "{" && tokens_[end - 1].text == ")") {
       function(end);
     } else {
       skip_past_semicolon();
     }
   }
 
-  // The first ; or brace.
+  // The first ; or opening brace.
   std::size_t end_of_head() const {
     std::size_t k = at_;
     while (k < tokens_.size() && tokens_[k].text != ";" && tokens_[k].text != "{") ++k;

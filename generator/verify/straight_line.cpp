@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "verify/straight_line.hpp"
 
+#include "diagnostics/diagnostics.hpp"
+
 namespace flatdyn {
 
 int StraightLine::make(const Operation& operation) {
@@ -49,6 +51,31 @@ StraightLine with_constants_apart(const StraightLine& lines, const std::function
 
 namespace {
 
+[[noreturn]] void refuse(const char* what) {
+  throw Failure(ExitCode::bug, std::string("emitted text cannot be read back: ") + what);
+}
+
+// Repeated squaring doubles powers, and the digits of constants, with every line: what a few lines ask for may fit into
+// no memory. Code that is meant has powers of a few, and constants of some thousand bits.
+void refuse_growth(const Node& node) {
+  constexpr std::size_t kMostFactors = 10'000;
+  constexpr std::size_t kMostBits = 1'000'000;
+  const auto bits = [](const Rational& value) {
+    return mpz_sizeinbase(mpq_numref(value.backend().data()), 2) +
+           mpz_sizeinbase(mpq_denref(value.backend().data()), 2);
+  };
+  if (node.operands.size() > kMostFactors) refuse("a power too high");
+  if (bits(node.value) > kMostBits) refuse("a constant too long");
+  for (const Term& term : node.terms) {
+    if (bits(term.coefficient) > kMostBits) refuse("a coefficient too long");
+  }
+}
+
+NodeId quotient(NodeId a, NodeId b, Graph& graph) {
+  if (graph.is_zero(b)) refuse("a division by zero");
+  return graph.quotient(a, b);
+}
+
 NodeId node_of(const Operation& operation, const std::vector<NodeId>& nodes, Graph& graph) {
   const auto node = [&nodes](int k) { return nodes[static_cast<std::size_t>(k)]; };
   switch (operation.step) {
@@ -69,7 +96,7 @@ NodeId node_of(const Operation& operation, const std::vector<NodeId>& nodes, Gra
     case Step::multiply:
       return graph.product({node(operation.a), node(operation.b)});
     case Step::divide:
-      return graph.quotient(node(operation.a), node(operation.b));
+      return quotient(node(operation.a), node(operation.b), graph);
     case Step::sign:
       break;
   }
@@ -82,7 +109,10 @@ Function graph_of(const StraightLine& lines, const Function& like) {
   Function result = like;
   result.graph = Graph();
   std::vector<NodeId> nodes;
-  for (int k = 0; k < lines.size(); ++k) nodes.push_back(node_of(lines[k], nodes, result.graph));
+  for (int k = 0; k < lines.size(); ++k) {
+    nodes.push_back(node_of(lines[k], nodes, result.graph));
+    refuse_growth(result.graph[nodes.back()]);
+  }
   for (std::size_t o = 0; o < lines.outputs.size(); ++o) {
     for (std::size_t e = 0; e < lines.outputs[o].size(); ++e) {
       const int written = lines.outputs[o][e];

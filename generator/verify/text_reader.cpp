@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <set>
 
 #include "diagnostics/diagnostics.hpp"
 #include "verify/emitted_text.hpp"
@@ -59,9 +61,17 @@ class TextReader {
                                              text_.tokens_[k].line, what, text_.tokens_[k].text));
   }
 
-  const std::string& word(std::size_t ahead = 0) const { return text_.tokens_.at(at_ + ahead).text; }
+  // "" behind the end.
+  const std::string& word(std::size_t ahead = 0) const {
+    static const std::string none;
+    return at_ + ahead < text_.tokens_.size() ? text_.tokens_[at_ + ahead].text : none;
+  }
   bool is(const char* text) const { return word() == text; }
-  std::string take() { return text_.tokens_.at(at_++).text; }
+  bool is_at_end() const { return at_ >= text_.tokens_.size(); }
+  std::string take() {
+    if (is_at_end()) fail("it ends");
+    return text_.tokens_[at_++].text;
+  }
   void expect(const char* text) {
     if (!is(text)) fail(fmt::format("\"{}\" expected", text));
     ++at_;
@@ -72,11 +82,13 @@ class TextReader {
     return true;
   }
   void skip_past(const char* text) {
-    while (!accept(text)) ++at_;
+    while (take() != text) {
+    }
   }
 
-  // A function or a part, with variables of its own; arrays are common to all.
+  // A function or a part, with variables of its own; arrays are common to all. No part is called twice.
   void carry_out(const WrittenFunction& function) {
+    if (!carried_out_.insert(&function).second) fail("a second call of one part");
     const std::size_t back = at_;
     std::map<std::string, int> others = std::move(variables_);
     variables_.clear();
@@ -134,6 +146,10 @@ class TextReader {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
   }
 
+  static bool begins_with_digit(const std::string& text) {
+    return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0;
+  }
+
   // arm_sines_and_cosines(q, 1, 6, sine, cosine); of all joints between these.
   void sines_and_cosines_in_c() {
     ++at_;
@@ -142,6 +158,8 @@ class TextReader {
     expect(",");
     const int last = index();
     for (const char* text : {",", "sine", ",", "cosine", ")", ";"}) expect(text);
+    constexpr int kMostJoints = 10'000;
+    if (last - first > kMostJoints) fail("too many joints");
     for (int joint = first; joint <= last; ++joint) {
       arrays_["sine"][joint] = lines_.sine(joint);
       arrays_["cosine"][joint] = lines_.cosine(joint);
@@ -195,7 +213,7 @@ class TextReader {
     }
     if (written_.returns == text_.scalar_) {
       const bool is_array = arrays_.count(word()) != 0 && word(1) == ";";
-      arrays_[kReturned][0] = is_array ? arrays_.at(take()).at(0) : sum();
+      arrays_[kReturned][0] = is_array ? written_entry(take(), 0) : sum();
     } else if (written_.returns != "bool") {
       arrays_[kReturned] = arrays_[take()];
     } else if (!accept("true")) {
@@ -229,35 +247,35 @@ class TextReader {
     expect(";");
   }
 
-  // "B[1] = B[7] = sum;": entries until there is no other =.
+  // "B[1] = B[7] = sum;": entries until there is no other =. Nothing is written before the sum is read.
   void assignment() {
-    std::vector<int*> targets;
+    std::vector<std::pair<std::string, int>> targets;
     const std::size_t last = last_assignment();
     while (at_ < last) {
-      targets.push_back(&target());
+      targets.push_back(target());
       expect("=");
     }
     const int value = sum();
-    for (int* target : targets) *target = value;
+    for (const auto& [array, entry] : targets) arrays_[array][entry] = value;
     expect(";");
   }
 
   std::size_t last_assignment() const {
     std::size_t last = at_;
-    for (std::size_t k = at_; text_.tokens_.at(k).text != ";"; ++k) {
-      if (text_.tokens_[k].text == "=") last = k + 1;
+    for (std::size_t ahead = 0; word(ahead) != ";" && !word(ahead).empty(); ++ahead) {
+      if (word(ahead) == "=") last = at_ + ahead + 1;
     }
     return last;
   }
 
-  // "B[1]", "stage.x1", "result".
-  int& target() {
+  // "B[1]", "stage.x1", "result": an array and the index in it.
+  std::pair<std::string, int> target() {
     const std::string name = take();
-    if (accept(".")) return arrays_[name][field(written_.returns, take())];
-    if (!accept("[")) return arrays_[name][0];
+    if (accept(".")) return {name, field(written_.returns, take())};
+    if (!accept("[")) return {name, 0};
     const int entry = index();
     expect("]");
-    return arrays_[name][entry];
+    return {name, entry};
   }
 
   int field(const std::string& structure, const std::string& name) const {
@@ -306,26 +324,28 @@ class TextReader {
   }
 
   int factor() {
-    if (accept("(")) {
-      const int value = sum();
-      expect(")");
-      return value;
-    }
+    if (accept("(")) return in_brackets();
     if (accept("Scalar")) return literal();
-    if (text_.is_c() && std::isdigit(static_cast<unsigned char>(word().front())) != 0) return literal_in_c();
+    if (text_.is_c() && begins_with_digit(word())) return literal_in_c();
     if (text_.is_c() && ends_with(word(), "_sign") && word(1) == "(") {
       at_ += 2;
-      const int value = lines_.sign(sum());
-      expect(")");
-      return value;
+      return lines_.sign(in_brackets());
     }
     if (accept("detail")) {
       for (const char* text : {"::", "sign", "("}) expect(text);
-      const int value = lines_.sign(sum());
-      expect(")");
-      return value;
+      return lines_.sign(in_brackets());
     }
     return named_value(take());
+  }
+
+  // Behind the opening one.
+  int in_brackets() {
+    constexpr int kDeepest = 200;
+    if (++depth_ > kDeepest) fail("nested too deeply");
+    const int value = sum();
+    expect(")");
+    --depth_;
+    return value;
   }
 
   // (0.0825), (-2.0)
@@ -335,7 +355,8 @@ class TextReader {
     const std::string text = take();
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) fail("a number expected");
+    const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+    if (!is_number) fail("a number expected");
     expect(")");
     return lines_.constant(is_negative ? -value : value);
   }
@@ -379,6 +400,10 @@ class TextReader {
       if (kind == input_kinds().end()) fail("an unknown argument");
       return lines_.input({kind->second, entry});
     }
+    return written_entry(name, entry);
+  }
+
+  int written_entry(const std::string& name, int entry) const {
     const auto array = arrays_.find(name);
     if (array == arrays_.end() || array->second.count(entry) == 0) fail("read before it is written");
     return array->second.at(entry);
@@ -390,7 +415,9 @@ class TextReader {
   StraightLine lines_;
   std::map<std::string, int> variables_;
   std::map<std::string, std::map<int, int>> arrays_;
+  std::set<const WrittenFunction*> carried_out_;
   std::size_t at_ = 0;
+  int depth_ = 0;
 };
 
 StraightLine EmittedText::operations(std::size_t k, const Function& like) const {

@@ -9,9 +9,9 @@
 #include "emit/emit.hpp"
 #include "passes/passes.hpp"
 #include "support/limited_robots.hpp"
-#include "support/straight_line_values.hpp"
 #include "verify/compiled.hpp"
 #include "verify/emitted_text.hpp"
+#include "verify/straight_line_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -65,7 +65,7 @@ TEST(StraightLine, IsWhatTheCompiledTextDoes) {
   for (std::size_t f = 0; f < functions.size(); ++f) {
     const StraightLine lines = text.operations(f, functions[f]);
     for (const State& state : random_states(mechanism, 50, 1)) {
-      const std::vector<double> values = testing::values_of(lines, state), expected = compiled.call(f, state);
+      const std::vector<double> values = values_of(lines, state), expected = compiled.call(f, state);
       for (std::size_t e = 0; e < expected.size(); ++e) {
         EXPECT_EQ(values[static_cast<std::size_t>(lines.outputs[0][e])], expected[e]);
       }
@@ -84,7 +84,7 @@ TEST(Norms, AreAboveResultsAndDerivatives) {
   ASSERT_GT(analysis.text().size(), 2 * analysis.executed());  // derivatives are there
   std::vector<double> largest(static_cast<std::size_t>(analysis.text().size()), 0);
   for (const State& state : random_states(mechanism, 300, 1)) {
-    const std::vector<double> values = testing::values_of(analysis.text(), state);
+    const std::vector<double> values = values_of(analysis.text(), state);
     for (std::size_t k = 0; k < values.size(); ++k) largest[k] = std::max(largest[k], std::abs(values[k]));
   }
   constexpr double kRoundings = 1e-12;  // of the values themselves

@@ -2,6 +2,7 @@
 // The emitted text, read back: what is printed is found again, and every slip of the printer would be.
 #include "verify/emitted_text.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -186,6 +187,37 @@ TEST(EmittedText, ThatIsNoneIsRefused) {
   EXPECT_THROW(prove_text("", all.functions, all.stages), Failure);
   EXPECT_THROW(prove_text(all.header.substr(0, all.header.size() / 2), all.functions, all.stages), Failure);
   EXPECT_THROW(prove_text(all.header + "}", all.functions, all.stages), Failure);
+}
+
+// The body of a function of one output, g.
+void read_body(const std::string& body, const std::string& before = "") {
+  const std::string function = "template <class Scalar>\nvoid f(const Scalar* q, Scalar* g) {\n" + body + "}\n";
+  Function like;
+  like.outputs.emplace_back().entries = {like.graph.constant(0)};
+  EmittedText(before + "namespace r {\n" + function + "}\n").read(0, like);
+}
+
+std::string squares(const std::string& of) {
+  std::string text = "const Scalar a0 = " + of + ";\n";
+  for (int k = 0; k < 40; ++k) text += fmt::format("const Scalar a{0} = a{1} * a{1};\n", k + 1, k);
+  return text + "g[0] = a40;\n";
+}
+
+TEST(EmittedText, ThatAsksForTooMuchIsRefused) {
+  EXPECT_NO_THROW(read_body("g[0] = (q[0]);\n"));
+  EXPECT_THROW(read_body("g[0] = " + std::string(100'000, '(')), Failure);
+  EXPECT_THROW(read_body(squares("q[0]")), Failure);
+  EXPECT_THROW(read_body(squares("Scalar(1e300)")), Failure);
+  EXPECT_THROW(read_body(squares("q[0] + q[0]")), Failure);
+  const std::string part = "namespace detail {\ntemplate <class Scalar>\nvoid p(Scalar* g) {\ndetail::p(g);\n}\n}\n";
+  EXPECT_THROW(read_body("detail::p(g);\n", part), Failure);
+}
+
+TEST(EmittedText, WithoutAMeaningIsRefused) {
+  for (const char* body : {"g[0] = g[0];\n", "g[0] = q[0] / Scalar(0.0);\n", "g[0] = Scalar(inf);\n",
+                           "g[0] = Scalar(1e999);\n", "g[1] = q[0];\n", "g[0] = q[0]"}) {
+    EXPECT_THROW(read_body(body), Failure) << body;
+  }
 }
 
 }  // namespace

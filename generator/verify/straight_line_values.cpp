@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a straight line of operations computes at a state, in double.
-#pragma once
+#include "verify/straight_line_values.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <limits>
 
-#include "model/states.hpp"
-#include "verify/straight_line.hpp"
+namespace flatdyn {
+namespace {
 
-namespace flatdyn::testing {
-
-inline double value_of(const Operation& operation, const std::vector<double>& values, const State& state) {
+double value_of(const Operation& operation, const std::vector<double>& values, const State& state) {
   const auto a = [&] { return values[static_cast<std::size_t>(operation.a)]; };
   const auto b = [&] { return values[static_cast<std::size_t>(operation.b)]; };
   const auto input = [&] { return state.of(operation.input.kind)[static_cast<std::size_t>(operation.input.index)]; };
@@ -39,11 +37,25 @@ inline double value_of(const Operation& operation, const std::vector<double>& va
   return (a() > 0 ? 1 : 0) - (a() < 0 ? 1 : 0);
 }
 
-// By operation.
-inline std::vector<double> values_of(const StraightLine& lines, const State& state) {
+}  // namespace
+
+std::vector<double> values_of(const StraightLine& lines, const State& state) {
   std::vector<double> values;
   for (int k = 0; k < lines.size(); ++k) values.push_back(value_of(lines[k], values, state));
   return values;
 }
 
-}  // namespace flatdyn::testing
+std::vector<double> outputs_of(const StraightLine& lines, const State& state) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> values = values_of(lines, state);
+  const auto value = [&values](int k) { return k < 0 ? kNone : values[static_cast<std::size_t>(k)]; };
+  const bool holds =
+      std::all_of(lines.positive.begin(), lines.positive.end(), [&](int condition) { return value(condition) > 0; });
+  std::vector<double> entries;
+  for (const std::vector<int>& output : lines.outputs) {
+    for (const int entry : output) entries.push_back(holds ? value(entry) : kNone);
+  }
+  return entries;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "stress/plain_robot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+
+namespace flatdyn {
+namespace {
+
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+
+  int from(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
+  bool one_in(int times) { return from(1, times) == 1; }
+  PlainVector vector(int size) {
+    PlainVector v;
+    for (int& entry : v) entry = from(-size, size);
+    return v;
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+// What all links of a robot have in common.
+struct Kind {
+  bool is_chain, has_prismatic, is_nice, has_motors, has_friction;
+};
+
+// On the joint's parent or on a link before it.
+int carrier_of(Dice& dice, const std::vector<PlainLink>& links, int parent) {
+  while (parent != 0 && dice.one_in(2)) parent = links[static_cast<std::size_t>(parent - 1)].parent;
+  return parent;
+}
+
+PlainMotor motor_of(Dice& dice, const std::vector<PlainLink>& links, const PlainLink& link) {
+  PlainMotor motor;
+  motor.mass = dice.from(0, 99);
+  motor.inertia = dice.from(1, 99);
+  motor.ratio = dice.from(1, 120) * (dice.one_in(4) ? -1 : 1);
+  motor.position = dice.vector(30);
+  if (dice.one_in(2)) motor.axis = {dice.from(-99, 99), dice.from(-99, 99), 100};
+  if (dice.one_in(3)) motor.carrier = carrier_of(dice, links, link.parent);
+  return motor;
+}
+
+// On the base, on the link before, or on one a little before that.
+int parent_of(Dice& dice, const Kind& kind, int links) {
+  return kind.is_chain ? links : dice.from(std::max(0, links - 2), links);
+}
+
+PlainLink link_of(Dice& dice, const Kind& kind, const std::vector<PlainLink>& before) {
+  PlainLink link;
+  link.parent = parent_of(dice, kind, static_cast<int>(before.size()));
+  link.is_prismatic = kind.has_prismatic && dice.one_in(3);
+  link.has_quarter_turns = kind.is_nice || dice.one_in(4);
+  link.xyz = dice.vector(99);
+  if (dice.one_in(3)) link.xyz[0] = link.xyz[1] = 0;
+  link.rpy = dice.vector(link.has_quarter_turns ? 2 : 99);
+  if (!link.has_quarter_turns) link.axis = {dice.from(-99, 99), dice.from(-99, 99), dice.one_in(2) ? 100 : -50};
+  link.mass = dice.from(10, 500);
+  link.com = dice.vector(50);
+  for (std::size_t k = 0; k < 3; ++k) {
+    link.particles[k] = dice.from(10, 99);
+    link.arms[k] = dice.vector(30);
+  }
+  if (kind.has_friction) link.viscous = dice.from(0, 99);
+  if (kind.has_friction && dice.one_in(2)) link.coulomb = dice.from(1, 99);
+  link.has_motor = kind.has_motors && !dice.one_in(3);
+  if (link.has_motor) link.motor = motor_of(dice, before, link);
+  return link;
+}
+
+// "-0.25": an integer of so many decimal places.
+std::string decimal(std::int64_t value, int places) {
+  std::int64_t whole = 1;
+  for (int k = 0; k < places; ++k) whole *= 10;
+  const std::int64_t size = value < 0 ? -value : value;
+  std::string text = fmt::format("{}{}.{:0{}}", value < 0 ? "-" : "", size / whole, size % whole, places);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string hundredths(int value) { return decimal(value, 2); }
+
+std::string list(const PlainVector& v) {
+  return fmt::format("[{}, {}, {}]", hundredths(v[0]), hundredths(v[1]), hundredths(v[2]));
+}
+
+std::string angles(const PlainLink& link) {
+  if (!link.has_quarter_turns) return list(link.rpy);
+  const auto turn = [](int quarters) { return quarters == 0 ? "0" : fmt::format("\"{}*pi/2\"", quarters); };
+  return fmt::format("[{}, {}, {}]", turn(link.rpy[0]), turn(link.rpy[1]), turn(link.rpy[2]));
+}
+
+// Of the particles: Σ m (r·r 1 - r rᵀ), in 1e-6 kg m².
+std::int64_t inertia_entry(const PlainLink& link, std::size_t row, std::size_t column) {
+  std::int64_t sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PlainVector& r = link.arms[k];
+    const std::int64_t square = std::int64_t{r[0]} * r[0] + std::int64_t{r[1]} * r[1] + std::int64_t{r[2]} * r[2];
+    sum += link.particles[k] * ((row == column ? square : 0) - std::int64_t{r[row]} * r[column]);
+  }
+  return sum;
+}
+
+std::string inertia_of(const PlainLink& link) {
+  static constexpr struct {
+    const char* key;
+    std::size_t row, column;
+  } kEntries[] = {{"xx", 0, 0}, {"yy", 1, 1}, {"zz", 2, 2}, {"xy", 0, 1}, {"xz", 0, 2}, {"yz", 1, 2}};
+  std::string text;
+  for (const auto& entry : kEntries) {
+    const std::int64_t value = inertia_entry(link, entry.row, entry.column);
+    if (value != 0) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", entry.key, decimal(value, 6));
+  }
+  return text;
+}
+
+std::string link_name(int link) { return link == 0 ? "base" : fmt::format("link{}", link); }
+
+// "key = value", where that is not what the file's reader takes anyway.
+class Lines {
+ public:
+  void add(const std::string& line) { text_ += line + "\n"; }
+  void add(const char* key, int value) {
+    if (value != 0) add(fmt::format("{} = {}", key, hundredths(value)));
+  }
+  void add(const char* key, const PlainVector& value, const PlainVector& usual) {
+    if (value != usual) add(fmt::format("{} = {}", key, list(value)));
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void add_motor(const PlainMotor& motor, Lines& lines) {
+  lines.add("[link.motor]");
+  lines.add("mass", motor.mass);
+  if (motor.inertia != 0) lines.add("inertia = " + decimal(motor.inertia, 5));
+  if (motor.inertia != 0) lines.add("inertia_transverse = " + decimal(motor.inertia, 5));
+  lines.add(fmt::format("gear_ratio = {}", motor.ratio));
+  lines.add("axis", motor.axis, {0, 0, 100});
+  lines.add("position", motor.position, kNoVector);
+  if (motor.carrier >= 0) lines.add(fmt::format("carrier = \"{}\"", link_name(motor.carrier)));
+}
+
+void add_link(const PlainLink& link, int before, Lines& lines) {
+  lines.add("\n[[link]]");
+  if (link.parent != before) lines.add(fmt::format("parent = \"{}\"", link_name(link.parent)));
+  if (link.is_prismatic) lines.add("type = \"prismatic\"");
+  lines.add("xyz", link.xyz, kNoVector);
+  if (link.rpy != kNoVector) lines.add("rpy = " + angles(link));
+  lines.add("axis", link.axis, {0, 0, 100});
+  lines.add("mass", link.mass);
+  lines.add("com", link.com, kNoVector);
+  if (const std::string inertia = inertia_of(link); !inertia.empty()) {
+    lines.add(fmt::format("inertia = {{ {} }}\ninertia_about = \"com\"", inertia));
+  }
+  lines.add("viscous", link.viscous);
+  lines.add("coulomb", link.coulomb);
+  if (link.has_motor) add_motor(link.motor, lines);
+}
+
+}  // namespace
+
+PlainRobot plain_robot(unsigned seed) {
+  Dice dice(seed);
+  static constexpr int kJoints[] = {1, 1, 1, 2, 2, 2, 2, 3, 3, 4};
+  const int joints = dice.one_in(100) ? dice.from(5, 8) : kJoints[dice.from(0, 9)];
+  const Kind kind{dice.one_in(2), dice.one_in(2), dice.one_in(2), dice.one_in(2), dice.one_in(2)};
+  PlainRobot robot{fmt::format("random_{}", seed), {}};
+  for (int k = 0; k < joints; ++k) robot.links.push_back(link_of(dice, kind, robot.links));
+  return robot;
+}
+
+std::string robot_file(const PlainRobot& robot, const std::vector<std::string>& comment) {
+  Lines lines;
+  for (const std::string& line : comment) lines.add("# " + line);
+  lines.add(fmt::format("name = \"{}\"", robot.name));
+  int before = 0;
+  for (const PlainLink& link : robot.links) add_link(link, before++, lines);
+  return lines.text();
+}
+
+}  // namespace flatdyn

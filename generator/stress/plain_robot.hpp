@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Random robots of few digits, as a person might write them: each is a robot file, and can be made simpler until little
+// is left of it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace flatdyn {
+
+using PlainVector = std::array<int, 3>;  // hundredths
+
+inline constexpr PlainVector kNoVector = {0, 0, 0};
+
+// Its own axis and place, in the carrier's frame.
+struct PlainMotor {
+  int mass = 0;      // kg/100
+  int inertia = 0;   // I_m, kg m²/100,000
+  int ratio = 1;     // k_r
+  int carrier = -1;  // link, as `parent`; -1: the joint's parent
+  PlainVector axis = {0, 0, 100}, position = kNoVector;
+  bool operator==(const PlainMotor&) const = default;
+};
+
+// A link and the joint that moves it. Its inertia is that of three particles, so that a body can have it.
+struct PlainLink {
+  int parent = 0;  // 0: the base; k: the k-th link
+  bool is_prismatic = false;
+  bool has_quarter_turns = false;  // then rpy counts quarters of a turn
+  PlainVector xyz = kNoVector, rpy = kNoVector, axis = {0, 0, 100};
+  int mass = 0;  // kg/100
+  PlainVector com = kNoVector;
+  std::array<int, 3> particles = {0, 0, 0};  // kg/100, which count for the inertia about the centre of mass only
+  std::array<PlainVector, 3> arms = {};      // m/100
+  int viscous = 0, coulomb = 0;              // hundredths
+  bool has_motor = false;
+  PlainMotor motor;
+  bool operator==(const PlainLink&) const = default;
+};
+
+struct PlainRobot {
+  std::string name;
+  std::vector<PlainLink> links;
+};
+
+// Mostly of 1 to 4 joints, some of up to 8: a chain or a tree, of revolute and some prismatic joints, some of them in
+// nice directions, half of the robots with motors, half with friction. The same on every machine.
+PlainRobot plain_robot(unsigned seed);
+
+// A TOML robot file (docs/robot-format.md); `comment`: lines to stand at its top.
+std::string robot_file(const PlainRobot& robot, const std::vector<std::string>& comment = {});
+
+// Robots with one thing less: a link, a motor, friction, a direction, a digit. What drops most comes first.
+std::vector<PlainRobot> simpler_robots(const PlainRobot& robot);
+
+}  // namespace flatdyn

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verify/emitted_text.hpp"
+#include "diagnostics/diagnostics.hpp"
+#include "fuzz/readers.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+constexpr std::size_t kEntries = 64;  // of every output
+
+// A function with as many outputs as that of the text.
+Function function_like(const WrittenFunction& written) {
+  Function like;
+  like.name = written.name;
+  for (const WrittenFunction::Parameter& parameter : written.parameters) {
+    if (!parameter.is_output) continue;
+    Output output;
+    output.rows = kEntries;
+    output.entries.assign(kEntries, like.graph.constant(0));
+    like.outputs.push_back(std::move(output));
+  }
+  if (!like.outputs.empty() || written.returns == "void" || written.returns == "bool") return like;
+  Output returned;
+  returned.entries.assign(kEntries, like.graph.constant(0));
+  like.outputs.push_back(std::move(returned));
+  return like;
+}
+
+}  // namespace
+
+// What is no emitted text is refused.
+void read_text_bytes(std::string_view bytes) {
+  const auto read = [](const auto&... text_and_language) {
+    try {
+      const EmittedText text(text_and_language...);
+      for (std::size_t k = 0; k < text.functions().size(); ++k) text.read(k, function_like(text.functions()[k]));
+    } catch (const Failure&) {
+    }
+  };
+  const std::string text(bytes);
+  read(text);
+  read(std::string(), text, std::string("double"));
+}
+
+}  // namespace flatdyn::testing

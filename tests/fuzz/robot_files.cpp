@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "diagnostics/temporary_folder.hpp"
+#include "flatdyn/reference/newton_euler.hpp"
+#include "fuzz/readers.hpp"
+#include "input/reader.hpp"
+#include "model/mechanism.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+constexpr std::size_t kMostLinks = 8;  // of a robot that is carried further
+constexpr int kMostBits = 1 << 16;     // of a number that comes from a file; a rotation has some hundreds
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+// Readers take paths. One file, written again and again.
+std::string file_of(std::string_view bytes, const char* name) {
+  static const TemporaryFolder folder;
+  const std::string path = (folder.path() / name).string();
+  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return path;
+}
+
+bool is_small(const Number& value) {
+  if (!is_rational(value)) return true;  // free symbols: of their numbers the reader knows the size
+  const auto& number = GiNaC::ex_to<GiNaC::numeric>(value);
+  return number.numer().int_length() <= kMostBits && number.denom().int_length() <= kMostBits &&
+         std::isfinite(nearest_double(value));
+}
+
+void require_numbers(const Vec3& vector) {
+  for (const Number& value : vector) require(is_small(value), "a number of the mechanism has grown beyond measure");
+}
+
+void require_rotation(const PlanarRotation& rotation) {
+  if (!is_rational(rotation.c)) return;
+  require(vanishes(rotation.c * rotation.c + rotation.s * rotation.s - 1), "a rotation is none");
+  require(is_small(rotation.c) && is_small(rotation.s), "a rotation's numbers have grown beyond measure");
+}
+
+// Canonical: exact rotations, and numbers that doubles can hold.
+void require_canonical(const Mechanism& mechanism) {
+  for (const Body& body : mechanism.bodies) {
+    for (const PlanarRotation& rotation : {body.beta, body.alpha, body.theta}) require_rotation(rotation);
+    require_numbers(body.p);
+    require_numbers(body.inertia.first_moment);
+    for (const Vec3& row : body.inertia.inertia) require_numbers(row);
+    require_numbers({body.inertia.mass, body.armature, body.viscous});
+  }
+}
+
+// The torques of some motion are numbers.
+void require_torques(const Robot& robot, Eigen::Index joints) {
+  const reference::Robot<double> numbers = reference_robot<double>(robot, random_symbol_values(robot, 1));
+  const Eigen::VectorXd motion = Eigen::VectorXd::LinSpaced(joints, -1, 1);
+  const Eigen::VectorXd tau = reference::inverse_dynamics<double>(numbers, motion, motion, motion);
+  require(robot.symbols.empty() == false || tau.allFinite(), "a torque is not finite");
+}
+
+void carry_further(const Robot& robot) {
+  if (robot.links.size() > kMostLinks) return;
+  try {
+    const Mechanism mechanism = make_mechanism(robot);
+    require_canonical(mechanism);
+    require_torques(robot, mechanism.size());
+  } catch (const Failure& failure) {
+    if (failure.code() != ExitCode::unsupported) throw;
+  }
+}
+
+void read(const std::string& path, const ReadOptions& options) {
+  Diagnostics diagnostics;
+  std::optional<Robot> robot;
+  try {
+    robot = read_robot(path, options, diagnostics);
+  } catch (const Failure& failure) {
+    if (failure.code() != ExitCode::io) throw;  // a file that it names
+    return;
+  }
+  require(robot.has_value() == !diagnostics.has_errors(), "refused without an error, or accepted with one");
+  for (const Diagnostic& found : diagnostics.all()) require(!found.message.empty(), "a diagnostic without a message");
+  if (robot) carry_further(*robot);
+}
+
+constexpr const char* kArm = R"(
+[[link]]
+mass = 1
+com = [0.5, 0, 0]
+[[link]]
+xyz = [1, 0, 0]
+mass = 1
+com = [0.5, 0, 0]
+inertia = { xx = 1, yy = 1, zz = 1 }
+limits = { lower = -1, upper = 1, velocity = 5, effort = 10 }
+)";
+
+}  // namespace
+
+void read_urdf_bytes(std::string_view bytes) { read(file_of(bytes, "robot.urdf"), {}); }
+
+void read_toml_bytes(std::string_view bytes) { read(file_of(bytes, "robot.toml"), {}); }
+
+void read_scene_bytes(std::string_view bytes) {
+  static const std::string arm = file_of(kArm, "arm.toml");
+  ReadOptions options;
+  options.scene_file = file_of(bytes, "scene.toml");
+  read(arm, options);
+}
+
+}  // namespace flatdyn::testing
