@@ -59,8 +59,8 @@ class StraightLine {
 // The same, with constants of such values made anew for each operation that reads them.
 StraightLine with_constants_apart(const StraightLine& lines, const std::function<bool(double)>& is_apart);
 
-// What it computes: the outputs and conditions of `like`, exactly. Throws Failure(bug) where that is none: a division by
-// zero, or powers and constants that grow beyond measure.
+// What it computes: the outputs and conditions of `like`, exactly. Throws Failure(bug) where that is none: a division
+// by zero, or powers and constants that grow beyond measure.
 Function graph_of(const StraightLine& lines, const Function& like);
 
 }  // namespace flatdyn

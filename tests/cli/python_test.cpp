@@ -50,7 +50,7 @@ TEST_F(Python, ComputesOneStateAndBatches) {
       "robots/panda.urdf --functions "
       "inverse_dynamics,forward_dynamics,inertia_matrix,forward_kinematics,kinetic_energy");
   build("panda");
-  EXPECT_EQ(run(R"(import numpy as np, panda
+  EXPECT_EQ(run(R"py(import numpy as np, panda
 rng = np.random.default_rng(1)
 q, qd, qdd = (rng.uniform(-1, 1, (50, 7)) for _ in range(3))
 tau = panda.inverse_dynamics(q, qd, qdd)
@@ -76,7 +76,7 @@ for wrong in (lambda: panda.inertia_matrix(np.zeros(6)), lambda: panda.inverse_d
         raise AssertionError("not refused")
     except ValueError:
         pass
-)"),
+)py"),
             0)
       << folder_.read("log");
 }
@@ -85,13 +85,13 @@ for wrong in (lambda: panda.inertia_matrix(np.zeros(6)), lambda: panda.inverse_d
 TEST_F(Python, TakesParametersAndSaysWhereThereIsNoResult) {
   generate("robots/planar_2r.toml --scalar float --functions gravity,forward_dynamics --name arm --namespace arm");
   build("arm");
-  EXPECT_EQ(run(R"(import numpy as np, arm
+  EXPECT_EQ(run(R"py(import numpy as np, arm
 level = arm.Parameters(g=9.81, m_l1=2, l_1=1, a_1=1, m_l2=1, l_2=1)
 g = arm.gravity(level, np.zeros(2))
 assert g.dtype == np.float32 and np.allclose(g, [4 * 9.81, 9.81], rtol=1e-6)
 assert np.isfinite(arm.forward_dynamics(level, [0, 1], np.zeros(2), g)).all()
 assert np.isnan(arm.forward_dynamics(arm.Parameters(), np.zeros((3, 2)), np.zeros(2), np.zeros(2))).all()
-)"),
+)py"),
             0)
       << folder_.read("log");
 }
