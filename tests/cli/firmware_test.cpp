@@ -122,7 +122,7 @@ TEST(LanguageC, WritesHeaderAndSource) {
       "generate robots/puma560.toml --language c --scalar float --functions inverse_dynamics -o '{}'", folder.path()));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              HasSubstr(fmt::format("wrote {} and {}\n", folder.path("puma560.h"), folder.path("puma560.c"))));
+              HasSubstr(fmt::format("wrote {}\nwrote {}\n", folder.path("puma560.h"), folder.path("puma560.c"))));
   EXPECT_THAT(outcome.out, HasSubstr("the text, read back, says the same with constants rounded to float"));
   EXPECT_THAT(folder.read("puma560.json"), HasSubstr("\"source\": \"puma560.c\""));
   const std::string source = folder.read("puma560.c");
