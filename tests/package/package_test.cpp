@@ -38,7 +38,9 @@ class Project {
     scratch_.write(file, content.replace(place, old.size(), text));
   }
 
-  bool make() { return run(fmt::format("cmake --build '{}'", build())); }
+  bool make(const std::string& target = "all") {
+    return run(fmt::format("cmake --build '{}' --target {}", build(), target));
+  }
   bool runs() { return run(fmt::format("'{}/consumer'", build())); }
   std::string log() const { return scratch_.read("log"); }
   std::string generated(const std::string& file) const { return scratch_.read("build/my_arm.flatdyn/" + file); }
@@ -154,7 +156,20 @@ TEST(Subdirectory, GeneratesWithAProgramThatIsThere) {
   EXPECT_TRUE(project.runs()) << project.log();
 }
 
-// As for firmware: another compiler, and no program of that machine.
+// As for firmware: the compiler is another machine's, flatdyn is this one's.
+TEST(Subdirectory, GeneratesInACrossBuild) {
+  if (std::system("command -v arm-none-eabi-gcc > /dev/null") != 0)
+    GTEST_SKIP() << "no arm-none-eabi-gcc: scripts/setup";
+  Project project("subdirectory");
+  ASSERT_TRUE(
+      project.configure(fmt::format("-D FLATDYN_SOURCE='{}' -D FLATDYN_EXECUTABLE='{}' -D CMAKE_SYSTEM_NAME=Generic "
+                                    "-D CMAKE_C_COMPILER=arm-none-eabi-gcc -D CMAKE_CXX_COMPILER=arm-none-eabi-g++ "
+                                    "-D CMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
+                                    FLATDYN_SOURCE_DIR, FLATDYN_PROGRAM)))
+      << project.log();
+  EXPECT_TRUE(project.make("my_arm_in_c")) << project.log();
+}
+
 TEST(Subdirectory, SaysWhatACrossBuildNeeds) {
   Project project("subdirectory");
   EXPECT_FALSE(project.configure(
