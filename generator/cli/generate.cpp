@@ -92,90 +92,123 @@ void choose_for_firmware(GenerateArguments& arguments) {
   if (arguments.scalar_given->count() == 0) arguments.scalar = firmware_target(arguments.firmware).scalar;
 }
 
-ExitCode generate(GenerateArguments arguments) {
-  choose_for_firmware(arguments);
-  choose_for_python(arguments);
+void check_usage(const GenerateArguments& arguments) {
+  if (arguments.fused.size() == 1) {
+    throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
+  }
   if (arguments.language == "c" && !arguments.staged.empty()) {
     throw Failure(ExitCode::usage, "--stages: there are none in C", "--fuse computes several functions in one call");
   }
-  PipelineOptions options = arguments.options();
-  options.functions = arguments.functions;
-  std::vector<OptimisedFunction> functions;
-  std::optional<OptimisedFusion> fused;
+}
+
+// What is made of the robot, all of it proven.
+struct Made {
+  std::vector<OptimisedFunction> functions;  // the fused one last
   std::optional<Stages> stages;
   std::vector<Proof> proofs;
+  std::optional<GivenUp> given_up;  // to an error budget
   Diagnostics findings;
-  const Model model = read_model(arguments.robot, options);
-  {
-    Progress progress(arguments.quiet);
-    functions = make_functions(model, options, progress, findings);
-    if (arguments.fused.size() == 1) {
-      throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
-    }
-    if (!arguments.fused.empty()) fused = make_fusion(model, arguments.fused, progress);
-    if (!arguments.staged.empty()) stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
-    progress.step("proving");
-    proofs = prove(derived_from(model), functions, fused, stages);
-    if (fused) functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
-  }
-  const EmitOptions emit{arguments.name_space,
-                         arguments.scalar,
-                         stamp_of(arguments, functions),
-                         model.input_hash,
-                         scene_stamp(model),
-                         scene_facts(model),
-                         arguments.most_lines,
-                         arguments.language == "c" ? Language::c : Language::cpp,
-                         arguments.file_name};
-  const std::filesystem::path folder = arguments.folder;
-  const std::string header = header_name(model.mechanism, emit);
-  const std::vector<double> effects = snap_effects(model, options.read);
-  nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION}, {"options", emit.options_stamp}, {"header", header}};
-  manifest.update(model_json(model, effects));
-  manifest["functions"] = functions_json(functions, symbol_names(model.mechanism));
-  std::optional<GivenUp> seen;
+};
+
+Made make(const Model& model, const PipelineOptions& options, const GenerateArguments& arguments) {
+  Progress progress(arguments.quiet);
+  Made made;
+  std::optional<OptimisedFusion> fused;
+  made.functions = make_functions(model, options, progress, made.findings);
+  if (!arguments.fused.empty()) fused = make_fusion(model, arguments.fused, progress);
+  if (!arguments.staged.empty()) made.stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
+  progress.step("proving");
+  made.proofs = prove(derived_from(model), made.functions, fused, made.stages);
+  if (fused) made.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
   if (model.abbreviation) {
-    seen = given_up(model.mechanism, derived_from(model), model.robot.scene.at_rest);
-    manifest["error_budget"] = abbreviation_json(model, *seen);
+    made.given_up = given_up(model.mechanism, derived_from(model), model.robot.scene.at_rest);
   }
-  if (stages) manifest["stages"] = stages_json(*stages);
-  manifest["proof"] = proofs_json(proofs);
-  auto [files, read_back] = emitted(model, functions_of(functions), emit, stages, folder);
-  prove_text(read_back, functions, stages);
+  return made;
+}
+
+EmitOptions emit_options(const Model& model, const Made& made, const GenerateArguments& arguments) {
+  return {arguments.name_space,
+          arguments.scalar,
+          stamp_of(arguments, made.functions),
+          model.input_hash,
+          scene_stamp(model),
+          scene_facts(model),
+          arguments.most_lines,
+          arguments.language == "c" ? Language::c : Language::cpp,
+          arguments.file_name};
+}
+
+// `files`: the header, and in C the source.
+nlohmann::ordered_json manifest_of(const Model& model, const Made& made, const EmitOptions& options,
+                                   const std::vector<TextFile>& files, const std::vector<double>& effects) {
+  nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION},
+                                     {"options", options.options_stamp},
+                                     {"header", header_name(model.mechanism, options)}};
+  manifest.update(model_json(model, effects));
+  manifest["functions"] = functions_json(made.functions, symbol_names(model.mechanism));
+  if (made.given_up) manifest["error_budget"] = abbreviation_json(model, *made.given_up);
+  if (made.stages) manifest["stages"] = stages_json(*made.stages);
+  manifest["proof"] = proofs_json(made.proofs);
   // So that a reader sees whether the files belong together.
   manifest["header_hash"] = content_hash({files[0].text});
   if (files.size() > 1) {
     manifest["source"] = files[1].path.filename().string();
     manifest["source_hash"] = content_hash({files[1].text});
   }
+  return manifest;
+}
+
+// What is asked for beside header and source.
+std::vector<TextFile> companions(const Model& model, const std::vector<Function>& functions, const EmitOptions& options,
+                                 const GenerateArguments& arguments) {
+  const std::filesystem::path folder = arguments.folder;
+  std::vector<TextFile> files;
   if (!arguments.firmware.empty()) {
     const FirmwareTarget& target = firmware_target(arguments.firmware);
-    for (const FirmwareFile& file :
-         firmware_files(model.robot, model.mechanism, functions_of(functions), emit, target)) {
+    for (const FirmwareFile& file : firmware_files(model.robot, model.mechanism, functions, options, target)) {
       files.push_back({folder / file.name, file.text});
     }
   }
   if (arguments.python) {
-    const std::string name = module_name(model.mechanism, emit);
-    const PythonModule made = python_module(model.mechanism, functions_of(functions), emit);
-    files.push_back({folder / (name + ".py"), made.module});
-    files.push_back({folder / (name + "_batch.c"), made.batch});
+    const std::string name = module_name(model.mechanism, options);
+    const PythonModule module = python_module(model.mechanism, functions, options);
+    files.push_back({folder / (name + ".py"), module.module});
+    files.push_back({folder / (name + "_batch.c"), module.batch});
   }
-  files.push_back({(folder / header).replace_extension(".json"), manifest.dump(2) + "\n"});
+  return files;
+}
+
+ExitCode generate(GenerateArguments arguments) {
+  choose_for_firmware(arguments);
+  choose_for_python(arguments);
+  check_usage(arguments);
+  PipelineOptions options = arguments.options();
+  options.functions = arguments.functions;
+  const Model model = read_model(arguments.robot, options);
+  const Made made = make(model, options, arguments);
+  const EmitOptions emit = emit_options(model, made, arguments);
+  const std::vector<Function> functions = functions_of(made.functions);
+  auto [files, read_back] = emitted(model, functions, emit, made.stages, arguments.folder);
+  prove_text(read_back, made.functions, made.stages);
+  const std::vector<double> effects = snap_effects(model, options.read);
+  const std::string manifest = manifest_of(model, made, emit, files, effects).dump(2) + "\n";
+  const std::filesystem::path beside_header = std::filesystem::path(files[0].path).replace_extension(".json");
+  for (TextFile& file : companions(model, functions, emit, arguments)) files.push_back(std::move(file));
+  files.push_back({beside_header, manifest});
   const std::string done = arguments.delivery.deliver(std::move(files), model.robot.files);
   print_diagnostics(model.diagnostics, arguments.quiet);
-  print_diagnostics(findings, arguments.quiet);
+  print_diagnostics(made.findings, arguments.quiet);
   if (arguments.json) {
-    fmt::print("{}\n", manifest.dump(2));
-  } else {
-    fmt::print("{}\n{}\n", describe_model(model, effects),
-               describe_functions(functions, symbol_names(model.mechanism)));
-    if (stages) fmt::print("{}\n", describe_stages(*stages));
-    if (seen) fmt::print("{}\n", describe_abbreviation(model, *seen));
-    fmt::print("{}\n{}", describe_proofs(proofs, read_back.constants()), done);
-    if (!arguments.firmware.empty()) {
-      fmt::print("a self test for {}: make -C {} run\n", arguments.firmware, folder.string());
-    }
+    fmt::print("{}", manifest);
+    return ExitCode::ok;
+  }
+  fmt::print("{}\n{}\n", describe_model(model, effects),
+             describe_functions(made.functions, symbol_names(model.mechanism)));
+  if (made.stages) fmt::print("{}\n", describe_stages(*made.stages));
+  if (made.given_up) fmt::print("{}\n", describe_abbreviation(model, *made.given_up));
+  fmt::print("{}\n{}", describe_proofs(made.proofs, read_back.constants()), done);
+  if (!arguments.firmware.empty()) {
+    fmt::print("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);
   }
   return ExitCode::ok;
 }
