@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A Function as a list of instructions over doubles: for where the tool itself calls one thousands of times, without a
+// compiler at hand. About the time of the emitted code's unoptimised build; same formulas, no promise of the same bits.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+inline constexpr std::size_t kInputKinds = static_cast<std::size_t>(InputKind::stored) + 1;
+
+// The numbers that a function is given, by kind. What it does not read may be empty.
+class TapeInputs {
+ public:
+  std::span<const double>& operator[](InputKind kind) { return values_[static_cast<std::size_t>(kind)]; }
+  std::span<const double> operator[](InputKind kind) const { return values_[static_cast<std::size_t>(kind)]; }
+
+ private:
+  std::array<std::span<const double>, kInputKinds> values_;
+};
+
+class Tape {
+ public:
+  explicit Tape(const Function& function);
+
+  // Entries of all outputs, one output after the other.
+  std::size_t results() const { return results_.size(); }
+  std::size_t operations() const { return code_.size(); }
+
+  // False if a value that must be positive is not (B singular); then the results mean nothing. Not from two threads at
+  // once: the cells are the tape's own.
+  bool run(const TapeInputs& given, std::span<double> results);
+
+ private:
+  enum class Code : std::uint8_t { add, subtract, multiply, add_multiple, divide, sin, cos, sign };
+  struct Instruction {
+    Code code;
+    std::uint32_t to, a, b, c;  // cells; c of add_multiple only: to = a + b c
+  };
+  struct Load {
+    Input from;
+    std::uint32_t to;
+  };
+  friend class TapeWriter;
+
+  std::vector<Load> loads_;
+  std::vector<Instruction> code_;
+  std::vector<std::uint32_t> results_, positive_;
+  std::vector<double> cells_;  // constants first, already there
+};
+
+}  // namespace flatdyn
