@@ -64,13 +64,13 @@ int main(int argc, char** argv) {
       "  flatdyn generate robots/panda.urdf -o out/\n"
       "  flatdyn verify robots/panda.urdf\n\n"
       "Exit codes: 0 ok, 1 bug, 2 usage, 3 input, 4 unsupported, 5 verification failed, 6 I/O, 7 outputs "
-      "out of date."};
+      "out of date, 130 interrupted."};
   app.name("flatdyn");
   app.set_version_flag("--version", "flatdyn " FLATDYN_VERSION);
   app.require_subcommand(1);
   Run chosen;
   for (const auto add : {add_generate, add_inspect, add_derive, add_verify, add_eval, add_excite, add_identify,
-                         add_payload, add_bench, add_certify, add_stress, add_man, add_completion}) {
+                         add_payload, add_simulate, add_bench, add_certify, add_stress, add_man, add_completion}) {
     const Run command = add(app);
     app.get_subcommands({}).back()->callback([&chosen, command] { chosen = command; });
   }

@@ -120,6 +120,14 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   return {std::move(*robot), std::move(mechanism), std::move(abbreviation), std::move(diagnostics), std::move(hash)};
 }
 
+void require_numbers(const Model& model, const std::string& what) {
+  if (model.mechanism.symbols.empty()) return;
+  throw Failure(ExitCode::unsupported,
+                fmt::format("{}: the robot has free symbols ({}, ...): {} needs numbers", model.robot.file,
+                            model.mechanism.symbols.front().name, what),
+                "write numbers for its lengths and masses; rough masses and inertias do");
+}
+
 std::vector<std::string> default_function_names() { return names_of_functions(false); }
 std::vector<std::string> requested_function_names() { return names_of_functions(true); }
 

@@ -40,6 +40,9 @@ const Mechanism& derived_from(const Model& model);
 // Reads and makes canonical. Errors in the input end in BadInput, which carries the diagnostics.
 Model read_model(const std::filesystem::path& path, const PipelineOptions& options);
 
+// Throws Failure(unsupported) if the robot has free symbols. what: that needs their values, "a simulation".
+void require_numbers(const Model& model, const std::string& what);
+
 // Throws BadInput if errors are among them.
 void refuse_errors(const Diagnostics& found);
 

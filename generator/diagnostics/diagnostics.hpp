@@ -61,6 +61,7 @@ enum class ExitCode : int {
   verification_failed = 5,
   io = 6,
   outdated = 7,
+  interrupted = 130,  // by Ctrl-C, as shells count it
 };
 
 // Something that ends the run with one of the documented exit codes.

@@ -13,14 +13,6 @@ namespace {
 constexpr std::size_t kRegressor = 0;
 constexpr std::size_t kJacobian = 1;
 
-void refuse_symbols(const Model& model) {
-  if (model.mechanism.symbols.empty()) return;
-  throw Failure(ExitCode::unsupported,
-                fmt::format("{}: the robot has free symbols ({}, ...): measured motion needs numbers", model.robot.file,
-                            model.mechanism.symbols.front().name),
-                "write numbers for its lengths and masses; rough masses and inertias do");
-}
-
 Model with_mechanism(const Model& model, Mechanism mechanism) {
   Model changed = model;
   changed.mechanism = std::move(mechanism);
@@ -43,7 +35,7 @@ std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
 
 TorqueModel::TorqueModel(const Model& model, ParameterSet set, Progress& progress)
     : model_(with_mechanism(model, carrying(model.mechanism, set))) {
-  refuse_symbols(model);
+  require_numbers(model, "measured motion");
   base_ = base_parameters(model_.mechanism);
   for (const Number& value : base_values(model.mechanism, base_)) {
     file_values_.push_back(nearest_double(value));

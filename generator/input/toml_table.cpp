@@ -234,6 +234,37 @@ Vec3 TomlTable::vector(std::string_view key, Quantity quantity, const Vec3& fall
   return values;
 }
 
+std::optional<Value> TomlTable::plain_number(const toml::node& node, std::string_view key) {
+  const std::optional<Number> exact = number_of(node, key);
+  if (!exact) return std::nullopt;
+  const Place where = source_.place(node.source());
+  if (!has_symbols(*exact)) return Value{*exact, where};
+  source_.context().diagnostics.error(where, with_key(what_, key) + ": a symbol stands for no number here",
+                                      "write a number");
+  return std::nullopt;
+}
+
+std::optional<std::vector<Value>> TomlTable::numbers(std::string_view key, std::size_t count) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    const std::optional<Value> one = plain_number(*node, key);
+    return one ? std::optional(std::vector(count, *one)) : std::nullopt;
+  }
+  if (array->size() != count) {
+    report_kind(*node, key, "a list of " + std::to_string(count) + " numbers, or one number,");
+    return std::nullopt;
+  }
+  std::vector<Value> values;
+  for (const toml::node& element : *array) {
+    const std::optional<Value> value = plain_number(element, key);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
+}
+
 Number TomlTable::angle_of(const toml::node& node, std::string_view key) {
   ReadContext& context = source_.context();
   const Spot where = spot(node, key);

@@ -70,6 +70,10 @@ class TomlTable {
   std::optional<Value> limit(std::string_view key, Quantity quantity, Bound bound);
   Vec3 vector(std::string_view key, Quantity quantity, const Vec3& fallback);
 
+  // Without symbols: `count` of them as a list, or one that stands for all. nullopt if the key is not there or, with an
+  // error, if it is none of these.
+  std::optional<std::vector<Value>> numbers(std::string_view key, std::size_t count);
+
   // Angles in rad. Decimals are snapped; expressions are as they are.
   Number angle(std::string_view key);
   Vec3 angles(std::string_view key);
@@ -87,6 +91,7 @@ class TomlTable {
   std::optional<Number> expression_of(const toml::node& node, const std::string& text, const Spot& spot);
   Number angle_of(const toml::node& node, std::string_view key);
   const toml::array* three(std::string_view key);
+  std::optional<Value> plain_number(const toml::node& node, std::string_view key);
   void report_kind(const toml::node& node, std::string_view key, const std::string& expected) const;
 
   const toml::table& table_;

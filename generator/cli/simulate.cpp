@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "report/simulation_report.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct SimulateArguments : RobotArguments {
+  std::string simulation, output, events, plot, method = "adaptive";
+  double duration = 0, rate = 0, tolerance = 1e-9, step = 1e-3;  // duration, rate: 0 if not given
+};
+
+constexpr double kMostRows = 1e7;
+
+// Ctrl-C ends the simulation and not the program: what there is, is written.
+volatile std::sig_atomic_t interrupted = 0;
+
+class InterruptHandler {
+ public:
+  InterruptHandler() : before_(std::signal(SIGINT, [](int) { interrupted = 1; })) {}
+  ~InterruptHandler() { std::signal(SIGINT, before_); }
+  InterruptHandler(const InterruptHandler&) = delete;
+  InterruptHandler& operator=(const InterruptHandler&) = delete;
+
+ private:
+  void (*before_)(int);
+};
+
+Simulation read(const SimulateArguments& arguments, const Mechanism& mechanism) {
+  Simulation simulation = resting(mechanism);
+  Diagnostics found;
+  if (!arguments.simulation.empty()) read_simulation(arguments.simulation, mechanism, simulation, found);
+  print_diagnostics(found, arguments.quiet || found.has_errors());
+  if (found.has_errors()) throw BadInput(ExitCode::input, found);
+  if (arguments.duration > 0) simulation.duration = arguments.duration;
+  if (arguments.rate > 0) simulation.rate = arguments.rate;
+  if (simulation.duration * simulation.rate > kMostRows) {
+    throw Failure(ExitCode::usage, fmt::format("{:g} rows are too many", simulation.duration * simulation.rate),
+                  "a result has at most ten million: lower --rate or --duration");
+  }
+  simulation.method = arguments.method == "rk4" ? IntegrationMethod::rk4 : IntegrationMethod::adaptive;
+  simulation.tolerance = arguments.tolerance;
+  simulation.step = arguments.step;
+  return simulation;
+}
+
+ExitCode run_simulate(const SimulateArguments& arguments) {
+  const Model model = read_model(arguments.robot, arguments.options());
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  arguments.note_function_keys(model);
+  std::vector<std::string> inputs = model.robot.files;
+  if (!arguments.simulation.empty()) inputs.push_back(arguments.simulation);
+  check_outputs({arguments.output, arguments.events, arguments.plot}, inputs);
+  const Simulation simulation = read(arguments, model.mechanism);
+  Progress progress(arguments.quiet);
+  JointDynamics dynamics(model, progress);
+  const InterruptHandler handler;
+  const auto start = std::chrono::steady_clock::now();
+  const SimulatedMotion motion = simulate(simulation, dynamics, [&](double time) {
+    progress.step(fmt::format("simulating: {:.1f} of {} s", time, simulation.duration));
+    return interrupted != 0;
+  });
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<TextFile> files = {{arguments.output, simulation_csv(motion)}};
+  if (!arguments.events.empty()) files.push_back({arguments.events, events_csv(model.mechanism, motion)});
+  if (!arguments.plot.empty()) files.push_back({arguments.plot, simulation_plot(model.mechanism, motion)});
+  write_files(files);
+  if (arguments.json) {
+    fmt::print("{}\n", simulation_json(model.mechanism, motion, seconds).dump(2));
+  } else {
+    fmt::print("{}", describe_simulation(model.mechanism, motion, seconds));
+  }
+  if (!motion.interrupted) return ExitCode::ok;
+  fmt::print(stderr, "flatdyn: interrupted at t = {} s; what was done until then is in {}\n", motion.end,
+             arguments.output);
+  return ExitCode::interrupted;
+}
+
+void add_integration_options(CLI::App& command, SimulateArguments& arguments) {
+  command.add_option("--duration", arguments.duration, "of the motion; else the file's, or 10")
+      ->type_name("S")
+      ->check(positive_number());
+  command.add_option("--rate", arguments.rate, "rows per second; else the file's, or 1000")
+      ->type_name("HZ")
+      ->check(positive_number());
+  command.add_option("--method", arguments.method, "steps as the tolerance lets them be, or all of one length")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"adaptive", "rk4"}));
+  command.add_option("--tolerance", arguments.tolerance, "adaptive: of positions and speeds in a step")
+      ->capture_default_str()
+      ->check(number_between(1e-14, 0.1));
+  command.add_option("--step", arguments.step, "rk4: longest step; rows fall on steps")
+      ->capture_default_str()
+      ->type_name("S")
+      ->check(number_between(1e-7, 1.0));
+}
+
+}  // namespace
+
+Run add_simulate(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "simulate",
+      "Move the robot under given torques: forward dynamics (7.125), with dry friction and joint limits.\n\n"
+      "  flatdyn simulate robots/planar_2r_example_7_2.toml -o fall.csv --plot fall.svg\n"
+      "  flatdyn simulate robots/panda.urdf --simulation docs/examples/panda_reach.toml -o reach.csv");
+  const auto arguments = std::make_shared<SimulateArguments>();
+  arguments->add_to(*command);
+  command
+      ->add_option("--simulation", arguments->simulation,
+                   "start, torques or control law, limits: docs/simulation-format.md; without it: a fall from rest")
+      ->check(kNotEmpty)
+      ->type_name("FILE");
+  command->add_option("-o,--output", arguments->output, "the motion as CSV")
+      ->required()
+      ->check(kNotEmpty)
+      ->type_name("FILE");
+  command->add_option("--events", arguments->events, "when joints rest, slide, and meet limits, as CSV")
+      ->check(kNotEmpty)
+      ->type_name("FILE");
+  command->add_option("--plot", arguments->plot, "positions, speeds, torques and energies as SVG")
+      ->check(kNotEmpty)
+      ->type_name("FILE");
+  add_integration_options(*command, *arguments);
+  return [arguments] { return run_simulate(*arguments); };
+}
+
+}  // namespace flatdyn

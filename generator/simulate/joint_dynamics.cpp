@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "simulate/joint_dynamics.hpp"
+
+namespace flatdyn {
+namespace {
+
+// The model that functions are derived from: whole, its dry friction taken out.
+Model smooth(Model model) {
+  model.abbreviation.reset();
+  model.robot.scene.at_rest = false;
+  model.robot.scene.outputs.clear();
+  model.robot.scene.functions.clear();
+  for (Body& body : model.mechanism.bodies) body.coulomb = 0;
+  return model;
+}
+
+Eigen::VectorXd of_joints(const Mechanism& mechanism, Number Body::*member) {
+  Eigen::VectorXd values(mechanism.size());
+  for (int i = 0; i < mechanism.size(); ++i) {
+    values(i) = nearest_double(mechanism.bodies[static_cast<std::size_t>(i)].*member);
+  }
+  return values;
+}
+
+}  // namespace
+
+JointDynamics::JointDynamics(const Model& model, Progress& progress) : model_(smooth(model)) {
+  require_numbers(model, "a simulation");
+  viscous_ = of_joints(model.mechanism, &Body::viscous);
+  coulomb_ = of_joints(model.mechanism, &Body::coulomb);
+  terms_.emplace(make_fusion(model_, {"inertia_matrix", "bias"}, progress).fusion.function);
+  PipelineOptions options;
+  options.functions = {"gravity", "potential_energy"};
+  Diagnostics none;
+  const std::vector<Function> functions = functions_of(make_functions(model_, options, progress, none));
+  gravity_.emplace(functions[0]);
+  potential_.emplace(functions[1]);
+  entries_.resize(terms_->results());
+  result_ = {Eigen::MatrixXd(joints(), joints()), Eigen::VectorXd(joints())};
+  g_.resize(joints());
+}
+
+TapeInputs JointDynamics::inputs(const double* q, const double* qd) const {
+  const auto n = static_cast<std::size_t>(joints());
+  TapeInputs given;
+  given[InputKind::q] = {q, n};
+  if (qd != nullptr) given[InputKind::qd] = {qd, n};
+  return given;
+}
+
+const MotionTerms& JointDynamics::at(const double* q, const double* qd) {
+  terms_->run(inputs(q, qd), entries_);
+  const Eigen::Index n = joints();
+  result_.B = Eigen::Map<const Eigen::MatrixXd>(entries_.data(), n, n);
+  result_.n = Eigen::Map<const Eigen::VectorXd>(entries_.data() + n * n, n);
+  return result_;
+}
+
+const Eigen::VectorXd& JointDynamics::gravity(const double* q) {
+  gravity_->run(inputs(q, nullptr), {g_.data(), static_cast<std::size_t>(g_.size())});
+  return g_;
+}
+
+double JointDynamics::potential_energy(const double* q) {
+  double energy = 0;
+  potential_->run(inputs(q, nullptr), {&energy, 1});
+  return energy;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The equations of motion (7.42) in numbers, as fast as the tool can evaluate them: what a simulation steps through.
+#pragma once
+
+#include <Eigen/Dense>
+#include <optional>
+
+#include "graph/tape.hpp"
+#include "pipeline.hpp"
+
+namespace flatdyn {
+
+// B(q) and n(q, q̇) = C q̇ + F_v q̇ + g: all of B q̈ + n = τ but dry friction, which is no function of the state.
+struct MotionTerms {
+  Eigen::MatrixXd B;  // n × n, kg m^2 (kg for prismatic joints)
+  Eigen::VectorXd n;  // n, N m (N)
+};
+
+class JointDynamics {
+ public:
+  // Of the whole model: an error budget, entries left out and "static" of a scene do not count. Throws
+  // Failure(unsupported) where the robot has free symbols.
+  JointDynamics(const Model& model, Progress& progress);
+
+  const Mechanism& mechanism() const { return model_.mechanism; }
+  Eigen::Index joints() const { return viscous_.size(); }
+  const Eigen::VectorXd& viscous() const { return viscous_; }  // F_v, N m s (N s/m)
+  const Eigen::VectorXd& coulomb() const { return coulomb_; }  // F_s, N m (N)
+
+  // q in rad or m, qd in rad/s or m/s; n numbers each.
+  const MotionTerms& at(const double* q, const double* qd);
+  const MotionTerms& last() const { return result_; }  // of at()
+  const Eigen::VectorXd& gravity(const double* q);     // N m (N)
+  double potential_energy(const double* q);            // J
+
+ private:
+  TapeInputs inputs(const double* q, const double* qd) const;
+
+  Model model_;  // without dry friction
+  Eigen::VectorXd viscous_, coulomb_;
+  std::optional<Tape> terms_, gravity_, potential_;
+  std::vector<double> entries_;
+  MotionTerms result_;
+  Eigen::VectorXd g_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "simulate/motion_equation.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace flatdyn {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Beyond an event by so much it has happened: rad/s, rad (m/s, m), and a part of the force that friction holds. It is
+// far below what integration leaves uncertain, and far above rounding.
+constexpr double kSpeedSlack = 1e-11, kPositionSlack = 1e-11, kForceSlack = 1e-9;
+
+}  // namespace
+
+const char* to_string(EventKind kind) {
+  static constexpr const char* kNames[] = {"rests", "slides", "meets its lower limit", "meets its upper limit",
+                                           "leaves its limit"};  // in the order of EventKind
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+MotionEquation::MotionEquation(const Simulation& simulation, JointDynamics& dynamics)
+    : simulation_(simulation), dynamics_(dynamics), law_(simulation, dynamics), n_(dynamics.joints()) {
+  contacts_.resize(static_cast<std::size_t>(n_));
+  for (const Body& body : dynamics.mechanism().bodies) {
+    const Limits& limits = body.limits;
+    ranges_.push_back({limits.lower ? nearest_double(limits.lower->number) : -kInfinity,
+                       limits.upper ? nearest_double(limits.upper->number) : kInfinity});
+  }
+}
+
+MotionState MotionEquation::initial_state() const {
+  MotionState x = simulation_.q;
+  x.insert(x.end(), simulation_.qd.begin(), simulation_.qd.end());
+  x.insert(x.end(), {0, 0});
+  return x;
+}
+
+ContactMotion MotionEquation::motion(const MotionState& x, double t) {
+  const double *q = x.data(), *qd = q + n_;
+  tau_ = law_.at(t, q, qd);
+  const MotionTerms& terms = dynamics_.at(q, qd);
+  return motion_of(terms.B, tau_ - terms.n, dynamics_.coulomb(), contacts_);
+}
+
+void MotionEquation::operator()(const MotionState& x, MotionState& dx, double t) {
+  ++evaluations_;
+  const ContactMotion now = motion(x, t);
+  const Eigen::Map<const Eigen::VectorXd> qd(x.data() + n_, n_);
+  Eigen::Map<Eigen::VectorXd> derivative(dx.data(), 2 * n_ + 2);
+  derivative.head(n_) = qd;
+  derivative.segment(n_, n_) = now.qdd;
+  derivative(2 * n_) = qd.dot(tau_);
+  derivative(2 * n_ + 1) = qd.dot(dynamics_.viscous().cwiseProduct(qd) - now.lambda);
+}
+
+double MotionEquation::kinetic_energy(const MotionState& x) const {
+  const Eigen::Map<const Eigen::VectorXd> qd(x.data() + n_, n_);
+  return qd.dot(dynamics_.last().B * qd) / 2;
+}
+
+bool MotionEquation::has_events() const {
+  return simulation_.at_limits != AtLimits::go_on || (dynamics_.coulomb().array() > 0).any();
+}
+
+double MotionEquation::limit_margin(const MotionState& x, std::size_t i) const {
+  if (simulation_.at_limits == AtLimits::go_on) return kInfinity;
+  const int stop = contacts_[i].stop;
+  const double below = stop < 0 ? kInfinity : x[i] - ranges_[i].lower;
+  const double above = stop > 0 ? kInfinity : ranges_[i].upper - x[i];
+  return std::min(below, above) + kPositionSlack;
+}
+
+// How far a joint is from reversing, or from breaking away.
+double MotionEquation::rest_margin(const MotionState& x, const Eigen::VectorXd& lambda, std::size_t i) const {
+  const JointContact& contact = contacts_[i];
+  const auto row = static_cast<Eigen::Index>(i);
+  if (contact.sliding != 0) return contact.sliding * x[static_cast<std::size_t>(n_) + i] + kSpeedSlack;
+  if (!contact.held) return kInfinity;
+  const double coulomb = dynamics_.coulomb()(row);
+  const HoldingRange range = holding_range(contact, coulomb);
+  return std::min(lambda(row) - range.least, range.most - lambda(row)) + kForceSlack * (1 + coulomb);
+}
+
+double MotionEquation::margin(const MotionState& x, double t) {
+  const bool holds = std::any_of(contacts_.begin(), contacts_.end(), [](const JointContact& c) { return c.held; });
+  const Eigen::VectorXd lambda = holds ? motion(x, t).lambda : Eigen::VectorXd();
+  double least = kInfinity;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    least = std::min({least, limit_margin(x, i), rest_margin(x, lambda, i)});
+  }
+  return least;
+}
+
+bool MotionEquation::is_limit_met(const MotionState& x, std::size_t i, int side) const {
+  if (simulation_.at_limits == AtLimits::go_on || contacts_[i].stop == side) return false;
+  const double beyond = side < 0 ? ranges_[i].lower - x[i] : x[i] - ranges_[i].upper;
+  return beyond > kPositionSlack;
+}
+
+// Where a joint is at the end of its range exactly: where meet_event() has put it, or where it started.
+std::vector<int> MotionEquation::stops(const MotionState& x) const {
+  std::vector<int> sides(contacts_.size(), 0);
+  if (simulation_.at_limits != AtLimits::stop) return sides;
+  for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = (x[i] == ranges_[i].upper) - (x[i] == ranges_[i].lower);
+  return sides;
+}
+
+bool MotionEquation::meet_event(MotionState& x, double t, std::vector<MotionEvent>& events) {
+  const auto n = static_cast<std::size_t>(n_);
+  bool meets = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const int side : {-1, 1}) {
+      if (!is_limit_met(x, i, side)) continue;
+      meets = true;
+      x[i] = side < 0 ? ranges_[i].lower : ranges_[i].upper;
+      events.push_back(
+          {t, static_cast<int>(i), side < 0 ? EventKind::meets_lower_limit : EventKind::meets_upper_limit});
+    }
+    if (contacts_[i].sliding * x[n + i] < 0) x[n + i] = 0;
+  }
+  if (meets && simulation_.at_limits == AtLimits::end) return true;
+  if (meets) {
+    Eigen::Map<Eigen::VectorXd> qd(x.data() + n_, n_);
+    dynamics_.at(x.data(), qd.data());
+    const double before = kinetic_energy(x);
+    qd = stopped(dynamics_.last().B, qd, stops(x));
+    x[2 * n + 1] += before - kinetic_energy(x);
+  }
+  decide(x, t, events);
+  return false;
+}
+
+void MotionEquation::decide(const MotionState& x, double t, std::vector<MotionEvent>& events) {
+  const double *q = x.data(), *qd = q + n_;
+  const Eigen::VectorXd tau = law_.at(t, q, qd);
+  const MotionTerms& terms = dynamics_.at(q, qd);
+  const Contacts before = contacts_;
+  contacts_ = decided(terms.B, tau - terms.n, dynamics_.coulomb(), Eigen::Map<const Eigen::VectorXd>(qd, n_), stops(x));
+  record(before, t, events);
+}
+
+void MotionEquation::record(const Contacts& before, double t, std::vector<MotionEvent>& events) const {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const int joint = static_cast<int>(i);
+    if (contacts_[i].held && !before[i].held) events.push_back({t, joint, EventKind::rests});
+    if (before[i].stop != 0 && contacts_[i].stop == 0) events.push_back({t, joint, EventKind::leaves_limit});
+    if (contacts_[i].sliding != 0 && contacts_[i].sliding != before[i].sliding) {
+      events.push_back({t, joint, EventKind::slides});
+    }
+  }
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "diagnostics/nearest.hpp"
+#include "input/toml_table.hpp"
+#include "simulate/simulation.hpp"
+#include "verify/csv.hpp"
+
+namespace flatdyn {
+namespace {
+
+std::vector<double> doubles(const std::vector<Value>& values) {
+  std::vector<double> result;
+  for (const Value& value : values) result.push_back(nearest_double(value.number));
+  return result;
+}
+
+class SimulationReader {
+ public:
+  SimulationReader(const std::string& file, const Mechanism& mechanism, Simulation& simulation,
+                   Diagnostics& diagnostics)
+      : file_(file), mechanism_(mechanism), simulation_(simulation), diagnostics_(diagnostics) {}
+
+  void read(TomlTable table) {
+    table.text("description");
+    positive(table, "duration", 0, simulation_.duration);
+    positive(table, "rate", 0, simulation_.rate);
+    simulation_.at_limits =
+        choice<AtLimits>(table, "joint_limits",
+                         {{"ignore", AtLimits::go_on}, {"stop", AtLimits::stop}, {"end", AtLimits::end}})
+            .value_or(simulation_.at_limits);
+    if (std::optional<TomlTable> start = table.table("start")) read_start(*start);
+    if (std::optional<TomlTable> torque = table.table("torque")) read_torque(*torque);
+    table.reject_unknown_keys();
+    if (simulation_.at_limits != AtLimits::go_on) check_start_is_in_range(table);
+  }
+
+ private:
+  std::size_t joints() const { return mechanism_.bodies.size(); }
+
+  void positive(TomlTable& table, const char* key, double least, double& result) {
+    const std::optional<std::vector<Value>> given = table.numbers(key, 1);
+    if (!given) return;
+    result = nearest_double(given->front().number);
+    if (result > least) return;
+    diagnostics_.error(given->front().place, fmt::format("{}: {} is not positive", key, result), "e.g. 0.001");
+  }
+
+  void by_joint(TomlTable& table, const char* key, std::vector<double>& result) {
+    if (const auto given = table.numbers(key, joints())) result = doubles(*given);
+  }
+
+  template <class Choice>
+  std::optional<Choice> choice(TomlTable& table, const char* key, const std::map<std::string, Choice>& choices) {
+    const std::optional<std::string> text = table.text(key);
+    if (!text) return std::nullopt;
+    const auto found = choices.find(*text);
+    if (found != choices.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [name, meaning] : choices) names.push_back(name);
+    diagnostics_.error(table.place_of(key), fmt::format("{}: \"{}\" is none of its values", key, *text),
+                       hint_for_unknown(*text, names, "values"));
+    return std::nullopt;
+  }
+
+  void read_start(TomlTable table) {
+    by_joint(table, "q", simulation_.q);
+    by_joint(table, "qd", simulation_.qd);
+    table.reject_unknown_keys();
+  }
+
+  void read_torque(TomlTable table) {
+    by_joint(table, "constant", simulation_.constant);
+    simulation_.saturate = table.boolean("saturate").value_or(false);
+    read_samples(table);
+    for (const auto& [key, kind] :
+         {std::pair{"pd", FeedbackLaw::Kind::pd}, std::pair{"computed_torque", FeedbackLaw::Kind::computed_torque}}) {
+      std::optional<TomlTable> law = table.table(key);
+      if (!law) continue;
+      if (simulation_.samples || simulation_.feedback) {
+        diagnostics_.error(law->place(), "torque: two of samples, pd and computed_torque", "keep one of them");
+      }
+      simulation_.feedback = read_feedback(*law, kind);
+    }
+    table.reject_unknown_keys();
+  }
+
+  void read_samples(TomlTable& table) {
+    const std::optional<std::string> name = table.text("samples");
+    const auto between = choice<TorqueSamples::Between>(
+        table, "between", {{"hold", TorqueSamples::Between::hold}, {"linear", TorqueSamples::Between::linear}});
+    if (!name) {
+      if (between)
+        diagnostics_.error(table.place_of("between"), "torque: between what?", "give samples = \"FILE.csv\"");
+      return;
+    }
+    const std::filesystem::path path = std::filesystem::path(file_).parent_path() / *name;
+    simulation_.samples = read_torques(path.string(), mechanism_, diagnostics_);
+    if (between) simulation_.samples->between = *between;
+  }
+
+  FeedbackLaw read_feedback(TomlTable table, FeedbackLaw::Kind kind) {
+    FeedbackLaw law{kind, {}, {}, simulation_.q};
+    law.kp.assign(joints(), 0);
+    law.kd = law.kp;
+    by_joint(table, "kp", law.kp);
+    by_joint(table, "kd", law.kd);
+    by_joint(table, "position", law.position);
+    if (kind == FeedbackLaw::Kind::pd) law.gravity = table.boolean("gravity").value_or(false);
+    if (table.has("period")) positive(table, "period", 0, simulation_.period);
+    table.reject_unknown_keys();
+    return law;
+  }
+
+  void check_start_is_in_range(const TomlTable& table) {
+    for (std::size_t i = 0; i < joints(); ++i) {
+      const Body& body = mechanism_.bodies[i];
+      const double q = simulation_.q[i];
+      const bool is_below = body.limits.lower && q < nearest_double(body.limits.lower->number);
+      const bool is_above = body.limits.upper && q > nearest_double(body.limits.upper->number);
+      if (!is_below && !is_above) continue;
+      diagnostics_.error(table.place_of("start"),
+                         fmt::format("start: joint \"{}\" is at {}, outside of its limits", body.joint, q),
+                         "give q in [start], or leave joint_limits out");
+    }
+  }
+
+  const std::string& file_;
+  const Mechanism& mechanism_;
+  Simulation& simulation_;
+  Diagnostics& diagnostics_;
+};
+
+// Where each joint's torque is; with an error where it is not.
+std::vector<std::size_t> torque_columns(const CsvTable& table, const std::string& file, const Mechanism& mechanism,
+                                        Diagnostics& diagnostics) {
+  std::vector<std::size_t> at;
+  for (int i = 0; i < mechanism.size(); ++i) {
+    const std::string number = fmt::format("tau{}", i + 1);
+    const std::string name = "tau_" + mechanism.bodies[static_cast<std::size_t>(i)].joint;
+    const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                    [&](const std::string& column) { return column == number || column == name; });
+    if (found == table.columns.end()) {
+      diagnostics.error({file, 1}, fmt::format("there is no column {} or {}", number, name),
+                        "the heading is time,tau1,tau2,… or time,tau_JOINT,…");
+    }
+    at.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+  }
+  return at;
+}
+
+}  // namespace
+
+TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, Diagnostics& diagnostics) {
+  TorqueSamples samples;
+  Diagnostics found;
+  const CsvTable table = read_csv(file, found);
+  const auto time = std::find_if(table.columns.begin(), table.columns.end(),
+                                 [](const std::string& column) { return column == "time" || column == "t"; });
+  if (time == table.columns.end()) found.error({file, 1}, "there is no column time", "seconds, as the first one");
+  const std::vector<std::size_t> torques = torque_columns(table, file, mechanism, found);
+  if (table.rows.empty()) found.error({file, 0}, "there is no sample", "write a heading and at least one row");
+  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
+  if (found.has_errors()) return samples;
+  const auto number = [](const std::string& text) { return nearest_double(exact_decimal(text)); };
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::vector<std::string>& entries = table.rows[row];
+    const double now = number(entries[static_cast<std::size_t>(time - table.columns.begin())]);
+    if (!samples.times.empty() && now <= samples.times.back()) {
+      diagnostics.error({file, table.lines[row]},
+                        fmt::format("time {} does not come after {}", now, samples.times.back()),
+                        "sort the rows by time");
+      return samples;
+    }
+    samples.times.push_back(now);
+    samples.torques.emplace_back();
+    for (const std::size_t column : torques) samples.torques.back().push_back(number(entries[column]));
+  }
+  return samples;
+}
+
+Simulation resting(const Mechanism& mechanism) {
+  Simulation simulation;
+  simulation.q.assign(mechanism.bodies.size(), 0);
+  simulation.qd = simulation.constant = simulation.q;
+  return simulation;
+}
+
+void read_simulation(const std::string& file, const Mechanism& mechanism, Simulation& simulation,
+                     Diagnostics& diagnostics) {
+  const std::optional<std::string> text = file_text(file, diagnostics);
+  if (!text) return;
+  const ReadOptions options;
+  ReadContext context{options, diagnostics, SymbolTable(file), {}, 0, {}, {}};
+  const TomlSource source(*text, file, context, "docs/simulation-format.md");
+  const std::optional<toml::table> root = source.parse();
+  if (root) SimulationReader(file, mechanism, simulation, diagnostics).read(TomlTable(*root, "", source));
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "simulate/torque_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flatdyn {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Eigen::VectorXd effort_limits(const Mechanism& mechanism) {
+  Eigen::VectorXd limits(mechanism.size());
+  for (int i = 0; i < mechanism.size(); ++i) {
+    const std::optional<Value>& effort = mechanism.bodies[static_cast<std::size_t>(i)].limits.effort;
+    limits(i) = effort ? nearest_double(effort->number) : kInfinity;
+  }
+  return limits;
+}
+
+}  // namespace
+
+TorqueLaw::TorqueLaw(const Simulation& simulation, JointDynamics& dynamics)
+    : simulation_(simulation),
+      dynamics_(dynamics),
+      constant_(vector_of(simulation.constant)),
+      limits_(effort_limits(dynamics.mechanism())),
+      torque_(constant_) {
+  if (const auto& law = simulation.feedback) {
+    kp_ = vector_of(law->kp);
+    kd_ = vector_of(law->kd);
+    position_ = vector_of(law->position);
+  }
+}
+
+double TorqueLaw::next_knot(double t) const {
+  if (simulation_.feedback && simulation_.period > 0) {
+    // The one at t, if the division makes it a little less than it is, is not the next.
+    return (std::floor(t / simulation_.period * (1 + 1e-12)) + 1) * simulation_.period;
+  }
+  if (!simulation_.samples) return kInfinity;
+  const std::vector<double>& times = simulation_.samples->times;
+  const auto next = std::upper_bound(times.begin(), times.end(), t);
+  return next == times.end() ? kInfinity : *next;
+}
+
+void TorqueLaw::start(double t, const double* q, const double* qd) {
+  held_ = false;
+  if (simulation_.samples) {
+    const std::vector<double>& times = simulation_.samples->times;
+    const auto next = std::upper_bound(times.begin(), times.end(), t);
+    sample_ = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, next - times.begin() - 1));
+  }
+  at(t, q, qd);
+  held_ = simulation_.feedback && simulation_.period > 0;
+}
+
+const Eigen::VectorXd& TorqueLaw::at(double t, const double* q, const double* qd) {
+  if (held_) return torque_;
+  if (simulation_.feedback) feedback(q, qd);
+  if (simulation_.samples) sampled(t);
+  if (simulation_.saturate) saturate();
+  return torque_;
+}
+
+void TorqueLaw::feedback(const double* q, const double* qd) {
+  const Eigen::Index n = dynamics_.joints();
+  const Eigen::Map<const Eigen::VectorXd> position(q, n), speed(qd, n);
+  const Eigen::VectorXd wanted = kp_.cwiseProduct(position_ - position) - kd_.cwiseProduct(speed);
+  torque_ = constant_;
+  if (simulation_.feedback->kind == FeedbackLaw::Kind::computed_torque) {
+    const MotionTerms& terms = dynamics_.at(q, qd);
+    torque_ += terms.B * wanted + terms.n;
+  } else {
+    torque_ += wanted;
+    if (simulation_.feedback->gravity) torque_ += dynamics_.gravity(q);
+  }
+}
+
+// Before the first sample and after the last one, that sample.
+void TorqueLaw::sampled(double t) {
+  const TorqueSamples& samples = *simulation_.samples;
+  const std::vector<double>& from = samples.torques[sample_];
+  torque_ = constant_ + vector_of(from);
+  const bool is_between = t > samples.times[sample_] && sample_ + 1 < samples.times.size();
+  if (samples.between == TorqueSamples::Between::hold || !is_between) return;
+  const double part = (t - samples.times[sample_]) / (samples.times[sample_ + 1] - samples.times[sample_]);
+  torque_ += part * (vector_of(samples.torques[sample_ + 1]) - vector_of(from));
+}
+
+void TorqueLaw::saturate() { torque_ = torque_.cwiseMin(limits_).cwiseMax(-limits_); }
+
+}  // namespace flatdyn

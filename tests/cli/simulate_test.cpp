@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// flatdyn simulate: the files that it writes, what it says of bad input, and Ctrl-C.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr const char* kArm = "simulate robots/planar_2r_example_7_2.toml -q ";
+
+TEST(Simulate, WritesMotionEventsAndPlot) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_flatdyn(fmt::format("simulate robots/puma560.toml -q --duration 3 --rate 100 -o {} --events {} --plot {}",
+                              scratch.path("m.csv"), scratch.path("e.csv"), scratch.path("m.svg")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("energies add up within "));
+  EXPECT_THAT(outcome.out, HasSubstr("shoulder rests"));
+  const std::string csv = scratch.read("m.csv");
+  EXPECT_THAT(csv, StartsWith("time,q1,q2,q3,q4,q5,q6,qd1,"));
+  EXPECT_THAT(csv, HasSubstr(",friction6,kinetic,potential,work,dissipated\n0,0,0,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 302);
+  EXPECT_THAT(scratch.read("e.csv"), StartsWith("time,joint,event\n0."));
+  EXPECT_THAT(scratch.read("m.svg"), HasSubstr("energies"));
+}
+
+// What is simulated can be read by `eval`, and needs the torques that it was given: none.
+TEST(Simulate, FallsWithoutTorques) {
+  const Scratch scratch;
+  ASSERT_EQ(run_flatdyn(kArm + ("--duration 2 --rate 20 -o " + scratch.path("fall.csv"))).code, 0);
+  const Outcome outcome =
+      run_flatdyn("eval robots/planar_2r_example_7_2.toml -q --json --reference --function inverse_dynamics --states " +
+                  scratch.path("fall.csv"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json rows = json::parse(outcome.out)["rows"];
+  ASSERT_EQ(rows.size(), 41U);
+  for (const json& row : rows) {
+    EXPECT_NEAR(std::stod(row[row.size() - 1].get<std::string>()), 0, 1e-9);
+    EXPECT_NEAR(std::stod(row[row.size() - 2].get<std::string>()), 0, 1e-9);
+  }
+}
+
+TEST(Simulate, GivesTheSameBytesInEveryRun) {
+  const Scratch scratch;
+  for (const char* name : {"a.csv", "b.csv"}) {
+    ASSERT_EQ(run_flatdyn(kArm + ("--duration 1 -o " + scratch.path(name))).code, 0);
+  }
+  EXPECT_EQ(scratch.read("a.csv"), scratch.read("b.csv"));
+}
+
+TEST(Simulate, DrivesWithSampledTorques) {
+  const Scratch scratch;
+  scratch.write("tau.csv", "t,tau_theta_2,tau_theta_1\n0,1,2\n0.5,3,4\n");
+  scratch.write("run.toml", "duration = 1\nrate = 4\n[torque]\nsamples = \"tau.csv\"\n");
+  const Outcome outcome =
+      run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string csv = scratch.read("m.csv");
+  EXPECT_THAT(csv, HasSubstr(",3,2,"));  // at 0.25 s, half-way
+  EXPECT_THAT(csv, HasSubstr(",4,3,"));  // after the last sample
+}
+
+TEST(Simulate, CtrlCLeavesAValidFile) {
+  const Scratch scratch;
+  const std::string command = fmt::format(
+      "timeout --signal=INT --preserve-status 2 '{}' simulate '{}/robots/panda.urdf' -q --duration 90000 "
+      "--rate 10 -o '{}' 2> '{}'",
+      FLATDYN_PROGRAM, FLATDYN_SOURCE_DIR, scratch.path("m.csv"), scratch.path("err"));
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 130);  // NOLINT(cert-env33-c): the shell's `timeout`
+  EXPECT_THAT(scratch.read("err"), HasSubstr("interrupted at t = "));
+  const std::string csv = scratch.read("m.csv");
+  EXPECT_THAT(csv, StartsWith("time,q1,"));
+  EXPECT_EQ(csv.back(), '\n');
+  EXPECT_GT(std::count(csv.begin(), csv.end(), '\n'), 2);
+}
+
+struct BadInput {
+  const char* text;
+  const char* message;
+};
+
+class BadSimulation : public ::testing::TestWithParam<BadInput> {};
+
+TEST_P(BadSimulation, IsDiagnosedWithItsLine) {
+  const Scratch scratch;
+  scratch.write("run.toml", GetParam().text);
+  scratch.write("empty.csv", "time,tau1,tau2\n");
+  scratch.write("unsorted.csv", "time,tau1,tau2\n0,0,0\n1,0,0\n1,0,0\n");
+  scratch.write("infinite.csv", "time,tau1,tau2\n0,inf,0\n");
+  scratch.write("columns.csv", "time,tau1,torque2\n0,0,0\n");
+  const Outcome outcome =
+      run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr(GetParam().message));
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("m.csv")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Simulate, BadSimulation,
+    ::testing::Values(
+        BadInput{"duration = 0\n", "run.toml:1: error: duration: 0 is not positive"},
+        BadInput{"\nrate = -1\n", "run.toml:2: error: rate: -1 is not positive"},
+        BadInput{"duration = inf\n", "run.toml:1: error: "}, BadInput{"duraton = 1\n", "did you mean \"duration\""},
+        BadInput{"joint_limits = \"stopp\"\n", "run.toml:1: error: joint_limits: \"stopp\" is none of its values"},
+        BadInput{"[start]\nq = [1, 2, 3]\n", "run.toml:2: error: start, q: a list of 2 numbers, or one number"},
+        BadInput{"[start]\nq = \"a_1\"\n", "run.toml:2: error: start, q: a symbol stands for no number here"},
+        BadInput{"[torque]\nsamples = \"empty.csv\"\n", "empty.csv: error: there is no sample"},
+        BadInput{"[torque]\nsamples = \"unsorted.csv\"\n", "unsorted.csv:4: error: time 1 does not come after 1"},
+        BadInput{"[torque]\nsamples = \"infinite.csv\"\n", "infinite.csv:2: error: column \"tau1\": \"inf\""},
+        BadInput{"[torque]\nsamples = \"columns.csv\"\n",
+                 "columns.csv:1: error: there is no column tau2 or tau_theta_2"},
+        BadInput{"[torque]\nbetween = \"hold\"\n", "run.toml:2: error: torque: between what?"},
+        BadInput{"[torque.pd]\nkp = 1\n[torque.computed_torque]\nkp = 1\n", "run.toml:3: error: torque: two of "}));
+
+TEST(Simulate, RefusesWhatItCannotDo) {
+  const Scratch scratch;
+  const Outcome symbols = run_flatdyn("simulate robots/planar_2r.toml -q -o " + scratch.path("m.csv"));
+  EXPECT_EQ(symbols.code, 4);
+  EXPECT_THAT(symbols.err, HasSubstr("a simulation needs numbers"));
+  EXPECT_EQ(run_flatdyn(kArm + ("--duration 1e6 --rate 1e6 -o " + scratch.path("m.csv"))).code, 2);
+  EXPECT_EQ(run_flatdyn(kArm + ("--tolerance 0 -o " + scratch.path("m.csv"))).code, 2);
+  EXPECT_EQ(run_flatdyn(kArm + ("--simulation none.toml -o " + scratch.path("m.csv"))).code, 6);
+  EXPECT_EQ(run_flatdyn(kArm + ("-o " + scratch.path("m.csv") + " --plot " + scratch.path("m.csv"))).code, 2);
+  EXPECT_TRUE(scratch.is_empty());
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
