@@ -26,6 +26,7 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
                   .inputs = function.inputs,
                   .base_parameters = function.base_parameters,
                   .at_rest = function.at_rest,
+                  .task = function.task,
                   .graph = std::move(graph),
                   .outputs = function.outputs,
                   .positive = function.positive};

@@ -42,7 +42,7 @@ Fusion fused(const std::vector<Function>& functions) {
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
     fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
-                            function.outputs.size(), function.positive.size()});
+                            function.task, function.outputs.size(), function.positive.size()});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
   return fusion;
@@ -65,6 +65,7 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .inputs = part.inputs,
           .base_parameters = fusion.function.base_parameters,
           .at_rest = part.at_rest,
+          .task = part.task,
           .graph = fusion.function.graph,
           .outputs = slice(fusion.function.outputs, output, part.outputs),
           .positive = slice(fusion.function.positive, condition, part.conditions)};

@@ -45,6 +45,26 @@ std::vector<SceneLimits> read_all_limits(TomlTable table) {
   return all;
 }
 
+// Rows of the Jacobian by the names that people give them.
+std::vector<int> read_task(TomlTable& table, Diagnostics& diagnostics) {
+  static const std::vector<std::string> kNames = {"x", "y", "z", "rx", "ry", "rz"};
+  std::vector<int> rows;
+  for (const Reference& direction : table.references("task")) {
+    const auto found = std::find(kNames.begin(), kNames.end(), direction.name);
+    if (found == kNames.end()) {
+      diagnostics.error(direction.place, "task: " + quoted(direction.name) + " is no direction",
+                        "x, y, z for the tip's velocity, rx, ry, rz for its rotation, in the base frame");
+      continue;
+    }
+    rows.push_back(static_cast<int>(found - kNames.begin()));
+  }
+  std::sort(rows.begin(), rows.end());
+  if (std::adjacent_find(rows.begin(), rows.end()) != rows.end()) {
+    diagnostics.error(table.place_of("task"), "task: a direction is there twice", "name it once");
+  }
+  return rows;
+}
+
 void require_some(const std::vector<Reference>& list, const Place& place, const std::string& what,
                   Diagnostics& diagnostics) {
   if (list.empty()) diagnostics.error(place, what + ": nothing is asked for", "name what is needed, or leave it out");
@@ -105,6 +125,8 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   scene.at_rest = table.boolean("static").value_or(false);
   scene.friction = table.boolean("friction").value_or(true);
   scene.error_budget = read_error_budget(table, diagnostics);
+  scene.task = read_task(table, diagnostics);
+  if (table.is_list("task")) require_some(table.references("task"), table.place_of("task"), "task", diagnostics);
   scene.functions = table.references("functions");
   if (table.is_list("functions")) {
     require_some(scene.functions, table.place_of("functions"), "functions", diagnostics);

@@ -304,6 +304,7 @@ Mechanism make_mechanism(const Robot& robot) {
   Mechanism mechanism;
   mechanism.name = robot.name;
   mechanism.gravity = rationalised(robot.gravity);
+  mechanism.task = robot.scene.task;
   mechanism.symbols = robot.symbols;
   mechanism.merged = tree.merged_;
   for (std::size_t i = 0; i < tree.raw_.size(); ++i) mechanism.bodies.push_back(make_body(tree, placer, i));

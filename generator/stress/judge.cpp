@@ -26,6 +26,7 @@ StressJudge::StressJudge(const Function& function, Expected expected, const std:
       graph_(function) {}
 
 std::optional<StressTruth<long double>> StressJudge::truth(const State& given) {
+  if (!expected_.is_regular(given)) return std::nullopt;
   std::optional<std::vector<long double>> values = graph_(widened<long double>(given));
   if (!values) return std::nullopt;
   return StressTruth<long double>{std::move(*values), expected_.scale(given)};

@@ -20,17 +20,32 @@ void fail_as_singular(const Body& body) {
 }
 
 Factorisation::Factorisation(Frames& frames, std::vector<std::vector<Number>> B)
-    : frames_(frames), L_(std::move(B)), inverse_(L_.size()) {
-  Derivation& d = frames.derivation();
+    : derivation_(frames.derivation()), L_(std::move(B)), inverse_(L_.size()) {
+  for (const Body& body : frames.mechanism().bodies) parents_.push_back(body.parent);
+  factorise([&frames](std::size_t k) { fail_as_singular(frames.body(static_cast<int>(k))); });
+}
+
+Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, std::vector<std::vector<Number>> matrix,
+                             const std::string& what, const std::string& prefix)
+    : derivation_(derivation),
+      parents_(std::move(parents)),
+      prefix_(prefix),
+      L_(std::move(matrix)),
+      inverse_(L_.size()) {
+  factorise([&what](std::size_t) { throw Failure(ExitCode::unsupported, what + " is singular everywhere"); });
+}
+
+void Factorisation::factorise(const std::function<void(std::size_t)>& fail_as_zero) {
+  Derivation& d = derivation_;
   for (std::size_t k = L_.size(); k-- > 0;) {
     const std::string row = label(static_cast<int>(k));
-    if (vanishes(L_[k][k])) fail_as_singular(frames.body(static_cast<int>(k)));
-    inverse_[k] = d.quotient(1, L_[k][k], "d_" + row);
+    if (vanishes(L_[k][k])) fail_as_zero(k);
+    inverse_[k] = d.quotient(1, L_[k][k], prefix_ + "d_" + row);
     for (int i = parent(k); i >= 0; i = parent(index(i))) {
-      const Number l = d.named(L_[k][index(i)] * inverse_[k], "l_" + row + "_" + label(i));
+      const Number l = d.named(L_[k][index(i)] * inverse_[k], prefix_ + "l_" + row + "_" + label(i));
       for (int j = i; j >= 0; j = parent(index(j))) {
-        L_[index(i)][index(j)] =
-            d.named(L_[index(i)][index(j)] - l * L_[k][index(j)], "b_" + row + "_" + label(i) + "_" + label(j));
+        L_[index(i)][index(j)] = d.named(L_[index(i)][index(j)] - l * L_[k][index(j)],
+                                         prefix_ + "b_" + row + "_" + label(i) + "_" + label(j));
       }
       L_[k][index(i)] = l;
     }
@@ -38,20 +53,28 @@ Factorisation::Factorisation(Frames& frames, std::vector<std::vector<Number>> B)
   for (std::size_t k = 0; k < L_.size(); ++k) pivots_.push_back(L_[k][k]);
 }
 
-std::vector<Number> Factorisation::solve(std::vector<Number> b, const std::string& name) const {
-  Derivation& d = frames_.derivation();
-  for (std::size_t k = b.size(); k-- > 0;) {  // Lᵀ y = b
+std::vector<Number> Factorisation::half_solved(std::vector<Number> b, const std::string& name) const {
+  for (std::size_t k = b.size(); k-- > 0;) {
     for (int i = parent(k); i >= 0; i = parent(index(i))) {
-      b[index(i)] = d.named(b[index(i)] - L_[k][index(i)] * b[k], "y_" + label(static_cast<int>(k)) + "_" + label(i));
+      b[index(i)] = derivation_.named(b[index(i)] - L_[k][index(i)] * b[k],
+                                      name + "_" + label(static_cast<int>(k)) + "_" + label(i));
     }
   }
+  return b;
+}
+
+std::vector<Number> Factorisation::finished(const std::vector<Number>& y, const std::string& name) const {
   std::vector<Number> result;
-  for (std::size_t k = 0; k < b.size(); ++k) {  // L x = D⁻¹ y
-    Number x = inverse_[k] * b[k];
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    Number x = inverse_[k] * y[k];
     for (int i = parent(k); i >= 0; i = parent(index(i))) x -= L_[k][index(i)] * result[index(i)];
-    result.push_back(d.named(x, name + "_" + label(static_cast<int>(k))));
+    result.push_back(derivation_.named(x, name + "_" + label(static_cast<int>(k))));
   }
   return result;
+}
+
+std::vector<Number> Factorisation::solve(std::vector<Number> b, const std::string& name) const {
+  return finished(half_solved(std::move(b), "y"), name);
 }
 
 // Column k from L x = D⁻¹ y, Lᵀ y = e_k. Of x all before entry k is known from the columns before, by symmetry, and of
@@ -64,7 +87,7 @@ std::vector<std::vector<Number>> Factorisation::inverse(const std::string& name)
       Number x = j == k ? inverse_[k] : Number(0);
       for (int i = parent(j); i >= 0; i = parent(index(i))) x -= L_[j][index(i)] * result[index(i)][k];
       const std::string entry = name + "_" + label(static_cast<int>(j)) + "_" + label(static_cast<int>(k));
-      result[j][k] = result[k][j] = frames_.derivation().named(x, entry);
+      result[j][k] = result[k][j] = derivation_.named(x, entry);
     }
   }
   return result;

@@ -3,6 +3,10 @@
 // "Efficient factorization of the joint-space inertia matrix for branched kinematic trees", 2005).
 #pragma once
 
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "symbolic/newton_euler.hpp"
 
 namespace flatdyn {
@@ -14,6 +18,14 @@ class Factorisation {
  public:
   // B as from inertia_matrix. Throws Failure(unsupported) if a pivot is exactly zero.
   Factorisation(Frames& frames, std::vector<std::vector<Number>> B);
+  // Of any symmetric matrix; parents[k] < k, below -1: those entries of row k are zero that are not on the way from k
+  // to -1. `what` is the matrix, for messages; `prefix` sets its names apart from those of B.
+  Factorisation(Derivation& derivation, std::vector<int> parents, std::vector<std::vector<Number>> matrix,
+                const std::string& what, const std::string& prefix);
+
+  // solve() in two halves: y of Lᵀ y = b, then x of L x = D⁻¹ y. a · B⁻¹ b is Σ y_a y_b / D with both halves done.
+  std::vector<Number> half_solved(std::vector<Number> b, const std::string& name) const;
+  std::vector<Number> finished(const std::vector<Number>& y, const std::string& name) const;
 
   // x of B x = b. `name`: of the entries of x, as emitted.
   std::vector<Number> solve(std::vector<Number> b, const std::string& name) const;
@@ -23,11 +35,15 @@ class Factorisation {
 
   // D: all positive if and only if B is positive definite.
   const std::vector<Number>& pivots() const { return pivots_; }
+  const std::vector<Number>& inverse_pivots() const { return inverse_; }
 
  private:
-  int parent(std::size_t i) const { return frames_.mechanism().bodies[i].parent; }
+  int parent(std::size_t i) const { return parents_[i]; }
+  void factorise(const std::function<void(std::size_t)>& fail_as_zero);
 
-  Frames& frames_;
+  Derivation& derivation_;
+  std::vector<int> parents_;
+  std::string prefix_;
   std::vector<std::vector<Number>> L_;  // below the diagonal
   std::vector<Number> pivots_, inverse_;
 };

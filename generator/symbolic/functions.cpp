@@ -12,6 +12,7 @@
 #include "symbolic/derivatives.hpp"
 #include "symbolic/energy.hpp"
 #include "symbolic/kinematics.hpp"
+#include "symbolic/operational.hpp"
 #include "symbolic/regressor_functions.hpp"
 #include "symbolic/workbench.hpp"
 
@@ -163,6 +164,11 @@ Function forward_dynamics_derivatives(const Mechanism& mechanism, const Choices&
   return derived(mechanism, choices, acceleration_derivatives_function);
 }
 
+template <Function (*derive)(Workbench&)>
+Function at_the_tip(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, as_given(choices, mechanism.tip), derive);
+}
+
 Function kinetic_energy_function(const Mechanism& mechanism, const Choices& choices) {
   return derived(mechanism, choices, [](Workbench& bench) {
     const NodeId T = bench.node(kinetic_energy(bench.frames));
@@ -261,6 +267,12 @@ const std::vector<FunctionEntry>& function_table() {
       {"forward_dynamics_derivatives",
        "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant", "", Kind::derivatives,
        forward_dynamics_derivatives},
+      {"operational_inertia", "B_A and the consistent inverse of J: the inertia that the tip moves with",
+       "(7.130), (7.138)", Kind::operational, at_the_tip<operational_inertia_function>},
+      {"operational_bias", "C_A times the tip's velocity, and g_A", "(7.131), (7.132)", Kind::operational,
+       at_the_tip<operational_bias_function>},
+      {"null_space_torque", "What of tau moves the arm and leaves the tip where it is", "(7.141)", Kind::operational,
+       at_the_tip<null_space_torque_function>},
       {"regressor", "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint", "(7.81)", Kind::regressor,
        ungrouped<regressor_function>},
       {"base_regressor", "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters", "(7.81)", Kind::regressor,

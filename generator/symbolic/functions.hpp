@@ -16,6 +16,7 @@ enum class FunctionKind {
   dynamics,     // inertial parameters are numbers in it
   kinematics,   // it has none
   derivatives,  // of dynamics
+  operational,  // dynamics as the tip feels them
   regressor,    // they are factors or inputs: it chooses its own
 };
 
@@ -29,15 +30,16 @@ struct FunctionEntry {
   // Other formulations of the same, where which one costs less depends on the robot; not every robot has them.
   std::vector<std::optional<Function> (*)(const Mechanism&, const Choices&)> alternatives = {};
 
-  // Left out unless asked for by name: these serve identification, adaptive control and optimisers, and are larger than
-  // all other functions of a controller together.
-  bool is_on_request() const { return kind == FunctionKind::derivatives || kind == FunctionKind::regressor; }
+  // Left out unless asked for by name: these serve identification, adaptive control, optimisers and control at the tip,
+  // and are larger than all other functions of a controller together.
+  bool is_on_request() const { return kind != FunctionKind::dynamics && kind != FunctionKind::kinematics; }
 };
 
 // In the order in which they are emitted: inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel,
 // coriolis_matrix, gravity, bias, forward_dynamics, kinetic_energy, potential_energy, forward_kinematics, jacobian,
-// jacobian_dot_qd; then on request inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor,
-// base_regressor, base_parameters, inverse_dynamics_base, adaptive_regressor.
+// jacobian_dot_qd; then on request inverse_dynamics_derivatives, forward_dynamics_derivatives, operational_inertia,
+// operational_bias, null_space_torque, regressor, base_regressor, base_parameters, inverse_dynamics_base,
+// adaptive_regressor.
 const std::vector<FunctionEntry>& function_table();
 
 using LinkDerivation = Function (*)(const Mechanism&, const LinkFrame&);

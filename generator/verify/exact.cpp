@@ -90,6 +90,8 @@ double in_drawn_values(double degree, double angles, double reciprocals) {
 // The derivatives of forward dynamics are compared at a q̈ of their own making, which is B⁻¹ times a torque.
 double degree_factor(const Mechanism& mechanism, const Function& function) {
   if (function.name == "forward_dynamics_derivatives") return 2;
+  // B_A is the inverse of J B^-1 Jᵀ, of at most six rows, and B^-1 adj B / det B.
+  if (!function.task.empty()) return 2.0 * static_cast<double>(function.task.size()) * (mechanism.size() + 2);
   if (function.name == "base_parameters") return 2;  // Y_b π_b is compared with Y π
   const bool is_solved = function.name == "forward_dynamics" && !is_whole(function);
   return is_solved ? 2.0 * mechanism.size() : 1;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "verify/operational_values.hpp"
 #include "verify/regressor_outputs.hpp"
 #include "verify/regressor_reference.hpp"
 #include "verify/values.hpp"
@@ -36,6 +37,9 @@ Expected ExpectedValues::torques_and_poses(const Function& function) const {
           [&function, rounded](const State& s) { return magnitudes(function, rounded, s); },
           [&function, in_float](const State& s) {
             return doubles(reference_values<float>(function, in_float, widened<float>(s)));
+          },
+          [&function, rounded](const State& s) {
+            return function.task.empty() || is_regular(rounded, vector_of<double>(s.q), function.task);
           }};
 }
 
@@ -46,7 +50,8 @@ Expected ExpectedValues::regressor_of(const Function& function) const {
   return {[exact](const State& s) { return exact.values(widened<Real50>(s)); },
           [rounded](const State& s) { return rounded.values(s); },
           [rounded](const State& s) { return magnitudes(rounded, s); },
-          [in_float](const State& s) { return doubles(in_float.values(widened<float>(s))); }};
+          [in_float](const State& s) { return doubles(in_float.values(widened<float>(s))); },
+          [](const State&) { return true; }};
 }
 
 bool costs_many_recursions(const Function& function) {
@@ -80,6 +85,7 @@ double scaled_error(const std::vector<double>& x, const std::vector<Real50>& tru
 }
 
 ErrorSummary summary(std::vector<double> errors) {
+  if (errors.empty()) return {};
   std::sort(errors.begin(), errors.end());
   const std::size_t k = errors.size() * 99 / 100;
   return {errors.back(), errors[std::min(k, errors.size() - 1)]};

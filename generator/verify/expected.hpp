@@ -16,6 +16,8 @@ struct Expected {
   std::function<std::vector<Real50>(const State&)> exact;           // from the recursive reference
   std::function<std::vector<double>(const State&)> rounded, scale;  // the reference in double; magnitudes
   std::function<std::vector<double>(const State&)> in_float;        // the reference in float
+  // Whether the function has a value there; near a singularity of its task it has none that doubles could hold.
+  std::function<bool(const State&)> is_regular;
 };
 
 // The recursive reference of one robot, with values for its free symbols.
@@ -58,7 +60,7 @@ struct ErrorSummary {
   double percentile_99 = 0;
 };
 
-// Of at least one error.
+// Of errors; zero if there are none.
 ErrorSummary summary(std::vector<double> errors);
 
 }  // namespace flatdyn

@@ -60,6 +60,7 @@ class LagrangianOutputs {
       return torque_derivatives(output.name == "dtau_dq", drawn(InputKind::qdd, mechanism_.size()));
     }
     if (stem_ == "forward_dynamics_derivatives") return acceleration_derivatives(output);
+    if (!function_.task.empty()) return operational(output.name);
     if (stem_ == "kinetic_energy") return {lagrangian_.kinetic_energy(rates())};
     if (stem_ == "potential_energy") return {lagrangian_.potential_energy()};
     if (stem_ == "forward_kinematics") return pose(output.name);
@@ -141,6 +142,51 @@ class LagrangianOutputs {
     }
     for (int k = 0; k < n; ++k) b[at(k)] = b[at(k)] * (F(1) / A(k, k));
     return b;
+  }
+
+  // X of A X = B, column by column.
+  static Matrix<F> solution(const Matrix<F>& A, const Matrix<F>& B) {
+    Matrix<F> X(B.rows(), B.cols());
+    for (int j = 0; j < B.cols(); ++j) {
+      Values column;
+      for (int i = 0; i < B.rows(); ++i) column.push_back(B(i, j));
+      column = solution(A, column);
+      for (int i = 0; i < B.rows(); ++i) X(i, j) = column[static_cast<std::size_t>(i)];
+    }
+    return X;
+  }
+
+  Values task_rows(const Values& all) const {
+    Values rows;
+    for (const int row : function_.task) rows.push_back(all[static_cast<std::size_t>(row)]);
+    return rows;
+  }
+
+  // (7.130)–(7.141), as they are written.
+  Values operational(const std::string& output) {
+    const Matrix<F> all = lagrangian_.jacobian(frame());
+    const int n = mechanism_.size(), r = static_cast<int>(function_.task.size());
+    Matrix<F> J(r, n), Jt(n, r), unit(r, r);
+    for (int i = 0; i < r; ++i) {
+      unit(i, i) = F(1);
+      for (int k = 0; k < n; ++k) J(i, k) = Jt(k, i) = all(function_.task[static_cast<std::size_t>(i)], k);
+    }
+    const Matrix<F> X = solution(lagrangian_.inertia(), Jt);
+    const Matrix<F> B_A = solution(times(J, X), unit);
+    if (output == "B_A") return B_A.entries();
+    if (output == "J_bar") return times(X, B_A).entries();
+    const auto acceleration = [&](const Values& b) { return times(J, solution(lagrangian_.inertia(), b)); };
+    if (output == "g_A") return times(B_A, acceleration(lagrangian_.gravity()));
+    if (output == "c_A") {
+      Values c = acceleration(times(lagrangian_.coriolis_matrix(rates()), rates()));
+      const Values drift = task_rows(lagrangian_.jacobian_dot_qd(frame(), rates()));
+      for (std::size_t i = 0; i < c.size(); ++i) c[i] += -drift[i];
+      return times(B_A, c);
+    }
+    const Values tau = drawn(InputKind::tau, n);
+    Values rest = times(Jt, times(B_A, acceleration(tau)));
+    for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = tau[k] + -rest[k];
+    return rest;
   }
 
   Values torque_derivatives(bool by_position, const Values& qdd) {

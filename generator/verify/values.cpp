@@ -6,6 +6,7 @@
 #include "flatdyn/reference/derivatives.hpp"
 #include "flatdyn/reference/magnitude.hpp"
 #include "graph/arithmetic.hpp"
+#include "verify/operational_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -34,8 +35,9 @@ class CachedArithmetic : public RealArithmetic<S> {
 // A state in the reference's types.
 template <class S>
 struct Arguments {
-  explicit Arguments(const StateOf<S>& state)
-      : q(vector_of<S>(state.q)),
+  Arguments(const StateOf<S>& state, const Function& function)
+      : task(function.task),
+        q(vector_of<S>(state.q)),
         qd(vector_of<S>(state.qd)),
         qdd(vector_of<S>(state.qdd)),
         tau(vector_of<S>(state.tau)) {
@@ -43,6 +45,7 @@ struct Arguments {
     h_e.f_e = h.template head<3>();
     h_e.mu_e = h.template tail<3>();
   }
+  const std::vector<int>& task;  // of the function
   reference::VectorX<S> q, qd, qdd, tau;
   reference::Environment<S> h_e;
 };
@@ -99,6 +102,10 @@ const std::map<std::string, Evaluation<S>>& reference_table() {
        [](const R& r, const A& a) { return row_by_row(ref::forward_dynamics(r, a.q, a.qd, a.tau)); }},
       {"inverse_dynamics_derivatives", torque_derivative_entries<S>},
       {"forward_dynamics_derivatives", acceleration_derivative_entries<S>},
+      {"operational_inertia", [](const R& r, const A& a) { return operational_inertia_entries<S>(r, a.q, a.task); }},
+      {"operational_bias", [](const R& r, const A& a) { return operational_bias_entries<S>(r, a.q, a.qd, a.task); }},
+      {"null_space_torque",
+       [](const R& r, const A& a) { return row_by_row(ref::null_space_torque(r, a.q, a.tau, a.task)); }},
       {"kinetic_energy", [](const R& r, const A& a) { return std::vector<S>{ref::kinetic_energy(r, a.q, a.qd)}; }},
       {"potential_energy", [](const R& r, const A& a) { return std::vector<S>{ref::potential_energy(r, a.q)}; }},
       {"forward_kinematics", pose_entries<S>},
@@ -196,6 +203,10 @@ const std::map<std::string, Evaluation<double>>& magnitude_table() {
       {"forward_dynamics", [](const R& r, const A& a) { return row_by_row(acceleration_magnitude(r, a)); }},
       {"inverse_dynamics_derivatives", torque_derivative_magnitude},
       {"forward_dynamics_derivatives", acceleration_derivative_magnitude},
+      {"operational_inertia", [](const R& r, const A& a) { return OperationalMagnitude(r, a.q, a.task).inertia(); }},
+      {"operational_bias", [](const R& r, const A& a) { return OperationalMagnitude(r, a.q, a.task).bias(a.qd); }},
+      {"null_space_torque",
+       [](const R& r, const A& a) { return OperationalMagnitude(r, a.q, a.task).null_space(a.tau); }},
       {"kinetic_energy", kinetic_magnitude},
       {"potential_energy",
        [](const R& r, const A& a) { return std::vector<double>{ref::potential_magnitude(r, a.q)}; }},
@@ -225,11 +236,11 @@ std::optional<std::vector<S>> GraphEvaluator<S>::operator()(const StateOf<S>& st
 
 template <class S>
 std::vector<S> reference_values(const Function& function, const reference::Robot<S>& robot, const StateOf<S>& state) {
-  return reference_table<S>().at(stem_of(function))(robot, Arguments<S>(state));
+  return reference_table<S>().at(stem_of(function))(robot, Arguments<S>(state, function));
 }
 
 std::vector<double> magnitudes(const Function& function, const reference::Robot<double>& robot, const State& state) {
-  return absolute(magnitude_table().at(stem_of(function))(robot, Arguments<double>(state)));
+  return absolute(magnitude_table().at(stem_of(function))(robot, Arguments<double>(state, function)));
 }
 
 template class GraphEvaluator<double>;

@@ -6,6 +6,7 @@
 #include "graph/count.hpp"
 #include "graph/well_formed.hpp"
 #include "support/robots.hpp"
+#include "support/spare_joints.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "verify/exact.hpp"
@@ -21,7 +22,7 @@ class Specialise : public ::testing::Test {
     return result;
   }
 
-  const Mechanism mechanism = make_mechanism(testing::random_tree(5, 4, true));
+  const Mechanism mechanism = testing::with_spare_joints(make_mechanism(testing::random_tree(5, 4, true)));
   Diagnostics found;
 };
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "support/robots.hpp"
+#include "support/spare_joints.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "verify/compiled.hpp"
@@ -34,7 +35,7 @@ class Verify : public ::testing::Test {
   }
 
   const Robot robot = testing::random_tree(6, 4, true);
-  const Mechanism mechanism = make_mechanism(robot);
+  const Mechanism mechanism = testing::with_spare_joints(make_mechanism(robot));
 };
 
 TEST_F(Verify, PassesWhatIsRight) {
