@@ -82,6 +82,7 @@ Run add_bench(CLI::App& app);
 Run add_certify(CLI::App& app);
 Run add_stress(CLI::App& app);
 Run add_simulate(CLI::App& app);
+Run add_manipulability(CLI::App& app);
 Run add_man(CLI::App& app);
 Run add_completion(CLI::App& app);
 

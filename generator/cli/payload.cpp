@@ -73,7 +73,7 @@ PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments
     }
     stop_at_errors(found);
     progress.step("reading " + log);
-    const auto sink = [&](const Motion& motion) { observer.add(motion); };
+    const auto sink = [&](const MeasuredMotion& motion) { observer.add(motion); };
     used += stream(log, robot.mechanism, plan, options, sink, found).used;
     stop_at_errors(found);
   }

@@ -25,7 +25,7 @@ LogIdentity identity_of(const std::filesystem::path& log) {
 
 }  // namespace
 
-void ThinnedSamples::offer(const TorqueModel& model, const Motion& motion) {
+void ThinnedSamples::offer(const TorqueModel& model, const MeasuredMotion& motion) {
   if (offered_++ % stride_ != 0) return;
   const int n = model.joints();
   const auto numbers = [n](const double* from) { return std::vector<double>(from, from + n); };
@@ -52,7 +52,7 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
     if (&log == &logs.front()) result.plan = plan;
     result.logs.push_back(identity_of(log));
     progress.step("reading " + log.string());
-    const auto sink = [&](const Motion& motion) {
+    const auto sink = [&](const MeasuredMotion& motion) {
       folder.add(motion);
       samples.offer(model, motion);
     };

@@ -21,7 +21,7 @@ class ThinnedSamples {
  public:
   static constexpr std::size_t kMost = 512;
 
-  void offer(const TorqueModel& model, const Motion& motion);
+  void offer(const TorqueModel& model, const MeasuredMotion& motion);
   const std::vector<MotionSample>& kept() const { return kept_; }
 
  private:

@@ -40,7 +40,7 @@ class Window {
 };
 
 // A sample that has all that is needed.
-Motion as_measured(const LogLayout& layout, const double* channels) {
+MeasuredMotion as_measured(const LogLayout& layout, const double* channels) {
   return {channels[LogLayout::time()],
           channels + LogLayout::q(),
           channels + layout.qd(),
@@ -66,7 +66,7 @@ class MotionFilter {
     }
   }
 
-  Motion motion(const Window& window) {
+  MeasuredMotion motion(const Window& window) {
     const auto times = window.channels(LogLayout::time(), 1);
     smooth(window, LogLayout::q(), 0, q_);
     if (layout_.has_torques) smooth(window, layout_.tau(), 0, tau_);

@@ -12,11 +12,11 @@
 namespace flatdyn {
 
 // Arrays of n numbers (tau; h_e: of 6; null where the log has none), SI; they hold during the call.
-struct Motion {
+struct MeasuredMotion {
   double time = 0;
   const double *q = nullptr, *qd = nullptr, *qdd = nullptr, *tau = nullptr, *h_e = nullptr;
 };
-using MotionSink = std::function<void(const Motion&)>;
+using MotionSink = std::function<void(const MeasuredMotion&)>;
 
 struct StreamOptions {
   // Edge of the filter's pass band, Hz. None: 10 Hz, or an eighth of the sampling rate if that is less, where

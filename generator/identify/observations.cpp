@@ -17,7 +17,7 @@ ObservationFolder::ObservationFolder(const TorqueModel& model)
   for (int i = 0; i < model.joints(); ++i) factors_.emplace_back(static_cast<int>(model.columns_of(i).size()));
 }
 
-void ObservationFolder::add(const Motion& motion) {
+void ObservationFolder::add(const MeasuredMotion& motion) {
   model_.regressor(motion.q, motion.qd, motion.qdd, y_.data());
   if (motion.h_e != nullptr) model_.tip_torque(motion.q, motion.h_e, tip_.data());
   for (int i = 0; i < model_.joints(); ++i) {

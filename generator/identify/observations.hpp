@@ -37,7 +37,7 @@ class ObservationFolder {
  public:
   explicit ObservationFolder(const TorqueModel& model);
 
-  void add(const Motion& motion);
+  void add(const MeasuredMotion& motion);
   Observations observations();
 
  private:

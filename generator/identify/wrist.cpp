@@ -45,7 +45,7 @@ WristObserver::WristObserver(const Robot& robot)
       joints_(static_cast<int>(moving_joints(robot).size())),
       factors_(kWrench, TriangularFactor(kUnknowns)) {}
 
-void WristObserver::add(const Motion& motion) {
+void WristObserver::add(const MeasuredMotion& motion) {
   const auto vector = [this](const double* from) { return VectorXd(Eigen::Map<const VectorXd>(from, joints_)); };
   const auto motions =
       reference::link_motions<double>(robot_, vector(motion.q), vector(motion.qd), vector(motion.qdd), true);

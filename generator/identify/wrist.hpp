@@ -14,7 +14,7 @@ class WristObserver {
  public:
   explicit WristObserver(const Robot& robot);
 
-  void add(const Motion& motion);
+  void add(const MeasuredMotion& motion);
   PayloadEstimate estimate();
 
  private:

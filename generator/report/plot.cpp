@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 860, kPanelHeight = 250, kTitleHeight = 40;
+constexpr int kWidth = 860, kPanelHeight = 250, kPlaneHeight = 620, kTitleHeight = 40;
 constexpr std::size_t kColourCount = std::size(kPlotColours);
 
 std::string data_text(const Series& series, const std::string& name) {
@@ -49,6 +49,9 @@ std::string style_text(const std::vector<Panel>& panels) {
 }
 
 std::string drawn_with(PanelStyle style, const Series& series, std::size_t k) {
+  if (series.is_guide && style == PanelStyle::plane) {
+    return fmt::format("linespoints linewidth 2.5 pointtype 7 pointsize 0.7 linecolor rgb '{}'", kPlotInk);
+  }
   if (series.is_guide) return fmt::format("lines linewidth 1 dashtype 2 linecolor rgb '{}'", kPlotInk);
   const std::string colour = fmt::format("linecolor rgb '{}'", kPlotColours[k % kColourCount]);
   const std::string line = fmt::format("linewidth 1.4 {} dashtype {}", colour, k / kColourCount + 1);
@@ -61,6 +64,8 @@ std::string drawn_with(PanelStyle style, const Series& series, std::size_t k) {
       return fmt::format("points pointtype {} pointsize 0.35 {}", k < kColourCount ? 7 : 4, colour);
     case PanelStyle::steps:
       return "histeps " + line;
+    case PanelStyle::plane:
+      return "lines " + line;
   }
   return "";
 }
@@ -76,6 +81,8 @@ std::string axes_text(const Panel& panel) {
       return "set logscale xy\nset offsets 0, 0, 0, 0\nset xtics autofreq\nset format '10^{%T}'\n";
     case PanelStyle::steps:
       return "unset logscale\nset logscale x 2\nset offsets 0, 0, 0, 0\nset xtics autofreq\nset format '%g'\n";
+    case PanelStyle::plane:
+      return "unset logscale\nset xtics autofreq\nset size ratio -1\n";
   }
   return "";
 }
@@ -93,10 +100,17 @@ std::string panel_text(const Panel& panel, std::size_t index) {
   return text + fmt::format("plot {}\n", fmt::join(curves, ", "));
 }
 
+// All panels have the height that one of them needs.
+int panel_height(const std::vector<Panel>& panels) {
+  const bool has_plane =
+      std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.style == PanelStyle::plane; });
+  return has_plane ? kPlaneHeight : kPanelHeight;
+}
+
 std::string script_text(const std::string& title, const std::vector<Panel>& panels, const fs::path& output) {
   const int count = static_cast<int>(panels.size());
   std::string text = fmt::format("set terminal svg size {},{} dynamic rounded font 'sans-serif,12'\nset output {}\n",
-                                 kWidth, kTitleHeight + count * kPanelHeight, gnuplot_string(output.string()));
+                                 kWidth, kTitleHeight + count * panel_height(panels), gnuplot_string(output.string()));
   text += style_text(panels);
   text += fmt::format("set multiplot layout {},1 title {} noenhanced textcolor rgb '{}' font ',15'\n", count,
                       gnuplot_string(title), kPlotInk);

@@ -10,7 +10,7 @@ namespace flatdyn {
 struct Series {
   std::string name;
   std::vector<double> x, y;
-  bool is_guide = false;  // a thin line among the points of a cloud
+  bool is_guide = false;  // a thin line among the points of a cloud; in a plane, an arm with its joints
 };
 
 enum class PanelStyle {
@@ -18,6 +18,7 @@ enum class PanelStyle {
   marked,  // logarithmic axes; points on the curves, x marked where the first has one
   cloud,   // logarithmic axes; points
   steps,   // x logarithmic; a histogram's outline
+  plane,   // both axes of one scale; higher than the others
 };
 
 struct Panel {

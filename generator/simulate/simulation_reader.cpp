@@ -135,24 +135,6 @@ class SimulationReader {
   Diagnostics& diagnostics_;
 };
 
-// Where each joint's torque is; with an error where it is not.
-std::vector<std::size_t> torque_columns(const CsvTable& table, const std::string& file, const Mechanism& mechanism,
-                                        Diagnostics& diagnostics) {
-  std::vector<std::size_t> at;
-  for (int i = 0; i < mechanism.size(); ++i) {
-    const std::string number = fmt::format("tau{}", i + 1);
-    const std::string name = "tau_" + mechanism.bodies[static_cast<std::size_t>(i)].joint;
-    const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                    [&](const std::string& column) { return column == number || column == name; });
-    if (found == table.columns.end()) {
-      diagnostics.error({file, 1}, fmt::format("there is no column {} or {}", number, name),
-                        "the heading is time,tau1,tau2,… or time,tau_JOINT,…");
-    }
-    at.push_back(static_cast<std::size_t>(found - table.columns.begin()));
-  }
-  return at;
-}
-
 }  // namespace
 
 TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, Diagnostics& diagnostics) {
@@ -162,7 +144,7 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
   const auto time = std::find_if(table.columns.begin(), table.columns.end(),
                                  [](const std::string& column) { return column == "time" || column == "t"; });
   if (time == table.columns.end()) found.error({file, 1}, "there is no column time", "seconds, as the first one");
-  const std::vector<std::size_t> torques = torque_columns(table, file, mechanism, found);
+  const std::vector<std::size_t> torques = joint_columns(table, "tau", mechanism, file, found);
   if (table.rows.empty()) found.error({file, 0}, "there is no sample", "write a heading and at least one row");
   for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
   if (found.has_errors()) return samples;

@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
-
-#include "model/number.hpp"
 
 namespace flatdyn {
 namespace {
@@ -85,6 +84,23 @@ CsvTable read_csv(const std::filesystem::path& path, Diagnostics& diagnostics) {
                       "a heading such as q1,q2,qd1,qd2 and a line for each state");
   }
   return table;
+}
+
+std::vector<std::size_t> joint_columns(const CsvTable& table, const std::string& stem, const Mechanism& mechanism,
+                                       const std::string& file, Diagnostics& diagnostics) {
+  std::vector<std::size_t> at;
+  for (int i = 0; i < mechanism.size(); ++i) {
+    const std::string number = fmt::format("{}{}", stem, i + 1);
+    const std::string name = fmt::format("{}_{}", stem, mechanism.bodies[static_cast<std::size_t>(i)].joint);
+    const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                    [&](const std::string& column) { return column == number || column == name; });
+    if (found == table.columns.end()) {
+      diagnostics.error({file, 1}, fmt::format("there is no column {} or {}", number, name),
+                        fmt::format("the heading names every joint: {0}1,{0}2,… or {0}_JOINT,…", stem));
+    }
+    at.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+  }
+  return at;
 }
 
 }  // namespace flatdyn

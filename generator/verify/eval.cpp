@@ -151,12 +151,14 @@ class Evaluator {
 
 template <class S>
 void append_values(Evaluator<S> evaluation, const Columns& columns, const std::vector<Input>& inputs, CsvTable& table,
-                   const std::string& file, Diagnostics& diagnostics) {
+                   const std::string& file, bool is_at_the_tip, Diagnostics& diagnostics) {
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const auto values = evaluation(columns, inputs, table.rows[k]);
     if (!values) {
-      diagnostics.error({file, table.lines[k]}, "the inertia matrix is not positive definite here",
-                        "joints that move no mass need an armature");
+      diagnostics.error(
+          {file, table.lines[k]},
+          is_at_the_tip ? "the tip's task is singular here" : "the inertia matrix is not positive definite here",
+          is_at_the_tip ? "leave such positions out" : "joints that move no mass need an armature");
       continue;
     }
     table.rows[k].insert(table.rows[k].end(), values->begin(), values->end());
@@ -182,10 +184,13 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
     for (const std::string& name : output_columns(output)) result.columns.push_back(name);
   }
   constexpr int kDoubleDigits = 17;
+  const bool is_at_the_tip = !function.task.empty();
   if (options.digits > kDoubleDigits) {
-    append_values(Evaluator<Real50>(robot, mechanism, function, options), columns, inputs, result, file, diagnostics);
+    append_values(Evaluator<Real50>(robot, mechanism, function, options), columns, inputs, result, file, is_at_the_tip,
+                  diagnostics);
   } else {
-    append_values(Evaluator<double>(robot, mechanism, function, options), columns, inputs, result, file, diagnostics);
+    append_values(Evaluator<double>(robot, mechanism, function, options), columns, inputs, result, file, is_at_the_tip,
+                  diagnostics);
   }
   if (diagnostics.has_errors()) return {};
   return result;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "manipulability/ellipsoid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "symbolic/operational.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Below this part of the largest one, a singular value of J is none.
+constexpr double kSingular = 1e-10;
+
+std::vector<int> translations(const Mechanism& mechanism) {
+  std::vector<int> rows = task_rows(mechanism);
+  if (mechanism.task.empty()) std::erase_if(rows, [](int row) { return row >= 3; });
+  if (!rows.empty()) return rows;
+  throw Failure(ExitCode::unsupported, "no joint moves the tip's origin",
+                "name directions of rotation in the scene's `task`, or another link with --tip");
+}
+
+Eigen::VectorXd torque_units(const Mechanism& mechanism, TorqueNorm norm) {
+  Eigen::VectorXd units = Eigen::VectorXd::Ones(mechanism.size());
+  if (norm == TorqueNorm::plain) return units;
+  for (int i = 0; i < mechanism.size(); ++i) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    if (!body.limits.effort || vanishes(body.limits.effort->number)) {
+      throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no effort limit", body.joint),
+                    "give one in the robot file or in the scene's [limits], or leave out --norm");
+    }
+    units(i) = nearest_double(body.limits.effort->number);
+  }
+  return units;
+}
+
+// The last link of each body on the way from the base to the tip, and the tip.
+std::vector<std::string> links_to_tip(const Mechanism& mechanism) {
+  std::vector<std::string> names = {mechanism.tip.link};
+  for (int i = mechanism.tip.body; i >= 0; i = mechanism.bodies[static_cast<std::size_t>(i)].parent) {
+    names.push_back(mechanism.bodies[static_cast<std::size_t>(i)].link);
+  }
+  names.erase(std::unique(names.begin(), names.end()), names.end());  // the tip may be the last link itself
+  std::reverse(names.begin(), names.end());
+  return names;
+}
+
+Model whole(Model model) {
+  model.abbreviation.reset();
+  model.robot.scene.outputs.clear();
+  model.robot.scene.functions.clear();
+  return model;
+}
+
+}  // namespace
+
+Manipulability::Manipulability(const Model& model, TorqueNorm norm, double radius, Progress& progress)
+    : task_(translations(model.mechanism)), torque_unit_(radius * torque_units(model.mechanism, norm)) {
+  require_numbers(model, "an ellipsoid");
+  PipelineOptions options;
+  options.functions = {"inertia_matrix", "gravity", "jacobian"};
+  for (const std::string& link : links_to_tip(model.mechanism)) {
+    options.functions.push_back("forward_kinematics:" + link);
+  }
+  Diagnostics none;
+  const std::vector<Function> functions = functions_of(make_functions(whole(model), options, progress, none));
+  inertia_.emplace(functions[0]);
+  gravity_.emplace(functions[1]);
+  jacobian_.emplace(functions[2]);
+  for (std::size_t k = 3; k < functions.size(); ++k) frames_.emplace_back(functions[k]);
+}
+
+std::vector<double> Manipulability::values(Tape& tape, const std::vector<double>& q) const {
+  TapeInputs given;
+  given[InputKind::q] = q;
+  std::vector<double> results(tape.results());
+  tape.run(given, results);
+  return results;
+}
+
+Ellipsoid Manipulability::at(const std::vector<double>& q) {
+  const Eigen::Index n = torque_unit_.size();
+  const std::vector<double> b = values(*inertia_, q), g = values(*gravity_, q), j = values(*jacobian_, q);
+  const Eigen::Map<const Eigen::MatrixXd> B(b.data(), n, n), all(j.data(), n, 6);  // row by row: transposed
+  const Eigen::MatrixXd J = Eigen::MatrixXd(all.transpose())(task_, Eigen::all);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::VectorXd& sizes = svd.singularValues();
+  const Eigen::Index rank = (sizes.array() > kSingular * std::max(sizes(0), kSingular)).count();
+  const Eigen::Index r = J.rows();
+  // M = W^-1 B J†, on the directions that the tip can move along: its singular values are one over the half axes.
+  const Eigen::MatrixXd inverse = svd.matrixV().leftCols(rank) * sizes.head(rank).cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd M = torque_unit_.cwiseInverse().asDiagonal() * (B * inverse);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> core(M, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  Ellipsoid ellipsoid;
+  ellipsoid.centre = -J * B.llt().solve(Eigen::Map<const Eigen::VectorXd>(g.data(), n));
+  ellipsoid.lengths = Eigen::VectorXd::Zero(r);
+  ellipsoid.lengths.head(rank) = core.singularValues().reverse().cwiseInverse();
+  ellipsoid.axes = svd.matrixU();
+  ellipsoid.axes.leftCols(rank) = Eigen::MatrixXd(svd.matrixU().leftCols(rank) * core.matrixV().rowwise().reverse());
+  ellipsoid.measure = ellipsoid.lengths.prod();
+  return ellipsoid;
+}
+
+std::vector<Eigen::Vector3d> Manipulability::skeleton(const std::vector<double>& q) {
+  constexpr std::size_t kPosition = 9;  // behind R
+  std::vector<Eigen::Vector3d> points = {Eigen::Vector3d::Zero()};
+  for (Tape& frame : frames_) {
+    const std::vector<double> pose = values(frame, q);
+    points.emplace_back(pose[kPosition], pose[kPosition + 1], pose[kPosition + 2]);
+  }
+  return points;
+}
+
+}  // namespace flatdyn

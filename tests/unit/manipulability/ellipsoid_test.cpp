@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "manipulability/ellipsoid.hpp"
+
+#include <gtest/gtest.h>
+
+#include "flatdyn/reference/kinematics.hpp"
+#include "support/robot_models.hpp"
+#include "support/written_model.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+using testing::model_of;
+using testing::model_of_toml;
+
+// Of the recursive reference at a position.
+struct Pose {
+  Eigen::MatrixXd B, J;
+  Eigen::VectorXd g;
+
+  Pose(const Model& model, const std::vector<double>& q, const std::vector<int>& task) {
+    const auto arm = reference_robot<double>(model.robot, {});
+    const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+    B = reference::inertia_matrix(arm, at);
+    g = reference::gravity(arm, at);
+    J = Eigen::MatrixXd(reference::jacobian(arm, at)(task, Eigen::all));
+  }
+};
+
+Ellipsoid ellipsoid_of(const Model& model, const std::vector<double>& q, double radius, std::vector<int>& task) {
+  Progress progress(true);
+  Manipulability arm(model, TorqueNorm::plain, radius, progress);
+  task = arm.task();
+  return arm.at(q);
+}
+
+Model planar_3r() {
+  std::string text = "name = \"planar_3r\"\ngravity = [0, \"-9.81\", 0]\ndh = \"standard\"\n";
+  for (const char* joint : {"a", "b", "c"}) {
+    text += std::string("[[link]]\njoint = \"") + joint +
+            "\"\na = 1\nmass = 10\ncom = [-0.5, 0, 0]\ninertia = { yy = 0.8, zz = 0.8 }\ninertia_about = \"com\"\n";
+  }
+  return model_of_toml(text);
+}
+
+// (7.148): torques B J† (v̇ + J B^-1 g) that make the accelerations on the ellipsoid all have the norm.
+TEST(Manipulability, EndsOfTheAxesTakeTorquesOfTheNorm) {
+  for (const auto& [model, q] : {std::pair{model_of("planar_2r_example_7_2.toml"), std::vector{0.5, 1.0}},
+                                 std::pair{planar_3r(), std::vector{1.9, -1.2, -0.9}},
+                                 std::pair{model_of("panda.urdf"), std::vector{0.1, -0.8, 0.3, -2.3, 0.2, 1.6, 0.8}}}) {
+    std::vector<int> task;
+    const Ellipsoid ellipsoid = ellipsoid_of(model, q, 50, task);
+    const Pose pose(model, q, task);
+    const Eigen::VectorXd fall = -pose.J * pose.B.inverse() * pose.g;
+    EXPECT_LE((ellipsoid.centre - fall).norm(), 1e-10 * fall.norm()) << model.mechanism.name;
+    const Eigen::MatrixXd inverse = pose.J.completeOrthogonalDecomposition().pseudoInverse();
+    for (Eigen::Index k = 0; k < ellipsoid.lengths.size(); ++k) {
+      EXPECT_NEAR((pose.B * inverse * ellipsoid.axes.col(k) * ellipsoid.lengths(k)).norm(), 50, 1e-8);
+      EXPECT_LE(ellipsoid.lengths(k), ellipsoid.lengths(0));
+    }
+    EXPECT_TRUE((ellipsoid.axes.transpose() * ellipsoid.axes).isIdentity(1e-12));
+  }
+}
+
+// Problem 7.12: of an arm that is not redundant, √det(J Jᵀ) = w det B, w the measure for torques of norm 1.
+TEST(Manipulability, MeasureIsThatOfTheJacobianOverTheInertia) {
+  std::vector<int> task;
+  const Model model = model_of("planar_2r_example_7_2.toml");
+  for (const std::vector<double>& q : {std::vector{0.5, 1.0}, std::vector{-2.0, 0.1}, std::vector{3.0, -2.5}}) {
+    const Ellipsoid ellipsoid = ellipsoid_of(model, q, 1, task);
+    const Pose pose(model, q, task);
+    const double w = std::sqrt((pose.J * pose.J.transpose()).determinant());
+    EXPECT_NEAR(ellipsoid.measure * pose.B.determinant(), w, 1e-12);
+  }
+}
+
+// Stretched out, the arm's tip cannot be accelerated along the arm.
+TEST(Manipulability, IsFlatWhereTheJacobianIsSingular) {
+  std::vector<int> task;
+  const Ellipsoid ellipsoid = ellipsoid_of(model_of("planar_2r_example_7_2.toml"), {0.3, 0}, 1, task);
+  EXPECT_EQ(task, (std::vector{0, 1}));
+  EXPECT_EQ(ellipsoid.lengths(1), 0);
+  EXPECT_EQ(ellipsoid.measure, 0);
+  EXPECT_GT(ellipsoid.lengths(0), 1e-4);
+  EXPECT_NEAR(std::abs(ellipsoid.axes(0, 1)), std::cos(0.3), 1e-9);
+}
+
+TEST(Manipulability, LimitsScaleTheTorques) {
+  Progress progress(true);
+  const Model panda = model_of("panda.urdf");
+  Manipulability arm(panda, TorqueNorm::limits, 1, progress);
+  const std::vector<double> q = {0.1, -0.8, 0.3, -2.3, 0.2, 1.6, 0.8};
+  const Ellipsoid ellipsoid = arm.at(q);
+  const Pose pose(panda, q, arm.task());
+  const Eigen::MatrixXd inverse = pose.J.completeOrthogonalDecomposition().pseudoInverse();
+  Eigen::VectorXd tau = pose.B * inverse * ellipsoid.axes.col(0) * ellipsoid.lengths(0);
+  for (Eigen::Index i = 0; i < 7; ++i) tau(i) /= i < 4 ? 87 : 12;
+  EXPECT_NEAR(tau.norm(), 1, 1e-9);
+  EXPECT_THROW(Manipulability(model_of("planar_2r_example_7_2.toml"), TorqueNorm::limits, 1, progress), Failure);
+}
+
+TEST(Manipulability, KnowsWhereTheArmIs) {
+  Progress progress(true);
+  Manipulability arm(model_of("planar_2r_example_7_2.toml"), TorqueNorm::plain, 1, progress);
+  const std::vector<Eigen::Vector3d> points = arm.skeleton({0.5, 1.0});
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_LE((points[1] - Eigen::Vector3d(std::cos(0.5), std::sin(0.5), 0)).norm(), 1e-15);
+  EXPECT_LE((points[2] - points[1] - Eigen::Vector3d(std::cos(1.5), std::sin(1.5), 0)).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace flatdyn
