@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "cli/commands.hpp"
+#include "diagnostics/exit_codes.hpp"
 #include "diagnostics/nearest.hpp"
 
 namespace flatdyn {
@@ -63,8 +64,8 @@ int main(int argc, char** argv) {
       "Flat, dependency-free C++ for the dynamics of one robot.\n\n"
       "  flatdyn generate robots/panda.urdf -o out/\n"
       "  flatdyn verify robots/panda.urdf\n\n"
-      "Exit codes: 0 ok, 1 bug, 2 usage, 3 input, 4 unsupported, 5 verification failed, 6 I/O, 7 outputs "
-      "out of date, 130 interrupted."};
+      "Exit codes: " +
+      exit_codes_text() + "."};
   app.name("flatdyn");
   app.set_version_flag("--version", "flatdyn " FLATDYN_VERSION);
   app.require_subcommand(1);

@@ -8,6 +8,7 @@
 #include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
 #include "diagnostics/diagnostics.hpp"
+#include "diagnostics/exit_codes.hpp"
 #include "diagnostics/nearest.hpp"
 
 namespace flatdyn {
@@ -72,10 +73,7 @@ std::string head(const std::string& name, const std::string& summary) {
 }
 
 std::string exit_status() {
-  return section("EXIT STATUS",
-                 "0: done. 1: a bug. 2: the command line is wrong. 3: the input is wrong. 4: not supported. 5: a "
-                 "verification failed.\n6: a file could not be read or written. 7: "
-                 "\\fBgenerate \\-\\-check\\fR found outputs that differ.\n");
+  return section("EXIT STATUS", roff(exit_codes_text()) + ".\n");
 }
 
 std::string page_of_command(const CLI::App& command) {

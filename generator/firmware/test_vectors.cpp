@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "firmware/test_vectors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "verify/expected.hpp"
 #include "verify/values.hpp"
@@ -26,10 +28,11 @@ std::vector<State> chosen_states(const Mechanism& mechanism, const SymbolValues&
   return states;
 }
 
-// Sums of parallel joints' angles are rounded, too: the sum's last place is worth this many of an angle's below 1.
+// Sums of parallel joints' angles are rounded, too: where angles are of more than a turn, the sum's last place is worth
+// this many of an angle's below 1.
 double angle_rounding(const State& state) {
   double sum = 1;
-  for (const double q : state.q) sum += std::abs(q);
+  for (const double q : state.q) sum += std::abs(q) > 2 * std::numbers::pi ? std::abs(q) : 0;
   return sum;
 }
 
@@ -45,15 +48,23 @@ TestVectors test_vectors(const Robot& robot, const Mechanism& mechanism, const s
   const double epsilon =
       scalar == "float" ? double(std::numeric_limits<float>::epsilon()) : std::numeric_limits<double>::epsilon();
   const ExpectedValues values(robot, mechanism, kSeed);
-  TestVectors result{chosen_states(mechanism, values.symbols(), scalar), {}};
-  for (const Function& function : functions) {
-    const Expected expected = values.of(function);
+  std::vector<Expected> expected;
+  for (const Function& function : functions) expected.push_back(values.of(function));
+  TestVectors result;
+  for (State& state : chosen_states(mechanism, values.symbols(), scalar)) {
+    // Where a function has no value, nothing is to be tested.
+    const bool is_regular =
+        std::all_of(expected.begin(), expected.end(), [&state](const Expected& e) { return e.is_regular(state); });
+    if (is_regular) result.states.push_back(std::move(state));
+  }
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    const Function& function = functions[f];
     result.expected.emplace_back();
-    for (std::size_t s = 0; s < result.states.size(); ++s) {
-      const State state = state_for(function, result.states[s]);
-      const std::vector<Real50> exact = expected.exact(state);
-      const std::vector<double> scale = expected.scale(state);
-      const double units = kAllowedUnits * (s < kRandomStates ? 1 : angle_rounding(state));
+    for (const State& given : result.states) {
+      const State state = state_for(function, given);
+      const std::vector<Real50> exact = expected[f].exact(state);
+      const std::vector<double> scale = expected[f].scale(state);
+      const double units = kAllowedUnits * angle_rounding(state);
       std::size_t k = 0;
       for (const Output& output : function.outputs) {
         for (std::size_t e = 0; e < output.entries.size(); ++e, ++k) {
