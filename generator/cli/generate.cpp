@@ -251,8 +251,8 @@ Run add_generate(CLI::App& app) {
           ->capture_default_str();
   command
       ->add_option("--firmware", arguments->firmware,
-                   "a folder in C that builds for this processor as it is, with a self test that qemu runs; in float "
-                   "for the cortex-m4")
+                   "a folder in C that builds for this processor as it is, with a self test that qemu runs; in "
+                   "float for cortex-m4 and riscv32")
       ->check(CLI::IsMember(firmware_target_names()));
   command->add_flag("--python", arguments->python,
                     "a module for Python over the C form, for one state or a batch: ctypes and numpy");

@@ -20,10 +20,6 @@ namespace {
 
 using kainjow::mustache::data;
 
-// The arrays of a state, in this order.
-constexpr InputKind kArrays[] = {InputKind::q,   InputKind::qd,   InputKind::qdd,  InputKind::tau,
-                                 InputKind::h_e, InputKind::qd_r, InputKind::qdd_r};
-
 class FolderWriter {
  public:
   FolderWriter(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
@@ -34,23 +30,24 @@ class FolderWriter {
         target_(target),
         dialect_(dialect_of(mechanism, options)) {
     for (const Function& function : functions) {
-      const bool is_known = std::all_of(function.inputs.begin(), function.inputs.end(), [](InputKind kind) {
-        return std::find(std::begin(kArrays), std::end(kArrays), kind) != std::end(kArrays);
-      });
-      if (!is_known) throw Failure(ExitCode::unsupported, "--firmware: no self test for " + function.name);
+      if (function.base_parameters > 0)
+        throw Failure(ExitCode::unsupported, "--firmware: no self test for " + function.name);
     }
     vectors_ = test_vectors(robot, mechanism, functions, options.scalar);
   }
 
   std::vector<FirmwareFile> files() const {
     const data page = filled();
-    return {{"test_vectors.h", rendered(templates::firmware_vectors_h, page)},
-            {"test_vectors.c", rendered(templates::firmware_vectors_c, page)},
-            {"main.c", rendered(templates::firmware_main_c, page)},
-            {"startup.c", rendered(templates::firmware_startup_c, page)},
-            {"target.ld", rendered(templates::firmware_target_ld, page)},
-            {"makefile", rendered(templates::firmware_makefile, page)},
-            {"report", rendered(templates::firmware_report, page)}};
+    std::vector<FirmwareFile> files = {{"test_vectors.h", rendered(templates::firmware_vectors_h, page)},
+                                       {"test_vectors.c", rendered(templates::firmware_vectors_c, page)},
+                                       {"main.c", rendered(templates::firmware_main_c, page)},
+                                       {"makefile", rendered(templates::firmware_makefile, page)},
+                                       {"report", rendered(templates::firmware_report, page)}};
+    if (target_.has_own_start) {
+      files.push_back({"startup.c", rendered(templates::firmware_startup_c, page)});
+      files.push_back({"target.ld", rendered(templates::firmware_target_ld, page)});
+    }
+    return files;
   }
 
  private:
@@ -65,7 +62,12 @@ class FolderWriter {
     page["is_float"] = options_.scalar == "float";
     page["target"] = std::string(target_.name);
     page["flags"] = std::string(target_.flags);
-    page["machine"] = std::string(target_.machine);
+    page["tools"] = std::string(target_.tools);
+    page["link_flags"] = std::string(target_.link_flags);
+    page["emulator"] = std::string(target_.emulator);
+    page["branches"] = std::string(target_.branches);
+    page["packages"] = std::string(target_.packages);
+    page["own_start?"] = target_.has_own_start;
     page["units"] = fmt::format("{}", kAllowedUnits);
     page["state_count"] = std::to_string(vectors_.states.size());
     page["function_count"] = std::to_string(functions_.size());
@@ -97,7 +99,7 @@ class FolderWriter {
 
   data arrays() const {
     data list(data::type::list);
-    for (const InputKind kind : kArrays) {
+    for (const InputKind kind : kMotionKinds) {
       const InputArgument argument = input_argument(kind, mechanism_.size());
       if (!is_read(kind)) continue;
       data item;
@@ -114,7 +116,7 @@ class FolderWriter {
     for (const State& state : vectors_.states) {
       std::string lines;
       if (!mechanism_.symbols.empty()) lines += member("parameters", state.parameters);
-      for (const InputKind kind : kArrays) {
+      for (const InputKind kind : kMotionKinds) {
         if (is_read(kind)) lines += member(input_argument(kind, 0).name, state.of(kind));
       }
       list << data("members", without_newline(lines));

@@ -1,14 +1,42 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "firmware/target.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
 namespace {
 
+constexpr const char* kArmBranches = "(b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)|cbn?z)(\\.[nw])?";
+constexpr const char* kArmPackages = "gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm make";
+constexpr const char* kArmLink = "--specs=nano.specs --specs=rdimon.specs -u _printf_float -T target.ld";
+
+// picolibc has start-up code and a linker script; this is the memory of qemu's board virt.
+constexpr const char* kRiscvBranches = "b(eq|ne|lt|ge|gt|le)(u|z)?";
+constexpr const char* kRiscvPackages = "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc make";
+constexpr const char* kRiscvLink =
+    "--oslib=semihost --crt0=hosted -Wl,--defsym=__flash=0x80000000,--defsym=__flash_size=4M"
+    " -Wl,--defsym=__ram=0x80400000,--defsym=__ram_size=4M,--defsym=__stack_size=64K";
+
 constexpr FirmwareTarget kTargets[] = {
-    {"cortex-m4", "-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard", "mps2-an386", "float"},
-    {"cortex-m7", "-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard", "mps2-an500", "double"},
+    {"cortex-m4", "arm-none-eabi-", "-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard", kArmLink,
+     "qemu-system-arm -M mps2-an386 -nographic -semihosting-config enable=on,target=native -kernel", kArmBranches,
+     kArmPackages, "float", true},
+    {"cortex-m7", "arm-none-eabi-", "-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard", kArmLink,
+     "qemu-system-arm -M mps2-an500 -nographic -semihosting-config enable=on,target=native -kernel", kArmBranches,
+     kArmPackages, "double", true},
+    {"riscv32", "riscv64-unknown-elf-", "-march=rv32imafc -mabi=ilp32f -mcmodel=medany --specs=picolibc.specs",
+     kRiscvLink,
+     "qemu-system-riscv32 -M virt -bios none -nographic -semihosting-config enable=on,target=native -kernel",
+     kRiscvBranches, kRiscvPackages, "float"},
+    {"riscv64", "riscv64-unknown-elf-", "-march=rv64gc -mabi=lp64d -mcmodel=medany --specs=picolibc.specs", kRiscvLink,
+     "qemu-system-riscv64 -M virt -bios none -nographic -semihosting-config enable=on,target=native -kernel",
+     kRiscvBranches, kRiscvPackages, "double"},
+    // Debian has no library for this one without an operating system: it is a program for Linux.
+    {"aarch64", "aarch64-linux-gnu-", "-march=armv8-a -fno-pie", "-static -no-pie", "qemu-aarch64",
+     "b\\.[a-z]+|[ct]bn?z", "gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user make", "double"},
 };
 
 }  // namespace
@@ -17,7 +45,8 @@ const FirmwareTarget& firmware_target(const std::string& name) {
   for (const FirmwareTarget& target : kTargets) {
     if (name == target.name) return target;
   }
-  throw Failure(ExitCode::usage, "unknown processor \"" + name + "\"", "use cortex-m4 or cortex-m7");
+  throw Failure(ExitCode::usage, "unknown processor \"" + name + "\"",
+                fmt::format("use one of {}", fmt::join(firmware_target_names(), ", ")));
 }
 
 std::vector<std::string> firmware_target_names() {

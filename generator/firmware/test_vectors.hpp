@@ -23,7 +23,8 @@ struct ExpectedEntry {
 };
 
 struct TestVectors {
-  std::vector<State> states;                         // numbers of the scalar, random ones within the limits first; all functions have values there
+  std::vector<State>
+      states;  // numbers of the scalar, random ones within the limits first; all functions have values there
   std::vector<std::vector<ExpectedEntry>> expected;  // by function: the entries of all outputs, state after state
 };
 

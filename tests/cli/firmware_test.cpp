@@ -95,6 +95,44 @@ TEST_F(Firmware, AllFunctionsOfSmallRobotsPass) {
   EXPECT_THAT(printed(), HasSubstr("planar_2r on cortex-m7, in float, at 12 states: passed\n"));
 }
 
+class OtherProcessor : public Firmware, public ::testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    for (const char* program :
+         {"riscv64-unknown-elf-gcc", "qemu-system-riscv32", "aarch64-linux-gnu-gcc", "qemu-aarch64"}) {
+      if (!has_program(program)) GTEST_SKIP() << program << " is not installed: scripts/setup";
+    }
+  }
+};
+
+TEST_P(OtherProcessor, RunsThePandaAndNoticesAWrongVector) {
+  generate(fmt::format("robots/panda.urdf --firmware {} --functions inverse_dynamics", GetParam()));
+  EXPECT_EQ(make("run"), 0) << printed();
+  EXPECT_THAT(printed(), HasSubstr("rounding is as written\n"));
+  EXPECT_THAT(printed(),
+              ::testing::ContainsRegex(fmt::format("panda on {}, in .*, at 12 states: passed\n", GetParam())));
+  EXPECT_THAT(printed(), Not(HasSubstr("warning")));
+  EXPECT_EQ(make("size"), 0) << printed();
+  const std::vector<int> given = row("panda_inverse_dynamics_given");
+  ASSERT_EQ(given.size(), 4u) << printed();
+  EXPECT_GE(given[2], 535);  // instructions: one at least for each operation
+  EXPECT_EQ(given[3], 0);    // conditional branches
+  std::string vectors = folder_.read("test_vectors.c");
+  vectors.insert(vectors.find("{ ", vectors.find("expected_inverse_dynamics[")) + 2, "100 + ");
+  folder_.write("test_vectors.c", vectors);
+  EXPECT_NE(make("run"), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Firmware, OtherProcessor, ::testing::Values("riscv32", "riscv64", "aarch64"),
+                         [](const auto& test) { return std::string(test.param); });
+
+// Control at the tip: states at which the task is singular are left out.
+TEST_F(Firmware, TheOperationalSpaceRunsThere) {
+  generate("robots/ur5.urdf --firmware cortex-m7 --functions operational_inertia,operational_bias");
+  EXPECT_EQ(make("run"), 0) << printed();
+  EXPECT_THAT(printed(), ::testing::ContainsRegex("operational_inertia +72 entries.*: ok\n"));
+}
+
 TEST_F(Firmware, ASelfTestCanFail) {
   generate("robots/scara.toml --firmware cortex-m4 --functions gravity,forward_dynamics");
   std::string vectors = folder_.read("test_vectors.c");
