@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "verify/emitted_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/literals.hpp"
 #include "verify/scanned.hpp"
+#include "verify/token_cursor.hpp"
 
 namespace flatdyn {
 namespace {
 
 // What stands at namespace scope: structs and function templates.
-class Scanner {
+class Scanner : TokenCursor {
  public:
-  explicit Scanner(const std::vector<Token>& tokens) : tokens_(tokens) {}
+  using TokenCursor::TokenCursor;
 
   Scanned run() {
-    while (at_ < tokens_.size()) {
+    while (!at_end()) {
       if (is("namespace")) {
         open_namespace();
       } else if (is("template")) {
@@ -33,46 +32,6 @@ class Scanner {
   }
 
  private:
-  bool is(const char* text) const { return at_ < tokens_.size() && tokens_[at_].text == text; }
-
-  // Of the token so far ahead, or behind.
-  const std::string& word(std::ptrdiff_t ahead = 0) const {
-    const std::size_t k = at_ + static_cast<std::size_t>(ahead);  // wraps around before the first
-    if (k >= tokens_.size()) fail("it ends here");
-    return tokens_[k].text;
-  }
-
-  [[noreturn]] void fail(const std::string& expected) const {
-    const int line = tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line;
-    throw Failure(ExitCode::bug, fmt::format("emitted text cannot be read back: line {}: {}", line, expected));
-  }
-
-  void skip_past(const std::string& end) {
-    while (at_ < tokens_.size() && tokens_[at_].text != end) {
-      if (is("{")) {
-        skip_block();
-      } else {
-        ++at_;
-      }
-    }
-    if (at_ == tokens_.size()) fail("no " + end);
-    ++at_;
-  }
-
-  // From one brace to behind its counterpart.
-  void skip_block() {
-    int depth = 0;
-    do {
-      if (at_ == tokens_.size()) fail("no }");
-      depth += is("{") ? 1 : is("}") ? -1 : 0;
-      ++at_;
-    } while (depth > 0);
-  }
-
-  void skip_to(const std::string& text) {
-    while (word() != text) ++at_;
-  }
-
   void skip_past_block() {
     skip_to("{");
     skip_block();
@@ -159,8 +118,6 @@ class Scanner {
 
   static constexpr const char* kPlain[] = {"Parameters", "Configuration", "Motion"};
 
-  const std::vector<Token>& tokens_;
-  std::size_t at_ = 0;
   std::vector<std::string> namespaces_;
   Scanned found_;
 };

@@ -1,32 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "diagnostics/diagnostics.hpp"
 #include "verify/scanned.hpp"
+#include "verify/token_cursor.hpp"
 
 namespace flatdyn {
 namespace {
 
 // At file scope there are declarations, constants, one struct of parameters, and functions.
-class CScanner {
+class CScanner : TokenCursor {
  public:
-  CScanner(const std::vector<Token>& tokens, const std::string& scalar) : tokens_(tokens), scalar_(scalar) {}
+  CScanner(const std::vector<Token>& tokens, const std::string& scalar) : TokenCursor(tokens), scalar_(scalar) {}
 
   Scanned run() {
-    while (at_ < tokens_.size()) item();
+    while (!at_end()) item();
     return std::move(found_);
   }
 
  private:
-  bool is(const char* text) const { return at_ < tokens_.size() && tokens_[at_].text == text; }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    const int line = tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line;
-    throw Failure(ExitCode::bug, fmt::format("emitted text cannot be read back: line {}: {}", line, what));
-  }
-
   void item() {
     if (is("extern") && at_ + 1 < tokens_.size() && tokens_[at_ + 1].text == "\"C\"") {
       at_ += 3;  // with its brace
@@ -40,7 +32,7 @@ class CScanner {
                end > at_ + 2 && tokens_[end].text == "{" && tokens_[end - 1].text == ")") {
       function(end);
     } else {
-      skip_past_semicolon();
+      skip_past(";");
     }
   }
 
@@ -52,14 +44,6 @@ class CScanner {
     return k;
   }
 
-  void skip_past_semicolon() {
-    while (!is(";")) {
-      if (at_ >= tokens_.size()) fail("no ;");
-      ++at_;
-    }
-    ++at_;
-  }
-
   // typedef struct { float g; float a_1; } arm_parameters;
   void structure() {
     at_ += 3;
@@ -68,7 +52,7 @@ class CScanner {
       if (at_ + 2 >= tokens_.size() || !is(scalar_.c_str()) || tokens_[at_ + 2].text != ";") fail("a field expected");
       fields.push_back(tokens_[at_ + 1].text);
     }
-    skip_past_semicolon();
+    skip_past(";");
   }
 
   void function(std::size_t end) {
@@ -103,15 +87,6 @@ class CScanner {
     ++at_;
   }
 
-  void skip_block() {
-    int depth = 0;
-    do {
-      if (at_ >= tokens_.size()) fail("no }");
-      depth += is("{") ? 1 : is("}") ? -1 : 0;
-      ++at_;
-    } while (depth > 0);
-  }
-
   // A function that asks for sines and cosines calls the one before it: that is a part of it.
   void forget_what_it_calls(const WrittenFunction& written) {
     if (found_.functions.empty()) return;
@@ -124,9 +99,7 @@ class CScanner {
     found_.functions.pop_back();
   }
 
-  const std::vector<Token>& tokens_;
   const std::string& scalar_;
-  std::size_t at_ = 0;
   int open_ = 0;  // braces of extern "C"
   Scanned found_;
 };
