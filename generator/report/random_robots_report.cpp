@@ -19,7 +19,7 @@ std::string random_robots_text(const RandomRobotsReport& report) {
       report.robots, options.seed, report.joints, report.chains, options.states, report.compiled, report.usual,
       aligned_table(rows));
   for (const RandomRobotFailure& failure : report.failures) {
-    text += fmt::format("\nFAILED: robot {}: {}\n\n{}", failure.seed, failure.first, failure.file);
+    text += fmt::format("\nFAILED: robot {}: {}\n\n{}", failure.seed, to_string(failure.first), failure.file);
   }
   return text + fmt::format("\n{} failed; largest error allowed {:.3g}\n", report.failures.size(), options.bound);
 }
@@ -34,7 +34,7 @@ nlohmann::ordered_json random_robots_json(const RandomRobotsReport& report) {
   for (std::size_t k = 0; k < options.functions.size(); ++k) json["worst"][options.functions[k]] = report.worst[k];
   json["failures"] = nlohmann::ordered_json::array();
   for (const RandomRobotFailure& failure : report.failures) {
-    json["failures"].push_back({{"seed", failure.seed}, {"what", failure.what}, {"robot", failure.file}});
+    json["failures"].push_back({{"seed", failure.seed}, {"what", to_string(failure.last)}, {"robot", failure.file}});
   }
   return json;
 }

@@ -92,31 +92,31 @@ double OneRobot::error(std::size_t k, const State& state, const std::vector<doub
   return scaled_error(values, expected_[k].exact(state), expected_[k].scale(state));
 }
 
-std::optional<std::string> fault_of(const OneRobot& robot, std::size_t function, const State& state,
-                                    const std::vector<double>& values, const char* how,
-                                    const RandomRobotsOptions& options, RandomRobotsReport& report) {
+std::optional<RandomRobotFault> fault_of(const OneRobot& robot, std::size_t function, const State& state,
+                                         const std::vector<double>& values, RandomRobotFault::How how,
+                                         const RandomRobotsOptions& options, RandomRobotsReport& report) {
   const std::string& name = robot.functions()[function].name;
   const double error = robot.error(function, state, values);
   const auto place = std::find(options.functions.begin(), options.functions.end(), name) - options.functions.begin();
   double& worst = report.worst[static_cast<std::size_t>(place)];
   worst = std::max(worst, error);
   if (error <= options.bound) return std::nullopt;
-  return fmt::format("{}, {}: scaled error {:.2g}", name, how, error);
+  return RandomRobotFault{how, name, error};
 }
 
-std::optional<std::string> fault_of(const OneRobot& robot, const RandomRobotsOptions& options,
-                                    RandomRobotsReport& report) {
+std::optional<RandomRobotFault> fault_of(const OneRobot& robot, const RandomRobotsOptions& options,
+                                         RandomRobotsReport& report) {
   for (const State& state : robot.states()) {
     RandomRobotValues all{robot.model(), robot.functions(), state, {}};
     for (std::size_t k = 0; k < robot.functions().size(); ++k) {
       all.values.push_back(robot.carried_out(k, state));
-      const auto fault = fault_of(robot, k, state, all.values.back(), "text", options, report);
+      const auto fault = fault_of(robot, k, state, all.values.back(), RandomRobotFault::How::text, options, report);
       if (fault) return fault;
     }
     if (!options.witness) continue;
     const double error = options.witness(all);
     report.worst_witnessed = std::max(report.worst_witnessed, error);
-    if (!(error <= options.bound)) return fmt::format("against the witness: scaled error {:.2g}", error);
+    if (!(error <= options.bound)) return RandomRobotFault{RandomRobotFault::How::witness, "", error};
   }
   return std::nullopt;
 }

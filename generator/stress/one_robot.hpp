@@ -41,12 +41,12 @@ class OneRobot {
 };
 
 // What is wrong with it, from its text carried out and from the witness; adds to the report's worst errors.
-std::optional<std::string> fault_of(const OneRobot& robot, const RandomRobotsOptions& options,
-                                    RandomRobotsReport& report);
+std::optional<RandomRobotFault> fault_of(const OneRobot& robot, const RandomRobotsOptions& options,
+                                         RandomRobotsReport& report);
 
-// "gravity, compiled: scaled error 3e+07", if it is above the bound; remembers the worst.
-std::optional<std::string> fault_of(const OneRobot& robot, std::size_t function, const State& state,
-                                    const std::vector<double>& values, const char* how,
-                                    const RandomRobotsOptions& options, RandomRobotsReport& report);
+// What is wrong with values of one function, if their error is above the bound; remembers the worst.
+std::optional<RandomRobotFault> fault_of(const OneRobot& robot, std::size_t function, const State& state,
+                                         const std::vector<double>& values, RandomRobotFault::How how,
+                                         const RandomRobotsOptions& options, RandomRobotsReport& report);
 
 }  // namespace flatdyn

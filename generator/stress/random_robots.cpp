@@ -24,11 +24,6 @@ bool is_chain(const PlainRobot& robot) {
 
 bool is_one_in(unsigned seed, int times) { return times > 0 && seed % static_cast<unsigned>(times) == 0; }
 
-// Of the same function, found in the same way: what else a robot without masses has wrong with it is another story.
-bool is_alike(const std::string& fault, const std::string& first) {
-  return fault.substr(0, fault.find(':')) == first.substr(0, first.find(':'));
-}
-
 class RandomRobots {
  public:
   RandomRobots(const RandomRobotsOptions& options, Progress& progress) : options_(options), progress_(progress) {
@@ -57,7 +52,7 @@ class RandomRobots {
     report_.chains += is_chain(drawn) ? 1 : 0;
     report_.usual += is_one_in(seed, options_.usual_one_in) ? 1 : 0;
     std::unique_ptr<OneRobot> robot = made(drawn, seed);
-    if (const std::optional<std::string> fault = fault_of(*robot, options_, report_)) {
+    if (const std::optional<RandomRobotFault> fault = fault_of(*robot, options_, report_)) {
       add_failure(seed, *fault, drawn);
     } else if (is_one_in(seed, options_.compiled_one_in)) {
       waiting_.push_back({seed, std::move(drawn), std::move(robot)});
@@ -88,12 +83,13 @@ class RandomRobots {
     group_.reset();
   }
 
-  std::optional<std::string> compiled_fault(const OneRobot& robot, const std::vector<PlainEntry>& entries,
-                                            RandomRobotsReport& report) const {
+  std::optional<RandomRobotFault> compiled_fault(const OneRobot& robot, const std::vector<PlainEntry>& entries,
+                                                 RandomRobotsReport& report) const {
     for (const State& state : robot.states()) {
       for (std::size_t k = 0; k < entries.size(); ++k) {
         const std::vector<double> values = called(entries[k], robot.functions()[k], state);
-        if (auto fault = fault_of(robot, k, state, values, "compiled", options_, report)) return fault;
+        if (auto fault = fault_of(robot, k, state, values, RandomRobotFault::How::compiled, options_, report))
+          return fault;
       }
     }
     return std::nullopt;
@@ -102,7 +98,7 @@ class RandomRobots {
   // ---- what is wrong, made small
 
   // Of a simpler robot, nothing where it is none that a file may have.
-  std::optional<std::string> fault_of_simpler(const PlainRobot& simpler, unsigned seed, bool is_compiled) const {
+  std::optional<RandomRobotFault> fault_of_simpler(const PlainRobot& simpler, unsigned seed, bool is_compiled) const {
     RandomRobotsReport unused;
     unused.worst.assign(options_.functions.size(), 0);
     try {
@@ -119,29 +115,30 @@ class RandomRobots {
     }
   }
 
-  void add_failure(unsigned seed, const std::string& fault, const PlainRobot& drawn) {
-    progress_.step(fmt::format("making robot {} smaller: {}", seed, fault));
-    const bool is_compiled = fault.find("compiled") != std::string::npos;
+  void add_failure(unsigned seed, const RandomRobotFault& fault, const PlainRobot& drawn) {
+    progress_.step(fmt::format("making robot {} smaller: {}", seed, to_string(fault)));
+    const bool is_compiled = fault.how == RandomRobotFault::How::compiled;
     PlainRobot smallest = drawn;
-    std::string what = fault;
+    RandomRobotFault last = fault;
     std::vector<PlainRobot> simpler = simpler_robots(smallest);
     // On from where it was after a success, as what could not go before can seldom go then; until nothing can.
     for (std::size_t next = 0, refused = 0; refused < simpler.size(); ++next) {
       const PlainRobot& candidate = simpler[next % simpler.size()];
-      const std::optional<std::string> still = fault_of_simpler(candidate, seed, is_compiled);
-      if (!still || !is_alike(*still, fault)) {
+      const std::optional<RandomRobotFault> still = fault_of_simpler(candidate, seed, is_compiled);
+      if (!still || !still->is_like(fault)) {
         ++refused;
         continue;
       }
-      what = *still;
+      last = *still;
       smallest = PlainRobot(candidate);
       simpler = simpler_robots(smallest);
       refused = 0;
     }
     const std::vector<std::string> comment = {
         "SPDX-License-Identifier: BSD-3-Clause",
-        fmt::format("Made small from what flatdyn stress --family random --seed {} --robots 1 draws: {}", seed, what)};
-    report_.failures.push_back({seed, fault, what, drawn, smallest, robot_file(smallest, comment)});
+        fmt::format("Made small from what flatdyn stress --family random --seed {} --robots 1 draws: {}", seed,
+                    to_string(last))};
+    report_.failures.push_back({seed, fault, last, drawn, smallest, robot_file(smallest, comment)});
   }
 
   const RandomRobotsOptions& options_;
@@ -153,6 +150,13 @@ class RandomRobots {
 };
 
 }  // namespace
+
+std::string to_string(const RandomRobotFault& fault) {
+  const std::string size = fmt::format("scaled error {:.2g}", fault.error);
+  if (fault.how == RandomRobotFault::How::witness) return "against the witness: " + size;
+  return fmt::format("{}, {}: {}", fault.function, fault.how == RandomRobotFault::How::text ? "text" : "compiled",
+                     size);
+}
 
 RandomRobotsReport stress_random_robots(const RandomRobotsOptions& options, Progress& progress) {
   return RandomRobots(options, progress).run();

@@ -42,11 +42,24 @@ struct RandomRobotsOptions {
   std::function<double(const RandomRobotValues&)> witness;
 };
 
+// One result that is not what it has to be, and how it was found.
+struct RandomRobotFault {
+  enum class How { text, compiled, witness };
+  How how = How::text;
+  std::string function;  // empty for the witness, who looks at all of them
+  double error = 0;      // scaled
+
+  // Of the same function, found in the same way: what else a robot without masses has wrong with it is another story.
+  bool is_like(const RandomRobotFault& other) const { return how == other.how && function == other.function; }
+};
+
+// "forward_dynamics, compiled: scaled error 1e+15"
+std::string to_string(const RandomRobotFault& fault);
+
 // A robot of which something is not what it has to be.
 struct RandomRobotFailure {
   unsigned seed = 0;
-  std::string first;  // what was found of the robot as drawn
-  std::string what;   // "forward_dynamics, compiled: scaled error 1e+15"
+  RandomRobotFault first, last;  // what was found of the robot as drawn, and of the smallest
   PlainRobot drawn, smallest;
   std::string file;  // of the smallest, as TOML, saying what it is
 };
