@@ -59,7 +59,7 @@ class ModuleWriter {
     std::vector<std::string> names;
     for (const Body& body : mechanism_.bodies) names.push_back(nlohmann::json(body.joint).dump(-1, ' ', true));
     page["joint_names"] = without_newline(list_line("joint_names = (", names, names.size() == 1 ? ",)" : ")", 0));
-    page["parameters?"] = !mechanism_.symbols.empty();
+    page["parameters?"] = has_parameters();
     data symbols(data::type::list);
     for (const FreeSymbol& symbol : mechanism_.symbols) symbols << data("symbol", symbol.name);
     page["symbols"] = data(symbols);
@@ -73,57 +73,73 @@ class ModuleWriter {
     return list;
   }
 
+  bool has_parameters() const { return !mechanism_.symbols.empty(); }
+
+  InputArgument argument(const Function& function, InputKind kind) const {
+    return input_argument(kind, mechanism_.size(), function.base_parameters);
+  }
+
   data row_of(const Function& function) const {
-    std::vector<std::string> names, lengths, shapes, in_c, arguments;
-    data meanings(data::type::list);
-    if (!mechanism_.symbols.empty()) {
-      in_c.push_back(fmt::format("const {}* parameters", dialect_.global("parameters")));
-      arguments.emplace_back("parameters");
-      meanings << data("line", std::string("parameters: Parameters"));
-    }
+    data row;
+    row["function"] = cpp_identifier(function.name);
+    row["summary"] = function.summary + " " + function.equation;
+    row["parameters?"] = has_parameters();
+    write_python(function, row);
+    write_c(function, row);
+    return row;
+  }
+
+  // The method: its arguments, what they are to be, and what it gives back.
+  void write_python(const Function& function, data& row) const {
+    std::vector<std::string> names, lengths, shapes;
+    data meanings(data::type::list), results(data::type::list);
+    if (has_parameters()) meanings << data("line", std::string("parameters: Parameters"));
     for (const InputKind kind : function.inputs) {
-      const InputArgument input = input_argument(kind, mechanism_.size(), function.base_parameters);
+      const InputArgument input = argument(function, kind);
       names.push_back(input.name);
       lengths.push_back(std::to_string(input.length));
-      in_c.push_back(dialect_.input(input.name, false));
-      arguments.push_back(fmt::format("{} + {} * k", input.name, input.length));
       meanings << line_of(input.name, fmt::format("({0},) or (N, {0})", input.length), input.meaning);
     }
-    data results(data::type::list);
     for (const Output& output : function.outputs) {
       shapes.push_back(shape_of(output));
-      in_c.push_back(dialect_.output(output.name, false));
-      if (!returns_value(function)) {
-        arguments.push_back(fmt::format("{} + {} * k", output.name, output.entries.size()));
-      }
       results << line_of(output.name, "of one state " + shape_of(output), output.meaning);
     }
     const bool is_checked = !function.positive.empty();
-    if (is_checked) {
-      in_c.emplace_back("bool* positive");
-      results << data("line", std::string("Not a number where B is not positive definite."));
-    }
-    const std::string own = cpp_identifier(function.name);
-    const std::string called = dialect_.global(own) + "(";
-    const std::string result = is_checked                ? "positive[k] = "
-                               : returns_value(function) ? function.outputs[0].name + "[k] = "
-                                                         : "";
-    data row;
-    row["function"] = own;
-    row["summary"] = function.summary + " " + function.equation;
-    row["parameters?"] = !mechanism_.symbols.empty();
-    row["arguments"] = fmt::format("{}{}", mechanism_.symbols.empty() ? "" : "parameters, ", fmt::join(names, ", "));
+    if (is_checked) results << data("line", std::string("Not a number where B is not positive definite."));
+    row["arguments"] = fmt::format("{}{}", has_parameters() ? "parameters, " : "", fmt::join(names, ", "));
     row["given"] = tuple_of(names);
     row["lengths"] = tuple_of(lengths);
     row["shapes"] = tuple_of(shapes);
     row["meanings"] = data(meanings);
     row["results"] = data(results);
     row["is_checked"] = std::string(is_checked ? "True" : "False");
-    in_c.insert(in_c.begin(), "size_t count");
-    row["signature"] =
-        without_newline(list_line(fmt::format("void {}{}_batch(", dialect_.global(""), own), in_c, ") {", 0));
-    row["call"] = without_newline(list_line(result + called, arguments, ");", 4));
-    return row;
+  }
+
+  // The loop over states: its parameters, and the call of the C form in it.
+  void write_c(const Function& function, data& row) const {
+    std::vector<std::string> parameters = {"size_t count"}, arguments;
+    if (has_parameters()) {
+      parameters.push_back(fmt::format("const {}* parameters", dialect_.global("parameters")));
+      arguments.emplace_back("parameters");
+    }
+    for (const InputKind kind : function.inputs) {
+      const InputArgument input = argument(function, kind);
+      parameters.push_back(dialect_.input(input.name, false));
+      arguments.push_back(fmt::format("{} + {} * k", input.name, input.length));
+    }
+    std::string result = returns_value(function) ? function.outputs[0].name + "[k] = " : "";
+    for (const Output& output : function.outputs) {
+      parameters.push_back(dialect_.output(output.name, false));
+      if (returns_value(function)) continue;
+      arguments.push_back(fmt::format("{} + {} * k", output.name, output.entries.size()));
+    }
+    if (!function.positive.empty()) {
+      parameters.emplace_back("bool* positive");
+      result = "positive[k] = ";
+    }
+    const std::string name = dialect_.global(cpp_identifier(function.name));
+    row["signature"] = without_newline(list_line(fmt::format("void {}_batch(", name), parameters, ") {", 0));
+    row["call"] = without_newline(list_line(result + name + "(", arguments, ");", 4));
   }
 
   static data line_of(const std::string& name, const std::string& shape, const std::string& meaning) {
