@@ -208,7 +208,8 @@ class FunctionWriter {
       return output.name + (output.meaning.empty() ? "" : ": " + output.meaning);
     }
     if (function_.positive.empty()) return "";
-    return "false if the result means nothing, because a pivot of B is not positive or not a number";
+    return fmt::format("false if the result means nothing, because a pivot of B{} is not positive or not a number",
+                       function_.task.empty() ? "" : " or of J B^-1 J^T");
   }
 
   const Function& function_;

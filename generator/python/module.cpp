@@ -105,7 +105,10 @@ class ModuleWriter {
       results << line_of(output.name, "of one state " + shape_of(output), output.meaning);
     }
     const bool is_checked = !function.positive.empty();
-    if (is_checked) results << data("line", std::string("Not a number where B is not positive definite."));
+    if (is_checked) {
+      const std::string singular = function.task.empty() ? "" : ", or the task is singular";
+      results << data("line", "Not a number where B is not positive definite" + singular + ".");
+    }
     row["arguments"] = fmt::format("{}{}", has_parameters() ? "parameters, " : "", fmt::join(names, ", "));
     row["given"] = tuple_of(names);
     row["lengths"] = tuple_of(lengths);
