@@ -10,6 +10,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "symbolic/closed_form.hpp"
+#include "symbolic/latex.hpp"
 
 namespace flatdyn {
 namespace {
@@ -246,7 +247,7 @@ void append_latex(std::string& text, const std::string& title, const std::vector
   if (lines.empty()) return;
   text += "\n% " + title + "\n\\begin{align*}\n";
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const std::string side = lines[k].left_out ? "\\text{" + lines[k].text + "}" : lines[k].text;
+    const std::string side = lines[k].left_out ? "\\text{" + lines[k].text + "}" : latex_lines(lines[k].text);
     text += "  " + lines[k].name + " &= " + side + (k + 1 < lines.size() ? " \\\\\n" : "\n");
   }
   text += "\\end{align*}\n";

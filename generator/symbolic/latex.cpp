@@ -25,6 +25,27 @@ std::string numbered(const std::string& word) {
   return letters(word.substr(0, digits)) + "_{" + word.substr(digits) + "}";
 }
 
+// Characters that fit into a line of 10 pt on A4, with subscripts at their smaller size.
+constexpr double kLineWidth = 68;
+constexpr double kSubscriptWidth = 0.65;
+
+// About as wide as it prints, in characters.
+double printed_width(const std::string& text) {
+  double width = 0;
+  int depth = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == '\\') {  // a command is one character, or an accent over one
+      while (k + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[k + 1])) != 0) ++k;
+      width += 1;
+    } else if (text[k] == '{' || text[k] == '}') {
+      depth += text[k] == '{' ? 1 : -1;
+    } else if (text[k] != '_' && text[k] != '^') {
+      width += depth > 0 ? kSubscriptWidth : 1;
+    }
+  }
+  return width;
+}
+
 }  // namespace
 
 std::string latex_name(const std::string& name) {
@@ -44,6 +65,28 @@ std::string latex_number(const std::string& decimal) {
   const std::size_t e = decimal.find('e');
   if (e == std::string::npos) return decimal;
   return decimal.substr(0, e) + " \\cdot 10^{" + std::to_string(std::stoi(decimal.substr(e + 1))) + "}";
+}
+
+std::string latex_lines(const std::string& formula) {
+  std::string result;
+  double width = 0;
+  for (std::size_t begin = 0; begin < formula.size();) {
+    // One summand, from its sign to the next one's.
+    std::size_t end = formula.find_first_of("+-", begin + 1);
+    while (end != std::string::npos && (formula[end - 1] != ' ' || formula[end + 1] != ' ')) {
+      end = formula.find_first_of("+-", end + 1);
+    }
+    const std::string summand = formula.substr(begin, end == std::string::npos ? end : end - begin);
+    const double more = printed_width(summand);
+    if (width > 0 && width + more > kLineWidth) {
+      result += "\\\\\n    &\\quad ";
+      width = 0;
+    }
+    result += summand;
+    width += more;
+    begin = end == std::string::npos ? formula.size() : end;
+  }
+  return result;
 }
 
 }  // namespace flatdyn

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What `flatdyn derive --latex` prints, in a document: it compiles, and no line is wider than the page.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Latex : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Latex, CompilesAndFitsThePage) {
+  if (std::system("command -v pdflatex > /dev/null") != 0) GTEST_SKIP() << "pdflatex is not installed: scripts/setup";
+  const Scratch scratch;
+  const Outcome derived = run_flatdyn(fmt::format("derive robots/{} --latex -q", GetParam()));
+  ASSERT_EQ(derived.code, 0) << derived.err;
+  scratch.write("model.tex", derived.out);
+  scratch.write("document.tex",
+                "\\documentclass[a4paper]{article}\n\\usepackage{amsmath}\n\\usepackage[margin=2cm]{geometry}\n"
+                "\\allowdisplaybreaks\n\\begin{document}\n\\input{model.tex}\n\\end{document}\n");
+  const std::string command = fmt::format(
+      "cd '{}' && pdflatex -interaction=nonstopmode -halt-on-error document.tex > out 2>&1", scratch.path());
+  EXPECT_EQ(std::system(command.c_str()), 0) << scratch.read("out");
+  EXPECT_THAT(scratch.read("document.log"), HasSubstr("Output written on document.pdf"));
+  EXPECT_THAT(scratch.read("document.log"), Not(HasSubstr("Overfull")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Derive, Latex,
+                         ::testing::Values("cartesian_2.toml", "planar_2r.toml", "pendulum_motor.toml",
+                                           "planar_2r_example_7_2.toml", "prismatic_revolute.toml", "scara.toml"),
+                         [](const auto& test) {
+                           const std::string file = test.param;
+                           return file.substr(0, file.find('.'));
+                         });
+
+}  // namespace
+}  // namespace flatdyn::testing
