@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "cli/program.hpp"
+#include "cli/report_scripts.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -18,62 +19,6 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-// Before anything else of the page: what goes wrong is kept.
-constexpr const char* kBefore = R"js(<script>
-window.troubles = [];
-addEventListener('error', (event) => troubles.push(String(event.message)));
-addEventListener('securitypolicyviolation', (event) => troubles.push('blocked ' + event.blockedURI));
-console.error = console.warn = (...words) => troubles.push(words.join(' '));
-</script>)js";
-
-// Behind the page: every slider of every kind is moved, and what the page then shows is put into the DOM.
-constexpr const char* kMove = R"js(<script>
-const kinds = [...document.querySelectorAll('input[name=kind]')];
-for (const kind of kinds) {
-  kind.click();
-  document.querySelectorAll('#sliders input[type=range]').forEach((range, k) => {
-    const part = 0.5 + 0.37 * Math.sin(1 + 3 * k + 7 * kinds.indexOf(kind));
-    range.value = Number(range.min) + part * (Number(range.max) - Number(range.min));
-    range.dispatchEvent(new Event('input'));
-  });
-}
-document.querySelectorAll('#symbols input').forEach((field, k) => {
-  field.value = 0.3 + 0.07 * k;
-  field.dispatchEvent(new Event('input'));
-});
-const values = (prefix) => [...document.querySelectorAll(`[id^="${prefix}"][data-value]`)].map((cell) => Number(cell.dataset.value));
-const numbers = (text) => text.split(' ').map(Number);
-const shown = {
-  csv: document.getElementById('csv').value, tau: values('tau-'), g: values('g-'), B: values('B-'),
-  axes: numbers(document.getElementById('ellipsoid-text').dataset.axes),
-  centre: numbers(document.getElementById('ellipsoid-text').dataset.centre),
-  drawn: document.querySelectorAll('#view line, #view ellipse').length,
-};
-</script>)js";
-
-constexpr const char* kCheck = R"js(<script>
-const named = (control) => control.labels?.length > 0 || control.hasAttribute('aria-label') || control.textContent.trim() !== '';
-const seen = {
-  troubles, fetched: performance.getEntriesByType('resource').map((entry) => entry.name),
-  unnamed: [...document.querySelectorAll('input, button, textarea, select')].filter((control) => !named(control)).length,
-  pictures: [...document.querySelectorAll('svg')].filter((svg) => svg.getAttribute('role') !== 'img' || !svg.getAttribute('aria-label')).length,
-  ids: document.querySelectorAll('[id]').length - new Set([...document.querySelectorAll('[id]')].map((element) => element.id)).size,
-  heads: [...document.querySelectorAll('th')].filter((head) => !head.hasAttribute('scope')).length,
-  landmarks: ['header', 'nav', 'main', 'footer'].map((name) => document.querySelectorAll(name).length),
-  images: document.images.length, title: document.title, heading: document.querySelector('h1').textContent,
-  names: [...document.querySelectorAll('#torques th')].map((head) => head.textContent),
-  wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
-};
-</script>)js";
-
-constexpr const char* kTell = R"js(<script>
-const told = document.createElement('pre');
-told.id = 'told';
-told.textContent = btoa(String.fromCharCode(...new TextEncoder().encode(JSON.stringify({...seen, ...(typeof shown === 'object' ? shown : {})}))));
-document.body.append(told);
-parent?.postMessage(told.textContent, '*');
-</script>)js";
 
 std::string from_base64(const std::string& text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -162,7 +107,7 @@ class MovedReport : public Report, public ::testing::WithParamInterface<const ch
 
 TEST_P(MovedReport, ShowsWhatEvalComputes) {
   const std::string robot = std::string("robots/") + GetParam();
-  const json shown = told_by(page(robot), std::string(kMove) + kCheck);
+  const json shown = told_by(page(robot), std::string(kMove) + kRead + kCheck);
   EXPECT_EQ(shown.at("troubles"), json::array());
   EXPECT_GT(shown.at("drawn").get<int>(), 4);
   const std::string csv = shown.at("csv");
@@ -213,6 +158,19 @@ TEST_F(Report, StandsAloneAndIsNamedThroughout) {
   for (const char* count : {"unnamed", "pictures", "ids", "heads", "images"}) EXPECT_EQ(seen.at(count), 0) << count;
   EXPECT_EQ(seen.at("landmarks"), json({1, 1, 1, 1}));
   EXPECT_EQ(seen.at("title"), "scara: dynamics");
+}
+
+TEST_F(Report, AnswersEveryControlAndPlays) {
+  const json seen = told_by(page("robots/panda.urdf"), std::string(kUse) + kRead + kCheck);
+  EXPECT_EQ(seen.at("troubles"), json::array());
+  for (const char* control :
+       {"left", "up", "larger", "reset", "middle", "random", "start", "unit", "hides", "theme", "typed", "nonsense"}) {
+    EXPECT_EQ(seen.at(control), true) << control;
+  }
+  const std::string csv = seen.at("csv");
+  const std::vector<double> gravity = evaluated("robots/panda.urdf", "gravity", csv);
+  expect_near(seen.at("tau"), evaluated("robots/panda.urdf", "inverse_dynamics", csv), "torque");
+  EXPECT_NE(seen.at("tau"), json(gravity)) << "it does not move";
 }
 
 // In a frame of 360 pixels nothing is wider than that.
