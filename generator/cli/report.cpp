@@ -17,6 +17,7 @@ constexpr int kMostJointsOfChristoffel = 12;
 struct ReportArguments : RobotArguments {
   std::string file;
   std::string parameters = "given";
+  std::string with;  // "certificate"; empty: nothing more
 };
 
 // A page has whole functions of the whole robot.
@@ -63,6 +64,20 @@ std::string proof_text(const std::vector<Proof>& proofs) {
       proofs.size());
 }
 
+// By flatdyn's own bounds: what Gappa proves in a given time depends on the computer.
+Certificate certificate_of(const Model& model, const std::vector<OptimisedFunction>& functions, Progress& progress) {
+  const std::vector<OptimisedFunction> torques = {functions.front()};
+  CertifyOptions options;
+  options.observed.states = 100'000;
+  options.time_limit = 0;
+  const std::string text = emit_cpp(model.mechanism, functions_of(torques), {});
+  prove_text(text, torques, std::nullopt);
+  Certificate certificate = certify(model.mechanism, functions_of(torques), text, options, progress);
+  if (!is_refuted(certificate)) return certificate;
+  throw Failure(ExitCode::verification_failed, "a bound is wrong: a larger error was seen",
+                "nothing was written; this is a mistake of the program: report it, with the robot file");
+}
+
 ExitCode report(const ReportArguments& arguments) {
   const PipelineOptions options = arguments.options();
   const Model model = without_function_keys([&] {
@@ -80,16 +95,17 @@ ExitCode report(const ReportArguments& arguments) {
   progress.step("drawing");
   const std::string parameters = arguments.parameters == "given" ? "" : arguments.parameters;
   const std::string settings = arguments.stamp_of_settings({});
-  const std::string of_base = stamp({{"--parameters", parameters}});
-  const PageContent content{model,
-                            std::move(functions),
-                            drawing_of(model.robot, model.mechanism),
-                            findings,
-                            snap_effects(model, options.read),
-                            parameter_set(arguments.parameters),
-                            settings + (settings.empty() || of_base.empty() ? "" : " ") + of_base,
-                            proof_text(proofs)};
+  const std::string of_base = stamp({{"--parameters", parameters}, {"--with", arguments.with}});
+  PageContent content{model,
+                      std::move(functions),
+                      drawing_of(model.robot, model.mechanism),
+                      findings,
+                      snap_effects(model, options.read),
+                      parameter_set(arguments.parameters),
+                      settings + (settings.empty() || of_base.empty() ? "" : " ") + of_base,
+                      proof_text(proofs)};
   const PageCode code = page_code(content);
+  if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
   prove_text(EmittedText::of_javascript(code.text), code.functions, std::nullopt);
   write_files({{arguments.file, report_page(content, code)}});
   print_diagnostics(model.diagnostics, arguments.quiet);
@@ -120,6 +136,10 @@ Run add_report(CLI::App& app) {
       ->check(kNotEmpty)
       ->type_name("FILE.html");
   add_parameters_option(*command, arguments->parameters, "what base parameters are made of: ");
+  command
+      ->add_option("--with", arguments->with,
+                   "also on the page: certificate, how large the rounding errors of the torques can be")
+      ->check(CLI::IsMember({"certificate"}));
   return [arguments] { return report(*arguments); };
 }
 

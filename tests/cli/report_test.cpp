@@ -222,6 +222,37 @@ TEST(ReportFile, IsTheSameFromAnyFolder) {
   EXPECT_THAT(pages[0], HasSubstr("--tip link2"));
 }
 
+// The bounds of `flatdyn certify`; where limits are missing there are none.
+TEST(ReportFile, HasACertificateOnRequest) {
+  const Scratch folder;
+  folder.write("arm.toml", R"toml(dh = "standard"
+[[link]]
+a = 1
+mass = 2
+com = [-0.5, 0, 0]
+limits = { lower = -1, upper = 1, velocity = 2, acceleration = 10, effort = 100 }
+[[link]]
+a = 1
+mass = 1
+com = [-0.3, 0.1, 0]
+limits = { velocity = 2, acceleration = 10 }
+)toml");
+  const std::string arm = folder.path("arm.toml"), page = folder.path("page.html");
+  const Outcome made = run_flatdyn(fmt::format("report '{}' -q --with certificate -o '{}'", arm, page));
+  ASSERT_EQ(made.code, 0) << made.err;
+  const json certificate = json::parse(
+      run_flatdyn(fmt::format("certify '{}' -q --json --functions inverse_dynamics --time-limit 0 --states 1000", arm))
+          .out);
+  const std::string text = folder.read("page.html");
+  for (const json& output : certificate.at("functions").at(0).at("outputs")) {
+    EXPECT_THAT(text, HasSubstr(fmt::format("<code>{}</code></th><td class=\"n\">{:.3e}</td>",
+                                            output.at("output").get<std::string>(), output.at("bound").get<double>())));
+  }
+  const std::string none = folder.path("none.html");
+  EXPECT_EQ(run_flatdyn(fmt::format("report robots/planar_2r.toml -q --with certificate -o '{}'", none)).code, 4);
+  EXPECT_FALSE(std::filesystem::exists(none));
+}
+
 TEST(ReportFile, IsRefusedWhereThereIsNothingToShow) {
   const Scratch folder;
   const std::string page = folder.path("page.html");

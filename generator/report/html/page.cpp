@@ -143,6 +143,7 @@ std::string report_page(const PageContent& content, const PageCode& code) {
   write_base(page, model.mechanism, content.parameters);
   write_model(page, model, content.snap_effects);
   write_notes(page, model, content.findings);
+  write_certificate(page, content.certificate);
   page["hash"] = model.input_hash;
   page["options?"] = !content.options.empty();
   page["options"] = content.options;

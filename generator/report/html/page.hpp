@@ -2,9 +2,11 @@
 // All of a robot on one page of HTML that needs nothing else: it moves, by the emitted functions themselves.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "certify/certificate.hpp"
 #include "pipeline.hpp"
 #include "report/html/drawing.hpp"
 #include "symbolic/parameters.hpp"
@@ -23,6 +25,7 @@ struct PageContent {
   ParameterSet parameters = ParameterSet::given;  // that base parameters are made of
   std::string options;                            // that shaped the page
   std::string proof;                              // a sentence: what was proven of the functions
+  std::optional<Certificate> certificate{};       // of the torques
 };
 
 // The page's functions as JavaScript: the body of a function that returns them. With what it prints, in its order.

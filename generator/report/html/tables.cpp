@@ -114,6 +114,25 @@ void write_base(data& page, const Mechanism& mechanism, ParameterSet set) {
   page["unseen"] = unseen_rows(unseen);
 }
 
+void write_certificate(data& page, const std::optional<Certificate>& certificate) {
+  page["certificate?"] = certificate.has_value();
+  if (!certificate) return;
+  data rows(data::type::list);
+  for (const CertifiedFunction& function : certificate->functions) {
+    for (const CertifiedOutput& output : function.outputs) {
+      data row;
+      row["output"] = output.name;
+      row["bound"] = fmt::format("{:.3e}", output.bound);  // all digits that it has
+      row["seen"] = fmt::format("{:.1e}", output.observed);
+      row["unit"] = output.unit;
+      row["effort"] = output.effort ? fmt::format("{:.1e} %", 100 * output.bound / *output.effort) : "–";
+      rows << row;
+    }
+  }
+  page["certificate"] = data(rows);
+  page["certificate_states"] = std::to_string(certificate->options.observed.states);
+}
+
 namespace {
 
 data joint_rows(const ordered_json& joints) {

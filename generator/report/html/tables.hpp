@@ -3,8 +3,10 @@
 #pragma once
 
 #include <kainjow/mustache.hpp>
+#include <optional>
 #include <vector>
 
+#include "certify/certificate.hpp"
 #include "pipeline.hpp"
 #include "symbolic/parameters.hpp"
 
@@ -15,6 +17,9 @@ void write_operations(kainjow::mustache::data& page, const std::vector<Optimised
 
 // Base parameters with their values, and what cannot be identified.
 void write_base(kainjow::mustache::data& page, const Mechanism& mechanism, ParameterSet set);
+
+// How large the rounding errors of the torques can be, if that was asked for.
+void write_certificate(kainjow::mustache::data& page, const std::optional<Certificate>& certificate);
 
 // Joints with their limits, what a scene fixed, snapped angles.
 void write_model(kainjow::mustache::data& page, const Model& model, const std::vector<double>& snap_effects);
