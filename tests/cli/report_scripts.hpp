@@ -78,6 +78,7 @@ const seen = () => ({
   ids: document.querySelectorAll('[id]').length - new Set([...document.querySelectorAll('[id]')].map((element) => element.id)).size,
   heads: [...document.querySelectorAll('th')].filter((head) => !head.hasAttribute('scope')).length,
   landmarks: ['header', 'nav', 'main', 'footer'].map((name) => document.querySelectorAll(name).length),
+  trouble: document.getElementById('trouble').hidden ? '' : document.getElementById('trouble').textContent,
   images: document.images.length, title: document.title, heading: document.querySelector('h1').textContent,
   names: [...document.querySelectorAll('#torques th')].map((head) => head.textContent),
   wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,

@@ -173,6 +173,24 @@ TEST_F(Report, AnswersEveryControlAndPlays) {
   EXPECT_NE(seen.at("tau"), json(gravity)) << "it does not move";
 }
 
+// No body has these parameters: the page says so, draws on, and comes back.
+TEST_F(Report, SaysWhereBIsNotPositiveDefinite) {
+  const std::string all_zero = R"js(<script>
+const set = (value) => document.querySelectorAll('#symbols input').forEach((field) => {
+  field.value = value;
+  field.dispatchEvent(new Event('input'));
+});
+set(0);
+</script>)js";
+  const std::string text = page("robots/planar_2r.toml");
+  const json zero = told_by(text, all_zero + kRead + kCheck);
+  EXPECT_THAT(zero.at("trouble").get<std::string>(), HasSubstr("not positive definite"));
+  EXPECT_EQ(zero.at("troubles"), json::array());
+  const json again = told_by(text, all_zero + "<script>set(1);</script>" + kCheck);
+  EXPECT_EQ(again.at("trouble"), "");
+  EXPECT_EQ(again.at("troubles"), json::array());
+}
+
 // In a frame of 360 pixels nothing is wider than that.
 TEST_F(Report, FitsOnAPhone) {
   const std::string text = page("robots/panda.urdf");
