@@ -213,4 +213,14 @@ Certificate certify(const Mechanism& mechanism, const std::vector<Function>& fun
   return result;
 }
 
+bool is_refuted(const Certificate& certificate) {
+  for (const CertifiedFunction& function : certificate.functions) {
+    for (const CertifiedOutput& output : function.outputs) {
+      if (certificate.by_gappa && output.verdict == Verdict::refused) return true;
+      if (output.observed > output.bound + output.doubt) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace flatdyn

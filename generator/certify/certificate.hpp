@@ -54,4 +54,7 @@ struct Certificate {
 Certificate certify(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& header,
                     const CertifyOptions& options, Progress& progress);
 
+// A bound is wrong: Gappa was asked and refuses it, or a larger error was seen.
+bool is_refuted(const Certificate& certificate);
+
 }  // namespace flatdyn

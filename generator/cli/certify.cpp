@@ -83,23 +83,13 @@ void write(const CertifyArguments& arguments, const Certified& result, const std
   write_files(files);
 }
 
-bool has_refusal(const Certificate& certificate) {
-  for (const CertifiedFunction& function : certificate.functions) {
-    for (const CertifiedOutput& output : function.outputs) {
-      if (certificate.by_gappa && output.verdict == Verdict::refused) return true;
-      if (output.observed > output.bound + output.doubt) return true;
-    }
-  }
-  return false;
-}
-
 ExitCode run_certify(const CertifyArguments& arguments) {
   const PipelineOptions options = pipeline_options(arguments);
   const Model model = read_model(arguments.robot, options);
   print_diagnostics(model.diagnostics, arguments.quiet);
   const Certified result = certified(arguments, model, options);
   const std::string hash = content_hash({result.text});
-  if (has_refusal(result.certificate)) {
+  if (is_refuted(result.certificate)) {
     fmt::print("{}", describe_certificate(result.certificate, arguments.enough / 100));
     throw Failure(ExitCode::verification_failed, "a bound is wrong: Gappa refuses it, or a larger error was seen",
                   "nothing was written; this is a mistake of the program: report it, with the robot file");

@@ -78,6 +78,7 @@ Run add_eval(CLI::App& app);
 Run add_identify(CLI::App& app);
 Run add_payload(CLI::App& app);
 Run add_excite(CLI::App& app);
+Run add_report(CLI::App& app);
 Run add_bench(CLI::App& app);
 Run add_certify(CLI::App& app);
 Run add_stress(CLI::App& app);

@@ -31,6 +31,13 @@ struct GenerateArguments : RobotArguments {
   Delivery delivery;
 };
 
+struct NamedLanguage {
+  Language language;
+  const char* name;
+};
+const std::map<std::string, NamedLanguage> kLanguages = {
+    {"c++", {Language::cpp, "C++"}}, {"c", {Language::c, "C"}}, {"javascript", {Language::javascript, "JavaScript"}}};
+
 const CLI::Validator kFileName(
     [](const std::string& text) {
       return text.empty() || text.find('/') != std::string::npos ? "it is no name of a file" : "";
@@ -64,6 +71,10 @@ Emitted emitted(const Model& model, const std::vector<Function>& functions, cons
     const std::string text = emit_cpp(model.mechanism, functions, options, stages);
     return {{{header, text}}, EmittedText(text)};
   }
+  if (options.language == Language::javascript) {
+    const std::string text = emit_javascript(model.mechanism, functions, options);
+    return {{{header, text}}, EmittedText::of_javascript(text)};
+  }
   const CText text = emit_c(model.mechanism, functions, options);
   return {{{header, text.header}, {folder / source_name(model.mechanism, options), text.source}},
           EmittedText(text.header, text.source, options.scalar)};
@@ -96,8 +107,18 @@ void check_usage(const GenerateArguments& arguments) {
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
-  if (arguments.language == "c" && !arguments.staged.empty()) {
-    throw Failure(ExitCode::usage, "--stages: there are none in C", "--fuse computes several functions in one call");
+  if (arguments.language != "c++" && !arguments.staged.empty()) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--stages: there are none in {}", kLanguages.at(arguments.language).name),
+                  "--fuse computes several functions in one call");
+  }
+  if (arguments.language != "javascript") return;
+  if (arguments.scalar != "double") {
+    throw Failure(ExitCode::usage, "--scalar: all numbers of JavaScript are doubles", "leave it out");
+  }
+  if (!arguments.name_space.empty()) {
+    throw Failure(ExitCode::usage, "--namespace: a module of JavaScript has none",
+                  "leave it out; --name names the file");
   }
 }
 
@@ -134,7 +155,7 @@ EmitOptions emit_options(const Model& model, const Made& made, const GenerateArg
           scene_stamp(model),
           scene_facts(model),
           arguments.most_lines,
-          arguments.language == "c" ? Language::c : Language::cpp,
+          kLanguages.at(arguments.language).language,
           arguments.file_name};
 }
 
@@ -246,8 +267,10 @@ Run add_generate(CLI::App& app) {
                                 ->check(CLI::IsMember({"double", "float"}))
                                 ->capture_default_str();
   arguments->language_given =
-      command->add_option("--language", arguments->language, "a C++17 header, or a C99 header and source in one scalar")
-          ->check(CLI::IsMember({"c++", "c"}))
+      command
+          ->add_option("--language", arguments->language,
+                       "a C++17 header, a C99 header and source in one scalar, or a JavaScript module")
+          ->check(CLI::IsMember({"c++", "c", "javascript"}))
           ->capture_default_str();
   command
       ->add_option("--firmware", arguments->firmware,

@@ -31,15 +31,29 @@ Dialect Dialect::c(const std::string& scalar, const std::string& name_space) {
   return dialect;
 }
 
+Dialect Dialect::javascript() {
+  Dialect dialect;
+  dialect.language_ = Language::javascript;
+  dialect.scalar_ = "number";
+  return dialect;
+}
+
 std::string Dialect::count_name(const std::string& name) const { return is_c() ? in_capitals(prefix_ + name) : name; }
 
 std::string Dialect::count_definition(const std::string& name, int value) const {
+  if (is_javascript()) return fmt::format("const {} = {};\n", name, value);
   return is_c() ? fmt::format("enum {{ {} = {} }};\n", name, value)
                 : fmt::format("inline constexpr int {} = {};\n", name, value);
 }
 
 std::vector<std::string> Dialect::reserved() const {
-  if (!is_c()) {
+  if (is_javascript()) {
+    return {"Math",   "Float64Array", "Infinity",   "NaN",       "undefined",   "null",        "arguments",
+            "await",  "debugger",     "eval",       "extends",   "finally",     "function",    "implements",
+            "import", "in",           "instanceof", "interface", "let",         "package",     "super",
+            "typeof", "var",          "with",       "yield",     "joint_count", "joint_names", "parameter_names"};
+  }
+  if (is_cpp()) {
     return {"Scalar",
             "Real",
             "Parameters",
@@ -67,18 +81,23 @@ std::vector<std::string> Dialect::reserved() const {
 }
 
 std::string Dialect::literal(const Rational& value) const {
-  if (!is_c()) return "Scalar(" + decimal_literal(value) + ")";
+  if (is_cpp()) return "Scalar(" + decimal_literal(value) + ")";
   return scalar_ == "float" ? float_literal(value) : decimal_literal(value);
 }
 
 std::string Dialect::real_literal(const Rational& value) const {
-  return is_c() ? literal(value) : "Real(" + decimal_literal(value) + ")";
+  return is_cpp() ? "Real(" + decimal_literal(value) + ")" : literal(value);
 }
 
 std::string Dialect::infinity(bool negative) const {
   const std::string sign = negative ? "-" : "";
-  if (!is_c()) return "Real(" + sign + "HUGE_VAL)";
+  if (is_javascript()) return sign + "Infinity";
+  if (is_cpp()) return "Real(" + sign + "HUGE_VAL)";
   return sign + (scalar_ == "float" ? "HUGE_VALF" : "HUGE_VAL");
+}
+
+std::string Dialect::text(const std::string& value) const {
+  return is_javascript() ? javascript_string(value) : quoted(value);
 }
 
 std::string Dialect::library(const std::string& function) const {
@@ -86,7 +105,7 @@ std::string Dialect::library(const std::string& function) const {
 }
 
 std::string Dialect::sign(const std::string& of) const {
-  return (is_c() ? global("sign(") : "detail::sign(") + of + ")";
+  return (is_javascript() ? "Math.sign(" : is_c() ? global("sign(") : "detail::sign(") + of + ")";
 }
 
 std::string Dialect::parameter(const std::string& member) const {
@@ -94,6 +113,7 @@ std::string Dialect::parameter(const std::string& member) const {
 }
 
 std::string Dialect::restricted(const std::string& type, const std::string& name, bool restricts) const {
+  if (is_javascript()) return name;
   return type + (is_c() && restricts ? "* restrict " : "* ") + name;
 }
 
@@ -106,28 +126,35 @@ std::string Dialect::output(const std::string& name, bool restricts) const {
 }
 
 std::string Dialect::parameters_argument(bool restricts) const {
-  if (!is_c()) return "const Parameters<Scalar>& parameters";
+  if (is_cpp()) return "const Parameters<Scalar>& parameters";
   return restricted("const " + global("parameters"), "parameters", restricts);
 }
 
 std::string Dialect::number_output(const std::string& name) const {
-  return is_c() ? output(name) : scalar_ + "& " + name;
+  return is_cpp() ? scalar_ + "& " + name : output(name);
 }
 
-std::string Dialect::number_definition(const std::string& name) const { return is_c() ? name + "[1]" : name; }
-std::string Dialect::number_use(const std::string& name) const { return is_c() ? name + "[0]" : name; }
+std::string Dialect::number_definition(const std::string& name) const { return is_cpp() ? name : array(name, 1); }
+
+std::string Dialect::number_use(const std::string& name) const { return is_cpp() ? name : name + "[0]"; }
+
+std::string Dialect::constant() const { return is_javascript() ? "const " : "const " + scalar_ + " "; }
+std::string Dialect::arrays() const { return is_javascript() ? "const " : scalar_ + " "; }
+
+std::string Dialect::array(const std::string& name, std::size_t length) const {
+  return is_javascript() ? fmt::format("{} = new Float64Array({})", name, length) : fmt::format("{}[{}]", name, length);
+}
+
+std::string Dialect::conditions_begin() const { return is_javascript() ? "let positive = " : "bool positive = "; }
+std::string Dialect::conditions_continue() const { return is_javascript() ? "positive &&= " : "positive &= "; }
 
 std::string Dialect::part_begin(const std::string& name) const {
-  return is_c() ? fmt::format("static void {}(", name) : fmt::format("void {}(", name);
+  return (is_javascript() ? "function " : is_c() ? "static void " : "void ") + name + "(";
 }
 
-std::string Dialect::function_end() const { return is_c() ? ") {" : ") noexcept {"; }
+std::string Dialect::function_end() const { return is_cpp() ? ") noexcept {" : ") {"; }
 
-std::string Dialect::part_call(const std::string& name) const { return (is_c() ? "" : "detail::") + name + "("; }
-
-std::string Dialect::function_begin(const std::string& returns, const std::string& name) const {
-  return fmt::format("{}{} {}(", is_c() ? "" : "inline ", returns, name);
-}
+std::string Dialect::part_call(const std::string& name) const { return (is_cpp() ? "detail::" : "") + name + "("; }
 
 std::string Dialect::type_of(const ConstantArray& array) const {
   if (!is_c()) return array.type;
@@ -136,15 +163,17 @@ std::string Dialect::type_of(const ConstantArray& array) const {
 }
 
 std::string Dialect::definition(const ConstantArray& array) const {
-  const std::string begin =
-      fmt::format("{}{} {}[{}] = {{", is_c() ? "" : "inline constexpr ", type_of(array), array.name, array.length);
-  if (array.row == 0) return list_line(begin, array.entries, "};", 0);
+  const std::string begin = is_javascript() ? fmt::format("const {} = [", array.name)
+                                            : fmt::format("{}{} {}[{}] = {{", is_c() ? "" : "inline constexpr ",
+                                                          type_of(array), array.name, array.length);
+  const std::string end = is_javascript() ? "];" : "};";
+  if (array.row == 0) return list_line(begin, array.entries, end, 0);
   std::string text = begin + "\n";
   const auto row = static_cast<std::size_t>(array.row);
   for (std::size_t k = 0; k < array.entries.size(); k += row) {
     const auto first = array.entries.begin() + static_cast<std::ptrdiff_t>(k);
     const bool is_last = k + row >= array.entries.size();
-    text += list_line("", {first, first + static_cast<std::ptrdiff_t>(row)}, is_last ? "};" : ",", kRowIndent);
+    text += list_line("", {first, first + static_cast<std::ptrdiff_t>(row)}, is_last ? end : ",", kRowIndent);
   }
   return text;
 }
@@ -154,9 +183,10 @@ std::string Dialect::declaration(const ConstantArray& array) const {
 }
 
 std::string Dialect::all_positive(const std::string& array, std::size_t length) const {
-  const std::string loop =
-      is_c() ? fmt::format("for (int k = 0; k < {}; ++k) {{ positive &= {}[k] > {}; }}", length, array, literal(0))
-             : fmt::format("for (const Scalar& pivot : {}) positive &= pivot > Scalar(0.0);", array);
+  const std::string loop = is_cpp()
+                               ? fmt::format("for (const Scalar& pivot : {}) positive &= pivot > Scalar(0.0);", array)
+                               : fmt::format("for ({} k = 0; k < {}; ++k) {{ {}{}[k] > {}; }}", is_c() ? "int" : "let",
+                                             length, conditions_continue(), array, literal(0));
   return code_line(loop, kStatementIndent);
 }
 

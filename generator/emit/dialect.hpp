@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-enum class Language { cpp, c };
+enum class Language { cpp, c, javascript };
 
 // An array of constants at file or namespace scope.
 struct ConstantArray {
@@ -29,10 +29,14 @@ class Dialect {
   Dialect() = default;
   // C99 in one scalar, "double" or "float"; `name_space`: of the C++ form, "a::b", here the prefix a_b_.
   static Dialect c(const std::string& scalar, const std::string& name_space);
+  // Names of a module's own; numbers are doubles.
+  static Dialect javascript();
 
+  bool is_cpp() const { return language_ == Language::cpp; }
   bool is_c() const { return language_ == Language::c; }
+  bool is_javascript() const { return language_ == Language::javascript; }
 
-  // The type of variables: "Scalar", "float".
+  // The type of variables: "Scalar", "float"; "number", which JavaScript's comments say.
   const std::string& scalar() const { return scalar_; }
   // What is known outside of its function: "gravity", "panda_gravity".
   std::string global(const std::string& name) const { return prefix_ + name; }
@@ -46,10 +50,12 @@ class Dialect {
   // In an array of constants: "Real(0.0825)", "0.0825f"; and "Real(-HUGE_VAL)", "-HUGE_VALF".
   std::string real_literal(const Rational& value) const;
   std::string infinity(bool negative) const;
+  // A constant of text, quoted.
+  std::string text(const std::string& value) const;
   // "sinf": of <math.h>, where a form for each scalar has a name of its own.
   std::string library(const std::string& function) const;
 
-  // "detail::sign(x)", "panda_sign(x)".
+  // "detail::sign(x)", "panda_sign(x)", "Math.sign(x)".
   std::string sign(const std::string& of) const;
   // A free symbol of the robot: "parameters.m_1", "parameters->m_1".
   std::string parameter(const std::string& member) const;
@@ -62,13 +68,19 @@ class Dialect {
   std::string number_definition(const std::string& name) const;              // "result", "result[1]"
   std::string number_use(const std::string& name) const;                     // "result", "result[0]"
 
+  // Local variables: what stands before the first one, "const Scalar ", "const "; and arrays that are filled later, or
+  // such a number: "Scalar ", and "kept[7]", in JavaScript "kept = new Float64Array(7)".
+  std::string constant() const;
+  std::string arrays() const;
+  std::string array(const std::string& name, std::size_t length) const;
+  std::string conditions_begin() const;     // "bool positive = "
+  std::string conditions_continue() const;  // "positive &= "
+
   // A function that only others of the same file call: what stands before its parameters, and behind.
   std::string part_begin(const std::string& name) const;
   std::string function_end() const;  // ") noexcept {"
   // "detail::f_part_1(" where the robot's own functions call it.
   std::string part_call(const std::string& name) const;
-  // "inline void gravity("
-  std::string function_begin(const std::string& returns, const std::string& name) const;
 
   // Lines; names are as they are emitted. In C a definition goes to the .c file, and a declaration to the header.
   std::string count_definition(const std::string& name, int value) const;

@@ -12,6 +12,7 @@
 #include "emit/c_section.hpp"
 #include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
+#include "emit/javascript_section.hpp"
 #include "emit/joints.hpp"
 #include "emit/name_space.hpp"
 #include "emit/names.hpp"
@@ -39,6 +40,10 @@ std::string squeezed(const std::string& text) {
     result += text[k];
   }
   return result;
+}
+
+std::string file_name(const Mechanism& mechanism, const EmitOptions& options) {
+  return options.file_name.empty() ? cpp_identifier(mechanism.name) : options.file_name;
 }
 
 // What the templates of all languages are filled with.
@@ -72,6 +77,9 @@ class PageWriter {
     header["uses_math"] = uses_trigonometry_ || uses_infinity();
     return header;
   }
+
+  // All that the text defines for others, in its order.
+  const std::vector<std::string>& exported_names() const { return exports_; }
 
  private:
   static std::set<std::string> as_set(const std::vector<std::string>& words) { return {words.begin(), words.end()}; }
@@ -116,7 +124,7 @@ class PageWriter {
     }
     header["stamp"] = list_of(stamp);
     header["joint_table"] = list_of(joint_table(mechanism_));
-    header["writes"] = list_of(writing_rule(functions_, dialect_.is_c()));
+    header["writes"] = list_of(writing_rule(functions_, !dialect_.is_cpp()));
     header["facts"] = list_of(wrapped_words(facts(), kCommentWidth));
     header["guard"] = guard_of(namespace_, dialect_.is_c() ? "H" : "HPP");
     header["namespace"] = namespace_;
@@ -136,16 +144,19 @@ class PageWriter {
     return comment_text(text);
   }
 
-  void write_constants(data& header) const {
+  void write_constants(data& header) {
+    exports_.emplace_back("joint_count");
     header["joint_count"] = std::to_string(mechanism_.size());
     data constants(data::type::list);
     if (mechanism_.size() > 0) {
       std::vector<std::string> joints;
-      for (const Body& body : mechanism_.bodies) joints.push_back(quoted(body.joint));
+      for (const Body& body : mechanism_.bodies) joints.push_back(dialect_.text(body.joint));
+      exports_.emplace_back("joint_names");
       constants << constant("As the robot file names them", per_joint("const char*", "joint_names", joints));
     }
     for (const LimitKind& kind : limits_given(mechanism_)) {
       const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
+      exports_.emplace_back(kind.constant);
       constants << constant(kind.meaning, per_joint(kReal, kind.constant, entries));
     }
     header["constants"] = data(constants);
@@ -155,13 +166,19 @@ class PageWriter {
     }
     header["parameters?"] = !scope_.parameters.empty();
     header["parameters"] = list_of(scope_.parameters);
+    if (!scope_.parameters.empty()) exports_.emplace_back("parameter_names");
+    std::vector<std::string> names;
+    for (const std::string& name : scope_.parameters) names.push_back(dialect_.text(name));
+    header["parameter_names"] = without_newline(dialect_.definition({"const char*", "parameter_names", "", names}));
   }
 
-  void write_base_constants(data& header) const {
+  void write_base_constants(data& header) {
     const BaseConstants base = base_constants(mechanism_, base_names_, dialect_);
     const std::string count = dialect_.count_definition(base_names_[0], base.count);
     std::string definitions, declarations;
+    exports_.push_back(base_names_[0]);
     for (const ConstantArray& array : base.arrays) {
+      exports_.push_back(array.name);
       definitions += dialect_.definition(array);
       declarations += dialect_.declaration(array);
     }
@@ -189,9 +206,7 @@ class PageWriter {
       const FunctionText text =
           function_text(functions_[k], function_names_[k], scope_, dialect_.is_c() ? given_names_[k] : "");
       note_needs(text);
-      if (k == 0)
-        header["example"] =
-            list_of(dialect_.is_c() ? c_example(text, dialect_, !scope_.parameters.empty()) : example(text));
+      if (k == 0) header["example"] = list_of(example(text));
       data item;
       item["nonzero"] = nonzero(k, next_nonzero);
       write_parts(item, text);
@@ -200,7 +215,9 @@ class PageWriter {
       item["signature"] = signature(text);
       item["body"] = without_newline(text.body);
       if (dialect_.is_c()) write_c_function(item, functions_[k], text);
+      if (dialect_.is_javascript()) write_javascript_function(item, functions_[k], text);
       list << item;
+      exports_.push_back(function_names_[k]);
       next_nonzero += functions_[k].outputs.size();
     }
     header["functions"] = data(list);
@@ -231,7 +248,7 @@ class PageWriter {
   }
 
   // The structural zeros of the matrices of function k, a row per line.
-  data nonzero(std::size_t k, std::size_t first_name) const {
+  data nonzero(std::size_t k, std::size_t first_name) {
     data list(data::type::list);
     const Function& function = functions_[k];
     for (std::size_t o = 0; o < function.outputs.size(); ++o) {
@@ -248,11 +265,18 @@ class PageWriter {
       item["definition"] = without_newline(dialect_.definition(array));
       item["declaration"] = without_newline(dialect_.declaration(array));
       list << item;
+      exports_.push_back(array.name);
     }
     return list;
   }
 
   std::vector<std::string> example(const FunctionText& text) const {
+    if (dialect_.is_c()) return c_example(text, dialect_, !scope_.parameters.empty());
+    if (dialect_.is_javascript()) return javascript_example(text, file_name(mechanism_, options_), scope_.parameters);
+    return cpp_example(text);
+  }
+
+  std::vector<std::string> cpp_example(const FunctionText& text) const {
     std::vector<std::string> lines;
     std::string declarations, call;
     for (const ArrayArgument& array : text.inputs) {
@@ -289,21 +313,16 @@ class PageWriter {
   std::vector<std::string> nonzero_names_;  // of all outputs of all functions, in order
   std::vector<std::string> base_names_;     // of kBaseConstants; empty where no function needs them
   HeaderScope scope_;
+  std::vector<std::string> exports_;
   bool uses_sign_ = false, uses_trigonometry_ = false;
 };
 
 }  // namespace
 
-namespace {
-
-std::string file_name(const Mechanism& mechanism, const EmitOptions& options) {
-  return options.file_name.empty() ? cpp_identifier(mechanism.name) : options.file_name;
-}
-
-}  // namespace
-
 std::string header_name(const Mechanism& mechanism, const EmitOptions& options) {
-  return file_name(mechanism, options) + (options.language == Language::c ? ".h" : ".hpp");
+  const Language language = options.language;
+  const char* const ending = language == Language::javascript ? ".js" : language == Language::c ? ".h" : ".hpp";
+  return file_name(mechanism, options) + ending;
 }
 
 std::string source_name(const Mechanism& mechanism, const EmitOptions& options) {
@@ -312,6 +331,7 @@ std::string source_name(const Mechanism& mechanism, const EmitOptions& options) 
 
 Dialect dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
   if (options.language == Language::cpp) return {};
+  if (options.language == Language::javascript) return Dialect::javascript();
   return Dialect::c(options.scalar, namespace_of(mechanism.name, options.name_space));
 }
 
@@ -324,6 +344,18 @@ CText emit_c(const Mechanism& mechanism, const std::vector<Function>& functions,
   const std::optional<Stages> none;
   const data page = PageWriter(mechanism, functions, options, none).page();
   return {squeezed(rendered(templates::header_h, page)), squeezed(rendered(templates::source_c, page))};
+}
+
+std::string emit_javascript(const Mechanism& mechanism, const std::vector<Function>& functions,
+                            const EmitOptions& options, JavascriptForm form) {
+  const std::optional<Stages> none;
+  EmitOptions in_javascript = options;
+  in_javascript.language = Language::javascript;
+  PageWriter writer(mechanism, functions, in_javascript, none);
+  data page = writer.page();
+  const std::string begin = form == JavascriptForm::module ? "export {" : "return {";
+  page["exports"] = without_newline(list_line(begin, writer.exported_names(), "};", 0));
+  return squeezed(rendered(templates::module_js, page));
 }
 
 }  // namespace flatdyn

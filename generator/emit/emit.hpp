@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Functions → text of a self-contained C++17 header, or of a C99 header and source.
+// Functions → text of a self-contained C++17 header, of a C99 header and source, or of a JavaScript module.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct EmitOptions {
   std::string file_name{};  // of header and source, without what follows the dot; empty: the robot's name
 };
 
-// The header's file name for this mechanism: "panda.hpp", in C "panda.h".
+// The header's file name for this mechanism: "panda.hpp", in C "panda.h"; in JavaScript the module's, "panda.js".
 std::string header_name(const Mechanism& mechanism, const EmitOptions& options);
 std::string source_name(const Mechanism& mechanism, const EmitOptions& options);  // "panda.c"
 
@@ -38,6 +38,12 @@ struct CText {
   std::string header, source;
 };
 CText emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options);
+
+// The same functions in JavaScript, in double: an ES module, or the body of a function that returns them in an object,
+// for a page. The same operations in the same order.
+enum class JavascriptForm { module, function_body };
+std::string emit_javascript(const Mechanism& mechanism, const std::vector<Function>& functions,
+                            const EmitOptions& options, JavascriptForm form = JavascriptForm::module);
 
 // In which a robot's code is written: its scalar, and how its names begin.
 Dialect dialect_of(const Mechanism& mechanism, const EmitOptions& options);

@@ -17,8 +17,8 @@
 namespace flatdyn {
 namespace {
 
-// Compilers manage this much at once, and do best where they see much.
-constexpr int kLongFunction = 4000, kLongPart = 1000;
+// Compilers manage this much at once, and do best where they see much. V8 gives up on functions of 60 kB of bytecode.
+constexpr int kLongFunction = 4000, kLongInJavaScript = 1000, kLongPart = 1000;
 // Lines of a function besides its body. In C names are longer, and what is not read is a statement of its own.
 int lines_around(const Function& function, const Dialect& dialect) {
   constexpr int kInCpp = 4, kInC = 6;
@@ -76,13 +76,18 @@ class BodyWriter {
     body.takes_cosines = has_op(Op::cos);
     body.text = whole();
     const auto lines = std::count(body.text.begin(), body.text.end(), '\n');
-    if (lines + lines_around_ > (scope_.most_lines > 0 ? scope_.most_lines : kLongFunction)) write_parts(body);
+    if (lines + lines_around_ > longest()) write_parts(body);
     return body;
   }
 
  private:
+  int longest() const {
+    if (scope_.most_lines > 0) return scope_.most_lines;
+    return dialect_.is_javascript() ? kLongInJavaScript : kLongFunction;
+  }
+
   std::string whole() const {
-    std::string text = loads() + trigonometry() + sines_and_cosines() + stage();
+    std::string text = loads() + trigonometry(false) + sines_and_cosines() + stage();
     for (const Step& step : steps(false)) text += step.makes ? definition_line(step) : step.code;
     return text + condition();
   }
@@ -95,7 +100,7 @@ class BodyWriter {
     for (const std::vector<Step>& more : {steps(true), pivot_steps()}) {
       long_body.steps.insert(long_body.steps.end(), more.begin(), more.end());
     }
-    const std::string before = trigonometry() + stage(), after = ending_of_parts();
+    const std::string before = trigonometry(true) + stage(), after = ending_of_parts();
     const auto lines = std::count(before.begin(), before.end(), '\n') + std::count(after.begin(), after.end(), '\n');
     const Parts parts =
         in_parts(long_body, std::max(2, (long_body.most_lines - static_cast<int>(lines) - lines_around_) / 2));
@@ -107,12 +112,12 @@ class BodyWriter {
 
   std::string shared_by_parts(int kept) const {
     std::vector<std::string> items;
-    if (kept > 0) items.push_back(fmt::format("{}[{}]", kKept, kept));
+    if (kept > 0) items.push_back(dialect_.array(kKept, static_cast<std::size_t>(kept)));
     if (const std::vector<NodeId> pivots = pivots_to_check(); !pivots.empty()) {
-      items.push_back(fmt::format("{}[{}]", kPivots, pivots.size()));
+      items.push_back(dialect_.array(kPivots, pivots.size()));
     }
     if (returns_value(function_)) items.push_back(dialect_.number_definition(kResult));
-    return items.empty() ? "" : list_line(dialect_.scalar() + " ", items, ";", kStatementIndent);
+    return items.empty() ? "" : list_line(dialect_.arrays(), items, ";", kStatementIndent);
   }
 
   std::string ending_of_parts() const {
@@ -121,7 +126,7 @@ class BodyWriter {
     }
     const std::size_t pivots = pivots_to_check().size();
     if (pivots == 0) return condition();
-    return code_line("bool positive = true;", kStatementIndent) + dialect_.all_positive(kPivots, pivots) +
+    return code_line(dialect_.conditions_begin() + "true;", kStatementIndent) + dialect_.all_positive(kPivots, pivots) +
            code_line("return positive;", kStatementIndent);
   }
 
@@ -153,7 +158,7 @@ class BodyWriter {
   std::map<NodeId, PartSource> sources() const {
     std::map<NodeId, PartSource> sources;
     for (const Statement& statement : schedule_.statements) {
-      if (is_angle_function(statement)) sources[statement.node] = source_of_angle_function(statement.node);
+      if (is_angle_function(statement)) sources[statement.node] = given_angle_function(statement.node);
     }
     for (NodeId id = 0; id < function_.graph.size(); ++id) {
       const Node& node = function_.graph[id];
@@ -228,7 +233,7 @@ class BodyWriter {
       }
       const bool last_of_kind = k + 1 == inputs_.size() || inputs_[k + 1].kind != inputs_[k].kind;
       if (!last_of_kind || items.empty()) continue;
-      text += list_line(constant_variable(), items, ";", kStatementIndent);
+      text += list_line(dialect_.constant(), items, ";", kStatementIndent);
       items.clear();
     }
     return text;
@@ -250,27 +255,44 @@ class BodyWriter {
                        [&](NodeId part) { return part == wanted || (!is_variable(part) && mentions(part, wanted)); });
   }
 
-  std::string constant_variable() const { return fmt::format("const {} ", dialect_.scalar()); }
-
   // One call for the sines and cosines of all joints, so that they can be evaluated together. In C they are arguments.
-  std::string trigonometry() const {
+  // In JavaScript they are asked for one by one, into arrays only where several parts need them.
+  std::string trigonometry(bool of_parts) const {
     if (turning_joints_.empty() || dialect_.is_c()) return "";
+    if (dialect_.is_javascript()) return of_parts ? angle_functions_in_arrays() : "";
     return code_line("Scalar sine[joint_count], cosine[joint_count];", kStatementIndent) +
            code_line(fmt::format("sin_cos(q, Joints<{}>(), sine, cosine);", fmt::join(turning_joints_, ", ")),
                      kStatementIndent);
+  }
+
+  std::string angle_functions_in_arrays() const {
+    const auto joints = static_cast<std::size_t>(scope_.joints);
+    std::string text = list_line(dialect_.arrays(), {dialect_.array("sine", joints), dialect_.array("cosine", joints)},
+                                 ";", kStatementIndent);
+    for (const Statement& statement : schedule_.statements) {
+      if (!is_angle_function(statement)) continue;
+      text += code_line(given_angle_function(statement.node).text + " = " + angle_function(statement.node) + ";",
+                        kStatementIndent);
+    }
+    return text;
   }
 
   std::string sines_and_cosines() const {
     std::vector<std::string> variables;
     for (const Statement& statement : schedule_.statements) {
       if (!is_angle_function(statement)) continue;
-      variables.push_back(variable(statement.node) + " = " + source_of_angle_function(statement.node).text);
+      variables.push_back(variable(statement.node) + " = " + angle_function(statement.node));
     }
-    return variables.empty() ? "" : list_line(constant_variable(), variables, ";", kStatementIndent);
+    return variables.empty() ? "" : list_line(dialect_.constant(), variables, ";", kStatementIndent);
   }
 
-  // "sine[2]".
-  PartSource source_of_angle_function(NodeId id) const {
+  // "sine[2]", "Math.sin(q[2])".
+  std::string angle_function(NodeId id) const {
+    if (!dialect_.is_javascript()) return given_angle_function(id).text;
+    return fmt::format("Math.{}(q[{}])", function_.graph[id].op == Op::sin ? "sin" : "cos", joint_of_angle(id));
+  }
+
+  PartSource given_angle_function(NodeId id) const {
     const char* array = function_.graph[id].op == Op::sin ? "sine" : "cosine";
     return {fmt::format("{}[{}]", array, joint_of_angle(id)), array};
   }
@@ -314,7 +336,7 @@ class BodyWriter {
   Step definition(NodeId id) const { return {printer_.definition(id), id, variables_in(id), {}}; }
 
   std::string definition_line(const Step& step) const {
-    return code_line(fmt::format("{}{} = {};", constant_variable(), variable(*step.makes), step.code),
+    return code_line(fmt::format("{}{} = {};", dialect_.constant(), variable(*step.makes), step.code),
                      kStatementIndent);
   }
 
@@ -373,7 +395,8 @@ class BodyWriter {
     std::string text;
     for (const NodeId id : pivots_to_check()) {
       text += code_line(
-          fmt::format("{}{} > {};", text.empty() ? "bool positive = " : "positive &= ", printer_.use(id), zero),
+          fmt::format("{}{} > {};", text.empty() ? dialect_.conditions_begin() : dialect_.conditions_continue(),
+                      printer_.use(id), zero),
           kStatementIndent);
     }
     return text + code_line(text.empty() ? "return true;" : "return positive;", kStatementIndent);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One Function → the statements of its function in C++ or C.
+// One Function → the statements of its function in C++, C or JavaScript.
 #pragma once
 
 #include <set>

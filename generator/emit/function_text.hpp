@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One Function → the text of one C++ function template, or of one or two C functions.
+// One Function → the text of one C++ function template, of one or two C functions, or of one JavaScript function.
 #pragma once
 
 #include <optional>

@@ -13,8 +13,6 @@ namespace {
 
 constexpr const char* kKept = "kept";
 
-std::string variable_of(const Dialect& dialect) { return "const " + dialect.scalar() + " "; }
-
 int lines_of(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
 
 // Places of an array, the first free one first.
@@ -136,7 +134,7 @@ class Cutter {
       reads.push_back(body_.variables[static_cast<std::size_t>(id)] + " = " + source(id));
     }
     std::string code = head(name, arguments(first, last));
-    if (!reads.empty()) code += list_line(variable_of(body_.dialect), reads, ";", kStatementIndent);
+    if (!reads.empty()) code += list_line(body_.dialect.constant(), reads, ";", kStatementIndent);
     for (std::size_t k = first; k < last; ++k) {
       const Step& step = body_.steps[k];
       code += step.makes ? definition(step, last) : step.code;
@@ -151,7 +149,7 @@ class Cutter {
     const std::string& variable = body_.variables[static_cast<std::size_t>(id)];
     std::string code;
     if (is_used) {
-      code += code_line(fmt::format("{}{} = {};", variable_of(body_.dialect), variable, step.code), kStatementIndent);
+      code += code_line(fmt::format("{}{} = {};", body_.dialect.constant(), variable, step.code), kStatementIndent);
     }
     if (is_kept(id, last)) {
       code += code_line(fmt::format("{} = {};", place_text(id), is_used ? variable : step.code), kStatementIndent);
@@ -189,7 +187,7 @@ class Cutter {
   }
 
   void define(const std::string& function) {
-    const std::string before = body_.dialect.is_c() ? "" : "template <class Scalar>\n";
+    const std::string before = body_.dialect.is_cpp() ? "template <class Scalar>\n" : "";
     definitions_ += (definitions_.empty() ? "" : "\n") + (before + function);
   }
 

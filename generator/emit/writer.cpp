@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <sstream>
 #include <string_view>
@@ -105,6 +107,18 @@ std::string quoted(const std::string& text) {
     }
   }
   return result + '"';
+}
+
+std::string with_replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+std::string javascript_string(const std::string& text) {
+  using nlohmann::json;
+  return with_replaced(json(text).dump(-1, ' ', true, json::error_handler_t::replace), "<", "\\u003c");
 }
 
 std::string comment_text(const std::string& text) {

@@ -27,6 +27,12 @@ std::vector<std::string> wrapped_words(const std::string& text, std::size_t widt
 // "…" as a C++ string constant, whatever the bytes of `text`.
 std::string quoted(const std::string& text);
 
+// "…" as a string of JavaScript, in ASCII, whatever the bytes of `text`; also within a script element of a page.
+std::string javascript_string(const std::string& text);
+
+// `text` with every `from` replaced.
+std::string with_replaced(std::string text, const std::string& from, const std::string& to);
+
 // `text` as it may stand in a // comment: no control characters, and no backslash that would join two lines.
 std::string comment_text(const std::string& text);
 

@@ -44,6 +44,14 @@ std::string describe_base(const Mechanism& mechanism, ParameterSet set) {
   return reasons.empty() ? text : text + "\nnot identifiable at all:\n" + reasons;
 }
 
+nlohmann::ordered_json unidentifiable_json(const Mechanism& mechanism, const BaseParameters& base, ParameterSet set) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Unidentifiable& each : unidentifiable(mechanism, base, set)) {
+    json.push_back({{"parameter", parameter_name(each.index)}, {"why", each.reason}});
+  }
+  return json;
+}
+
 nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set) {
   const BaseParameters base = base_parameters(mechanism, set);
   const std::vector<Number> values = base_values(mechanism, base);
@@ -59,10 +67,7 @@ nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set) {
     if (!has_symbols(values[row])) entry["value"] = nearest_double(values[row]);
     json["base_parameters"].push_back(entry);
   }
-  json["not_identifiable"] = nlohmann::ordered_json::array();
-  for (const Unidentifiable& each : unidentifiable(mechanism, base, set)) {
-    json["not_identifiable"].push_back({{"parameter", parameter_name(each.index)}, {"why", each.reason}});
-  }
+  json["not_identifiable"] = unidentifiable_json(mechanism, base, set);
   return json;
 }
 

@@ -10,6 +10,8 @@
 namespace flatdyn {
 
 std::string describe_base(const Mechanism& mechanism, ParameterSet set);
+// Parameters that cannot be identified, each with the reason.
+nlohmann::ordered_json unidentifiable_json(const Mechanism& mechanism, const BaseParameters& base, ParameterSet set);
 nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set);
 
 }  // namespace flatdyn

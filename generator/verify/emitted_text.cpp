@@ -126,7 +126,9 @@ class Scanner : TokenCursor {
 
 EmittedText::EmittedText(std::vector<Token> tokens, std::string scalar)
     : scalar_(std::move(scalar)), tokens_(std::move(tokens)) {
-  Scanned found = is_c() ? scanned_c(tokens_, scalar_) : Scanner(tokens_).run();
+  Scanned found = is_cpp()          ? Scanner(tokens_).run()
+                  : is_javascript() ? scanned_javascript(tokens_)
+                                    : scanned_c(tokens_, scalar_);
   functions_ = std::move(found.functions);
   parts_ = std::move(found.parts);
   fields_ = std::move(found.fields);
@@ -136,6 +138,8 @@ EmittedText::EmittedText(const std::string& header) : EmittedText(tokens_of(head
 
 EmittedText::EmittedText(const std::string& header, const std::string& source, const std::string& scalar)
     : EmittedText(tokens_of(header + source), scalar) {}
+
+EmittedText EmittedText::of_javascript(const std::string& module) { return {tokens_of(module), "number"}; }
 
 Function as_printed(const Function& function, const std::string& scalar) {
   Graph graph;

@@ -8,7 +8,8 @@
 //   factor      x   q[2]   parameters.m1   Scalar(0.0825)   detail::sign(sum)   (sum)
 //
 // In C the type's name stands for Scalar, and 0.0825 or 0.0825f for the literal; parameters->m1; arm_sign(sum); and a
-// function that needs sines and cosines calls the one that is given them.
+// function that needs sines and cosines calls the one that is given them. In JavaScript no type is named;
+// Math.sin(q[2]) may stand for a factor, and Math.sign(sum).
 #pragma once
 
 #include <map>
@@ -41,6 +42,7 @@ class EmittedText {
   explicit EmittedText(const std::string& header);
   // A C header, and then its source, in "double" or "float".
   EmittedText(const std::string& header, const std::string& source, const std::string& scalar);
+  static EmittedText of_javascript(const std::string& module);
 
   // What constants are rounded to: "double" or "float". C++ is printed with constants in double.
   std::string constants() const { return is_c() ? scalar_ : "double"; }
@@ -58,9 +60,12 @@ class EmittedText {
  private:
   friend class TextReader;
   EmittedText(std::vector<Token> tokens, std::string scalar);
-  bool is_c() const { return scalar_ != "Scalar"; }
+  bool is_cpp() const { return scalar_ == "Scalar"; }
+  bool is_javascript() const { return scalar_ == "number"; }
+  bool is_c() const { return !is_cpp() && !is_javascript(); }
+  WrittenFunction as_called(std::size_t k, const Function& like) const;
 
-  std::string scalar_;  // the type of variables
+  std::string scalar_;  // the type of variables; "number" in JavaScript
   std::vector<Token> tokens_;
   std::vector<WrittenFunction> functions_;
   std::map<std::string, WrittenFunction> parts_;            // that these call, by name

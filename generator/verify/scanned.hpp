@@ -19,4 +19,7 @@ struct Scanned {
 // Of a C header and its source. Throws Failure(bug) where the text is none of the emitter's.
 Scanned scanned_c(const std::vector<Token>& tokens, const std::string& scalar);
 
+// Of a JavaScript module. It says of no parameter whether it is an output, and of no function what it returns.
+Scanned scanned_javascript(const std::vector<Token>& tokens);
+
 }  // namespace flatdyn

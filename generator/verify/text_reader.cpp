@@ -98,8 +98,10 @@ class TextReader {
   }
 
   void statement() {
-    if (accept("const")) {
-      expect(text_.scalar_.c_str());
+    if (is("const") && word(3) == "new") {
+      skip_past(";");  // arrays in JavaScript
+    } else if (accept("const")) {
+      if (!text_.is_javascript()) expect(text_.scalar_.c_str());
       definitions();
     } else if (word() == text_.scalar_ || word(1) == "<" || is("(")) {
       skip_past(";");  // arrays, an empty stage, or "(void)qd;"
@@ -107,10 +109,10 @@ class TextReader {
       sines_and_cosines();
     } else if (text_.is_c() && ends_with(word(), "_sines_and_cosines")) {
       sines_and_cosines_in_c();
-    } else if (accept("bool")) {
+    } else if (accept(text_.is_javascript() ? "let" : "bool")) {
       positivity("=");
-    } else if (is("positive") && word(1) == "&=") {
-      positivity("&=");
+    } else if (is("positive") && word(1) == and_also()) {
+      positivity(and_also());
     } else if (accept("for")) {
       all_pivots();
     } else if (accept("return")) {
@@ -166,11 +168,13 @@ class TextReader {
     }
   }
 
+  const char* and_also() const { return text_.is_javascript() ? "&&=" : "&="; }
+
   // "> Scalar(0.0)", "> 0.0f"
   void above_zero() {
     expect(">");
-    if (text_.is_c()) {
-      if (lines_[literal_in_c()].value != 0) fail("zero expected");
+    if (!text_.is_cpp()) {
+      if (lines_[plain_literal()].value != 0) fail("zero expected");
     } else {
       for (const char* text : {"Scalar", "(", "0.0", ")"}) expect(text);
     }
@@ -190,10 +194,12 @@ class TextReader {
   // for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0);
   // for (int k = 0; k < 7; ++k) { positive &= pivots[k] > 0.0f; }
   void all_pivots() {
-    if (text_.is_c()) {
-      for (const char* text : {"(", "int", "k", "=", "0", ";", "k", "<"}) expect(text);
+    if (!text_.is_cpp()) {
+      for (const char* text : {"(", text_.is_c() ? "int" : "let", "k", "=", "0", ";", "k", "<"}) expect(text);
       if (index() != static_cast<int>(arrays_["pivots"].size())) fail("another number of pivots");
-      for (const char* text : {";", "+", "+", "k", ")", "{", "positive", "&=", "pivots", "[", "k", "]"}) expect(text);
+      for (const char* text : {";", "+", "+", "k", ")", "{", "positive", and_also(), "pivots", "[", "k", "]"}) {
+        expect(text);
+      }
     } else {
       for (const char* text : {"(", "const", "Scalar", "&", "pivot", ":", "pivots", ")", "positive", "&=", "pivot"}) {
         expect(text);
@@ -201,7 +207,7 @@ class TextReader {
     }
     above_zero();
     expect(";");
-    if (text_.is_c()) expect("}");
+    if (!text_.is_cpp()) expect("}");
     for (const auto& [index, pivot] : arrays_["pivots"]) lines_.positive.push_back(pivot);
   }
 
@@ -227,7 +233,7 @@ class TextReader {
     if (accept("detail")) expect("::");
     const auto part = text_.parts_.find(take());
     if (part == text_.parts_.end()) fail("a call of what is no part");
-    if (text_.is_c()) {
+    if (!text_.is_cpp()) {
       arguments_of(part->second);
     } else {
       skip_past(";");
@@ -326,7 +332,8 @@ class TextReader {
   int factor() {
     if (accept("(")) return in_brackets();
     if (accept("Scalar")) return literal();
-    if (text_.is_c() && begins_with_digit(word())) return literal_in_c();
+    if (!text_.is_cpp() && begins_with_digit(word())) return plain_literal();
+    if (text_.is_javascript() && accept("Math")) return library_call();
     if (text_.is_c() && ends_with(word(), "_sign") && word(1) == "(") {
       at_ += 2;
       return lines_.sign(in_brackets());
@@ -336,6 +343,19 @@ class TextReader {
       return lines_.sign(in_brackets());
     }
     return named_value(take());
+  }
+
+  // .sin(q[2]), .cos(q[2]), .sign(sum)
+  int library_call() {
+    expect(".");
+    const std::string function = take();
+    expect("(");
+    if (function == "sign") return lines_.sign(in_brackets());
+    if (function != "sin" && function != "cos") fail("an unknown function");
+    for (const char* text : {"q", "["}) expect(text);
+    const int joint = index();
+    for (const char* text : {"]", ")"}) expect(text);
+    return function == "sin" ? lines_.sine(joint) : lines_.cosine(joint);
   }
 
   // Behind the opening one.
@@ -361,8 +381,8 @@ class TextReader {
     return lines_.constant(is_negative ? -value : value);
   }
 
-  // 0.0825 in double, 0.0825f in float: in its own type, and rounded only once.
-  int literal_in_c() {
+  // In C and JavaScript: 0.0825 in double, 0.0825f in float: in its own type, and rounded only once.
+  int plain_literal() {
     const std::string text = take();
     const bool is_float = text_.scalar_ == "float";
     const char* const last = text.data() + text.size() - (is_float ? 1 : 0);
@@ -420,8 +440,24 @@ class TextReader {
   int depth_ = 0;
 };
 
+// What JavaScript does not say of its parameters, their order does.
+WrittenFunction EmittedText::as_called(std::size_t k, const Function& like) const {
+  WrittenFunction written = functions_.at(k);
+  if (!is_javascript()) return written;
+  const bool has_symbols = !written.parameters.empty() && written.parameters.front().name == "parameters";
+  const bool returns = written.parameters.size() == like.inputs.size() + (has_symbols ? 1 : 0);
+  written.returns = returns ? scalar_ : like.positive.empty() ? "void" : "bool";
+  const std::size_t outputs = returns ? 0 : like.outputs.size();
+  for (std::size_t p = written.parameters.size() - std::min(outputs, written.parameters.size());
+       p < written.parameters.size(); ++p) {
+    written.parameters[p].is_output = true;
+  }
+  return written;
+}
+
 StraightLine EmittedText::operations(std::size_t k, const Function& like) const {
-  return TextReader(*this, functions_.at(k)).read(like);
+  const WrittenFunction written = as_called(k, like);
+  return TextReader(*this, written).read(like);
 }
 
 Function EmittedText::read(std::size_t k, const Function& like) const { return graph_of(operations(k, like), like); }

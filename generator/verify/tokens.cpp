@@ -49,6 +49,7 @@ class Lexer {
     while (end < text_.size() && (is_of_word(text_[end]) || (is_number && is_of_number(end)))) ++end;
     if (end > at_) return end - at_;
     if (text_[at_] == '"') return length_of_string();
+    if (starts_with("&&=")) return 3;
     return starts_with("::") || starts_with("&=") ? 2 : 1;
   }
 

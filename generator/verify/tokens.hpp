@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The words of emitted C++: names, numbers, and signs of one or two characters.
+// The words of emitted text: names, numbers, and signs of one to three characters.
 #pragma once
 
 #include <string>

@@ -30,16 +30,17 @@ Function function_like(const WrittenFunction& written) {
 
 // What is no emitted text is refused.
 void read_text_bytes(std::string_view bytes) {
-  const auto read = [](const auto&... text_and_language) {
+  const auto read = [](const auto& text_of) {
     try {
-      const EmittedText text(text_and_language...);
+      const EmittedText text = text_of();
       for (std::size_t k = 0; k < text.functions().size(); ++k) text.read(k, function_like(text.functions()[k]));
     } catch (const Failure&) {
     }
   };
   const std::string text(bytes);
-  read(text);
-  read(std::string(), text, std::string("double"));
+  read([&] { return EmittedText(text); });
+  read([&] { return EmittedText(std::string(), text, "double"); });
+  read([&] { return EmittedText::of_javascript(text); });
 }
 
 }  // namespace flatdyn::testing

@@ -97,9 +97,9 @@ TEST(EmittedText, WithASlipIsRefused) {
 }
 
 // Made once, written in several ways.
-class PrintedInC {
+class PrintedOnce {
  public:
-  explicit PrintedInC(const char* robot) : model_(testing::model_of(robot)) {
+  explicit PrintedOnce(const char* robot) : model_(testing::model_of(robot)) {
     PipelineOptions options;
     options.functions = kNames;
     Progress quiet(true);
@@ -115,6 +115,16 @@ class PrintedInC {
     return emit_c(model_.mechanism, functions_of(functions_), emit);
   }
 
+  std::string javascript(int most_lines = 0) const {
+    EmitOptions emit;
+    emit.most_lines = most_lines;
+    return emit_javascript(model_.mechanism, functions_of(functions_), emit);
+  }
+
+  void prove_javascript(const std::string& module) const {
+    prove_text(EmittedText::of_javascript(module), functions_, std::nullopt);
+  }
+
   void prove(const CText& text, const std::string& source, const std::string& scalar) const {
     prove_text(EmittedText(text.header, source, scalar), functions_, std::nullopt);
   }
@@ -126,7 +136,7 @@ class PrintedInC {
 
 TEST(EmittedText, InCIsWhatWasPrinted) {
   for (const char* robot : {"scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml"}) {
-    const PrintedInC all(robot);
+    const PrintedOnce all(robot);
     for (const char* scalar : {"double", "float"}) {
       for (const int most_lines : {0, 40}) {
         const CText text = all.text(scalar, most_lines);
@@ -138,7 +148,7 @@ TEST(EmittedText, InCIsWhatWasPrinted) {
 
 // Every one of these changes what the text computes, wherever it is made.
 TEST(EmittedText, InCWithASlipIsRefused) {
-  const PrintedInC all("scara.toml");
+  const PrintedOnce all("scara.toml");
   const CText printed = all.text("float");
   const std::string& source = printed.source;
   const std::pair<const char*, const char*> slips[] = {{" + ", " - "},
@@ -175,7 +185,7 @@ TEST(EmittedText, InCWithASlipIsRefused) {
 }
 
 TEST(EmittedText, InCThatIsNoneIsRefused) {
-  const PrintedInC all("scara.toml");
+  const PrintedOnce all("scara.toml");
   const CText text = all.text("double");
   EXPECT_THROW(all.prove(text, "", "double"), Failure);
   EXPECT_THROW(all.prove(text, text.source.substr(0, text.source.size() / 2), "double"), Failure);
@@ -187,6 +197,47 @@ TEST(EmittedText, ThatIsNoneIsRefused) {
   EXPECT_THROW(prove_text("", all.functions, all.stages), Failure);
   EXPECT_THROW(prove_text(all.header.substr(0, all.header.size() / 2), all.functions, all.stages), Failure);
   EXPECT_THROW(prove_text(all.header + "}", all.functions, all.stages), Failure);
+}
+
+TEST(EmittedText, InJavascriptIsWhatWasPrinted) {
+  for (const char* robot : {"scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml"}) {
+    const PrintedOnce all(robot);
+    for (const int most_lines : {0, 40}) {
+      EXPECT_NO_THROW(all.prove_javascript(all.javascript(most_lines))) << robot << ", lines: " << most_lines;
+    }
+  }
+}
+
+TEST(EmittedText, InJavascriptWithASlipIsRefused) {
+  const PrintedOnce all("scara.toml");
+  for (const int most_lines : {0, 40}) {
+    const std::string module = all.javascript(most_lines);
+    const std::pair<const char*, const char*> slips[] = {{" + ", " - "},
+                                                         {" * ", " + "},
+                                                         {"Math.sin(q[1])", "Math.sin(q[0])"},
+                                                         {"Math.cos(", "Math.sin("},
+                                                         {"qd[1]", "qd[2]"},
+                                                         {"= qdd[0]", "= qd[0]"},
+                                                         {"tau[1] =", "tau[0] ="},
+                                                         {"B[5]", "B[6]"},
+                                                         {"0.5 * ", "0.25 * "}};
+    for (const auto& [text, instead] : slips) {
+      const std::size_t code = module.find("\nfunction inverse_dynamics(");
+      const std::size_t place = module.find(text, module.find("\n  const ", code));
+      ASSERT_NE(place, std::string::npos) << text;
+      std::string wrong = module;
+      wrong.replace(place, std::string(text).size(), instead);
+      EXPECT_THROW(all.prove_javascript(wrong), Failure) << text << " at " << wrong.substr(place - 40, 80);
+    }
+  }
+}
+
+TEST(EmittedText, InJavascriptThatIsNoneIsRefused) {
+  const PrintedOnce all("scara.toml");
+  const std::string module = all.javascript();
+  EXPECT_THROW(all.prove_javascript(""), Failure);
+  EXPECT_THROW(all.prove_javascript(module.substr(0, module.size() / 2)), Failure);
+  EXPECT_THROW(all.prove_javascript(module + "}"), Failure);
 }
 
 // The body of a function of one output, g.

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "report/describe.hpp"
+#include "report/html/page.hpp"
+#include "verify/proof.hpp"
+#include "verify/snap_effect.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Where there are more joints, too many of them to look at, or to wait for.
+constexpr int kMostJointsOfChristoffel = 12;
+
+struct ReportArguments : RobotArguments {
+  std::string file;
+  std::string parameters = "given";
+  std::string with;  // "certificate"; empty: nothing more
+};
+
+// A page has whole functions of the whole robot.
+Model without_function_keys(Model model) {
+  Scene& scene = model.robot.scene;
+  scene.at_rest = false;
+  scene.functions.clear();
+  scene.outputs.clear();
+  scene.error_budget.reset();
+  model.abbreviation.reset();
+  return model;
+}
+
+std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
+  std::vector<std::string> names = default_function_names();
+  std::erase_if(names, [&mechanism](const std::string& name) {
+    return name == "christoffel" && mechanism.size() > kMostJointsOfChristoffel;
+  });
+  return names;
+}
+
+// As many of them as the robot allows; what is left out is a warning in `findings`.
+std::vector<OptimisedFunction> functions_for(const Model& model, PipelineOptions options, Progress& progress,
+                                             Diagnostics& findings) {
+  std::vector<OptimisedFunction> functions;
+  for (const std::string& name : wanted_functions(model.mechanism)) {
+    options.functions = {name};
+    try {
+      for (OptimisedFunction& made : make_functions(model, options, progress, findings)) {
+        functions.push_back(std::move(made));
+      }
+    } catch (const Failure& failure) {
+      if (failure.code() != ExitCode::unsupported) throw;
+      findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
+    }
+  }
+  return functions;
+}
+
+std::string proof_text(const std::vector<Proof>& proofs) {
+  return fmt::format(
+      "All {} functions are what the Lagrangian says, proven in exact arithmetic; the JavaScript, read back, says the "
+      "same.",
+      proofs.size());
+}
+
+// By flatdyn's own bounds: what Gappa proves in a given time depends on the computer.
+Certificate certificate_of(const Model& model, const std::vector<OptimisedFunction>& functions, Progress& progress) {
+  const std::vector<OptimisedFunction> torques = {functions.front()};
+  CertifyOptions options;
+  options.observed.states = 100'000;
+  options.time_limit = 0;
+  const std::string text = emit_cpp(model.mechanism, functions_of(torques), {});
+  prove_text(text, torques, std::nullopt);
+  Certificate certificate = certify(model.mechanism, functions_of(torques), text, options, progress);
+  if (!is_refuted(certificate)) return certificate;
+  throw Failure(ExitCode::verification_failed, "a bound is wrong: a larger error was seen",
+                "nothing was written; this is a mistake of the program: report it, with the robot file");
+}
+
+ExitCode report(const ReportArguments& arguments) {
+  const PipelineOptions options = arguments.options();
+  const Model model = without_function_keys([&] {
+    Model read = read_model(arguments.robot, options);
+    arguments.note_function_keys(read);
+    return read;
+  }());
+  check_outputs({arguments.file}, model.robot.files);
+  Progress progress(arguments.quiet);
+  Diagnostics findings;
+  std::vector<OptimisedFunction> functions = functions_for(model, options, progress, findings);
+  arguments.report(findings);
+  progress.step("proving");
+  const std::vector<Proof> proofs = prove(model.mechanism, functions, std::nullopt, std::nullopt);
+  progress.step("drawing");
+  const std::string parameters = arguments.parameters == "given" ? "" : arguments.parameters;
+  const std::string settings = arguments.stamp_of_settings({});
+  const std::string of_base = stamp({{"--parameters", parameters}, {"--with", arguments.with}});
+  PageContent content{model,
+                      std::move(functions),
+                      drawing_of(model.robot, model.mechanism),
+                      findings,
+                      snap_effects(model, options.read),
+                      parameter_set(arguments.parameters),
+                      settings + (settings.empty() || of_base.empty() ? "" : " ") + of_base,
+                      proof_text(proofs)};
+  const PageCode code = page_code(content);
+  if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
+  prove_text(EmittedText::of_javascript(code.text), code.functions, std::nullopt);
+  write_files({{arguments.file, report_page(content, code)}});
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  if (arguments.json) {
+    nlohmann::ordered_json json = model_json(model, content.snap_effects);
+    json["functions"] = functions_json(content.functions, symbol_names(model.mechanism));
+    json["file"] = arguments.file;
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("wrote {}\n", arguments.file);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_report(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "report",
+      "Write a page of HTML on which the robot moves, with its torques, its structure and what its functions cost. It "
+      "needs no network.\n\n"
+      "  flatdyn report robots/panda.urdf -o panda.html\n"
+      "  flatdyn report robots/scara.toml -o scara.html --gravity off");
+  const auto arguments = std::make_shared<ReportArguments>();
+  arguments->add_to(*command);
+  command->add_option("-o,--output", arguments->file, "the page; its folder is made if it is not there")
+      ->required()
+      ->check(kNotEmpty)
+      ->type_name("FILE.html");
+  add_parameters_option(*command, arguments->parameters, "what base parameters are made of: ");
+  command
+      ->add_option("--with", arguments->with,
+                   "also on the page: certificate, how large the rounding errors of the torques can be")
+      ->check(CLI::IsMember({"certificate"}));
+  return [arguments] { return report(*arguments); };
+}
+
+}  // namespace flatdyn

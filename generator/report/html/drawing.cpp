@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/html/drawing.hpp"
+
+#include <algorithm>
+
+#include "passes/passes.hpp"
+#include "symbolic/kinematics.hpp"
+#include "symbolic/workbench.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Where a link's own point is in the body's frame.
+LinkFrame moved_by(LinkFrame frame, const Vec3& point) {
+  frame.p = frame.p + frame.R * point;
+  return frame;
+}
+
+class DrawingMaker {
+ public:
+  DrawingMaker(const Robot& robot, const Mechanism& mechanism)
+      : robot_(robot), mechanism_(mechanism), frames_(mechanism.links) {}
+
+  Drawing make() {
+    Drawing drawing;
+    for (const Joint& joint : robot_.joints) drawing.lines.emplace_back(joint.parent, joint.child);
+    for (const Body& body : mechanism_.bodies) drawing.joints.push_back(point_on_axis(body));
+    for (std::size_t link = 0; link < robot_.links.size(); ++link) add_stub(static_cast<int>(link), drawing);
+    drawing.points = static_cast<int>(frames_.size());
+    drawing.function = run_passes(function());
+    return drawing;
+  }
+
+ private:
+  const Joint* joint_that_moves(int link) const {
+    const auto found = std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                                    [link](const Joint& joint) { return joint.child == link; });
+    return found == robot_.joints.end() ? nullptr : &*found;
+  }
+
+  // Standard DH has a link's frame at its end: then the joint is where the link before has its frame.
+  int point_on_axis(const Body& body) const {
+    const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                                    [&body](const Joint& each) { return each.name == body.joint; });
+    return joint->link_offset.displacements.empty() ? joint->child : joint->parent;
+  }
+
+  void add_stub(int link, Drawing& drawing) {
+    const bool is_last = std::none_of(robot_.joints.begin(), robot_.joints.end(),
+                                      [link](const Joint& joint) { return joint.parent == link; });
+    const Joint* const joint = joint_that_moves(link);
+    const Link& last = robot_.links[static_cast<std::size_t>(link)];
+    if (!is_last || joint == nullptr || !joint->link_offset.displacements.empty() || last.inertials.empty()) return;
+    drawing.lines.emplace_back(link, static_cast<int>(frames_.size()));
+    frames_.push_back(moved_by(frames_[static_cast<std::size_t>(link)], last.inertials.front().centre_of_mass));
+  }
+
+  Function function() const {
+    Workbench bench(mechanism_);
+    std::vector<NodeId> points, axes, gravity;
+    const auto add = [&bench](std::vector<NodeId>& list, const Number& entry) { list.push_back(bench.node(entry)); };
+    for (const LinkFrame& frame : frames_) {
+      for (const Number& entry : pose(bench.frames, frame).p) add(points, entry);
+    }
+    for (int body = 0; body < mechanism_.size(); ++body) {
+      LinkFrame frame;
+      frame.body = body;
+      for (const Vec3& row : pose(bench.frames, frame).R) add(axes, row[2]);
+    }
+    for (const Number& entry : mechanism_.gravity) add(gravity, entry);
+    Function drawing = finished(bench, {InputKind::q},
+                                {vector_output("points", points, "where links are, base frame, m"),
+                                 vector_output("axes", axes, "unit vectors along the joints' axes, base frame"),
+                                 vector_output("g_0", gravity, "gravity, base frame, m/s^2")});
+    drawing.name = "drawing";
+    drawing.summary = "What the robot is drawn from";
+    return drawing;
+  }
+
+  const Robot& robot_;
+  const Mechanism& mechanism_;
+  std::vector<LinkFrame> frames_;  // points are their origins
+};
+
+}  // namespace
+
+Drawing drawing_of(const Robot& robot, const Mechanism& mechanism) { return DrawingMaker(robot, mechanism).make(); }
+
+}  // namespace flatdyn

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/html/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+
+#include "emit/page.hpp"
+#include "emit/writer.hpp"
+#include "report/describe.hpp"
+#include "report/html/tables.hpp"
+#include "report/html/zero_map.hpp"
+#include "symbolic/number_text.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+namespace {
+
+using kainjow::mustache::data;
+using nlohmann::ordered_json;
+
+// As it may stand in a script element: nothing in a string or a comment of it ends that, or begins a comment of HTML.
+std::string for_script_element(const std::string& code) {
+  return with_replaced(with_replaced(code, "</", "<\\/"), "<!--", "<\\!--");
+}
+
+std::string plural(int count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+// "7 joints, of which 2 are prismatic".
+std::string joints_text(const Mechanism& mechanism) {
+  const auto prismatic = static_cast<int>(
+      std::count_if(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) { return body.prismatic; }));
+  const std::string joints = plural(mechanism.size(), "joint");
+  if (prismatic == 0) return joints + ", revolute";
+  if (prismatic == mechanism.size()) return joints + ", prismatic";
+  return fmt::format("{}, {} of them prismatic", joints, prismatic);
+}
+
+std::string facts_text(const Model& model) {
+  const Mechanism& mechanism = model.mechanism;
+  std::string text = fmt::format("Gravity is {} m/s² in the base frame.", NumberText(mechanism)(mechanism.gravity));
+  if (!mechanism.tip.link.empty()) text += fmt::format(" The tip belongs to link {}.", mechanism.tip.link);
+  if (!mechanism.merged.empty()) {
+    text += fmt::format(" Links without a joint of their own, part of those that carry them: {}.",
+                        fmt::join(mechanism.merged, ", "));
+  }
+  return text;
+}
+
+// For the page's own script. Limits that are not there, or that nobody filled in, are null.
+ordered_json joint_json(const Body& body, int point) {
+  const auto limit = [](const std::optional<Value>& value) -> ordered_json {
+    if (!value || has_symbols(value->number)) return nullptr;
+    return nearest_double(value->number);
+  };
+  const auto positive = [&limit](const std::optional<Value>& value) -> ordered_json {
+    const ordered_json number = limit(value);
+    return number.is_number() && number.get<double>() > 0 ? number : ordered_json(nullptr);
+  };
+  return {{"name", body.joint},
+          {"prismatic", body.prismatic},
+          {"lower", limit(body.limits.lower)},
+          {"upper", limit(body.limits.upper)},
+          {"speed", positive(body.limits.velocity)},
+          {"acceleration", positive(body.limits.acceleration)},
+          {"effort", positive(body.limits.effort)},
+          {"point", point}};
+}
+
+std::string script_data(const PageContent& content) {
+  const std::vector<Body>& bodies = content.model.mechanism.bodies;
+  ordered_json json;
+  json["joints"] = ordered_json::array();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    json["joints"].push_back(joint_json(bodies[k], content.drawing.joints[k]));
+  }
+  json["tree"] = false;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].parent + 1 != static_cast<int>(k)) json["tree"] = true;
+  }
+  json["points"] = content.drawing.points;
+  json["edges"] = content.drawing.lines;
+  return with_replaced(json.dump(-1, ' ', true, ordered_json::error_handler_t::replace), "<", "\\u003c");
+}
+
+data maps(const std::vector<OptimisedFunction>& functions) {
+  data list(data::type::list);
+  for (const OptimisedFunction& each : functions) {
+    for (const Output& output : each.function.outputs) {
+      const bool is_map = output.layout == Layout::matrix || output.layout == Layout::christoffel;
+      if (!is_map || output.entries.empty() || each.function.name == "forward_kinematics") continue;
+      const int filled = nonzero_entries(each.function, output);
+      const std::string text = fmt::format("{} of {} entries", filled, output.entries.size());
+      data item;
+      item["name"] = each.function.name;
+      item["rows"] = std::to_string(output.rows);
+      item["cols"] = std::to_string(output.cols);
+      item["text"] = text;
+      item["svg"] = zero_map(each.function, output, fmt::format("{}: {} not always zero", each.function.name, text));
+      list << item;
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+const std::vector<std::string>& functions_of_page() {
+  static const std::vector<std::string> names = {"inverse_dynamics", "inertia_matrix",     "gravity", "kinetic_energy",
+                                                 "potential_energy", "forward_kinematics", "jacobian"};
+  return names;
+}
+
+PageCode page_code(const PageContent& content) {
+  PageCode code;
+  for (const std::string& name : functions_of_page()) {
+    const auto made = std::find_if(content.functions.begin(), content.functions.end(),
+                                   [&name](const OptimisedFunction& each) { return each.function.name == name; });
+    if (made == content.functions.end()) {
+      throw Failure(ExitCode::unsupported,
+                    fmt::format("the page needs the function {}, which this robot has not", name),
+                    "flatdyn generate writes those that it has");
+    }
+    code.functions.push_back(*made);
+  }
+  code.functions.push_back({content.drawing.function, content.drawing.function, {}, {}});
+  code.text = emit_javascript(content.model.mechanism, functions_of(code.functions), {}, JavascriptForm::function_body);
+  return code;
+}
+
+std::string report_page(const PageContent& content, const PageCode& code) {
+  const Model& model = content.model;
+  data page;
+  page["version"] = std::string(FLATDYN_VERSION);
+  page["robot"] = model.mechanism.name;
+  page["summary"] = joints_text(model.mechanism);
+  page["facts"] = facts_text(model);
+  page["maps"] = maps(content.functions);
+  write_operations(page, content.functions);
+  write_base(page, model.mechanism, content.parameters);
+  write_model(page, model, content.snap_effects);
+  write_notes(page, model, content.findings);
+  write_certificate(page, content.certificate);
+  page["hash"] = model.input_hash;
+  page["options?"] = !content.options.empty();
+  page["options"] = content.options;
+  page["proof"] = content.proof;
+  page["style"] = std::string(templates::report_style_css);
+  page["data"] = script_data(content);
+  page["code"] = for_script_element(code.text);
+  page["script"] = std::string(templates::report_state_js) + templates::report_view_js + templates::report_panel_js;
+  return rendered_html(templates::report_html, page);
+}
+
+}  // namespace flatdyn

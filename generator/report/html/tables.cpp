@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/html/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "emit/page.hpp"
+#include "graph/count.hpp"
+#include "report/base_report.hpp"
+#include "report/describe.hpp"
+#include "symbolic/base_parameters.hpp"
+#include "symbolic/combination_text.hpp"
+#include "symbolic/number_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+using kainjow::mustache::data;
+using nlohmann::ordered_json;
+
+// A number, the text of an expression, or nothing.
+std::string cell(const ordered_json& json, const char* key) {
+  if (!json.contains(key)) return "–";
+  const ordered_json& value = json.at(key);
+  return value.is_string() ? value.get<std::string>() : fmt::format("{:.6g}", value.get<double>());
+}
+
+// What a pass saved of a function, over all of its turns.
+int saved_by(const OptimisedFunction& each, const std::string& pass) {
+  int saved = 0;
+  for (const PassRecord& record : each.passes) {
+    if (record.pass == pass) saved += record.before.arithmetic() - record.after.arithmetic();
+  }
+  return saved;
+}
+
+}  // namespace
+
+void write_operations(data& page, const std::vector<OptimisedFunction>& functions) {
+  data rows(data::type::list), passes(data::type::list);
+  for (const OptimisedFunction& each : functions) {
+    const OperationCount count = count_operations(each.function);
+    const int derived = count_operations(each.derived).arithmetic();
+    std::vector<std::string> saved;
+    for (const Pass& pass : pass_table()) saved.push_back(std::to_string(saved_by(each, pass.name)));
+    data row;
+    row["name"] = each.function.name;
+    row["mul"] = std::to_string(count.multiplications);
+    row["add"] = std::to_string(count.additions);
+    row["div"] = std::to_string(count.divisions);
+    row["trig"] = std::to_string(count.trigonometric);
+    row["derived"] = std::to_string(derived);
+    row["kept"] = fmt::format("{:.0f}", derived == 0 ? 100.0 : 100.0 * count.arithmetic() / derived);
+    row["saved"] = list_of(saved);
+    rows << row;
+  }
+  for (const Pass& pass : pass_table()) {
+    data item;
+    item["name"] = std::string(pass.name);
+    item["purpose"] = std::string(pass.purpose);
+    passes << item;
+  }
+  page["functions"] = data(rows);
+  page["passes"] = data(passes);
+}
+
+namespace {
+
+data unseen_rows(const ordered_json& unseen) {
+  std::vector<std::pair<std::string, std::string>> lines;  // names with one reason
+  for (const ordered_json& each : unseen) {
+    const std::string why = each.at("why");
+    if (lines.empty() || lines.back().second != why) lines.emplace_back("", why);
+    lines.back().first += (lines.back().first.empty() ? "" : ", ") + each.at("parameter").get<std::string>();
+  }
+  data rows(data::type::list);
+  for (const auto& [names, why] : lines) {
+    data row;
+    row["names"] = names;
+    row["why"] = why;
+    rows << row;
+  }
+  return rows;
+}
+
+}  // namespace
+
+void write_base(data& page, const Mechanism& mechanism, ParameterSet set) {
+  constexpr int kAtOnce = 16;
+  const BaseParameters base = base_parameters(mechanism, set);
+  const std::vector<Number> values = base_values(mechanism, base);
+  const std::vector<bool> present = parameters_in(mechanism, set);
+  const NumberText value_text(mechanism);
+  data rows(data::type::list);
+  for (int k = 0; k < base.size(); ++k) {
+    data row;
+    row["index"] = std::to_string(k + 1);
+    row["value"] = value_text(values[static_cast<std::size_t>(k)]);
+    row["combination"] = combination_text(base, k);
+    rows << row;
+  }
+  const ordered_json unseen = unidentifiable_json(mechanism, base, set);
+  page["base_summary"] = fmt::format(
+      "The torques depend on {} base parameters, made of {} parameters of the links, rotors and friction. Link 1 is "
+      "moved "
+      "by the first joint, and so on; its parameters are about the origin of its canonical frame.",
+      base.size(), std::count(present.begin(), present.end(), true));
+  page["base?"] = base.size() > 0;
+  page["base_open?"] = base.size() <= kAtOnce;
+  page["base"] = data(rows);
+  page["unseen?"] = !unseen.empty();
+  page["unseen"] = unseen_rows(unseen);
+}
+
+void write_certificate(data& page, const std::optional<Certificate>& certificate) {
+  page["certificate?"] = certificate.has_value();
+  if (!certificate) return;
+  data rows(data::type::list);
+  for (const CertifiedFunction& function : certificate->functions) {
+    for (const CertifiedOutput& output : function.outputs) {
+      data row;
+      row["output"] = output.name;
+      row["bound"] = fmt::format("{:.3e}", output.bound);  // all digits that it has
+      row["seen"] = fmt::format("{:.1e}", output.observed);
+      row["unit"] = output.unit;
+      row["effort"] = output.effort ? fmt::format("{:.1e} %", 100 * output.bound / *output.effort) : "–";
+      rows << row;
+    }
+  }
+  page["certificate"] = data(rows);
+  page["certificate_states"] = std::to_string(certificate->options.observed.states);
+}
+
+namespace {
+
+data joint_rows(const ordered_json& joints) {
+  data rows(data::type::list);
+  int number = 0;
+  for (const ordered_json& joint : joints) {
+    const int parent = joint.at("parent");
+    data row;
+    row["number"] = std::to_string(++number);
+    row["name"] = joint.at("name").get<std::string>();
+    row["link"] = joint.at("link").get<std::string>();
+    row["after"] = parent < 0 ? "base" : joints.at(static_cast<std::size_t>(parent)).at("name").get<std::string>();
+    row["type"] = joint.at("type").get<std::string>();
+    row["lower"] = cell(joint, "lower");
+    row["upper"] = cell(joint, "upper");
+    row["speed"] = cell(joint, "velocity");
+    row["effort"] = cell(joint, "effort");
+    row["mass"] = cell(joint, "mass");
+    rows << row;
+  }
+  return rows;
+}
+
+std::vector<std::string> snap_lines(const ordered_json& snaps) {
+  std::vector<std::string> lines;
+  for (const ordered_json& snap : snaps) {
+    lines.push_back(fmt::format("line {}: {}: {} taken for {}; changes torques by up to {:.1e} N m",
+                                snap.at("line").get<int>(), snap.at("what").get<std::string>(),
+                                snap.at("written").get<std::string>(), snap.at("taken_for").get<std::string>(),
+                                snap.at("largest_torque_change").get<double>()));
+  }
+  return lines;
+}
+
+}  // namespace
+
+void write_model(data& page, const Model& model, const std::vector<double>& snap_effects) {
+  const ordered_json json = model_json(model, snap_effects);
+  page["joints"] = joint_rows(json.at("joints"));
+  page["scene?"] = json.contains("scene");
+  if (json.contains("scene")) page["scene"] = list_of(json.at("scene").get<std::vector<std::string>>());
+  page["snaps?"] = !json.at("snapped").empty();
+  page["snaps"] = list_of(snap_lines(json.at("snapped")));
+}
+
+void write_notes(data& page, const Model& model, const Diagnostics& findings) {
+  data rows(data::type::list);
+  bool any = false;
+  for (const Diagnostics* list : {&model.diagnostics, &findings}) {
+    for (const Diagnostic& each : list->all()) {
+      const std::string file = std::filesystem::path(each.place.file).filename().string();
+      const std::string line = each.place.line > 0 ? fmt::format("{}:{}:", file, each.place.line) : file + ":";
+      data row;
+      row["severity"] = std::string(each.severity == Severity::note ? "note" : "warning");
+      row["place"] = file.empty() ? "" : line;
+      row["message"] = each.message;
+      row["hint?"] = !each.hint.empty();
+      row["hint"] = each.hint;
+      rows << row;
+      any = true;
+    }
+  }
+  page["notes?"] = any;
+  page["notes"] = data(rows);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// `flatdyn generate --language javascript`: Node imports the module, and it does what its text says.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Javascript : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("node --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "Node is not installed: scripts/setup";
+    folder_.write("package.json", R"({"type": "module"})");
+  }
+
+  void generate(const std::string& arguments) const {
+    const Outcome outcome =
+        run_flatdyn(fmt::format("generate {} -q --language javascript -o '{}'", arguments, folder_.path()));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("the text, read back, says the same"));
+  }
+
+  int run(const std::string& script) const {
+    folder_.write("script.js", "import assert from 'node:assert';\n" + script);
+    return std::system(fmt::format("cd '{}' && node script.js > log 2>&1", folder_.path()).c_str());
+  }
+
+  Scratch folder_;
+};
+
+TEST_F(Javascript, IsAModule) {
+  generate("robots/panda.urdf --functions inverse_dynamics,forward_dynamics,inertia_matrix,kinetic_energy");
+  EXPECT_EQ(run(R"js(import * as panda from './panda.js';
+const q = [0.1, -0.2, 0.3, -1.5, 0.5, 1.2, 0.4], qd = [1, 2, -1, 0.5, 0.2, -0.3, 1], qdd = [1, 2, 3, 4, 5, 6, 7];
+const tau = new Float64Array(panda.joint_count), back = [], B = new Float64Array(49);
+panda.inverse_dynamics(q, qd, qdd, tau);
+assert.equal(panda.forward_dynamics(q, qd, tau, back), true);
+back.forEach((value, k) => assert(Math.abs(value - qdd[k]) < 1e-9));
+panda.inertia_matrix(q, B);
+let T = 0;
+for (let i = 0; i < 7; ++i) for (let j = 0; j < 7; ++j) T += qd[i] * B[7 * i + j] * qd[j] / 2;
+assert(Math.abs(panda.kinetic_energy(q, qd) - T) < 1e-13);
+assert.equal(panda.joint_names[0], 'panda_joint1');
+assert.equal(panda.position_upper[0], 2.8973);
+)js"),
+            0)
+      << folder_.read("log");
+}
+
+// Free symbols of the robot, and a B that is not positive definite.
+TEST_F(Javascript, TakesParametersAndSaysWhereThereIsNoResult) {
+  generate("robots/planar_2r.toml --functions gravity,forward_dynamics --name arm --max-lines 40");
+  EXPECT_EQ(run(R"js(import * as arm from './arm.js';
+const none = Object.fromEntries(arm.parameter_names.map((name) => [name, 0]));
+const level = {...none, g: 9.81, m_l1: 2, l_1: 1, a_1: 1, m_l2: 1, l_2: 1}, g = [];
+arm.gravity(level, [0, 0], g);
+assert.deepEqual(g, [4 * 9.81, 9.81]);
+assert.equal(arm.forward_dynamics(level, [0, 1], [0, 0], g, []), true);
+assert.equal(arm.forward_dynamics(none, [0, 1], [0, 0], g, []), false);
+assert.equal(arm.forward_dynamics({}, [0, 1], [0, 0], g, []), false);
+)js"),
+            0)
+      << folder_.read("log");
+}
+
+TEST_F(Javascript, KeepsNamesThatWouldEndStrings) {
+  folder_.write("arm.toml", R"toml(name = "*/ </script>"
+dh = "standard"
+[[link]]
+joint = '"`é</script>\'
+a = "Math"
+mass = "let"
+inertia = { zz = "yield" }
+inertia_about = "com"
+)toml");
+  const Outcome outcome =
+      run_flatdyn(fmt::format("generate '{0}/arm.toml' -q --language javascript --name arm -o '{0}'", folder_.path()));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(run(R"js(import * as arm from './arm.js';
+assert.deepEqual(arm.joint_names, ['"`\u00e9<' + '/script>\\']);
+assert.deepEqual(arm.parameter_names, ['Math', 'let', 'yield']);
+)js"),
+            0)
+      << folder_.read("log");
+}
+
+TEST(JavascriptUsage, WhatItHasNotIsRefused) {
+  for (const char* option : {"--scalar float", "--namespace a", "--stages gravity,bias", "--python"}) {
+    const Outcome outcome = run_flatdyn(
+        fmt::format("generate robots/pendulum_motor.toml --language javascript {} -o /nowhere/at/all", option));
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr("hint: ")) << option;
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// `flatdyn report`: the page in a browser. It computes what `flatdyn eval` computes, fetches nothing, and is legible on
+// a phone and to those who hear it.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/program.hpp"
+#include "cli/report_scripts.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string from_base64(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0, count = 0;
+  for (const char c : text) {
+    const std::size_t digit = digits.find(c);
+    if (digit == std::string::npos) continue;
+    bits = (bits << 6 | static_cast<unsigned>(digit)) & 0xffffff;
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes += static_cast<char>(bits >> count & 0xff);
+  }
+  return bytes;
+}
+
+class Report : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("chromium --version > /dev/null 2>&1") != 0) {
+      GTEST_SKIP() << "Chromium is not installed: scripts/setup";
+    }
+  }
+
+  std::string page(const std::string& robot) const {
+    const Outcome outcome = run_flatdyn(fmt::format("report {} -q -o '{}'", robot, folder_.path("page.html")));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return folder_.read("page.html");
+  }
+
+  // What the page tells of itself, with scripts added to it.
+  json told_by(std::string page, const std::string& scripts, const std::string& frame = "") const {
+    const std::size_t head = page.find("<head>") + 6;
+    page.insert(head, kBefore);
+    folder_.write("watched.html", page + scripts + kTell);
+    folder_.write("frame.html", frame);
+    const std::string command = fmt::format(
+        "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir='{0}' --virtual-time-budget=4000 "
+        "--dump-dom 'file://{1}' > '{2}' 2> '{3}'",
+        folder_.path("profile"), folder_.path(frame.empty() ? "watched.html" : "frame.html"), folder_.path("dom"),
+        folder_.path("log"));
+    EXPECT_EQ(std::system(command.c_str()), 0) << folder_.read("log");
+    const std::string dom = folder_.read("dom"), mark = "<pre id=\"told\">";
+    const std::size_t begin = dom.rfind(mark);
+    if (begin == std::string::npos) {
+      ADD_FAILURE() << "the page says nothing: " << folder_.read("log");
+      return json::object();
+    }
+    return json::parse(from_base64(dom.substr(begin + mark.size(), dom.find("</pre>", begin) - begin - mark.size())));
+  }
+
+  // The results of `flatdyn eval` at the one state of a CSV, without the state's own columns.
+  std::vector<double> evaluated(const std::string& robot, const std::string& function, const std::string& csv) const {
+    folder_.write("state.csv", csv);
+    const Outcome outcome =
+        run_flatdyn(fmt::format("eval {} -q --function {} --states '{}'", robot, function, folder_.path("state.csv")));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    std::string names, row, cell;
+    std::getline(lines, names);
+    std::getline(lines, row);
+    std::vector<double> values;
+    for (std::istringstream cells(row); std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
+    const auto given = std::count(csv.begin(), csv.begin() + static_cast<std::ptrdiff_t>(csv.find('\n')), ',') + 1;
+    values.erase(values.begin(), values.begin() + given);
+    return values;
+  }
+
+  Scratch folder_;
+};
+
+void expect_near(const std::vector<double>& shown, const std::vector<double>& expected, const std::string& what) {
+  constexpr double kRelative = 1e-9;
+  ASSERT_EQ(shown.size(), expected.size()) << what;
+  double size = 0;
+  for (const double x : expected) size = std::max(size, std::abs(x));
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    EXPECT_NEAR(shown[k], expected[k], kRelative * std::max(std::abs(expected[k]), 1e-3 * size)) << what << " " << k;
+  }
+}
+
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+class MovedReport : public Report, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(MovedReport, ShowsWhatEvalComputes) {
+  const std::string robot = std::string("robots/") + GetParam();
+  const json shown = told_by(page(robot), std::string(kMove) + kRead + kCheck);
+  EXPECT_EQ(shown.at("troubles"), json::array());
+  EXPECT_GT(shown.at("drawn").get<int>(), 4);
+  const std::string csv = shown.at("csv");
+  const std::vector<double> g = evaluated(robot, "gravity", csv);
+  expect_near(shown.at("tau"), evaluated(robot, "inverse_dynamics", csv), "torque");
+  expect_near(shown.at("g"), g, "gravity");
+  const std::vector<double> entries = evaluated(robot, "inertia_matrix", csv);
+  if (g.size() <= 10) expect_near(shown.at("B"), entries, "B");
+
+  // (7.148), torques scaled by the limits where every joint has one.
+  const auto n = static_cast<Eigen::Index>(g.size());
+  const Matrix B = Eigen::Map<const Matrix>(entries.data(), n, n);
+  const std::vector<double> rows = evaluated(robot, "jacobian", csv);
+  const Matrix J = Eigen::Map<const Matrix>(rows.data(), 6, n).topRows(3);
+  Matrix accelerations = J * B.inverse();
+  const Eigen::VectorXd shift = -accelerations * Eigen::Map<const Eigen::VectorXd>(g.data(), n);
+  const json model = json::parse(run_flatdyn(fmt::format("inspect {} -q --json", robot)).out);
+  bool has_limits = true;
+  for (const json& joint : model.at("joints")) has_limits = has_limits && joint.contains("effort");
+  for (Eigen::Index k = 0; k < n && has_limits; ++k) {
+    accelerations.col(k) *= model.at("joints").at(static_cast<std::size_t>(k)).at("effort").get<double>();
+  }
+  const Eigen::VectorXd axes = accelerations.jacobiSvd().singularValues();
+  const std::vector<double> shown_axes = shown.at("axes");
+  for (Eigen::Index k = 0; k < axes.size(); ++k) {
+    EXPECT_NEAR(shown_axes[static_cast<std::size_t>(k)], axes[k], 1e-6 * axes[0]) << "semi-axis " << k;
+  }
+  expect_near(shown.at("centre"), {shift.data(), shift.data() + 3}, "shift");
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, MovedReport,
+                         ::testing::Values("panda.urdf", "planar_2r.toml", "cartesian_2.toml", "pendulum_motor.toml",
+                                           "prismatic_revolute.toml", "puma560.toml", "quadruped12.urdf"),
+                         [](const auto& test) {
+                           const std::string name = test.param;
+                           return name.substr(0, name.find('.'));
+                         });
+
+TEST_F(Report, StandsAloneAndIsNamedThroughout) {
+  const std::string text = page("robots/scara.toml");
+  for (const char* what : {"http:", "https:", "@import", "url(", "src="}) EXPECT_THAT(text, Not(HasSubstr(what)));
+  for (std::size_t at = 0; (at = text.find("href=\"", at)) != std::string::npos; ++at) {
+    EXPECT_TRUE(text.compare(at + 6, 1, "#") == 0 || text.compare(at + 6, 5, "data:") == 0) << text.substr(at, 40);
+  }
+  const json seen = told_by(text, kCheck);
+  EXPECT_EQ(seen.at("troubles"), json::array());
+  EXPECT_EQ(seen.at("fetched"), json::array());
+  for (const char* count : {"unnamed", "pictures", "ids", "heads", "images"}) EXPECT_EQ(seen.at(count), 0) << count;
+  EXPECT_EQ(seen.at("landmarks"), json({1, 1, 1, 1}));
+  EXPECT_EQ(seen.at("title"), "scara: dynamics");
+}
+
+TEST_F(Report, AnswersEveryControlAndPlays) {
+  const json seen = told_by(page("robots/panda.urdf"), std::string(kUse) + kRead + kCheck);
+  EXPECT_EQ(seen.at("troubles"), json::array());
+  for (const char* control :
+       {"left", "up", "larger", "reset", "middle", "random", "start", "unit", "hides", "theme", "typed", "nonsense"}) {
+    EXPECT_EQ(seen.at(control), true) << control;
+  }
+  const std::string csv = seen.at("csv");
+  const std::vector<double> gravity = evaluated("robots/panda.urdf", "gravity", csv);
+  expect_near(seen.at("tau"), evaluated("robots/panda.urdf", "inverse_dynamics", csv), "torque");
+  EXPECT_NE(seen.at("tau"), json(gravity)) << "it does not move";
+}
+
+// No body has these parameters: the page says so, draws on, and comes back.
+TEST_F(Report, SaysWhereBIsNotPositiveDefinite) {
+  const std::string all_zero = R"js(<script>
+const set = (value) => document.querySelectorAll('#symbols input').forEach((field) => {
+  field.value = value;
+  field.dispatchEvent(new Event('input'));
+});
+set(0);
+</script>)js";
+  const std::string text = page("robots/planar_2r.toml");
+  const json zero = told_by(text, all_zero + kRead + kCheck);
+  EXPECT_THAT(zero.at("trouble").get<std::string>(), HasSubstr("not positive definite"));
+  EXPECT_EQ(zero.at("troubles"), json::array());
+  const json again = told_by(text, all_zero + "<script>set(1);</script>" + kCheck);
+  EXPECT_EQ(again.at("trouble"), "");
+  EXPECT_EQ(again.at("troubles"), json::array());
+}
+
+// In a frame of 360 pixels nothing is wider than that.
+TEST_F(Report, FitsOnAPhone) {
+  const std::string text = page("robots/panda.urdf");
+  const json seen =
+      told_by(text, kCheck, R"html(<iframe src="watched.html" style="width:360px;height:700px;border:0"></iframe>
+<script>addEventListener('message', (event) => {
+  document.body.insertAdjacentHTML('beforeend', '<pre id="told"></pre>');
+  document.getElementById('told').textContent = event.data;
+});</script>)html");
+  EXPECT_EQ(seen.at("wide"), 0);
+  EXPECT_EQ(seen.at("troubles"), json::array());
+}
+
+TEST_F(Report, EscapesNames) {
+  const std::string name = "</script><img src=x onerror=\"document.title='no'\">'&lt;{{robot}}<!--\\";
+  folder_.write("arm.toml", fmt::format(R"toml(name = {0}
+dh = "standard"
+[[link]]
+joint = {0}
+a = 1
+mass = 1
+)toml",
+                                        json(name).dump()));
+  const Outcome made =
+      run_flatdyn(fmt::format("report '{}' -q -o '{}'", folder_.path("arm.toml"), folder_.path("page.html")));
+  ASSERT_EQ(made.code, 0) << made.err;
+  const json seen = told_by(folder_.read("page.html"), kCheck);
+  EXPECT_EQ(seen.at("troubles"), json::array());
+  EXPECT_EQ(seen.at("images"), 0);
+  EXPECT_EQ(seen.at("heading"), name);
+  EXPECT_EQ(seen.at("title"), name + ": dynamics");
+  EXPECT_EQ(seen.at("names"), json({name}));
+}
+
+TEST(ReportFile, IsTheSameFromAnyFolder) {
+  const Scratch folder;
+  folder.write("arm.toml", "[[link]]\na = 1\nmass = 1\n");
+  std::string pages[2];
+  const char* const robots[] = {"robots/prismatic_revolute.toml", "$PWD/robots/prismatic_revolute.toml"};
+  for (int k = 0; k < 2; ++k) {
+    const std::string file = folder.path(fmt::format("{}/page.html", k));
+    const Outcome outcome = run_flatdyn(fmt::format("report \"{}\" -q -o '{}' --tip link2", robots[k], file));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    pages[k] = folder.read(fmt::format("{}/page.html", k));
+  }
+  EXPECT_EQ(pages[0], pages[1]);
+  EXPECT_THAT(pages[0], HasSubstr("--tip link2"));
+}
+
+// The bounds of `flatdyn certify`; where limits are missing there are none.
+TEST(ReportFile, HasACertificateOnRequest) {
+  const Scratch folder;
+  folder.write("arm.toml", R"toml(dh = "standard"
+[[link]]
+a = 1
+mass = 2
+com = [-0.5, 0, 0]
+limits = { lower = -1, upper = 1, velocity = 2, acceleration = 10, effort = 100 }
+[[link]]
+a = 1
+mass = 1
+com = [-0.3, 0.1, 0]
+limits = { velocity = 2, acceleration = 10 }
+)toml");
+  const std::string arm = folder.path("arm.toml"), page = folder.path("page.html");
+  const Outcome made = run_flatdyn(fmt::format("report '{}' -q --with certificate -o '{}'", arm, page));
+  ASSERT_EQ(made.code, 0) << made.err;
+  const json certificate = json::parse(
+      run_flatdyn(fmt::format("certify '{}' -q --json --functions inverse_dynamics --time-limit 0 --states 1000", arm))
+          .out);
+  const std::string text = folder.read("page.html");
+  for (const json& output : certificate.at("functions").at(0).at("outputs")) {
+    EXPECT_THAT(text, HasSubstr(fmt::format("<code>{}</code></th><td class=\"n\">{:.3e}</td>",
+                                            output.at("output").get<std::string>(), output.at("bound").get<double>())));
+  }
+  const std::string none = folder.path("none.html");
+  EXPECT_EQ(run_flatdyn(fmt::format("report robots/planar_2r.toml -q --with certificate -o '{}'", none)).code, 4);
+  EXPECT_FALSE(std::filesystem::exists(none));
+}
+
+TEST(ReportFile, IsRefusedWhereThereIsNothingToShow) {
+  const Scratch folder;
+  const std::string page = folder.path("page.html");
+  EXPECT_EQ(run_flatdyn(fmt::format("report robots/pendulum_motor.toml --fix theta -q -o '{}'", page)).code, 3);
+  EXPECT_EQ(run_flatdyn(fmt::format("report robots/none.toml -q -o '{}'", page)).code, 6);
+  EXPECT_EQ(run_flatdyn("report robots/pendulum_motor.toml -q -o robots/pendulum_motor.toml").code, 2);
+  EXPECT_EQ(run_flatdyn("report robots/pendulum_motor.toml -q").code, 2);
+  EXPECT_TRUE(folder.is_empty());
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
