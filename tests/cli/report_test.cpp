@@ -122,15 +122,19 @@ TEST_P(MovedReport, ShowsWhatEvalComputes) {
   const Matrix B = Eigen::Map<const Matrix>(entries.data(), n, n);
   const std::vector<double> rows = evaluated(robot, "jacobian", csv);
   const Matrix J = Eigen::Map<const Matrix>(rows.data(), 6, n).topRows(3);
-  Matrix accelerations = J * B.inverse();
-  const Eigen::VectorXd shift = -accelerations * Eigen::Map<const Eigen::VectorXd>(g.data(), n);
+  const Eigen::VectorXd shift = -J * B.inverse() * Eigen::Map<const Eigen::VectorXd>(g.data(), n);
   const json model = json::parse(run_flatdyn(fmt::format("inspect {} -q --json", robot)).out);
   bool has_limits = true;
   for (const json& joint : model.at("joints")) has_limits = has_limits && joint.contains("effort");
+  const Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition(J);
+  Matrix core = B * decomposition.pseudoInverse();
   for (Eigen::Index k = 0; k < n && has_limits; ++k) {
-    accelerations.col(k) *= model.at("joints").at(static_cast<std::size_t>(k)).at("effort").get<double>();
+    core.row(k) /= model.at("joints").at(static_cast<std::size_t>(k)).at("effort").get<double>();
   }
-  const Eigen::VectorXd axes = accelerations.jacobiSvd().singularValues();
+  const Eigen::VectorXd sizes = core.jacobiSvd().singularValues();
+  Eigen::VectorXd axes = Eigen::VectorXd::Zero(3);
+  const Eigen::Index rank = decomposition.rank();
+  axes.head(rank) = sizes.head(rank).cwiseInverse().reverse();
   const std::vector<double> shown_axes = shown.at("axes");
   for (Eigen::Index k = 0; k < axes.size(); ++k) {
     EXPECT_NEAR(shown_axes[static_cast<std::size_t>(k)], axes[k], 1e-6 * axes[0]) << "semi-axis " << k;
