@@ -85,6 +85,7 @@ Run add_identify(CLI::App& app);
 Run add_payload(CLI::App& app);
 Run add_excite(CLI::App& app);
 Run add_torques(CLI::App& app);
+Run add_scale(CLI::App& app);
 Run add_bench(CLI::App& app);
 Run add_certify(CLI::App& app);
 Run add_stress(CLI::App& app);

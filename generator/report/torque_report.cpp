@@ -185,15 +185,19 @@ nlohmann::ordered_json torques_json(const Mechanism& mechanism, const Trajectory
   return json;
 }
 
+std::vector<PanelColumns> motion_panels(const Mechanism& mechanism, bool tip_force) {
+  const std::size_t n = mechanism.bodies.size(), torques = 1 + 3 * n + (tip_force ? 6 : 0);
+  return {of_all_joints(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), 1),
+          of_all_joints(mechanism, "rates", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), 1 + n),
+          of_all_joints(mechanism, "accelerations", "in " + unit_of(mechanism, "rad/s^2", "m/s^2"), 1 + 2 * n),
+          of_all_joints(mechanism, "torques", "tau in " + unit_of(mechanism, "N m", "N"), torques)};
+}
+
 std::string torque_plot(const Mechanism& mechanism, const Trajectory& trajectory, const TorqueHistory& history,
                         PictureFormat format) {
   TimeTable table = torque_table(trajectory, history);
-  const std::size_t n = mechanism.bodies.size(), first_term = table.columns.size() - history.terms.size();
-  std::vector<PanelColumns> panels = {
-      of_all_joints(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), 1),
-      of_all_joints(mechanism, "rates", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), 1 + n),
-      of_all_joints(mechanism, "accelerations", "in " + unit_of(mechanism, "rad/s^2", "m/s^2"), 1 + 2 * n),
-      of_all_joints(mechanism, "torques", "tau in " + unit_of(mechanism, "N m", "N"), first_term - n)};
+  const std::size_t first_term = table.columns.size() - history.terms.size();
+  std::vector<PanelColumns> panels = motion_panels(mechanism, trajectory.has_tip_force());
   for (int i = 0; i < mechanism.size(); ++i) {
     panels.push_back(contributions(mechanism.bodies[static_cast<std::size_t>(i)], i, history, first_term, table));
   }

@@ -20,7 +20,9 @@ std::string describe_torques(const Mechanism& mechanism, const Trajectory& traje
 nlohmann::ordered_json torques_json(const Mechanism& mechanism, const Trajectory& trajectory,
                                     const TorqueHistory& history);
 
-// Positions, rates, accelerations and torques; then a panel per joint with what its torque is made of, term by term or,
+// Positions, rates, accelerations and torques, of trajectory_table().
+std::vector<PanelColumns> motion_panels(const Mechanism& mechanism, bool tip_force);
+// The same; then a panel per joint with what its torque is made of, term by term or,
 // where these are many, by kind.
 std::string torque_plot(const Mechanism& mechanism, const Trajectory& trajectory, const TorqueHistory& history,
                         PictureFormat format);

@@ -25,6 +25,7 @@ struct JointState {
 struct Piece {
   double begin = 0, duration = 0;
   std::function<JointState(double t, Side side)> at;  // t from its begin; may throw Unreachable
+  std::vector<double> jumps{};                        // of accelerations, from its begin
   Place place{};
 };
 
@@ -112,6 +113,8 @@ class PieceMaker {
     for (Eigen::Index i = 0; i < q_.size(); ++i) {
       profiles.push_back(profile(move.profile, static_cast<std::size_t>(i), q_[i] - from[i]));
       piece.duration = std::max(piece.duration, profiles.back().duration());
+      const std::vector<double> jumps = profiles.back().jumps();
+      piece.jumps.insert(piece.jumps.end(), jumps.begin(), jumps.end());
     }
     if (piece.duration == 0) refuse(place_, "segment: no joint moves", "to wait, write dwell = SECONDS");
     piece.at = [from, profiles](double t, Side side) {
@@ -142,12 +145,14 @@ class PieceMaker {
     try {
       const auto line = std::make_shared<TipLine>(tip_, q_, by, move.hold_orientation);
       q_ = line->end();
-      return {0, way.duration(), [line, way](double t, Side side) {
+      return {0, way.duration(),
+              [line, way](double t, Side side) {
                 const Progression here = way.at(t, side);
                 const LinePoint point = line->at(std::clamp(here.position, 0.0, line->length()));
                 return JointState{point.q, point.slope * here.speed,
                                   point.curvature * here.speed * here.speed + point.slope * here.acceleration};
-              }};
+              },
+              way.jumps()};
     } catch (const Unreachable& failure) {
       refuse(place_, failure.what(), kLineHint);
     }
@@ -183,9 +188,28 @@ std::vector<double> sample_times(double duration, double rate) {
   return times;
 }
 
+std::vector<double> times_between_jumps(const std::vector<Piece>& pieces, double duration, int intervals) {
+  std::vector<double> jumps = {0, duration};
+  for (const Piece& piece : pieces) {
+    jumps.push_back(piece.begin);
+    for (const double jump : piece.jumps) jumps.push_back(piece.begin + jump);
+  }
+  std::sort(jumps.begin(), jumps.end());
+  std::vector<double> times = {0};
+  for (const double jump : jumps) {
+    const double from = times.back(), span = jump - from;
+    if (span <= kSameSample * duration) continue;
+    const double pairs = std::ceil(intervals * span / duration / 2 - kSameSample);
+    for (double k = 1; k <= 2 * pairs; ++k) times.push_back(k < 2 * pairs ? from + span * k / (2 * pairs) : jump);
+  }
+  times.back() = duration;
+  return times;
+}
+
 }  // namespace
 
-Trajectory planned_motion(const TrajectoryPlan& plan, const TipKinematics& tip, Diagnostics& diagnostics) {
+Trajectory planned_motion(const TrajectoryPlan& plan, const TipKinematics& tip, Diagnostics& diagnostics,
+                          std::optional<int> intervals) {
   Trajectory result;
   std::vector<Piece> pieces;
   try {
@@ -194,16 +218,18 @@ Trajectory planned_motion(const TrajectoryPlan& plan, const TipKinematics& tip, 
     return result;
   }
   const double duration = pieces.back().begin + pieces.back().duration;
-  if (duration * plan.rate > kMostSamples) {
-    diagnostics.error({plan.file, 0},
-                      fmt::format("{:g} s at {:g} samples per second are too many", duration, plan.rate),
+  const double rate = intervals ? *intervals / duration : plan.rate;
+  if (duration * rate > kMostSamples) {
+    diagnostics.error({plan.file, 0}, fmt::format("{:g} s at {:g} samples per second are too many", duration, rate),
                       fmt::format("a lower rate: at most {:g} samples", kMostSamples));
     return result;
   }
+  const std::vector<double> times =
+      intervals ? times_between_jumps(pieces, duration, *intervals) : sample_times(duration, rate);
   auto piece = pieces.begin();
   try {
-    for (const double t : sample_times(duration, plan.rate)) {
-      while (std::next(piece) != pieces.end() && t >= std::next(piece)->begin - kSameSample / plan.rate) ++piece;
+    for (const double t : times) {
+      while (std::next(piece) != pieces.end() && t >= std::next(piece)->begin - kSameSample / rate) ++piece;
       const JointState here = piece->at(t - piece->begin, t < duration ? Side::after : Side::before);
       result.points.push_back({t, list_of(here.q), list_of(here.qd), list_of(here.qdd), {}});
       if (plan.tip_force) result.points.back().h_e = in_base_axes(*plan.tip_force, tip, here.q);

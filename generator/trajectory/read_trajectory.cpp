@@ -38,12 +38,14 @@ Trajectory read_samples(const std::filesystem::path& path, const Mechanism& mech
 
 }  // namespace
 
+bool is_plan(const std::filesystem::path& path) { return kind_of(path) == FileKind::toml; }
+
 Trajectory read_trajectory(const std::filesystem::path& path, const Robot& robot, const Mechanism& mechanism,
-                           Diagnostics& diagnostics) {
-  if (kind_of(path) != FileKind::toml) return read_samples(path, mechanism, diagnostics);
+                           Diagnostics& diagnostics, std::optional<int> intervals) {
+  if (!is_plan(path)) return read_samples(path, mechanism, diagnostics);
   const TipKinematics tip(robot);
   const TrajectoryPlan plan = read_plan(path, mechanism, diagnostics);
-  return diagnostics.has_errors() ? Trajectory{} : planned_motion(plan, tip, diagnostics);
+  return diagnostics.has_errors() ? Trajectory{} : planned_motion(plan, tip, diagnostics, intervals);
 }
 
 }  // namespace flatdyn

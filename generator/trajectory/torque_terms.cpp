@@ -6,26 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trajectory/motion_functions.hpp"
+
 namespace flatdyn {
 namespace {
 
 enum : std::size_t { kInertia, kSymbols, kGravity, kInverse, kJacobian };
-
-// Without what a scene says of functions: every entry is needed here, at any speed.
-Model with_every_entry(const Model& model) {
-  Model whole = model;
-  whole.robot.scene = {};
-  whole.abbreviation.reset();
-  return whole;
-}
-
-void refuse_symbols(const Model& model) {
-  if (model.mechanism.symbols.empty()) return;
-  throw Failure(ExitCode::unsupported,
-                fmt::format("{}: the robot has free symbols ({}, ...): torques along a trajectory need numbers",
-                            model.robot.file, model.mechanism.symbols.front().name),
-                "write numbers for its lengths and masses");
-}
 
 double sign(double x) { return static_cast<double>((x > 0) - (x < 0)); }
 
@@ -61,14 +47,10 @@ std::string TorqueTerm::name() const {
 
 TorqueTerms::TorqueTerms(const Model& model, bool tip_force, Progress& progress)
     : n_(model.mechanism.size()), tip_force_(tip_force) {
-  refuse_symbols(model);
-  PipelineOptions options;
-  options.functions = {"inertia_matrix", "christoffel", "gravity",
-                       tip_force ? "inverse_dynamics_tip_force" : "inverse_dynamics"};
-  if (tip_force) options.functions.emplace_back("jacobian");
-  Diagnostics none;
-  const std::vector<Function> functions =
-      functions_of(make_functions(with_every_entry(model), options, progress, none));
+  std::vector<std::string> names = {"inertia_matrix", "christoffel", "gravity",
+                                    tip_force ? "inverse_dynamics_tip_force" : "inverse_dynamics"};
+  if (tip_force) names.emplace_back("jacobian");
+  const std::vector<Function> functions = motion_functions(model, names, progress);
   for (const Function& function : functions) {
     tapes_.emplace_back(function);
     results_.emplace_back(tapes_.back().results());

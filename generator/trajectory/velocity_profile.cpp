@@ -123,16 +123,22 @@ double VelocityProfile::speed() const {
 
 double VelocityProfile::acceleration() const { return distance_ == 0 ? 0 : speed() / acceleration_time_; }
 
+std::vector<double> VelocityProfile::jumps() const {
+  if (distance_ == 0) return {};
+  return {0, acceleration_time_, duration_ - acceleration_time_, duration_};
+}
+
 Progression VelocityProfile::at(double t, Side side) const {
   if (distance_ == 0) return {};
-  const double same = side == Side::after ? -kSameInstant * duration_ : kSameInstant * duration_;
+  const bool after = side == Side::after;
+  const double same = kSameInstant * duration_, change = after ? -same : same;
   const double sign = distance_ > 0 ? 1 : -1, v = sign * speed(), a = sign * acceleration();
   const double left = duration_ - t;
-  if (t < same) return {};
-  if (t < acceleration_time_ + same) return {a * t * t / 2, a * t, a};
-  if (left > acceleration_time_ - same) return {v * (t - acceleration_time_ / 2), v, 0};
-  if (left > -same) return {distance_ - a * left * left / 2, a * left, -a};
-  return {distance_, 0, 0};
+  if (t <= same) return {0, 0, after && t >= -same ? a : 0};
+  if (left <= same) return {distance_, 0, !after && left >= -same ? -a : 0};
+  if (t < acceleration_time_ + change) return {a * t * t / 2, a * t, a};
+  if (left > acceleration_time_ - change) return {v * (t - acceleration_time_ / 2), v, 0};
+  return {distance_ - a * left * left / 2, a * left, -a};
 }
 
 }  // namespace flatdyn

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace flatdyn {
 
@@ -49,6 +50,8 @@ class VelocityProfile {
   double acceleration_time() const { return acceleration_time_; }
   double speed() const;         // the largest, a magnitude
   double acceleration() const;  // a magnitude
+  // Where the acceleration jumps, from the start on.
+  std::vector<double> jumps() const;
   // Where the acceleration jumps it is the one that follows, or the one before. Outside of the duration the coordinate
   // rests.
   Progression at(double t, Side side = Side::after) const;

@@ -57,7 +57,7 @@ TEST_P(Page, HasCommandsThatRunAndPicturesThatAreThere) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Documents, Page, ::testing::Values("example-7-2.md", "problems/7-07.md"),
+INSTANTIATE_TEST_SUITE_P(Documents, Page, ::testing::Values("example-7-2.md", "problems/7-07.md", "problems/7-09.md"),
                          [](const auto& test) {
                            std::string name = fs::path(test.param).stem().string();
                            for (char& c : name) c = c == '-' ? '_' : c;

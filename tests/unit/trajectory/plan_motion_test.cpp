@@ -36,7 +36,8 @@ void expect_derivatives(const Trajectory& trajectory, double rate_error, double 
     const double h = p[k + 1].time - p[k - 1].time;
     if (p[k + 1].time - p[k].time < h / 3) continue;  // the last step is shorter
     for (std::size_t i = 0; i < p[k].q.size(); ++i) {
-      const bool jumps = std::abs(p[k + 1].qdd[i] - p[k].qdd[i]) > jump || std::abs(p[k].qdd[i] - p[k - 1].qdd[i]) > jump;
+      const bool jumps =
+          std::abs(p[k + 1].qdd[i] - p[k].qdd[i]) > jump || std::abs(p[k].qdd[i] - p[k - 1].qdd[i]) > jump;
       if (jumps) continue;
       EXPECT_NEAR((p[k + 1].q[i] - p[k - 1].q[i]) / h, p[k].qd[i], rate_error) << p[k].time << " joint " << i;
       EXPECT_NEAR((p[k + 1].qd[i] - p[k - 1].qd[i]) / h, p[k].qdd[i], acceleration_error)

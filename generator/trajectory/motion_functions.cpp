@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "trajectory/motion_functions.hpp"
+
+#include <fmt/format.h>
+
+namespace flatdyn {
+
+std::vector<Function> motion_functions(const Model& model, const std::vector<std::string>& names, Progress& progress) {
+  if (!model.mechanism.symbols.empty()) {
+    throw Failure(ExitCode::unsupported,
+                  fmt::format("{}: the robot has free symbols ({}, ...): torques along a trajectory need numbers",
+                              model.robot.file, model.mechanism.symbols.front().name),
+                  "write numbers for its lengths and masses");
+  }
+  Model whole = model;
+  whole.robot.scene = {};
+  whole.abbreviation.reset();
+  PipelineOptions options;
+  options.functions = names;
+  Diagnostics none;
+  return functions_of(make_functions(whole, options, progress, none));
+}
+
+}  // namespace flatdyn
