@@ -72,7 +72,7 @@ PaceLimits limits_of(const ScaleArguments& arguments, const Model& model) {
       {arguments.trajectory, 0},
       fmt::format("no pace keeps the limits: at {:.6g} s joint \"{}\" needs {:.6g} {} at rest already, against "
                   "gravity{}, beyond the {}",
-                  motion.before.points[load.point].time, model.mechanism.bodies[load.joint].joint,
+                  motion.sides_before.points[load.point].time, model.mechanism.bodies[load.joint].joint,
                   path.d[load.point * path.joints + load.joint],
                   model.mechanism.bodies[load.joint].prismatic ? "N" : "N m", ", dry friction and the tip's force",
                   limit_text(model.mechanism, motion.limits, load.kind, load.joint)),
@@ -94,21 +94,16 @@ class Scaling {
     read();
     Progress progress(arguments_.quiet);
     PathTorques torques(model_, motion_.before.has_tip_force(), progress);
-    const auto start = std::chrono::steady_clock::now();
-    const PathCoefficients path = torques.coefficients(motion_.before);
-    const double coefficients_ms = milliseconds_since(start);
-    motion_.tau_before = torques.torques(motion_.before);
-    const double least = arguments_.faster || arguments_.time_optimal ? kLeastScaling : 1;
-    const std::optional<LinearScaling> linear = linear_scaling(motion_.before, path, motion_.limits, least);
-    if (!linear) refuse_static_load(arguments_, model_, motion_, path);
-    motion_.linear = *linear;
+    find_linear(torques);
     if (arguments_.time_optimal) {
-      find_optimal(path, torques, coefficients_ms);
+      find_optimal(torques);
     } else {
       motion_.after = slowed(motion_.before, motion_.linear.c);
     }
     motion_.tau_after = torques.torques(motion_.after);
-    motion_.used = most_used(motion_.after, motion_.tau_after, motion_.limits);
+    motion_.sides_after = with_both_sides(motion_.after);
+    motion_.tau_sides_after = torques.torques(motion_.sides_after);
+    motion_.used = most_used(motion_.sides_after, motion_.tau_sides_after, motion_.limits);
     if (motion_.used.part > 1 + kLimitTolerance) {
       throw Failure(ExitCode::bug, fmt::format("the scaled motion uses {:.12g} of a limit", motion_.used.part),
                     "please report it with the robot file and the trajectory");
@@ -130,10 +125,22 @@ class Scaling {
     motion_.before = every_second(finer_);
   }
 
-  void find_optimal(const PathCoefficients& path, PathTorques& torques, double coefficients_ms) {
+  void find_linear(PathTorques& torques) {
+    motion_.sides_before = with_both_sides(motion_.before);
+    motion_.tau_sides_before = torques.torques(motion_.sides_before);
+    const PathCoefficients path = torques.coefficients(motion_.sides_before);
+    const double least = arguments_.faster || arguments_.time_optimal ? kLeastScaling : 1;
+    const std::optional<LinearScaling> linear = linear_scaling(motion_.sides_before, path, motion_.limits, least);
+    if (!linear) refuse_static_load(arguments_, model_, motion_, path);
+    motion_.linear = *linear;
+  }
+
+  void find_optimal(PathTorques& torques) {
     OptimalPace pace;
-    pace.coefficients_ms = coefficients_ms;
-    const auto start = std::chrono::steady_clock::now();
+    auto start = std::chrono::steady_clock::now();
+    const PathCoefficients path = torques.coefficients(motion_.before);
+    pace.coefficients_ms = milliseconds_since(start);
+    start = std::chrono::steady_clock::now();
     pace.law = time_optimal_law(motion_.before, path, motion_.limits, motion_.linear.c);
     pace.solve_ms = milliseconds_since(start);
     motion_.after = paced(motion_.before, pace.law);

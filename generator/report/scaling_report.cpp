@@ -45,8 +45,8 @@ std::string torque_table_text(const Mechanism& mechanism, const ScaledMotion& mo
     const double limit = motion.limits.torque[i];
     rows.push_back({mechanism.bodies[i].joint, unit_of_limit(mechanism.bodies[i], LimitKind::torque),
                     std::isfinite(limit) ? fmt::format("{:.6g}", limit) : "none",
-                    fmt::format("{:.6g}", largest_torque(motion.tau_before, i)),
-                    fmt::format("{:.6g}", largest_torque(motion.tau_after, i))});
+                    fmt::format("{:.6g}", largest_torque(motion.tau_sides_before, i)),
+                    fmt::format("{:.6g}", largest_torque(motion.tau_sides_after, i))});
   }
   return aligned_table(rows);
 }
@@ -54,7 +54,7 @@ std::string torque_table_text(const Mechanism& mechanism, const ScaledMotion& mo
 std::string decision_text(const Mechanism& mechanism, const ScaledMotion& motion) {
   const std::optional<LimitUsed>& by = motion.linear.decided_by;
   if (!by) return "the motion keeps all limits as it is\n";
-  const double time = motion.before.points[by->point].time;
+  const double time = motion.sides_before.points[by->point].time;
   return fmt::format("decided by the {}, at {:.6g} s of the motion as given, {:.6g} s of the scaled one\n",
                      limit_text(mechanism, motion.limits, by->kind, by->joint), time, motion.linear.c * time);
 }
@@ -107,10 +107,10 @@ nlohmann::ordered_json scaling_json(const Mechanism& mechanism, const ScaledMoti
                                  {"duration", motion.after.duration()},
                                  {"points", motion.after.points.size()}};
   if (motion.linear.decided_by) {
-    json["decided_by"] = use_json(mechanism, *motion.linear.decided_by, motion.before);
+    json["decided_by"] = use_json(mechanism, *motion.linear.decided_by, motion.sides_before);
     json["decided_by"].erase("part");
   }
-  json["largest_use"] = use_json(mechanism, motion.used, motion.after);
+  json["largest_use"] = use_json(mechanism, motion.used, motion.sides_after);
   if (motion.optimal) {
     json["rounds"] = motion.optimal->law.rounds;
     if (motion.optimal->between) json["largest_use_between"] = motion.optimal->between->part;
@@ -120,8 +120,8 @@ nlohmann::ordered_json scaling_json(const Mechanism& mechanism, const ScaledMoti
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     nlohmann::ordered_json joint = {{"joint", mechanism.bodies[i].joint}};
     if (std::isfinite(motion.limits.torque[i])) joint["torque_limit"] = motion.limits.torque[i];
-    joint["torque_before"] = largest_torque(motion.tau_before, i);
-    joint["torque"] = largest_torque(motion.tau_after, i);
+    joint["torque_before"] = largest_torque(motion.tau_sides_before, i);
+    joint["torque"] = largest_torque(motion.tau_sides_after, i);
     json["joints"].push_back(joint);
   }
   return json;

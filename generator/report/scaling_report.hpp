@@ -21,8 +21,11 @@ struct ScaledMotion {
   LinearScaling linear;
   std::optional<OptimalPace> optimal;
   Trajectory before, after;
-  std::vector<std::vector<double>> tau_before, tau_after;
-  LimitUsed used;  // by `after`, from a sweep of its own
+  std::vector<std::vector<double>> tau_after;
+  // Both sides of every jump, of the motion as given (whose points `linear` counts) and at its new pace.
+  Trajectory sides_before, sides_after;
+  std::vector<std::vector<double>> tau_sides_before, tau_sides_after;
+  LimitUsed used;  // of sides_after, from a sweep of its own
 };
 
 std::string describe_scaling(const Mechanism& mechanism, const ScaledMotion& motion);

@@ -100,6 +100,7 @@ Trajectory slowed(Trajectory trajectory, double c) {
     point.time = begin + c * (point.time - begin);
     for (double& rate : point.qd) rate /= c;
     for (double& acceleration : point.qdd) acceleration /= c * c;
+    for (double& acceleration : point.qdd_before) acceleration /= c * c;
   }
   return trajectory;
 }

@@ -37,8 +37,8 @@ double PathTorques::of_tip(const TrajectoryPoint& point, std::size_t joint) cons
 }
 
 PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
-  PathCoefficients result{n_, {}, {}, {}, {}};
-  for (std::vector<double>* part : {&result.m, &result.a, &result.b, &result.d}) {
+  PathCoefficients result{n_, {}, {}, {}, {}, {}};
+  for (std::vector<double>* part : {&result.m, &result.a, &result.b, &result.d, &result.a_before}) {
     part->reserve(n_ * trajectory.points.size());
   }
   for (const TrajectoryPoint& point : trajectory.points) {
@@ -49,10 +49,14 @@ PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
     tapes_[kGravityTorques].run(given, g_);
     for (std::size_t i = 0; i < n_; ++i) {
       const double rate = point.qd[i], coulomb = coulomb_[i] * static_cast<double>((rate > 0) - (rate < 0));
-      double m = 0;
-      for (std::size_t j = 0; j < n_; ++j) m += B_[i * n_ + j] * point.qd[j];
+      double m = 0, change = 0;
+      for (std::size_t j = 0; j < n_; ++j) {
+        m += B_[i * n_ + j] * point.qd[j];
+        if (!point.qdd_before.empty()) change += B_[i * n_ + j] * (point.qdd_before[j] - point.qdd[j]);
+      }
       result.m.push_back(m);
       result.a.push_back(tau_[i] - g_[i] - viscous_[i] * rate - coulomb);
+      result.a_before.push_back(result.a.back() + change);
       result.b.push_back(viscous_[i] * rate);
       result.d.push_back(g_[i] + coulomb + of_tip(point, i));
     }

@@ -19,6 +19,7 @@ namespace flatdyn {
 struct PathCoefficients {
   std::size_t joints = 0;
   std::vector<double> m, a, b, d;
+  std::vector<double> a_before;  // a with the q'' that leads to the point
 
   std::size_t points() const { return d.size() / joints; }
 };

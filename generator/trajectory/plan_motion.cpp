@@ -188,6 +188,16 @@ std::vector<double> sample_times(double duration, double rate) {
   return times;
 }
 
+// The acceleration that leads to this instant, if it jumps there; else empty.
+std::vector<double> acceleration_before(const std::vector<Piece>& pieces, std::vector<Piece>::const_iterator piece,
+                                        double t, double tolerance) {
+  const auto is_here = [&](double jump) { return std::abs(piece->begin + jump - t) <= tolerance; };
+  const bool begins = is_here(0) && piece != pieces.begin();
+  if (!begins && std::none_of(piece->jumps.begin(), piece->jumps.end(), is_here)) return {};
+  const Piece& leading = begins ? *std::prev(piece) : *piece;
+  return list_of(leading.at(t - leading.begin, Side::before).qdd);
+}
+
 std::vector<double> times_between_jumps(const std::vector<Piece>& pieces, double duration, int intervals) {
   std::vector<double> jumps = {0, duration};
   for (const Piece& piece : pieces) {
@@ -226,12 +236,15 @@ Trajectory planned_motion(const TrajectoryPlan& plan, const TipKinematics& tip, 
   }
   const std::vector<double> times =
       intervals ? times_between_jumps(pieces, duration, *intervals) : sample_times(duration, rate);
-  auto piece = pieces.begin();
+  auto piece = pieces.cbegin();
   try {
     for (const double t : times) {
-      while (std::next(piece) != pieces.end() && t >= std::next(piece)->begin - kSameSample / rate) ++piece;
+      while (std::next(piece) != pieces.cend() && t >= std::next(piece)->begin - kSameSample / rate) ++piece;
       const JointState here = piece->at(t - piece->begin, t < duration ? Side::after : Side::before);
       result.points.push_back({t, list_of(here.q), list_of(here.qd), list_of(here.qdd), {}});
+      if (t > 0 && t < duration) {
+        result.points.back().qdd_before = acceleration_before(pieces, piece, t, kSameSample / rate);
+      }
       if (plan.tip_force) result.points.back().h_e = in_base_axes(*plan.tip_force, tip, here.q);
     }
   } catch (const Unreachable& failure) {

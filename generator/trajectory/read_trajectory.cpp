@@ -33,6 +33,7 @@ Trajectory read_samples(const std::filesystem::path& path, const Mechanism& mech
     trajectory.points.push_back(std::move(point));
   };
   stream(path, mechanism, plan, options, add, diagnostics);
+  if (!diagnostics.has_errors()) mark_jumps(trajectory);
   return trajectory;
 }
 

@@ -76,7 +76,7 @@ class PaceMaker {
       controllable.back() = *last;
     }
     for (std::size_t k = end; k-- > begin;) {
-      collect(k, end, about);
+      collect(k, about);
       const std::optional<Interval> here = rows_.reachable(delta(k), controllable[k + 1 - begin]);
       if (!here) return false;
       controllable[k - begin] = *here;
@@ -84,7 +84,7 @@ class PaceMaker {
     double x = controllable.front().greatest;
     for (std::size_t k = begin; k < end; ++k) {
       const Interval& next = controllable[k + 1 - begin];
-      collect(k, end, about);
+      collect(k, about);
       law.x[k] = x;
       law.u[k] = rows_.largest_u(x, delta(k), next);
       x = std::clamp(x + 2 * delta(k) * law.u[k], next.least, next.greatest);
@@ -97,18 +97,14 @@ class PaceMaker {
     return true;
   }
 
-  // The limits at point k, and with the same u at the next one: else u swings where the torques hardly depend on it. A
-  // point of rest has the acceleration of what follows; the one that leads there is that of point k. And where a motion
-  // starts between two points, x at the first one is nothing by itself: it is held to what the second one allows.
-  void collect(std::size_t k, std::size_t end, const std::vector<double>& about) {
+  // The limits at point k, and with the same u at the next one, with the q'' that leads there: else u swings where the
+  // torques hardly depend on it. And where a motion starts between two points, x at the first one is nothing by itself:
+  // it is held to what the second one allows.
+  void collect(std::size_t k, const std::vector<double>& about) {
     rows_.clear();
     add_rows(k, about[k], 0, false);
     if (rests(points_[k])) add_rows(k + 1, about[k + 1], 0, true);
-    if (k + 1 == end && end + 1 < points_.size()) {
-      add_rows(k, about[k], 2 * delta(k), true);
-    } else {
-      add_rows(k + 1, about[k + 1], 2 * delta(k), false);
-    }
+    add_rows(k + 1, about[k + 1], 2 * delta(k), false);
   }
 
   // Rows α u + β (x + ahead u) ≤ γ of point k; without the terms in u alone if it rests.
@@ -118,23 +114,28 @@ class PaceMaker {
     };
     add(0, 1, kFastest);
     const TrajectoryPoint& point = points_[k];
+    const std::vector<double>& qdd = ahead > 0 && !point.qdd_before.empty() ? point.qdd_before : point.qdd;
+    const std::vector<double>& a = ahead > 0 ? path_.a_before : path_.a;
     for (std::size_t i = 0; i < path_.joints; ++i) {
       const double rate = point.qd[i], speed = limits_.speed[i] / std::abs(rate);
       if (std::isfinite(speed)) add(0, 1, speed * speed);
       const double acceleration = limits_.acceleration[i];
       if (std::isfinite(acceleration)) {
-        add(rate, point.qdd[i], acceleration);
-        add(-rate, -point.qdd[i], acceleration);
+        add(rate, qdd[i], acceleration);
+        add(-rate, -qdd[i], acceleration);
       }
-      if (std::isfinite(limits_.torque[i])) add_torque(k * path_.joints + i, limits_.torque[i], about, add);
+      if (std::isfinite(limits_.torque[i])) {
+        const std::size_t at = k * path_.joints + i;
+        add_torque(at, a[at], limits_.torque[i], about, add);
+      }
     }
   }
 
   // |m u + a x + b √x + d| ≤ L. Towards the limit on the side of friction's sign its tangent is above √x; on the other
   // side the chord from 0, and √x̂ itself, are below on their sides of x̂, and the lower of both anywhere.
   template <class Add>
-  void add_torque(std::size_t k, double L, double about, const Add& add) {
-    const double m = path_.m[k], a = path_.a[k], b = path_.b[k], d = path_.d[k];
+  void add_torque(std::size_t k, double a, double L, double about, const Add& add) const {
+    const double m = path_.m[k], b = path_.b[k], d = path_.d[k];
     const double root = std::sqrt(about);
     for (const double side : {1.0, -1.0}) {
       const double friction = side * b, room = L - side * d;
@@ -168,13 +169,16 @@ class PaceMaker {
   PaceRows rows_;
 };
 
-// q̇ = q' √x, q̈ = q' u + q'' x.
-TrajectoryPoint at_pace(TrajectoryPoint point, double time, double x, double u) {
+// q̇ = q' √x, q̈ = q' u + q'' x; that before q̇ is q' u_before + q''_before x.
+TrajectoryPoint at_pace(TrajectoryPoint point, double time, double x, double u, std::optional<double> u_before) {
+  if (point.qdd_before.empty()) point.qdd_before = point.qdd;
   point.time = time;
   for (std::size_t i = 0; i < point.q.size(); ++i) {
     point.qdd[i] = point.qd[i] * u + point.qdd[i] * x;
+    point.qdd_before[i] = point.qd[i] * u_before.value_or(0) + point.qdd_before[i] * x;
     point.qd[i] *= std::sqrt(x);
   }
+  if (!u_before) point.qdd_before.clear();
   return point;
 }
 
@@ -187,7 +191,10 @@ TimeLaw time_optimal_law(const Trajectory& trajectory, const PathCoefficients& p
 
 Trajectory paced(Trajectory trajectory, const TimeLaw& law) {
   for (std::size_t k = 0; k < law.x.size(); ++k) {
-    trajectory.points[k] = at_pace(std::move(trajectory.points[k]), law.time[k], law.x[k], law.u[k]);
+    // Where the motion rests x is that of the motion that follows, and what leads there has its own.
+    const bool continues = k > 0 && !rests(trajectory.points[k]);
+    trajectory.points[k] = at_pace(std::move(trajectory.points[k]), law.time[k], law.x[k], law.u[k],
+                                   continues ? std::optional(law.u[k - 1]) : std::nullopt);
   }
   return trajectory;
 }
@@ -199,7 +206,7 @@ Trajectory paced_between(const Trajectory& twice_as_fine, const TimeLaw& law) {
     const double way = point.time - twice_as_fine.points[2 * k].time;
     const double x = std::max(law.x[k] + 2 * way * law.u[k], 0.0);
     const double time = law.time[k] + 2 * way / (std::sqrt(law.x[k]) + std::sqrt(x));
-    between.points.push_back(at_pace(point, time, x, law.u[k]));
+    between.points.push_back(at_pace(point, time, x, law.u[k], std::nullopt));
   }
   return between;
 }

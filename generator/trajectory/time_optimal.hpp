@@ -20,13 +20,13 @@ struct TimeLaw {
   int rounds = 1;            // of linearising friction
 };
 
-// At least as fast as r = c t, which must keep all limits (linear_scaling.hpp). Where the motion rests between two
-// points it waits as long as it does, or c times as long if that is less. Throws Failure(unsupported) where nothing
-// limits the pace.
+// At least as fast as r = c t, which must keep all limits, on both sides of jumps (linear_scaling.hpp). Where the
+// motion rests between two points it waits as long as it does, or c times as long if that is less. Throws
+// Failure(unsupported) where nothing limits the pace.
 TimeLaw time_optimal_law(const Trajectory& trajectory, const PathCoefficients& path, const PaceLimits& limits,
                          double c);
 
-// The motion by this law at its points: rates q' √x, accelerations q' u + q'' x.
+// The motion by this law at its points: rates q' √x, accelerations q' u + q'' x, and before them those by the u before.
 Trajectory paced(Trajectory trajectory, const TimeLaw& law);
 
 // Of a law made on every second point of a trajectory: the motion at the points between.

@@ -45,8 +45,7 @@ std::string TorqueTerm::name() const {
   return text;
 }
 
-TorqueTerms::TorqueTerms(const Model& model, bool tip_force, Progress& progress)
-    : n_(model.mechanism.size()), tip_force_(tip_force) {
+TorqueTerms::TorqueTerms(const Model& model, bool tip_force, Progress& progress) : n_(model.mechanism.size()) {
   std::vector<std::string> names = {"inertia_matrix", "christoffel", "gravity",
                                     tip_force ? "inverse_dynamics_tip_force" : "inverse_dynamics"};
   if (tip_force) names.emplace_back("jacobian");

@@ -48,7 +48,6 @@ class TorqueTerms {
   void add_terms_of(int i, const Function& B, const Function& symbols);
 
   int n_ = 0;
-  bool tip_force_ = false;
   std::vector<TorqueTerm> terms_;
   std::vector<double> viscous_, coulomb_;
   std::vector<Tape> tapes_;                   // B, Christoffel symbols, g, J of the tip, inverse dynamics

@@ -103,7 +103,8 @@ TEST_F(Example72, JointMotionsOfEqualDuration) {
     EXPECT_NEAR(c["coriolis_1_1_2"][k], 2 * c["centrifugal_1_2"][k], 1e-9);
   }
   // h = −m l a sin q2 changes its sign where the arm folds, at q2 = π.
-  for (std::size_t k = 1; k + 1 < samples; ++k) EXPECT_GT(c["centrifugal_1_2"][k] * (c["q2"][k] - std::numbers::pi), 0) << k;
+  for (std::size_t k = 1; k + 1 < samples; ++k)
+    EXPECT_GT(c["centrifugal_1_2"][k] * (c["q2"][k] - std::numbers::pi), 0) << k;
 }
 
 // Fig. 7.7 and 7.8.

@@ -18,8 +18,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 struct Case {
   Model model;
-  Trajectory trajectory;
-  PathCoefficients path;
+  Trajectory trajectory, sides;  // as planned, and with both sides of jumps
+  PathCoefficients grid, path;   // of these
   PaceLimits limits;
   PathTorques torques;
 };
@@ -47,20 +47,22 @@ Case case_of(const char* robot, double torque_part, int intervals = 600) {
   EXPECT_TRUE(found.all().empty());
   Progress quiet(true);
   PathTorques torques(model, false, quiet);
-  PathCoefficients path = torques.coefficients(trajectory);
+  Trajectory sides = with_both_sides(trajectory);
+  PathCoefficients grid = torques.coefficients(trajectory), path = torques.coefficients(sides);
   PaceLimits limits{std::vector<double>(n, 3.0), std::vector<double>(n, 20.0), std::vector<double>(n, 0.0)};
   for (std::size_t k = 0; k < path.d.size(); ++k) {
     const double tau = path.a[k] + path.b[k] + path.d[k];
     double& limit = limits.torque[k % n];
     limit = std::max({limit, 1.05 * std::abs(path.d[k]), torque_part * std::abs(tau)});
   }
-  return {std::move(model), std::move(trajectory), std::move(path), std::move(limits), std::move(torques)};
+  return {std::move(model), std::move(trajectory), std::move(sides),  std::move(grid),
+          std::move(path),  std::move(limits),     std::move(torques)};
 }
 
 TEST(PathTorques, AreThoseOfTheMotionAtAnyPace) {
   Case c = case_of("puma560.toml", 1);
   for (const double pace : {0.5, 1.0, 3.0}) {
-    const Trajectory other = slowed(c.trajectory, pace);
+    const Trajectory other = slowed(c.sides, pace);
     const std::vector<std::vector<double>> tau = c.torques.torques(other);
     const double u = 1 / pace;
     for (std::size_t k = 0; k < c.path.d.size(); ++k) {
@@ -75,10 +77,10 @@ class ScalingOf : public ::testing::TestWithParam<const char*> {};
 // At c the deciding limit is reached and none exceeded; at a little less it is exceeded.
 TEST_P(ScalingOf, TheLinearLawIsTheLeast) {
   Case c = case_of(GetParam(), 0.7);
-  const std::optional<LinearScaling> law = linear_scaling(c.trajectory, c.path, c.limits, 1e-6);
+  const std::optional<LinearScaling> law = linear_scaling(c.sides, c.path, c.limits, 1e-6);
   ASSERT_TRUE(law && law->decided_by);
   const auto use = [&](double pace) {
-    const Trajectory scaled = slowed(c.trajectory, pace);
+    const Trajectory scaled = slowed(c.sides, pace);
     return most_used(scaled, c.torques.torques(scaled), c.limits);
   };
   const LimitUsed used = use(law->c);
@@ -92,11 +94,13 @@ TEST_P(ScalingOf, TheLinearLawIsTheLeast) {
 TEST_P(ScalingOf, TheTimeOptimalLawKeepsLimitsAndIsNeverSlower) {
   for (const double part : {0.3, 0.7, 1.5}) {
     Case c = case_of(GetParam(), part);
-    const std::optional<LinearScaling> linear = linear_scaling(c.trajectory, c.path, c.limits, 1e-6);
+    const std::optional<LinearScaling> linear = linear_scaling(c.sides, c.path, c.limits, 1e-6);
     ASSERT_TRUE(linear);
-    const TimeLaw law = time_optimal_law(c.trajectory, c.path, c.limits, linear->c);
+    const TimeLaw law = time_optimal_law(c.trajectory, c.grid, c.limits, linear->c);
     const Trajectory fast = paced(c.trajectory, law);
-    EXPECT_LE(most_used(fast, c.torques.torques(fast), c.limits).part, 1 + 1e-9) << part;
+    const Trajectory both = with_both_sides(fast);
+    EXPECT_GT(both.points.size(), 1.9 * static_cast<double>(fast.points.size()));
+    EXPECT_LE(most_used(both, c.torques.torques(both), c.limits).part, 1 + 1e-9) << part;
     EXPECT_LT(fast.duration(), linear->c * c.trajectory.duration() * (1 - 1e-3)) << part;
     for (std::size_t k = 1; k < law.time.size(); ++k) ASSERT_GT(law.time[k], law.time[k - 1]);
   }
@@ -121,7 +125,7 @@ TEST(TimeOptimal, IsBangBangUnderALimitOfAcceleration) {
     slow.points.push_back({t, {here.position}, {here.speed}, {here.acceleration}, {}});
   }
   const std::vector<double> zero(kGrid + 1, 0);
-  const PathCoefficients path{1, zero, zero, zero, zero};
+  const PathCoefficients path{1, zero, zero, zero, zero, zero};
   const TimeLaw law = time_optimal_law(slow, path, {{kInfinite}, {a}, {kInfinite}}, 1);
   EXPECT_NEAR(law.time.back(), 2 * std::sqrt(D / a), 2e-3);
   const TimeLaw with_speed = time_optimal_law(slow, path, {{1.5}, {a}, {kInfinite}}, 1);
@@ -131,14 +135,49 @@ TEST(TimeOptimal, IsBangBangUnderALimitOfAcceleration) {
 // Of several rounds about friction each is faster, and limits hold with the friction that there is.
 TEST(TimeOptimal, LinearisesFrictionUntilItIsExact) {
   Case c = case_of("puma560.toml", 0.6);
-  const std::optional<LinearScaling> linear = linear_scaling(c.trajectory, c.path, c.limits, 1e-6);
-  const TimeLaw law = time_optimal_law(c.trajectory, c.path, c.limits, linear->c);
+  const std::optional<LinearScaling> linear = linear_scaling(c.sides, c.path, c.limits, 1e-6);
+  const TimeLaw law = time_optimal_law(c.trajectory, c.grid, c.limits, linear->c);
   EXPECT_GT(law.rounds, 1);
   EXPECT_LT(law.rounds, 40);
   const Trajectory fast = paced(c.trajectory, law);
   const LimitUsed used = most_used(fast, c.torques.torques(fast), c.limits);
   EXPECT_LE(used.part, 1 + 1e-9);
   EXPECT_GT(used.part, 1 - 1e-4);
+}
+
+// A straight line in the space of joints is one path however it was run: steps in the given acceleration must not be
+// felt. Sampled as a triangle and as a trapezium, the law takes the same time, from plans and from their samples.
+TEST(TimeOptimal, DependsOnThePathAlone) {
+  const Model model = model_of("planar_2r_example_7_2.toml");
+  Progress quiet(true);
+  PathTorques torques(model, false, quiet);
+  const double most = std::numeric_limits<double>::max();
+  const PaceLimits limits{{most, most}, {most, most}, {3000, 3000}};
+  std::vector<double> durations;
+  for (const bool triangle : {true, false}) {
+    for (const bool as_samples : {false, true}) {
+      TrajectoryPlan plan;
+      plan.start = TipPosture{{0.2, 0, 0}, Elbow::down, {}, {}};
+      PlacedProfile profile = triangular(0.5, 2);
+      if (!triangle) {
+        profile.shape = VelocityShape::trapezoidal;
+        profile.given["acceleration_time"] = {0.1, 0.1};
+      }
+      plan.segments = {{JointMove{JointPosture{1.5, 1.5}, true, profile}, {}}};
+      Diagnostics found;
+      Trajectory trajectory = planned_motion(plan, TipKinematics(model.robot), found, 4000);
+      if (as_samples) {
+        for (TrajectoryPoint& point : trajectory.points) point.qdd_before.clear();
+        mark_jumps(trajectory);
+      }
+      const PathCoefficients path = torques.coefficients(trajectory);
+      const Trajectory sides = with_both_sides(trajectory);
+      const double c = linear_scaling(sides, torques.coefficients(sides), limits, 1e-6)->c;
+      durations.push_back(time_optimal_law(trajectory, path, limits, c).time.back());
+    }
+  }
+  for (const double duration : durations) EXPECT_NEAR(duration, durations.front(), 1e-3 * duration);
+  EXPECT_EQ(durations[0], durations[1]);
 }
 
 TEST(LinearScaling, IsRefusedWhereRestIsTooMuch) {
@@ -149,7 +188,7 @@ TEST(LinearScaling, IsRefusedWhereRestIsTooMuch) {
   }
   c.limits.torque[1] = 0.9 * std::abs(c.path.d[worst * 6 + 1]);
   c.limits.torque[2] = 1e6;
-  EXPECT_FALSE(linear_scaling(c.trajectory, c.path, c.limits, 1e-6));
+  EXPECT_FALSE(linear_scaling(c.sides, c.path, c.limits, 1e-6));
   const LimitUsed load = most_static_load(c.path, c.limits);
   EXPECT_EQ(load.joint, 1u);
   EXPECT_EQ(load.point, worst);
@@ -161,7 +200,7 @@ TEST(LinearScaling, IsRefusedWhereRestIsTooMuch) {
 TEST(LinearScaling, TakesTheLargestOfAllowedPieces) {
   Trajectory point;
   point.points = {{0, {0}, {1}, {1}, {}}};
-  const PathCoefficients path{1, {1}, {-8}, {0}, {10}};
+  const PathCoefficients path{1, {1}, {-8}, {0}, {10}, {-8}};
   const PaceLimits limits{{kInfinite}, {kInfinite}, {6}};
   const std::optional<LinearScaling> law = linear_scaling(point, path, limits, 1e-3);
   ASSERT_TRUE(law);
@@ -174,7 +213,7 @@ TEST(TimeOptimal, NeedsALimit) {
   Case c = case_of("planar_2r_example_7_2.toml", 1, 20);
   const std::vector<double> none(2, kInfinite);
   try {
-    time_optimal_law(c.trajectory, c.path, {none, none, none}, 1);
+    time_optimal_law(c.trajectory, c.grid, {none, none, none}, 1);
     ADD_FAILURE();
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::unsupported);
