@@ -30,12 +30,6 @@ void PathTorques::run(const TrajectoryPoint& point) {
   if (!point.h_e.empty()) tapes_[kTipJacobian].run(given, J_);
 }
 
-double PathTorques::of_tip(const TrajectoryPoint& point, std::size_t joint) const {
-  double torque = 0;
-  for (std::size_t row = 0; row < point.h_e.size(); ++row) torque += J_[row * n_ + joint] * point.h_e[row];
-  return torque;
-}
-
 PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
   PathCoefficients result{n_, {}, {}, {}, {}, {}};
   for (std::vector<double>* part : {&result.m, &result.a, &result.b, &result.d, &result.a_before}) {
@@ -58,7 +52,7 @@ PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
       result.a.push_back(tau_[i] - g_[i] - viscous_[i] * rate - coulomb);
       result.a_before.push_back(result.a.back() + change);
       result.b.push_back(viscous_[i] * rate);
-      result.d.push_back(g_[i] + coulomb + of_tip(point, i));
+      result.d.push_back(g_[i] + coulomb + tip_torque(J_, point.h_e, i));
     }
   }
   return result;
@@ -69,7 +63,7 @@ std::vector<std::vector<double>> PathTorques::torques(const Trajectory& trajecto
   for (const TrajectoryPoint& point : trajectory.points) {
     run(point);
     std::vector<double>& tau = all.emplace_back(tau_);
-    for (std::size_t i = 0; i < n_; ++i) tau[i] += of_tip(point, i);
+    for (std::size_t i = 0; i < n_; ++i) tau[i] += tip_torque(J_, point.h_e, i);
   }
   return all;
 }

@@ -35,13 +35,12 @@ class PathTorques {
   std::vector<std::vector<double>> torques(const Trajectory& trajectory);
 
  private:
+  void run(const TrajectoryPoint& point);
+
   std::size_t n_;
   std::vector<Tape> tapes_;              // inverse dynamics, B, g; J
   std::vector<double> tau_, B_, g_, J_;  // results
   std::vector<double> viscous_, coulomb_;
-
-  void run(const TrajectoryPoint& point);
-  double of_tip(const TrajectoryPoint& point, std::size_t joint) const;
 };
 
 }  // namespace flatdyn

@@ -15,7 +15,7 @@ namespace flatdyn {
 namespace {
 
 constexpr double kMostSamples = 1e7;
-constexpr double kSameSample = 1e-9;  // of the time between samples
+constexpr double kSameSample = 1e-9;  // of the time between samples, or of all of it
 
 struct JointState {
   Eigen::VectorXd q, qd, qdd;
@@ -183,7 +183,8 @@ std::vector<double> in_base_axes(const TipForce& force, const TipKinematics& tip
 
 std::vector<double> sample_times(double duration, double rate) {
   std::vector<double> times;
-  for (double k = 0; k / rate < duration - kSameSample / rate; ++k) times.push_back(k / rate);
+  const double last = duration - kSameSample * std::min(1 / rate, duration);
+  for (double k = 0; k / rate < last; ++k) times.push_back(k / rate);
   times.push_back(duration);
   return times;
 }
@@ -236,14 +237,15 @@ Trajectory planned_motion(const TrajectoryPlan& plan, const TipKinematics& tip, 
   }
   const std::vector<double> times =
       intervals ? times_between_jumps(pieces, duration, *intervals) : sample_times(duration, rate);
+  const double tolerance = kSameSample * std::min(1 / rate, duration);
   auto piece = pieces.cbegin();
   try {
     for (const double t : times) {
-      while (std::next(piece) != pieces.cend() && t >= std::next(piece)->begin - kSameSample / rate) ++piece;
+      while (std::next(piece) != pieces.cend() && t >= std::next(piece)->begin - tolerance) ++piece;
       const JointState here = piece->at(t - piece->begin, t < duration ? Side::after : Side::before);
       result.points.push_back({t, list_of(here.q), list_of(here.qd), list_of(here.qdd), {}});
       if (t > 0 && t < duration) {
-        result.points.back().qdd_before = acceleration_before(pieces, piece, t, kSameSample / rate);
+        result.points.back().qdd_before = acceleration_before(pieces, piece, t, tolerance);
       }
       if (plan.tip_force) result.points.back().h_e = in_base_axes(*plan.tip_force, tip, here.q);
     }

@@ -32,7 +32,7 @@ class PlanReader {
     }
     plan.tip_force = tip_force(table);
     for (TomlTable& each : table.tables("segment")) plan.segments.push_back(segment(each));
-    if (plan.segments.empty() && !table.has("segment")) {
+    if (plan.segments.empty() && (!table.has("segment") || table.is_list("segment"))) {
       diagnostics_.error(table.place(), "no [[segment]]: nothing moves",
                          "e.g. [[segment]] with by, profile and duration");
     }
@@ -123,7 +123,8 @@ class PlanReader {
     TipPosture posture{vector(inner, "tip"), {}, {}, inner.place()};
     const std::string elbow = choice(inner, "elbow", {"down", "up"});
     if (!elbow.empty()) posture.elbow = elbow == "down" ? Elbow::down : Elbow::up;
-    if (inner.has("guess")) posture.guess = of_joints(inner, "guess");
+    const JointPosture guess = of_joints(inner, "guess");
+    if (inner.has("guess")) posture.guess = guess;
     inner.reject_unknown_keys();
     return posture;
   }

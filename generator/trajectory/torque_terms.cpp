@@ -104,13 +104,9 @@ double TorqueTerms::value_of(const TorqueTerm& term, const TrajectoryPoint& poin
     case TermKind::coulomb:
       return coulomb_[i] * sign(point.qd[i]);
     case TermKind::tip_force:
-      break;
+      return tip_torque(results_[kJacobian], point.h_e, i);
   }
-  double torque = 0;
-  for (std::size_t row = 0; row < point.h_e.size(); ++row) {
-    torque += results_[kJacobian][row * static_cast<std::size_t>(n_) + i] * point.h_e[row];
-  }
-  return torque;
+  return 0;
 }
 
 void TorqueTerms::evaluate(const TrajectoryPoint& point, std::span<double> values, std::span<double> tau) {

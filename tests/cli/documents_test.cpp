@@ -57,6 +57,25 @@ TEST_P(Page, HasCommandsThatRunAndPicturesThatAreThere) {
   }
 }
 
+// The page of the format opens with a plan.
+TEST(TrajectoryFormat, HasAnExampleThatRuns) {
+  const Scratch scratch;
+  std::string plan;
+  bool inside = false;
+  for (const std::string& line : lines_of(kDocs / "trajectory-format.md")) {
+    if (line.starts_with("```")) {
+      inside = line == "```toml";
+    } else if (inside) {
+      plan += line + "\n";
+    }
+  }
+  scratch.write("plan.toml", plan);
+  const Outcome outcome = run_flatdyn("torques robots/planar_2r_example_7_2.toml --trajectory " +
+                                      scratch.path("plan.toml") + " -o " + scratch.path("out.csv"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(scratch.path("out.csv")));
+}
+
 INSTANTIATE_TEST_SUITE_P(Documents, Page, ::testing::Values("example-7-2.md", "problems/7-07.md", "problems/7-09.md"),
                          [](const auto& test) {
                            std::string name = fs::path(test.param).stem().string();

@@ -225,6 +225,24 @@ TEST(Torques, OfARobotWithFrictionByJointName) {
   }
 }
 
+// The tip's place through damped least squares, then a straight line.
+TEST(Torques, OfAnArmThatNeedsAGuess) {
+  const Scratch scratch;
+  const auto run = [&](const std::string& start) {
+    scratch.write("plan.toml", "start = { tip = [0.5, 0, 0.4], " + start +
+                                   " }\n[[segment]]\nline_to = [0.5, 0.2, 0.4]\nprofile = \"triangular\"\nspeed = 1\n");
+    return run_flatdyn(fmt::format("torques robots/panda.urdf -q --trajectory {} -o {}", scratch.path("plan.toml"),
+                                   scratch.path("out.csv")));
+  };
+  EXPECT_EQ(run("guess = [0, 0, 0, -1.5, 0, 1.5, 0]").code, 0);
+  const Outcome elbow = run("elbow = \"down\"");
+  EXPECT_EQ(elbow.code, 3);
+  EXPECT_THAT(elbow.err, HasSubstr("plan.toml:1: error: elbow: the robot is no planar arm of two links"));
+  const Outcome key = run("gues = [0, 0, 0, -1.5, 0, 1.5, 0]");
+  EXPECT_EQ(key.code, 3);
+  EXPECT_THAT(key.err, HasSubstr("did you mean \"guess\"?"));
+}
+
 TEST(Torques, SaysWhichLimitsAreExceeded) {
   const Scratch scratch;
   const std::string command =

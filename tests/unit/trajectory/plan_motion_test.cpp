@@ -130,6 +130,58 @@ TEST(PlannedMotion, GoesFromSegmentToSegmentAndWaits) {
   expect_derivatives(trajectory, 1e-9, 1e-9, 0.1);
 }
 
+// The instants of jumps are points of their own, an even number of intervals apart; rates are exactly zero at rest.
+TEST(PlannedMotion, InIntervalsHasAPointAtEveryJump) {
+  const TipKinematics tip(model_of("planar_2r_example_7_2.toml").robot);
+  TrajectoryPlan plan;
+  plan.start = JointPosture{0.5, 0.1};
+  const PlacedProfile profiles =
+      profile(VelocityShape::trapezoidal, {{"speed", {2, 3}}, {"acceleration_time", {0.17, 0.13}}});
+  plan.segments = {{JointMove{JointPosture{1.0, 1.0}, true, profiles}, {}},
+                   {Dwell{0.31}, {}},
+                   {JointMove{JointPosture{-0.7, 1.1}, true, profiles}, {}}};
+  Diagnostics found;
+  const Trajectory trajectory = planned_motion(plan, tip, found, 100);
+  EXPECT_GE(trajectory.points.size(), 101u);
+  EXPECT_LE(trajectory.points.size(), 121u);
+  const std::vector<double> jumps = {0.13, 0.17, 1.0 / 3, 0.5, 1.0 / 3 + 0.13, 0.67, 0.98, 0.98 + 0.13, 0.98 + 0.17};
+  for (const double jump : jumps) {
+    std::size_t k = 0;
+    while (k < trajectory.points.size() && std::abs(trajectory.points[k].time - jump) > 1e-12) ++k;
+    ASSERT_LT(k, trajectory.points.size()) << jump;
+    EXPECT_EQ(k % 2, 0u) << jump;
+    ASSERT_EQ(trajectory.points[k].qdd_before.size(), 2u) << jump;
+    EXPECT_GT(std::abs(trajectory.points[k].qdd_before[0] - trajectory.points[k].qdd[0]) +
+                  std::abs(trajectory.points[k].qdd_before[1] - trajectory.points[k].qdd[1]),
+              1)
+        << jump;
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(trajectory.points[k].qdd_before[i], trajectory.points[k - 1].qdd[i]);
+  }
+  for (const TrajectoryPoint& point : trajectory.points) {
+    const bool waits = point.time > 0.67 - 1e-12 && point.time < 0.98 + 1e-12;
+    EXPECT_EQ(waits || point.time == 0 || point.time == trajectory.duration(), point.qd == std::vector<double>(2, 0))
+        << point.time;
+  }
+}
+
+// However slowly it is sampled, a motion has its two ends.
+TEST(PlannedMotion, HasItsEndsAtAnyRate) {
+  const TipKinematics tip(model_of("planar_2r_example_7_2.toml").robot);
+  for (const double rate : {1e-9, 1.0, 1e5}) {
+    TrajectoryPlan plan;
+    plan.rate = rate;
+    plan.start = JointPosture{0.0, 0.0};
+    plan.segments = {
+        {JointMove{JointPosture{1.0, 1.0}, true, profile(VelocityShape::triangular, {{"duration", {0.01, 0.01}}})},
+         {}}};
+    const Trajectory trajectory = motion_of(plan, tip);
+    ASSERT_GE(trajectory.points.size(), 2u);
+    EXPECT_EQ(trajectory.points.back().time, 0.01);
+    EXPECT_EQ(trajectory.points.back().q[0], 1.0);
+    EXPECT_EQ(trajectory.points.front().qd[0], 0.0);
+  }
+}
+
 // Along the tip's own axes the force turns with it.
 TEST(PlannedMotion, TurnsAForceWithTheTip) {
   const TipKinematics tip(model_of("planar_2r_example_7_2.toml").robot);
