@@ -72,6 +72,17 @@ TEST(PathTorques, AreThoseOfTheMotionAtAnyPace) {
   }
 }
 
+// Between samples that both rest.
+double waiting_time(const Trajectory& trajectory) {
+  const auto rests = [](const TrajectoryPoint& point) { return point.qd == std::vector<double>(point.qd.size(), 0); };
+  double time = 0;
+  for (std::size_t k = 1; k < trajectory.points.size(); ++k) {
+    const TrajectoryPoint &before = trajectory.points[k - 1], &here = trajectory.points[k];
+    if (rests(before) && rests(here)) time += here.time - before.time;
+  }
+  return time;
+}
+
 class ScalingOf : public ::testing::TestWithParam<const char*> {};
 
 // At c the deciding limit is reached and none exceeded; at a little less it is exceeded.
@@ -103,6 +114,7 @@ TEST_P(ScalingOf, TheTimeOptimalLawKeepsLimitsAndIsNeverSlower) {
     EXPECT_LE(most_used(both, c.torques.torques(both), c.limits).part, 1 + 1e-9) << part;
     EXPECT_LT(fast.duration(), linear->c * c.trajectory.duration() * (1 - 1e-3)) << part;
     for (std::size_t k = 1; k < law.time.size(); ++k) ASSERT_GT(law.time[k], law.time[k - 1]);
+    EXPECT_NEAR(waiting_time(fast), 0.1 * std::min(1.0, linear->c), 1e-9) << part;
   }
 }
 
