@@ -70,9 +70,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "flatdyn " FLATDYN_VERSION);
   app.require_subcommand(1);
   Run chosen;
-  for (const auto add :
-       {add_generate, add_inspect, add_derive, add_verify, add_eval, add_excite, add_identify, add_payload,
-        add_simulate, add_manipulability, add_report, add_bench, add_certify, add_stress, add_man, add_completion}) {
+  for (const auto add : {add_generate, add_inspect, add_derive, add_verify, add_eval, add_excite, add_identify,
+                         add_payload, add_torques, add_scale, add_simulate, add_manipulability, add_report, add_bench,
+                         add_certify, add_stress, add_man, add_completion}) {
     const Run command = add(app);
     app.get_subcommands({}).back()->callback([&chosen, command] { chosen = command; });
   }

@@ -233,6 +233,27 @@ void add_stream_options(CLI::App& command, StreamOptions& options) {
       ->type_name("N");
 }
 
+void add_trajectory_option(CLI::App& command, std::string& file) {
+  command
+      .add_option(
+          "--trajectory", file,
+          "the motion: samples (CSV: t, q1..., qd1..., qdd1..., or q_<joint>...; h_e1... where the tip pushes), or "
+          "a plan (TOML: docs/trajectory-format.md)")
+      ->required()
+      ->check(kNotEmpty)
+      ->type_name("FILE");
+}
+
+void add_plot_option(CLI::App& command, std::string& file, const std::string& meaning) {
+  const auto is_picture = [](const std::string& name) {
+    const std::string extension = std::filesystem::path(name).extension();
+    return extension == ".svg" || extension == ".png" ? "" : "the plot's name must end in .svg or .png";
+  };
+  command.add_option("--plot", file, meaning + "; needs gnuplot")
+      ->check(CLI::Validator(is_picture, ""))
+      ->type_name("FILE.svg|FILE.png");
+}
+
 void add_parameters_option(CLI::App& command, std::string& name, const std::string& use) {
   command
       .add_option("--parameters", name,

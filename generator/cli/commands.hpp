@@ -66,6 +66,12 @@ std::string stamp(const std::vector<std::pair<std::string, std::string>>& option
 // --band and --decimate.
 void add_stream_options(CLI::App& command, StreamOptions& options);
 
+// --trajectory.
+void add_trajectory_option(CLI::App& command, std::string& file);
+
+// --plot, a picture whose format its name says; `meaning`: what is drawn.
+void add_plot_option(CLI::App& command, std::string& file, const std::string& meaning);
+
 // --parameters, for what `use` says; and the set that its value names.
 void add_parameters_option(CLI::App& command, std::string& name, const std::string& use);
 ParameterSet parameter_set(const std::string& name);
@@ -79,6 +85,8 @@ Run add_identify(CLI::App& app);
 Run add_payload(CLI::App& app);
 Run add_excite(CLI::App& app);
 Run add_report(CLI::App& app);
+Run add_torques(CLI::App& app);
+Run add_scale(CLI::App& app);
 Run add_bench(CLI::App& app);
 Run add_certify(CLI::App& app);
 Run add_stress(CLI::App& app);

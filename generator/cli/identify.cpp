@@ -9,6 +9,7 @@
 #include "report/identification_report.hpp"
 #include "report/identified_robot.hpp"
 #include "report/residual_plot.hpp"
+#include "report/time_table.hpp"
 
 namespace flatdyn {
 namespace {
@@ -22,13 +23,6 @@ struct IdentifyArguments : RobotArguments {
   bool sequential = false;
   std::string plot;
 };
-
-// Its name says to other programs what is in the file.
-const CLI::Validator kIsSvg(
-    [](const std::string& text) {
-      return std::filesystem::path(text).extension() == ".svg" ? "" : "the plot is SVG: its name must end in .svg";
-    },
-    "");
 
 // "2/8" → part 2 of 8.
 void read_part(const std::string& text, StreamOptions& options) {
@@ -117,7 +111,8 @@ void write_results(const IdentifyArguments& arguments, const Model& robot, const
                    const Identification& found) {
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back(robot_file(arguments, robot, model, found));
-  if (!arguments.plot.empty()) files.push_back({arguments.plot, residual_plot(model, found)});
+  if (!arguments.plot.empty())
+    files.push_back({arguments.plot, residual_plot(model, found, picture_format(arguments.plot))});
   write_files(files);
 }
 
@@ -176,9 +171,7 @@ Run add_identify(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "the robot file with the identified parameters; of a part")
       ->check(kNotEmpty)
       ->type_name("FILE");
-  command->add_option("--plot", arguments->plot, "torques and residuals over time; needs gnuplot")
-      ->check(kIsSvg)
-      ->type_name("FILE.svg");
+  add_plot_option(*command, arguments->plot, "torques and residuals over time");
   command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
       ->type_name("k/N");
   add_parameters_option(*command, arguments->parameters, "what is identified: ");

@@ -161,7 +161,8 @@ bool LogReader::parse(std::string_view line, double* channels) {
   const char* const end = at + line.size();
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (at > end) {
-      complain(fmt::format("{} entries, but the heading has {} columns", k, columns.size()));
+      complain(fmt::format("{} entries, but the heading has {} columns", k, columns.size()),
+               "leave out lines that are not complete");
       return false;
     }
     while (at < end && is_blank(*at)) ++at;
@@ -180,7 +181,9 @@ bool LogReader::parse(std::string_view line, double* channels) {
     }
     at = last + 1;
   }
-  if (at <= end) complain(fmt::format("more than the {} entries that the heading has", columns.size()));
+  if (at <= end)
+    complain(fmt::format("more than the {} entries that the heading has", columns.size()),
+             "numbers have a decimal point, columns are separated by commas");
   return at > end;
 }
 

@@ -184,7 +184,8 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   const std::vector<SurveyedSample> samples = first_samples(reader);
   if (diagnostics.has_errors()) return plan;
   if (samples.size() < 2) {
-    diagnostics.error(reader.place(), fmt::format("{} samples: too few to identify from", samples.size()));
+    diagnostics.error(reader.place(), fmt::format("{} samples: too few for a motion", samples.size()),
+                      "a line for each instant, below the heading");
     return plan;
   }
   const std::vector<double> steps = time_steps(samples);

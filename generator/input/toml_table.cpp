@@ -265,6 +265,23 @@ std::optional<std::vector<Value>> TomlTable::numbers(std::string_view key, std::
   return values;
 }
 
+std::optional<std::vector<Value>> TomlTable::numbers(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    report_kind(*node, key, "a list of numbers");
+    return std::nullopt;
+  }
+  std::vector<Value> all;
+  for (const toml::node& element : *array) {
+    const std::optional<Number> value = number_of(element, key);
+    if (!value) return std::nullopt;
+    all.push_back({*value, source_.place(element.source())});
+  }
+  return all;
+}
+
 Number TomlTable::angle_of(const toml::node& node, std::string_view key) {
   ReadContext& context = source_.context();
   const Spot where = spot(node, key);

@@ -69,6 +69,8 @@ class TomlTable {
   // A number without symbols; infinite means none.
   std::optional<Value> limit(std::string_view key, Quantity quantity, Bound bound);
   Vec3 vector(std::string_view key, Quantity quantity, const Vec3& fallback);
+  // A list of any length; nullopt if the key is not there, or, with an error, if it is no list of numbers.
+  std::optional<std::vector<Value>> numbers(std::string_view key);
 
   // Without symbols: `count` of them as a list, or one that stands for all. nullopt if the key is not there or, with an
   // error, if it is none of these.

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "diagnostics/table.hpp"
-#include "report/plot.hpp"
+#include "report/time_table.hpp"
 #include "symbolic/combination_text.hpp"
 
 namespace flatdyn {
@@ -74,14 +74,6 @@ Panel panel_of(const Mechanism& mechanism, const std::string& title, const std::
   Panel panel{title, "t in s", label, {}};
   for (const Body& body : mechanism.bodies) panel.series.push_back({body.joint, times, {}});
   return panel;
-}
-
-// "rad", "m", or both for a robot that has both.
-std::string unit_of(const Mechanism& mechanism, const std::string& turning, const std::string& sliding) {
-  const auto slides = [](const Body& body) { return body.prismatic; };
-  const auto count = std::count_if(mechanism.bodies.begin(), mechanism.bodies.end(), slides);
-  if (count == 0) return turning;
-  return count == mechanism.size() ? sliding : turning + ", " + sliding;
 }
 
 }  // namespace

@@ -24,12 +24,12 @@ std::string gnuplot_label(const std::string& what, const std::string& text, cons
   return fmt::format("set {} {} {} noenhanced textcolor rgb '{}'\n", what, gnuplot_string(text), options, kPlotInk);
 }
 
-std::string gnuplot_svg(const std::function<std::string(const fs::path&)>& script) {
+std::string gnuplot_picture(const std::function<std::string(const fs::path&)>& script) {
   const TemporaryFolder folder;
   if (run_command("gnuplot --version > /dev/null 2>&1", folder.path()) != 0) {
     throw Failure(ExitCode::io, "no plot: gnuplot cannot be run", "install gnuplot-nox");
   }
-  const fs::path output = folder.path() / "plot.svg";
+  const fs::path output = folder.path() / "plot";
   write_file(folder.path() / "plot.gp", script(output));
   if (run_command("gnuplot plot.gp > /dev/null 2> log", folder.path()) != 0) {
     throw Failure(ExitCode::io, "gnuplot failed: " + content_of_file(folder.path() / "log"));

@@ -21,8 +21,8 @@ std::string gnuplot_string(const std::string& text);
 // "set title 'text' OPTIONS …", as written, in the pictures' ink.
 std::string gnuplot_label(const std::string& what, const std::string& text, const std::string& options = "");
 
-// The picture that a script draws; `script` is given the file that it has to write. Throws Failure(io) where there is
-// no gnuplot.
-std::string gnuplot_svg(const std::function<std::string(const std::filesystem::path&)>& script);
+// The bytes of the picture that a script draws; `script` is given the file that it has to write. Throws Failure(io)
+// where there is no gnuplot.
+std::string gnuplot_picture(const std::function<std::string(const std::filesystem::path&)>& script);
 
 }  // namespace flatdyn

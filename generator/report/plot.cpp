@@ -107,10 +107,21 @@ int panel_height(const std::vector<Panel>& panels) {
   return has_plane ? kPlaneHeight : kPanelHeight;
 }
 
-std::string script_text(const std::string& title, const std::vector<Panel>& panels, const fs::path& output) {
+std::string terminal_text(PictureFormat format, int height) {
+  if (format == PictureFormat::svg) {
+    return fmt::format("set terminal svg size {},{} dynamic rounded font 'sans-serif,12'\n", kWidth, height);
+  }
+  return fmt::format(
+      "set terminal pngcairo size {},{} rounded background '#ffffff' fontscale 2 linewidth 2 pointscale 2 "
+      "font 'sans-serif,12'\n",
+      2 * kWidth, 2 * height);
+}
+
+std::string script_text(const std::string& title, const std::vector<Panel>& panels, PictureFormat format,
+                        const fs::path& output) {
   const int count = static_cast<int>(panels.size());
-  std::string text = fmt::format("set terminal svg size {},{} dynamic rounded font 'sans-serif,12'\nset output {}\n",
-                                 kWidth, kTitleHeight + count * panel_height(panels), gnuplot_string(output.string()));
+  std::string text = terminal_text(format, kTitleHeight + count * panel_height(panels)) +
+                     fmt::format("set output {}\n", gnuplot_string(output.string()));
   text += style_text(panels);
   text += fmt::format("set multiplot layout {},1 title {} noenhanced textcolor rgb '{}' font ',15'\n", count,
                       gnuplot_string(title), kPlotInk);
@@ -120,8 +131,8 @@ std::string script_text(const std::string& title, const std::vector<Panel>& pane
 
 }  // namespace
 
-std::string svg_plot(const std::string& title, const std::vector<Panel>& panels) {
-  return gnuplot_svg([&](const fs::path& output) { return script_text(title, panels, output); });
+std::string plot(const std::string& title, const std::vector<Panel>& panels, PictureFormat format) {
+  return gnuplot_picture([&](const fs::path& output) { return script_text(title, panels, format, output); });
 }
 
 }  // namespace flatdyn

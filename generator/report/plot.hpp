@@ -27,8 +27,16 @@ struct Panel {
   PanelStyle style = PanelStyle::curves;
 };
 
-// Panels below each other in one SVG, without background and in colours for white and for dark pages. The same input
-// gives the same bytes. Throws Failure(io) where there is no gnuplot.
-std::string svg_plot(const std::string& title, const std::vector<Panel>& panels);
+enum class PictureFormat {
+  svg,  // without background, in colours for white and for dark pages
+  png,  // on white, twice as many pixels as the SVG is wide and high
+};
+
+// Panels below each other in one picture. The same input gives the same bytes. Throws Failure(io) where there is no
+// gnuplot.
+std::string plot(const std::string& title, const std::vector<Panel>& panels, PictureFormat format);
+inline std::string svg_plot(const std::string& title, const std::vector<Panel>& panels) {
+  return plot(title, panels, PictureFormat::svg);
+}
 
 }  // namespace flatdyn

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/residual_plot.hpp"
 
-#include "report/plot.hpp"
-
 namespace flatdyn {
 
-std::string residual_plot(const TorqueModel& model, const Identification& found) {
+std::string residual_plot(const TorqueModel& model, const Identification& found, PictureFormat format) {
   const int n = model.joints(), b = model.parameters();
   std::vector<Panel> panels;
   for (const Body& body : model.mechanism().bodies) {
@@ -25,7 +23,7 @@ std::string residual_plot(const TorqueModel& model, const Identification& found)
       series[1].y.push_back(measured - row.dot(found.estimate.values));
     }
   }
-  return svg_plot("Torques and residuals of " + model.mechanism().name, panels);
+  return plot("Torques and residuals of " + model.mechanism().name, panels, format);
 }
 
 }  // namespace flatdyn

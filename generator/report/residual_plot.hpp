@@ -4,10 +4,11 @@
 #include <string>
 
 #include "report/identification_report.hpp"
+#include "report/plot.hpp"
 
 namespace flatdyn {
 
-// Per joint over time: the torque as measured, and what the identified parameters leave of it. SVG.
-std::string residual_plot(const TorqueModel& model, const Identification& found);
+// Per joint over time: the torque as measured, and what the identified parameters leave of it.
+std::string residual_plot(const TorqueModel& model, const Identification& found, PictureFormat format);
 
 }  // namespace flatdyn

@@ -196,7 +196,7 @@ std::string svg_scatter(const std::string& title, const std::vector<ScatterPanel
     }
     return text + "unset multiplot\n";
   };
-  return gnuplot_svg(script);
+  return gnuplot_picture(script);
 }
 
 }  // namespace flatdyn

@@ -104,7 +104,7 @@ TEST_F(IdentifyFiles, OptionsWithoutEffectAreUsage) {
     expect("identify {0}/rob.toml " + arguments, 2, "have no effect with");
   }
   expect("identify {0}/rob.toml --data {0}/n.csv --part 1/65537 -o {0}/p.json", 2, "at most 65536 parts");
-  expect("identify {0}/rob.toml --data {0}/n.csv --plot {0}/x.png", 2, "its name must end in .svg");
+  expect("identify {0}/rob.toml --data {0}/n.csv --plot {0}/x.pdf", 2, "name must end in .svg or .png");
 }
 
 TEST_F(IdentifyFiles, ALogThatCanBeReadOnlyOnceIsRefused) {

@@ -180,7 +180,8 @@ TEST(Json, InspectHasTheModelInNumbers) {
 }
 
 TEST(Help, OpensWithTwoRunnableExamples) {
-  for (const std::string command : {"", "generate ", "inspect ", "derive ", "verify ", "eval ", "excite "}) {
+  for (const std::string command :
+       {"", "generate ", "inspect ", "derive ", "verify ", "eval ", "excite ", "torques "}) {
     const Outcome outcome = run_flatdyn(command + "--help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_THAT(outcome.out.substr(0, outcome.out.find("Usage")),

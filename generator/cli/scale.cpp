@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <chrono>
+#include <sstream>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "report/scaling_report.hpp"
+#include "report/torque_report.hpp"
+#include "trajectory/read_trajectory.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr double kLeastScaling = 1e-6;    // of --faster
+constexpr double kLimitTolerance = 1e-9;  // of the second sweep, relative
+constexpr int kDefaultGrid = 1000;
+
+struct ScaleArguments : RobotArguments {
+  std::string trajectory, output, plot, torque_limits;
+  bool faster = false, time_optimal = false;
+  std::optional<int> grid;
+};
+
+void check_usage(const ScaleArguments& arguments) {
+  if (arguments.grid && !arguments.time_optimal) {
+    throw Failure(ExitCode::usage, "--grid has no effect without --time-optimal");
+  }
+  if (arguments.grid && !is_plan(arguments.trajectory)) {
+    throw Failure(ExitCode::usage, "--grid has no effect on samples: they are the grid", "leave it out");
+  }
+  if (arguments.faster && arguments.time_optimal) {
+    throw Failure(ExitCode::usage, "--faster is for the linear law; --time-optimal is as fast as it can be anyway");
+  }
+}
+
+// "3000" for all joints, or "3000,1500".
+std::vector<double> torque_limits_option(const std::string& text, std::size_t joints) {
+  std::vector<double> limits;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    double value = 0;
+    const bool read = CLI::detail::lexical_cast(part, value) && value > 0;
+    if (!read) throw Failure(ExitCode::usage, fmt::format("--torque-limits: \"{}\" is no number greater than 0", part));
+    limits.push_back(value);
+  }
+  if (limits.size() == 1) limits.resize(joints, limits[0]);
+  if (limits.size() == joints) return limits;
+  throw Failure(ExitCode::usage,
+                fmt::format("--torque-limits: {} numbers, but the robot has {} joints", limits.size(), joints),
+                "one for all joints, or one for each in the order of flatdyn inspect, inf for none");
+}
+
+PaceLimits limits_of(const ScaleArguments& arguments, const Model& model) {
+  PaceLimits limits = given_limits(model.mechanism);
+  if (!arguments.torque_limits.empty()) {
+    limits.torque = torque_limits_option(arguments.torque_limits, model.mechanism.bodies.size());
+  }
+  if (limits.are_infinite()) {
+    throw Failure(ExitCode::unsupported, fmt::format("{}: no joint has a limit", model.robot.file),
+                  "give --torque-limits, or limits in the robot file or a scene");
+  }
+  return limits;
+}
+
+[[noreturn]] void refuse_static_load(const ScaleArguments& arguments, const Model& model, const ScaledMotion& motion,
+                                     const PathCoefficients& path) {
+  const LimitUsed load = most_static_load(path, motion.limits);
+  Diagnostics found;
+  found.error(
+      {arguments.trajectory, 0},
+      fmt::format("no pace keeps the limits: at {:.6g} s joint \"{}\" needs {:.6g} {} at rest already, against "
+                  "gravity{}, beyond the {}",
+                  motion.sides_before.points[load.point].time, model.mechanism.bodies[load.joint].joint,
+                  path.d[load.point * path.joints + load.joint],
+                  model.mechanism.bodies[load.joint].prismatic ? "N" : "N m", ", dry friction and the tip's force",
+                  limit_text(model.mechanism, motion.limits, load.kind, load.joint)),
+      "choose a path through other postures, or stronger motors");
+  throw BadInput(ExitCode::input, found);
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+class Scaling {
+ public:
+  Scaling(const ScaleArguments& arguments, const Model& model) : arguments_(arguments), model_(model) {
+    motion_.limits = limits_of(arguments, model);
+  }
+
+  ScaledMotion run() {
+    read();
+    Progress progress(arguments_.quiet);
+    PathTorques torques(model_, motion_.before.has_tip_force(), progress);
+    find_linear(torques);
+    if (arguments_.time_optimal) {
+      find_optimal(torques);
+    } else {
+      motion_.after = slowed(motion_.before, motion_.linear.c);
+    }
+    motion_.tau_after = torques.torques(motion_.after);
+    motion_.sides_after = with_both_sides(motion_.after);
+    motion_.tau_sides_after = torques.torques(motion_.sides_after);
+    motion_.used = most_used(motion_.sides_after, motion_.tau_sides_after, motion_.limits);
+    if (motion_.used.part > 1 + kLimitTolerance) {
+      throw Failure(ExitCode::bug, fmt::format("the scaled motion uses {:.12g} of a limit", motion_.used.part),
+                    "please report it with the robot file and the trajectory");
+    }
+    return std::move(motion_);
+  }
+
+ private:
+  // Of a plan twice as many points as the grid has, so that limits can be asked between them.
+  void read() {
+    Diagnostics found;
+    const bool doubled = arguments_.time_optimal && is_plan(arguments_.trajectory);
+    const std::optional<int> intervals =
+        doubled ? std::optional(2 * arguments_.grid.value_or(kDefaultGrid)) : std::nullopt;
+    motion_.before = read_trajectory(arguments_.trajectory, model_.robot, model_.mechanism, found, intervals);
+    arguments_.report(found);
+    if (!doubled) return;
+    finer_ = std::move(motion_.before);
+    motion_.before = every_second(finer_);
+  }
+
+  void find_linear(PathTorques& torques) {
+    motion_.sides_before = with_both_sides(motion_.before);
+    motion_.tau_sides_before = torques.torques(motion_.sides_before);
+    const PathCoefficients path = torques.coefficients(motion_.sides_before);
+    const double least = arguments_.faster || arguments_.time_optimal ? kLeastScaling : 1;
+    const std::optional<LinearScaling> linear = linear_scaling(motion_.sides_before, path, motion_.limits, least);
+    if (!linear) refuse_static_load(arguments_, model_, motion_, path);
+    motion_.linear = *linear;
+  }
+
+  void find_optimal(PathTorques& torques) {
+    OptimalPace pace;
+    auto start = std::chrono::steady_clock::now();
+    const PathCoefficients path = torques.coefficients(motion_.before);
+    pace.coefficients_ms = milliseconds_since(start);
+    start = std::chrono::steady_clock::now();
+    pace.law = time_optimal_law(motion_.before, path, motion_.limits, motion_.linear.c);
+    pace.solve_ms = milliseconds_since(start);
+    motion_.after = paced(motion_.before, pace.law);
+    if (!finer_.points.empty()) {
+      const Trajectory between = paced_between(finer_, pace.law);
+      pace.between = most_used(between, torques.torques(between), motion_.limits);
+    }
+    motion_.optimal = std::move(pace);
+  }
+
+  const ScaleArguments& arguments_;
+  const Model& model_;
+  ScaledMotion motion_;
+  Trajectory finer_;
+};
+
+ExitCode scale(const ScaleArguments& arguments) {
+  check_usage(arguments);
+  const Model model = read_model(arguments.robot, arguments.options());
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  arguments.note_function_keys(model);
+  std::vector<std::string> inputs = model.robot.files;
+  inputs.push_back(arguments.trajectory);
+  check_outputs({arguments.output, arguments.plot}, inputs);
+  const ScaledMotion motion = Scaling(arguments, model).run();
+  const TimeTable table = trajectory_table(motion.after, motion.tau_after);
+  std::vector<TextFile> files = {{arguments.output, csv_text(table)}};
+  if (!arguments.plot.empty()) {
+    files.push_back({arguments.plot, time_plot(model.mechanism.name + ": the scaled motion", table,
+                                               motion_panels(model.mechanism, motion.after.has_tip_force()),
+                                               picture_format(arguments.plot))});
+  }
+  write_files(files);
+  if (arguments.json) {
+    nlohmann::ordered_json json = scaling_json(model.mechanism, motion);
+    for (const TextFile& file : files) json["files"].push_back(file.path.string());
+    fmt::print("{}\n", json.dump(2));
+    return ExitCode::ok;
+  }
+  fmt::print("{}\n", describe_scaling(model.mechanism, motion));
+  for (const TextFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_scale(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "scale",
+      "Change the pace of a motion so that it keeps the limits of its joints.\n\n"
+      "  flatdyn scale robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml "
+      "--torque-limits 3000 -o out.csv\n"
+      "  flatdyn scale robots/panda.urdf --trajectory motion.csv --time-optimal -o out.csv");
+  const auto arguments = std::make_shared<ScaleArguments>();
+  arguments->add_to(*command);
+  add_trajectory_option(*command, arguments->trajectory);
+  command->add_option("-o,--output", arguments->output, "CSV: the motion at its new pace, and its torques")
+      ->required()
+      ->check(kNotEmpty)
+      ->type_name("FILE.csv");
+  command
+      ->add_option("--torque-limits", arguments->torque_limits,
+                   "N m or N, one for all joints or one for each, separated by commas; default: the robot's")
+      ->check(kNotEmpty)
+      ->type_name("L,L,...");
+  command->add_flag("--faster", arguments->faster, "also make a motion faster that is slower than the limits allow");
+  command->add_flag("--time-optimal", arguments->time_optimal,
+                    "instead of one factor for the whole motion, the fastest pace at every point of the path");
+  command
+      ->add_option("--grid", arguments->grid, "for --time-optimal of a plan, at least so many intervals; default: 1000")
+      ->check(CLI::Range(2, 1000000))
+      ->type_name("N");
+  add_plot_option(*command, arguments->plot, "positions, rates, accelerations and torques at the new pace");
+  return [arguments] { return scale(*arguments); };
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/output_file.hpp"
+#include "report/torque_report.hpp"
+#include "trajectory/read_trajectory.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct TorquesArguments : RobotArguments {
+  std::string trajectory, output, plot;
+};
+
+std::vector<TextFile> torque_files(const TorquesArguments& arguments, const Mechanism& mechanism,
+                                   const Trajectory& trajectory, const TorqueHistory& history) {
+  std::vector<TextFile> files = {{arguments.output, csv_text(torque_table(trajectory, history))}};
+  if (!arguments.plot.empty()) {
+    files.push_back({arguments.plot, torque_plot(mechanism, trajectory, history, picture_format(arguments.plot))});
+  }
+  return files;
+}
+
+ExitCode torques(const TorquesArguments& arguments) {
+  const Model model = read_model(arguments.robot, arguments.options());
+  print_diagnostics(model.diagnostics, arguments.quiet);
+  arguments.note_function_keys(model);
+  std::vector<std::string> inputs = model.robot.files;
+  inputs.push_back(arguments.trajectory);
+  check_outputs({arguments.output, arguments.plot}, inputs);
+  Diagnostics found;
+  const Trajectory trajectory = read_trajectory(arguments.trajectory, model.robot, model.mechanism, found);
+  arguments.report(found);
+  TorqueHistory history;
+  {
+    Progress progress(arguments.quiet);
+    TorqueTerms terms(model, trajectory.has_tip_force(), progress);
+    history = torque_history(terms, trajectory);
+  }
+  arguments.report(exceeded_limits(model.mechanism, trajectory, history.tau, arguments.trajectory));
+  const std::vector<TextFile> files = torque_files(arguments, model.mechanism, trajectory, history);
+  write_files(files);
+  if (arguments.json) {
+    nlohmann::ordered_json json = torques_json(model.mechanism, trajectory, history);
+    for (const TextFile& file : files) json["files"].push_back(file.path.string());
+    fmt::print("{}\n", json.dump(2));
+    return ExitCode::ok;
+  }
+  fmt::print("{}\n", describe_torques(model.mechanism, trajectory, history));
+  for (const TextFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Run add_torques(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "torques",
+      "Compute the torques that a motion needs, each contribution by itself.\n\n"
+      "  flatdyn torques robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml "
+      "-o out.csv --plot out.svg\n"
+      "  flatdyn torques robots/panda.urdf --trajectory motion.csv -o out.csv --json");
+  const auto arguments = std::make_shared<TorquesArguments>();
+  arguments->add_to(*command);
+  add_trajectory_option(*command, arguments->trajectory);
+  command->add_option("-o,--output", arguments->output, "CSV: the motion, the torques, and every contribution")
+      ->required()
+      ->check(kNotEmpty)
+      ->type_name("FILE.csv");
+  add_plot_option(*command, arguments->plot, "positions, rates, accelerations, torques and what they are made of");
+  return [arguments] { return torques(*arguments); };
+}
+
+}  // namespace flatdyn

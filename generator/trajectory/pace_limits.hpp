@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What keeps a motion from running faster: absolute values by joint, infinite where there is none.
+#pragma once
+
+#include <vector>
+
+#include "model/mechanism.hpp"
+#include "trajectory/trajectory.hpp"
+
+namespace flatdyn {
+
+enum class LimitKind { speed, acceleration, torque };
+
+struct PaceLimits {
+  std::vector<double> speed, acceleration, torque;  // rad/s, rad/s², N m, or m/s, m/s², N
+
+  bool are_infinite() const;
+};
+
+// Those of the robot file and the scene, and no others.
+PaceLimits given_limits(const Mechanism& mechanism);
+
+// The largest use of a limit, as a part of it, and where; part 0 without limits.
+struct LimitUsed {
+  double part = 0;
+  LimitKind kind = LimitKind::torque;
+  std::size_t joint = 0, point = 0;
+};
+LimitUsed most_used(const Trajectory& trajectory, const std::vector<std::vector<double>>& tau,
+                    const PaceLimits& limits);
+
+}  // namespace flatdyn

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "trajectory/path_torques.hpp"
+
+#include "trajectory/motion_functions.hpp"
+
+namespace flatdyn {
+namespace {
+
+enum : std::size_t { kInverseDynamics, kInertiaMatrix, kGravityTorques, kTipJacobian };
+
+}  // namespace
+
+PathTorques::PathTorques(const Model& model, bool tip_force, Progress& progress)
+    : n_(static_cast<std::size_t>(model.mechanism.size())), tau_(n_), B_(n_ * n_), g_(n_), J_(tip_force ? 6 * n_ : 0) {
+  std::vector<std::string> names = {"inverse_dynamics", "inertia_matrix", "gravity"};
+  if (tip_force) names.emplace_back("jacobian");
+  for (const Function& function : motion_functions(model, names, progress)) tapes_.emplace_back(function);
+  for (const Body& body : model.mechanism.bodies) {
+    viscous_.push_back(nearest_double(body.viscous));
+    coulomb_.push_back(nearest_double(body.coulomb));
+  }
+}
+
+void PathTorques::run(const TrajectoryPoint& point) {
+  TapeInputs given;
+  given[InputKind::q] = point.q;
+  given[InputKind::qd] = point.qd;
+  given[InputKind::qdd] = point.qdd;
+  tapes_[kInverseDynamics].run(given, tau_);
+  if (!point.h_e.empty()) tapes_[kTipJacobian].run(given, J_);
+}
+
+PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
+  PathCoefficients result{n_, {}, {}, {}, {}, {}};
+  for (std::vector<double>* part : {&result.m, &result.a, &result.b, &result.d, &result.a_before}) {
+    part->reserve(n_ * trajectory.points.size());
+  }
+  for (const TrajectoryPoint& point : trajectory.points) {
+    run(point);
+    TapeInputs given;
+    given[InputKind::q] = point.q;
+    tapes_[kInertiaMatrix].run(given, B_);
+    tapes_[kGravityTorques].run(given, g_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double rate = point.qd[i], coulomb = coulomb_[i] * static_cast<double>((rate > 0) - (rate < 0));
+      double m = 0, change = 0;
+      for (std::size_t j = 0; j < n_; ++j) {
+        m += B_[i * n_ + j] * point.qd[j];
+        if (!point.qdd_before.empty()) change += B_[i * n_ + j] * (point.qdd_before[j] - point.qdd[j]);
+      }
+      result.m.push_back(m);
+      result.a.push_back(tau_[i] - g_[i] - viscous_[i] * rate - coulomb);
+      result.a_before.push_back(result.a.back() + change);
+      result.b.push_back(viscous_[i] * rate);
+      result.d.push_back(g_[i] + coulomb + tip_torque(J_, point.h_e, i));
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<double>> PathTorques::torques(const Trajectory& trajectory) {
+  std::vector<std::vector<double>> all;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    run(point);
+    std::vector<double>& tau = all.emplace_back(tau_);
+    for (std::size_t i = 0; i < n_; ++i) tau[i] += tip_torque(J_, point.h_e, i);
+  }
+  return all;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The torques of a motion that runs along its path at another pace, 7.7. With s the time of the given motion and s(t)
+// the new law, q̇ = q' ṡ and q̈ = q' s̈ + q'' ṡ², where q', q'' are the rates and accelerations given, and
+//   τ = m s̈ + a ṡ² + b ṡ + d,
+// m = B q', a = B q'' + C(q, q') q' (7.125), b = F_v q', d = g + F_s sgn(q') + Jᵀ h_e: gravity, Coulomb friction and
+// the tip's force do not change with the pace, viscous friction does so once.
+#pragma once
+
+#include <vector>
+
+#include "diagnostics/progress.hpp"
+#include "graph/tape.hpp"
+#include "pipeline.hpp"
+#include "trajectory/trajectory.hpp"
+
+namespace flatdyn {
+
+// Point by point, n numbers each; N m or N, and per s², s.
+struct PathCoefficients {
+  std::size_t joints = 0;
+  std::vector<double> m, a, b, d;
+  std::vector<double> a_before;  // a with the q'' that leads to the point
+
+  std::size_t points() const { return d.size() / joints; }
+};
+
+class PathTorques {
+ public:
+  // Throws Failure(unsupported) for a robot with free symbols.
+  PathTorques(const Model& model, bool tip_force, Progress& progress);
+
+  // Not from two threads at once.
+  PathCoefficients coefficients(const Trajectory& trajectory);
+  // Of the motion as it is, by point.
+  std::vector<std::vector<double>> torques(const Trajectory& trajectory);
+
+ private:
+  void run(const TrajectoryPoint& point);
+
+  std::size_t n_;
+  std::vector<Tape> tapes_;              // inverse dynamics, B, g; J
+  std::vector<double> tau_, B_, g_, J_;  // results
+  std::vector<double> viscous_, coulomb_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "trajectory/read_trajectory.hpp"
+
+#include "identify/motion_stream.hpp"
+#include "input/context.hpp"
+#include "trajectory/plan_motion.hpp"
+#include "trajectory/plan_reader.hpp"
+
+namespace flatdyn {
+namespace {
+
+// A filter would make q̇ and q̈ of a log, but loses its ends, and smooths what a plan has as steps.
+void require_derivatives(const LogLayout& layout, const Place& place, Diagnostics& diagnostics) {
+  if (layout.has_rates && layout.has_accelerations) return;
+  diagnostics.error(place, "no columns for the joints' rates qd and accelerations qdd",
+                    "what made the trajectory knows them: write qd1, ... and qdd1, ...; a TOML trajectory "
+                    "(docs/trajectory-format.md) needs neither");
+}
+
+Trajectory read_samples(const std::filesystem::path& path, const Mechanism& mechanism, Diagnostics& diagnostics) {
+  StreamOptions options;
+  options.torques = false;
+  const StreamPlan plan = plan_stream(path, mechanism, options, diagnostics);
+  Trajectory trajectory;
+  if (diagnostics.has_errors()) return trajectory;
+  require_derivatives(plan.layout(), {path.string(), 1}, diagnostics);
+  if (diagnostics.has_errors()) return trajectory;
+  const auto n = static_cast<std::size_t>(mechanism.size());
+  const auto add = [&](const Motion& motion) {
+    TrajectoryPoint point{
+        motion.time, {motion.q, motion.q + n}, {motion.qd, motion.qd + n}, {motion.qdd, motion.qdd + n}, {}};
+    if (plan.layout().has_tip_force) point.h_e.assign(motion.h_e, motion.h_e + LogLayout::kWrench);
+    trajectory.points.push_back(std::move(point));
+  };
+  stream(path, mechanism, plan, options, add, diagnostics);
+  if (!diagnostics.has_errors()) mark_jumps(trajectory);
+  return trajectory;
+}
+
+}  // namespace
+
+bool is_plan(const std::filesystem::path& path) { return kind_of(path) == FileKind::toml; }
+
+Trajectory read_trajectory(const std::filesystem::path& path, const Robot& robot, const Mechanism& mechanism,
+                           Diagnostics& diagnostics, std::optional<int> intervals) {
+  if (!is_plan(path)) return read_samples(path, mechanism, diagnostics);
+  const TipKinematics tip(robot);
+  const TrajectoryPlan plan = read_plan(path, mechanism, diagnostics);
+  return diagnostics.has_errors() ? Trajectory{} : planned_motion(plan, tip, diagnostics, intervals);
+}
+
+}  // namespace flatdyn

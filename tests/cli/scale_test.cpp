@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// flatdyn scale: Problem 7.9, what it writes, and what it refuses.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr const char* kArm =
+    "scale robots/planar_2r_example_7_2.toml -q --trajectory docs/examples/planar_2r_triangular.toml ";
+
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(csv);
+  std::string line, entry;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    rows.emplace_back();
+    for (std::istringstream parts(line); std::getline(parts, entry, ',');) rows.back().push_back(std::stod(entry));
+  }
+  return rows;
+}
+
+// "the trajectory of Fig. 7.5, assuming for the two joints the torque limit of 3000 N m. Adopt a sampling time of 1
+// ms." By hand at the deciding instant: τ_s = τ − g, and c² = τ_s / (3000 − g).
+TEST(Scale, Problem79) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn(kArm + std::string("--torque-limits 3000 --json -o ") + scratch.path("out.csv"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  const double c = result["c"];
+  EXPECT_EQ(result["decided_by"]["joint"], "theta_1");
+  EXPECT_EQ(result["decided_by"]["limit"], "torque");
+  EXPECT_EQ(result["decided_by"]["at"], 0.25);
+  EXPECT_NEAR(result["largest_use"]["part"], 1, 1e-12);
+  EXPECT_NEAR(result["duration"], c * 0.5, 1e-12);
+  ASSERT_EQ(
+      run_flatdyn(
+          "torques robots/planar_2r_example_7_2.toml -q --trajectory docs/examples/planar_2r_triangular.toml -o " +
+          scratch.path("given.csv"))
+          .code,
+      0);
+  const auto given = rows_of(scratch.read("given.csv")), scaled = rows_of(scratch.read("out.csv"));
+  ASSERT_EQ(scaled.size(), given.size());
+  // Columns: t, q1, q2, qd1, qd2, qdd1, qdd2, tau1, tau2, then inertia_1_1, inertia_1_2, ..., gravity_1, inertia_2_1,
+  // inertia_2_2, ..., gravity_2. In the middle, 0.25 s, both accelerations turn over: just before, the inertia torques
+  // are opposite to the sample's.
+  double wanted = 0;
+  const auto raise = [&wanted](double tau_s, double g) {
+    wanted = std::max(wanted, std::abs(tau_s) / (3000 - std::copysign(g, tau_s * g)));
+  };
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const double g[] = {given[k][13], given[k].back()};
+    const double inertia[] = {given[k][9] + given[k][10], given[k][14] + given[k][15]};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double tau_s = given[k][7 + i] - g[i];
+      raise(tau_s, g[i]);
+      if (k == 250) raise(tau_s - 2 * inertia[i], g[i]);
+      EXPECT_NEAR(scaled[k][7 + i], g[i] + tau_s / (c * c), 1e-8) << k;
+      EXPECT_LE(std::abs(scaled[k][7 + i]), 3000 * (1 + 1e-12));
+    }
+    EXPECT_NEAR(scaled[k][0], c * given[k][0], 1e-15);
+    EXPECT_EQ(scaled[k][1], given[k][1]);
+    EXPECT_NEAR(scaled[k][3], given[k][3] / c, 1e-14);
+  }
+  EXPECT_NEAR(c, std::sqrt(wanted), 1e-12);
+}
+
+TEST(Scale, LeavesAMotionThatKeepsItsLimits) {
+  const Scratch scratch;
+  const Outcome same = run_flatdyn(kArm + std::string("--torque-limits 9000 --json -o ") + scratch.path("out.csv"));
+  EXPECT_EQ(json::parse(same.out)["c"], 1);
+  const Outcome faster =
+      run_flatdyn(kArm + std::string("--torque-limits 9000,inf --faster --json -o ") + scratch.path("out.csv"));
+  EXPECT_LT(json::parse(faster.out)["c"], 1);
+  EXPECT_NEAR(json::parse(faster.out)["largest_use"]["part"], 1, 1e-12);
+  EXPECT_THAT(run_flatdyn(kArm + std::string("--torque-limits 9000 -o ") + scratch.path("out.csv")).out,
+              HasSubstr("the motion keeps all limits as it is"));
+}
+
+TEST(Scale, TimeOptimalIsFasterAndItsSamplesCanBeReadAgain) {
+  const Scratch scratch;
+  const std::string options = "--torque-limits 3000 --time-optimal --json ";
+  const Outcome outcome =
+      run_flatdyn(kArm + options + "-o " + scratch.path("out.csv --plot ") + scratch.path("out.svg"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(result["law"], "time-optimal");
+  EXPECT_EQ(result["points"], 1001);
+  EXPECT_LT(result["duration"], 0.85 * result["c"].get<double>() * 0.5);
+  EXPECT_LE(result["largest_use"]["part"], 1 + 1e-9);
+  EXPECT_LT(result["largest_use_between"], 1.001);
+  EXPECT_GT(result["solve_ms"], 0);
+  EXPECT_THAT(scratch.read("out.svg"), HasSubstr("the scaled motion"));
+  // Its torques are those that flatdyn torques finds for it.
+  const Outcome again = run_flatdyn("torques robots/planar_2r_example_7_2.toml -q --trajectory " +
+                                    scratch.path("out.csv") + " -o " + scratch.path("again.csv"));
+  ASSERT_EQ(again.code, 0) << again.err;
+  const auto scaled = rows_of(scratch.read("out.csv")), torques = rows_of(scratch.read("again.csv"));
+  for (std::size_t k = 0; k < scaled.size(); ++k) {
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(scaled[k][7 + i], torques[k][7 + i], 1e-8);
+  }
+  // Samples are the grid themselves.
+  const Outcome of_samples =
+      run_flatdyn("scale robots/planar_2r_example_7_2.toml -q --trajectory " + scratch.path("out.csv") +
+                  " --torque-limits 2500 --time-optimal --json -o " + scratch.path("slower.csv"));
+  ASSERT_EQ(of_samples.code, 0) << of_samples.err;
+  EXPECT_EQ(json::parse(of_samples.out)["points"], 1001);
+  EXPECT_FALSE(json::parse(of_samples.out).contains("largest_use_between"));
+}
+
+// 10,000 points in less than 50 ms on an idle machine of 2023: measured in docs/problems/7-09.md. Here the bound is
+// loose.
+TEST(Scale, TimeOptimalOfSevenJointsIsQuick) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn(
+      "scale robots/panda.urdf -q --trajectory docs/examples/panda_motion.toml --time-optimal --grid 10000 --json -o " +
+      scratch.path("out.csv"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_GT(result["points"], 10000);
+  EXPECT_LT(result["solve_ms"], 500);
+  EXPECT_LE(result["largest_use"]["part"], 1 + 1e-9);
+  EXPECT_LT(result["largest_use_between"], 1.001);
+}
+
+TEST(Scale, SaysWhereRestIsTooMuch) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn(kArm + std::string("--torque-limits 300 -o ") + scratch.path("out.csv"));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err,
+              StartsWith("docs/examples/planar_2r_triangular.toml: error: no pace keeps the limits: at 0.5 s "
+                         "joint \"theta_1\" needs 756."));
+  EXPECT_THAT(outcome.err, HasSubstr("beyond the torque limit 300 N m of joint \"theta_1\"\n    hint: "));
+  EXPECT_TRUE(scratch.is_empty());
+}
+
+// As everywhere: URDF files have zeros where nothing is known.
+TEST(Scale, TakesALimitOfZeroInAFileForNoneAndSaysSo) {
+  const Scratch scratch;
+  scratch.write("scene.toml", "[limits.theta_2]\neffort = 0\n");
+  const Outcome outcome = run_flatdyn(fmt::format(
+      "scale robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml --scene {} -o {}",
+      scratch.path("scene.toml"), scratch.path("out.csv")));
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("scene.toml:2: note: joint \"theta_2\": limits of 0 are taken as not given: effort"));
+  EXPECT_THAT(outcome.err, HasSubstr("no joint has a limit"));
+}
+
+TEST(Scale, RefusesWhatItCannotDo) {
+  const Scratch scratch;
+  const std::string out = " -o " + scratch.path("out.csv");
+  for (const char* wrong : {"--torque-limits 0", "--torque-limits nan", "--torque-limits 1,2,3", "--torque-limits many",
+                            "--torque-limits 3000 --grid 100", "--torque-limits 3000 --time-optimal --grid 1",
+                            "--torque-limits 3000 --time-optimal --faster"}) {
+    EXPECT_EQ(run_flatdyn(kArm + std::string(wrong) + out).code, 2) << wrong;
+  }
+  EXPECT_EQ(run_flatdyn(kArm + std::string("--torque-limits 3000")).code, 2);
+  EXPECT_EQ(run_flatdyn(kArm + out).code, 4);  // no limits at all
+  EXPECT_EQ(run_flatdyn("scale robots/planar_2r.toml --trajectory docs/examples/planar_2r_line.toml" + out).code, 4);
+  EXPECT_TRUE(scratch.is_empty());
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Each contribution by itself: they add up to the recursive reference's torques, for arms, trees, motors and friction.
+#include "trajectory/torque_terms.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "flatdyn/reference/newton_euler.hpp"
+#include "support/robot_models.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+using testing::model_of;
+
+TrajectoryPoint random_point(int joints, bool tip_force, std::mt19937& engine) {
+  std::uniform_real_distribution<double> uniform(-2, 2);
+  TrajectoryPoint point;
+  for (std::vector<double>* part : {&point.q, &point.qd, &point.qdd}) {
+    for (int i = 0; i < joints; ++i) part->push_back(uniform(engine));
+  }
+  for (int k = 0; tip_force && k < 6; ++k) point.h_e.push_back(30 * uniform(engine));
+  return point;
+}
+
+reference::VectorX<double> reference_torques(const Robot& robot, const TrajectoryPoint& point) {
+  reference::Environment<double> environment;
+  if (!point.h_e.empty()) {
+    environment.f_e = Eigen::Vector3d(point.h_e.data());
+    environment.mu_e = Eigen::Vector3d(point.h_e.data() + 3);
+  }
+  return reference::inverse_dynamics(reference_robot<double>(robot, {}), vector_of(point.q), vector_of(point.qd),
+                                     vector_of(point.qdd), environment);
+}
+
+class TermsOf : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(TermsOf, AddUpToTheReference) {
+  const Model model = model_of(GetParam());
+  Progress quiet(true);
+  for (const bool tip_force : {false, true}) {
+    TorqueTerms terms(model, tip_force, quiet);
+    const auto n = static_cast<std::size_t>(terms.joints());
+    std::mt19937 engine(7);
+    std::vector<double> values(terms.terms().size()), tau(n);
+    for (int trial = 0; trial < 20; ++trial) {
+      const TrajectoryPoint point = random_point(terms.joints(), tip_force, engine);
+      terms.evaluate(point, values, tau);
+      const reference::VectorX<double> expected = reference_torques(model.robot, point);
+      std::vector<double> sums(n, 0), sizes(n, 0);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const auto i = static_cast<std::size_t>(terms.terms()[k].joint);
+        sums[i] += values[k];
+        sizes[i] += std::abs(values[k]);
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        EXPECT_NEAR(sums[i], expected[static_cast<Eigen::Index>(i)], 1e-13 * sizes[i] + 1e-13) << i;
+        EXPECT_NEAR(tau[i], expected[static_cast<Eigen::Index>(i)], 1e-13 * sizes[i] + 1e-13) << i;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, TermsOf,
+                         ::testing::Values("planar_2r_example_7_2.toml", "puma560.toml", "ur5.urdf",
+                                           "quadruped12.urdf"),
+                         [](const auto& test) {
+                           const std::string name = test.param;
+                           return name.substr(0, name.find('.'));
+                         });
+
+// (7.82): b_12 depends on the second angle alone, nothing is centrifugal at the joint that moves itself, and the second
+// joint feels no Coriolis torque: such terms are not there at all.
+TEST(TorqueTerms, LeaveOutWhatIsAlwaysZero) {
+  Progress quiet(true);
+  const TorqueTerms terms(model_of("planar_2r_example_7_2.toml"), false, quiet);
+  std::vector<std::string> names;
+  for (const TorqueTerm& term : terms.terms()) names.push_back(term.name());
+  EXPECT_THAT(names, ::testing::ElementsAre("inertia_1_1", "inertia_1_2", "centrifugal_1_2", "coriolis_1_1_2",
+                                            "gravity_1", "inertia_2_1", "inertia_2_2", "centrifugal_2_1", "gravity_2"));
+}
+
+// A scene that wants one entry at rest does not take terms away.
+TEST(TorqueTerms, AreThoseOfTheWholeRobotWhateverTheSceneAsksFor) {
+  Model model = model_of("planar_2r_example_7_2.toml");
+  model.robot.scene.at_rest = true;
+  model.robot.scene.functions = {{"gravity", {}}};
+  Progress quiet(true);
+  EXPECT_EQ(TorqueTerms(model, false, quiet).terms().size(), 9u);
+}
+
+TEST(TorqueTerms, NeedNumbers) {
+  Progress quiet(true);
+  try {
+    const TorqueTerms terms(model_of("planar_2r.toml"), false, quiet);
+    ADD_FAILURE();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+  }
+}
+
+// The sum is told from the torques, which are derived apart from it.
+TEST(TorqueTerms, DisagreementOfAHistoryIsRounding) {
+  Progress quiet(true);
+  TorqueTerms terms(model_of("puma560.toml"), false, quiet);
+  std::mt19937 engine(3);
+  Trajectory trajectory;
+  for (int k = 0; k < 50; ++k) trajectory.points.push_back(random_point(terms.joints(), false, engine));
+  const TorqueHistory history = torque_history(terms, trajectory);
+  EXPECT_GT(history.disagreement, 0);
+  EXPECT_LT(history.disagreement, 1e-14);
+}
+
+}  // namespace
+}  // namespace flatdyn
