@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "report/manipulability_report.hpp"
+#include "report/time_table.hpp"
 #include "verify/csv.hpp"
 
 namespace flatdyn {
@@ -55,7 +56,8 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   if (!arguments.output.empty()) files.push_back({arguments.output, manipulability_csv(arm.task(), poses)});
   if (!arguments.plot.empty()) {
     const DrawingPlane plane = drawing_plane(arguments.plane, arm.task());
-    files.push_back({arguments.plot, manipulability_plot(model.mechanism.name, arm.task(), poses, plane)});
+    files.push_back({arguments.plot, manipulability_plot(model.mechanism.name, arm.task(), poses, plane,
+                                                         picture_format(arguments.plot))});
   }
   write_files(files);
   if (arguments.json) {
@@ -90,9 +92,7 @@ Run add_manipulability(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "centres, half axes and measures as CSV")
       ->check(kNotEmpty)
       ->type_name("FILE");
-  command->add_option("--plot", arguments->plot, "the arm with its ellipsoids, as SVG")
-      ->check(kNotEmpty)
-      ->type_name("FILE");
+  add_plot_option(*command, arguments->plot, "the arm with its ellipsoids");
   command
       ->add_option("--plane", arguments->plane, "that the picture shows, of the base frame; default: the arm's, or xz")
       ->check(CLI::IsMember({"xy", "xz", "yz"}));

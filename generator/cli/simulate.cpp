@@ -32,10 +32,12 @@ class InterruptHandler {
   void (*before_)(int);
 };
 
-Simulation read(const SimulateArguments& arguments, const Mechanism& mechanism) {
-  Simulation simulation = resting(mechanism);
+Simulation read(const SimulateArguments& arguments, const Model& model) {
+  Simulation simulation = resting(model.mechanism);
   Diagnostics found;
-  if (!arguments.simulation.empty()) read_simulation(arguments.simulation, mechanism, simulation, found);
+  if (!arguments.simulation.empty()) {
+    read_simulation(arguments.simulation, model.robot, model.mechanism, simulation, found);
+  }
   print_diagnostics(found, arguments.quiet || found.has_errors());
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
   if (arguments.duration > 0) simulation.duration = arguments.duration;
@@ -51,25 +53,28 @@ Simulation read(const SimulateArguments& arguments, const Mechanism& mechanism) 
 }
 
 ExitCode run_simulate(const SimulateArguments& arguments) {
+  const InterruptHandler handler;
   const Model model = read_model(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;
   if (!arguments.simulation.empty()) inputs.push_back(arguments.simulation);
   check_outputs({arguments.output, arguments.events, arguments.plot}, inputs);
-  const Simulation simulation = read(arguments, model.mechanism);
+  const Simulation simulation = read(arguments, model);
   Progress progress(arguments.quiet);
   JointDynamics dynamics(model, progress);
-  const InterruptHandler handler;
   const auto start = std::chrono::steady_clock::now();
   const SimulatedMotion motion = simulate(simulation, dynamics, [&](double time) {
     progress.step(fmt::format("simulating: {:.1f} of {} s", time, simulation.duration));
     return interrupted != 0;
   });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::vector<TextFile> files = {{arguments.output, simulation_csv(motion)}};
+  const TimeTable table = simulation_table(motion);
+  std::vector<TextFile> files = {{arguments.output, csv_text(table)}};
   if (!arguments.events.empty()) files.push_back({arguments.events, events_csv(model.mechanism, motion)});
-  if (!arguments.plot.empty()) files.push_back({arguments.plot, simulation_plot(model.mechanism, motion)});
+  if (!arguments.plot.empty()) {
+    files.push_back({arguments.plot, simulation_plot(model.mechanism, table, picture_format(arguments.plot))});
+  }
   write_files(files);
   if (arguments.json) {
     fmt::print("{}\n", simulation_json(model.mechanism, motion, seconds).dump(2));
@@ -123,9 +128,7 @@ Run add_simulate(CLI::App& app) {
   command->add_option("--events", arguments->events, "when joints rest, slide, and meet limits, as CSV")
       ->check(kNotEmpty)
       ->type_name("FILE");
-  command->add_option("--plot", arguments->plot, "positions, speeds, torques and energies as SVG")
-      ->check(kNotEmpty)
-      ->type_name("FILE");
+  add_plot_option(*command, arguments->plot, "positions, speeds, torques and energies");
   add_integration_options(*command, *arguments);
   return [arguments] { return run_simulate(*arguments); };
 }

@@ -100,7 +100,8 @@ std::string manipulability_csv(const std::vector<int>& task, const std::vector<M
 }
 
 std::string manipulability_plot(const std::string& robot, const std::vector<int>& task,
-                                const std::vector<ManipulablePose>& poses, const DrawingPlane& plane) {
+                                const std::vector<ManipulablePose>& poses, const DrawingPlane& plane,
+                                PictureFormat format) {
   std::vector<Shadow> shadows;
   double largest = 0, reach = 0;
   for (const ManipulablePose& pose : poses) {
@@ -116,7 +117,7 @@ std::string manipulability_plot(const std::string& robot, const std::vector<int>
               PanelStyle::plane};
   for (std::size_t k = 0; k < poses.size(); ++k) panel.series.push_back(outline(poses[k], shadows[k], scale, plane));
   for (const ManipulablePose& pose : poses) panel.series.push_back(arm_line(pose, plane));
-  return svg_plot(robot + ": dynamic manipulability", {panel});
+  return plot(robot + ": dynamic manipulability", {panel}, format);
 }
 
 std::string describe_manipulability(const std::vector<int>& task, const std::vector<ManipulablePose>& poses) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "manipulability/ellipsoid.hpp"
+#include "report/plot.hpp"
 
 namespace flatdyn {
 
@@ -22,9 +23,10 @@ struct DrawingPlane {
 
 // q1,…,centre_x,…,length_1,…,axis_1_x,…,measure: SI units.
 std::string manipulability_csv(const std::vector<int>& task, const std::vector<ManipulablePose>& poses);
-// The arm from the side, with the ellipsoids' outlines at its tip, of the accelerations along x, y, z. SVG.
+// The arm from the side, with the ellipsoids' outlines at its tip, of the accelerations along x, y, z.
 std::string manipulability_plot(const std::string& robot, const std::vector<int>& task,
-                                const std::vector<ManipulablePose>& poses, const DrawingPlane& plane);
+                                const std::vector<ManipulablePose>& poses, const DrawingPlane& plane,
+                                PictureFormat format);
 
 std::string describe_manipulability(const std::vector<int>& task, const std::vector<ManipulablePose>& poses);
 nlohmann::ordered_json manipulability_json(const std::string& robot, const std::vector<int>& task,

@@ -4,80 +4,52 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "report/plot.hpp"
+#include <numeric>
 
 namespace flatdyn {
 namespace {
 
-constexpr std::size_t kPointsPerCurve = 600;
 constexpr std::size_t kEventsShown = 8;
 
-using Member = Eigen::VectorXd SimulationRow::*;
-
-void append(fmt::memory_buffer& text, double value) { fmt::format_to(std::back_inserter(text), ",{}", value + 0.0); }
+// By joint, in the order of the table.
+constexpr std::pair<const char*, Eigen::VectorXd SimulationRow::*> kByJoint[] = {
+    {"q", &SimulationRow::q},
+    {"qd", &SimulationRow::qd},
+    {"qdd", &SimulationRow::qdd},
+    {"tau", &SimulationRow::tau},
+    {"friction", &SimulationRow::friction}};
+constexpr std::pair<const char*, double SimulationRow::*> kEnergies[] = {{"kinetic", &SimulationRow::kinetic},
+                                                                         {"potential", &SimulationRow::potential},
+                                                                         {"work", &SimulationRow::work},
+                                                                         {"dissipated", &SimulationRow::dissipated}};
 
 std::string label(const Mechanism& mechanism, const MotionEvent& event) {
   return fmt::format("{} {}", mechanism.bodies[static_cast<std::size_t>(event.joint)].joint, to_string(event.kind));
 }
 
-// Rows that a picture shows.
-std::vector<std::size_t> drawn(const SimulatedMotion& motion) {
-  const std::size_t step = std::max<std::size_t>(1, motion.rows.size() / kPointsPerCurve);
-  std::vector<std::size_t> rows;
-  for (std::size_t k = 0; k < motion.rows.size(); k += step) rows.push_back(k);
-  return rows;
-}
-
-template <class Value>
-Series series(const std::string& name, const SimulatedMotion& motion, const Value& value) {
-  Series curve{name, {}, {}};
-  for (const std::size_t k : drawn(motion)) {
-    curve.x.push_back(motion.rows[k].time);
-    curve.y.push_back(value(motion.rows[k]));
-  }
-  return curve;
-}
-
-Panel joint_panel(const std::string& title, const std::string& unit, const Mechanism& mechanism,
-                  const SimulatedMotion& motion, Member member) {
-  Panel panel{title, "t in s", unit, {}};
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    panel.series.push_back(series(mechanism.bodies[i].joint, motion, [&](const SimulationRow& row) {
-      return (row.*member)(static_cast<Eigen::Index>(i));
-    }));
-  }
-  return panel;
-}
-
 }  // namespace
 
-std::string simulation_csv(const SimulatedMotion& motion) {
-  static constexpr std::pair<const char*, Member> kColumns[] = {{"q", &SimulationRow::q},
-                                                                {"qd", &SimulationRow::qd},
-                                                                {"qdd", &SimulationRow::qdd},
-                                                                {"tau", &SimulationRow::tau},
-                                                                {"friction", &SimulationRow::friction}};
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "time");
-  for (const auto& [name, member] : kColumns) {
-    for (Eigen::Index i = 1; i <= motion.rows.front().q.size(); ++i) fmt::format_to(out, ",{}{}", name, i);
+TimeTable simulation_table(const SimulatedMotion& motion) {
+  TimeTable table{{"t"}, {}};
+  for (const auto& [name, member] : kByJoint) {
+    for (Eigen::Index i = 1; i <= motion.rows.front().q.size(); ++i)
+      table.columns.push_back(fmt::format("{}{}", name, i));
   }
-  fmt::format_to(out, ",kinetic,potential,work,dissipated\n");
+  for (const auto& [name, member] : kEnergies) table.columns.emplace_back(name);
   for (const SimulationRow& row : motion.rows) {
-    fmt::format_to(out, "{}", row.time);
-    for (const auto& [name, member] : kColumns) {
-      for (const double value : row.*member) append(text, value);
-    }
-    for (const double value : {row.kinetic, row.potential, row.work, row.dissipated}) append(text, value);
-    text.push_back('\n');
+    std::vector<double>& numbers = table.rows.emplace_back();
+    numbers.reserve(table.columns.size());
+    numbers.push_back(row.time);
+    for (const auto& [name, member] : kByJoint)
+      numbers.insert(numbers.end(), (row.*member).begin(), (row.*member).end());
+    for (const auto& [name, member] : kEnergies) numbers.push_back(row.*member);
+    for (double& number : numbers) number += 0.0;  // no negative zeros
   }
-  return fmt::to_string(text);
+  return table;
 }
 
 std::string events_csv(const Mechanism& mechanism, const SimulatedMotion& motion) {
-  std::string text = "time,joint,event\n";
+  std::string text = "t,joint,event\n";
   for (const MotionEvent& event : motion.events) {
     text += fmt::format("{},{},{}\n", event.time, mechanism.bodies[static_cast<std::size_t>(event.joint)].joint,
                         to_string(event.kind));
@@ -85,21 +57,25 @@ std::string events_csv(const Mechanism& mechanism, const SimulatedMotion& motion
   return text;
 }
 
-std::string simulation_plot(const Mechanism& mechanism, const SimulatedMotion& motion) {
-  Panel energies{"energies", "t in s", "J", {}};
-  static constexpr std::pair<const char*, double SimulationRow::*> kEnergies[] = {
-      {"kinetic", &SimulationRow::kinetic},
-      {"potential", &SimulationRow::potential},
-      {"work of the torques", &SimulationRow::work},
-      {"dissipated", &SimulationRow::dissipated}};
-  for (const auto& [name, member] : kEnergies) {
-    energies.series.push_back(
-        series(name, motion, [member = member](const SimulationRow& row) { return row.*member; }));
-  }
-  return svg_plot(mechanism.name + ": simulated motion",
-                  {joint_panel("positions", "q in rad, m", mechanism, motion, &SimulationRow::q),
-                   joint_panel("speeds", "dq/dt in rad/s, m/s", mechanism, motion, &SimulationRow::qd),
-                   joint_panel("torques", "tau in N m, N", mechanism, motion, &SimulationRow::tau), energies});
+std::string simulation_plot(const Mechanism& mechanism, const TimeTable& table, PictureFormat format) {
+  const std::size_t n = mechanism.bodies.size();
+  std::vector<std::string> joints;
+  for (const Body& body : mechanism.bodies) joints.push_back(body.joint);
+  // Which of the tables' groups of columns.
+  const auto columns = [&](std::size_t group, std::size_t count) {
+    std::vector<std::size_t> all(count);
+    std::iota(all.begin(), all.end(), 1 + group * n);
+    return all;
+  };
+  const std::vector<PanelColumns> panels = {
+      {"positions", "q in " + unit_of(mechanism, "rad", "m"), columns(0, n), joints},
+      {"speeds", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), columns(1, n), joints},
+      {"torques", "tau in " + unit_of(mechanism, "N m", "N"), columns(3, n), joints},
+      {"energies",
+       "J",
+       columns(std::size(kByJoint), std::size(kEnergies)),
+       {"kinetic", "potential", "work of the torques", "dissipated"}}};
+  return time_plot(mechanism.name + ": simulated motion", table, panels, format);
 }
 
 std::string describe_simulation(const Mechanism& mechanism, const SimulatedMotion& motion, double seconds) {

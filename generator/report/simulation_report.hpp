@@ -4,16 +4,17 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "report/time_table.hpp"
 #include "simulate/simulator.hpp"
 
 namespace flatdyn {
 
-// time,q1,…,qd1,…,qdd1,…,tau1,…,friction1,…,kinetic,potential,work,dissipated: SI units.
-std::string simulation_csv(const SimulatedMotion& motion);
-// time,joint,event
+// t,q1,…,qd1,…,qdd1,…,tau1,…,friction1,…,kinetic,potential,work,dissipated: SI units.
+TimeTable simulation_table(const SimulatedMotion& motion);
+// t,joint,event
 std::string events_csv(const Mechanism& mechanism, const SimulatedMotion& motion);
-// Positions, speeds, torques, energies over time. SVG.
-std::string simulation_plot(const Mechanism& mechanism, const SimulatedMotion& motion);
+// Positions, speeds, torques, energies over time.
+std::string simulation_plot(const Mechanism& mechanism, const TimeTable& table, PictureFormat format);
 
 // seconds: that the integration took.
 std::string describe_simulation(const Mechanism& mechanism, const SimulatedMotion& motion, double seconds);

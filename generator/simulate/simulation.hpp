@@ -8,6 +8,8 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "model/mechanism.hpp"
+#include "model/robot.hpp"
+#include "trajectory/trajectory.hpp"
 
 namespace flatdyn {
 
@@ -30,12 +32,14 @@ struct TorqueSamples {
   std::vector<std::vector<double>> torques;
 };
 
-// τ = K_P (q_d − q) + K_D (q̇_d − q̇), and more as `kind` says.
+// K_P (q_d − q) + K_D (q̇_d − q̇): torques, to which g(q) may be added; or, with q̈_d, the accelerations that computed
+// torque makes of the model.
 struct FeedbackLaw {
   enum class Kind { pd, computed_torque };
   Kind kind = Kind::pd;
   std::vector<double> kp, kd, position;  // by joint
   bool gravity = false;                  // pd: plus g(q)
+  std::optional<Trajectory> trajectory;  // instead of a position
 };
 
 struct Simulation {
@@ -56,7 +60,7 @@ struct Simulation {
 // All at rest at q = 0 and without torques; then what the file says. What is wrong goes into `diagnostics`. Throws
 // Failure(io) if a file cannot be read.
 Simulation resting(const Mechanism& mechanism);
-void read_simulation(const std::string& file, const Mechanism& mechanism, Simulation& simulation,
+void read_simulation(const std::string& file, const Robot& robot, const Mechanism& mechanism, Simulation& simulation,
                      Diagnostics& diagnostics);
 
 // Columns time and tau1, tau2, … or tau_JOINT, …, in s and N m (N); times rise.

@@ -8,6 +8,7 @@
 #include "diagnostics/nearest.hpp"
 #include "input/toml_table.hpp"
 #include "simulate/simulation.hpp"
+#include "trajectory/read_trajectory.hpp"
 #include "verify/csv.hpp"
 
 namespace flatdyn {
@@ -21,9 +22,9 @@ std::vector<double> doubles(const std::vector<Value>& values) {
 
 class SimulationReader {
  public:
-  SimulationReader(const std::string& file, const Mechanism& mechanism, Simulation& simulation,
+  SimulationReader(const std::string& file, const Robot& robot, const Mechanism& mechanism, Simulation& simulation,
                    Diagnostics& diagnostics)
-      : file_(file), mechanism_(mechanism), simulation_(simulation), diagnostics_(diagnostics) {}
+      : file_(file), robot_(robot), mechanism_(mechanism), simulation_(simulation), diagnostics_(diagnostics) {}
 
   void read(TomlTable table) {
     table.text("description");
@@ -41,6 +42,11 @@ class SimulationReader {
 
  private:
   std::size_t joints() const { return mechanism_.bodies.size(); }
+
+  // A file that this one names.
+  std::filesystem::path beside(const std::string& name) const {
+    return std::filesystem::path(file_).parent_path() / name;
+  }
 
   void positive(TomlTable& table, const char* key, double least, double& result) {
     const std::optional<std::vector<Value>> given = table.numbers(key, 1);
@@ -98,18 +104,23 @@ class SimulationReader {
         diagnostics_.error(table.place_of("between"), "torque: between what?", "give samples = \"FILE.csv\"");
       return;
     }
-    const std::filesystem::path path = std::filesystem::path(file_).parent_path() / *name;
-    simulation_.samples = read_torques(path.string(), mechanism_, diagnostics_);
+    simulation_.samples = read_torques(beside(*name).string(), mechanism_, diagnostics_);
     if (between) simulation_.samples->between = *between;
   }
 
   FeedbackLaw read_feedback(TomlTable table, FeedbackLaw::Kind kind) {
-    FeedbackLaw law{kind, {}, {}, simulation_.q};
+    FeedbackLaw law{kind, {}, {}, simulation_.q, false, std::nullopt};
     law.kp.assign(joints(), 0);
     law.kd = law.kp;
     by_joint(table, "kp", law.kp);
     by_joint(table, "kd", law.kd);
     by_joint(table, "position", law.position);
+    if (const std::optional<std::string> name = table.text("trajectory")) {
+      if (table.has("position")) {
+        diagnostics_.error(table.place_of("trajectory"), "trajectory and position: one of them", "leave one out");
+      }
+      law.trajectory = read_trajectory(beside(*name), robot_, mechanism_, diagnostics_);
+    }
     if (kind == FeedbackLaw::Kind::pd) law.gravity = table.boolean("gravity").value_or(false);
     if (table.has("period")) positive(table, "period", 0, simulation_.period);
     table.reject_unknown_keys();
@@ -130,6 +141,7 @@ class SimulationReader {
   }
 
   const std::string& file_;
+  const Robot& robot_;
   const Mechanism& mechanism_;
   Simulation& simulation_;
   Diagnostics& diagnostics_;
@@ -172,7 +184,7 @@ Simulation resting(const Mechanism& mechanism) {
   return simulation;
 }
 
-void read_simulation(const std::string& file, const Mechanism& mechanism, Simulation& simulation,
+void read_simulation(const std::string& file, const Robot& robot, const Mechanism& mechanism, Simulation& simulation,
                      Diagnostics& diagnostics) {
   const std::optional<std::string> text = file_text(file, diagnostics);
   if (!text) return;
@@ -180,7 +192,7 @@ void read_simulation(const std::string& file, const Mechanism& mechanism, Simula
   ReadContext context{options, diagnostics, SymbolTable(file), {}, 0, {}, {}};
   const TomlSource source(*text, file, context, "docs/simulation-format.md");
   const std::optional<toml::table> root = source.parse();
-  if (root) SimulationReader(file, mechanism, simulation, diagnostics).read(TomlTable(*root, "", source));
+  if (root) SimulationReader(file, robot, mechanism, simulation, diagnostics).read(TomlTable(*root, "", source));
 }
 
 }  // namespace flatdyn

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "trajectory/interpolation.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -62,16 +64,24 @@ void TorqueLaw::start(double t, const double* q, const double* qd) {
 
 const Eigen::VectorXd& TorqueLaw::at(double t, const double* q, const double* qd) {
   if (held_) return torque_;
-  if (simulation_.feedback) feedback(q, qd);
+  if (simulation_.feedback) feedback(t, q, qd);
   if (simulation_.samples) sampled(t);
   if (simulation_.saturate) saturate();
   return torque_;
 }
 
-void TorqueLaw::feedback(const double* q, const double* qd) {
+void TorqueLaw::feedback(double t, const double* q, const double* qd) {
   const Eigen::Index n = dynamics_.joints();
   const Eigen::Map<const Eigen::VectorXd> position(q, n), speed(qd, n);
-  const Eigen::VectorXd wanted = kp_.cwiseProduct(position_ - position) - kd_.cwiseProduct(speed);
+  const std::optional<Trajectory>& trajectory = simulation_.feedback->trajectory;
+  Eigen::VectorXd wanted = -kd_.cwiseProduct(speed);
+  if (trajectory) {
+    const TrajectoryPoint desired = interpolated(*trajectory, trajectory->points.front().time + t);
+    wanted += kp_.cwiseProduct(vector_of(desired.q) - position) + kd_.cwiseProduct(vector_of(desired.qd));
+    if (simulation_.feedback->kind == FeedbackLaw::Kind::computed_torque) wanted += vector_of(desired.qdd);
+  } else {
+    wanted += kp_.cwiseProduct(position_ - position);
+  }
   torque_ = constant_;
   if (simulation_.feedback->kind == FeedbackLaw::Kind::computed_torque) {
     const MotionTerms& terms = dynamics_.at(q, qd);

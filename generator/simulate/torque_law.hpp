@@ -20,7 +20,7 @@ class TorqueLaw {
   const Eigen::VectorXd& at(double t, const double* q, const double* qd);
 
  private:
-  void feedback(const double* q, const double* qd);
+  void feedback(double t, const double* q, const double* qd);
   void sampled(double t);
   void saturate();
 

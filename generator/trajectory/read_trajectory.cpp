@@ -26,7 +26,7 @@ Trajectory read_samples(const std::filesystem::path& path, const Mechanism& mech
   require_derivatives(plan.layout(), {path.string(), 1}, diagnostics);
   if (diagnostics.has_errors()) return trajectory;
   const auto n = static_cast<std::size_t>(mechanism.size());
-  const auto add = [&](const Motion& motion) {
+  const auto add = [&](const MeasuredMotion& motion) {
     TrajectoryPoint point{
         motion.time, {motion.q, motion.q + n}, {motion.qd, motion.qd + n}, {motion.qdd, motion.qdd + n}, {}};
     if (plan.layout().has_tip_force) point.h_e.assign(motion.h_e, motion.h_e + LogLayout::kWrench);

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every command that these pages give is run as it stands, but that out/ is a folder of the test's own.
+// Every command that these pages give is run as it stands, in a folder of the test's own, and prints what they say.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -13,6 +18,7 @@ namespace flatdyn::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::HasSubstr;
 
 const fs::path kDocs = fs::path(FLATDYN_SOURCE_DIR) / "docs";
 
@@ -23,32 +29,57 @@ std::vector<std::string> lines_of(const fs::path& page) {
   return lines;
 }
 
-// Without "flatdyn", with the test's folder for out/.
-std::vector<std::string> commands_of(const fs::path& page, const Scratch& scratch) {
-  const std::string prefix = "    flatdyn ", output = " out/";
-  std::vector<std::string> commands;
-  for (const std::string& line : lines_of(page)) {
-    if (!line.starts_with(prefix)) continue;
-    std::string command = line.substr(prefix.size());
-    for (std::size_t at = command.find(output); at != std::string::npos; at = command.find(output, at + 1)) {
-      command.replace(at, output.size(), " " + scratch.path());
+// A user's folder: robots/ and docs/ are there, what is written goes beside them, and flatdyn is on the PATH.
+class UsersFolder {
+ public:
+  UsersFolder() {
+    for (const char* name : {"robots", "docs"}) {
+      fs::create_directory_symlink(fs::path(FLATDYN_SOURCE_DIR) / name, folder_.path(name));
     }
-    commands.push_back(command);
   }
-  return commands;
+
+  // As it stands on the page.
+  Outcome run(const std::string& command) const {
+    const std::string path = fs::path(FLATDYN_PROGRAM).parent_path().string();
+    const int status = std::system(
+        fmt::format("cd '{}' && PATH='{}':\"$PATH\" && {{ {}\n}} > log 2> err", folder_.path(), path, command).c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder_.read("log"), folder_.read("err")};
+  }
+
+ private:
+  Scratch folder_;
+};
+
+// Behind one of these, what is in a code block is a command.
+constexpr const char* kPrompts[] = {"    flatdyn ", "    make -C out", "    cd out && cc "};
+const std::string kPrints = "    → ";  // a line of the page that a command before it prints
+
+bool is_command(const std::string& line) {
+  return std::any_of(std::begin(kPrompts), std::end(kPrompts),
+                     [&line](const char* prompt) { return line.starts_with(prompt); });
 }
 
 class Page : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Page, HasCommandsThatRunAndPicturesThatAreThere) {
-  const Scratch scratch;
-  const fs::path page = kDocs / GetParam();
-  const std::vector<std::string> commands = commands_of(page, scratch);
-  EXPECT_FALSE(commands.empty());
-  for (const std::string& command : commands) {
-    const Outcome outcome = run_flatdyn(command);
-    EXPECT_EQ(outcome.code, 0) << command << "\n" << outcome.err;
+TEST_P(Page, HasCommandsThatRunAndPrintWhatItSays) {
+  const UsersFolder folder;
+  std::string printed;
+  int commands = 0;
+  for (const std::string& line : lines_of(kDocs / GetParam())) {
+    if (is_command(line)) {
+      const Outcome outcome = folder.run(line);
+      EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.out << outcome.err;
+      printed = outcome.out;
+      ++commands;
+    } else if (line.starts_with(kPrints)) {
+      EXPECT_THAT(printed, HasSubstr(line.substr(kPrints.size()))) << GetParam();
+    }
   }
+  EXPECT_GT(commands, 0);
+}
+
+TEST_P(Page, HasPicturesThatAreThere) {
+  const fs::path page = kDocs / GetParam();
   const std::string picture = "](";
   for (const std::string& line : lines_of(page)) {
     if (!line.starts_with("![")) continue;
@@ -76,7 +107,12 @@ TEST(TrajectoryFormat, HasAnExampleThatRuns) {
   EXPECT_TRUE(fs::exists(scratch.path("out.csv")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Documents, Page, ::testing::Values("example-7-2.md", "problems/7-07.md", "problems/7-09.md"),
+INSTANTIATE_TEST_SUITE_P(Documents, Page,
+                         ::testing::Values("../README.md", "example-7-2.md", "firmware.md", "python.md",
+                                           "problems/7-01.md", "problems/7-02.md", "problems/7-03.md",
+                                           "problems/7-04.md", "problems/7-05.md", "problems/7-07.md",
+                                           "problems/7-08.md", "problems/7-09.md", "problems/7-10.md",
+                                           "problems/7-11.md", "problems/7-12.md"),
                          [](const auto& test) {
                            std::string name = fs::path(test.param).stem().string();
                            for (char& c : name) c = c == '-' ? '_' : c;

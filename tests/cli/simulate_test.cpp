@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+#include <vector>
 
 #include "cli/program.hpp"
 
@@ -19,6 +23,19 @@ using ::testing::StartsWith;
 
 constexpr const char* kArm = "simulate robots/planar_2r_example_7_2.toml -q ";
 
+std::vector<std::vector<double>> numbers_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  std::vector<std::vector<double>> rows;
+  while (std::getline(lines, line)) {
+    std::istringstream entries(line);
+    rows.emplace_back();
+    for (std::string entry; std::getline(entries, entry, ',');) rows.back().push_back(std::stod(entry));
+  }
+  return rows;
+}
+
 TEST(Simulate, WritesMotionEventsAndPlot) {
   const Scratch scratch;
   const Outcome outcome =
@@ -28,10 +45,10 @@ TEST(Simulate, WritesMotionEventsAndPlot) {
   EXPECT_THAT(outcome.out, HasSubstr("energies add up within "));
   EXPECT_THAT(outcome.out, HasSubstr("shoulder rests"));
   const std::string csv = scratch.read("m.csv");
-  EXPECT_THAT(csv, StartsWith("time,q1,q2,q3,q4,q5,q6,qd1,"));
+  EXPECT_THAT(csv, StartsWith("t,q1,q2,q3,q4,q5,q6,qd1,"));
   EXPECT_THAT(csv, HasSubstr(",friction6,kinetic,potential,work,dissipated\n0,0,0,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 302);
-  EXPECT_THAT(scratch.read("e.csv"), StartsWith("time,joint,event\n0."));
+  EXPECT_THAT(scratch.read("e.csv"), StartsWith("t,joint,event\n0."));
   EXPECT_THAT(scratch.read("m.svg"), HasSubstr("energies"));
 }
 
@@ -71,16 +88,50 @@ TEST(Simulate, DrivesWithSampledTorques) {
   EXPECT_THAT(csv, HasSubstr(",4,3,"));  // after the last sample
 }
 
+// Inverse, then direct dynamics over a whole motion: the torques of `torques` move the arm along it.
+TEST(Simulate, MovesAlongTheMotionThatItsTorquesAreOf) {
+  const Scratch scratch;
+  const Outcome torques = run_flatdyn(
+      "torques robots/planar_2r_example_7_2.toml -q --trajectory docs/examples/planar_2r_trapezoidal.toml -o " +
+      scratch.path("tau.csv"));
+  ASSERT_EQ(torques.code, 0) << torques.err;
+  const std::vector<std::vector<double>> wanted = numbers_of(scratch.read("tau.csv"));
+  scratch.write("run.toml",
+                fmt::format("duration = {}\nrate = 100\n[start]\nq = [{}, {}]\n[torque]\nsamples = \"tau.csv\"\n",
+                            wanted.back()[0], wanted[0][1], wanted[0][2]));
+  const Outcome outcome =
+      run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::vector<double>> found = numbers_of(scratch.read("m.csv"));
+  // Torques between samples are straight lines, and jump within one: that is what the difference comes from.
+  for (const std::size_t joint : {1u, 2u}) EXPECT_NEAR(found.back()[joint], wanted.back()[joint], 0.02);
+}
+
+// A computed-torque law makes up for a wrong start, and then follows.
+TEST(Simulate, FollowsATrajectory) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_flatdyn(kArm + ("--simulation docs/examples/planar_2r_tracking.toml -o " + scratch.path("m.csv")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::vector<double>> rows = numbers_of(scratch.read("m.csv"));
+  const std::vector<double>& start = rows.front();
+  EXPECT_NEAR(start[1], -1.42, 1e-12);
+  // From tip (0.2, 0) both joints turn by pi/2 in 0.5 s; then the arm stands.
+  const double end_1 = -std::acos(0.1) + std::numbers::pi / 2, end_2 = 2 * std::acos(0.1) + std::numbers::pi / 2;
+  EXPECT_NEAR(rows.back()[1], end_1, 1e-3);
+  EXPECT_NEAR(rows.back()[2], end_2, 1e-3);
+}
+
 TEST(Simulate, CtrlCLeavesAValidFile) {
   const Scratch scratch;
   const std::string command = fmt::format(
-      "timeout --signal=INT --preserve-status 2 '{}' simulate '{}/robots/panda.urdf' -q --duration 90000 "
+      "timeout --signal=INT --preserve-status 3 '{}' simulate '{}/robots/panda.urdf' -q --duration 90000 "
       "--rate 10 -o '{}' 2> '{}'",
       FLATDYN_PROGRAM, FLATDYN_SOURCE_DIR, scratch.path("m.csv"), scratch.path("err"));
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 130);  // NOLINT(cert-env33-c): the shell's `timeout`
   EXPECT_THAT(scratch.read("err"), HasSubstr("interrupted at t = "));
   const std::string csv = scratch.read("m.csv");
-  EXPECT_THAT(csv, StartsWith("time,q1,"));
+  EXPECT_THAT(csv, StartsWith("t,q1,"));
   EXPECT_EQ(csv.back(), '\n');
   EXPECT_GT(std::count(csv.begin(), csv.end(), '\n'), 2);
 }
@@ -120,6 +171,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"[torque]\nsamples = \"infinite.csv\"\n", "infinite.csv:2: error: column \"tau1\": \"inf\""},
         BadInput{"[torque]\nsamples = \"columns.csv\"\n",
                  "columns.csv:1: error: there is no column tau2 or tau_theta_2"},
+        BadInput{"[torque.pd]\ntrajectory = \"columns.csv\"\n", "columns.csv:1: error: "},
+        BadInput{"[torque.pd]\nposition = 1\ntrajectory = \"columns.csv\"\n",
+                 "run.toml:3: error: trajectory and position"},
         BadInput{"[torque]\nbetween = \"hold\"\n", "run.toml:2: error: torque: between what?"},
         BadInput{"[torque.pd]\nkp = 1\n[torque.computed_torque]\nkp = 1\n", "run.toml:3: error: torque: two of "}));
 

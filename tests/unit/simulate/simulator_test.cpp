@@ -161,7 +161,7 @@ TEST(Simulator, ComputedTorqueMakesTheErrorLinear) {
   simulation.duration = 1;
   simulation.rate = 10;
   simulation.tolerance = 1e-11;
-  FeedbackLaw law{FeedbackLaw::Kind::computed_torque, {}, {}, {0.5, 0.2, -0.3, -1.5, 0.4, 1.8, 0}};
+  FeedbackLaw law{FeedbackLaw::Kind::computed_torque, {}, {}, {0.5, 0.2, -0.3, -1.5, 0.4, 1.8, 0}, false, {}};
   law.kp.assign(7, 25);
   law.kd.assign(7, 10);
   simulation.feedback = law;
@@ -198,7 +198,7 @@ TEST(Simulator, HoldsTheTorqueForThePeriod) {
   Simulation simulation = resting(model.mechanism);
   simulation.duration = 1;
   simulation.rate = 1000;
-  simulation.feedback = FeedbackLaw{FeedbackLaw::Kind::pd, {10}, {2}, {0.5}};
+  simulation.feedback = FeedbackLaw{FeedbackLaw::Kind::pd, {10}, {2}, {0.5}, false, {}};
   simulation.period = 0.1;
   const SimulatedMotion motion = run(model, simulation);
   for (const SimulationRow& row : motion.rows) {
@@ -234,7 +234,7 @@ TEST(Simulator, EndsWhereItIsInterrupted) {
 TEST(Simulator, SaysWhereAMotionCannotBeFollowed) {
   const Model model = block("");
   Simulation simulation = resting(model.mechanism);
-  simulation.feedback = FeedbackLaw{FeedbackLaw::Kind::pd, {-1e30}, {-1e30}, {1}};
+  simulation.feedback = FeedbackLaw{FeedbackLaw::Kind::pd, {-1e30}, {-1e30}, {1}, false, {}};
   EXPECT_THROW(run(model, simulation), Failure);
 }
 
@@ -243,8 +243,8 @@ TEST(Simulator, TakesFewEvaluations) {
   const Model model = model_of("panda.urdf");
   Simulation simulation = resting(model.mechanism);
   Diagnostics none;
-  read_simulation(std::string(FLATDYN_SOURCE_DIR) + "/docs/examples/panda_reach.toml", model.mechanism, simulation,
-                  none);
+  read_simulation(std::string(FLATDYN_SOURCE_DIR) + "/docs/examples/panda_reach.toml", model.robot, model.mechanism,
+                  simulation, none);
   EXPECT_TRUE(none.all().empty());
   const SimulatedMotion motion = run(model, simulation);
   EXPECT_EQ(motion.rows.size(), 10001U);
