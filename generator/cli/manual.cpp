@@ -72,9 +72,7 @@ std::string head(const std::string& name, const std::string& summary) {
          section("NAME", roff(name) + " \\- " + roff(full_stop_dropped) + "\n");
 }
 
-std::string exit_status() {
-  return section("EXIT STATUS", roff(exit_codes_text()) + ".\n");
-}
+std::string exit_status() { return section("EXIT STATUS", roff(exit_codes_text()) + ".\n"); }
 
 std::string page_of_command(const CLI::App& command) {
   const Description about = description_of(command);
