@@ -120,12 +120,31 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   return {std::move(*robot), std::move(mechanism), std::move(abbreviation), std::move(diagnostics), std::move(hash)};
 }
 
-void require_numbers(const Model& model, const std::string& what) {
-  if (model.mechanism.symbols.empty()) return;
+void require_numbers(const Robot& robot, const std::string& what) {
+  if (robot.symbols.empty()) return;
   throw Failure(ExitCode::unsupported,
-                fmt::format("{}: the robot has free symbols ({}, ...): {} needs numbers", model.robot.file,
-                            model.mechanism.symbols.front().name, what),
+                fmt::format("{}: the robot has free symbols ({}, ...): {} needs numbers", robot.file,
+                            robot.symbols.front().name, what),
                 "write numbers for its lengths and masses; rough masses and inertias do");
+}
+
+Model with_whole_functions(Model model) {
+  Scene& scene = model.robot.scene;
+  scene.at_rest = false;
+  scene.functions.clear();
+  scene.outputs.clear();
+  scene.error_budget.reset();
+  model.abbreviation.reset();
+  return model;
+}
+
+std::vector<Function> whole_functions(const Model& model, const std::vector<std::string>& names,
+                                      const std::string& what, Progress& progress) {
+  require_numbers(model.robot, what);
+  PipelineOptions options;
+  options.functions = names;
+  Diagnostics none;
+  return functions_of(make_functions(with_whole_functions(model), options, progress, none));
 }
 
 std::vector<std::string> default_function_names() { return names_of_functions(false); }

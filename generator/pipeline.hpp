@@ -41,7 +41,10 @@ const Mechanism& derived_from(const Model& model);
 Model read_model(const std::filesystem::path& path, const PipelineOptions& options);
 
 // Throws Failure(unsupported) if the robot has free symbols. what: that needs their values, "a simulation".
-void require_numbers(const Model& model, const std::string& what);
+void require_numbers(const Robot& robot, const std::string& what);
+
+// The same robot, with nothing that its scene says of functions: they are whole, hold at any speed, and know no budget.
+Model with_whole_functions(Model model);
 
 // Throws BadInput if errors are among them.
 void refuse_errors(const Diagnostics& found);
@@ -83,6 +86,11 @@ struct OptimisedFusion {
 OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress);
 
 std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised);
+
+// To be run in numbers, whatever the scene says of functions. Throws Failure(unsupported) for a robot with free
+// symbols; `what` needs their values.
+std::vector<Function> whole_functions(const Model& model, const std::vector<std::string>& names,
+                                      const std::string& what, Progress& progress);
 
 // Names of the functions of the table, in its order: those that are made unless others are asked for, and the rest.
 std::vector<std::string> default_function_names();

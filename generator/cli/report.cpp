@@ -20,17 +20,6 @@ struct ReportArguments : RobotArguments {
   std::string with;  // "certificate"; empty: nothing more
 };
 
-// A page has whole functions of the whole robot.
-Model without_function_keys(Model model) {
-  Scene& scene = model.robot.scene;
-  scene.at_rest = false;
-  scene.functions.clear();
-  scene.outputs.clear();
-  scene.error_budget.reset();
-  model.abbreviation.reset();
-  return model;
-}
-
 std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
   std::vector<std::string> names = default_function_names();
   std::erase_if(names, [&mechanism](const std::string& name) {
@@ -80,7 +69,7 @@ Certificate certificate_of(const Model& model, const std::vector<OptimisedFuncti
 
 ExitCode report(const ReportArguments& arguments) {
   const PipelineOptions options = arguments.options();
-  const Model model = without_function_keys([&] {
+  const Model model = with_whole_functions([&] {
     Model read = read_model(arguments.robot, options);
     arguments.note_function_keys(read);
     return read;

@@ -35,7 +35,7 @@ std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
 
 TorqueModel::TorqueModel(const Model& model, ParameterSet set, Progress& progress)
     : model_(with_mechanism(model, carrying(model.mechanism, set))) {
-  require_numbers(model, "measured motion");
+  require_numbers(model.robot, "measured motion");
   base_ = base_parameters(model_.mechanism);
   for (const Number& value : base_values(model.mechanism, base_)) {
     file_values_.push_back(nearest_double(value));

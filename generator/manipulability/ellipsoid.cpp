@@ -46,25 +46,13 @@ std::vector<std::string> links_to_tip(const Mechanism& mechanism) {
   return names;
 }
 
-Model whole(Model model) {
-  model.abbreviation.reset();
-  model.robot.scene.outputs.clear();
-  model.robot.scene.functions.clear();
-  return model;
-}
-
 }  // namespace
 
 Manipulability::Manipulability(const Model& model, TorqueNorm norm, double radius, Progress& progress)
     : task_(translations(model.mechanism)), torque_unit_(radius * torque_units(model.mechanism, norm)) {
-  require_numbers(model, "an ellipsoid");
-  PipelineOptions options;
-  options.functions = {"inertia_matrix", "gravity", "jacobian"};
-  for (const std::string& link : links_to_tip(model.mechanism)) {
-    options.functions.push_back("forward_kinematics:" + link);
-  }
-  Diagnostics none;
-  const std::vector<Function> functions = functions_of(make_functions(whole(model), options, progress, none));
+  std::vector<std::string> names = {"inertia_matrix", "gravity", "jacobian"};
+  for (const std::string& link : links_to_tip(model.mechanism)) names.push_back("forward_kinematics:" + link);
+  const std::vector<Function> functions = whole_functions(model, names, "an ellipsoid", progress);
   inertia_.emplace(functions[0]);
   gravity_.emplace(functions[1]);
   jacobian_.emplace(functions[2]);

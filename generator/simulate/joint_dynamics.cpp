@@ -4,12 +4,7 @@
 namespace flatdyn {
 namespace {
 
-// The model that functions are derived from: whole, its dry friction taken out.
-Model smooth(Model model) {
-  model.abbreviation.reset();
-  model.robot.scene.at_rest = false;
-  model.robot.scene.outputs.clear();
-  model.robot.scene.functions.clear();
+Model without_dry_friction(Model model) {
   for (Body& body : model.mechanism.bodies) body.coulomb = 0;
   return model;
 }
@@ -24,15 +19,14 @@ Eigen::VectorXd of_joints(const Mechanism& mechanism, Number Body::*member) {
 
 }  // namespace
 
-JointDynamics::JointDynamics(const Model& model, Progress& progress) : model_(smooth(model)) {
-  require_numbers(model, "a simulation");
+JointDynamics::JointDynamics(const Model& model, Progress& progress)
+    : model_(without_dry_friction(with_whole_functions(model))) {
+  require_numbers(model.robot, "a simulation");
   viscous_ = of_joints(model.mechanism, &Body::viscous);
   coulomb_ = of_joints(model.mechanism, &Body::coulomb);
   terms_.emplace(make_fusion(model_, {"inertia_matrix", "bias"}, progress).fusion.function);
-  PipelineOptions options;
-  options.functions = {"gravity", "potential_energy"};
-  Diagnostics none;
-  const std::vector<Function> functions = functions_of(make_functions(model_, options, progress, none));
+  const std::vector<Function> functions =
+      whole_functions(model_, {"gravity", "potential_energy"}, "a simulation", progress);
   gravity_.emplace(functions[0]);
   potential_.emplace(functions[1]);
   entries_.resize(terms_->results());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "trajectory/path_torques.hpp"
 
-#include "trajectory/motion_functions.hpp"
+#include "trajectory/tip_torque.hpp"
 
 namespace flatdyn {
 namespace {
@@ -14,7 +14,8 @@ PathTorques::PathTorques(const Model& model, bool tip_force, Progress& progress)
     : n_(static_cast<std::size_t>(model.mechanism.size())), tau_(n_), B_(n_ * n_), g_(n_), J_(tip_force ? 6 * n_ : 0) {
   std::vector<std::string> names = {"inverse_dynamics", "inertia_matrix", "gravity"};
   if (tip_force) names.emplace_back("jacobian");
-  for (const Function& function : motion_functions(model, names, progress)) tapes_.emplace_back(function);
+  for (const Function& function : whole_functions(model, names, "a trajectory", progress))
+    tapes_.emplace_back(function);
   for (const Body& body : model.mechanism.bodies) {
     viscous_.push_back(nearest_double(body.viscous));
     coulomb_.push_back(nearest_double(body.coulomb));

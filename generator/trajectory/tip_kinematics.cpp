@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "trajectory/tip_kinematics.hpp"
+#include "pipeline.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagnostics/diagnostics.hpp"
+#include "pipeline.hpp"
 #include "verify/reference_model.hpp"
 
 namespace flatdyn {
@@ -20,12 +21,7 @@ constexpr double kReached = 1e-9;  // m, rad
 std::string place_text(const Eigen::Vector3d& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", p[0], p[1], p[2]); }
 
 reference::Robot<double> in_numbers(const Robot& robot) {
-  if (!robot.symbols.empty()) {
-    throw Failure(ExitCode::unsupported,
-                  fmt::format("{}: the robot has free symbols ({}, ...): a trajectory needs numbers", robot.file,
-                              robot.symbols.front().name),
-                  "write numbers for its lengths and masses");
-  }
+  require_numbers(robot, "a trajectory");
   return reference_robot<double>(robot, {});
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trajectory/motion_functions.hpp"
+#include "trajectory/tip_torque.hpp"
 
 namespace flatdyn {
 namespace {
@@ -49,7 +49,7 @@ TorqueTerms::TorqueTerms(const Model& model, bool tip_force, Progress& progress)
   std::vector<std::string> names = {"inertia_matrix", "christoffel", "gravity",
                                     tip_force ? "inverse_dynamics_tip_force" : "inverse_dynamics"};
   if (tip_force) names.emplace_back("jacobian");
-  const std::vector<Function> functions = motion_functions(model, names, progress);
+  const std::vector<Function> functions = whole_functions(model, names, "a trajectory", progress);
   for (const Function& function : functions) {
     tapes_.emplace_back(function);
     results_.emplace_back(tapes_.back().results());

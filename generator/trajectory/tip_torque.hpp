@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace flatdyn {
+
+// (Jᵀ h_e)_i, from a Jacobian of 6 rows, row by row; 0 without a force.
+double tip_torque(std::span<const double> J, std::span<const double> h_e, std::size_t joint);
+
+}  // namespace flatdyn
