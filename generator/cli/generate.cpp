@@ -80,26 +80,26 @@ Emitted emitted(const Model& model, const std::vector<Function>& functions, cons
           EmittedText(text.header, text.source, options.scalar)};
 }
 
-// What Python calls is in C.
-void choose_for_python(GenerateArguments& arguments) {
-  if (!arguments.python) return;
+void choose_c(GenerateArguments& arguments, const char* option) {
   if (arguments.language_given->count() > 0 && arguments.language != "c") {
-    throw Failure(ExitCode::usage, "--python: its code is in C", "leave --language out");
+    throw Failure(ExitCode::usage, fmt::format("{}: its code is in C", option), "leave --language out");
   }
   arguments.language = "c";
+}
+
+// What Python calls is in C.
+void choose_for_python(GenerateArguments& arguments) {
+  if (arguments.python) choose_c(arguments, "--python");
 }
 
 // A folder for a processor is in C, and in the scalar that its floating-point unit computes in, unless another is
 // given.
 void choose_for_firmware(GenerateArguments& arguments) {
   if (arguments.firmware.empty()) return;
-  if (arguments.language_given->count() > 0 && arguments.language != "c") {
-    throw Failure(ExitCode::usage, "--firmware: its code is in C", "leave --language out");
-  }
+  choose_c(arguments, "--firmware");
   if (!arguments.fused.empty()) {
     throw Failure(ExitCode::usage, "--firmware: fused functions have no self test", "leave --fuse out");
   }
-  arguments.language = "c";
   if (arguments.scalar_given->count() == 0) arguments.scalar = firmware_target(arguments.firmware).scalar;
 }
 
