@@ -7,12 +7,14 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "report/eval_plot.hpp"
+#include "report/time_table.hpp"
 
 namespace flatdyn {
 namespace {
 
 struct EvalArguments : RobotArguments {
-  std::string function, states, output;
+  std::string function, states, output, plot;
   EvalOptions options;
 };
 
@@ -31,8 +33,14 @@ ExitCode run_eval(const EvalArguments& arguments) {
     throw Failure(ExitCode::usage, "the reference knows the whole model only",
                   "leave out --reference, or the error budget");
   }
+  std::vector<std::string> inputs = model.robot.files;
+  inputs.push_back(arguments.states);
+  check_outputs({arguments.output, arguments.plot}, inputs);
   Diagnostics found;
   const CsvTable states = read_csv(arguments.states, found);
+  if (states.rows.empty() && !arguments.plot.empty()) {
+    found.error({arguments.states, 0}, "there is no row to draw", "write at least one state, or leave out --plot");
+  }
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
   Progress progress(arguments.quiet);
   const std::vector<Function> functions = functions_of(make_functions(model, options, progress, found));
@@ -40,11 +48,14 @@ ExitCode run_eval(const EvalArguments& arguments) {
       evaluate_table(model.robot, model.mechanism, functions[0], states, arguments.states, arguments.options, found);
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
   const std::string text = arguments.json ? json_of(result).dump(2) + "\n" : to_text(result);
-  if (arguments.output.empty()) {
-    fmt::print("{}", text);
-  } else {
-    write_files({{arguments.output, text}});
+  std::vector<TextFile> files;
+  if (!arguments.output.empty()) files.push_back({arguments.output, text});
+  if (!arguments.plot.empty()) {
+    const std::string title = model.mechanism.name + ": " + arguments.function;
+    files.push_back({arguments.plot, eval_plot(title, result, states.columns.size(), picture_format(arguments.plot))});
   }
+  write_files(files);
+  if (arguments.output.empty()) fmt::print("{}", text);
   return ExitCode::ok;
 }
 
@@ -71,6 +82,7 @@ Run add_eval(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "write to this file instead of stdout")
       ->check(kNotEmpty)
       ->type_name("FILE");
+  add_plot_option(*command, arguments->plot, "the function's entries, over the column t if there is one");
   return [arguments] { return run_eval(*arguments); };
 }
 

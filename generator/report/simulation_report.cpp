@@ -43,7 +43,6 @@ TimeTable simulation_table(const SimulatedMotion& motion) {
     for (const auto& [name, member] : kByJoint)
       numbers.insert(numbers.end(), (row.*member).begin(), (row.*member).end());
     for (const auto& [name, member] : kEnergies) numbers.push_back(row.*member);
-    for (double& number : numbers) number += 0.0;  // no negative zeros
   }
   return table;
 }

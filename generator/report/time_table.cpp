@@ -69,7 +69,7 @@ std::string time_plot(const std::string& title, const TimeTable& table, const st
       drawn.back().series.push_back(drawn_series(table, panel.columns[k], panel.names[k]));
     }
   }
-  drawn.back().x_label = "t in s";
+  drawn.back().x_label = table.columns.front() == "t" ? "t in s" : table.columns.front();
   return plot(title, drawn, format);
 }
 

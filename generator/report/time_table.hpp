@@ -11,7 +11,7 @@
 namespace flatdyn {
 
 struct TimeTable {
-  std::vector<std::string> columns;       // "t" first
+  std::vector<std::string> columns;       // "t" first, or what stands for it
   std::vector<std::vector<double>> rows;  // by time, s
 
   std::vector<double> column(std::size_t index) const;

@@ -211,6 +211,25 @@ TEST(Eval, GivesAMatrixRowByRow) {
   EXPECT_EQ(scratch.read("B.csv"), expected);
 }
 
+// A panel for each row of a matrix, over time where the table has it.
+TEST(Eval, DrawsWhatItComputes) {
+  const Scratch scratch;
+  scratch.write("motion.csv", "time,q1,q2\n0,0.1,0.2\n1,0.3,-0.4\n2,0.5,0.1\n");
+  const std::string eval = "eval robots/planar_2r_example_7_2.toml -q --function inertia_matrix --states ";
+  const Outcome outcome = run_flatdyn(eval + scratch.path("motion.csv") + " --plot " + scratch.path("B.svg"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("time,q1,q2,B_1_1,B_1_2,B_2_1,B_2_2\n0,"));
+  const std::string picture = scratch.read("B.svg");
+  for (const char* text : {"B_1_1", "B_2_2", "t in s", "planar_2r_example_7_2: inertia_matrix"}) {
+    EXPECT_THAT(picture, HasSubstr(text));
+  }
+  scratch.write("none.csv", "q1,q2\n");
+  const Outcome none = run_flatdyn(eval + scratch.path("none.csv") + " --plot " + scratch.path("none.svg"));
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("there is no row to draw"));
+  EXPECT_EQ(run_flatdyn(eval + scratch.path("motion.csv") + " -o " + scratch.path("motion.csv")).code, 2);
+}
+
 TEST(Eval, NamesTheColumnThatIsWrong) {
   const Scratch scratch;
   scratch.write("states.csv", "q1,q2\n0,zero\n");
