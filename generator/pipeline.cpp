@@ -116,7 +116,8 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   std::string hash = file_hash(robot->files);
   std::optional<Abbreviation> abbreviation;
   const Scene& scene = robot->scene;
-  if (scene.error_budget) abbreviation = abbreviated(mechanism, *scene.error_budget, scene.at_rest);
+  if (scene.error_budget && !options.whole_functions)
+    abbreviation = abbreviated(mechanism, *scene.error_budget, scene.at_rest);
   return {std::move(*robot), std::move(mechanism), std::move(abbreviation), std::move(diagnostics), std::move(hash)};
 }
 

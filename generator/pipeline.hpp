@@ -22,6 +22,7 @@ struct PipelineOptions {
   ReadOptions read;
   bool warnings_are_errors = false;
   std::vector<std::string> functions;  // empty: those of the scene; without one: default_function_names()
+  bool whole_functions = false;        // no error budget is worked out, whatever the scene says
   std::optional<SearchLimit> search;   // for the choices that each function is derived from; none: the usual ones
 };
 

@@ -322,6 +322,12 @@ void RobotArguments::report(const Diagnostics& found) const {
   print_diagnostics(found, quiet);
 }
 
+PipelineOptions RobotArguments::options_of_whole_functions() const {
+  PipelineOptions whole = options();
+  whole.whole_functions = true;
+  return whole;
+}
+
 PipelineOptions RobotArguments::options() const {
   PipelineOptions options;
   options.read.snap_tolerance = snap_option(snap);

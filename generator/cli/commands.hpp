@@ -30,6 +30,7 @@ struct RobotArguments {
   void add_to(CLI::App& command);
   void add_settings_to(CLI::App& command);  // all but the robot itself
   PipelineOptions options() const;
+  PipelineOptions options_of_whole_functions() const;  // for subcommands that do not make functions for others
   // TOML lines that repeat --gravity, --tip and --fix, and what the scene says of these, for a file over the robot
   // file. Throws Failure(unsupported) if the scene says more.
   std::vector<std::string> settings(const Model& model) const;

@@ -70,13 +70,16 @@ PaceLimits limits_of(const ScaleArguments& arguments, const Model& model) {
   Diagnostics found;
   found.error(
       {arguments.trajectory, 0},
-      fmt::format("no pace keeps the limits: at {:.6g} s joint \"{}\" needs {:.6g} {} at rest already, against "
+      fmt::format("no {}pace keeps the limits: at {:.6g} s joint \"{}\" needs {:.6g} {} at rest already, against "
                   "gravity{}, beyond the {}",
+                  arguments.faster || arguments.time_optimal ? "" : "slower ",
                   motion.sides_before.points[load.point].time, model.mechanism.bodies[load.joint].joint,
                   path.d[load.point * path.joints + load.joint],
                   model.mechanism.bodies[load.joint].prismatic ? "N" : "N m", ", dry friction and the tip's force",
                   limit_text(model.mechanism, motion.limits, load.kind, load.joint)),
-      "choose a path through other postures, or stronger motors");
+      arguments.faster || arguments.time_optimal
+          ? "choose a path through other postures, or stronger motors"
+          : "a faster one may (--faster), or choose a path through other postures");
   throw BadInput(ExitCode::input, found);
 }
 
@@ -144,11 +147,25 @@ class Scaling {
     pace.law = time_optimal_law(motion_.before, path, motion_.limits, motion_.linear.c);
     pace.solve_ms = milliseconds_since(start);
     motion_.after = paced(motion_.before, pace.law);
+    pace.slowed_by = slow_down_to_limits(torques);
     if (!finer_.points.empty()) {
-      const Trajectory between = paced_between(finer_, pace.law);
+      const Trajectory between = slowed(paced_between(finer_, pace.law), pace.slowed_by);
       pace.between = most_used(between, torques.torques(between), motion_.limits);
     }
     motion_.optimal = std::move(pace);
+  }
+
+  // Between the grid's points, and where friction is linearised, the law may use a little more than a limit: then all
+  // of it is slowed down, but not to more than the linear law takes. Returns the factor.
+  double slow_down_to_limits(PathTorques& torques) {
+    const Trajectory sides = with_both_sides(motion_.after);
+    if (most_used(sides, torques.torques(sides), motion_.limits).part <= 1 + kLimitTolerance) return 1;
+    const auto again = linear_scaling(sides, torques.coefficients(sides), motion_.limits, 1);
+    const double linear = motion_.linear.c * motion_.before.duration();
+    const bool is_faster = again && again->c * motion_.after.duration() < linear;
+    const double factor = is_faster ? again->c : linear / motion_.after.duration();
+    motion_.after = is_faster ? slowed(motion_.after, factor) : slowed(motion_.before, motion_.linear.c);
+    return factor;
   }
 
   const ScaleArguments& arguments_;
@@ -159,7 +176,7 @@ class Scaling {
 
 ExitCode scale(const ScaleArguments& arguments) {
   check_usage(arguments);
-  const Model model = read_model(arguments.robot, arguments.options());
+  const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

@@ -38,8 +38,8 @@ Simulation read(const SimulateArguments& arguments, const Model& model) {
   if (!arguments.simulation.empty()) {
     read_simulation(arguments.simulation, model.robot, model.mechanism, simulation, found);
   }
-  print_diagnostics(found, arguments.quiet || found.has_errors());
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
+  print_diagnostics(found, arguments.quiet);
   if (arguments.duration > 0) simulation.duration = arguments.duration;
   if (arguments.rate > 0) simulation.rate = arguments.rate;
   if (simulation.duration * simulation.rate > kMostRows) {
@@ -54,7 +54,7 @@ Simulation read(const SimulateArguments& arguments, const Model& model) {
 
 ExitCode run_simulate(const SimulateArguments& arguments) {
   const InterruptHandler handler;
-  const Model model = read_model(arguments.robot, arguments.options());
+  const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

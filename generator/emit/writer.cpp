@@ -127,6 +127,8 @@ std::string comment_text(const std::string& text) {
     if (is_control(c)) c = ' ';
     if (c == '\\') c = '/';
   }
+  // Unicode's separators of lines and paragraphs end a comment of JavaScript.
+  for (const char* separator : {"\xE2\x80\xA8", "\xE2\x80\xA9"}) result = with_replaced(result, separator, " ");
   return result;
 }
 

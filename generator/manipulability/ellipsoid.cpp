@@ -10,9 +10,6 @@
 namespace flatdyn {
 namespace {
 
-// Below this part of the largest one, a singular value of J is none.
-constexpr double kSingular = 1e-10;
-
 std::vector<int> translations(const Mechanism& mechanism) {
   std::vector<int> rows = task_rows(mechanism);
   if (mechanism.task.empty()) std::erase_if(rows, [](int row) { return row >= 3; });
@@ -72,20 +69,18 @@ Ellipsoid Manipulability::at(const std::vector<double>& q) {
   const std::vector<double> b = values(*inertia_, q), g = values(*gravity_, q), j = values(*jacobian_, q);
   const Eigen::Map<const Eigen::MatrixXd> B(b.data(), n, n), all(j.data(), n, 6);  // row by row: transposed
   const Eigen::MatrixXd J = Eigen::MatrixXd(all.transpose())(task_, Eigen::all);
+  // J = U Σ Vᵀ. Accelerations q̈ = V z of least norm take the torques B V z = Q R z, so the ellipsoid is the image of
+  // the ball under U Σ R^-1: (7.148) without an inverse of J, which may be singular.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& sizes = svd.singularValues();
-  const Eigen::Index rank = (sizes.array() > kSingular * std::max(sizes(0), kSingular)).count();
-  const Eigen::Index r = J.rows();
-  // M = W^-1 B J†, on the directions that the tip can move along: its singular values are one over the half axes.
-  const Eigen::MatrixXd inverse = svd.matrixV().leftCols(rank) * sizes.head(rank).cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd M = torque_unit_.cwiseInverse().asDiagonal() * (B * inverse);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> core(M, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::MatrixXd torques = torque_unit_.cwiseInverse().asDiagonal() * (B * svd.matrixV());
+  const Eigen::MatrixXd R = torques.householderQr().matrixQR().topRows(J.rows()).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd sizes = svd.singularValues().asDiagonal();
+  const Eigen::MatrixXd image = R.transpose().triangularView<Eigen::Lower>().solve(sizes).transpose();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> half_axes(image, Eigen::ComputeFullU);
   Ellipsoid ellipsoid;
   ellipsoid.centre = -J * B.llt().solve(Eigen::Map<const Eigen::VectorXd>(g.data(), n));
-  ellipsoid.lengths = Eigen::VectorXd::Zero(r);
-  ellipsoid.lengths.head(rank) = core.singularValues().reverse().cwiseInverse();
-  ellipsoid.axes = svd.matrixU();
-  ellipsoid.axes.leftCols(rank) = Eigen::MatrixXd(svd.matrixU().leftCols(rank) * core.matrixV().rowwise().reverse());
+  ellipsoid.lengths = half_axes.singularValues();
+  ellipsoid.axes = svd.matrixU() * half_axes.matrixU();
   ellipsoid.measure = ellipsoid.lengths.prod();
   return ellipsoid;
 }

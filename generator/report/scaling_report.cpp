@@ -114,6 +114,7 @@ nlohmann::ordered_json scaling_json(const Mechanism& mechanism, const ScaledMoti
   if (motion.optimal) {
     json["rounds"] = motion.optimal->law.rounds;
     if (motion.optimal->between) json["largest_use_between"] = motion.optimal->between->part;
+    json["slowed_by"] = motion.optimal->slowed_by;
     json["coefficients_ms"] = motion.optimal->coefficients_ms;
     json["solve_ms"] = motion.optimal->solve_ms;
   }

@@ -13,6 +13,7 @@ namespace flatdyn {
 struct OptimalPace {
   TimeLaw law;
   std::optional<LimitUsed> between;          // largest use between the grid's points, where it can be asked
+  double slowed_by = 1;                      // all of it, so that the limits hold where the law alone exceeds them
   double coefficients_ms = 0, solve_ms = 0;  // how long it took to evaluate the dynamics, and then to find the law
 };
 

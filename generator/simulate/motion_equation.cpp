@@ -11,6 +11,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Beyond an event by so much it has happened: rad/s, rad (m/s, m), and a part of the force that friction holds. It is
 // far below what integration leaves uncertain, and far above rounding.
 constexpr double kSpeedSlack = 1e-11, kPositionSlack = 1e-11, kForceSlack = 1e-9;
+// A joint that an impact leaves slower than this stays at its stop: rad/s, m/s.
+constexpr double kSettlingSpeed = 1e-3;
 
 }  // namespace
 
@@ -126,10 +128,20 @@ bool MotionEquation::meet_event(MotionState& x, double t, std::vector<MotionEven
     dynamics_.at(x.data(), qd.data());
     const double before = kinetic_energy(x);
     qd = stopped(dynamics_.last().B, qd, stops(x));
+    settle(x);
     x[2 * n + 1] += before - kinetic_energy(x);
   }
   decide(x, t, events);
   return false;
+}
+
+// Else joints at stops push each other off in ever shorter turns, without end.
+void MotionEquation::settle(MotionState& x) const {
+  const std::vector<int> at = stops(x);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    double& speed = x[static_cast<std::size_t>(n_) + i];
+    if (at[i] != 0 && std::abs(speed) < kSettlingSpeed) speed = 0;
+  }
 }
 
 void MotionEquation::decide(const MotionState& x, double t, std::vector<MotionEvent>& events) {

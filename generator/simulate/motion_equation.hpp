@@ -61,6 +61,7 @@ class MotionEquation {
   double limit_margin(const MotionState& x, std::size_t i) const;
   double rest_margin(const MotionState& x, const Eigen::VectorXd& lambda, std::size_t i) const;
   std::vector<int> stops(const MotionState& x) const;
+  void settle(MotionState& x) const;
   void record(const Contacts& before, double t, std::vector<MotionEvent>& events) const;
 
   const Simulation& simulation_;

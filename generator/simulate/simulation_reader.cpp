@@ -20,6 +20,8 @@ std::vector<double> doubles(const std::vector<Value>& values) {
   return result;
 }
 
+constexpr double kShortestPeriod = 1e-7;  // s
+
 class SimulationReader {
  public:
   SimulationReader(const std::string& file, const Robot& robot, const Mechanism& mechanism, Simulation& simulation,
@@ -37,7 +39,7 @@ class SimulationReader {
     if (std::optional<TomlTable> start = table.table("start")) read_start(*start);
     if (std::optional<TomlTable> torque = table.table("torque")) read_torque(*torque);
     table.reject_unknown_keys();
-    if (simulation_.at_limits != AtLimits::go_on) check_start_is_in_range(table);
+    if (simulation_.at_limits != AtLimits::go_on) check_ranges(table);
   }
 
  private:
@@ -53,7 +55,8 @@ class SimulationReader {
     if (!given) return;
     result = nearest_double(given->front().number);
     if (result > least) return;
-    diagnostics_.error(given->front().place, fmt::format("{}: {} is not positive", key, result), "e.g. 0.001");
+    const std::string wrong = least > 0 ? fmt::format("is not above {}", least) : "is not positive";
+    diagnostics_.error(given->front().place, fmt::format("{}: {} {}", key, result, wrong), "e.g. 0.001");
   }
 
   void by_joint(TomlTable& table, const char* key, std::vector<double>& result) {
@@ -82,6 +85,11 @@ class SimulationReader {
   void read_torque(TomlTable table) {
     by_joint(table, "constant", simulation_.constant);
     simulation_.saturate = table.boolean("saturate").value_or(false);
+    const bool has_efforts = std::any_of(mechanism_.bodies.begin(), mechanism_.bodies.end(),
+                                         [](const Body& body) { return body.limits.effort.has_value(); });
+    if (simulation_.saturate && !has_efforts) {
+      diagnostics_.warning(table.place_of("saturate"), "saturate: no joint has an effort limit", "it has no effect");
+    }
     read_samples(table);
     for (const auto& [key, kind] :
          {std::pair{"pd", FeedbackLaw::Kind::pd}, std::pair{"computed_torque", FeedbackLaw::Kind::computed_torque}}) {
@@ -122,21 +130,31 @@ class SimulationReader {
       law.trajectory = read_trajectory(beside(*name), robot_, mechanism_, diagnostics_);
     }
     if (kind == FeedbackLaw::Kind::pd) law.gravity = table.boolean("gravity").value_or(false);
-    if (table.has("period")) positive(table, "period", 0, simulation_.period);
+    if (table.has("period")) positive(table, "period", kShortestPeriod, simulation_.period);
     table.reject_unknown_keys();
     return law;
   }
 
-  void check_start_is_in_range(const TomlTable& table) {
+  void check_ranges(const TomlTable& table) {
+    bool is_any = false;
     for (std::size_t i = 0; i < joints(); ++i) {
       const Body& body = mechanism_.bodies[i];
       const double q = simulation_.q[i];
-      const bool is_below = body.limits.lower && q < nearest_double(body.limits.lower->number);
-      const bool is_above = body.limits.upper && q > nearest_double(body.limits.upper->number);
-      if (!is_below && !is_above) continue;
-      diagnostics_.error(table.place_of("start"),
-                         fmt::format("start: joint \"{}\" is at {}, outside of its limits", body.joint, q),
-                         "give q in [start], or leave joint_limits out");
+      is_any = is_any || body.limits.lower || body.limits.upper;
+      const double lower = body.limits.lower ? nearest_double(body.limits.lower->number) : q;
+      const double upper = body.limits.upper ? nearest_double(body.limits.upper->number) : q;
+      if (body.limits.lower && body.limits.upper && lower >= upper) {
+        diagnostics_.error(table.place_of("joint_limits"),
+                           fmt::format("joint_limits: joint \"{}\" has no room between them", body.joint),
+                           "hold it with --fix or [locked] of a scene, or leave joint_limits out");
+      } else if (q < lower || q > upper) {
+        diagnostics_.error(table.place_of("start"),
+                           fmt::format("start: joint \"{}\" is at {}, outside of its limits", body.joint, q),
+                           "give q in [start], or leave joint_limits out");
+      }
+    }
+    if (!is_any) {
+      diagnostics_.warning(table.place_of("joint_limits"), "joint_limits: no joint has limits", "it has no effect");
     }
   }
 

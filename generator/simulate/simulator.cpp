@@ -16,6 +16,8 @@ namespace odeint = boost::numeric::odeint;
 constexpr int kProbes = 4;
 // Events that follow each other without any time in between.
 constexpr int kMostEventsAtOnce = 1000;
+// No arm is so fast: a control law must have made it unstable, and it could not be followed for long.
+constexpr double kFastest = 1e5;  // rad/s, m/s
 
 class Simulator {
  public:
@@ -35,6 +37,7 @@ class Simulator {
     } else {
       in_free_steps();
     }
+    if (motion_.rows.back().time < t_ * (1 - 1e-12)) motion_.rows.push_back(row(x_, t_));
     motion_.end = t_;
     motion_.evaluations = equation_.evaluations();
     return std::move(motion_);
@@ -152,6 +155,10 @@ class Simulator {
   void require_finite() const {
     for (const double x : x_) {
       if (!std::isfinite(x)) refuse("positions or speeds are no numbers any more");
+    }
+    const std::size_t n = equation_.contacts().size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (std::abs(x_[n + i]) > kFastest) refuse(fmt::format("a joint is faster than {:g} rad/s or m/s", kFastest));
     }
   }
 

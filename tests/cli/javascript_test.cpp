@@ -91,6 +91,19 @@ assert.deepEqual(arm.parameter_names, ['Math', 'let', 'yield']);
       << folder_.read("log");
 }
 
+// Unicode's separators of lines end a comment there.
+TEST(JavascriptUsage, CommentsEndWhereTheyShould) {
+  const Scratch scratch;
+  scratch.write("arm.toml",
+                "name = \"arm\"\n[[link]]\njoint = \"j\\u2028globalThis.escaped = 1; //\"\nmass = 1\n"
+                "com = [1, 0, 0]\ninertia = { xx = 1, yy = 1, zz = 1 }\ninertia_about = \"com\"\n");
+  const Outcome outcome =
+      run_flatdyn(fmt::format("generate {} --language javascript -q -o {}", scratch.path("arm.toml"), scratch.path()));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(scratch.read("arm.js"), HasSubstr("globalThis.escaped"));
+  EXPECT_THAT(scratch.read("arm.js"), Not(HasSubstr("\u2028globalThis")));
+}
+
 TEST(JavascriptUsage, WhatItHasNotIsRefused) {
   for (const char* option : {"--scalar float", "--namespace a", "--stages gravity,bias", "--python"}) {
     const Outcome outcome = run_flatdyn(

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
+#include "support/rubbing_arm.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -122,6 +123,53 @@ TEST(Simulate, FollowsATrajectory) {
   EXPECT_NEAR(rows.back()[2], end_2, 1e-3);
 }
 
+// An impact of one joint frees the other from its stop, which falls back, and so on: they come to rest all the same.
+TEST(Simulate, JointsAtTheirStopsSettle) {
+  const Scratch scratch;
+  scratch.write("arm.toml", kRubbingArm);
+  scratch.write("run.toml",
+                "duration = 3\nrate = 10\njoint_limits = \"stop\"\n[start]\nq = [-0.38, 0.25]\nqd = [1.9, 0]\n"
+                "[torque]\nconstant = [-17.26, 15.92]\n");
+  const Outcome outcome =
+      run_flatdyn(fmt::format("simulate {} -q --json --simulation {} -o {}", scratch.path("arm.toml"),
+                              scratch.path("run.toml"), scratch.path("m.csv")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json told = json::parse(outcome.out);
+  EXPECT_LT(told["events"].size(), 200U);
+  EXPECT_LT(told["energy_error"].get<double>(), 1e-5);
+}
+
+TEST(Simulate, EndsWhereAControllerIsUnstable) {
+  const Scratch scratch;
+  scratch.write("arm.toml", kRubbingArm);
+  scratch.write("run.toml",
+                "duration = 20\n[torque.pd]\nkp = [200, 100]\nkd = [20, 10]\nposition = [0.2, 0.3]\nperiod = 0.1\n");
+  const Outcome outcome = run_flatdyn(fmt::format("simulate {} -q --simulation {} -o {}", scratch.path("arm.toml"),
+                                                  scratch.path("run.toml"), scratch.path("m.csv")));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("a joint is faster than 100000 rad/s or m/s"));
+}
+
+// It is about functions that are written; limits that it would need are not asked for.
+TEST(Simulate, AnErrorBudgetHasNoEffect) {
+  const Scratch scratch;
+  scratch.write("scene.toml", "error_budget = \"1%\"\n");
+  const Outcome outcome = run_flatdyn("simulate robots/planar_2r_example_7_2.toml --duration 0.1 --scene " +
+                                      scratch.path("scene.toml") + " -o " + scratch.path("m.csv"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("error_budget"));
+}
+
+// The last row is where the motion ends.
+TEST(Simulate, EndsWithARowOfItsOwn) {
+  const Scratch scratch;
+  ASSERT_EQ(run_flatdyn(kArm + ("--duration 0.25 --rate 10 -o " + scratch.path("m.csv"))).code, 0);
+  const std::vector<std::vector<double>> rows = numbers_of(scratch.read("m.csv"));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[2][0], 0.2);
+  EXPECT_EQ(rows[3][0], 0.25);
+}
+
 TEST(Simulate, CtrlCLeavesAValidFile) {
   const Scratch scratch;
   const std::string command = fmt::format(
@@ -154,6 +202,8 @@ TEST_P(BadSimulation, IsDiagnosedWithItsLine) {
       run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr(GetParam().message));
+  const std::size_t first = outcome.err.find(GetParam().message);
+  EXPECT_EQ(outcome.err.find(GetParam().message, first + 1), std::string::npos) << "said twice";
   EXPECT_FALSE(std::filesystem::exists(scratch.path("m.csv")));
 }
 
@@ -174,6 +224,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"[torque.pd]\ntrajectory = \"columns.csv\"\n", "columns.csv:1: error: "},
         BadInput{"[torque.pd]\nposition = 1\ntrajectory = \"columns.csv\"\n",
                  "run.toml:3: error: trajectory and position"},
+        BadInput{"[torque.pd]\nperiod = 1e-9\n", "run.toml:2: error: period: 1e-09 is not above 1e-07"},
         BadInput{"[torque]\nbetween = \"hold\"\n", "run.toml:2: error: torque: between what?"},
         BadInput{"[torque.pd]\nkp = 1\n[torque.computed_torque]\nkp = 1\n", "run.toml:3: error: torque: two of "}));
 
