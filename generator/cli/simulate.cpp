@@ -57,10 +57,10 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
-  std::vector<std::string> inputs = model.robot.files;
-  if (!arguments.simulation.empty()) inputs.push_back(arguments.simulation);
-  check_outputs({arguments.output, arguments.events, arguments.plot}, inputs);
   const Simulation simulation = read(arguments, model);
+  std::vector<std::string> inputs = model.robot.files;
+  inputs.insert(inputs.end(), simulation.files.begin(), simulation.files.end());
+  check_outputs({arguments.output, arguments.events, arguments.plot}, inputs);
   Progress progress(arguments.quiet);
   JointDynamics dynamics(model, progress);
   const auto start = std::chrono::steady_clock::now();

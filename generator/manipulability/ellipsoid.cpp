@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "symbolic/operational.hpp"
+#include "trajectory/pace_limits.hpp"
 
 namespace flatdyn {
 namespace {
@@ -19,17 +21,14 @@ std::vector<int> translations(const Mechanism& mechanism) {
 }
 
 Eigen::VectorXd torque_units(const Mechanism& mechanism, TorqueNorm norm) {
-  Eigen::VectorXd units = Eigen::VectorXd::Ones(mechanism.size());
-  if (norm == TorqueNorm::plain) return units;
-  for (int i = 0; i < mechanism.size(); ++i) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-    if (!body.limits.effort || vanishes(body.limits.effort->number)) {
-      throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no effort limit", body.joint),
-                    "give one in the robot file or in the scene's [limits], or leave out --norm");
-    }
-    units(i) = nearest_double(body.limits.effort->number);
+  if (norm == TorqueNorm::plain) return Eigen::VectorXd::Ones(mechanism.size());
+  const std::vector<double> limits = given_limits(mechanism).torque;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (std::isfinite(limits[i])) continue;
+    throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no effort limit", mechanism.bodies[i].joint),
+                  "give one in the robot file or in the scene's [limits], or leave out --norm");
   }
-  return units;
+  return Eigen::Map<const Eigen::VectorXd>(limits.data(), mechanism.size());
 }
 
 // The last link of each body on the way from the base to the tip, and the tip.

@@ -53,8 +53,9 @@ struct Simulation {
   bool saturate = false;  // torques end at the joints' effort limits
   AtLimits at_limits = AtLimits::go_on;
   IntegrationMethod method = IntegrationMethod::adaptive;
-  double tolerance = 1e-9;  // adaptive: of q and q̇ per step, relative and absolute
-  double step = 1e-3;       // rk4, s; made shorter, so that rows fall on steps
+  double tolerance = 1e-9;         // adaptive: of q and q̇ per step, relative and absolute
+  std::vector<std::string> files;  // that it was read from
+  double step = 1e-3;              // rk4, s; made shorter, so that rows fall on steps
 };
 
 // All at rest at q = 0 and without torques; then what the file says. What is wrong goes into `diagnostics`. Throws

@@ -46,8 +46,10 @@ class SimulationReader {
   std::size_t joints() const { return mechanism_.bodies.size(); }
 
   // A file that this one names.
-  std::filesystem::path beside(const std::string& name) const {
-    return std::filesystem::path(file_).parent_path() / name;
+  std::filesystem::path beside(const std::string& name) {
+    const std::filesystem::path path = std::filesystem::path(file_).parent_path() / name;
+    simulation_.files.push_back(path.string());
+    return path;
   }
 
   void positive(TomlTable& table, const char* key, double least, double& result) {
@@ -206,6 +208,7 @@ void read_simulation(const std::string& file, const Robot& robot, const Mechanis
                      Diagnostics& diagnostics) {
   const std::optional<std::string> text = file_text(file, diagnostics);
   if (!text) return;
+  simulation.files = {file};
   const ReadOptions options;
   ReadContext context{options, diagnostics, SymbolTable(file), {}, 0, {}, {}};
   const TomlSource source(*text, file, context, "docs/simulation-format.md");

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "trajectory/interpolation.hpp"
+#include "trajectory/pace_limits.hpp"
 
 namespace flatdyn {
 namespace {
@@ -16,22 +17,13 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-Eigen::VectorXd effort_limits(const Mechanism& mechanism) {
-  Eigen::VectorXd limits(mechanism.size());
-  for (int i = 0; i < mechanism.size(); ++i) {
-    const std::optional<Value>& effort = mechanism.bodies[static_cast<std::size_t>(i)].limits.effort;
-    limits(i) = effort ? nearest_double(effort->number) : kInfinity;
-  }
-  return limits;
-}
-
 }  // namespace
 
 TorqueLaw::TorqueLaw(const Simulation& simulation, JointDynamics& dynamics)
     : simulation_(simulation),
       dynamics_(dynamics),
       constant_(vector_of(simulation.constant)),
-      limits_(effort_limits(dynamics.mechanism())),
+      limits_(vector_of(given_limits(dynamics.mechanism()).torque)),
       torque_(constant_) {
   if (const auto& law = simulation.feedback) {
     kp_ = vector_of(law->kp);

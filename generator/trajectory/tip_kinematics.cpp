@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "trajectory/tip_kinematics.hpp"
-#include "pipeline.hpp"
 
 #include <fmt/format.h>
 

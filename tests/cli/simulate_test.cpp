@@ -89,6 +89,20 @@ TEST(Simulate, DrivesWithSampledTorques) {
   EXPECT_THAT(csv, HasSubstr(",4,3,"));  // after the last sample
 }
 
+// No output replaces what the simulation was read from.
+TEST(Simulate, KeepsItsInputs) {
+  const Scratch scratch;
+  scratch.write("tau.csv", "t,tau1,tau2\n0,1,2\n");
+  scratch.write("run.toml", "duration = 0.1\n[torque]\nsamples = \"tau.csv\"\n");
+  for (const char* input : {"tau.csv", "run.toml"}) {
+    const std::string before = scratch.read(input);
+    const Outcome outcome =
+        run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path(input)));
+    EXPECT_EQ(outcome.code, 2) << input;
+    EXPECT_EQ(scratch.read(input), before);
+  }
+}
+
 // Inverse, then direct dynamics over a whole motion: the torques of `torques` move the arm along it.
 TEST(Simulate, MovesAlongTheMotionThatItsTorquesAreOf) {
   const Scratch scratch;
