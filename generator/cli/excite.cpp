@@ -24,15 +24,9 @@ ExitCode excite(const ExciteArguments& arguments) {
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
   const Excitation excitation = make_excitation(torques, arguments.plan, progress);
-  write_files(
-      {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}});
-  if (arguments.json) {
-    nlohmann::ordered_json json = excitation_json(torques, excitation);
-    json["files"] = {csv, svg};
-    fmt::print("{}\n", json.dump(2));
-  } else {
-    fmt::print("{}\nwrote {}\nwrote {}\n", describe_excitation(torques, excitation), csv, svg);
-  }
+  write_and_tell(
+      {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}},
+      {describe_excitation(torques, excitation) + "\n", excitation_json(torques, excitation)}, arguments.json);
   return ExitCode::ok;
 }
 

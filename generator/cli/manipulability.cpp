@@ -59,12 +59,9 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
     files.push_back({arguments.plot, manipulability_plot(model.mechanism.name, arm.task(), poses, plane,
                                                          picture_format(arguments.plot))});
   }
-  write_files(files);
-  if (arguments.json) {
-    fmt::print("{}\n", manipulability_json(model.mechanism.name, arm.task(), poses).dump(2));
-  } else {
-    fmt::print("{}", describe_manipulability(arm.task(), poses));
-  }
+  write_and_tell(
+      files, {describe_manipulability(arm.task(), poses), manipulability_json(model.mechanism.name, arm.task(), poses)},
+      arguments.json);
   return ExitCode::ok;
 }
 

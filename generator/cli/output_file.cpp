@@ -153,4 +153,16 @@ void write_files(const std::vector<TextFile>& wanted) {
   }
 }
 
+void write_and_tell(const std::vector<TextFile>& files, const Told& told, bool as_json) {
+  write_files(files);
+  if (as_json) {
+    nlohmann::ordered_json json = told.json;
+    for (const TextFile& file : files) json["files"].push_back(file.path.string());
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}", told.text);
+  for (const TextFile& file : files) fmt::print("wrote {}\n", file.path.string());
+}
+
 }  // namespace flatdyn

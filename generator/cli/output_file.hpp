@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,5 +21,14 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
 // interrupted run loses nothing. Of several runs in one folder, one after the other does so. A link stays a link; a
 // device is written to. Throws Failure(io).
 void write_files(const std::vector<TextFile>& wanted);
+
+// What a subcommand tells on stdout: for people, or as JSON.
+struct Told {
+  std::string text;  // ends its last line
+  nlohmann::ordered_json json;
+};
+
+// Writes the files, then prints what is told, with their names.
+void write_and_tell(const std::vector<TextFile>& files, const Told& told, bool as_json);
 
 }  // namespace flatdyn

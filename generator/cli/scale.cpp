@@ -190,15 +190,8 @@ ExitCode scale(const ScaleArguments& arguments) {
                                                motion_panels(model.mechanism, motion.after.has_tip_force()),
                                                picture_format(arguments.plot))});
   }
-  write_files(files);
-  if (arguments.json) {
-    nlohmann::ordered_json json = scaling_json(model.mechanism, motion);
-    for (const TextFile& file : files) json["files"].push_back(file.path.string());
-    fmt::print("{}\n", json.dump(2));
-    return ExitCode::ok;
-  }
-  fmt::print("{}\n", describe_scaling(model.mechanism, motion));
-  for (const TextFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  write_and_tell(files, {describe_scaling(model.mechanism, motion) + "\n", scaling_json(model.mechanism, motion)},
+                 arguments.json);
   return ExitCode::ok;
 }
 

@@ -75,12 +75,9 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   if (!arguments.plot.empty()) {
     files.push_back({arguments.plot, simulation_plot(model.mechanism, table, picture_format(arguments.plot))});
   }
-  write_files(files);
-  if (arguments.json) {
-    fmt::print("{}\n", simulation_json(model.mechanism, motion, seconds).dump(2));
-  } else {
-    fmt::print("{}", describe_simulation(model.mechanism, motion, seconds));
-  }
+  write_and_tell(
+      files, {describe_simulation(model.mechanism, motion, seconds), simulation_json(model.mechanism, motion, seconds)},
+      arguments.json);
   if (!motion.interrupted) return ExitCode::ok;
   fmt::print(stderr, "flatdyn: interrupted at t = {} s; what was done until then is in {}\n", motion.end,
              arguments.output);

@@ -39,16 +39,10 @@ ExitCode torques(const TorquesArguments& arguments) {
     history = torque_history(terms, trajectory);
   }
   arguments.report(exceeded_limits(model.mechanism, trajectory, history.tau, arguments.trajectory));
-  const std::vector<TextFile> files = torque_files(arguments, model.mechanism, trajectory, history);
-  write_files(files);
-  if (arguments.json) {
-    nlohmann::ordered_json json = torques_json(model.mechanism, trajectory, history);
-    for (const TextFile& file : files) json["files"].push_back(file.path.string());
-    fmt::print("{}\n", json.dump(2));
-    return ExitCode::ok;
-  }
-  fmt::print("{}\n", describe_torques(model.mechanism, trajectory, history));
-  for (const TextFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  write_and_tell(torque_files(arguments, model.mechanism, trajectory, history),
+                 {describe_torques(model.mechanism, trajectory, history) + "\n",
+                  torques_json(model.mechanism, trajectory, history)},
+                 arguments.json);
   return ExitCode::ok;
 }
 

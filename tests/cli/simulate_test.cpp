@@ -45,6 +45,7 @@ TEST(Simulate, WritesMotionEventsAndPlot) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("energies add up within "));
   EXPECT_THAT(outcome.out, HasSubstr("shoulder rests"));
+  EXPECT_THAT(outcome.out, HasSubstr("wrote " + scratch.path("m.svg") + "\n"));
   const std::string csv = scratch.read("m.csv");
   EXPECT_THAT(csv, StartsWith("t,q1,q2,q3,q4,q5,q6,qd1,"));
   EXPECT_THAT(csv, HasSubstr(",friction6,kinetic,potential,work,dissipated\n0,0,0,"));
