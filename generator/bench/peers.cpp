@@ -110,6 +110,10 @@ void add_peer(BenchPeers& peers, const BenchPeer& peer, bool is_installed, const
 BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism) {
   BenchPeers peers;
   if (mechanism.size() == 0) return peers;
+  if (mechanism.is_coupled()) {
+    peers.left_out.emplace_back("other libraries: joints are coupled");
+    return peers;
+  }
   add_peer(peers, reference_peer(), toolchain.has_eigen, "libeigen3-dev", "");
   BenchPeer kdl = kdl_peer();
   // A chain to an inner link is another chain to KDL, with fewer joints.

@@ -67,9 +67,7 @@ RoundingModel rounding_model(const Constants& constants, const RoundingFormat& f
 
 bool is_torque(const Output& output) { return output.meaning == kTorqueMeaning; }
 
-bool is_prismatic(const Mechanism& mechanism, int joint) {
-  return mechanism.bodies.at(static_cast<std::size_t>(joint)).prismatic;
-}
+bool is_prismatic(const Mechanism& mechanism, int joint) { return mechanism.joint(joint).prismatic; }
 
 std::string unit_of(const Mechanism& mechanism, const Output& output, int entry) {
   if (is_torque(output)) return is_prismatic(mechanism, entry) ? "N" : "N m";
@@ -82,7 +80,7 @@ std::string unit_of(const Mechanism& mechanism, const Output& output, int entry)
 
 std::optional<double> effort_of(const Mechanism& mechanism, const Output& output, int entry) {
   if (!is_torque(output)) return std::nullopt;
-  const std::optional<Value>& limit = mechanism.bodies.at(static_cast<std::size_t>(entry)).limits.effort;
+  const std::optional<Value>& limit = mechanism.joint(entry).limits.effort;
   if (!limit || has_symbols(limit->number) || vanishes(limit->number)) return std::nullopt;
   return std::abs(nearest_double(limit->number));
 }

@@ -48,7 +48,7 @@ InputLimits input_limits(const Mechanism& mechanism) {
     // Free symbols and tip forces are none of a joint.
     const bool is_of_joint = input.kind != InputKind::h_e && input.kind != InputKind::parameter;
     const auto joint = static_cast<std::size_t>(is_of_joint && input.index < mechanism.size() ? input.index : 0);
-    return limit_of(mechanism.bodies.at(joint), input.kind);
+    return limit_of(mechanism.joints()[joint], input.kind);
   };
 }
 

@@ -55,7 +55,7 @@ std::vector<double> torque_limits_option(const std::string& text, std::size_t jo
 PaceLimits limits_of(const ScaleArguments& arguments, const Model& model) {
   PaceLimits limits = given_limits(model.mechanism);
   if (!arguments.torque_limits.empty()) {
-    limits.torque = torque_limits_option(arguments.torque_limits, model.mechanism.bodies.size());
+    limits.torque = torque_limits_option(arguments.torque_limits, model.mechanism.joints().size());
   }
   if (limits.are_infinite()) {
     throw Failure(ExitCode::unsupported, fmt::format("{}: no joint has a limit", model.robot.file),
@@ -73,9 +73,9 @@ PaceLimits limits_of(const ScaleArguments& arguments, const Model& model) {
       fmt::format("no {}pace keeps the limits: at {:.6g} s joint \"{}\" needs {:.6g} {} at rest already, against "
                   "gravity{}, beyond the {}",
                   arguments.faster || arguments.time_optimal ? "" : "slower ",
-                  motion.sides_before.points[load.point].time, model.mechanism.bodies[load.joint].joint,
+                  motion.sides_before.points[load.point].time, model.mechanism.joints()[load.joint].joint,
                   path.d[load.point * path.joints + load.joint],
-                  model.mechanism.bodies[load.joint].prismatic ? "N" : "N m", ", dry friction and the tip's force",
+                  model.mechanism.joints()[load.joint].prismatic ? "N" : "N m", ", dry friction and the tip's force",
                   limit_text(model.mechanism, motion.limits, load.kind, load.joint)),
       arguments.faster || arguments.time_optimal
           ? "choose a path through other postures, or stronger motors"

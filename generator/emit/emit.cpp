@@ -22,6 +22,7 @@
 #include "emit/writer.hpp"
 #include "emit/written.hpp"
 #include "graph/count.hpp"
+#include "symbolic/coupled_text.hpp"
 #include "symbolic/number_text.hpp"
 #include "templates.hpp"
 
@@ -140,6 +141,10 @@ class PageWriter {
       for (std::size_t k = 0; k < mechanism_.merged.size(); ++k) text += (k == 0 ? " " : ", ") + mechanism_.merged[k];
       text += ".";
     }
+    if (mechanism_.is_coupled()) {
+      text += fmt::format(" Coupled joints, rad or m: {}; q, qd, qdd and tau are those of the joints above.",
+                          fmt::join(coupled_joint_texts(mechanism_), ", "));
+    }
     if (!options_.scene_facts.empty()) text += " " + options_.scene_facts;
     return comment_text(text);
   }
@@ -150,7 +155,7 @@ class PageWriter {
     data constants(data::type::list);
     if (mechanism_.size() > 0) {
       std::vector<std::string> joints;
-      for (const Body& body : mechanism_.bodies) joints.push_back(dialect_.text(body.joint));
+      for (const Body& body : mechanism_.joints()) joints.push_back(dialect_.text(body.joint));
       exports_.emplace_back("joint_names");
       constants << constant("As the robot file names them", per_joint("const char*", "joint_names", joints));
     }

@@ -47,7 +47,7 @@ std::string type_of(const Body& body) {
 std::vector<LimitKind> limits_given(const Mechanism& mechanism) {
   std::vector<LimitKind> given;
   for (const LimitKind& kind : kLimitKinds) {
-    const bool any = std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+    const bool any = std::any_of(mechanism.joints().begin(), mechanism.joints().end(),
                                  [&kind](const Body& body) { return limit_of(body, kind).has_value(); });
     if (any) given.push_back(kind);
   }
@@ -63,7 +63,7 @@ std::optional<Rational> rational_of(const Number& number) {
 
 std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind, const Dialect& dialect) {
   std::vector<std::string> entries;
-  for (const Body& body : mechanism.bodies) {
+  for (const Body& body : mechanism.joints()) {
     const std::optional<Rational> limit = limit_of(body, kind);
     entries.push_back(limit ? dialect.real_literal(*limit) : dialect.infinity(kind.is_lower));
   }
@@ -74,8 +74,8 @@ std::vector<std::string> joint_table(const Mechanism& mechanism) {
   const std::vector<LimitKind> limits = limits_given(mechanism);
   std::vector<std::vector<std::string>> rows = {{"index", "joint", "moves link", "type", "unit"}};
   for (const LimitKind& kind : limits) rows[0].push_back(kind.column);
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    const Body& body = mechanism.bodies[i];
+  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
+    const Body& body = mechanism.joints()[i];
     std::vector<std::string> row = {std::to_string(i), comment_text(body.joint), comment_text(body.link), type_of(body),
                                     body.prismatic ? "m" : "rad"};
     for (const LimitKind& kind : limits) {

@@ -168,7 +168,7 @@ void refuse_what_cannot_move(const TorqueModel& model, const std::vector<JointLi
   for (int i = 0; i < model.joints(); ++i) {
     const JointLimits& joint = limits[static_cast<std::size_t>(i)];
     if (joint.lower < joint.upper) continue;
-    const std::string& name = model.mechanism().bodies[static_cast<std::size_t>(i)].joint;
+    const std::string& name = model.mechanism().joints()[static_cast<std::size_t>(i)].joint;
     throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\": its position limits leave no room", name),
                   fmt::format("hold it: --fix {}", name));
   }

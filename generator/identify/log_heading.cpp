@@ -75,7 +75,7 @@ std::map<std::string, Meaning> known_names(const Mechanism& mechanism) {
       names[stem + ("_" + std::to_string(i + 1))] = {quantity, i};  // as `flatdyn eval` writes it
     }
     for (int i = 0; i < mechanism.size(); ++i) {
-      names[stem + ("_" + mechanism.bodies[static_cast<std::size_t>(i)].joint)] = {quantity, i};
+      names[stem + ("_" + mechanism.joints()[static_cast<std::size_t>(i)].joint)] = {quantity, i};
     }
   }
   static constexpr const char* kForces[] = {"fx", "fy", "fz", "mx", "my", "mz"};
@@ -208,7 +208,7 @@ class HeadingReader {
     if (column.unit.empty()) return 1;
     const auto [quantity, index] = *column.meaning;
     const bool of_joint = quantity != Quantity::time && quantity != Quantity::h_e;
-    const bool prismatic = of_joint && mechanism_.bodies[static_cast<std::size_t>(index)].prismatic;
+    const bool prismatic = of_joint && mechanism_.joints()[static_cast<std::size_t>(index)].prismatic;
     const std::vector<Unit> units = units_of(quantity, prismatic, index);
     std::vector<std::string> names;
     for (const Unit& unit : units) {

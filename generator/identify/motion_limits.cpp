@@ -37,7 +37,7 @@ JointLimits limits_of(const Body& body) {
 
 std::vector<JointLimits> motion_limits(const Mechanism& mechanism) {
   std::vector<JointLimits> limits;
-  for (const Body& body : mechanism.bodies) limits.push_back(limits_of(body));
+  for (const Body& body : mechanism.joints()) limits.push_back(limits_of(body));
   return limits;
 }
 

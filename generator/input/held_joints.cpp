@@ -5,6 +5,7 @@
 #include <set>
 
 #include "diagnostics/nearest.hpp"
+#include "model/coupling.hpp"
 
 namespace flatdyn {
 
@@ -86,12 +87,29 @@ bool can_move(const LockedJoint& lock, const Joint& joint, JointType type, Diagn
 void hold(const LockedJoint& lock, Joint& joint, ReadContext& context, Robot& robot) {
   const JointType type = joint.held ? joint.held->type : joint.type;
   joint.type = JointType::fixed;
+  joint.coupled.reset();
   joint.held.reset();
   hold_rotor(joint, robot);
   if (type == JointType::fixed && vanishes(lock.position)) return;
   if (!vanishes(lock.position) && !can_move(lock, joint, type, context.diagnostics)) return;
   joint.held = Held{type, position_of(lock, type, context)};
   warn_outside_limits(lock, joint, context.diagnostics);
+}
+
+// A joint whose leaders are all held stands still with them.
+void hold_followers(Robot& robot) {
+  std::vector<std::pair<Joint*, Number>> still;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    if (!robot.joints[j].coupled) continue;
+    const LinearPosition position = position_of(robot, static_cast<int>(j));
+    if (position.is_constant()) still.emplace_back(&robot.joints[j], position.offset);
+  }
+  for (const auto& [joint, position] : still) {
+    joint->held = Held{joint->type, position};
+    joint->type = JointType::fixed;
+    joint->coupled.reset();
+    hold_rotor(*joint, robot);
+  }
 }
 
 }  // namespace
@@ -105,6 +123,7 @@ std::vector<LockedJoint> read_locked(TomlTable table) {
 }
 
 void hold_joints(ReadContext& context, Robot& robot) {
+  const bool couplings_are_valid = validate_couplings(robot, context.diagnostics);
   std::vector<std::string> known;
   for (const Joint& joint : robot.joints) known.push_back(joint.name);
   std::set<std::string> done;
@@ -119,6 +138,9 @@ void hold_joints(ReadContext& context, Robot& robot) {
                                 hint_for_unknown(lock.joint, known, "joints"));
     }
   }
+  if (!couplings_are_valid) return;
+  hold_followers(robot);
+  refuse_fractions(robot, context.diagnostics);
 }
 
 }  // namespace flatdyn

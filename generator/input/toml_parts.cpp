@@ -53,7 +53,7 @@ Motor motor_with_defaults(const Place& place) {
 void check_fixed(const TomlTable& table, const ReadContext& context, Joint& joint) {
   if (joint.type != JointType::fixed || is_held(joint.name, context)) return;
   if (context.diagnostics.only_unsupported()) return;  // it is fixed only because its type is not supported
-  for (const char* key : {"viscous", "coulomb", "armature"}) {
+  for (const char* key : {"viscous", "coulomb", "armature", "position"}) {
     if (!table.has(key)) continue;
     context.diagnostics.error(table.place_of(key), table.what() + ": " + key + " has no effect on a fixed joint",
                               "leave it out, or give the joint the type it has");
@@ -131,6 +131,7 @@ Limits read_limits(TomlTable& table, JointType type) {
 
 void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, Carriers& carriers) {
   std::optional<Reference> carrier;
+  if (auto coupled = table.linear_position("position", joint.type)) joint.coupled = *coupled;
   if (auto viscous = table.number("viscous", Quantity::viscous_friction)) joint.viscous = *viscous;
   if (auto coulomb = table.number("coulomb", Quantity::coulomb_friction)) joint.coulomb = *coulomb;
   const Quantity reflected = joint.type == JointType::prismatic ? Quantity::mass : Quantity::inertia;

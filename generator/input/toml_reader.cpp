@@ -61,6 +61,7 @@ class TomlReader {
     if (name) robot_.name = *name;
     robot_.gravity = table.vector("gravity", Quantity::acceleration, robot_.gravity);
     read_attachments(table, attachments);
+    for (TomlTable& row : table.tables("loop")) read_loop(row);
     table.reject_unknown_keys();
     carriers_.find_in(robot_, diagnostics_);
     return attachments;
@@ -202,6 +203,23 @@ class TomlReader {
       if (auto inertial = read_inertial(*payload, diagnostics_)) attachments.payload = {link, *inertial};
       payload->reject_unknown_keys();
     }
+  }
+
+  void read_loop(TomlTable& row) {
+    const std::vector<Reference> links = row.references("links"), dependent = row.references("dependent");
+    Loop loop;
+    loop.place = row.place();
+    loop.points[0] = row.vector("from", Quantity::length, zero_vector());
+    loop.points[1] = row.vector("to", Quantity::length, zero_vector());
+    loop.dependent = dependent;
+    row.reject_unknown_keys();
+    if (links.size() != 2) {
+      diagnostics_.error(row.place_of("links"), "loop: two links are expected, which meet where it is closed",
+                         "write links = [\"...\", \"...\"]");
+      return;
+    }
+    loop.links = {links[0], links[1]};
+    robot_.loops.push_back(std::move(loop));
   }
 
   const TomlSource& source_;

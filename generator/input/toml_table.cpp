@@ -6,6 +6,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/expression.hpp"
+#include "input/linear_position.hpp"
 
 namespace flatdyn {
 
@@ -145,6 +146,12 @@ std::optional<LockedJoint> TomlTable::locked_joint(const std::string& joint) {
   const bool is_decimal = !node->is_string();
   const std::string written = is_decimal ? source_.text_of(node->source()) : node->as_string()->get();
   return LockedJoint{joint, *position, written, is_decimal, source_.place(node->source())};
+}
+
+std::optional<Coupled> TomlTable::linear_position(std::string_view key, JointType type) {
+  const std::optional<std::string> expression = text(key);
+  if (!expression) return std::nullopt;
+  return read_linear_position(*expression, type, {place_of(key), with_key(what_, key)}, source_.context());
 }
 
 std::optional<Number> TomlTable::expression_of(const toml::node& node, const std::string& text, const Spot& spot) {

@@ -62,6 +62,8 @@ class TomlTable {
   std::vector<std::string> keys() const;
   // JOINT = POSITION
   std::optional<LockedJoint> locked_joint(const std::string& joint);
+  // The position of a coupled joint, linear in the coordinates of others.
+  std::optional<Coupled> linear_position(std::string_view key, JointType type);
 
   // nullopt if the key is not there, or, with an error, if it is no number or expression.
   std::optional<Value> number(std::string_view key, Quantity quantity);

@@ -30,6 +30,8 @@ const std::map<std::string_view, Attributes> kAttributes = {
     {"child", {{"link"}, {}}},
     {"mass", {{"value"}, {}}},
     {"inertia", {{"ixx", "iyy", "izz", "ixy", "ixz", "iyz"}, {}}},
+    {"mimic", {{"joint", "multiplier", "offset"}, {}}},
+    {"drake:mimic", {{"joint", "multiplier", "offset"}, {}}},
     {"limit", {{"lower", "upper", "velocity", "effort", "acceleration"}, {"deceleration", "jerk"}}},
     {"dynamics",
      {{"damping", "friction", "armature", "spring_stiffness", "spring_reference"},

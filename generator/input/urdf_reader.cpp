@@ -94,6 +94,7 @@ class UrdfReader {
       read_axis(element, what, joint);
       read_limits(element, what, joint);
       read_friction(element, what, joint);
+      read_mimic(element, what, joint);
     } else if (joint.held) {
       read_axis(element, what, joint);
       read_limits(element, what, joint);
@@ -118,7 +119,6 @@ class UrdfReader {
       report_type(element, what, joint.name, type);
       return JointType::fixed;
     }
-    if (found->second != JointType::fixed) report_mimic(element, what, joint.name);
     return found->second;
   }
 
@@ -134,17 +134,24 @@ class UrdfReader {
     }
   }
 
-  // Taking a mimic joint for one that moves by itself, or for a fixed one, would be silently wrong.
-  void report_mimic(const XMLElement& element, const std::string& what, const std::string& name) {
-    for (const char* tag : {"mimic", "drake:mimic"}) {
-      const XMLElement* mimic = element.FirstChildElement(tag);
-      if (mimic == nullptr) continue;
-      const char* leader = mimic->Attribute("joint");
-      diagnostics_.unsupported(
-          values_.place(*mimic),
-          what + " mimics joint \"" + (leader == nullptr ? "" : leader) + "\": mimic joints are not supported yet",
-          kFixHint + name);
+  // Drake writes its own tag where other readers of the file are not to see the coupling.
+  void read_mimic(const XMLElement& element, const std::string& what, Joint& joint) {
+    const XMLElement* mimic = element.FirstChildElement("mimic");
+    if (mimic == nullptr) mimic = element.FirstChildElement("drake:mimic");
+    if (mimic == nullptr) return;
+    const std::string where = what + ", mimic";
+    const Place place = values_.place(*mimic);
+    const std::string leader = values_.required_text(*mimic, "joint", where);
+    const Number factor = values_.number(*mimic, "multiplier", where).value_or(Value{1, place}).number;
+    const Number offset = joint.type == JointType::prismatic
+                              ? values_.number(*mimic, "offset", where).value_or(Value{0, place}).number
+                              : values_.angle(*mimic, "offset", where);
+    if (leader.empty()) return;
+    if (leader == joint.name) {
+      diagnostics_.error(place, what + " mimics itself", "name the joint that it follows");
+      return;
     }
+    joint.coupled = Coupled{{{{leader, place}, factor}}, offset, place};
   }
 
   int read_link_name(const XMLElement& joint, const char* tag, const std::string& what) {

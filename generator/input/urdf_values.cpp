@@ -68,6 +68,14 @@ Value UrdfValues::required_number(const XMLElement& element, const char* attribu
   return {0, place(element)};
 }
 
+Number UrdfValues::angle(const XMLElement& element, const char* attribute, const std::string& what) const {
+  const char* text = element.Attribute(attribute);
+  if (text == nullptr) return 0;
+  const Spot spot{place(element), what + ", " + attribute};
+  const std::optional<Number> value = checked_decimal(trimmed(text), spot, context_.diagnostics);
+  return value ? snapped_angle(*value, trimmed(text), spot, context_) : Number(0);
+}
+
 Number UrdfValues::number_of_text(const XMLElement& element, const std::string& what) const {
   const char* text = element.GetText();
   return checked_decimal(text == nullptr ? "" : trimmed(text), {place(element), what}, context_.diagnostics)

@@ -26,6 +26,9 @@ class UrdfValues {
   // The same, an error if it is not there.
   Value required_number(const tinyxml2::XMLElement& element, const char* attribute, const std::string& what) const;
 
+  // An angle, 0 if it is not there; near a multiple of pi/12 it is that.
+  Number angle(const tinyxml2::XMLElement& element, const char* attribute, const std::string& what) const;
+
   // The number that is the text of an element: <mechanicalReduction>100</mechanicalReduction>.
   Number number_of_text(const tinyxml2::XMLElement& element, const std::string& what) const;
 

@@ -25,7 +25,7 @@ Eigen::VectorXd torque_units(const Mechanism& mechanism, TorqueNorm norm) {
   const std::vector<double> limits = given_limits(mechanism).torque;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (std::isfinite(limits[i])) continue;
-    throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no effort limit", mechanism.bodies[i].joint),
+    throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no effort limit", mechanism.joints()[i].joint),
                   "give one in the robot file or in the scene's [limits], or leave out --norm");
   }
   return Eigen::Map<const Eigen::VectorXd>(limits.data(), mechanism.size());

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "model/coupling.hpp"
 #include "model/mechanism.hpp"
 #include "model/rational_rotation.hpp"
 
@@ -48,6 +49,16 @@ Transform held_motion(const Joint& joint) {
   const Mat3 onto_axis = rotation_onto(joint.axis);
   return {expanded(onto_axis * rotation_z(planar_rotation(joint.held->position)) * transpose(onto_axis)),
           zero_vector()};
+}
+
+// Where a coupled joint stands when all coordinates are zero, along or about z.
+Transform offset_motion(const Robot& robot, int joint_index) {
+  const Joint& joint = robot.joints[static_cast<std::size_t>(joint_index)];
+  if (!joint.coupled) return {};
+  const Number offset = position_of(robot, joint_index).offset;
+  if (vanishes(offset)) return {};
+  if (joint.type == JointType::prismatic) return {identity_matrix(), {0, 0, rationalised(offset)}};
+  return {rotation_z(planar_rotation(offset)), zero_vector()};
 }
 
 // Parameters of a written inertial, in the frame of its link.
@@ -117,7 +128,7 @@ class RawTree {
       merged_.push_back(robot_.links[child].name);
     } else {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
-      raw_.push_back(from_zxz(compose(frame, onto_axis)));
+      raw_.push_back(from_zxz(compose(compose(frame, onto_axis), offset_motion(robot_, joint_index))));
       parent_.push_back(body_of_[parent]);
       joint_of_.push_back(joint_index);
       body_of_[child] = static_cast<int>(raw_.size()) - 1;
@@ -296,6 +307,55 @@ void add_links(const RawTree& tree, const Placer& placer, Mechanism& mechanism) 
   mechanism.tip = {robot.links[tip_link].name, tree.body_of_[tip_link], tip.R, tip.p};
 }
 
+// A limit of a joint that follows one coordinate alone is one of that coordinate, too.
+void tighten(const Limits& follower, const LinearPosition& position, Limits& limits) {
+  const Number factor = position.factors.begin()->second;
+  const auto lower_of = [](std::optional<Value>& limit, const Value& other) {
+    if (!limit || nearest_double(other.number) < nearest_double(limit->number)) limit = other;
+  };
+  const auto upper_of = [](std::optional<Value>& limit, const Value& other) {
+    if (!limit || nearest_double(other.number) > nearest_double(limit->number)) limit = other;
+  };
+  const bool turns_back = nearest_double(factor) < 0;
+  const auto of_coordinate = [&](const Value& limit) {
+    return Value{rationalised((limit.number - position.offset) / factor), limit.place};
+  };
+  const auto& [low, high] =
+      turns_back ? std::tie(follower.upper, follower.lower) : std::tie(follower.lower, follower.upper);
+  if (low) upper_of(limits.lower, of_coordinate(*low));
+  if (high) lower_of(limits.upper, of_coordinate(*high));
+  const Number magnitude = turns_back ? -factor : factor;
+  const auto slower_of = [&](std::optional<Value>& limit, const std::optional<Value>& other) {
+    if (other) lower_of(limit, {(other->number / magnitude).expand(), other->place});
+  };
+  slower_of(limits.velocity, follower.velocity);
+  slower_of(limits.acceleration, follower.acceleration);
+}
+
+void add_coupling(const RawTree& tree, Mechanism& mechanism) {
+  const Robot& robot = tree.robot_;
+  if (!has_coupled_joints(robot)) return;
+  std::map<int, int> body_of_joint;
+  for (std::size_t i = 0; i < tree.joint_of_.size(); ++i) body_of_joint[tree.joint_of_[i]] = static_cast<int>(i);
+  std::map<int, std::size_t> column;  // by the joint that the coordinate belongs to
+  for (const int joint : joints_with_coordinates(robot)) {
+    column.emplace(joint, mechanism.coordinates.size());
+    mechanism.coordinates.push_back(body_of_joint.at(joint));
+  }
+  for (const int joint : tree.joint_of_) {
+    const LinearPosition position = position_of(robot, joint);
+    std::vector<Number> row(mechanism.coordinates.size(), 0);
+    for (const auto& [owner, factor] : position.factors) row[column.at(owner)] = factor;
+    mechanism.coupling.push_back(std::move(row));
+    mechanism.offsets.push_back(position.offset);
+    if (position.factors.size() != 1) continue;
+    const int owner = position.factors.begin()->first;
+    if (owner == joint) continue;
+    tighten(robot.joints[static_cast<std::size_t>(joint)].limits, position,
+            mechanism.bodies[static_cast<std::size_t>(body_of_joint.at(owner))].limits);
+  }
+}
+
 }  // namespace
 
 Mechanism make_mechanism(const Robot& robot) {
@@ -309,7 +369,8 @@ Mechanism make_mechanism(const Robot& robot) {
   mechanism.merged = tree.merged_;
   for (std::size_t i = 0; i < tree.raw_.size(); ++i) mechanism.bodies.push_back(make_body(tree, placer, i));
   add_links(tree, placer, mechanism);
-  for (int i = 0; i < mechanism.size(); ++i) add_motor(tree, placer, i, mechanism);
+  for (int i = 0; i < mechanism.body_count(); ++i) add_motor(tree, placer, i, mechanism);
+  add_coupling(tree, mechanism);
   return mechanism;
 }
 

@@ -50,9 +50,67 @@ struct FieldMechanism {
   FieldFrame<F> tip;
   Vector3<F> gravity;
   FieldInertia<F> base;
+  std::vector<std::vector<F>> coupling;  // body by coordinate; empty: q_i is the position of body i's joint
 
-  int size() const { return static_cast<int>(bodies.size()); }
+  bool is_coupled() const { return !coupling.empty(); }
+  int body_count() const { return static_cast<int>(bodies.size()); }
+  int size() const { return is_coupled() ? static_cast<int>(coupling.front().size()) : body_count(); }  // of q
 };
+
+// Σ_k coupling[i][k] q_k of every body i: rates or accelerations of the joints.
+template <class F>
+std::vector<F> joint_values(const FieldMechanism<F>& mechanism, const std::vector<F>& coordinates) {
+  if (!mechanism.is_coupled()) return coordinates;
+  std::vector<F> result;
+  for (const std::vector<F>& row : mechanism.coupling) {
+    F sum = F(0);
+    for (std::size_t k = 0; k < row.size(); ++k) sum += row[k] * coordinates[k];
+    result.push_back(sum);
+  }
+  return result;
+}
+
+// Aᵀ M, for a row of M for every body.
+template <class F>
+Matrix<F> rows_at_coordinates(const FieldMechanism<F>& mechanism, const Matrix<F>& M) {
+  if (!mechanism.is_coupled()) return M;
+  Matrix<F> result(mechanism.size(), M.cols());
+  for (int k = 0; k < result.rows(); ++k) {
+    for (int i = 0; i < M.rows(); ++i) {
+      const F& factor = mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+      for (int j = 0; j < M.cols(); ++j) result(k, j) += factor * M(i, j);
+    }
+  }
+  return result;
+}
+
+// M A, for a column of M for every body.
+template <class F>
+Matrix<F> columns_at_coordinates(const FieldMechanism<F>& mechanism, const Matrix<F>& M) {
+  if (!mechanism.is_coupled()) return M;
+  Matrix<F> result(M.rows(), mechanism.size());
+  for (int i = 0; i < M.rows(); ++i) {
+    for (int j = 0; j < M.cols(); ++j) {
+      for (int k = 0; k < result.cols(); ++k) {
+        result(i, k) += M(i, j) * mechanism.coupling[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
+      }
+    }
+  }
+  return result;
+}
+
+// Aᵀ M A.
+template <class F>
+Matrix<F> at_coordinates(const FieldMechanism<F>& mechanism, const Matrix<F>& M) {
+  return columns_at_coordinates(mechanism, rows_at_coordinates(mechanism, M));
+}
+
+// Aᵀ τ.
+template <class F>
+std::vector<F> at_coordinates(const FieldMechanism<F>& mechanism, const std::vector<F>& tau) {
+  if (!mechanism.is_coupled()) return tau;
+  return rows_at_coordinates(mechanism, Matrix<F>(1, tau)).entries();
+}
 
 Rational to_rational(const Number& a);  // throws Failure(unsupported) if it is none
 
@@ -129,6 +187,10 @@ class MechanismMap {
     result.tip = mapped(mechanism_.tip);
     result.gravity = mapped(mechanism_.gravity);
     result.base = mapped(mechanism_.base);
+    for (const std::vector<Number>& row : mechanism_.coupling) {
+      result.coupling.emplace_back();
+      for (const Number& factor : row) result.coupling.back().push_back(number_(factor));
+    }
     return result;
   }
 

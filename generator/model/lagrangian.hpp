@@ -2,6 +2,7 @@
 // The model by its definition, without symbols: Lagrange's equations over any field. Joint i enters by a point of the
 // unit circle (cos q_i, sin q_i), or by d_i. B is (7.32), body by body, from Jacobians in the base frame; derivatives
 // come from dual numbers over the field, with dc = -s dq and ds = c dq. Shares nothing with the recursive derivation.
+// Where joints are coupled, B is Aᵀ B A of the tree, and its derivatives are those along the coordinates.
 #pragma once
 
 #include <optional>
@@ -58,6 +59,7 @@ class Lagrangian {
   using D = Dual<F>;
   using Values = std::vector<F>;
 
+  // q: of every body's joint.
   Lagrangian(FieldMechanism<F> mechanism, std::vector<JointPoint<F>> q)
       : mechanism_(std::move(mechanism)), q_(std::move(q)), poses_(body_poses(mechanism_, q_)) {}
 
@@ -67,8 +69,9 @@ class Lagrangian {
   // B, (7.32).
   const Matrix<F>& inertia() {
     if (!inertia_) {
-      inertia_ = Matrix<F>(size(), size());
-      for (int i = 0; i < size(); ++i) add_body(poses_, i, *inertia_);
+      inertia_ = Matrix<F>(body_count(), body_count());
+      for (int i = 0; i < body_count(); ++i) add_body(poses_, i, *inertia_);
+      inertia_ = at_coordinates(mechanism_, *inertia_);
     }
     return *inertia_;
   }
@@ -99,8 +102,8 @@ class Lagrangian {
 
   // g, (7.39): joint j's part of the motion of every body beyond it, against gravity.
   Values gravity() const {
-    Values g(static_cast<std::size_t>(size()), F(0));
-    for (int i = 0; i < size(); ++i) {
+    Values g(static_cast<std::size_t>(body_count()), F(0));
+    for (int i = 0; i < body_count(); ++i) {
       const FieldInertia<F>& body = mechanism_.bodies[static_cast<std::size_t>(i)].inertia;
       const Pose3<F>& pose = poses_[static_cast<std::size_t>(i)];
       const Vector3<F> h = times(pose.R, body.first_moment);
@@ -110,16 +113,17 @@ class Lagrangian {
         g[static_cast<std::size_t>(j)] += -inner(mechanism_.gravity, moved);
       }
     }
-    return g;
+    return at_coordinates(mechanism_, g);
   }
 
-  // F_v qd + F_s sgn(qd), with the signs as the caller has them.
+  // F_v qd + F_s sgn(qd), with the signs of all joints' rates as the caller has them.
   Values friction(const Values& qd, const Values& sign_qd) const {
     Values result;
-    for (std::size_t i = 0; i < qd.size(); ++i) {
-      result.push_back(mechanism_.bodies[i].viscous * qd[i] + mechanism_.bodies[i].coulomb * sign_qd[i]);
+    for (const F& rate : joint_values(mechanism_, qd)) {
+      const FieldBody<F>& body = mechanism_.bodies[result.size()];
+      result.push_back(body.viscous * rate + body.coulomb * sign_qd[result.size()]);
     }
-    return result;
+    return at_coordinates(mechanism_, result);
   }
 
   // C qd + g + friction.
@@ -167,7 +171,7 @@ class Lagrangian {
 
   // 6 x n: linear rows, then angular, in the base frame.
   Matrix<F> jacobian(const FieldFrame<F>& frame) const {
-    Matrix<F> J(6, size());
+    Matrix<F> J(6, body_count());
     const Vector3<F> p = pose(frame).p;
     for (int j = frame.body; j >= 0; j = parent(j)) {
       const Column<F> column = joint_column(poses_, j, p);
@@ -176,21 +180,22 @@ class Lagrangian {
         J(row + 3, j) = column.angular[static_cast<std::size_t>(row)];
       }
     }
-    return J;
+    return columns_at_coordinates(mechanism_, J);
   }
 
   // (dJ/dt) qd: the derivative of J along qd, times qd.
   Values jacobian_dot_qd(const FieldFrame<F>& frame, const Values& qd) const {
+    const Values rates = joint_values(mechanism_, qd);
     std::vector<JointPoint<D>> q;
-    for (std::size_t i = 0; i < q_.size(); ++i) q.push_back(moving(q_[i], qd[i]));
+    for (std::size_t i = 0; i < q_.size(); ++i) q.push_back(moving(q_[i], rates[i]));
     const std::vector<Pose3<D>> poses = body_poses(mechanism_, q);
     const Vector3<D> p = pose_of(poses, frame).p;
     Values result(6, F(0));
     for (int j = frame.body; j >= 0; j = parent(j)) {
       const Column<D> column = joint_column(poses, j, p);
       for (std::size_t row = 0; row < 3; ++row) {
-        result[row] += column.linear[row].derivative * qd[static_cast<std::size_t>(j)];
-        result[row + 3] += column.angular[row].derivative * qd[static_cast<std::size_t>(j)];
+        result[row] += column.linear[row].derivative * rates[static_cast<std::size_t>(j)];
+        result[row + 3] += column.angular[row].derivative * rates[static_cast<std::size_t>(j)];
       }
     }
     return result;
@@ -202,6 +207,7 @@ class Lagrangian {
     return a;
   }
 
+  int body_count() const { return mechanism_.body_count(); }
   int parent(int i) const { return mechanism_.bodies[static_cast<std::size_t>(i)].parent; }
 
   // Whether joint k moves body i.
@@ -275,20 +281,26 @@ class Lagrangian {
     }
   }
 
-  // ∂B/∂q_k. Only bodies that joint k moves have a part in it.
+  // How fast body i's joint moves with coordinate k.
+  F rate(int i, int k) const {
+    if (!mechanism_.is_coupled()) return i == k ? F(1) : F(0);
+    return mechanism_.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  }
+
+  // ∂B/∂q_k. Where joints are not coupled, only bodies that joint k moves have a part in it.
   Matrix<F> differentiate(int k) const {
     std::vector<JointPoint<D>> q;
-    for (int i = 0; i < size(); ++i) q.push_back(moving(q_[static_cast<std::size_t>(i)], i == k ? F(1) : F(0)));
+    for (int i = 0; i < body_count(); ++i) q.push_back(moving(q_[static_cast<std::size_t>(i)], rate(i, k)));
     const std::vector<Pose3<D>> poses = body_poses(mechanism_, q);
-    Matrix<D> B(size(), size());
-    for (int i = k; i < size(); ++i) {
-      if (moves(k, i)) add_body(poses, i, B);
+    Matrix<D> B(body_count(), body_count());
+    for (int i = 0; i < body_count(); ++i) {
+      if (mechanism_.is_coupled() || moves(k, i)) add_body(poses, i, B);
     }
-    Matrix<F> result(size(), size());
-    for (int i = 0; i < size(); ++i) {
-      for (int j = 0; j < size(); ++j) result(i, j) = B(i, j).derivative;
+    Matrix<F> result(body_count(), body_count());
+    for (int i = 0; i < body_count(); ++i) {
+      for (int j = 0; j < body_count(); ++j) result(i, j) = B(i, j).derivative;
     }
-    return result;
+    return at_coordinates(mechanism_, result);
   }
 
   FieldMechanism<F> mechanism_;

@@ -4,6 +4,7 @@
 // them (augmented links, 7.2.2). Frames follow the modified DH convention as far as the geometry lets them.
 #pragma once
 
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,9 +67,11 @@ struct LinkFrame {
   Vec3 p = zero_vector();
 };
 
+class JointRange;
+
 struct Mechanism {
   std::string name;
-  std::vector<Body> bodies;      // parents before children: the order of q
+  std::vector<Body> bodies;      // parents before children
   std::vector<LinkFrame> links;  // of every written link, in file order
   LinkFrame tip;                 // the frame of the tip
   std::vector<int> task;         // rows of its Jacobian that the scene names, 0 to 5; empty: those that are independent
@@ -77,9 +80,55 @@ struct Mechanism {
   std::vector<FreeSymbol> symbols;
   std::vector<std::string> merged;  // names of links merged into another by fixed joints
 
-  int size() const { return static_cast<int>(bodies.size()); }
+  // Where joints are coupled: the position of body i's joint is Σ_k coupling[i][k] q_k, what is constant being part of
+  // the frames. q_k belongs to the joint of body coordinates[k]. All are empty where q_i is the position of joint i.
+  std::vector<int> coordinates;
+  std::vector<std::vector<Number>> coupling;
+  std::vector<Number> offsets;  // what is constant, rad or m
+
+  int size() const { return is_coupled() ? static_cast<int>(coordinates.size()) : body_count(); }  // of q
+  int body_count() const { return static_cast<int>(bodies.size()); }
+  bool is_coupled() const { return !coupling.empty(); }
+  JointRange joints() const;  // the joints that the entries of q belong to, in their order
+  int body_of(int k) const { return is_coupled() ? coordinates[static_cast<std::size_t>(k)] : k; }
+  const Body& joint(int k) const { return bodies[static_cast<std::size_t>(body_of(k))]; }
   bool has_prismatic_joint() const;
 };
+
+class JointRange {
+ public:
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = Body;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Body*;
+    using reference = const Body&;
+
+    Iterator(const Mechanism& mechanism, int k) : mechanism_(&mechanism), k_(k) {}
+    const Body& operator*() const { return mechanism_->joint(k_); }
+    Iterator& operator++() {
+      ++k_;
+      return *this;
+    }
+    bool operator==(const Iterator& other) const { return k_ == other.k_; }
+
+   private:
+    const Mechanism* mechanism_;
+    int k_;
+  };
+
+  explicit JointRange(const Mechanism& mechanism) : mechanism_(mechanism) {}
+  Iterator begin() const { return {mechanism_, 0}; }
+  Iterator end() const { return {mechanism_, mechanism_.size()}; }
+  std::size_t size() const { return static_cast<std::size_t>(mechanism_.size()); }
+  const Body& operator[](std::size_t k) const { return mechanism_.joint(static_cast<int>(k)); }
+
+ private:
+  const Mechanism& mechanism_;
+};
+
+inline JointRange Mechanism::joints() const { return JointRange(*this); }
 
 // R_i^parent at q = 0, without the joint's own motion: Rz(beta) Rx(alpha) Rz(theta).
 Mat3 constant_rotation(const Body& body);

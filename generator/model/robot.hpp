@@ -3,6 +3,7 @@
 // Nothing is merged, moved or simplified here; `Mechanism` is what is derived from it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,18 @@ struct Held {
   Number position = 0;  // rad or m
 };
 
+// A joint whose position is offset + Σ factor · (coordinate of a joint). If it names itself it has a coordinate of its
+// own, which is then not its position; if not, it has none, and to other joints its name stands for its position.
+struct Coupled {
+  struct Term {
+    Reference joint;
+    Number factor;  // per rad or m of the coordinate
+  };
+  std::vector<Term> terms;
+  Number offset = 0;  // rad or m
+  Place place;
+};
+
 // Child link frame = parent link frame · origin · motion(axis, q) · link_offset. A joint that is held keeps its motion.
 // URDF and modified DH: link_offset is the identity. Standard DH: origin is the identity.
 struct Joint {
@@ -52,7 +65,16 @@ struct Joint {
   Value coulomb;   // F_s, N·m or N
   Value armature;  // reflected inertia added to b_ii only, kg m^2 or kg
   std::optional<Motor> motor;
+  std::optional<Coupled> coupled;  // of a moving joint only
   Limits limits;
+  Place place;
+};
+
+// A closed chain, cut at the joint that closes it: a point of one link stays on a point of another.
+struct Loop {
+  std::array<Reference, 2> links;
+  std::array<Vec3, 2> points = {zero_vector(), zero_vector()};  // in the links' frames, m
+  std::vector<Reference> dependent;                             // joints whose positions follow from the others'
   Place place;
 };
 
@@ -77,6 +99,7 @@ struct Robot {
   std::vector<std::string> files;             // all that were read: this one, and a URDF that it names
   std::vector<Link> links;                    // in file order
   std::vector<Joint> joints;                  // in file order
+  std::vector<Loop> loops;                    // as written; their dependent joints are coupled
   int root = -1;                              // index of the root link; it is the fixed base
   int tip = -1;                               // index of the link whose frame is the tip
   Pose tip_offset;                            // of the tip frame in the tip link's frame

@@ -53,7 +53,7 @@ State in_float(State state) {
 }
 
 StateSource::StateSource(const Mechanism& mechanism) {
-  for (const Body& body : mechanism.bodies) {
+  for (const Body& body : mechanism.joints()) {
     const Range position = position_range(body);
     joints_.push_back({position.low, position.high, bound(body.limits.velocity, body.prismatic ? 1 : 5),
                        bound(body.limits.acceleration, body.prismatic ? 10 : 20), bound(body.limits.effort, 100)});

@@ -57,7 +57,7 @@ class ModuleWriter {
     page["is_float"] = options_.scalar == "float";
     page["joints"] = std::to_string(mechanism_.size());
     std::vector<std::string> names;
-    for (const Body& body : mechanism_.bodies) names.push_back(nlohmann::json(body.joint).dump(-1, ' ', true));
+    for (const Body& body : mechanism_.joints()) names.push_back(nlohmann::json(body.joint).dump(-1, ' ', true));
     page["joint_names"] = without_newline(list_line("joint_names = (", names, names.size() == 1 ? ",)" : ")", 0));
     page["parameters?"] = has_parameters();
     data symbols(data::type::list);

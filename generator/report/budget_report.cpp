@@ -42,7 +42,7 @@ std::string describe_abbreviation(const Model& model, const GivenUp& seen) {
   const Abbreviation& abbreviation = *model.abbreviation;
   std::vector<std::vector<std::string>> rows = {{"joint", "budget", "proven bound", "largest seen", "unit"}};
   for (std::size_t i = 0; i < abbreviation.bound.size(); ++i) {
-    const Body& body = model.mechanism.bodies[i];
+    const Body& body = model.mechanism.joints()[i];
     rows.push_back({body.joint, short_number(abbreviation.budget[i]), rounded_up(abbreviation.bound[i]),
                     short_number(seen.largest[i]), body.prismatic ? "N" : "N m"});
   }

@@ -8,6 +8,7 @@
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "report/scene_report.hpp"
+#include "symbolic/coupled_text.hpp"
 #include "symbolic/number_text.hpp"
 
 namespace flatdyn {
@@ -43,12 +44,15 @@ std::string describe_model(const Model& model, const std::vector<double>& snap_e
                                  number(mechanism.gravity), mechanism.tip.link);
   std::vector<std::vector<std::string>> rows = {{"q", "joint", "type", "moves", "after", "range", "speed", "effort"}};
   for (int i = 0; i < mechanism.size(); ++i) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    const Body& body = mechanism.joints()[static_cast<std::size_t>(i)];
     const std::string parent = body.parent < 0 ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
     rows.push_back({std::to_string(i), body.joint, type_of(body), body.link, parent, range_text(body.limits, number),
                     limit_text(body.limits.velocity, number), limit_text(body.limits.effort, number)});
   }
   text += aligned_table(rows);
+  if (mechanism.is_coupled()) {
+    text += fmt::format("\ncoupled joints:\n  {}\n", fmt::join(coupled_joint_texts(mechanism), "\n  "));
+  }
   const std::vector<std::string> scene = scene_items(model);
   if (!scene.empty()) text += fmt::format("\nfixed by scene or options:\n  {}\n", fmt::join(scene, "\n  "));
   if (!mechanism.merged.empty())
@@ -143,7 +147,7 @@ nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
 std::string describe_bodies(const Mechanism& mechanism) {
   const NumberText number(mechanism);
   std::string text;
-  for (int i = 0; i < mechanism.size(); ++i) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
     text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i, number);
   }
   return text;
@@ -157,7 +161,8 @@ nlohmann::ordered_json model_json(const Model& model, const std::vector<double>&
   json["gravity"] = list_json(model.mechanism.gravity, text);
   json["tip"] = model.mechanism.tip.link;
   json["joints"] = nlohmann::ordered_json::array();
-  for (const Body& body : model.mechanism.bodies) json["joints"].push_back(joint_json(body, text));
+  for (const Body& body : model.mechanism.joints()) json["joints"].push_back(joint_json(body, text));
+  if (model.mechanism.is_coupled()) json["coupled_joints"] = coupled_joint_texts(model.mechanism);
   json["merged_links"] = model.mechanism.merged;
   if (const std::vector<std::string> scene = scene_items(model); !scene.empty()) json["scene"] = scene;
   json["symbols"] = symbol_names(model.mechanism);

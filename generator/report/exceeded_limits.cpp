@@ -69,8 +69,8 @@ Diagnostics exceeded_limits(const Mechanism& mechanism, const Trajectory& trajec
                             const std::vector<std::vector<double>>& tau, const std::string& file) {
   Diagnostics found;
   LimitCheck check(trajectory, file, found);
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    const Body& body = mechanism.bodies[i];
+  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
+    const Body& body = mechanism.joints()[i];
     const std::string unit = body.prismatic ? "m" : "rad";
     const auto& points = trajectory.points;
     check(body, "position", unit, body.limits.lower, body.limits.upper, [&](std::size_t p) { return points[p].q[i]; });

@@ -31,7 +31,7 @@ std::string most_used(const LimitUse& use) {
 std::string use_table(const Mechanism& mechanism, const std::vector<LimitUse>& use) {
   std::vector<std::vector<std::string>> rows = {{"joint", "position", "speed", "acceleration", "torque", "most used"}};
   for (std::size_t i = 0; i < use.size(); ++i) {
-    const Body& body = mechanism.bodies[i];
+    const Body& body = mechanism.joints()[i];
     rows.push_back({body.joint, percent(use[i].position), percent(use[i].speed), percent(use[i].acceleration),
                     body.limits.effort ? percent(use[i].torque) : "-", most_used(use[i])});
   }
@@ -72,7 +72,7 @@ void append(std::string& line, const std::vector<double>& values) {
 Panel panel_of(const Mechanism& mechanism, const std::string& title, const std::string& label,
                const std::vector<double>& times) {
   Panel panel{title, "t in s", label, {}};
-  for (const Body& body : mechanism.bodies) panel.series.push_back({body.joint, times, {}});
+  for (const Body& body : mechanism.joints()) panel.series.push_back({body.joint, times, {}});
   return panel;
 }
 
@@ -107,7 +107,7 @@ nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitatio
                                  {"condition_number_of_start", numbers(excitation.start)}};
   for (std::size_t i = 0; i < motion.use.size(); ++i) {
     const LimitUse& use = motion.use[i];
-    json["limits_used"].push_back({{"joint", model.mechanism().bodies[i].joint},
+    json["limits_used"].push_back({{"joint", model.mechanism().joints()[i].joint},
                                    {"position", use.position},
                                    {"speed", use.speed},
                                    {"acceleration", use.acceleration},
@@ -149,7 +149,7 @@ std::string excitation_plot(const Mechanism& mechanism, const PlannedMotion& mot
       panel_of(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), times),
       panel_of(mechanism, "speeds", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), times),
       panel_of(mechanism, "expected torques", "tau in " + unit_of(mechanism, "N m", "N"), times)};
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
     for (std::size_t k = 0; k < motion.samples.size(); k += step) {
       panels[0].series[i].y.push_back(motion.samples[k].q[i]);
       panels[1].series[i].y.push_back(motion.samples[k].qd[i]);

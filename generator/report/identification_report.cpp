@@ -39,7 +39,7 @@ std::string torque_table(const TorqueModel& model, const Identification& found) 
     const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];
     const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
     const double part = torque > 0 ? residual / torque : 0;
-    rows.push_back({model.mechanism().bodies[static_cast<std::size_t>(i)].joint, fmt::format("{:.4g}", torque),
+    rows.push_back({model.mechanism().joints()[static_cast<std::size_t>(i)].joint, fmt::format("{:.4g}", torque),
                     fmt::format("{:.3g}", residual), fmt::format("{:.4g} %", 100 * (1 - part * part)),
                     fmt::format("{:.3g}", found.estimate.torque_deviations(i))});
   }
@@ -110,7 +110,7 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                                  {"decimation", found.measurement.plan.decimate}};
   for (int i = 0; i < model.joints(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];
-    json["joints"].push_back({{"name", model.mechanism().bodies[static_cast<std::size_t>(i)].joint},
+    json["joints"].push_back({{"name", model.mechanism().joints()[static_cast<std::size_t>(i)].joint},
                               {"rms_torque", joint.rms_torque()},
                               {"rms_residual", joint.rms_residual(estimate.values)},
                               {"sigma", estimate.torque_deviations(i)}});

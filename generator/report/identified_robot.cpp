@@ -29,9 +29,9 @@ class RobotText {
     line("robot = " + toml_string(std::filesystem::relative(model_.robot.file, folder).generic_string()));
     for (const std::string& setting : about.settings) line(setting);
     if (model_.robot.has_payload) line("payload = { mass = 0 }  # in its link, below");
-    for (int i = 0; i < model_.mechanism.size(); ++i) add_link(i);
+    for (int i = 0; i < model_.mechanism.body_count(); ++i) add_link(i);
     for (const LinkFrame& link : model_.mechanism.links) add_merged(link);
-    for (int i = 0; i < model_.mechanism.size(); ++i) add_joint(i);
+    for (int i = 0; i < model_.mechanism.body_count(); ++i) add_joint(i);
     return text_;
   }
 
@@ -50,7 +50,7 @@ class RobotText {
       const Number value = exact(parameter(i, which));
       body = body + InertialParameters{value * unit.mass, value * unit.first_moment, scaled(value, unit.inertia)};
     }
-    for (int j = 0; j < model_.mechanism.size(); ++j) {
+    for (int j = 0; j < model_.mechanism.body_count(); ++j) {
       const std::optional<Rotor>& rotor = model_.mechanism.bodies[static_cast<std::size_t>(j)].rotor;
       if (!rotor || rotor->carrier != i) continue;
       const Number I_m = rotor_inertia(j);

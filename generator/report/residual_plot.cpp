@@ -6,7 +6,7 @@ namespace flatdyn {
 std::string residual_plot(const TorqueModel& model, const Identification& found, PictureFormat format) {
   const int n = model.joints(), b = model.parameters();
   std::vector<Panel> panels;
-  for (const Body& body : model.mechanism().bodies) {
+  for (const Body& body : model.mechanism().joints()) {
     panels.push_back(
         {body.joint, "", body.prismatic ? "tau in N" : "tau in N m", {{"measured", {}, {}}, {"residual", {}, {}}}});
   }

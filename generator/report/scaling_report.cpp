@@ -41,9 +41,9 @@ double largest_torque(const std::vector<std::vector<double>>& tau, std::size_t j
 
 std::string torque_table_text(const Mechanism& mechanism, const ScaledMotion& motion) {
   std::vector<std::vector<std::string>> rows = {{"joint", "unit", "torque limit", "before", "after"}};
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
     const double limit = motion.limits.torque[i];
-    rows.push_back({mechanism.bodies[i].joint, unit_of_limit(mechanism.bodies[i], LimitKind::torque),
+    rows.push_back({mechanism.joints()[i].joint, unit_of_limit(mechanism.joints()[i], LimitKind::torque),
                     std::isfinite(limit) ? fmt::format("{:.6g}", limit) : "none",
                     fmt::format("{:.6g}", largest_torque(motion.tau_sides_before, i)),
                     fmt::format("{:.6g}", largest_torque(motion.tau_sides_after, i))});
@@ -70,7 +70,7 @@ std::string optimal_text(const OptimalPace& pace, const LinearScaling& linear) {
 }
 
 nlohmann::ordered_json use_json(const Mechanism& mechanism, const LimitUsed& used, const Trajectory& trajectory) {
-  return {{"joint", mechanism.bodies[used.joint].joint},
+  return {{"joint", mechanism.joints()[used.joint].joint},
           {"limit", name_of(used.kind)},
           {"part", used.part},
           {"at", trajectory.points[used.point].time}};
@@ -79,7 +79,7 @@ nlohmann::ordered_json use_json(const Mechanism& mechanism, const LimitUsed& use
 }  // namespace
 
 std::string limit_text(const Mechanism& mechanism, const PaceLimits& limits, LimitKind kind, std::size_t joint) {
-  const Body& body = mechanism.bodies[joint];
+  const Body& body = mechanism.joints()[joint];
   return fmt::format("{} limit {:.6g} {} of joint \"{}\"", name_of(kind), limit_of(limits, kind, joint),
                      unit_of_limit(body, kind), body.joint);
 }
@@ -118,8 +118,8 @@ nlohmann::ordered_json scaling_json(const Mechanism& mechanism, const ScaledMoti
     json["coefficients_ms"] = motion.optimal->coefficients_ms;
     json["solve_ms"] = motion.optimal->solve_ms;
   }
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    nlohmann::ordered_json joint = {{"joint", mechanism.bodies[i].joint}};
+  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
+    nlohmann::ordered_json joint = {{"joint", mechanism.joints()[i].joint}};
     if (std::isfinite(motion.limits.torque[i])) joint["torque_limit"] = motion.limits.torque[i];
     joint["torque_before"] = largest_torque(motion.tau_sides_before, i);
     joint["torque"] = largest_torque(motion.tau_sides_after, i);

@@ -24,7 +24,7 @@ constexpr std::pair<const char*, double SimulationRow::*> kEnergies[] = {{"kinet
                                                                          {"dissipated", &SimulationRow::dissipated}};
 
 std::string label(const Mechanism& mechanism, const MotionEvent& event) {
-  return fmt::format("{} {}", mechanism.bodies[static_cast<std::size_t>(event.joint)].joint, to_string(event.kind));
+  return fmt::format("{} {}", mechanism.joints()[static_cast<std::size_t>(event.joint)].joint, to_string(event.kind));
 }
 
 }  // namespace
@@ -50,16 +50,16 @@ TimeTable simulation_table(const SimulatedMotion& motion) {
 std::string events_csv(const Mechanism& mechanism, const SimulatedMotion& motion) {
   std::string text = "t,joint,event\n";
   for (const MotionEvent& event : motion.events) {
-    text += fmt::format("{},{},{}\n", event.time, mechanism.bodies[static_cast<std::size_t>(event.joint)].joint,
+    text += fmt::format("{},{},{}\n", event.time, mechanism.joints()[static_cast<std::size_t>(event.joint)].joint,
                         to_string(event.kind));
   }
   return text;
 }
 
 std::string simulation_plot(const Mechanism& mechanism, const TimeTable& table, PictureFormat format) {
-  const std::size_t n = mechanism.bodies.size();
+  const std::size_t n = mechanism.joints().size();
   std::vector<std::string> joints;
-  for (const Body& body : mechanism.bodies) joints.push_back(body.joint);
+  for (const Body& body : mechanism.joints()) joints.push_back(body.joint);
   // Which of the tables' groups of columns.
   const auto columns = [&](std::size_t group, std::size_t count) {
     std::vector<std::size_t> all(count);
@@ -104,7 +104,7 @@ nlohmann::ordered_json simulation_json(const Mechanism& mechanism, const Simulat
                                  {"events", nlohmann::ordered_json::array()}};
   for (const MotionEvent& event : motion.events) {
     json["events"].push_back({{"time", event.time},
-                              {"joint", mechanism.bodies[static_cast<std::size_t>(event.joint)].joint},
+                              {"joint", mechanism.joints()[static_cast<std::size_t>(event.joint)].joint},
                               {"event", to_string(event.kind)}});
   }
   return json;

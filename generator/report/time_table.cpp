@@ -79,7 +79,7 @@ PictureFormat picture_format(const std::string& file) {
 
 std::string unit_of(const Mechanism& mechanism, const std::string& turning, const std::string& sliding) {
   const auto slides = [](const Body& body) { return body.prismatic; };
-  const auto count = std::count_if(mechanism.bodies.begin(), mechanism.bodies.end(), slides);
+  const auto count = std::count_if(mechanism.joints().begin(), mechanism.joints().end(), slides);
   if (count == 0) return turning;
   return count == mechanism.size() ? sliding : turning + ", " + sliding;
 }

@@ -104,9 +104,9 @@ PanelColumns contributions(const Body& body, int joint, const TorqueHistory& his
 PanelColumns of_all_joints(const Mechanism& mechanism, const std::string& title, const std::string& label,
                            std::size_t first) {
   PanelColumns panel{title, label, {}, {}};
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
     panel.columns.push_back(first + i);
-    panel.names.push_back(mechanism.bodies[i].joint);
+    panel.names.push_back(mechanism.joints()[i].joint);
   }
   return panel;
 }
@@ -147,7 +147,7 @@ std::string describe_torques(const Mechanism& mechanism, const Trajectory& traje
     if (occurs(group, history)) rows[0].emplace_back(group.name);
   }
   for (int i = 0; i < mechanism.size(); ++i) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    const Body& body = mechanism.joints()[static_cast<std::size_t>(i)];
     const std::vector<double> tau = torques_of(history, i);
     const std::size_t at = peak(tau);
     std::vector<std::string> row = {body.joint, torque_unit(body), fmt::format("{:.4g}", tau[at]),
@@ -170,7 +170,7 @@ nlohmann::ordered_json torques_json(const Mechanism& mechanism, const Trajectory
                                  {"samples", trajectory.points.size()},
                                  {"disagreement", history.disagreement}};
   for (int i = 0; i < mechanism.size(); ++i) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    const Body& body = mechanism.joints()[static_cast<std::size_t>(i)];
     const std::vector<double> tau = torques_of(history, i);
     const std::size_t at = peak(tau);
     nlohmann::ordered_json joint = {
@@ -186,7 +186,7 @@ nlohmann::ordered_json torques_json(const Mechanism& mechanism, const Trajectory
 }
 
 std::vector<PanelColumns> motion_panels(const Mechanism& mechanism, bool tip_force) {
-  const std::size_t n = mechanism.bodies.size(), torques = 1 + 3 * n + (tip_force ? 6 : 0);
+  const std::size_t n = mechanism.joints().size(), torques = 1 + 3 * n + (tip_force ? 6 : 0);
   return {of_all_joints(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), 1),
           of_all_joints(mechanism, "rates", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), 1 + n),
           of_all_joints(mechanism, "accelerations", "in " + unit_of(mechanism, "rad/s^2", "m/s^2"), 1 + 2 * n),
@@ -199,7 +199,7 @@ std::string torque_plot(const Mechanism& mechanism, const Trajectory& trajectory
   const std::size_t first_term = table.columns.size() - history.terms.size();
   std::vector<PanelColumns> panels = motion_panels(mechanism, trajectory.has_tip_force());
   for (int i = 0; i < mechanism.size(); ++i) {
-    panels.push_back(contributions(mechanism.bodies[static_cast<std::size_t>(i)], i, history, first_term, table));
+    panels.push_back(contributions(mechanism.joints()[static_cast<std::size_t>(i)], i, history, first_term, table));
   }
   return time_plot(mechanism.name + ": torques along the trajectory", table, panels, format);
 }

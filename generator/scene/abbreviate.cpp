@@ -261,6 +261,10 @@ Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, 
   if (!mechanism.symbols.empty()) {
     throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
   }
+  if (mechanism.is_coupled()) {
+    throw Failure(ExitCode::unsupported, "error budget: coupled joints are not supported yet",
+                  "leave the budget out, or hold the joints that follow others: --fix");
+  }
   const BaseParameters base = base_parameters(mechanism);
   Mechanism fewest = with_base_parameters(mechanism, base, base_values(mechanism, base));
   // What base parameters leave out has no effect on torques; on the potential energy that of a constant.

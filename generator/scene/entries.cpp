@@ -107,7 +107,7 @@ class IndexReader {
       refuse(fmt::format("\"{}\" is no index of {}", name, output_.name), fmt::format("write 0 to {}", size_ - 1));
     }
     std::vector<std::string> known;
-    for (const Body& body : mechanism_.bodies) {
+    for (const Body& body : mechanism_.joints()) {
       if (body.joint == name) return static_cast<int>(known.size());
       known.push_back(body.joint);
     }

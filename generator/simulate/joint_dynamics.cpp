@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "simulate/joint_dynamics.hpp"
 
+#include "model/joint_friction.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -9,12 +11,8 @@ Model without_dry_friction(Model model) {
   return model;
 }
 
-Eigen::VectorXd of_joints(const Mechanism& mechanism, Number Body::*member) {
-  Eigen::VectorXd values(mechanism.size());
-  for (int i = 0; i < mechanism.size(); ++i) {
-    values(i) = nearest_double(mechanism.bodies[static_cast<std::size_t>(i)].*member);
-  }
-  return values;
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 }  // namespace
@@ -22,8 +20,9 @@ Eigen::VectorXd of_joints(const Mechanism& mechanism, Number Body::*member) {
 JointDynamics::JointDynamics(const Model& model, Progress& progress)
     : model_(without_dry_friction(with_whole_functions(model))) {
   require_numbers(model.robot, "a simulation");
-  viscous_ = of_joints(model.mechanism, &Body::viscous);
-  coulomb_ = of_joints(model.mechanism, &Body::coulomb);
+  const JointFriction friction = joint_friction(model.mechanism);
+  viscous_ = vector_of(friction.viscous);
+  coulomb_ = vector_of(friction.coulomb);
   terms_.emplace(make_fusion(model_, {"inertia_matrix", "bias"}, progress).fusion.function);
   const std::vector<Function> functions =
       whole_functions(model_, {"gravity", "potential_energy"}, "a simulation", progress);

@@ -25,7 +25,7 @@ const char* to_string(EventKind kind) {
 MotionEquation::MotionEquation(const Simulation& simulation, JointDynamics& dynamics)
     : simulation_(simulation), dynamics_(dynamics), law_(simulation, dynamics), n_(dynamics.joints()) {
   contacts_.resize(static_cast<std::size_t>(n_));
-  for (const Body& body : dynamics.mechanism().bodies) {
+  for (const Body& body : dynamics.mechanism().joints()) {
     const Limits& limits = body.limits;
     ranges_.push_back({limits.lower ? nearest_double(limits.lower->number) : -kInfinity,
                        limits.upper ? nearest_double(limits.upper->number) : kInfinity});

@@ -43,7 +43,7 @@ class SimulationReader {
   }
 
  private:
-  std::size_t joints() const { return mechanism_.bodies.size(); }
+  std::size_t joints() const { return mechanism_.joints().size(); }
 
   // A file that this one names.
   std::filesystem::path beside(const std::string& name) {
@@ -87,7 +87,7 @@ class SimulationReader {
   void read_torque(TomlTable table) {
     by_joint(table, "constant", simulation_.constant);
     simulation_.saturate = table.boolean("saturate").value_or(false);
-    const bool has_efforts = std::any_of(mechanism_.bodies.begin(), mechanism_.bodies.end(),
+    const bool has_efforts = std::any_of(mechanism_.joints().begin(), mechanism_.joints().end(),
                                          [](const Body& body) { return body.limits.effort.has_value(); });
     if (simulation_.saturate && !has_efforts) {
       diagnostics_.warning(table.place_of("saturate"), "saturate: no joint has an effort limit", "it has no effect");
@@ -140,7 +140,7 @@ class SimulationReader {
   void check_ranges(const TomlTable& table) {
     bool is_any = false;
     for (std::size_t i = 0; i < joints(); ++i) {
-      const Body& body = mechanism_.bodies[i];
+      const Body& body = mechanism_.joints()[i];
       const double q = simulation_.q[i];
       is_any = is_any || body.limits.lower || body.limits.upper;
       const double lower = body.limits.lower ? nearest_double(body.limits.lower->number) : q;
@@ -199,7 +199,7 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
 
 Simulation resting(const Mechanism& mechanism) {
   Simulation simulation;
-  simulation.q.assign(mechanism.bodies.size(), 0);
+  simulation.q.assign(mechanism.joints().size(), 0);
   simulation.qd = simulation.constant = simulation.q;
   return simulation;
 }

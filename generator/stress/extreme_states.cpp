@@ -45,8 +45,8 @@ std::vector<State> extreme_states(const Mechanism& mechanism, int count, unsigne
   Choice choice(seed);
   while (states.size() < static_cast<std::size_t>(count)) {
     State state = uniform_state(mechanism, 0, 0);
-    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-      state.q[i] = choice(mechanism.bodies[i].prismatic ? kSlides : kAngles);
+    for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
+      state.q[i] = choice(mechanism.joints()[i].prismatic ? kSlides : kAngles);
     }
     for (std::vector<double>* rates : {&state.qd, &state.qdd, &state.tau, &state.h_e, &state.qd_r, &state.qdd_r}) {
       for (double& rate : *rates) rate = choice(kRates);

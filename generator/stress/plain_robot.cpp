@@ -75,6 +75,23 @@ PlainLink link_of(Dice& dice, const Kind& kind, const std::vector<PlainLink>& be
   return link;
 }
 
+// Of two neighbours or of all before it; a gripper's second finger, or a belt's angle.
+void couple(Dice& dice, PlainRobot& robot) {
+  for (std::size_t k = 1; k < robot.links.size(); ++k) {
+    PlainLink& link = robot.links[k];
+    if (dice.one_in(2)) continue;
+    const int before = static_cast<int>(k);
+    const int leaders = dice.one_in(3) ? 2 : 1;
+    for (int i = 0; i < leaders && i < before; ++i) {
+      const int factor = link.is_prismatic ? dice.from(-150, 150) : 100 * dice.from(-2, 2);
+      if (factor != 0) link.follows.push_back({before - i, factor});
+    }
+    if (link.follows.empty()) continue;
+    link.has_coordinate = dice.one_in(4);
+    if (dice.one_in(2)) link.offset = dice.from(-99, 99);
+  }
+}
+
 // "-0.25": an integer of so many decimal places.
 std::string decimal(std::int64_t value, int places) {
   std::int64_t whole = 1;
@@ -140,6 +157,15 @@ class Lines {
   std::string text_;
 };
 
+std::string position_of(const PlainLink& link, int own) {
+  std::string text = link.has_coordinate ? fmt::format("joint{}", own) : "";
+  for (const PlainFollowing& leader : link.follows) {
+    text += fmt::format("{}{}*joint{}", text.empty() ? "" : " + ", hundredths(leader.factor), leader.joint);
+  }
+  if (link.offset != 0) text += " + " + hundredths(link.offset);
+  return text;
+}
+
 void add_motor(const PlainMotor& motor, Lines& lines) {
   lines.add("[link.motor]");
   lines.add("mass", motor.mass);
@@ -155,6 +181,7 @@ void add_link(const PlainLink& link, int before, Lines& lines) {
   lines.add("\n[[link]]");
   if (link.parent != before) lines.add(fmt::format("parent = \"{}\"", link_name(link.parent)));
   if (link.is_prismatic) lines.add("type = \"prismatic\"");
+  if (!link.follows.empty()) lines.add(fmt::format("position = \"{}\"", position_of(link, before + 1)));
   lines.add("xyz", link.xyz, kNoVector);
   if (link.rpy != kNoVector) lines.add("rpy = " + angles(link));
   lines.add("axis", link.axis, {0, 0, 100});
@@ -177,6 +204,7 @@ PlainRobot plain_robot(unsigned seed) {
   const Kind kind{dice.one_in(2), dice.one_in(2), dice.one_in(2), dice.one_in(2), dice.one_in(2)};
   PlainRobot robot{fmt::format("random_{}", seed), {}};
   for (int k = 0; k < joints; ++k) robot.links.push_back(link_of(dice, kind, robot.links));
+  if (dice.one_in(3)) couple(dice, robot);
   return robot;
 }
 

@@ -23,6 +23,13 @@ struct PlainMotor {
   bool operator==(const PlainMotor&) const = default;
 };
 
+// What a joint's position has of another's coordinate.
+struct PlainFollowing {
+  int joint = 1;     // the k-th
+  int factor = 100;  // hundredths
+  bool operator==(const PlainFollowing&) const = default;
+};
+
 // A link and the joint that moves it. Its inertia is that of three particles, so that a body can have it.
 struct PlainLink {
   int parent = 0;  // 0: the base; k: the k-th link
@@ -34,6 +41,9 @@ struct PlainLink {
   std::array<int, 3> particles = {0, 0, 0};  // kg/100, which count for the inertia about the centre of mass only
   std::array<PlainVector, 3> arms = {};      // m/100
   int viscous = 0, coulomb = 0;              // hundredths
+  std::vector<PlainFollowing> follows;       // before it; whole multiples where it turns
+  bool has_coordinate = true;                // of its own
+  int offset = 0;                            // hundredths
   bool has_motor = false;
   PlainMotor motor;
   bool operator==(const PlainLink&) const = default;
@@ -45,7 +55,8 @@ struct PlainRobot {
 };
 
 // Mostly of 1 to 4 joints, some of up to 8: a chain or a tree, of revolute and some prismatic joints, some of them in
-// nice directions, half of the robots with motors, half with friction. The same on every machine.
+// nice directions, half of the robots with motors, half with friction, a third with coupled joints. The same on every
+// machine.
 PlainRobot plain_robot(unsigned seed);
 
 // A TOML robot file (docs/robot-format.md); `comment`: lines to stand at its top.

@@ -6,6 +6,12 @@
 namespace flatdyn {
 namespace {
 
+void stand_alone(PlainLink& link) {
+  link.follows.clear();
+  link.has_coordinate = true;
+  link.offset = 0;
+}
+
 // Without link k (from 1): what it carries moves to its parent.
 PlainRobot without_link(const PlainRobot& robot, int k) {
   PlainRobot rest{robot.name, {}};
@@ -19,6 +25,9 @@ PlainRobot without_link(const PlainRobot& robot, int k) {
     PlainLink link = robot.links[i];
     link.parent = moved(link.parent);
     link.motor.carrier = moved(link.motor.carrier);
+    std::erase_if(link.follows, [k](const PlainFollowing& leader) { return leader.joint == k; });
+    for (PlainFollowing& leader : link.follows) leader.joint -= leader.joint > k ? 1 : 0;
+    if (link.follows.empty()) stand_alone(link);
     rest.links.push_back(link);
   }
   return rest;
@@ -55,6 +64,9 @@ std::vector<Change> all_changes() {
       [](PlainLink& link) {
         link.particles = {0, 0, 0}, link.arms = {};
       },
+      stand_alone,
+      [](PlainLink& link) { link.has_coordinate = true; },
+      without(&PlainLink::offset),
       without(&PlainLink::viscous),
       without(&PlainLink::coulomb),
       without(&PlainLink::xyz),

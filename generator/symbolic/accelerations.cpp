@@ -4,8 +4,8 @@
 namespace flatdyn {
 
 std::vector<Number> bias_torques(Workbench& bench) {
-  const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
-  return torques(bench.frames, motion);
+  const Motion motion{bench.joint_motion(InputKind::qd), bench.no_motion(), bench.mechanism.gravity, true};
+  return bench.at_coordinates(torques(bench.frames, motion));
 }
 
 std::vector<Number> accelerations(Workbench& bench, const Factorisation& B) {

@@ -173,7 +173,11 @@ AngleRewriter::AngleRewriter(const Mechanism& mechanism) : joints_(mechanism.siz
       group_of[i] = groups_.size();
       groups_.emplace_back();
     }
-    if (!body.prismatic) groups_[group_of[i]].push_back(static_cast<int>(i));
+  }
+  for (int k = 0; k < mechanism.size(); ++k) {
+    if (mechanism.joint(k).prismatic) continue;
+    // Coupled joints turn by each other's coordinates, whatever the axes.
+    groups_[mechanism.is_coupled() ? 0 : group_of[static_cast<std::size_t>(k)]].push_back(k);
   }
   std::erase_if(groups_, [](const std::vector<int>& group) { return group.empty(); });
 }

@@ -226,6 +226,7 @@ class ArticulatedRecursion {
 }  // namespace
 
 bool has_articulated_form(const Mechanism& mechanism) {
+  if (mechanism.is_coupled()) return false;
   for (const Body& body : mechanism.bodies) {
     if (body.rotor && body.rotor->carrier >= 0 && body.rotor->carrier != body.parent) return false;
   }

@@ -5,6 +5,7 @@
 
 #include "graph/mod_p.hpp"
 #include "model/field_mechanism.hpp"
+#include "symbolic/coupled_base.hpp"
 #include "symbolic/elimination.hpp"
 #include "symbolic/redundant.hpp"
 
@@ -41,9 +42,9 @@ InertialParameters inertia_of(const RedundantPart& part) {
 class Regrouping {
  public:
   explicit Regrouping(const Mechanism& mechanism) : mechanism_(mechanism) {
-    for (int k = 0; k < kParametersPerJoint * mechanism.size(); ++k) forms_.push_back({{k, 1}});
+    for (int k = 0; k < kParametersPerJoint * mechanism.body_count(); ++k) forms_.push_back({{k, 1}});
     const auto parts = redundant_parts(mechanism);
-    for (int j = mechanism.size() - 1; j >= 0; --j) {
+    for (int j = mechanism.body_count() - 1; j >= 0; --j) {
       for (const RedundantPart& part : parts[static_cast<std::size_t>(j)]) move(j, part);
     }
   }
@@ -78,7 +79,7 @@ class Regrouping {
 // Places in π in the order in which they are kept.
 std::vector<int> by_preference(const Mechanism& mechanism) {
   std::vector<int> order;
-  for (int i = 0; i < mechanism.size(); ++i) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
     for (const Parameter p : kPreference) order.push_back(index_of(i, p));
   }
   return order;
@@ -129,8 +130,9 @@ BaseParameters base_parameters(const Mechanism& mechanism, ParameterSet set) {
   std::erase_if(rows, [](const ParameterForm& form) { return form.empty(); });
   ModPArithmetic<> arithmetic(1);
   const NumberMap<ModPArithmetic<>> field(mechanism.symbols, arithmetic);
-  return reduced(std::move(rows), by_preference(mechanism), parameters_in(mechanism, set),
-                 [&field](const Number& x) { return field(x) == ModP<kMersenne61>(0); });
+  const BaseParameters base = reduced(std::move(rows), by_preference(mechanism), parameters_in(mechanism, set),
+                                      [&field](const Number& x) { return field(x) == ModP<kMersenne61>(0); });
+  return mechanism.is_coupled() ? reduced_at_coordinates(mechanism, base) : base;
 }
 
 std::vector<Number> base_values(const Mechanism& mechanism, const BaseParameters& base) {

@@ -79,7 +79,7 @@ std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion) 
   BodyMotion base;
   base.ddp = frames.derivation().named(Number(-1) * motion.gravity, "ddp_0");  // so that gravity acts on every body
   std::vector<BodyMotion> bodies;
-  for (int i = 0; i < frames.mechanism().size(); ++i) {
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
     const int parent = frames.mechanism().bodies[static_cast<std::size_t>(i)].parent;
     bodies.push_back(moved(frames, i, parent < 0 ? base : bodies[static_cast<std::size_t>(parent)], motion));
   }

@@ -35,7 +35,7 @@ Centres::Centres(Frames& frames)
     : frames_(frames),
       centre_(frames.mechanism().bodies.size(), -1),
       height_(frames.mechanism().bodies.size(), Number(0)) {
-  for (int i = 0; i < frames.mechanism().size(); ++i) place(i);
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) place(i);
   for (int& centre : centre_) {
     if (std::count(centre_.begin(), centre_.end(), centre) < kWorthwhile) centre = -1;
   }
@@ -56,7 +56,7 @@ void Centres::place(int i) {
       return;
     }
   }
-  for (int child = i + 1; child < mechanism.size(); ++child) {
+  for (int child = i + 1; child < mechanism.body_count(); ++child) {
     if (body_of(mechanism, child).parent != i || body_of(mechanism, child).prismatic) continue;
     height_[k] = crossing(body_of(mechanism, child)).value_or(0);
     return;

@@ -6,9 +6,13 @@
 #include "symbolic/closed_form.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
+#include "diagnostics/diagnostics.hpp"
+
+#include "model/rational_rotation.hpp"
 #include "symbolic/turns.hpp"
 
 namespace flatdyn {
@@ -38,26 +42,30 @@ struct JacobianColumn {
 class Lagrange {
  public:
   explicit Lagrange(const Mechanism& mechanism) : mechanism_(mechanism) {
-    const auto n = at(mechanism.size());
-    for (const Body& body : mechanism.bodies) {
-      const std::string i = std::to_string(form_.c.size() + 1);
-      form_.c.emplace_back("c_" + i);
-      form_.s.emplace_back("s_" + i);
-      form_.d.emplace_back("d_" + i);
-      composite_.push_back(body.inertia);
+    const auto n = at(mechanism.body_count());
+    for (int k = 0; k < mechanism.size(); ++k) {
+      const std::string name = std::to_string(k + 1);
+      form_.c.emplace_back("c_" + name);
+      form_.s.emplace_back("s_" + name);
+      form_.d.emplace_back("d_" + name);
+    }
+    for (int i = 0; i < mechanism.body_count(); ++i) {
+      angle_.push_back(mechanism.bodies[at(i)].prismatic ? PlanarRotation{} : turn_of_joint(i));
+      slide_.push_back(mechanism.bodies[at(i)].prismatic ? slide_of_joint(i) : Number(0));
+      composite_.push_back(mechanism.bodies[at(i)].inertia);
     }
     form_.B.assign(n, std::vector<Number>(n, 0));
     form_.g.assign(n, 0);
-    form_.c_ijk.assign(n, std::vector<Number>(n * (n + 1) / 2, 0));
   }
 
   ClosedForm run() {
-    for (int i = 0; i < mechanism_.size(); ++i) add_columns(i);
-    for (int k = mechanism_.size() - 1; k >= 0; --k) {
+    for (int i = 0; i < mechanism_.body_count(); ++i) add_columns(i);
+    for (int k = mechanism_.body_count() - 1; k >= 0; --k) {
       add_momentum_products(k);
       gather(k);
     }
-    for (int i = 0; i < mechanism_.size(); ++i) add_rotor(i);
+    for (int i = 0; i < mechanism_.body_count(); ++i) add_rotor(i);
+    if (mechanism_.is_coupled()) gather_at_coordinates();
     reduce_all();
     add_christoffel_symbols();
     return std::move(form_);
@@ -66,11 +74,64 @@ class Lagrange {
  private:
   const Body& body(int i) const { return mechanism_.bodies[at(i)]; }
 
+  // By which multiples of coordinates joint i moves.
+  std::vector<Number> factors_of(int i) const {
+    if (mechanism_.is_coupled()) return mechanism_.coupling[at(i)];
+    std::vector<Number> own(at(mechanism_.size()), 0);
+    own[at(i)] = 1;
+    return own;
+  }
+
+  Number slide_of_joint(int i) const {
+    const std::vector<Number> factors = factors_of(i);
+    Number sum = 0;
+    for (std::size_t k = 0; k < factors.size(); ++k) sum += factors[k] * form_.d[k];
+    return sum;
+  }
+
+  // Cosine and sine of the sum of multiples, by the addition theorems.
+  PlanarRotation turn_of_joint(int i) const {
+    const std::vector<Number> factors = factors_of(i);
+    PlanarRotation total;
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      if (!factors[k].info(GiNaC::info_flags::integer)) refuse_fraction(i);
+      const int times = GiNaC::ex_to<GiNaC::numeric>(factors[k]).to_int();
+      const PlanarRotation step{form_.c[k], times < 0 ? Number(-form_.s[k]) : Number(form_.s[k])};
+      for (int turn = 0; turn < std::abs(times); ++turn) total = total * step;
+    }
+    return {total.c.expand(), total.s.expand()};
+  }
+
+  [[noreturn]] void refuse_fraction(int i) const {
+    throw Failure(
+        ExitCode::unsupported,
+        "derive: joint \"" + body(i).joint + "\" turns by a fraction of a coordinate, which has no closed form",
+        "choose the coordinate that turns least, so that the others turn by whole multiples of it");
+  }
+
+  // Aᵀ B A and Aᵀ g.
+  void gather_at_coordinates() {
+    const auto n = at(mechanism_.size());
+    const std::vector<std::vector<Number>>& A = mechanism_.coupling;
+    std::vector<std::vector<Number>> B(n, std::vector<Number>(n, 0));
+    std::vector<Number> g(n, 0);
+    for (std::size_t r = 0; r < A.size(); ++r) {
+      for (std::size_t k = 0; k < n; ++k) {
+        g[k] += A[r][k] * form_.g[r];
+        for (std::size_t t = 0; t < A.size(); ++t) {
+          for (std::size_t l = 0; l < n; ++l) B[k][l] += A[r][k] * A[t][l] * form_.B[r][t];
+        }
+      }
+    }
+    form_.B = std::move(B);
+    form_.g = std::move(g);
+  }
+
   // Displacement of frame i in its parent's frame, with the slide of a prismatic joint.
   Vec3 displacement(int i) const {
     const Body& b = body(i);
     if (!b.prismatic) return b.p;
-    return b.p + turn_z(b.beta, turn_x(b.alpha, Vec3{0, 0, form_.d[at(i)]}));
+    return b.p + turn_z(b.beta, turn_x(b.alpha, Vec3{0, 0, slide_[at(i)]}));
   }
 
   // A free vector of the parent in frame i: transposed Rz(beta) Rx(alpha) Rz(theta) Rz(q).
@@ -78,13 +139,13 @@ class Lagrange {
     const Body& b = body(i);
     const Vec3 fixed = expanded_vector(turn_z(back(b.theta), turn_x(back(b.alpha), turn_z(back(b.beta), v))));
     if (b.prismatic) return fixed;
-    return expanded_vector(turn_z(PlanarRotation{form_.c[at(i)], -form_.s[at(i)]}, fixed));
+    return expanded_vector(turn_z(back(angle_[at(i)]), fixed));
   }
 
   template <class Quantity>  // vector or symmetric tensor of frame i, in its parent's axes
   Quantity up(int i, Quantity v) const {
     const Body& b = body(i);
-    if (!b.prismatic) v = turn_z(PlanarRotation{form_.c[at(i)], form_.s[at(i)]}, v);
+    if (!b.prismatic) v = turn_z(angle_[at(i)], v);
     return turn_z(b.beta, turn_x(b.alpha, turn_z(b.theta, v)));
   }
 
@@ -151,18 +212,19 @@ class Lagrange {
 
   // ∂/∂q_k, with ∂c/∂q = -s and ∂s/∂q = c.
   Number derivative(const Number& b, int k) const {
-    if (body(k).prismatic) return b.diff(form_.d[at(k)]);
+    if (mechanism_.joint(k).prismatic) return b.diff(form_.d[at(k)]);
     const GiNaC::symbol &c = form_.c[at(k)], &s = form_.s[at(k)];
     return c * b.diff(s) - s * b.diff(c);
   }
 
   void add_christoffel_symbols() {
     const int n = mechanism_.size();
-    // ∂b_ij/∂q_k for i <= j; zero unless joint k comes after joint i.
+    form_.c_ijk.assign(at(n), std::vector<Number>(at(n * (n + 1) / 2), 0));
+    // ∂b_ij/∂q_k for i <= j; in a tree zero unless joint k comes after joint i.
     std::vector<std::vector<std::vector<Number>>> db(at(n));
     for (int k = 0; k < n; ++k) {
       db[at(k)].assign(at(n), std::vector<Number>(at(n), 0));
-      for (int i = 0; i < k; ++i) {
+      for (int i = 0; i < (mechanism_.is_coupled() ? n : k); ++i) {
         for (int j = i; j < n; ++j) {
           db[at(k)][at(i)][at(j)] = db[at(k)][at(j)][at(i)] = reduced(derivative(form_.B[at(i)][at(j)], k), form_);
         }
@@ -180,6 +242,8 @@ class Lagrange {
 
   const Mechanism& mechanism_;
   ClosedForm form_;
+  std::vector<PlanarRotation> angle_;  // of each body's joint
+  std::vector<Number> slide_;
   std::vector<std::map<int, JacobianColumn>> columns_;
   std::vector<Vec3> gravity_;
   std::vector<InertialParameters> composite_;

@@ -11,7 +11,7 @@
 namespace flatdyn {
 
 struct ClosedForm {
-  std::vector<GiNaC::symbol> c, s, d;      // one of each per joint; c, s for revolute, d for prismatic joints
+  std::vector<GiNaC::symbol> c, s, d;      // one of each per coordinate; c, s for revolute, d for prismatic joints
   std::vector<std::vector<Number>> B;      // (7.32)
   std::vector<std::vector<Number>> c_ijk;  // [i][k (k + 1) / 2 + j], j <= k, (7.45)
   std::vector<Number> g;                   // (7.39)
@@ -23,6 +23,7 @@ struct ClosedForm {
 // An index of joints as one of vectors.
 inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+// Throws Failure(unsupported) where a joint turns by a fraction of a coordinate.
 ClosedForm closed_form(const Mechanism& mechanism);
 
 // sin(x)² → 1 - cos(x)² everywhere, expanded: for the joints' s_i and c_i, and for angles that are free symbols.

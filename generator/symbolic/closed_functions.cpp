@@ -103,7 +103,7 @@ class ClosedModel {
       const int turns = std::abs(angle[at(i)]);
       const Number sign = angle[at(i)] < 0 ? -1 : 1;
       for (int k = 0; k < turns; ++k) {
-        joints += std::to_string(i + 1);
+        joints += (angle[at(i)] < 0 ? "m" : "") + std::to_string(i + 1);
         const Number c = derivation_.cos(q, label("c", {i})), s = sign * derivation_.sin(q, label("s", {i}));
         sum = {derivation_.named(sum.cosine * c - sum.sine * s, "c_" + joints),
                derivation_.named(sum.sine * c + sum.cosine * s, "s_" + joints)};
@@ -148,7 +148,7 @@ class ClosedModel {
 
   // C q̇ and friction.
   Number velocity_torque(int i) {
-    const Body& body = mechanism_.bodies[at(i)];
+    const Body& body = mechanism_.joint(i);  // coupled joints have no friction here
     Number sum = body.viscous * qd(i);
     if (!vanishes(body.coulomb)) sum += body.coulomb * derivation_.sign(qd(i), label("sgn", {i}));
     for (int k = 0; k < n(); ++k) {
@@ -173,11 +173,18 @@ class ClosedModel {
   std::size_t terms_ = 0;
 };
 
+// Friction of a joint that follows others, which the closed form has not.
+bool has_coupled_friction(const Mechanism& mechanism) {
+  return mechanism.is_coupled() && std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
+           return !vanishes(body.viscous) || !vanishes(body.coulomb);
+         });
+}
+
 }  // namespace
 
 std::optional<Function> closed_variant(const Mechanism& mechanism, const Function& recursive) {
   const bool has_it = std::find(std::begin(kNames), std::end(kNames), recursive.name) != std::end(kNames);
-  if (!has_it || mechanism.size() > kMostJoints) return std::nullopt;
+  if (!has_it || mechanism.size() > kMostJoints || has_coupled_friction(mechanism)) return std::nullopt;
   ClosedModel model(mechanism);
   Function closed = recursive;
   closed.outputs.at(0).entries = model.entries(recursive.name);

@@ -62,8 +62,8 @@ Wrench swept_by(const Body& body, const Wrench& wrench) {
 std::vector<InertialParameters> composites(Frames& frames) {
   Derivation& d = frames.derivation();
   std::vector<InertialParameters> result;
-  for (int i = 0; i < frames.mechanism().size(); ++i) result.push_back(frames.inertia(i));
-  for (int i = frames.mechanism().size() - 1; i >= 0; --i) {
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) result.push_back(frames.inertia(i));
+  for (int i = frames.mechanism().body_count() - 1; i >= 0; --i) {
     InertialParameters& composite = result[static_cast<std::size_t>(i)];
     const std::string n = label(i);
     composite = {d.named(composite.mass, "mc_" + n), d.named(composite.first_moment, "hc_" + n),
@@ -78,7 +78,7 @@ std::vector<InertialParameters> composites(Frames& frames) {
 
 std::vector<std::vector<Number>> inertia_matrix(Frames& frames) {
   Derivation& d = frames.derivation();
-  const auto n = static_cast<std::size_t>(frames.mechanism().size());
+  const auto n = static_cast<std::size_t>(frames.mechanism().body_count());
   const std::vector<InertialParameters> bodies = composites(frames);
   std::vector<std::vector<Number>> B(n, std::vector<Number>(n, 0));
   for (std::size_t j = 0; j < n; ++j) {
@@ -129,7 +129,7 @@ HalfDerivatives half_derivatives(Frames& frames) {  // of a mechanism with halve
   const std::vector<InertialParameters> bodies = composites(frames);
   const std::vector<std::map<int, Twist>> twists = unit_twists(frames);
   HalfDerivatives result;
-  for (int j = 0; j < frames.mechanism().size(); ++j) {
+  for (int j = 0; j < frames.mechanism().body_count(); ++j) {
     const auto jj = static_cast<std::size_t>(j);
     climb(frames, j, unit_wrench(frames, j, bodies[jj]), [&](int k, const Wrench& wrench) {
       const std::string n = label(j) + "_" + label(k);

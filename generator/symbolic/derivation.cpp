@@ -5,16 +5,10 @@
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
+#include "model/field_mechanism.hpp"
 
 namespace flatdyn {
 namespace {
-
-Rational to_rational(const Number& number) {
-  const GiNaC::numeric value = GiNaC::ex_to<GiNaC::numeric>(number);
-  std::ostringstream text;
-  text << value.numer() << '/' << value.denom();
-  return Rational(text.str());
-}
 
 [[noreturn]] void cannot_import(const Number& expression) {
   std::ostringstream text;

@@ -8,10 +8,22 @@
 namespace flatdyn {
 namespace {
 
-using Rows = std::vector<std::vector<Number>>;
-
 Output derivative_output(Workbench& bench, const std::string& name, const Rows& rows, const std::string& meaning) {
   return matrix_output(name, bench.size(), bench.size(), bench.nodes(rows), meaning);
+}
+
+TorqueDerivatives derivatives_at_coordinates(Workbench& bench, const Motion& motion) {
+  const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
+  const auto folded = [&bench](const Rows& rows, const std::string& name) {
+    return at_coordinates(bench.mechanism, bench.derivation, rows, Shape::general, name);
+  };
+  return {folded(tau.dq, "dtau"), folded(tau.dqd, "dtaud")};
+}
+
+// A q̈.
+std::vector<Number> accelerations_of_joints(Workbench& bench, const Factorisation& B) {
+  const std::vector<Number> qdd = accelerations(bench, B);
+  return joint_motion(bench.mechanism, bench.derivation, qdd, "qdd_j");
 }
 
 // -B⁻¹ times a matrix.
@@ -29,8 +41,9 @@ Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name)
 }  // namespace
 
 Function torque_derivatives_function(Workbench& bench) {
-  const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), bench.mechanism.gravity, true};
-  const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
+  const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qdd), bench.mechanism.gravity,
+                      true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(bench, motion);
   return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
                   {derivative_output(bench, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
                    derivative_output(bench, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
@@ -38,9 +51,10 @@ Function torque_derivatives_function(Workbench& bench) {
 
 // From B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
 Function acceleration_derivatives_function(Workbench& bench) {
-  const Factorisation B(bench.frames, inertia_matrix(bench.frames));
-  const Motion motion{bench.all(InputKind::qd), accelerations(bench, B), bench.mechanism.gravity, true};
-  const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
+  const Factorisation B(bench.frames, bench.inertia());
+  const Motion motion{bench.joint_motion(InputKind::qd), accelerations_of_joints(bench, B), bench.mechanism.gravity,
+                      true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(bench, motion);
   const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
   const Rows dtau = B.inverse("a");
   const std::vector<NodeId> pivots = bench.nodes(B.pivots());

@@ -78,7 +78,7 @@ class Deriver {
 
   void add_joints() {
     for (int i = 0; i < n(); ++i) {
-      const Body& body = mechanism_.bodies[at(i)];
+      const Body& body = mechanism_.joint(i);
       const bool slides = body.prismatic && !pretty_.long_names();
       const std::string type = body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
       model_.joints.push_back({pretty_.coordinate("q", i) + (slides ? " = " + pretty_.coordinate("d", i) : ""),
@@ -189,14 +189,44 @@ class Deriver {
       const std::string rates = j == k ? first + "^2" : first + " " + pretty_.coordinate("qd", k);
       add(c, j == k ? 1 : 2, rates, GroupBy::parameters);
     }
-    const Body& body = mechanism_.bodies[at(i)];
-    const std::string rate = pretty_.coordinate("qd", i);
-    add(readable(body.viscous), 1, rate, GroupBy::parameters);
-    add(readable(body.coulomb), 1, sign_of(rate), GroupBy::parameters);
+    for (const auto& [factor, friction] : friction_of(i)) add(readable(friction), 1, factor, GroupBy::parameters);
     add(g_[at(i)], 1, "", GroupBy::motion);
     const bool left_out = !complete || terms > options_.max_terms;
     model_.equations.push_back(
         {pretty_.coordinate("tau", i), left_out ? left_out_text(terms) : Pretty::joined(pieces), terms, left_out});
+  }
+
+  // What equation i has of friction: factors of velocity, and what they multiply.
+  std::vector<std::pair<std::string, Number>> friction_of(int i) const {
+    if (!mechanism_.is_coupled()) {
+      const Body& body = mechanism_.joint(i);
+      const std::string rate = pretty_.coordinate("qd", i);
+      return {{rate, body.viscous}, {sign_of(rate), body.coulomb}};
+    }
+    std::vector<std::pair<std::string, Number>> terms;
+    const auto& A = mechanism_.coupling;
+    for (int k = 0; k < n(); ++k) {
+      Number viscous = 0;
+      for (std::size_t r = 0; r < A.size(); ++r) viscous += A[r][at(i)] * A[r][at(k)] * mechanism_.bodies[r].viscous;
+      terms.emplace_back(pretty_.coordinate("qd", k), viscous);
+    }
+    for (std::size_t r = 0; r < A.size(); ++r) {
+      terms.emplace_back(sign_of(rate_text(A[r])), A[r][at(i)] * mechanism_.bodies[r].coulomb);
+    }
+    return terms;
+  }
+
+  // "qd_2 - qd_1"
+  std::string rate_text(const std::vector<Number>& factors) const {
+    std::vector<Piece> pieces;
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      if (vanishes(factors[k])) continue;
+      const bool negative = nearest_double(factors[k]) < 0;
+      const Number magnitude = negative ? -factors[k] : factors[k];
+      const std::string times = magnitude.is_equal(1) ? "" : to_decimal(magnitude, options_.digits) + " ";
+      pieces.push_back({negative, times + pretty_.coordinate("qd", static_cast<int>(k))});
+    }
+    return Pretty::joined(pieces);
   }
 
   std::string sign_of(const std::string& rate) const {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "symbolic/coordinates.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -50,9 +52,9 @@ Number kinetic_energy(Frames& frames) {
   const Mechanism& mechanism = frames.mechanism();
   std::vector<Velocity> links;
   Number twice = 0;
-  for (int i = 0; i < mechanism.size(); ++i) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-    const Number qd = d.input(InputKind::qd, i);
+    const Number qd = joint_rate(mechanism, d, i);
     links.push_back(moved(frames, i, body.parent < 0 ? Velocity{} : links[static_cast<std::size_t>(body.parent)], qd));
     twice += d.named(twice_link_energy(d, frames.inertia(i), links.back(), label(i)), "T_" + label(i));
     twice += d.named(twice_rotor_energy(d, body, frames.rotor_axis(i), links, qd, label(i)), "T_m" + label(i));
@@ -73,7 +75,7 @@ struct FirstMoments {
 FirstMoments first_moments(Frames& frames, const Number& unit) {  // in `unit` kg m, kg
   Derivation& d = frames.derivation();
   const Mechanism& mechanism = frames.mechanism();
-  const auto n = static_cast<std::size_t>(mechanism.size());
+  const auto n = static_cast<std::size_t>(mechanism.body_count());
   FirstMoments sum{std::vector<Vec3>(n), std::vector<Number>(n), mechanism.base.first_moment};
   std::vector<Vec3> h;
   for (std::size_t k = 0; k < n; ++k) h.push_back(1 / unit * frames.inertia(static_cast<int>(k)).first_moment);
@@ -119,7 +121,7 @@ std::vector<Number> gravity_torques(Frames& frames) {
   const Vec3 g_base = d.named(1 / unit * frames.mechanism().gravity, "g_0");
   std::vector<Vec3> g;
   std::vector<Number> torques;
-  for (int i = 0; i < frames.mechanism().size(); ++i) {
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const int parent = frames.body(i).parent;
     const Vec3& before = parent < 0 ? g_base : g[static_cast<std::size_t>(parent)];

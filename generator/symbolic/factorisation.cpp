@@ -21,8 +21,10 @@ void fail_as_singular(const Body& body) {
 
 Factorisation::Factorisation(Frames& frames, std::vector<std::vector<Number>> B)
     : derivation_(frames.derivation()), L_(std::move(B)), inverse_(L_.size()) {
-  for (const Body& body : frames.mechanism().bodies) parents_.push_back(body.parent);
-  factorise([&frames](std::size_t k) { fail_as_singular(frames.body(static_cast<int>(k))); });
+  const Mechanism& mechanism = frames.mechanism();
+  // Coupled joints on different branches feel each other: then zeros are found one by one.
+  for (int k = 0; k < mechanism.size(); ++k) parents_.push_back(mechanism.is_coupled() ? k - 1 : frames.body(k).parent);
+  factorise([&mechanism](std::size_t k) { fail_as_singular(mechanism.joint(static_cast<int>(k))); });
 }
 
 Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, std::vector<std::vector<Number>> matrix,

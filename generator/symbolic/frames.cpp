@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/rational_rotation.hpp"
+#include "symbolic/coordinates.hpp"
 #include "symbolic/turns.hpp"
 
 namespace flatdyn {
@@ -54,15 +55,15 @@ bool can_be_still(const Mechanism& mechanism, int i) {
 
 Frames::Frames(const Mechanism& mechanism, Derivation& derivation, const std::vector<Axes>& axes)
     : mechanism_(mechanism), derivation_(derivation) {
-  for (int i = 0; i < mechanism.size(); ++i) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
     turns_.push_back(turn_by_joint(i));
-    slide_.push_back(body.prismatic ? derivation.input(InputKind::q, i) : Number(0));
+    slide_.push_back(body.prismatic ? joint_position(mechanism, derivation, i) : Number(0));
     p_.push_back(derivation.named(body.p, "p_" + label(i)));
     inertia_.push_back(body.inertia);
     rotor_axis_.push_back(body.rotor ? derivation.named(body.rotor->axis, "z_m" + label(i)) : zero_vector());
   }
-  for (int i = 0; i < mechanism.size() && !axes.empty(); ++i) {
+  for (int i = 0; i < mechanism.body_count() && !axes.empty(); ++i) {
     if (axes[static_cast<std::size_t>(i)] == Axes::still && can_be_still(mechanism, i)) hold(i);
   }
 }
@@ -73,9 +74,15 @@ Frames::Turn Frames::turn_by_joint(int i) {
     return named(derivation_, a, name + label(i));
   };
   Turn turn{constant(body.beta, "beta"), constant(body.alpha, "alpha"), constant(body.theta, "theta"), ""};
+  turn.constant = turn.gamma;
   if (body.prismatic) return turn;
   turn.angles = label(i);
-  const Number q = derivation_.input(InputKind::q, i);
+  if (mechanism_.is_coupled()) {
+    turn.multiples = mechanism_.coupling[static_cast<std::size_t>(i)];
+    turn.gamma = named(derivation_, turn_by(derivation_, turn.multiples) * turn.constant, label(i) + "t");
+    return turn;
+  }
+  const Number q = joint_position(mechanism_, derivation_, i);
   const PlanarRotation joint = {derivation_.cos(q, "c_" + label(i)), derivation_.sin(q, "s_" + label(i))};
   turn.gamma = named(derivation_, joint * turn.gamma, label(i) + "t");
   return turn;
@@ -91,7 +98,7 @@ void Frames::hold(int i) {
   body.inertia =
       turned_tensor_z(derivation_, held.gamma, derivation_.named_symmetric(body.inertia, "I_" + n), "I_t" + n);
   turns_[k].gamma = {};
-  for (int other = 0; other < mechanism_.size(); ++other) {
+  for (int other = 0; other < mechanism_.body_count(); ++other) {
     const Body& each = mechanism_.bodies[static_cast<std::size_t>(other)];
     if (each.parent == i) hand_on(held, other);
     if (!each.rotor || each.rotor->carrier != i) continue;
@@ -106,11 +113,28 @@ void Frames::hand_on(const Turn& held, int child) {
   const auto k = static_cast<std::size_t>(child);
   Turn& turn = turns_[k];
   p_[k] = derivation_.named(turn_z(held.gamma, p_[k]), "p_" + label(child));
+  if (mechanism_.is_coupled()) return hand_on_multiples(held, child);
   const std::string before = held.angles + "_b" + label(child);
   PlanarRotation first = named(derivation_, held.gamma * turn.beta, before);
   if (turn.alpha.c.is_equal(-1)) first = back(first);
   turn.angles = held.angles + (turn.angles.empty() ? "" : "_" + turn.angles);
   turn.gamma = named(derivation_, first * turn.gamma, turn.angles);
+  turn.beta = {};
+}
+
+// The same where joints are coupled: the multiples of coordinates are added up first, as some may cancel.
+void Frames::hand_on_multiples(const Turn& held, int child) {
+  Turn& turn = turns_[static_cast<std::size_t>(child)];
+  const bool flips = turn.alpha.c.is_equal(-1);
+  PlanarRotation constant = held.constant * turn.beta;
+  if (flips) constant = back(constant);
+  turn.constant = constant * turn.constant;
+  turn.multiples.resize(held.multiples.size(), 0);  // a joint that slides has none
+  for (std::size_t k = 0; k < held.multiples.size(); ++k) {
+    turn.multiples[k] += flips ? -held.multiples[k] : held.multiples[k];
+  }
+  turn.angles = held.angles + "_" + label(child);
+  turn.gamma = named(derivation_, turn_by(derivation_, turn.multiples) * turn.constant, turn.angles);
   turn.beta = {};
 }
 

@@ -57,11 +57,15 @@ class Frames {
   struct Turn {
     PlanarRotation beta, alpha, gamma;  // gamma: theta and, for a revolute joint, q
     std::string angles;                 // of which joints gamma is the sum: "2_3"
+    // Where joints are coupled: gamma is by these multiples of coordinates, and by a constant.
+    std::vector<Number> multiples{};
+    PlanarRotation constant{};
   };
 
   Turn turn_by_joint(int i);
   void hold(int i);
   void hand_on(const Turn& held, int child);
+  void hand_on_multiples(const Turn& held, int child);
 
   const Turn& turn_of(int i) const { return turns_[static_cast<std::size_t>(i)]; }
 

@@ -28,10 +28,11 @@ Function derived(const Mechanism& mechanism, const Choices& choices,
 
 Function inverse_dynamics(const Mechanism& mechanism, const Choices& choices) {
   return derived(mechanism, choices, [](Workbench& bench) {
-    const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), bench.mechanism.gravity, true};
+    const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qdd), bench.mechanism.gravity,
+                        true};
     const std::vector<Number> tau = torques(bench.frames, motion);
     return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
-                    {vector_output("tau", bench.nodes(tau), kTorqueMeaning)});
+                    {vector_output("tau", bench.nodes(bench.at_coordinates(tau)), kTorqueMeaning)});
   });
 }
 
@@ -46,17 +47,18 @@ Function inverse_dynamics_tip_force(const Mechanism& mechanism, const Choices& c
   return derived(mechanism, as_given(choices, mechanism.tip), [](Workbench& bench) {
     const std::vector<Number> h = inputs(bench.derivation, InputKind::h_e, 6);
     const Wrench tip = wrench_on_body(bench.frames, bench.mechanism.tip, {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}});
-    const Motion motion{bench.all(InputKind::qd), bench.all(InputKind::qdd), bench.mechanism.gravity, true};
+    const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qdd), bench.mechanism.gravity,
+                        true};
     const std::vector<Number> tau = torques(bench.frames, motion, tip);
     return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::h_e},
-                    {vector_output("tau", bench.nodes(tau), kTorqueMeaning)});
+                    {vector_output("tau", bench.nodes(bench.at_coordinates(tau)), kTorqueMeaning)});
   });
 }
 
 Function inertia_matrix_function(const Mechanism& mechanism, const Choices& choices) {
   return derived(mechanism, choices, [](Workbench& bench) {
     std::vector<NodeId> entries;
-    for (const std::vector<Number>& row : inertia_matrix(bench.frames)) {
+    for (const std::vector<Number>& row : bench.inertia()) {
       for (const Number& b : row) entries.push_back(bench.node(b));
     }
     return finished(bench, {InputKind::q},
@@ -65,11 +67,15 @@ Function inertia_matrix_function(const Mechanism& mechanism, const Choices& choi
   });
 }
 
+ChristoffelSymbols christoffel_at_coordinates(Workbench& bench) {
+  return at_coordinates(bench.mechanism, bench.derivation, christoffel_symbols(bench.frames));
+}
+
 Function christoffel(const Mechanism& mechanism, const Choices& choices) {
   return derived(with_half_inertia(mechanism), choices, [](Workbench& bench) {
     const int n = bench.size(), columns = n * (n + 1) / 2;
     std::vector<NodeId> entries(static_cast<std::size_t>(n * columns), bench.node(0));
-    for (const auto& [key, value] : christoffel_symbols(bench.frames)) {
+    for (const auto& [key, value] : christoffel_at_coordinates(bench)) {
       const auto [i, j, k] = key;
       entries[static_cast<std::size_t>(i * columns + k * (k + 1) / 2 + j)] = bench.node(value);
     }
@@ -89,7 +95,7 @@ Function coriolis_from_christoffel(const Mechanism& mechanism, const Choices& ch
     const auto n = static_cast<std::size_t>(bench.size());
     const std::vector<Number> qd = bench.all(InputKind::qd);
     std::vector<std::vector<Number>> C(n, std::vector<Number>(n, 0));
-    for (const auto& [key, c] : christoffel_symbols(bench.frames)) {
+    for (const auto& [key, c] : christoffel_at_coordinates(bench)) {
       const auto i = static_cast<std::size_t>(key[0]), j = static_cast<std::size_t>(key[1]),
                  k = static_cast<std::size_t>(key[2]);
       C[i][j] += c * qd[k];
@@ -102,15 +108,18 @@ Function coriolis_from_christoffel(const Mechanism& mechanism, const Choices& ch
 // C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative.
 std::optional<Function> coriolis_from_momenta(const Mechanism& mechanism, const Choices& choices) {
   return derived(with_half_inertia(mechanism), choices, [](Workbench& bench) {
-    const Motion motion{bench.all(InputKind::qd), bench.none(), zero_vector(), false};
-    return finished_coriolis(bench, bench.nodes(torque_derivatives(bench.frames, motion).dqd));
+    const Motion motion{bench.joint_motion(InputKind::qd), bench.no_motion(), zero_vector(), false};
+    const Rows C = torque_derivatives(bench.frames, motion).dqd;
+    return finished_coriolis(bench,
+                             bench.nodes(at_coordinates(bench.mechanism, bench.derivation, C, Shape::general, "C")));
   });
 }
 
 Function gravity(const Mechanism& mechanism, const Choices& choices) {
   return derived(mechanism, choices, [](Workbench& bench) {
-    return finished(bench, {InputKind::q},
-                    {vector_output("g", bench.nodes(gravity_torques(bench.frames)), kTorqueMeaning)});
+    return finished(
+        bench, {InputKind::q},
+        {vector_output("g", bench.nodes(bench.at_coordinates(gravity_torques(bench.frames))), kTorqueMeaning)});
   });
 }
 
@@ -130,7 +139,7 @@ Function finished_accelerations(Workbench& bench, const std::vector<Number>& qdd
 
 Function forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
   return derived(mechanism, choices, [](Workbench& bench) {
-    const Factorisation B(bench.frames, inertia_matrix(bench.frames));
+    const Factorisation B(bench.frames, bench.inertia());
     return finished_accelerations(bench, accelerations(bench, B), B.pivots());
   });
 }
@@ -138,7 +147,7 @@ Function forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
 std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& mechanism, const Choices& choices) {
   if (!has_articulated_form(mechanism)) return std::nullopt;
   return derived(mechanism, choices, [](Workbench& bench) {
-    const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
+    const Motion motion{bench.joint_motion(InputKind::qd), bench.no_motion(), bench.mechanism.gravity, true};
     const std::vector<Number> tau = bench.all(InputKind::tau);
     const ArticulatedSolution solution = articulated_accelerations(bench.frames, motion, tau);
     return finished_accelerations(bench, solution.qdd, solution.pivots);
@@ -149,9 +158,10 @@ std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& 
 std::optional<Function> forward_dynamics_by_composite_bodies(const Mechanism& mechanism, const Choices& choices) {
   if (mechanism.has_prismatic_joint()) return std::nullopt;
   return derived(mechanism, choices, [](Workbench& bench) {
-    const Factorisation B(bench.frames, inertia_matrix(bench.frames));
-    const Motion motion{bench.all(InputKind::qd), bench.none(), bench.mechanism.gravity, true};
-    const std::vector<Number> bias = composite_bias_torques(bench.frames, motion, composites(bench.frames));
+    const Factorisation B(bench.frames, bench.inertia());
+    const Motion motion{bench.joint_motion(InputKind::qd), bench.no_motion(), bench.mechanism.gravity, true};
+    const std::vector<Number> bias =
+        bench.at_coordinates(composite_bias_torques(bench.frames, motion, composites(bench.frames)));
     return finished_accelerations(bench, accelerations(bench, B, bias), B.pivots());
   });
 }
@@ -199,7 +209,7 @@ Function forward_kinematics_of(const Mechanism& mechanism, const LinkFrame& link
 
 Function jacobian_of(const Mechanism& mechanism, const LinkFrame& link) {
   Workbench bench(mechanism);
-  const std::vector<JacobianColumn> columns = jacobian(bench.frames, link);
+  const std::vector<JacobianColumn> columns = at_coordinates(mechanism, bench.derivation, jacobian(bench.frames, link));
   std::vector<NodeId> entries;
   for (std::size_t row = 0; row < 6; ++row) {
     for (const JacobianColumn& column : columns) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "symbolic/coordinates.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -45,7 +47,7 @@ SymbolicPose pose(Frames& frames, const LinkFrame& link) {
 
 std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
   Derivation& d = frames.derivation();
-  std::vector<JacobianColumn> columns(static_cast<std::size_t>(frames.mechanism().size()));
+  std::vector<JacobianColumn> columns(static_cast<std::size_t>(frames.mechanism().body_count()));
   std::vector<int> path = path_to_base(frames, link.body);
   const Vec3 p_e = point_in_base(frames, link.body, link.p, "p");
   // From the base outwards: two columns of each frame's rotation are needed to place the next axis and origin.
@@ -93,9 +95,8 @@ Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion
 JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
   if (link.body < 0) return {};
   Derivation& d = frames.derivation();
-  const int n = frames.mechanism().size();
-  const Motion motion{inputs(d, InputKind::qd, n), std::vector<Number>(static_cast<std::size_t>(n), 0), zero_vector(),
-                      false};
+  const std::vector<Number> qd = joint_motion(frames.mechanism(), d, InputKind::qd);
+  const Motion motion{qd, std::vector<Number>(qd.size(), 0), zero_vector(), false};
   const std::vector<LinkMotion> links = link_motions(frames, motion);
   const LinkMotion& body = links[static_cast<std::size_t>(link.body)];
   const Vec3 ddp = d.named(body.ddp + body.U * link.p, "ddp_e");

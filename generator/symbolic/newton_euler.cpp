@@ -128,7 +128,7 @@ LinkMotion base_motion(Frames& frames, const Motion& motion) {
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion) {
   const LinkMotion base = base_motion(frames, motion);
   std::vector<LinkMotion> links;
-  for (int i = 0; i < frames.mechanism().size(); ++i) {
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
     const int parent = frames.body(i).parent;
     const LinkMotion before = parent < 0 ? base : links[static_cast<std::size_t>(parent)];
     links.push_back(moved(frames, i, before, motion));
@@ -163,7 +163,7 @@ Number felt(Frames& frames, int i, const Wrench& wrench) {
 
 std::vector<Wrench> rotor_reactions(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links) {
   std::vector<Wrench> wrenches(links.size());
-  for (int i = 0; i < frames.mechanism().size(); ++i) {
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
     const auto& rotor = frames.body(i).rotor;
     if (!rotor || rotor->carrier < 0) continue;
     const auto carrier = static_cast<std::size_t>(rotor->carrier);
@@ -198,7 +198,7 @@ std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const s
   Derivation& d = frames.derivation();
   const Mechanism& mechanism = frames.mechanism();
   std::vector<Wrench> wrenches = rotor_reactions(frames, motion, links);
-  for (int i = 0; i < mechanism.size(); ++i) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Wrench own = inertial_wrench(frames, i, links[k]);
     wrenches[k] = {own.f, own.mu + wrenches[k].mu};

@@ -18,8 +18,6 @@
 namespace flatdyn {
 namespace {
 
-using Rows = std::vector<std::vector<Number>>;
-
 // Of the Jacobian's rows in this order, those that do not depend on the ones before. At a random point of a large prime
 // field: rows that are independent anywhere are so there, but for a chance of about 1e-17.
 std::vector<int> independent(const Mechanism& mechanism, const std::vector<int>& rows) {
@@ -49,7 +47,7 @@ class OperationalSpace {
   explicit OperationalSpace(Workbench& bench)
       : bench_(bench),
         rows_(task_rows(bench.mechanism)),
-        B_(bench.frames, inertia_matrix(bench.frames)),
+        B_(bench.frames, bench.inertia()),
         J_(jacobian_rows()),
         Y_(half_solved_rows()),
         Z_(divided_by_pivots()),
@@ -113,7 +111,8 @@ class OperationalSpace {
   }
 
   Rows jacobian_rows() const {
-    const std::vector<JacobianColumn> columns = jacobian(bench_.frames, bench_.mechanism.tip);
+    const std::vector<JacobianColumn> columns =
+        at_coordinates(bench_.mechanism, bench_.derivation, jacobian(bench_.frames, bench_.mechanism.tip));
     Rows J;
     for (const int row : rows_) {
       J.emplace_back();
@@ -160,7 +159,8 @@ class OperationalSpace {
 };
 
 std::vector<Number> coriolis_torques(Workbench& bench) {
-  return torques(bench.frames, {bench.all(InputKind::qd), bench.none(), zero_vector(), false});
+  return bench.at_coordinates(
+      torques(bench.frames, {bench.joint_motion(InputKind::qd), bench.no_motion(), zero_vector(), false}));
 }
 
 std::string of_task(const std::string& what, const OperationalSpace& space) {
@@ -215,7 +215,7 @@ Function operational_bias_function(Workbench& bench) {
     const auto row = static_cast<std::size_t>(space.rows()[i]);
     c[i] -= row < 3 ? drift.linear[row] : drift.angular[row - 3];
   }
-  const std::vector<Number> g = space.acceleration(gravity_torques(bench.frames), "g");
+  const std::vector<Number> g = space.acceleration(bench.at_coordinates(gravity_torques(bench.frames)), "g");
   const std::vector<Number> c_A = space.inertia_times(c, "c_a"), g_A = space.inertia_times(g, "g_a");
   return space.finished({InputKind::q, InputKind::qd},
                         {vector_output("c_A", bench.nodes(c_A), of_task("C_A times the velocity", space) + ", N, N m"),

@@ -80,7 +80,7 @@ Mechanism carrying(const Mechanism& mechanism, ParameterSet set) {
   const std::vector<bool> present = parameters_in(mechanism, set);
   const std::vector<Number> values = dynamic_parameters(mechanism);
   Mechanism changed = mechanism;
-  for (int i = 0; i < mechanism.size(); ++i) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
     Body& body = changed.bodies[static_cast<std::size_t>(i)];
     const auto has = [&](Parameter parameter) { return present[static_cast<std::size_t>(index_of(i, parameter))]; };
     const auto is_zero = [&](Parameter parameter) {

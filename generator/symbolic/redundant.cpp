@@ -67,7 +67,7 @@ class Energies {
     std::vector<Row> rows;
     BodyState<F> base;
     base.g = mapped(mechanism_.gravity);
-    for (int j = 0; j < mechanism_.size(); ++j) {
+    for (int j = 0; j < mechanism_.body_count(); ++j) {
       const int parent = mechanism_.bodies[static_cast<std::size_t>(j)].parent;
       const BodyState<F> before = parent < 0 ? base : states[static_cast<std::size_t>(parent)];
       const JointState<F> joint = drawn();
@@ -230,7 +230,7 @@ std::vector<std::vector<RedundantPart>> redundant_parts(const Mechanism& mechani
   const auto samples = samples_of(mechanism, field);
   std::vector<std::vector<RedundantPart>> parts;
   std::vector<int> special;
-  for (int j = 0; j < mechanism.size(); ++j) {
+  for (int j = 0; j < mechanism.body_count(); ++j) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(j)];
     const auto echelon = reduced_echelon(rows_of(samples, j), [](const auto& x) { return x == PrimeField::F(0); });
     std::vector<Parameter> found = free_columns(echelon), general = leads_in_general(body);

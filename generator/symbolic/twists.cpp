@@ -21,8 +21,8 @@ Twist to_child(Frames& frames, int k, const Twist& parent, const std::string& na
 }  // namespace
 
 std::vector<std::map<int, Twist>> unit_twists(Frames& frames) {
-  std::vector<std::map<int, Twist>> twists(static_cast<std::size_t>(frames.mechanism().size()));
-  for (int k = 0; k < frames.mechanism().size(); ++k) {
+  std::vector<std::map<int, Twist>> twists(static_cast<std::size_t>(frames.mechanism().body_count()));
+  for (int k = 0; k < frames.mechanism().body_count(); ++k) {
     auto& here = twists[static_cast<std::size_t>(k)];
     const int parent = frames.body(k).parent;
     if (parent >= 0) {

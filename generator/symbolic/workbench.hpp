@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "symbolic/composite.hpp"
+#include "symbolic/coordinates.hpp"
 #include "symbolic/newton_euler.hpp"
 
 namespace flatdyn {
@@ -16,8 +18,18 @@ struct Workbench {
   static std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism);
 
   int size() const { return mechanism.size(); }
+  // Of every coordinate; and of every body's joint, whose motion follows from the coordinates.
   std::vector<Number> all(InputKind kind) { return inputs(derivation, kind, size()); }
-  std::vector<Number> none() const { return std::vector<Number>(static_cast<std::size_t>(size()), 0); }
+  std::vector<Number> joint_motion(InputKind kind) { return flatdyn::joint_motion(mechanism, derivation, kind); }
+  std::vector<Number> no_motion() const {
+    return std::vector<Number>(static_cast<std::size_t>(mechanism.body_count()), 0);
+  }
+  std::vector<Number> at_coordinates(const std::vector<Number>& tau) {
+    return flatdyn::at_coordinates(mechanism, derivation, tau, "tau");
+  }
+  Rows inertia() {
+    return flatdyn::at_coordinates(mechanism, derivation, inertia_matrix(frames), Shape::symmetric, "b");
+  }
 
   NodeId node(const Number& value) { return derivation.node(value); }
   std::vector<NodeId> nodes(const std::vector<Number>& values);

@@ -23,7 +23,7 @@ bool PaceLimits::are_infinite() const {
 
 PaceLimits given_limits(const Mechanism& mechanism) {
   PaceLimits limits;
-  for (const Body& body : mechanism.bodies) {
+  for (const Body& body : mechanism.joints()) {
     limits.speed.push_back(number_or_infinite(body.limits.velocity));
     limits.acceleration.push_back(number_or_infinite(body.limits.acceleration));
     limits.torque.push_back(number_or_infinite(body.limits.effort));

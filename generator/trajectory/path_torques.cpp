@@ -16,10 +16,7 @@ PathTorques::PathTorques(const Model& model, bool tip_force, Progress& progress)
   if (tip_force) names.emplace_back("jacobian");
   for (const Function& function : whole_functions(model, names, "a trajectory", progress))
     tapes_.emplace_back(function);
-  for (const Body& body : model.mechanism.bodies) {
-    viscous_.push_back(nearest_double(body.viscous));
-    coulomb_.push_back(nearest_double(body.coulomb));
-  }
+  friction_ = joint_friction(model.mechanism);
 }
 
 void PathTorques::run(const TrajectoryPoint& point) {
@@ -43,16 +40,16 @@ PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
     tapes_[kInertiaMatrix].run(given, B_);
     tapes_[kGravityTorques].run(given, g_);
     for (std::size_t i = 0; i < n_; ++i) {
-      const double rate = point.qd[i], coulomb = coulomb_[i] * static_cast<double>((rate > 0) - (rate < 0));
+      const double rate = point.qd[i], coulomb = friction_.coulomb[i] * static_cast<double>((rate > 0) - (rate < 0));
       double m = 0, change = 0;
       for (std::size_t j = 0; j < n_; ++j) {
         m += B_[i * n_ + j] * point.qd[j];
         if (!point.qdd_before.empty()) change += B_[i * n_ + j] * (point.qdd_before[j] - point.qdd[j]);
       }
       result.m.push_back(m);
-      result.a.push_back(tau_[i] - g_[i] - viscous_[i] * rate - coulomb);
+      result.a.push_back(tau_[i] - g_[i] - friction_.viscous[i] * rate - coulomb);
       result.a_before.push_back(result.a.back() + change);
-      result.b.push_back(viscous_[i] * rate);
+      result.b.push_back(friction_.viscous[i] * rate);
       result.d.push_back(g_[i] + coulomb + tip_torque(J_, point.h_e, i));
     }
   }

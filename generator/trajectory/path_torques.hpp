@@ -10,6 +10,7 @@
 
 #include "diagnostics/progress.hpp"
 #include "graph/tape.hpp"
+#include "model/joint_friction.hpp"
 #include "pipeline.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -40,7 +41,7 @@ class PathTorques {
   std::size_t n_;
   std::vector<Tape> tapes_;              // inverse dynamics, B, g; J
   std::vector<double> tau_, B_, g_, J_;  // results
-  std::vector<double> viscous_, coulomb_;
+  JointFriction friction_;
 };
 
 }  // namespace flatdyn

@@ -78,7 +78,7 @@ class PlanReader {
   }
 
   double unit_of(std::size_t joint) const {
-    return in_degrees_ && !mechanism_.bodies[joint].prismatic ? std::numbers::pi / 180 : 1;
+    return in_degrees_ && !mechanism_.joints()[joint].prismatic ? std::numbers::pi / 180 : 1;
   }
 
   // A list with a number for each joint, or a table by their names, in which joints may be missing.
@@ -102,7 +102,7 @@ class PlanReader {
 
   void by_name(TomlTable table, JointPosture& values) {
     std::vector<std::string> names;
-    for (const Body& body : mechanism_.bodies) names.push_back(body.joint);
+    for (const Body& body : mechanism_.joints()) names.push_back(body.joint);
     for (const std::string& joint : table.keys()) {
       const auto found = std::find(names.begin(), names.end(), joint);
       if (found == names.end()) {

@@ -54,17 +54,14 @@ TorqueTerms::TorqueTerms(const Model& model, bool tip_force, Progress& progress)
     tapes_.emplace_back(function);
     results_.emplace_back(tapes_.back().results());
   }
-  for (const Body& body : model.mechanism.bodies) {
-    viscous_.push_back(nearest_double(body.viscous));
-    coulomb_.push_back(nearest_double(body.coulomb));
-  }
+  friction_ = joint_friction(model.mechanism);
   for (int i = 0; i < n_; ++i) {
     add_terms_of(i, functions[kInertia], functions[kSymbols]);
     const auto at = static_cast<std::size_t>(i);
     const Function& g = functions[kGravity];
     if (!g.graph.is_zero(g.outputs[0].entries[at])) terms_.push_back({TermKind::gravity, i, -1, -1, at});
-    if (viscous_[at] != 0) terms_.push_back({TermKind::viscous, i, -1, -1, at});
-    if (coulomb_[at] != 0) terms_.push_back({TermKind::coulomb, i, -1, -1, at});
+    if (friction_.viscous[at] != 0) terms_.push_back({TermKind::viscous, i, -1, -1, at});
+    if (friction_.coulomb[at] != 0) terms_.push_back({TermKind::coulomb, i, -1, -1, at});
     if (tip_force) terms_.push_back({TermKind::tip_force, i, -1, -1, at});
   }
 }
@@ -100,9 +97,9 @@ double TorqueTerms::value_of(const TorqueTerm& term, const TrajectoryPoint& poin
     case TermKind::gravity:
       return results_[kGravity][term.entry];
     case TermKind::viscous:
-      return viscous_[i] * point.qd[i];
+      return friction_.viscous[i] * point.qd[i];
     case TermKind::coulomb:
-      return coulomb_[i] * sign(point.qd[i]);
+      return friction_.coulomb[i] * sign(point.qd[i]);
     case TermKind::tip_force:
       return tip_torque(results_[kJacobian], point.h_e, i);
   }

@@ -11,6 +11,7 @@
 
 #include "diagnostics/progress.hpp"
 #include "graph/tape.hpp"
+#include "model/joint_friction.hpp"
 #include "pipeline.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -49,7 +50,7 @@ class TorqueTerms {
 
   int n_ = 0;
   std::vector<TorqueTerm> terms_;
-  std::vector<double> viscous_, coulomb_;
+  JointFriction friction_;
   std::vector<Tape> tapes_;                   // B, Christoffel symbols, g, J of the tip, inverse dynamics
   std::vector<std::vector<double>> results_;  // of each
 };

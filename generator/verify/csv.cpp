@@ -91,7 +91,7 @@ std::vector<std::size_t> joint_columns(const CsvTable& table, const std::string&
   std::vector<std::size_t> at;
   for (int i = 0; i < mechanism.size(); ++i) {
     const std::string number = fmt::format("{}{}", stem, i + 1);
-    const std::string name = fmt::format("{}_{}", stem, mechanism.bodies[static_cast<std::size_t>(i)].joint);
+    const std::string name = fmt::format("{}_{}", stem, mechanism.joints()[static_cast<std::size_t>(i)].joint);
     const auto found = std::find_if(table.columns.begin(), table.columns.end(),
                                     [&](const std::string& column) { return column == number || column == name; });
     if (found == table.columns.end()) {

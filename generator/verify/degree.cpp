@@ -128,17 +128,30 @@ class RationalDegreeArithmetic {
   std::shared_ptr<Denominators> denominators_ = std::make_shared<Denominators>();
 };
 
+// Of every body's joint: of the cosine and sine of a sum of multiples of coordinates.
+std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
+  std::vector<JointPoint<Degree>> degrees;
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    double turns = mechanism.is_coupled() ? 0 : 1;
+    for (int k = 0; k < mechanism.size() && mechanism.is_coupled(); ++k) {
+      turns += std::abs(nearest_double(mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]));
+    }
+    degrees.push_back({Degree::of(turns), Degree::of(turns), Degree::of(1)});
+  }
+  return degrees;
+}
+
 }  // namespace
 
 MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
   DegreeArithmetic arithmetic;
   const Degree drawn = Degree::of(1);
   const auto n = static_cast<std::size_t>(mechanism.size());
-  Lagrangian<Degree> lagrangian(field_mechanism(mechanism, arithmetic),
-                                std::vector<JointPoint<Degree>>(n, {drawn, drawn, drawn}));
-  const std::vector<Degree> rates(n, drawn);
+  const auto bodies = static_cast<std::size_t>(mechanism.body_count());
+  Lagrangian<Degree> lagrangian(field_mechanism(mechanism, arithmetic), joint_degrees(mechanism));
+  const std::vector<Degree> rates(n, drawn), signs(bodies, drawn);
   Degree largest = lagrangian.potential_energy() + lagrangian.kinetic_energy(rates);
-  for (const Degree& torque : lagrangian.inverse_dynamics(rates, rates, rates)) largest += torque;
+  for (const Degree& torque : lagrangian.inverse_dynamics(rates, rates, signs)) largest += torque;
   for (const Degree& torque : lagrangian.tip_torques(std::vector<Degree>(6, drawn))) largest += torque;
   for (const FieldFrame<Degree>& link : lagrangian.mechanism().links) {
     for (const Degree& entry : lagrangian.jacobian_dot_qd(link, rates)) largest += entry;
@@ -151,10 +164,11 @@ MechanismDegrees regressor_degrees(const Mechanism& mechanism) {
   const FieldMechanism<Degree> field = field_mechanism(mechanism, arithmetic);
   const Degree drawn = Degree::of(1);
   const auto n = static_cast<std::size_t>(mechanism.size());
-  const LagrangianRegressor<Degree> lagrangian(field, std::vector<JointPoint<Degree>>(n, {drawn, drawn, drawn}));
-  const std::vector<Degree> rates(n, drawn);
+  const auto bodies = static_cast<std::size_t>(mechanism.body_count());
+  const LagrangianRegressor<Degree> lagrangian(field, joint_degrees(mechanism));
+  const std::vector<Degree> rates(n, drawn), signs(bodies, drawn);
   Degree largest, factor = drawn;
-  const Matrix<Degree> Y = lagrangian.adaptive(rates, rates, rates, rates);
+  const Matrix<Degree> Y = lagrangian.adaptive(rates, rates, rates, signs);
   for (const Degree& entry : Y.entries()) largest += entry;
   const NumberMap<DegreeArithmetic> number(mechanism.symbols, arithmetic);
   const BaseParameters base = base_parameters(mechanism);

@@ -29,7 +29,7 @@ struct ConstantArithmetic {
 template <class F>
 struct FieldState {
   std::vector<JointPoint<F>> q;
-  std::vector<F> qd, qdd, sign_qd;
+  std::vector<F> qd, qdd, sign_qd;  // sign_qd: of every body's joint
 };
 
 // ∂τ/∂q, column by column: τ over dual numbers, with dc = -s dq, ds = c dq.
@@ -39,11 +39,15 @@ Matrix<F> torques_by_position(const Mechanism& mechanism, Arithmetic& arithmetic
   const auto constant = [](const std::vector<F>& values) { return std::vector<D>(values.begin(), values.end()); };
   ConstantArithmetic<Arithmetic> over_duals{arithmetic};
   const FieldMechanism<D> field = field_mechanism(mechanism, over_duals);
+  const FieldMechanism<F> constants = field_mechanism(mechanism, arithmetic);
   Matrix<F> result(mechanism.size(), mechanism.size());
   for (int k = 0; k < mechanism.size(); ++k) {
+    std::vector<F> direction(static_cast<std::size_t>(mechanism.size()), F(0));
+    direction[static_cast<std::size_t>(k)] = F(1);
+    const std::vector<F> rates = joint_values(constants, direction);
     std::vector<JointPoint<D>> q;
     for (const JointPoint<F>& point : state.q) {
-      const F rate = static_cast<int>(q.size()) == k ? F(1) : F(0);
+      const F& rate = rates[q.size()];
       q.push_back({D(point.c, -point.s * rate), D(point.s, point.c * rate), D(point.d, rate)});
     }
     const std::vector<D> tau =
@@ -59,7 +63,15 @@ Matrix<F> torques_by_rate(Lagrangian<F>& lagrangian, const std::vector<F>& qd) {
   Matrix<F> result = lagrangian.coriolis_matrix(qd);
   for (int i = 0; i < result.rows(); ++i) {
     for (int k = 0; k < result.cols(); ++k) result(i, k) += result(i, k);
-    result(i, i) += lagrangian.mechanism().bodies[static_cast<std::size_t>(i)].viscous;
+  }
+  const FieldMechanism<F>& mechanism = lagrangian.mechanism();
+  Matrix<F> friction(mechanism.body_count(), mechanism.body_count());
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    friction(i, i) = mechanism.bodies[static_cast<std::size_t>(i)].viscous;
+  }
+  friction = at_coordinates(mechanism, friction);
+  for (int i = 0; i < result.rows(); ++i) {
+    for (int k = 0; k < result.cols(); ++k) result(i, k) += friction(i, k);
   }
   return result;
 }

@@ -28,7 +28,7 @@ class Columns {
     std::vector<std::string> names = {stem + std::to_string(input.index + 1)};
     if (input.kind == InputKind::pi_b) return names;
     static constexpr const char* kForceNames[] = {"fx", "fy", "fz", "mx", "my", "mz"};
-    names.push_back(input.kind == InputKind::h_e ? kForceNames[k] : stem + "_" + mechanism_.bodies[k].joint);
+    names.push_back(input.kind == InputKind::h_e ? kForceNames[k] : stem + "_" + mechanism_.joints()[k].joint);
     return names;
   }
 

@@ -20,8 +20,8 @@ std::vector<State> states_within(const Mechanism& mechanism, bool at_rest, int c
   for (std::size_t k = 0; k < states.size(); ++k) {
     State& state = states[k];
     for (std::size_t i = 0; i < state.q.size() && k % 2 == 1; ++i) {
-      push_to_limit(state.qd[i], mechanism.bodies[i].limits.velocity);
-      push_to_limit(state.qdd[i], mechanism.bodies[i].limits.acceleration);
+      push_to_limit(state.qd[i], mechanism.joints()[i].limits.velocity);
+      push_to_limit(state.qdd[i], mechanism.joints()[i].limits.acceleration);
     }
     if (at_rest) std::fill(state.qd.begin(), state.qd.end(), 0.0);
   }
@@ -43,7 +43,7 @@ GivenUp given_up(const Mechanism& whole, const Mechanism& part, bool at_rest, in
   const Function of_whole = derive_function(whole, "inverse_dynamics"),
                  of_part = derive_function(part, "inverse_dynamics");
   GraphEvaluator<double> tau_whole(of_whole), tau_part(of_part);
-  GivenUp result{states, std::vector<double>(whole.bodies.size(), 0)};
+  GivenUp result{states, std::vector<double>(whole.joints().size(), 0)};
   for (const State& state : states_within(whole, at_rest, states)) {
     const std::vector<double> x = *tau_whole(state), y = *tau_part(state);
     for (std::size_t i = 0; i < x.size(); ++i) result.largest[i] = std::max(result.largest[i], std::abs(x[i] - y[i]));

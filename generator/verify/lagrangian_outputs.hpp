@@ -9,6 +9,7 @@
 
 #include "graph/function.hpp"
 #include "verify/derivative_outputs.hpp"
+#include "verify/joint_points.hpp"
 #include "verify/regressor_outputs.hpp"
 
 namespace flatdyn {
@@ -27,8 +28,9 @@ class LagrangianOutputs {
         stem_(function.name.substr(0, function.name.find(':'))),
         link_(function.name == stem_ ? "" : function.name.substr(stem_.size() + 1)),
         function_(function),
-        lagrangian_(field_mechanism(mechanism, arithmetic), joint_points()) {
-    if (is_regressor(stem_)) regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, joint_points());
+        lagrangian_(field_mechanism(mechanism, arithmetic), joint_points(mechanism, arithmetic)) {
+    if (is_regressor(stem_))
+      regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, joint_points(mechanism_, arithmetic_));
   }
 
   // The function's own values, brought to a form that can be compared: for forward_dynamics, if no entry is left out,
@@ -76,25 +78,6 @@ class LagrangianOutputs {
     return result;
   }
 
-  std::vector<JointPoint<F>> joint_points() {
-    Graph graph;  // of the bare joint angles
-    std::vector<JointPoint<F>> points;
-    for (int i = 0; i < mechanism_.size(); ++i) {
-      const Input input{InputKind::q, i};
-      const F value = arithmetic_.input(input);
-      JointPoint<F> point;
-      if (mechanism_.bodies[static_cast<std::size_t>(i)].prismatic) {
-        point.d = value;
-      } else {
-        const NodeId angle = graph.input(input);
-        point.c = arithmetic_.cos(graph, angle, value);
-        point.s = arithmetic_.sin(graph, angle, value);
-      }
-      points.push_back(point);
-    }
-    return points;
-  }
-
   Values drawn(InputKind kind, int count) const {
     Values result;
     for (int i = 0; i < count; ++i) result.push_back(arithmetic_.input({kind, i}));
@@ -106,7 +89,7 @@ class LagrangianOutputs {
 
   Values signs() const {
     Values result;
-    for (const F& qd : rates()) result.push_back(arithmetic_.sign(qd));
+    for (const F& qd : joint_values(lagrangian_.mechanism(), rates())) result.push_back(arithmetic_.sign(qd));
     return result;
   }
 
@@ -191,7 +174,8 @@ class LagrangianOutputs {
 
   Values torque_derivatives(bool by_position, const Values& qdd) {
     if (!by_position) return torques_by_rate(lagrangian_, rates()).entries();
-    return torques_by_position(mechanism_, arithmetic_, {joint_points(), rates(), qdd, signs()}).entries();
+    return torques_by_position(mechanism_, arithmetic_, {joint_points(mechanism_, arithmetic_), rates(), qdd, signs()})
+        .entries();
   }
 
   // What B times the derivatives has to be. Where q̈ is needed, it is B⁻¹ (τ - n) with the function's own B⁻¹, which is

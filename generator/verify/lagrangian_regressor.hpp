@@ -19,33 +19,36 @@ class LagrangianRegressor {
   static constexpr int kPerJoint = 13;  // in the order of (7.77), then F_v and F_s
   static constexpr int kRotor = 10, kViscous = 11, kCoulomb = 12;
 
+  // q: of every body's joint.
   LagrangianRegressor(const FieldMechanism<F>& mechanism, std::vector<JointPoint<F>> q)
       : mechanism_(mechanism), q_(std::move(q)) {}
 
   int size() const { return mechanism_.size(); }
 
-  // Y(q, q̇, q̈), n x 13n. Friction is given by the rates and signs that it acts on.
+  // Y(q, q̇, q̈), n x 13 for every body. Friction is given by the signs of the joints' rates that it acts on.
   Matrix<F> regressor(const Values& qd, const Values& qdd, const Values& sign) const {
-    Matrix<F> Y = without_friction(qd, qdd, true);
-    add_friction(qd, sign, Y);
-    return Y;
+    const Values rates = joint_values(mechanism_, qd);
+    Matrix<F> Y = without_friction(rates, joint_values(mechanism_, qdd), true);
+    add_friction(rates, sign, Y);
+    return rows_at_coordinates(mechanism_, Y);
   }
 
   // Of B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r). C(q, a) b is the symmetric bilinear form of which C(q, a) a
   // is the square, because c_ijk = c_ikj: ½ (C(q, a + b)(a + b) - C(q, a) a - C(q, b) b).
   Matrix<F> adaptive(const Values& qd, const Values& qd_r, const Values& qdd_r, const Values& sign_r) const {
-    const Values zero(qd.size(), F(0));
-    Values both = qd;
-    for (std::size_t i = 0; i < both.size(); ++i) both[i] += qd_r[i];
-    Matrix<F> Y = without_friction(zero, qdd_r, true);
-    const Matrix<F> sum = without_friction(both, zero, false), first = without_friction(qd, zero, false),
-                    second = without_friction(qd_r, zero, false);
+    const Values rates = joint_values(mechanism_, qd), rates_r = joint_values(mechanism_, qd_r);
+    const Values zero(rates.size(), F(0));
+    Values both = rates;
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] += rates_r[i];
+    Matrix<F> Y = without_friction(zero, joint_values(mechanism_, qdd_r), true);
+    const Matrix<F> sum = without_friction(both, zero, false), first = without_friction(rates, zero, false),
+                    second = without_friction(rates_r, zero, false);
     const F half = F(1) / (F(1) + F(1));
     for (int i = 0; i < Y.rows(); ++i) {
       for (int k = 0; k < Y.cols(); ++k) Y(i, k) += half * (sum(i, k) + -first(i, k) + -second(i, k));
     }
-    add_friction(qd_r, sign_r, Y);
-    return Y;
+    add_friction(rates_r, sign_r, Y);
+    return rows_at_coordinates(mechanism_, Y);
   }
 
  private:
@@ -74,6 +77,7 @@ class LagrangianRegressor {
     return result;
   }
 
+  int body_count() const { return mechanism_.body_count(); }
   int parent(int i) const { return mechanism_.bodies[static_cast<std::size_t>(i)].parent; }
 
   Columns<D> columns(const Motion<D>& motion, int body) const {
@@ -127,10 +131,10 @@ class LagrangianRegressor {
   }
 
   Matrix<F> without_friction(const Values& qd, const Values& qdd, bool gravity) const {
-    Matrix<F> Y(size(), kPerJoint * size());
+    Matrix<F> Y(body_count(), kPerJoint * body_count());
     add_momentum_rates(motion(qd, qd, qdd), Y);
     const Values zero(qd.size(), F(0));
-    for (int i = 0; i < size(); ++i) {
+    for (int i = 0; i < body_count(); ++i) {
       Values direction = zero;
       direction[static_cast<std::size_t>(i)] = F(1);
       add_energy_derivatives(motion(qd, direction, zero), i, gravity, Y);
@@ -140,7 +144,7 @@ class LagrangianRegressor {
 
   // d/dt ∂β_T/∂q̇_i.
   void add_momentum_rates(const Motion<D>& motion, Matrix<F>& Y) const {
-    for (int j = 0; j < size(); ++j) {
+    for (int j = 0; j < body_count(); ++j) {
       const Columns<D> own = columns(motion, j);
       const Column<D> velocity = total(own, motion.qd);
       for (const auto& [i, column] : own) {
@@ -174,7 +178,7 @@ class LagrangianRegressor {
   // -∂β_T/∂q_i + ∂β_U/∂q_i.
   void add_energy_derivatives(const Motion<D>& motion, int i, bool gravity, Matrix<F>& Y) const {
     const F half = F(1) / (F(1) + F(1));
-    for (int j = i; j < size(); ++j) {
+    for (int j = i; j < body_count(); ++j) {
       add_rotor_derivative(motion, i, j, Y);
       if (!moves(i, j)) continue;
       const Column<D> velocity = total(columns(motion, j), motion.qd);

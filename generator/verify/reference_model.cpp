@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "verify/reference_model.hpp"
 
+#include <map>
 #include <random>
 #include <type_traits>
+
+#include "model/coupling.hpp"
 
 namespace flatdyn {
 
@@ -42,6 +45,7 @@ class Converter {
     for (const Link& link : robot_.links) add_link(link);
     attach_joints_of(robot_.root);
     add_motors();
+    if (has_coupled_joints(robot_)) couple();
     result_.tip = robot_.tip;
     std::tie(result_.R_tip, result_.p_tip) = pose(robot_.tip_offset);
     return result_;
@@ -95,7 +99,8 @@ class Converter {
   }
 
   void attach_joints_of(int link) {
-    for (const Joint& joint : robot_.joints) {
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+      const Joint& joint = robot_.joints[j];
       if (joint.parent != link) continue;
       reference::Joint<S> result;
       result.parent = joint.parent;
@@ -107,6 +112,7 @@ class Converter {
             joint.type == JointType::prismatic ? reference::JointType::prismatic : reference::JointType::revolute;
         result.index = next_index_++;
         result.axis = unit(joint.axis);
+        add_offset(j, result);
         result.viscous = number(joint.viscous.number);
         result.coulomb = number(joint.coulomb.number);
         result.armature = number(joint.armature.number);
@@ -121,14 +127,37 @@ class Converter {
 
   // The motion of a joint that is held still becomes part of the way to it.
   void hold(const Joint& joint, reference::Joint<S>& result) const {
-    const S position = number(joint.held->position);
+    displace(joint.held->type, joint.held->position, joint, result);
+  }
+
+  void displace(JointType type, const Number& by, const Joint& joint, reference::Joint<S>& result) const {
+    const S position = number(by);
     if (position == 0) return;
     const Vector axis = unit(joint.axis);
-    if (joint.held->type == JointType::prismatic) {
+    if (type == JointType::prismatic) {
       result.p_0 += result.R_0 * axis * position;
     } else {
       result.R_0 = Matrix(result.R_0 * reference::rotation_about(axis, position));
     }
+  }
+
+  void couple() {
+    const std::vector<int> joints = moving_joints(robot_), owners = joints_with_coordinates(robot_);
+    result_.coupling =
+        reference::MatrixX<S>::Zero(static_cast<Eigen::Index>(joints.size()), static_cast<Eigen::Index>(owners.size()));
+    std::map<int, Eigen::Index> column;
+    for (const int owner : owners) column.emplace(owner, static_cast<Eigen::Index>(column.size()));
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      for (const auto& [owner, factor] : position_of(robot_, joints[i]).factors) {
+        result_.coupling(static_cast<Eigen::Index>(i), column.at(owner)) = number(factor);
+      }
+    }
+  }
+
+  // Where a coupled joint stands when all coordinates are zero becomes part of the way to it.
+  void add_offset(std::size_t written, reference::Joint<S>& result) const {
+    const Joint& joint = robot_.joints[written];
+    if (joint.coupled) displace(joint.type, position_of(robot_, static_cast<int>(written)).offset, joint, result);
   }
 
   static int carrier_of(const Joint& joint) { return joint.motor->carrier >= 0 ? joint.motor->carrier : joint.parent; }

@@ -27,6 +27,7 @@ class RegressorOutputs {
       : function_(function),
         arithmetic_(arithmetic),
         number_(mechanism.symbols, arithmetic),
+        field_(field),
         lagrangian_(field, q),
         given_(parameters_in(mechanism, ParameterSet::given)) {
     if (function != "regressor") base_ = base_parameters(mechanism);
@@ -71,7 +72,7 @@ class RegressorOutputs {
 
   Values signs(InputKind kind) const {
     Values result;
-    for (const F& rate : drawn(kind)) result.push_back(arithmetic_.sign(rate));
+    for (const F& rate : joint_values(field_, drawn(kind))) result.push_back(arithmetic_.sign(rate));
     return result;
   }
 
@@ -107,6 +108,7 @@ class RegressorOutputs {
   const std::string& function_;
   Arithmetic& arithmetic_;
   NumberMap<Arithmetic> number_;
+  const FieldMechanism<F>& field_;
   LagrangianRegressor<F> lagrangian_;
   std::vector<bool> given_;
   BaseParameters base_;

@@ -104,21 +104,11 @@ reference::VectorX<S> adaptive(const Torque& torque, const reference::VectorX<S>
 }
 
 template <class S>
-reference::VectorX<S> adaptive_column(reference::Robot<S> robot, const StateOf<S>& state) {
+reference::VectorX<S> adaptive_column(const reference::Robot<S>& robot, const StateOf<S>& state) {
   using Vector = reference::VectorX<S>;
   const Vector q = vector_of(state.q);
-  const reference::Vector3<S> gravity = robot.gravity;
-  const auto torque = [&](const Vector& qd, const Vector& qdd, bool with_gravity, bool with_friction) -> Vector {
-    robot.gravity = with_gravity ? gravity : reference::Vector3<S>(reference::Vector3<S>::Zero());
-    const Vector tau = reference::inverse_dynamics(robot, q, qd, qdd);
-    if (with_friction) return tau;
-    Vector friction = Vector::Zero(q.size());
-    for (const reference::Joint<S>& joint : robot.joints) {
-      if (joint.index < 0) continue;
-      const S& v = qd[joint.index];
-      friction[joint.index] = joint.viscous * v + joint.coulomb * S(v > S(0) ? 1 : v < S(0) ? -1 : 0);
-    }
-    return tau - friction;
+  const auto torque = [&](const Vector& qd, const Vector& qdd, bool gravity, bool friction) -> Vector {
+    return reference::inverse_dynamics(robot, q, qd, qdd, {.gravity = gravity, .friction = friction});
   };
   return adaptive<S>(torque, vector_of(state.qd), vector_of(state.qd_r), vector_of(state.qdd_r));
 }
@@ -160,7 +150,7 @@ RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const refe
     : function_(function) {
   GiNaC::exmap values;
   for (std::size_t k = 0; k < mechanism.symbols.size(); ++k) values[mechanism.symbols[k].symbol] = symbols[k];
-  std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.size()));
+  std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count()));
   std::iota(columns.begin(), columns.end(), 0);
   if (function != "regressor") columns = base_parameters(mechanism).columns;
   if (function == "base_parameters") std::tie(base_values_, base_magnitudes_) = combined<S>(mechanism, values);

@@ -5,6 +5,7 @@
 
 #include "graph/mod_p.hpp"
 #include "symbolic/elimination.hpp"
+#include "verify/joint_points.hpp"
 #include "verify/lagrangian_regressor.hpp"
 
 namespace flatdyn {
@@ -17,15 +18,14 @@ class Samples {
   using Rows = std::vector<std::vector<F>>;
 
   Samples(const Mechanism& mechanism, std::uint64_t seed)
-      : arithmetic_(seed), engine_(seed), mechanism_(field_mechanism(mechanism, arithmetic_)) {}
+      : arithmetic_(seed), engine_(seed), mechanism_(mechanism), field_(field_mechanism(mechanism, arithmetic_)) {}
 
   // Rows of Y at one random state, the columns as listed.
   void append(const std::vector<int>& columns, Rows& rows) {
-    const auto n = static_cast<std::size_t>(mechanism_.size());
-    std::vector<JointPoint<F>> q;
-    for (std::size_t i = 0; i < n; ++i) q.push_back(drawn_point());
-    const LagrangianRegressor<F> lagrangian(mechanism_, q);
-    const Matrix<F> Y = lagrangian.regressor(drawn(n), drawn(n), drawn(n));
+    const ModPArithmetic<P> state(engine_());
+    const LagrangianRegressor<F> lagrangian(field_, joint_points(mechanism_, state));
+    const auto n = static_cast<std::size_t>(mechanism_.size()), bodies = field_.bodies.size();
+    const Matrix<F> Y = lagrangian.regressor(drawn(n), drawn(n), drawn(bodies));
     for (int i = 0; i < Y.rows(); ++i) {
       std::vector<F> row;
       for (const int column : columns) row.push_back(Y(i, column));
@@ -42,21 +42,17 @@ class Samples {
     return values;
   }
 
-  JointPoint<F> drawn_point() {
-    const F t(engine_()), n = F(1) + t * t;
-    return {(F(1) - t * t) / n, (t + t) / n, F(engine_())};
-  }
-
   ModPArithmetic<P> arithmetic_;
   std::mt19937_64 engine_;
-  FieldMechanism<F> mechanism_;
+  const Mechanism& mechanism_;
+  FieldMechanism<F> field_;
 };
 
 // In the order in which base_parameters() keeps them.
 std::vector<int> columns_of(const Mechanism& mechanism, ParameterSet set) {
   const std::vector<bool> present = parameters_in(mechanism, set);
   std::vector<int> columns;
-  for (int i = 0; i < mechanism.size(); ++i) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
     for (const Parameter p : kPreference) {
       if (present[static_cast<std::size_t>(index_of(i, p))]) columns.push_back(index_of(i, p));
     }

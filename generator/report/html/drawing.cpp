@@ -24,7 +24,7 @@ class DrawingMaker {
   Drawing make() {
     Drawing drawing;
     for (const Joint& joint : robot_.joints) drawing.lines.emplace_back(joint.parent, joint.child);
-    for (const Body& body : mechanism_.bodies) drawing.joints.push_back(point_on_axis(body));
+    for (const Body& body : mechanism_.joints()) drawing.joints.push_back(point_on_axis(body));
     for (std::size_t link = 0; link < robot_.links.size(); ++link) add_stub(static_cast<int>(link), drawing);
     drawing.points = static_cast<int>(frames_.size());
     drawing.function = run_passes(function());
@@ -62,9 +62,9 @@ class DrawingMaker {
     for (const LinkFrame& frame : frames_) {
       for (const Number& entry : pose(bench.frames, frame).p) add(points, entry);
     }
-    for (int body = 0; body < mechanism_.size(); ++body) {
+    for (int k = 0; k < mechanism_.size(); ++k) {
       LinkFrame frame;
-      frame.body = body;
+      frame.body = mechanism_.body_of(k);
       for (const Vec3& row : pose(bench.frames, frame).R) add(axes, row[2]);
     }
     for (const Number& entry : mechanism_.gravity) add(gravity, entry);

@@ -31,8 +31,8 @@ std::string plural(int count, const std::string& noun) {
 
 // "7 joints, of which 2 are prismatic".
 std::string joints_text(const Mechanism& mechanism) {
-  const auto prismatic = static_cast<int>(
-      std::count_if(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) { return body.prismatic; }));
+  const auto prismatic = static_cast<int>(std::count_if(mechanism.joints().begin(), mechanism.joints().end(),
+                                                        [](const Body& body) { return body.prismatic; }));
   const std::string joints = plural(mechanism.size(), "joint");
   if (prismatic == 0) return joints + ", revolute";
   if (prismatic == mechanism.size()) return joints + ", prismatic";
@@ -71,12 +71,12 @@ ordered_json joint_json(const Body& body, int point) {
 }
 
 std::string script_data(const PageContent& content) {
-  const std::vector<Body>& bodies = content.model.mechanism.bodies;
   ordered_json json;
   json["joints"] = ordered_json::array();
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    json["joints"].push_back(joint_json(bodies[k], content.drawing.joints[k]));
+  for (const Body& body : content.model.mechanism.joints()) {
+    json["joints"].push_back(joint_json(body, content.drawing.joints[json["joints"].size()]));
   }
+  const std::vector<Body>& bodies = content.model.mechanism.bodies;
   json["tree"] = false;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].parent + 1 != static_cast<int>(k)) json["tree"] = true;

@@ -2,11 +2,11 @@
 // Real URDF files, if the folder is there: FLATDYN_EXTRA_ROBOTS, or ../shared/robots beside the sources.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include "input/reader.hpp"
+#include "model/coupling.hpp"
 
 namespace flatdyn {
 namespace {
@@ -15,8 +15,7 @@ namespace fs = std::filesystem;
 
 struct RealRobot {
   std::string file;
-  std::size_t joints;
-  std::string held;  // a mimic joint that has to be held; empty if there is none
+  std::size_t joints;  // without those that mimic others
 };
 
 class ExtraRobots : public ::testing::TestWithParam<RealRobot> {
@@ -30,32 +29,18 @@ class ExtraRobots : public ::testing::TestWithParam<RealRobot> {
   fs::path path_;
 };
 
-TEST_P(ExtraRobots, AreReadOrRefusedWithTheReason) {
+TEST_P(ExtraRobots, AreRead) {
   Diagnostics diagnostics;
-  ReadOptions options;
-  std::optional<Robot> robot = read_robot(path_, options, diagnostics);
-  if (!GetParam().held.empty()) {
-    EXPECT_FALSE(robot.has_value());
-    EXPECT_TRUE(diagnostics.only_unsupported());
-    const auto first = std::find_if(diagnostics.all().begin(), diagnostics.all().end(),
-                                    [](const Diagnostic& found) { return found.severity == Severity::error; });
-    ASSERT_NE(first, diagnostics.all().end());
-    EXPECT_NE(first->hint.find("--fix " + GetParam().held), std::string::npos);
-    EXPECT_GT(first->place.line, 0);
-    options.scene.locked = {{GetParam().held}};
-    diagnostics = {};
-    robot = read_robot(path_, options, diagnostics);
-  }
+  const std::optional<Robot> robot = read_robot(path_, {}, diagnostics);
   ASSERT_TRUE(robot.has_value()) << to_string(diagnostics.all().front());
-  EXPECT_EQ(moving_joints(*robot).size(), GetParam().joints);
+  EXPECT_EQ(joints_with_coordinates(*robot).size(), GetParam().joints);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, ExtraRobots,
-                         ::testing::Values(RealRobot{"anymal_c.urdf", 12, ""}, RealRobot{"double_pendulum.urdf", 2, ""},
-                                           RealRobot{"panda.urdf", 8, "panda_finger_joint2"},
-                                           RealRobot{"solo12.urdf", 12, ""}, RealRobot{"talos_left_arm.urdf", 7, ""},
-                                           RealRobot{"talos_reduced.urdf", 32, ""}, RealRobot{"ur5_robot.urdf", 6, ""},
-                                           RealRobot{"z1.urdf", 7, ""}),
+                         ::testing::Values(RealRobot{"anymal_c.urdf", 12}, RealRobot{"double_pendulum.urdf", 2},
+                                           RealRobot{"panda.urdf", 8}, RealRobot{"solo12.urdf", 12},
+                                           RealRobot{"talos_left_arm.urdf", 7}, RealRobot{"talos_reduced.urdf", 32},
+                                           RealRobot{"ur5_robot.urdf", 6}, RealRobot{"z1.urdf", 7}),
                          [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
 }  // namespace

@@ -208,6 +208,29 @@ TEST_F(UrdfReader, HoldsMimicAndFloatingJointsIfTold) {
   EXPECT_EQ(moving_joints(robot).size(), 1U);
 }
 
+TEST_F(UrdfReader, AMimicJointFollowsAnother) {
+  const std::string more = R"(<link name="hand"/><joint name="k" type="prismatic"><parent link="arm"/>
+      <child link="hand"/><mimic joint="j" multiplier="-0.05" offset="0.01"/></joint>)";
+  const Robot robot = read("r.urdf", one_joint_urdf("revolute", "", more), {});
+  EXPECT_EQ(moving_joints(robot).size(), 2U);
+  ASSERT_EQ(joints_with_coordinates(robot), std::vector<int>{0});
+  const LinearPosition position = position_of(robot, 1);
+  EXPECT_EQ(position.factors.at(0), Number(-5) / 100);
+  EXPECT_EQ(position.offset, Number(1) / 100);
+}
+
+TEST_F(UrdfReader, AFollowerOfAHeldJointIsHeldToo) {
+  ReadOptions options;
+  options.scene.locked = {{"j", Number(1) / 2, "0.5", true, {}}};
+  const std::string more = R"(<link name="hand"/><joint name="k" type="prismatic"><parent link="arm"/>
+      <child link="hand"/><mimic joint="j" multiplier="2" offset="0.1"/></joint><link name="finger"/>
+      <joint name="l" type="revolute"><parent link="hand"/><child link="finger"/></joint>)";
+  const Robot robot = read("r.urdf", one_joint_urdf("revolute", "", more), options);
+  EXPECT_EQ(moving_joints(robot).size(), 1U);
+  ASSERT_TRUE(robot.joints[1].held.has_value());
+  EXPECT_EQ(robot.joints[1].held->position, Number(11) / 10);
+}
+
 TEST_F(UrdfReader, AFixedJointMayMimic) {
   EXPECT_EQ(moving_joints(read("r.urdf", one_joint_urdf("revolute", "", R"(<link name="h"/><joint name="k" type="fixed">
       <parent link="arm"/><child link="h"/><mimic joint="j"/></joint>)")))

@@ -13,7 +13,9 @@ struct Pose {
 };
 
 template <class S>
-std::vector<Pose<S>> link_poses(const Robot<S>& robot, const VectorX<S>& q) {
+std::vector<Pose<S>> link_poses(const Robot<S>& robot, const VectorX<S>& coordinates) {
+  VectorX<S> room;
+  const VectorX<S>& q = of_joints(robot, coordinates, room);
   std::vector<Pose<S>> poses(robot.links.size());
   for (const Joint<S>& joint : robot.joints) {
     const JointPlacement<S> place = placement(joint, joint.index >= 0 ? q[joint.index] : S(0));
@@ -36,7 +38,7 @@ template <class S>
 MatrixX<S> jacobian(const Robot<S>& robot, const VectorX<S>& q) {
   const std::vector<Pose<S>> poses = link_poses(robot, q);
   const Vector3<S> p_e = tip_pose(robot, q).p;
-  MatrixX<S> J = MatrixX<S>::Zero(6, q.size());
+  MatrixX<S> J = MatrixX<S>::Zero(6, robot.joint_count());
   int link = robot.tip;
   for (std::size_t j = robot.joints.size(); j-- > 0;) {
     const Joint<S>& joint = robot.joints[j];
@@ -53,6 +55,7 @@ MatrixX<S> jacobian(const Robot<S>& robot, const VectorX<S>& q) {
       J.col(joint.index).template tail<3>() = z;
     }
   }
+  if (robot.coupling.size() > 0) J = MatrixX<S>(J.lazyProduct(robot.coupling));
   return J;
 }
 
@@ -82,7 +85,9 @@ S potential_energy(const Robot<S>& robot, const VectorX<S>& q) {
 
 // (7.20), (7.30): links and still rotors, then what the rotors' spin adds.
 template <class S>
-S kinetic_energy(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
+S kinetic_energy(const Robot<S>& robot, const VectorX<S>& coordinates, const VectorX<S>& coordinate_rates) {
+  VectorX<S> positions, rates;
+  const VectorX<S>&q = of_joints(robot, coordinates, positions), &qd = of_joints(robot, coordinate_rates, rates);
   struct Velocity {
     Vector3<S> omega = Vector3<S>::Zero(), v = Vector3<S>::Zero();  // link axes
   };

@@ -39,19 +39,23 @@ inline MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>&
   return child;
 }
 
-}  // namespace detail
+// The sum of the terms of a joint's position, velocity or acceleration.
+inline VectorX<double> of_joints(const Robot<double>& robot, const VectorX<double>& q) {
+  if (robot.coupling.size() == 0) return q.cwiseAbs();
+  return robot.coupling.cwiseAbs() * q.cwiseAbs();
+}
 
-// Magnitude of each entry of inverse_dynamics.
-inline VectorX<double> torque_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd,
-                                        const VectorX<double>& qdd, const MagnitudeOptions& options = {}) {
-  using detail::MotionMagnitude;
+// Magnitude of each moving joint's torque, of the magnitudes of their motion.
+inline VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const VectorX<double>& q,
+                                                const VectorX<double>& qd, const VectorX<double>& qdd,
+                                                const MagnitudeOptions& options) {
   const auto entry = [](const VectorX<double>& v, int index) { return index < 0 ? 0.0 : std::abs(v[index]); };
   std::vector<MotionMagnitude> motions(robot.links.size());
   if (options.gravity) motions[static_cast<std::size_t>(robot.root)].ddp = robot.gravity.norm();
   for (const Joint<double>& joint : robot.joints) {
     motions[static_cast<std::size_t>(joint.child)] =
-        detail::moved(motions[static_cast<std::size_t>(joint.parent)], joint, entry(q, joint.index),
-                      entry(qd, joint.index), entry(qdd, joint.index));
+        moved(motions[static_cast<std::size_t>(joint.parent)], joint, entry(q, joint.index), entry(qd, joint.index),
+              entry(qdd, joint.index));
   }
   std::vector<double> f(robot.links.size(), 0), mu(robot.links.size(), 0);
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
@@ -87,6 +91,16 @@ inline VectorX<double> torque_magnitude(const Robot<double>& robot, const Vector
     mu[parent] += at_joint + (joint.p_0.norm() + slide) * f[child];
   }
   return tau;
+}
+
+}  // namespace detail
+
+// Magnitude of each entry of inverse_dynamics.
+inline VectorX<double> torque_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd,
+                                        const VectorX<double>& qdd, const MagnitudeOptions& options = {}) {
+  const VectorX<double> tau = detail::torque_magnitude_of_tree(
+      robot, detail::of_joints(robot, q), detail::of_joints(robot, qd), detail::of_joints(robot, qdd), options);
+  return robot.coupling.size() == 0 ? tau : VectorX<double>(robot.coupling.cwiseAbs().transpose() * tau);
 }
 
 // Of B: the magnitude of the torques for a unit acceleration.
@@ -135,29 +149,39 @@ inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const Vect
 inline MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                                      const VectorX<double>& qd, const VectorX<double>& qdd) {
   const MagnitudeOptions options{.friction = false};
-  const VectorX<double> here = torque_magnitude(robot, q, qd, qdd, options);
-  MatrixX<double> result = here.replicate(1, q.size());
+  const VectorX<double> positions = detail::of_joints(robot, q), rates = detail::of_joints(robot, qd),
+                        accelerations = detail::of_joints(robot, qdd);
+  const VectorX<double> here = detail::torque_magnitude_of_tree(robot, positions, rates, accelerations, options);
+  MatrixX<double> result = here.replicate(1, positions.size());
   for (const Joint<double>& joint : robot.joints) {
     if (joint.type != JointType::prismatic || joint.index < 0) continue;
-    VectorX<double> further = q.cwiseAbs();
+    VectorX<double> further = positions;
     further[joint.index] += 1;
-    result.col(joint.index) = torque_magnitude(robot, further, qd, qdd, options) - here;
+    result.col(joint.index) = detail::torque_magnitude_of_tree(robot, further, rates, accelerations, options) - here;
   }
-  return result;
+  if (robot.coupling.size() == 0) return result;
+  const MatrixX<double> A = robot.coupling.cwiseAbs();
+  return A.transpose() * result * A;
 }
 
 // By q̇: 2 C and viscous friction.
 inline MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                                  const VectorX<double>& qd) {
-  MatrixX<double> result = 2 * coriolis_magnitude(robot, q, qd);
+  VectorX<double> viscous = VectorX<double>::Zero(robot.joint_count());
   for (const Joint<double>& joint : robot.joints) {
-    if (joint.index >= 0) result(joint.index, joint.index) += std::abs(joint.viscous);
+    if (joint.index >= 0) viscous[joint.index] = std::abs(joint.viscous);
   }
-  return result;
+  MatrixX<double> friction = viscous.asDiagonal();
+  if (robot.coupling.size() > 0) {
+    const MatrixX<double> A = robot.coupling.cwiseAbs();
+    friction = MatrixX<double>(A.transpose() * friction * A);
+  }
+  return 2 * coriolis_magnitude(robot, q, qd) + friction;
 }
 
 // Length of the way from the base to the tip's origin.
-inline double reach(const Robot<double>& robot, const VectorX<double>& q) {
+inline double reach(const Robot<double>& robot, const VectorX<double>& coordinates) {
+  const VectorX<double> q = detail::of_joints(robot, coordinates);
   double length = robot.p_tip.norm();
   int link = robot.tip;
   for (std::size_t j = robot.joints.size(); j-- > 0;) {
@@ -174,7 +198,7 @@ inline double reach(const Robot<double>& robot, const VectorX<double>& q) {
 // joint's is an axis; joints that do not move the tip have none.
 inline MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const double way = reach(robot, q);
-  MatrixX<double> J = MatrixX<double>::Zero(6, q.size());
+  MatrixX<double> J = MatrixX<double>::Zero(6, robot.joint_count());
   int link = robot.tip;
   for (std::size_t j = robot.joints.size(); j-- > 0;) {
     const Joint<double>& joint = robot.joints[j];
@@ -183,12 +207,14 @@ inline MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const Vect
     if (joint.type == JointType::prismatic) J.col(joint.index).head<3>().setOnes();
     if (joint.type == JointType::revolute) J.col(joint.index) << way, way, way, 1, 1, 1;
   }
+  if (robot.coupling.size() > 0) J = MatrixX<double>(J * robot.coupling.cwiseAbs());
   return J;
 }
 
 // Of J̇ q̇: the tip's acceleration, linear and angular, from the recursion in lengths.
-inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const VectorX<double>& q,
-                                                  const VectorX<double>& qd) {
+inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const VectorX<double>& coordinates,
+                                                  const VectorX<double>& coordinate_rates) {
+  const VectorX<double> q = detail::of_joints(robot, coordinates), qd = detail::of_joints(robot, coordinate_rates);
   std::vector<detail::MotionMagnitude> motions(robot.links.size());
   for (const Joint<double>& joint : robot.joints) {
     const double rate = joint.index < 0 ? 0 : std::abs(qd[joint.index]);
@@ -200,7 +226,8 @@ inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, co
 }
 
 // Σ |m| ‖g_0‖ · (length of the way to the centre of mass).
-inline double potential_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+inline double potential_magnitude(const Robot<double>& robot, const VectorX<double>& coordinates) {
+  const VectorX<double> q = detail::of_joints(robot, coordinates);
   std::vector<double> way(robot.links.size(), 0);
   for (const Joint<double>& joint : robot.joints) {
     const double slide = joint.type == JointType::prismatic ? std::abs(q[joint.index]) : 0;

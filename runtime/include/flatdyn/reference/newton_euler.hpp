@@ -70,12 +70,10 @@ void add_inertial_wrench(const Link<S>& link, const LinkMotion<S>& motion, Vecto
   }
 }
 
-}  // namespace detail
-
-// Motion of every link for given joint motion; at fixed joints nothing but the frame changes.
+// The links' motion for the motion of all moving joints; at fixed joints nothing but the frame changes.
 template <class S>
-std::vector<LinkMotion<S>> link_motions(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
-                                        const VectorX<S>& qdd, bool gravity) {
+std::vector<LinkMotion<S>> motions_of_tree(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
+                                           const VectorX<S>& qdd, bool gravity) {
   std::vector<LinkMotion<S>> motions(robot.links.size());
   if (gravity) motions[static_cast<std::size_t>(robot.root)].ddp = -robot.gravity;
   for (const Joint<S>& joint : robot.joints) {
@@ -83,20 +81,19 @@ std::vector<LinkMotion<S>> link_motions(const Robot<S>& robot, const VectorX<S>&
     const S zero(0);
     const JointPlacement<S> place = placement(joint, moves ? q[joint.index] : zero);
     motions[static_cast<std::size_t>(joint.child)] =
-        detail::moved(motions[static_cast<std::size_t>(joint.parent)], joint, place, moves ? qd[joint.index] : zero,
-                      moves ? qdd[joint.index] : zero);
+        moved(motions[static_cast<std::size_t>(joint.parent)], joint, place, moves ? qd[joint.index] : zero,
+              moves ? qdd[joint.index] : zero);
   }
   return motions;
 }
 
-// τ = B q̈ + C q̇ + F_v q̇ + F_s sgn(q̇) + g + Jᵀ h_e, (7.42); N m, N for prismatic joints.
+// Torques at all moving joints for their motion.
 template <class S>
-VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& qdd,
-                            const Environment<S>& environment = {}) {
-  const std::vector<LinkMotion<S>> motions = link_motions(robot, q, qd, qdd, environment.gravity);
+VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& qdd,
+                           const Environment<S>& environment) {
+  const std::vector<LinkMotion<S>> motions = motions_of_tree(robot, q, qd, qdd, environment.gravity);
   std::vector<Vector3<S>> f(robot.links.size(), Vector3<S>::Zero()), mu(robot.links.size(), Vector3<S>::Zero());
-  for (std::size_t l = 0; l < robot.links.size(); ++l)
-    detail::add_inertial_wrench(robot.links[l], motions[l], f[l], mu[l]);
+  for (std::size_t l = 0; l < robot.links.size(); ++l) add_inertial_wrench(robot.links[l], motions[l], f[l], mu[l]);
 
   const auto tip = static_cast<std::size_t>(robot.tip);
   const Vector3<S> f_e = motions[tip].R.transpose() * environment.f_e;
@@ -109,7 +106,7 @@ VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const Ve
     if (joint.index < 0) continue;
     const S &v = qd[joint.index], &a = qdd[joint.index];
     tau[joint.index] += joint.armature * a;
-    if (environment.friction) tau[joint.index] += joint.viscous * v + joint.coulomb * detail::sign(v);
+    if (environment.friction) tau[joint.index] += joint.viscous * v + joint.coulomb * sign(v);
     const Rotor<S>& rotor = joint.rotor;
     const LinkMotion<S>& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
     const Vector3<S> turning = carrier.omega.cross(rotor.axis);
@@ -131,6 +128,27 @@ VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const Ve
     mu[parent] += place.R * at_joint + place.before.cross(force);
   }
   return tau;
+}
+
+}  // namespace detail
+
+// Motion of every link.
+template <class S>
+std::vector<LinkMotion<S>> link_motions(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
+                                        const VectorX<S>& qdd, bool gravity) {
+  VectorX<S> positions, rates, accelerations;
+  return detail::motions_of_tree(robot, of_joints(robot, q, positions), of_joints(robot, qd, rates),
+                                 of_joints(robot, qdd, accelerations), gravity);
+}
+
+// τ = B q̈ + C q̇ + F_v q̇ + F_s sgn(q̇) + g + Jᵀ h_e, (7.42); N m, N for prismatic joints.
+template <class S>
+VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& qdd,
+                            const Environment<S>& environment = {}) {
+  VectorX<S> positions, rates, accelerations;
+  return at_coordinates(robot,
+                        detail::torques_of_tree(robot, of_joints(robot, q, positions), of_joints(robot, qd, rates),
+                                                of_joints(robot, qdd, accelerations), environment));
 }
 
 // Column by column, 7.6: g_0 = 0, q̇ = 0, q̈ = e_i.

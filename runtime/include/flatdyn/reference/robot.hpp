@@ -45,7 +45,7 @@ template <class S>
 struct Joint {
   JointType type = JointType::fixed;
   int parent = 0, child = 0;  // links
-  int index = -1;             // entry of q; -1 for a fixed joint
+  int index = -1;             // among the moving joints; -1 for a fixed joint
   Matrix3<S> R_0 = Matrix3<S>::Identity(), R_1 = Matrix3<S>::Identity();
   Vector3<S> p_0 = Vector3<S>::Zero(), p_1 = Vector3<S>::Zero();
   Vector3<S> axis = Vector3<S>::UnitZ();  // in the joint frame (after R_0), unit
@@ -62,13 +62,32 @@ struct Robot {
   int tip = 0;                                            // link
   Matrix3<S> R_tip = Matrix3<S>::Identity();              // tip frame in the tip link
   Vector3<S> p_tip = Vector3<S>::Zero();
+  // Where joints are coupled: the positions of the moving joints are coupling · q, constants being part of R_0 and p_0.
+  // Empty: they are q.
+  MatrixX<S> coupling;
 
-  int size() const {
+  int joint_count() const {
     int n = 0;
     for (const Joint<S>& joint : joints) n += joint.index >= 0 ? 1 : 0;
     return n;
   }
+  int size() const { return coupling.size() > 0 ? static_cast<int>(coupling.cols()) : joint_count(); }  // of q
 };
+
+// Positions, velocities or accelerations of the moving joints; `room` holds them where joints are coupled.
+template <class S>
+const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<S>& room) {
+  if (robot.coupling.size() == 0) return q;
+  room = robot.coupling.lazyProduct(q);
+  return room;
+}
+
+// Torques at the coordinates, of those at the joints.
+template <class S>
+VectorX<S> at_coordinates(const Robot<S>& robot, VectorX<S> tau) {
+  if (robot.coupling.size() == 0) return tau;
+  return robot.coupling.transpose().lazyProduct(tau);
+}
 
 // Rotation by an angle about a unit axis (Rodrigues).
 template <class S>

@@ -81,6 +81,7 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
   result.tip = robot.tip;
   result.R_tip = matrix(robot.R_tip);
   result.p_tip = vector(robot.p_tip);
+  result.coupling = robot.coupling.template cast<T>();
   return result;
 }
 

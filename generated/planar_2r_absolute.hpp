@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The dynamics of robot "planar_2r_absolute" as flat code: 2 joints.
+// Made by flatdyn 0.1.0 from its robot file; to change it, make it again.
+// Input: sha1:0016f674deaa0e1bec7f924438692e2628e3bb90
+//
+//   index  joint    moves link  type      unit
+//   0      theta_1  link1       revolute  rad
+//   1      theta_2  link2       revolute  rad
+//
+// Gravity is (0, -g, 0) m/s^2 in the base frame. The tip belongs to link "link2". Coupled joints,
+// rad or m: theta_2 = -q[0] + q[1]; q, qd, qdd and tau are those of the joints above.
+//
+// Every function is a template over its scalar: float, double, or any type that is made from a
+// double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup
+// finds them (or an argument that knows them, see LibrarySinCos). Arguments are plain arrays:
+//
+//   planar_2r_absolute::Parameters<> parameters = {};  // then set its members
+//   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
+//   planar_2r_absolute::inverse_dynamics(parameters, q, qd, qdd, tau);
+//
+// Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
+// Every entry of an output is written, zeros too. All inputs are read before anything is written:
+// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
+// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
+// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
+// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
+// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
+// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
+// of gravity); t1, t2, ... are parts of sums.
+
+#ifndef FLATDYN_PLANAR_2R_ABSOLUTE_HPP
+#define FLATDYN_PLANAR_2R_ABSOLUTE_HPP
+
+#include <cmath>
+
+namespace planar_2r_absolute {
+
+// The scalar that the tool was asked for: that of the constants, and of Parameters by default.
+using Real = double;
+
+inline constexpr int joint_count = 2;
+
+// As the robot file names them.
+inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
+
+// What the robot file leaves open: an argument of every function. Units as in the file.
+template <class Scalar = Real>
+struct Parameters {
+  Scalar g;
+  Scalar a_1;
+  Scalar m_l1;
+  Scalar l_1;
+  Scalar I_l1;
+  Scalar m_m1;
+  Scalar I_m1;
+  Scalar k_r1;
+  Scalar a_2;
+  Scalar m_l2;
+  Scalar l_2;
+  Scalar I_l2;
+  Scalar m_m2;
+  Scalar I_m2;
+  Scalar k_r2;
+};
+
+// Joints by their indices.
+template <int... joint>
+struct Joints {};
+
+// Where a function has its sines and cosines from: its last argument, called once with all joints
+// that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
+// The default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+// Known to the caller (from resolvers, a CORDIC unit, a table): those of all joints, by index. The
+// positions of these joints are not read then.
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+
+// tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
+//   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1], qdd[0..1], parameters.g, parameters.a_1, parameters.m_l1,
+// parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
+// parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
+// 31 mul, 20 add, 4 sin/cos.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar c_1m2 = s_1 * s_2 + c_1 * c_2;
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar t2 = I_m2 * k_r2;
+  const Scalar t3 = k_r2 * t2;
+  const Scalar t4 = a_1 * c_1m2 * t1 + t2 - t3;
+  const Scalar t5 = a_1 * (m_l2 + m_m2);
+  const Scalar t6 = m_l1 * l_1;
+  const Scalar b_1_1 = I_l1 + I_m2 + t3 + I_m1 * k_r1 * k_r1 + l_1 * t6 + a_1 * t5 -
+      Scalar(2.0) * t2;
+  const Scalar t7 = a_1 * (s_1 * c_2 - c_1 * s_2);
+  const Scalar t8 = qd_2 * qd_2 * t1 * t7;
+  const Scalar t9 = g * c_1 * (t6 + t5);
+  tau[0] = t9 + t8 + qdd_2 * t4 + qdd_1 * b_1_1;
+  const Scalar t10 = t1 * (qd_1 * qd_1 * t7 - g * c_2);
+  const Scalar b_2_2 = I_l2 + t3 + l_2 * t1;
+  tau[1] = qdd_1 * t4 - t10 + qdd_2 * b_2_2;
+}
+
+// Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
+//   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
+//   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1], qdd[0..1], h_e[0..1], h_e[5], parameters.g, parameters.a_1,
+// parameters.m_l1, parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1,
+// parameters.a_2, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
+// parameters.I_m2, parameters.k_r2. Operations: 41 mul, 28 add, 4 sin/cos.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
+  const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1, a_2 = parameters.a_2,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = qd_1 * qd_1;
+  const Scalar ddp_o_2_y = g - a_1 * (s_1 * t1 - c_1 * qdd_1);
+  const Scalar ddp_2_y = a_1 * s_2 * (s_1 * qdd_1 + c_1 * t1) + c_2 * ddp_o_2_y;
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar t3 = s_2 * h_e_1 - c_2 * h_e_2;
+  const Scalar I_2_zz = I_l2 + l_2 * t2;
+  const Scalar mu_2_z = h_e_6 - a_2 * t3 + ddp_2_y * t2 + qdd_2 * I_2_zz;
+  const Scalar t4 = k_r2 * (qdd_1 - qdd_2);
+  const Scalar t5 = I_m2 * k_r2 * (qdd_1 - t4);
+  tau[1] = mu_2_z + t5;
+  const Scalar t6 = t3 - qdd_2 * t2;
+  const Scalar t7 = -s_2 * h_e_2 - c_2 * h_e_1 + qd_2 * qd_2 * t2;
+  const Scalar f_u_2_t_x = s_2 * t6 - c_2 * t7;
+  const Scalar t8 = a_1 * (s_1 * f_u_2_t_x + c_1 * (s_2 * t7 + c_2 * t6));
+  const Scalar t9 = a_1 * (m_l2 + m_m2);
+  const Scalar t10 = m_l1 * l_1;
+  const Scalar t11 = I_l1 + I_m2 + l_1 * t10 + a_1 * t9 + I_m1 * k_r1 * k_r1;
+  const Scalar t12 = g * c_1 * (t10 + t9);
+  tau[0] = t12 - I_m2 * t4 - t8 - t5 + qdd_1 * t11;
+}
+
+// The entries of B in inertia_matrix that are not always zero.
+inline constexpr bool inertia_matrix_nonzero[4] = {
+    1, 1,
+    1, 1};
+
+// Joint-space inertia matrix B(q) (7.32).
+//   q[2]  in   joint positions, rad or m
+//   B[4]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
+//              2 x 2, row by row: entry (i, j) is B[2 * i + j]
+// Reads q[0..1], parameters.a_1, parameters.m_l1, parameters.l_1, parameters.I_l1, parameters.I_m1,
+// parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
+// parameters.I_m2, parameters.k_r2. Operations: 14 mul, 13 add, 4 sin/cos.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
+    const SinCos& sin_cos = {}) noexcept {
+  const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar Ic_2_zz = I_l2 + l_2 * t1;
+  const Scalar t2 = I_m2 * k_r2;
+  const Scalar t3 = k_r2 * t2;
+  B[3] = Ic_2_zz + t3;
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
+  const Scalar t4 = a_1 * c_m1_2 * t1;
+  const Scalar B_12 = t4 + t2 - t3;
+  B[1] = B[2] = B_12;
+  const Scalar t5 = a_1 * a_1 * (m_l2 + m_m2);
+  B[0] = t4 + I_l1 + I_m2 - t2 - B_12 + I_m1 * k_r1 * k_r1 + m_l1 * l_1 * l_1 + t5;
+}
+
+// The entries of c in christoffel that are not always zero.
+inline constexpr bool christoffel_nonzero[6] = {
+    0, 0, 1,
+    1, 0, 0};
+
+// Christoffel symbols of the first kind c_ijk(q) (7.45).
+//   q[2]  in   joint positions, rad or m
+//   c[6]  out  Christoffel symbols c_ijk = c_ikj, j <= k
+//              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
+// Reads q[0..1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 5 mul, 1 add, 4
+// sin/cos. Always zero: 4 of the 6 entries of c.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
+    const SinCos& sin_cos = {}) noexcept {
+  const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar s_m1_2 = c_1 * s_2 - s_1 * c_2;
+  const Scalar c_2_1_1 = a_1 * m_l2 * l_2 * s_m1_2;
+  c[3] = c_2_1_1;
+  c[2] = -c_2_1_1;
+  c[0] = c[1] = c[4] = c[5] = Scalar(0.0);
+}
+
+// The entries of C in coriolis_matrix that are not always zero.
+inline constexpr bool coriolis_matrix_nonzero[4] = {
+    0, 1,
+    1, 0};
+
+// C(q, qd) from the Christoffel symbols (7.44).
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   C[4]   out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
+//               2 x 2, row by row: entry (i, j) is C[2 * i + j]
+// Reads q[0..1], qd[0..1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 7 mul, 1
+// add, 4 sin/cos. Always zero: 2 of the 4 entries of C.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* C, const SinCos& sin_cos = {}) noexcept {
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = l_2 * (s_1 * c_2 - c_1 * s_2) * a_1 * m_l2;
+  C[1] = qd_2 * t1;
+  C[2] = -qd_1 * t1;
+  C[0] = C[3] = Scalar(0.0);
+}
+
+// Gravity torques g(q) (7.39).
+//   q[2]  in   joint positions, rad or m
+//   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
+// parameters.l_2, parameters.m_m2. Operations: 7 mul, 2 add, 2 sin/cos.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
+    const SinCos& sin_cos = {}) noexcept {
+  const Scalar g_2 = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1,
+      l_1 = parameters.l_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar c_1 = cosine[0], c_2 = cosine[1];
+  g[1] = g_2 * m_l2 * l_2 * c_2;
+  g[0] = g_2 * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
+}
+
+// C(q, qd) qd + g(q) + friction (7.116).
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
+// Reads q[0..1], qd[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1,
+// parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 15 mul, 5 add, 4 sin/cos.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
+    const SinCos& sin_cos = {}) noexcept {
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = a_1 * (s_1 * c_2 - c_1 * s_2);
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar t3 = g * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
+  n[0] = t3 + qd_2 * qd_2 * t1 * t2;
+  n[1] = -t2 * (qd_1 * qd_1 * t1 - g * c_2);
+}
+
+// qdd from B(q) qdd = tau - bias(q, qd) (7.115).
+//   q[2]    in   joint positions, rad or m
+//   qd[2]   in   joint velocities, rad/s or m/s
+//   tau[2]  in   joint torques or forces, N m or N
+//   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
+// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
+// Reads q[0..1], qd[0..1], tau[0..1], parameters.g, parameters.a_1, parameters.m_l1,
+// parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
+// parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
+// 33 mul, 23 add, 2 div, 4 sin/cos.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar tau_1 = tau[0], tau_2 = tau[1];
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar t2 = a_1 * t1;
+  const Scalar t3 = c_m1_2 * t2;
+  const Scalar t4 = I_m2 * k_r2;
+  const Scalar t5 = k_r2 * t4;
+  const Scalar t6 = t3 + t4 - t5;
+  const Scalar Ic_2_zz = I_l2 + l_2 * t1;
+  const Scalar b_2_2 = Ic_2_zz + t5;
+  const Scalar d_2 = Scalar(1.0) / b_2_2;
+  const Scalar t7 = t6 * d_2;
+  const Scalar t8 = a_1 * (m_l2 + m_m2);
+  const Scalar t9 = m_l1 * l_1;
+  const Scalar b_2_1_1 = t3 + I_l1 + I_m2 - t4 - t6 - t6 * t7 + I_m1 * k_r1 * k_r1 + l_1 * t9 +
+      a_1 * t8;
+  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
+  const Scalar t10 = s_1 * c_2 - c_1 * s_2;
+  const Scalar t11 = g * c_1;
+  const Scalar t12 = t10 * (a_1 * qd_1 * qd_1 - g * s_1) - c_m1_2 * t11;
+  const Scalar t13 = t1 * t12 + tau_2;
+  const Scalar t14 = t10 * t2 * qd_2 * qd_2;
+  const Scalar mr_1_x = t9 + t8;
+  const Scalar qdd_1 = d_1 * (-t11 * mr_1_x - t14 + tau_1 - t7 * t13);
+  qdd[0] = qdd_1;
+  qdd[1] = d_2 * (t13 - t6 * qdd_1);
+  bool positive = b_2_1_1 > Scalar(0.0);
+  positive &= b_2_2 > Scalar(0.0);
+  return positive;
+}
+
+// Kinetic energy of links and rotors (7.31).
+//   q[2]   in  joint positions, rad or m
+//   qd[2]  in  joint velocities, rad/s or m/s
+// Returns T: kinetic energy, J.
+// Reads q[0..1], qd[0..1], parameters.a_1, parameters.m_l1, parameters.l_1, parameters.I_l1,
+// parameters.I_m1, parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2,
+// parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 22 mul, 12 add, 4 sin/cos.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const SinCos& sin_cos = {}) noexcept {
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
+      I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + l_2 * t1;
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
+  const Scalar t2 = Scalar(2.0) * qd_1;
+  const Scalar L_2_z = qd_2 * I_2_zz + a_1 * c_m1_2 * t1 * t2;
+  const Scalar t3 = a_1 * a_1 * (m_l2 + m_m2);
+  const Scalar I_1_zz = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t3;
+  const Scalar t4 = qd_1 * qd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
+  const Scalar t5 = k_r2 * (qd_1 - qd_2);
+  return Scalar(-0.5) * (I_m2 * t5 * (t2 - t5) - qd_2 * L_2_z - t4);
+}
+
+// Potential energy of links and rotors (7.36).
+//   q[2]  in  joint positions, rad or m
+// Returns U: potential energy, J; zero at the base frame's origin.
+// Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
+// parameters.l_2, parameters.m_m2. Operations: 6 mul, 3 add, 2 sin/cos.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+    const SinCos& sin_cos = {}) noexcept {
+  const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
+      m_l2 = parameters.m_l2, l_2 = parameters.l_2, m_m2 = parameters.m_m2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], s_2 = sine[1];
+  const Scalar t1 = s_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
+  const Scalar hc_1_y = m_l2 * l_2 * s_2 + t1;
+  return g * hc_1_y;
+}
+
+// The entries of R in forward_kinematics that are not always zero.
+inline constexpr bool forward_kinematics_R_nonzero[9] = {
+    1, 1, 0,
+    1, 1, 0,
+    0, 0, 1};
+
+// Pose of the tip (2.50).
+//   q[2]  in   joint positions, rad or m
+//   R[9]  out  rotation matrix of the frame in the base frame
+//              3 x 3, row by row: entry (i, j) is R[3 * i + j]
+//   p[3]  out  position of the frame's origin in the base frame, m
+// Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 13 mul, 7 add, 4 sin/cos. Always zero:
+// 4 of the 9 entries of R. Always zero: p[2].
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
+    Scalar* p, const SinCos& sin_cos = {}) noexcept {
+  const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = s_1 * c_2 - c_1 * s_2;
+  const Scalar t2 = s_1 * t1;
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
+  R[0] = R[4] = t2 + c_1 * c_m1_2;
+  const Scalar t3 = c_1 * t1;
+  const Scalar n_1_t_y = s_1 * c_m1_2 - t3;
+  R[3] = n_1_t_y;
+  R[1] = -n_1_t_y;
+  const Scalar p_2_x = a_2 * c_m1_2 + a_1;
+  p[0] = a_2 * t2 + c_1 * p_2_x;
+  p[1] = s_1 * p_2_x - a_2 * t3;
+  R[8] = Scalar(1.0);
+  R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
+}
+
+// The entries of J in jacobian that are not always zero.
+inline constexpr bool jacobian_nonzero[12] = {
+    1, 1,
+    1, 1,
+    0, 0,
+    0, 0,
+    0, 0,
+    0, 1};
+
+// Geometric Jacobian of the tip (7.14), (7.15).
+//   q[2]   in   joint positions, rad or m
+//   J[12]  out  geometric Jacobian in base axes: linear rows, then angular
+//               6 x 2, row by row: entry (i, j) is J[2 * i + j]
+// Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 12 mul, 4 add, 4 sin/cos. Always zero:
+// 7 of the 12 entries of J.
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
+    const SinCos& sin_cos = {}) noexcept {
+  const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  J[2] = a_1 * c_1;
+  J[0] = -a_1 * s_1;
+  const Scalar t1 = s_1 * c_2 - c_1 * s_2;
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
+  J[3] = a_2 * (s_1 * t1 + c_1 * c_m1_2);
+  J[1] = a_2 * (c_1 * t1 - s_1 * c_m1_2);
+  J[11] = Scalar(1.0);
+  J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = J[10] = Scalar(0.0);
+}
+
+// (dJ/dt) qd of the tip.
+//   q[2]   in   joint positions, rad or m
+//   qd[2]  in   joint velocities, rad/s or m/s
+//   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
+// Reads q[0..1], qd[0..1], parameters.a_1, parameters.a_2. Operations: 17 mul, 6 add, 4 sin/cos.
+// Always zero: a[2], a[3], a[4], a[5].
+template <class Scalar, class SinCos = LibrarySinCos>
+inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* a, const SinCos& sin_cos = {}) noexcept {
+  const Scalar qd_1 = qd[0], qd_2 = qd[1];
+  const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
+  Scalar sine[joint_count], cosine[joint_count];
+  sin_cos(q, Joints<0, 1>(), sine, cosine);
+  const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
+  const Scalar t1 = qd_1 * a_1 * qd_1;
+  const Scalar t2 = qd_2 * a_2 * qd_2;
+  const Scalar t3 = s_1 * c_2 - c_1 * s_2;
+  const Scalar t4 = t3 * t3 * t1 + c_m1_2 * (c_m1_2 * t1 + t2);
+  const Scalar t5 = t3 * t2;
+  a[0] = -s_1 * t5 - c_1 * t4;
+  a[1] = c_1 * t5 - s_1 * t4;
+  a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
+}
+
+// Whether the build rounds every operation as it is written, to nearest: compilers fuse products
+// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
+// What certificates say of rounding errors holds for builds in which this is true. It speaks of the
+// file that calls it, for float and double.
+template <class Scalar = Real>
+static bool rounding_is_as_written() noexcept {
+  const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
+      nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
+      smallest = sizeof(Scalar) == sizeof(float) ? Scalar(0x1p-126) : Scalar(0x1p-1022);
+  const volatile Scalar product = a * b, quotient = nine / seven;
+  const Scalar x = one, y = tiny;
+  const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
+  return is_zero(a * b - product)                   // no fused multiply-add, no digits too many
+         && is_zero((x + y) - x)                    // no other order, no rounding upward
+         && is_zero((x - y) - x)                    // or downward
+         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
+         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
+}
+
+}  // namespace planar_2r_absolute
+
+#endif  // FLATDYN_PLANAR_2R_ABSOLUTE_HPP

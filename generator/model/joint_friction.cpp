@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/joint_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "diagnostics/diagnostics.hpp"
+
+namespace flatdyn {
+namespace {
+
+// The coordinate that a body's joint follows, and its factor.
+struct Leader {
+  std::size_t coordinate;
+  double factor;
+};
+
+Leader leader_of(const Mechanism& mechanism, std::size_t body) {
+  if (!mechanism.is_coupled()) return {body, 1};
+  const std::vector<Number>& row = mechanism.coupling[body];
+  std::vector<Leader> leaders;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (!vanishes(row[k])) leaders.push_back({k, nearest_double(row[k])});
+  }
+  if (leaders.size() == 1) return leaders.front();
+  throw Failure(ExitCode::unsupported,
+                fmt::format("friction of joint \"{}\", which follows several coordinates, is not supported here",
+                            mechanism.bodies[body].joint),
+                "leave it out (viscous = 0, coulomb = 0), or give the joint a coordinate of its own");
+}
+
+}  // namespace
+
+JointFriction joint_friction(const Mechanism& mechanism) {
+  const auto n = static_cast<std::size_t>(mechanism.size());
+  JointFriction friction{std::vector<double>(n, 0), std::vector<double>(n, 0)};
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    if (vanishes(body.viscous) && vanishes(body.coulomb)) continue;
+    const auto [k, factor] = leader_of(mechanism, i);
+    friction.viscous[k] += factor * factor * nearest_double(body.viscous);
+    friction.coulomb[k] += std::abs(factor) * nearest_double(body.coulomb);
+  }
+  return friction;
+}
+
+}  // namespace flatdyn

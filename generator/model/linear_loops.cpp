@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/linear_loops.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "diagnostics/nearest.hpp"
+#include "graph/mod_p.hpp"
+#include "model/lagrangian.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Arithmetic = ModPArithmetic<>;
+using F = Arithmetic::Scalar;
+using Point = Arithmetic::CirclePoint;
+
+// The loop in the tree that is left when it is cut, all joints moving by themselves.
+struct CutLoop {
+  Mechanism tree;
+  LinkFrame ends[2];             // the points that meet
+  std::vector<int> dependent;    // bodies
+  std::vector<int> independent;  // bodies of the loop that turn, too
+};
+
+// A dependent joint's angle: by a multiple of each independent one's, and quarter turns.
+struct Candidate {
+  std::vector<int> factors;  // by entry of CutLoop::independent; -1, 0, 1
+  int quarters = 0;          // 0 to 3
+};
+
+Point sum(const Point& a, const Point& b) { return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s}; }
+
+Point quarter_turns(int count) {
+  static const int kCosines[] = {1, 0, -1, 0}, kSines[] = {0, 1, 0, -1};
+  const auto entry = [](int x) { return x < 0 ? -F(1) : F(static_cast<std::uint64_t>(x)); };
+  return {entry(kCosines[count]), entry(kSines[count])};
+}
+
+// All factors and quarter turns, simplest first.
+std::vector<Candidate> all_candidates(std::size_t joints) {
+  std::vector<Candidate> all = {{}};
+  for (std::size_t k = 0; k < joints; ++k) {
+    std::vector<Candidate> longer;
+    for (const int factor : {0, 1, -1}) {
+      for (Candidate candidate : all) {
+        candidate.factors.push_back(factor);
+        longer.push_back(std::move(candidate));
+      }
+    }
+    all = std::move(longer);
+  }
+  std::vector<Candidate> turned;
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    for (Candidate candidate : all) {
+      candidate.quarters = quarters;
+      turned.push_back(std::move(candidate));
+    }
+  }
+  return turned;
+}
+
+// One random position of all joints but the dependent ones.
+class RandomPosition {
+ public:
+  RandomPosition(const CutLoop& loop, std::uint64_t seed)
+      : loop_(loop), arithmetic_(seed), field_(field_mechanism(loop.tree, arithmetic_)) {
+    for (int i = 0; i < field_.body_count(); ++i) {
+      const F value = arithmetic_.input({InputKind::q, i});
+      const Point turned = arithmetic_.point(value);
+      points_.push_back({turned.c, turned.s, value});
+    }
+  }
+
+  bool closes(const std::vector<Candidate>& candidates) {
+    for (std::size_t d = 0; d < candidates.size(); ++d) {
+      Point total = quarter_turns(candidates[d].quarters);
+      for (std::size_t k = 0; k < loop_.independent.size(); ++k) {
+        const JointPoint<F>& leader = points_[static_cast<std::size_t>(loop_.independent[k])];
+        const int factor = candidates[d].factors[k];
+        if (factor != 0) total = sum(total, {leader.c, factor < 0 ? -leader.s : leader.s});
+      }
+      JointPoint<F>& point = points_[static_cast<std::size_t>(loop_.dependent[d])];
+      point.c = total.c;
+      point.s = total.s;
+    }
+    const std::vector<Pose3<F>> poses = body_poses(field_, points_);
+    const Vector3<F> gap = minus(place(poses, loop_.ends[0]), place(poses, loop_.ends[1]));
+    return std::all_of(gap.begin(), gap.end(), [](const F& x) { return x == F(0); });
+  }
+
+ private:
+  Vector3<F> place(const std::vector<Pose3<F>>& poses, const LinkFrame& end) {
+    const NumberMap<Arithmetic> number(loop_.tree.symbols, arithmetic_);
+    const Vector3<F> p = {number(end.p[0]), number(end.p[1]), number(end.p[2])};
+    if (end.body < 0) return p;
+    const Pose3<F>& body = poses[static_cast<std::size_t>(end.body)];
+    return plus(body.p, times(body.R, p));
+  }
+
+  const CutLoop& loop_;
+  Arithmetic arithmetic_;
+  FieldMechanism<F> field_;
+  std::vector<JointPoint<F>> points_;
+};
+
+// The dependent joints' angles, if some are such that the loop stays closed. Two joints at most: more are not
+// determined by a loop in a plane.
+std::optional<std::vector<Candidate>> linear_solution(const CutLoop& loop) {
+  const std::vector<Candidate> all = all_candidates(loop.independent.size());
+  RandomPosition first(loop, 1), second(loop, 2), third(loop, 3);
+  const auto closes = [&](const std::vector<Candidate>& tried) {
+    return first.closes(tried) && second.closes(tried) && third.closes(tried);
+  };
+  for (const Candidate& a : all) {
+    if (loop.dependent.size() == 1) {
+      if (closes({a})) return std::vector{a};
+      continue;
+    }
+    for (const Candidate& b : all) {
+      if (closes({a, b})) return std::vector{a, b};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<int> way_to_base(const Mechanism& tree, int body) {
+  std::vector<int> way;
+  for (; body >= 0; body = tree.bodies[static_cast<std::size_t>(body)].parent) way.push_back(body);
+  return way;
+}
+
+class LoopSettler {
+ public:
+  LoopSettler(Robot& robot, Diagnostics& diagnostics) : robot_(robot), diagnostics_(diagnostics) {}
+
+  void settle(const Loop& loop) {
+    CutLoop cut;
+    cut.tree = make_mechanism(without_couplings());
+    if (!find_ends(loop, cut) || !find_joints(loop, cut)) return;
+    constexpr std::size_t kMostDependent = 2, kMostIndependent = 3;
+    std::optional<std::vector<Candidate>> solution;
+    if (cut.dependent.size() <= kMostDependent && cut.independent.size() <= kMostIndependent) {
+      solution = linear_solution(cut);
+    }
+    if (!solution) {
+      diagnostics_.unsupported(loop.place,
+                               "loop between \"" + loop.links[0].name + "\" and \"" + loop.links[1].name +
+                                   "\": its dependent joints are not the others' sums and differences, as in a "
+                                   "parallelogram; other loops are not supported yet",
+                               "check the points, and that opposite sides are of equal length");
+      return;
+    }
+    for (std::size_t d = 0; d < cut.dependent.size(); ++d) couple(loop, cut, d, (*solution)[d]);
+  }
+
+ private:
+  Robot without_couplings() const {
+    Robot tree = robot_;
+    for (Joint& joint : tree.joints) joint.coupled.reset();
+    return tree;
+  }
+
+  Joint& joint_of(const CutLoop& cut, int body) {
+    const std::string& name = cut.tree.bodies[static_cast<std::size_t>(body)].joint;
+    return *std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                         [&name](const Joint& joint) { return joint.name == name; });
+  }
+
+  bool find_ends(const Loop& loop, CutLoop& cut) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto link = std::find_if(cut.tree.links.begin(), cut.tree.links.end(),
+                                     [&](const LinkFrame& each) { return each.link == loop.links[end].name; });
+      if (link == cut.tree.links.end()) {
+        std::vector<std::string> known;
+        for (const LinkFrame& each : cut.tree.links) known.push_back(each.link);
+        diagnostics_.error(loop.links[end].place, "loop: there is no link \"" + loop.links[end].name + "\"",
+                           hint_for_unknown(loop.links[end].name, known, "links"));
+        return false;
+      }
+      cut.ends[end] = *link;
+      cut.ends[end].p = expanded(link->p + link->R * loop.points[end]);
+    }
+    return true;
+  }
+
+  // Joints of the loop: on the ways from its ends to the base, but not on both.
+  bool find_joints(const Loop& loop, CutLoop& cut) {
+    const std::vector<int> a = way_to_base(cut.tree, cut.ends[0].body), b = way_to_base(cut.tree, cut.ends[1].body);
+    std::vector<int> bodies;
+    const auto is_on = [](const std::vector<int>& way, int body) {
+      return std::find(way.begin(), way.end(), body) != way.end();
+    };
+    std::copy_if(a.begin(), a.end(), std::back_inserter(bodies), [&](int body) { return !is_on(b, body); });
+    std::copy_if(b.begin(), b.end(), std::back_inserter(bodies), [&](int body) { return !is_on(a, body); });
+    std::sort(bodies.begin(), bodies.end());
+    std::vector<std::string> known;
+    for (const int body : bodies) known.push_back(cut.tree.bodies[static_cast<std::size_t>(body)].joint);
+    for (const Reference& joint : loop.dependent) {
+      const auto found = std::find(known.begin(), known.end(), joint.name);
+      if (found == known.end()) {
+        diagnostics_.error(joint.place, "loop, dependent: \"" + joint.name + "\" is no joint of it that moves",
+                           hint_for_unknown(joint.name, known, "joints of the loop"));
+        return false;
+      }
+      cut.dependent.push_back(bodies[static_cast<std::size_t>(found - known.begin())]);
+    }
+    for (const int body : bodies) {
+      const bool turns = !cut.tree.bodies[static_cast<std::size_t>(body)].prismatic;
+      if (turns && !is_on(cut.dependent, body)) cut.independent.push_back(body);
+    }
+    return check_dependent(loop, cut);
+  }
+
+  bool check_dependent(const Loop& loop, const CutLoop& cut) {
+    if (loop.dependent.empty()) {
+      diagnostics_.error(loop.place, "loop: no joint depends on the others",
+                         "write dependent = [\"...\"]: the joints of the loop that are not driven");
+      return false;
+    }
+    for (const int body : cut.dependent) {
+      const Joint& joint = joint_of(cut, body);
+      if (!joint.coupled) continue;
+      diagnostics_.error(loop.place, "loop, dependent: joint \"" + joint.name + "\" follows others already",
+                         "name each joint once, in one loop or by its position");
+      return false;
+    }
+    return true;
+  }
+
+  void couple(const Loop& loop, const CutLoop& cut, std::size_t d, const Candidate& candidate) {
+    Coupled coupled;
+    coupled.place = loop.place;
+    coupled.offset = (candidate.quarters == 3 ? -1 : candidate.quarters) * GiNaC::Pi / 2;
+    for (std::size_t k = 0; k < candidate.factors.size(); ++k) {
+      if (candidate.factors[k] != 0) add_leader(joint_of(cut, cut.independent[k]), candidate.factors[k], coupled);
+    }
+    Joint& joint = joint_of(cut, cut.dependent[d]);
+    if (!coupled.terms.empty()) {
+      joint.coupled = coupled;
+    } else {  // it keeps its angle, whatever the loop does
+      joint.held = Held{joint.type, coupled.offset};
+      joint.type = JointType::fixed;
+    }
+  }
+
+  // Multiples of a joint's position, which is not its coordinate where it is coupled itself.
+  static void add_leader(const Joint& leader, const Number& factor, Coupled& coupled) {
+    if (!leader.coupled) {
+      coupled.terms.push_back({{leader.name, coupled.place}, factor});
+      return;
+    }
+    coupled.offset += factor * leader.coupled->offset;
+    for (const Coupled::Term& term : leader.coupled->terms) {
+      coupled.terms.push_back({term.joint, factor * term.factor});
+    }
+  }
+
+  Robot& robot_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void settle_loops(Robot& robot, Diagnostics& diagnostics) {
+  for (const Loop& loop : robot.loops) LoopSettler(robot, diagnostics).settle(loop);
+}
+
+}  // namespace flatdyn

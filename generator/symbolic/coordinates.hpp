@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From the coordinates to the joints of the tree and back: the joints move by q_joint = A q, and what is felt at the
+// joints is felt at the coordinates as Aᵀ τ. Where no joint is coupled, nothing is done.
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "symbolic/derivation.hpp"
+#include "symbolic/kinematics.hpp"
+
+namespace flatdyn {
+
+// Cosine and sine of a sum of whole multiples of coordinates, by the addition theorems: so the only angles whose
+// cosines and sines have to be evaluated, or given, are the coordinates themselves.
+PlanarRotation turn_by(Derivation& derivation, const std::vector<Number>& multiples);
+
+// Of body i's joint, rad or m.
+Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i);
+
+// Of body i's joint, rad/s or m/s.
+Number joint_rate(const Mechanism& mechanism, Derivation& derivation, int i);
+
+// Rates or accelerations of all bodies' joints, of the inputs of this kind.
+std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation, InputKind kind);
+// Of what the coordinates' are. `name`: of the sums.
+std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation,
+                                 const std::vector<Number>& coordinates, const std::string& name);
+
+// Aᵀ τ, of torques at all bodies' joints. `name`: of the sums.
+std::vector<Number> at_coordinates(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& tau,
+                                   const std::string& name);
+
+using Rows = std::vector<std::vector<Number>>;
+
+// Aᵀ M, of a matrix with a row for each body's joint.
+Rows rows_at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Rows& matrix,
+                         const std::string& name);
+
+// Aᵀ M A. `symmetric`: the upper half is taken from the lower one.
+enum class Shape { general, symmetric };
+Rows at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Rows& matrix, Shape shape,
+                    const std::string& name);
+
+// c_ijk with j <= k, of those of the joints: Σ a_ri a_sj a_tk c_rst.
+using ChristoffelSymbols = std::map<std::array<int, 3>, Number>;
+ChristoffelSymbols at_coordinates(const Mechanism& mechanism, Derivation& derivation, const ChristoffelSymbols& c);
+
+// J A.
+std::vector<JacobianColumn> at_coordinates(const Mechanism& mechanism, Derivation& derivation,
+                                           const std::vector<JacobianColumn>& columns);
+
+}  // namespace flatdyn

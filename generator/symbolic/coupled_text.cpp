@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/coupled_text.hpp"
+
+#include "symbolic/number_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+// One more term of a sum: "a", "a - 2 b", "a - 2 b + pi/2". `what`: what the number multiplies, if anything.
+void append_term(std::string& sum, const Number& number, const std::string& what) {
+  const bool negative = nearest_double(number) < 0;
+  const Number size = negative ? -number : number;
+  const std::string factor =
+      !what.empty() && size.is_equal(1) ? "" : plain_number_text(size) + (what.empty() ? "" : " ");
+  sum += sum.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
+  sum += factor + what;
+}
+
+bool is_own_coordinate(const Mechanism& mechanism, int body) {
+  for (int k = 0; k < mechanism.size(); ++k) {
+    const Number& factor = mechanism.coupling[static_cast<std::size_t>(body)][static_cast<std::size_t>(k)];
+    if (!factor.is_equal(mechanism.body_of(k) == body ? 1 : 0)) return false;
+  }
+  return vanishes(mechanism.offsets[static_cast<std::size_t>(body)]);
+}
+
+}  // namespace
+
+std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < mechanism.body_count() && mechanism.is_coupled(); ++i) {
+    if (is_own_coordinate(mechanism, i)) continue;
+    const auto row = static_cast<std::size_t>(i);
+    std::string sum;
+    for (int k = 0; k < mechanism.size(); ++k) {
+      const Number& factor = mechanism.coupling[row][static_cast<std::size_t>(k)];
+      if (!vanishes(factor)) append_term(sum, factor, "q[" + std::to_string(k) + "]");
+    }
+    if (!vanishes(mechanism.offsets[row])) append_term(sum, mechanism.offsets[row], "");
+    texts.push_back(mechanism.bodies[row].joint + " = " + sum);
+  }
+  return texts;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Coupled joints: the parallelogram arm of 7.3.3, absolute angles (Problem 7.6), and the same torques from the tree
+// with the forces that hold the couplings.
+#include <gtest/gtest.h>
+
+#include "flatdyn/reference/newton_euler.hpp"
+#include "model/coupling.hpp"
+#include "model/states.hpp"
+#include "support/robot_models.hpp"
+#include "support/written_model.hpp"
+#include "symbolic/base_parameters.hpp"
+#include "symbolic/closed_form.hpp"
+#include "symbolic/formulations.hpp"
+#include "symbolic/functions.hpp"
+#include "symbolic/textbook_robots.hpp"
+#include "verify/exact.hpp"
+#include "verify/reference_model.hpp"
+#include "verify/sampled_base.hpp"
+
+namespace flatdyn {
+namespace {
+
+// The closed form of a robot file, and its symbols by name.
+struct Derived {
+  explicit Derived(const std::string& file) : model(testing::model_of(file)), form(closed_form(model.mechanism)) {}
+
+  Number operator()(const char* name) const { return testing::symbol(model.mechanism, name); }
+  bool equal(const Number& a, const Number& b) const { return reduced(a - b, form).is_zero(); }
+  // cos(q_2 - q_1) and sin(q_2 - q_1).
+  Number cosine() const { return form.c[0] * form.c[1] + form.s[0] * form.s[1]; }
+  Number sine() const { return form.s[1] * form.c[0] - form.c[1] * form.s[0]; }
+
+  Model model;
+  ClosedForm form;
+};
+
+Number square(const Number& x) { return x * x; }
+
+// B_a and g_a as on the chapter's pages on the arm, but for I and m of link 1'' in b_a22, where the book has those of
+// 1'.
+TEST(Parallelogram, IsTheBooks) {
+  const Derived arm("parallelogram.toml");
+  const Number m1 = arm("m_l1"), m2 = arm("m_l2"), m3 = arm("m_l3"), m1b = arm("m_l1b"), g = arm("g");
+  const Number l1 = arm("l_1"), l2 = arm("l_2"), l3 = arm("l_3"), l1b = arm("l_1b"), a1 = arm("a_1"), a1b = arm("a_1b");
+  const auto& B = arm.form.B;
+  EXPECT_TRUE(arm.equal(B[0][0], arm("I_l1") + m1 * square(l1) + m2 * square(a1) + arm("I_l3") + m3 * square(l3) +
+                                     m3 * square(a1) - 2 * a1 * m3 * l3));
+  EXPECT_TRUE(arm.equal(B[0][1], (a1 * m2 * l2 + a1b * m3 * (a1 - l3)) * arm.cosine()));
+  EXPECT_TRUE(arm.equal(B[1][1], arm("I_l1b") + m1b * square(l1b) + arm("I_l2") + m2 * square(l2) + m3 * square(a1b)));
+  EXPECT_TRUE(arm.equal(arm.form.g[0], (m1 * l1 + m2 * a1 - m3 * (l3 - a1)) * g * arm.form.c[0]));
+  EXPECT_TRUE(arm.equal(arm.form.g[1], (m1b * l1b + m2 * l2 + m3 * a1b) * g * arm.form.c[1]));
+}
+
+// "q = A q_a + b found from the loop": theta_2' = theta_1'' - theta_1', theta_3' = pi - theta_2'.
+TEST(Parallelogram, IsFoundFromItsLoop) {
+  const Mechanism mechanism = testing::model_of("parallelogram.toml").mechanism;
+  const std::vector<std::vector<Number>> A = {{1, 0}, {-1, 1}, {1, -1}, {0, 1}};
+  const std::vector<Number> b = {0, 0, GiNaC::Pi, 0};
+  ASSERT_EQ(mechanism.coupling.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(mechanism.offsets[i], b[i]);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(mechanism.coupling[i][k], A[i][k]);
+  }
+}
+
+// m_3' (l_3' - a_1') / (m_2' l_2') = a_1' / a_1'': then B_a is diagonal and constant.
+TEST(Parallelogram, IsDecoupledByDesign) {
+  const Derived arm("parallelogram.toml");
+  const Number a1 = arm("a_1");
+  const Number l_3 = a1 + a1 / arm("a_1b") * arm("m_l2") * arm("l_2") / arm("m_l3");
+  const auto designed = [&](const Number& x) { return x.subs(arm("l_3") == l_3).normal().expand(); };
+  EXPECT_FALSE(arm.form.B[0][1].is_zero());
+  EXPECT_TRUE(designed(arm.form.B[0][1]).is_zero());
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      for (int k = j; k < 2; ++k) EXPECT_TRUE(designed(arm.form.christoffel(i, j, k)).is_zero());
+      for (const auto* trigonometric : {&arm.form.c, &arm.form.s}) {
+        for (const GiNaC::symbol& x : *trigonometric) EXPECT_FALSE(designed(arm.form.B[at(i)][at(j)]).has(x));
+      }
+    }
+  }
+}
+
+// Without motors: no Coriolis torque (c_112 = 0), each centrifugal one by the other link's absolute velocity, g_1
+// without theta_2.
+TEST(AbsoluteAngles, AreProblem7_6) {
+  const Derived arm("planar_2r_absolute.toml");
+  const Number m2 = arm("m_l2"), a1 = arm("a_1"), l2 = arm("l_2"), k2 = arm("k_r2"), I2 = arm("I_m2");
+  const Number h = a1 * m2 * l2 * arm.sine();
+  EXPECT_TRUE(arm.equal(arm.form.B[0][1], m2 * a1 * l2 * arm.cosine() + k2 * I2 - k2 * k2 * I2));
+  EXPECT_TRUE(arm.equal(arm.form.B[1][1], arm("I_l2") + m2 * square(l2) + k2 * k2 * I2));
+  EXPECT_TRUE(arm.form.christoffel(0, 0, 1).is_zero());
+  EXPECT_TRUE(arm.form.christoffel(1, 0, 1).is_zero());
+  EXPECT_TRUE(arm.equal(arm.form.christoffel(0, 1, 1), -h));
+  EXPECT_TRUE(arm.equal(arm.form.christoffel(1, 0, 0), h));
+  EXPECT_FALSE(arm.form.g[0].has(arm.form.c[1]));
+  EXPECT_TRUE(arm.equal(arm.form.g[1], m2 * l2 * arm("g") * arm.form.c[1]));
+}
+
+// B = Tᵀ B' T with q' = T q: the same arm.
+TEST(AbsoluteAngles, AreALinearChangeOfCoordinates) {
+  const Derived absolute("planar_2r_absolute.toml"), relative("planar_2r.toml");
+  GiNaC::exmap same;  // symbols of the one file for those of the other, and theta_2 = theta_2' - theta_1'
+  for (const FreeSymbol& symbol : relative.model.mechanism.symbols) same[symbol.symbol] = absolute(symbol.name.c_str());
+  same[relative.form.c[0]] = absolute.form.c[0];
+  same[relative.form.s[0]] = absolute.form.s[0];
+  same[relative.form.c[1]] = absolute.cosine();
+  same[relative.form.s[1]] = absolute.sine();
+  const auto b = [&](std::size_t i, std::size_t j) { return relative.form.B[i][j].subs(same); };
+  const auto& B = absolute.form.B;
+  EXPECT_TRUE(absolute.equal(B[0][0], b(0, 0) - 2 * b(0, 1) + b(1, 1)));
+  EXPECT_TRUE(absolute.equal(B[0][1], b(0, 1) - b(1, 1)));
+  EXPECT_TRUE(absolute.equal(B[1][1], b(1, 1)));
+}
+
+// An arm with a gripper of two fingers, a rack that a joint drives, and a joint that follows two others.
+const char* const kMachine = R"(name = "machine"
+[[link]]
+joint = "shoulder"
+xyz = [0, 0, 0.3]
+rpy = [0.2, "pi/2", 0]
+mass = 3
+com = [0.2, 0.1, 0]
+inertia = { xx = 0.03, yy = 0.04, zz = 0.05, xy = 0.002 }
+inertia_about = "com"
+viscous = 0.3
+[[link]]
+joint = "elbow"
+position = "elbow - shoulder + 0.4"
+xyz = [0.4, 0, 0]
+mass = 2
+com = [0.2, 0, 0.05]
+inertia = { xx = 0.01, yy = 0.02, zz = 0.02 }
+inertia_about = "com"
+coulomb = 0.2
+[link.motor]
+mass = 0.4
+inertia = 1e-4
+gear_ratio = 40
+[[link]]
+joint = "wrist"
+position = "2*elbow - shoulder"
+xyz = [0.3, 0, 0]
+rpy = ["pi/2", 0, 0.3]
+mass = 1
+com = [0, 0.03, 0.1]
+inertia = { xx = 0.004, yy = 0.003, zz = 0.002 }
+inertia_about = "com"
+armature = 0.01
+[[link]]
+name = "left"
+joint = "left_finger"
+type = "prismatic"
+axis = [0, 1, 0]
+xyz = [0, 0, 0.2]
+mass = 0.1
+viscous = 0.5
+[[link]]
+name = "right"
+joint = "right_finger"
+parent = "link3"
+type = "prismatic"
+axis = [0, -1, 0]
+position = "left_finger + 0.01"
+xyz = [0, 0, 0.2]
+mass = 0.12
+com = [0.01, 0, 0]
+viscous = 0.7
+[[link]]
+joint = "rack"
+parent = "link1"
+type = "prismatic"
+axis = [1, 0, 0]
+position = "0.05*elbow - 0.02*shoulder"
+mass = 0.5
+[tip]
+link = "left"
+)";
+
+class Machine : public ::testing::Test {
+ protected:
+  const Model model_ = testing::model_of_toml(kMachine);
+};
+
+TEST_F(Machine, HasACoordinateForEachIndependentJoint) {
+  const Mechanism& mechanism = model_.mechanism;
+  EXPECT_EQ(mechanism.size(), 3);
+  EXPECT_EQ(mechanism.body_count(), 6);
+  std::vector<std::string> names;
+  for (const Body& body : mechanism.joints()) names.push_back(body.joint);
+  EXPECT_EQ(names, (std::vector<std::string>{"shoulder", "elbow", "left_finger"}));
+}
+
+TEST_F(Machine, EveryFunctionIsTheLagrangians) {
+  for (const FunctionEntry& entry : function_table()) {
+    if (entry.kind == FunctionKind::operational)
+      continue;  // three coordinates, and a task of three is that of the next
+    const Function function = derive_function(model_.mechanism, entry.name);
+    EXPECT_TRUE(prove_exactly(model_.mechanism, function).equal) << entry.name;
+  }
+}
+
+TEST_F(Machine, OperationalFunctionsAreTheLagrangians) {
+  Mechanism mechanism = model_.mechanism;
+  mechanism.task = {0, 2};
+  for (const char* name : {"operational_inertia", "operational_bias", "null_space_torque"}) {
+    EXPECT_TRUE(prove_exactly(mechanism, derive_function(mechanism, name)).equal) << name;
+  }
+}
+
+TEST_F(Machine, BaseParametersAreThoseOfTheSamples) {
+  const BaseParameters base = base_parameters(model_.mechanism);
+  const SampledComparison sampled = compare_with_samples(model_.mechanism, base, ParameterSet::given);
+  EXPECT_TRUE(sampled.equal);
+  EXPECT_EQ(sampled.rank, base.size());
+}
+
+TEST(Parallelogram, BaseParametersAreThoseOfTheSamples) {
+  const Mechanism mechanism = testing::model_of("parallelogram.toml").mechanism;
+  const BaseParameters base = base_parameters(mechanism);
+  EXPECT_TRUE(compare_with_samples(mechanism, base, ParameterSet::given).equal);
+  EXPECT_EQ(base.size(), 8);  // two inertias, and three first moments, each with its x and y
+}
+
+// The tree with the couplings as constraints Φ = q_joint - A q = 0, whose forces are found with the accelerations:
+// [B_t Φᵀ; Φ 0] [q̈_t; λ] = [τ_t - n_t; 0]. Φ's rows are a basis of what is normal to the columns of A.
+TEST_F(Machine, MovesAsTheTreeWithConstraintForces) {
+  using namespace reference;
+  const reference::Robot<double> coupled = reference_robot<double>(model_.robot, {});
+  reference::Robot<double> tree = coupled;
+  tree.coupling.resize(0, 0);
+  const Eigen::MatrixXd A = coupled.coupling;
+  const Eigen::MatrixXd normal = A.transpose().fullPivLu().kernel().transpose();
+  ASSERT_EQ(normal.rows(), 3);
+  for (const State& state : random_states(model_.mechanism, 20, 5)) {
+    const auto vector = [](const std::vector<double>& v) {
+      return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())));
+    };
+    const Eigen::VectorXd q = vector(state.q), qd = vector(state.qd), tau = vector(state.tau);
+    const Eigen::VectorXd q_t = A * q, qd_t = A * qd, tau_t = A * (A.transpose() * A).ldlt().solve(tau);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(9, 9);
+    K.topLeftCorner(6, 6) = inertia_matrix<double>(tree, q_t);
+    K.topRightCorner(6, 3) = normal.transpose();
+    K.bottomLeftCorner(3, 6) = normal;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(9);
+    right.head(6) = tau_t - bias<double>(tree, q_t, qd_t);
+    const Eigen::VectorXd qdd_t = K.fullPivLu().solve(right).head(6);
+    const Eigen::VectorXd expected = A * forward_dynamics<double>(coupled, q, qd, tau);
+    EXPECT_LT((qdd_t - expected).norm(), 1e-8 * (1 + expected.norm()));
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn
