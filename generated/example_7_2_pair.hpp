@@ -40,7 +40,9 @@ inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
 
 // Joints by their indices.
 template <int... joint>
-struct Joints {};
+struct Joints {
+  static constexpr int flatdyn_interface = 1;  // flatdyn/trigonometry.hpp asks for it
+};
 
 // Where a function has its sines and cosines from: its last argument, called once with all joints
 // that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).

@@ -22,6 +22,7 @@
 #include "emit/stage_section.hpp"
 #include "emit/writer.hpp"
 #include "emit/written.hpp"
+#include "flatdyn/interface.hpp"
 #include "graph/count.hpp"
 #include "symbolic/number_text.hpp"
 #include "templates.hpp"
@@ -75,6 +76,8 @@ class PageWriter {
     if (is_pair()) write_instantiations(header);
     header["uses_sign"] = uses_sign_;
     header["header_sign?"] = uses_sign_ && !is_pair();
+    header["interface"] = std::to_string(kInterface);
+    header["asks_runtime?"] = uses_trigonometry_ && !is_pair();  // a pair is compiled without the runtime
     header["uses_trigonometry"] = uses_trigonometry_;
     if (dialect_.is_c()) write_c_names(header, dialect_, header_name(mechanism_, options_));
     header["uses_math"] = uses_trigonometry_ || uses_infinity();
