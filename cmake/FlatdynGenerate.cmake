@@ -4,14 +4,15 @@
 #   [SCENE file]            scene file
 #   [FUNCTIONS name...]     what to compute; default: what the scene names, else all
 #   [STAGES name...] [FUSE name...]
-#   [SCALAR double|float]   default: double
+#   [SCALAR double|float]   default: double; of FORM pair, one or both: SCALAR double float
 #   [LANGUAGE c++|c]        default: c++
+#   [FORM header|pair]      of C++: a header (the default), or a library with header and source, compiled once
 #   [NAMESPACE name]        in C what names begin with; default: TARGET
 #   [OPTIONS option...])    any others of `flatdyn generate`
 #
 # Makes a library to link with. Its header is TARGET.hpp (of C: TARGET.h). It is generated anew when the robot file, a
-# file that this one names, the scene, or flatdyn itself changes, and only then. Who links with it compiles with
-# -ffp-contract=off, as every operation is meant to be rounded as it is written.
+# file that this one names, the scene, or flatdyn itself changes, and only then. What computes is compiled with
+# -ffp-contract=off, as every operation is meant to be rounded as it is written: a source here, a header by who links.
 #
 # The program is $CACHE{FLATDYN_EXECUTABLE} if that is set, as for a cross build with a flatdyn of the build machine;
 # else the installed one, or the one of this build.
@@ -49,7 +50,7 @@ function(flatdyn_list_option result option)
 endfunction()
 
 function(flatdyn_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROBOT;SCENE;SCALAR;LANGUAGE;NAMESPACE" "FUNCTIONS;STAGES;FUSE;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROBOT;SCENE;LANGUAGE;FORM;NAMESPACE" "FUNCTIONS;STAGES;FUSE;SCALAR;OPTIONS")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "flatdyn_generate(${target}): cannot make sense of "
                         "\"${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}\"")
@@ -61,6 +62,15 @@ function(flatdyn_generate target)
     set(arg_LANGUAGE c++)
   elseif(NOT arg_LANGUAGE MATCHES "^(c|c[+][+])$")
     message(FATAL_ERROR "flatdyn_generate(${target}): LANGUAGE is c or c++, not \"${arg_LANGUAGE}\"")
+  endif()
+  if(NOT arg_FORM)
+    set(form "")
+  elseif(NOT arg_FORM MATCHES "^(header|pair)$")
+    message(FATAL_ERROR "flatdyn_generate(${target}): FORM is header or pair, not \"${arg_FORM}\"")
+  elseif(arg_LANGUAGE STREQUAL c)
+    message(FATAL_ERROR "flatdyn_generate(${target}): FORM is of C++ only; in C there are header and source anyhow")
+  else()
+    set(form --form ${arg_FORM})
   endif()
   if(NOT arg_NAMESPACE)
     set(arg_NAMESPACE ${target})
@@ -83,11 +93,13 @@ function(flatdyn_generate target)
   set(outputs ${folder}/${target}.hpp)
   if(arg_LANGUAGE STREQUAL c)
     set(outputs ${folder}/${target}.h ${folder}/${target}.c)
+  elseif(arg_FORM STREQUAL pair)
+    set(outputs ${folder}/${target}.hpp ${folder}/${target}.cpp)
   endif()
   add_custom_command(
     OUTPUT ${outputs} ${folder}/${target}.json
     COMMAND ${program} generate ${arg_ROBOT} -o ${folder} --name ${target} --namespace ${arg_NAMESPACE}
-            --language ${arg_LANGUAGE} ${scene} ${functions} ${stages} ${fuse} ${scalar} ${arg_OPTIONS}
+            --language ${arg_LANGUAGE} ${form} ${scene} ${functions} ${stages} ${fuse} ${scalar} ${arg_OPTIONS}
             --quiet --depfile ${folder}/${target}.d > ${target}.flatdyn.log
     DEPENDS ${depends} ${tool}
     DEPFILE ${folder}/${target}.d
@@ -102,6 +114,13 @@ function(flatdyn_generate target)
     if(UNIX)
       target_link_libraries(${target} PUBLIC m)
     endif()
+    return()
+  endif()
+  if(arg_FORM STREQUAL pair)
+    add_library(${target} STATIC ${outputs})
+    target_include_directories(${target} PUBLIC ${folder})
+    target_compile_features(${target} PUBLIC cxx_std_17)
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
     return()
   endif()
   add_library(${target} INTERFACE)

@@ -85,10 +85,6 @@ std::optional<double> effort_of(const Mechanism& mechanism, const Output& output
   return std::abs(nearest_double(limit->number));
 }
 
-std::string name_of(const Output& output, std::size_t entry) {
-  return output.layout == Layout::scalar ? output.name : fmt::format("{}[{}]", output.name, entry);
-}
-
 // Long double has 11 bits more than double, double has 29 more than float: two are left for what adds up.
 int bits_more(const RoundingFormat& format) { return format.scalar == "float" ? 27 : 9; }
 
@@ -141,11 +137,12 @@ class Certifier {
     if (is_zero) return;
     const auto known = std::find(operations_.begin(), operations_.end(), operation);
     if (known != operations_.end()) {
-      result_.outputs[static_cast<std::size_t>(known - operations_.begin())].also.push_back(name_of(output, entry));
+      result_.outputs[static_cast<std::size_t>(known - operations_.begin())].also.push_back(
+          certified_name(output, entry));
       return;
     }
     CertifiedOutput found;
-    found.name = name_of(output, entry);
+    found.name = certified_name(output, entry);
     found.unit = unit_of(mechanism_, output, static_cast<int>(entry));
     found.effort = effort_of(mechanism_, output, static_cast<int>(entry));
     result_.outputs.push_back(std::move(found));
@@ -194,14 +191,23 @@ class Certifier {
 
 }  // namespace
 
+std::string certified_name(const Output& output, std::size_t entry) {
+  return output.layout == Layout::scalar ? output.name : fmt::format("{}[{}]", output.name, entry);
+}
+
+CertifiedFunction certify(const Mechanism& mechanism, const Function& function, const StraightLine& text,
+                          const CertifyOptions& options, Progress& progress) {
+  return Certifier(mechanism, function, text, options).run(progress);
+}
+
 Certificate certify(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& header,
                     const CertifyOptions& options, Progress& progress) {
   const EmittedText text(header);
   Certificate result{mechanism.name, options.scalar, asks_gappa(options), options, {}};
   for (std::size_t k = 0; k < functions.size(); ++k) {
     try {
-      Certifier certifier(mechanism, functions[k], text.operations(k, functions[k]), options);
-      result.functions.push_back(certifier.run(progress));
+      const StraightLine lines = text.operations(k, functions[k]);
+      result.functions.push_back(certify(mechanism, functions[k], lines, options, progress));
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::unsupported) throw;
       throw Failure(failure.code(), fmt::format("{} cannot be certified: {}", functions[k].name, failure.what()),

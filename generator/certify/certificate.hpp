@@ -11,6 +11,7 @@
 #include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
+#include "verify/straight_line.hpp"
 
 namespace flatdyn {
 
@@ -53,6 +54,13 @@ struct Certificate {
 // inputs without limits, and divisions.
 Certificate certify(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& header,
                     const CertifyOptions& options, Progress& progress);
+
+// Of one function, as it is executed.
+CertifiedFunction certify(const Mechanism& mechanism, const Function& function, const StraightLine& text,
+                          const CertifyOptions& options, Progress& progress);
+
+// How a certificate names an entry: "tau[0]"; "U" of a number.
+std::string certified_name(const Output& output, std::size_t entry);
 
 // A bound is wrong: Gappa was asked and refuses it, or a larger error was seen.
 bool is_refuted(const Certificate& certificate);

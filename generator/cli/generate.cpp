@@ -21,14 +21,16 @@ constexpr int kFewestLines = 30, kMostLines = 1'000'000;
 struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused;
-  std::string scalar = "double";
-  std::string language = "c++";
+  std::vector<std::string> scalars = {"double"};
+  std::string language = "c++", form = "header";
   std::string name_space, file_name;  // empty: the robot's name
   std::string firmware;               // a processor; empty: none
   bool python = false;
-  const CLI::Option *scalar_given = nullptr, *language_given = nullptr;
+  const CLI::Option *scalar_given = nullptr, *language_given = nullptr, *form_given = nullptr;
   int most_lines = 0;  // 0: no limit
   Delivery delivery;
+
+  bool is_pair() const { return form == "pair"; }
 };
 
 struct NamedLanguage {
@@ -46,12 +48,14 @@ const CLI::Validator kFileName(
 
 // The options that shape the output, as they go into its stamp.
 std::string stamp_of(const GenerateArguments& arguments, const std::vector<OptimisedFunction>& functions) {
+  const std::string scalars = fmt::format("{}", fmt::join(arguments.scalars, ","));
   const std::string of_functions =
       stamp({{"--functions", fmt::format("{}", fmt::join(arguments.functions, ","))},
              {"--stages", fmt::format("{}", fmt::join(arguments.staged, ","))},
              {"--fuse", fmt::format("{}", fmt::join(arguments.fused, ","))},
-             {"--scalar", arguments.scalar == "double" ? "" : arguments.scalar},
+             {"--scalar", scalars == "double" ? "" : scalars},
              {"--language", arguments.language == "c++" ? "" : arguments.language},
+             {"--form", arguments.is_pair() ? "pair" : ""},
              {"--namespace", arguments.name_space},
              {"--name", arguments.file_name},
              {"--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines)}});
@@ -67,6 +71,11 @@ struct Emitted {
 Emitted emitted(const Model& model, const std::vector<Function>& functions, const EmitOptions& options,
                 const std::optional<Stages>& stages, const std::filesystem::path& folder) {
   const std::filesystem::path header = folder / header_name(model.mechanism, options);
+  const std::filesystem::path source = folder / source_name(model.mechanism, options);
+  if (options.language == Language::cpp && options.form == Form::pair) {
+    const HeaderAndSource text = emit_cpp_pair(model.mechanism, functions, options, stages);
+    return {{{header, text.header}, {source, text.source}}, EmittedText(text.header + text.source)};
+  }
   if (options.language == Language::cpp) {
     const std::string text = emit_cpp(model.mechanism, functions, options, stages);
     return {{{header, text}}, EmittedText(text)};
@@ -75,9 +84,8 @@ Emitted emitted(const Model& model, const std::vector<Function>& functions, cons
     const std::string text = emit_javascript(model.mechanism, functions, options);
     return {{{header, text}}, EmittedText::of_javascript(text)};
   }
-  const CText text = emit_c(model.mechanism, functions, options);
-  return {{{header, text.header}, {folder / source_name(model.mechanism, options), text.source}},
-          EmittedText(text.header, text.source, options.scalar)};
+  const HeaderAndSource text = emit_c(model.mechanism, functions, options);
+  return {{{header, text.header}, {source, text.source}}, EmittedText(text.header, text.source, options.scalar)};
 }
 
 void choose_c(GenerateArguments& arguments, const char* option) {
@@ -100,10 +108,24 @@ void choose_for_firmware(GenerateArguments& arguments) {
   if (!arguments.fused.empty()) {
     throw Failure(ExitCode::usage, "--firmware: fused functions have no self test", "leave --fuse out");
   }
-  if (arguments.scalar_given->count() == 0) arguments.scalar = firmware_target(arguments.firmware).scalar;
+  if (arguments.scalar_given->count() == 0) arguments.scalars = {firmware_target(arguments.firmware).scalar};
+}
+
+// Two files, and more than one scalar, are for C++.
+void check_form(const GenerateArguments& arguments) {
+  const bool is_cpp = arguments.language == "c++";
+  if (arguments.form_given->count() > 0 && !is_cpp) {
+    throw Failure(ExitCode::usage, fmt::format("--form: {} has one form only", kLanguages.at(arguments.language).name),
+                  "leave it out");
+  }
+  if (arguments.scalars.size() == 1 || arguments.is_pair()) return;
+  throw Failure(ExitCode::usage, "--scalar: one is enough here",
+                is_cpp ? "a header is a template over its scalar: name that of its constants; or use --form pair"
+                       : "name one, and run it again with another --name and --namespace for the other");
 }
 
 void check_usage(const GenerateArguments& arguments) {
+  check_form(arguments);
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
@@ -113,7 +135,7 @@ void check_usage(const GenerateArguments& arguments) {
                   "--fuse computes several functions in one call");
   }
   if (arguments.language != "javascript") return;
-  if (arguments.scalar != "double") {
+  if (arguments.scalars.front() != "double") {
     throw Failure(ExitCode::usage, "--scalar: all numbers of JavaScript are doubles", "leave it out");
   }
   if (!arguments.name_space.empty()) {
@@ -149,17 +171,19 @@ Made make(const Model& model, const PipelineOptions& options, const GenerateArgu
 
 EmitOptions emit_options(const Model& model, const Made& made, const GenerateArguments& arguments) {
   return {arguments.name_space,
-          arguments.scalar,
+          arguments.scalars.front(),
           stamp_of(arguments, made.functions),
           model.input_hash,
           scene_stamp(model),
           scene_facts(model),
           arguments.most_lines,
           kLanguages.at(arguments.language).language,
-          arguments.file_name};
+          arguments.file_name,
+          arguments.is_pair() ? Form::pair : Form::header,
+          {arguments.scalars.begin() + 1, arguments.scalars.end()}};
 }
 
-// `files`: the header, and in C the source.
+// `files`: the header, and the source if there is one.
 nlohmann::ordered_json manifest_of(const Model& model, const Made& made, const EmitOptions& options,
                                    const std::vector<TextFile>& files, const std::vector<double>& effects) {
   nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION},
@@ -263,14 +287,25 @@ Run add_generate(CLI::App& app) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
-  arguments->scalar_given = command->add_option("--scalar", arguments->scalar, "scalar of the constants")
-                                ->check(CLI::IsMember({"double", "float"}))
-                                ->capture_default_str();
+  arguments->scalar_given =
+      command
+          ->add_option("--scalar", arguments->scalars,
+                       "scalar of the constants; of a pair, one or two that it is compiled for: double,float")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->check(CLI::IsMember({"double", "float"}))
+          ->default_str("double");
   arguments->language_given =
       command
           ->add_option("--language", arguments->language,
                        "a C++17 header, a C99 header and source in one scalar, or a JavaScript module")
           ->check(CLI::IsMember({"c++", "c", "javascript"}))
+          ->capture_default_str();
+  arguments->form_given =
+      command
+          ->add_option("--form", arguments->form,
+                       "of C++: all in one header, or a pair of header and source, which is compiled once")
+          ->check(CLI::IsMember({"header", "pair"}))
           ->capture_default_str();
   command
       ->add_option("--firmware", arguments->firmware,

@@ -37,8 +37,7 @@ void write_c_names(data& page, const Dialect& dialect, const std::string& header
 }
 
 void write_c_function(data& item, const Function& function, const FunctionText& text) {
-  const std::string equation = function.equation.empty() ? "" : " " + function.equation;
-  item["brief"] = list_of(wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth));
+  item["brief"] = list_of(brief_comment(function));
   item["declaration"] = c_signature(text.returns, text.name, text.declared, ";");
   item["definitions"] = definitions(text);
   item["given?"] = text.given.has_value();

@@ -17,10 +17,12 @@
 #include "emit/name_space.hpp"
 #include "emit/names.hpp"
 #include "emit/page.hpp"
+#include "emit/pair_section.hpp"
 #include "emit/sections.hpp"
 #include "emit/stage_section.hpp"
 #include "emit/writer.hpp"
 #include "emit/written.hpp"
+#include "flatdyn/interface.hpp"
 #include "graph/count.hpp"
 #include "symbolic/coupled_text.hpp"
 #include "symbolic/number_text.hpp"
@@ -72,7 +74,11 @@ class PageWriter {
     write_constants(header);
     write_functions(header);
     write_stages(header);
+    if (is_pair()) write_instantiations(header);
     header["uses_sign"] = uses_sign_;
+    header["header_sign?"] = uses_sign_ && !is_pair();
+    header["interface"] = std::to_string(kInterface);
+    header["asks_runtime?"] = uses_trigonometry_ && !is_pair();  // a pair is compiled without the runtime
     header["uses_trigonometry"] = uses_trigonometry_;
     if (dialect_.is_c()) write_c_names(header, dialect_, header_name(mechanism_, options_));
     header["uses_math"] = uses_trigonometry_ || uses_infinity();
@@ -106,6 +112,7 @@ class PageWriter {
       }
     }
     scope_.dialect = dialect_;
+    if (is_pair()) scope_.compiled = compiled_scalars(options_);
     scope_.joints = mechanism_.size();
     scope_.most_lines = options_.most_lines;
     scope_.names.insert(names_.taken().begin(), names_.taken().end());
@@ -216,10 +223,11 @@ class PageWriter {
       item["nonzero"] = nonzero(k, next_nonzero);
       write_parts(item, text);
       item["comment"] = list_of(function_comment(functions_[k], text));
-      item["template_parameters"] = template_parameters(text);
+      item["header_parameters"] = template_parameters(text);
       item["signature"] = signature(text);
       item["body"] = without_newline(text.body);
       if (dialect_.is_c()) write_c_function(item, functions_[k], text);
+      if (is_pair()) write_pair_function(item, functions_[k], text);
       if (dialect_.is_javascript()) write_javascript_function(item, functions_[k], text);
       list << item;
       exports_.push_back(function_names_[k]);
@@ -241,10 +249,26 @@ class PageWriter {
     if (!stages_) return;
     const std::vector<StageText> stages = stage_texts(*stages_, scope_);
     flatdyn::write_stages(header, stages, namespace_);
+    if (is_pair()) instantiations_.add(stages, scope_.compiled);
     for (const StageText& stage : stages) {
       note_needs(stage.make);
       for (const StageMember& member : stage.members) note_needs(member.text);
     }
+  }
+
+  bool is_pair() const { return dialect_.is_cpp() && options_.form == Form::pair; }
+
+  void write_pair_function(data& item, const Function& function, const FunctionText& text) {
+    write_declaration(item, text);
+    item["brief"] = list_of(brief_comment(function));
+    instantiations_.add(text);
+  }
+
+  void write_instantiations(data& header) {
+    instantiations_.add_rounding(scope_.compiled);
+    write_pair(header, header_name(mechanism_, options_), source_name(mechanism_, options_), scope_.compiled);
+    header["declared_instances"] = list_of(instantiations_.declared);
+    header["defined_instances"] = list_of(instantiations_.defined);
   }
 
   void note_needs(const FunctionText& text) {
@@ -319,6 +343,7 @@ class PageWriter {
   std::vector<std::string> base_names_;     // of kBaseConstants; empty where no function needs them
   HeaderScope scope_;
   std::vector<std::string> exports_;
+  Instantiations instantiations_;  // of C++ in header and source
   bool uses_sign_ = false, uses_trigonometry_ = false;
 };
 
@@ -331,7 +356,7 @@ std::string header_name(const Mechanism& mechanism, const EmitOptions& options) 
 }
 
 std::string source_name(const Mechanism& mechanism, const EmitOptions& options) {
-  return file_name(mechanism, options) + ".c";
+  return file_name(mechanism, options) + (options.language == Language::c ? ".c" : ".cpp");
 }
 
 Dialect dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
@@ -342,10 +367,21 @@ Dialect dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
 
 std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
                      const std::optional<Stages>& stages) {
-  return squeezed(rendered(templates::header_hpp, PageWriter(mechanism, functions, options, stages).page()));
+  data page = PageWriter(mechanism, functions, options, stages).page();
+  page["rounding"] = without_newline(templates::rounding_hpp);
+  return squeezed(rendered(templates::header_hpp, page));
 }
 
-CText emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
+HeaderAndSource emit_cpp_pair(const Mechanism& mechanism, const std::vector<Function>& functions,
+                              const EmitOptions& options, const std::optional<Stages>& stages) {
+  EmitOptions in_two = options;
+  in_two.form = Form::pair;
+  data page = PageWriter(mechanism, functions, in_two, stages).page();
+  page["rounding"] = without_newline(templates::rounding_hpp);
+  return {squeezed(rendered(templates::header_hpp, page)), squeezed(rendered(templates::source_cpp, page))};
+}
+
+HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
   const std::optional<Stages> none;
   const data page = PageWriter(mechanism, functions, options, none).page();
   return {squeezed(rendered(templates::header_h, page)), squeezed(rendered(templates::source_c, page))};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Functions → text of a self-contained C++17 header, of a C99 header and source, or of a JavaScript module.
+// Functions → text of a self-contained C++17 header, of a header and source in C++17 or C99, or of a JavaScript module.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,9 @@
 
 namespace flatdyn {
 
+// C++: all in one header, or declarations there and definitions in a source that is compiled once.
+enum class Form { header, pair };
+
 struct EmitOptions {
   std::string name_space;         // empty: from the robot's name
   std::string scalar = "double";  // default of the template parameter: "double" or "float"
@@ -23,21 +26,29 @@ struct EmitOptions {
   int most_lines = 0;             // of any function in the header; 0: no limit but that of compilers
   Language language = Language::cpp;
   std::string file_name{};  // of header and source, without what follows the dot; empty: the robot's name
+  Form form = Form::header;
+  std::vector<std::string> more_scalars{};  // that the source of a pair is compiled for, beside `scalar`
 };
 
 // The header's file name for this mechanism: "panda.hpp", in C "panda.h"; in JavaScript the module's, "panda.js".
 std::string header_name(const Mechanism& mechanism, const EmitOptions& options);
-std::string source_name(const Mechanism& mechanism, const EmitOptions& options);  // "panda.c"
+std::string source_name(const Mechanism& mechanism, const EmitOptions& options);  // "panda.cpp", in C "panda.c"
+
+struct HeaderAndSource {
+  std::string header, source;
+};
 
 // The whole header: documentation, constants, one function template per Function, and the stages. Deterministic.
 std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
                      const std::optional<Stages>& stages = std::nullopt);
 
+// The same text in two files: templates that are declared in the header, defined in the source, and instantiated there
+// for options.scalar and options.more_scalars. The same bits.
+HeaderAndSource emit_cpp_pair(const Mechanism& mechanism, const std::vector<Function>& functions,
+                              const EmitOptions& options, const std::optional<Stages>& stages = std::nullopt);
+
 // The same functions in C99, for options.scalar: no templates, plain arrays, names with a prefix. The same bits.
-struct CText {
-  std::string header, source;
-};
-CText emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options);
+HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options);
 
 // The same functions in JavaScript, in double: an ES module, or the body of a function that returns them in an object,
 // for a page. The same operations in the same order.

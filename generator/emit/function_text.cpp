@@ -26,8 +26,8 @@ class FunctionWriter {
   FunctionText text(const std::string& given_name) const {
     FunctionText text;
     text.name = name_;
-    text.returns = return_type();
-    text.parameters = parameters();
+    text.returns = return_type(dialect_.scalar());
+    text.parameters = parameters(kTemplate);
     text.inputs = input_arrays();
     text.outputs = output_arrays();
     text.arguments = argument_lines();
@@ -39,6 +39,7 @@ class FunctionWriter {
     text.uses_trigonometry = body_.uses_trigonometry();
     if (dialect_.is_c()) in_two(text, given_name);
     if (dialect_.is_javascript()) text.parameters = c_parameters(false, false);
+    if (is_apart()) set_apart(text);
     return text;
   }
 
@@ -132,15 +133,15 @@ class FunctionWriter {
       given.joints += (given.joints.empty() ? "" : ", ") + std::to_string(first);
       if (last > first) given.joints += ".." + std::to_string(last);
     }
-    const char* give_back = return_type() == "void" ? "" : "return ";
+    const char* give_back = return_type(dialect_.scalar()) == "void" ? "" : "return ";
     return text + list_line(fmt::format("{}{}(", give_back, given.name), given.arguments, ");", kStatementIndent);
   }
 
   bool makes_stage() const { return !scope_.made.empty(); }
 
-  std::string return_type() const {
-    if (makes_stage()) return scope_.made + "<Scalar>";
-    return returns_value(function_) ? dialect_.scalar() : function_.positive.empty() ? "void" : "bool";
+  std::string return_type(const std::string& scalar) const {
+    if (makes_stage()) return scope_.made + "<" + scalar + ">";
+    return returns_value(function_) ? scalar : function_.positive.empty() ? "void" : "bool";
   }
 
   bool reads(InputKind kind) const {
@@ -153,19 +154,45 @@ class FunctionWriter {
     return type + " " + (used ? name : "/* " + name + " */");
   }
 
-  std::vector<std::string> parameters() const {
+  // How C++ writes parameters: with which types, whether it names what is not read, and with a default.
+  struct Manner {
+    std::string scalar, sin_cos;
+    bool names_all, has_default;
+  };
+  static inline const Manner kTemplate = {"Scalar", "SinCos", false, true};
+
+  std::vector<std::string> parameters(const Manner& manner) const {
+    const std::string array = manner.scalar + "*";
+    const auto is_named = [&manner](bool is_used) { return manner.names_all || is_used; };
     std::vector<std::string> list;
     if (!scope_.parameters.empty()) {
-      list.push_back(parameter("const Parameters<Scalar>&", "parameters", reads(InputKind::parameter)));
+      const std::string type = "const Parameters<" + manner.scalar + ">&";
+      list.push_back(parameter(type, "parameters", is_named(reads(InputKind::parameter))));
     }
     for (InputKind kind : function_.inputs) {
-      list.push_back(parameter("const Scalar*", input_argument(kind, 0).name, reads(kind)));
+      list.push_back(parameter("const " + array, input_argument(kind, 0).name, is_named(reads(kind))));
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
-      list.push_back(parameter("Scalar*", body_.output_names[k], function_.outputs[k].is_written()));
+      list.push_back(parameter(array, body_.output_names[k], is_named(function_.outputs[k].is_written())));
     }
-    if (body_.uses_trigonometry()) list.emplace_back("const SinCos& sin_cos = {}");
+    if (body_.uses_trigonometry()) {
+      list.push_back("const " + manner.sin_cos + "& sin_cos" + (manner.has_default ? " = {}" : ""));
+    }
     return list;
+  }
+
+  bool is_apart() const { return !scope_.compiled.empty(); }
+
+  // A default is of the declaration. The source of sines and cosines is one of the header's own.
+  void set_apart(FunctionText& text) const {
+    text.declared = parameters({"Scalar", "SinCos", true, true});
+    text.parameters = parameters({"Scalar", "SinCos", false, false});
+    if (!scope_.stored_in.empty()) return;  // a member: its struct is instantiated as a whole
+    for (const std::string& scalar : scope_.compiled) {
+      text.compiled.push_back({return_type(scalar), parameters({scalar, "LibrarySinCos", true, false})});
+      if (!body_.uses_trigonometry()) continue;
+      text.compiled.push_back({return_type(scalar), parameters({scalar, "GivenSinCos<" + scalar + ">", true, false})});
+    }
   }
 
   std::vector<ArrayArgument> input_arrays() const {

@@ -26,11 +26,17 @@ struct GivenText {
   std::string body;                     // indented lines
 };
 
+// In C++, a template with its arguments put in.
+struct Instance {
+  std::string returns;                  // "Configuration<double>"
+  std::vector<std::string> parameters;  // "const double* q", …
+};
+
 struct FunctionText {
   std::string name;
   std::string returns;                  // "void", "bool", "Scalar"
   std::vector<std::string> parameters;  // "const Scalar* q", …
-  std::vector<std::string> declared;    // in C, of its declaration: without "restrict"
+  std::vector<std::string> declared;    // of its declaration, where that stands apart; in C without "restrict"
   std::vector<ArrayArgument> inputs;    // in the order of the parameters, after the robot's own
   std::vector<ArrayArgument> outputs;   // empty for a function that returns its value
   std::vector<std::string> arguments;   // lines that document them
@@ -39,9 +45,12 @@ struct FunctionText {
   std::string body;                     // indented lines
   std::string parts;                    // functions for nobody else that a long body calls; else empty
   std::optional<GivenText> given;       // in C, where sines or cosines are needed
+  std::vector<Instance> compiled;       // C++ in header and source: what the source is compiled for; else empty
   bool uses_sign = false;
   bool uses_trigonometry = false;  // then it has SinCos as a template parameter, and is passed one
 };
+
+inline bool is_declared_apart(const FunctionText& text) { return !text.declared.empty(); }
 
 // `given_name`: in C, of the function that takes sines and cosines, if there is one.
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope,

@@ -20,6 +20,7 @@ struct HeaderScope {
   std::vector<std::string> stored;      // and those of its fields, by index
   std::string made;                     // the stage that a function makes, if it does: its name,
   std::vector<std::string> fields;      // and those of its fields
+  std::vector<std::string> compiled;    // C++ in header and source: the scalars that the source is compiled for
 };
 
 }  // namespace flatdyn

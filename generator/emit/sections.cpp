@@ -37,9 +37,13 @@ std::string zeros(const Function& function, std::size_t o, const FunctionText& t
 
 }  // namespace
 
-std::vector<std::string> function_comment(const Function& function, const FunctionText& text) {
+std::vector<std::string> brief_comment(const Function& function) {
   const std::string equation = function.equation.empty() ? "" : " " + function.equation;
-  std::vector<std::string> lines = wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth);
+  return wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth);
+}
+
+std::vector<std::string> function_comment(const Function& function, const FunctionText& text) {
+  std::vector<std::string> lines = brief_comment(function);
   for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
   const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
   for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
@@ -57,7 +61,8 @@ std::string template_parameters(const FunctionText& text) {
 
 std::string signature(const FunctionText& text, const std::string& stage) {
   const std::string scope = stage.empty() ? "" : stage + "<Scalar>::";
-  return without_newline(list_line(fmt::format("inline {} {}{}(", text.returns, scope, text.name), text.parameters,
+  const char* const begin = is_declared_apart(text) ? "" : "inline ";
+  return without_newline(list_line(fmt::format("{}{} {}{}(", begin, text.returns, scope, text.name), text.parameters,
                                    stage.empty() ? ") noexcept {" : ") const noexcept {", 0));
 }
 
@@ -68,6 +73,7 @@ std::string c_signature(const std::string& returns, const std::string& name, con
 
 void write_parts(kainjow::mustache::data& item, const FunctionText& text) {
   item["parts?"] = !text.parts.empty();
+  item["header_parts?"] = !text.parts.empty() && !is_declared_apart(text);
   item["part_of"] = text.name;
   item["parts"] = without_newline(text.parts);
 }

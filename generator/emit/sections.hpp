@@ -16,11 +16,14 @@ std::string without_newline(std::string text);
 // What a function is, its arguments, its result, what it reads and costs, and which entries are always zero.
 std::vector<std::string> function_comment(const Function& function, const FunctionText& text);
 
+// What a function is, without the rest.
+std::vector<std::string> brief_comment(const Function& function);
+
 // "class Scalar", and the source of sines and cosines if the function asks for any.
 std::string template_parameters(const FunctionText& text);
 
 // "inline void gravity(const Scalar* q, Scalar* g) noexcept {"; of a member of `stage`, "… Motion<Scalar>::bias(…
-// const".
+// const". What is declared in a header and defined in a source is not inline.
 std::string signature(const FunctionText& text, const std::string& stage = "");
 
 // In C: "void panda_gravity(const double* q, double* g)", and what stands behind it: " {" or ";".

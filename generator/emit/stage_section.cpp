@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "emit/page.hpp"
+#include "emit/pair_section.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 
@@ -36,19 +37,35 @@ std::vector<std::string> example(const std::vector<StageText>& stages, const std
   return lines;
 }
 
-// In the struct, `indent` deep: "void bias(Scalar* n) const noexcept;"
+// In the struct: "void bias(Scalar* n) const noexcept;"
 std::string declaration(const FunctionText& text) {
+  const std::vector<std::string>& parameters = is_declared_apart(text) ? text.declared : text.parameters;
   const std::string line =
-      list_line(fmt::format("{} {}(", text.returns, text.name), text.parameters, ") const noexcept;", kStatementIndent);
+      list_line(fmt::format("{} {}(", text.returns, text.name), parameters, ") const noexcept;", kStatementIndent);
   return without_newline(line);
+}
+
+std::vector<std::string> comment_of_maker(const StageText& stage) {
+  const std::string what = stage.make.name == "at" ? "What depends on positions only and is needed more than once."
+                                                   : "What depends on velocities, too, and is needed more than once.";
+  std::vector<std::string> lines = {what};
+  for (const std::string& argument : stage.make.arguments) lines.push_back("  " + comment_text(argument));
+  const std::string facts = "Reads " + stage.make.reads + ". Operations: " + stage.operations + ".";
+  for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
+  return lines;
 }
 
 data struct_of(const std::vector<StageText>& stages, std::size_t k) {
   static const char* const kComments[] = {"The robot at given positions.",
                                           "The robot at given positions and velocities."};
   data item, declarations(data::type::list);
-  for (const StageMember& member : stages[k].members) declarations << data("declaration", declaration(member.text));
-  if (k + 1 < stages.size()) declarations << data("declaration", declaration(stages[k + 1].make));
+  const auto declare = [&declarations](const FunctionText& text, const std::vector<std::string>& brief) {
+    data line("declaration", declaration(text));
+    if (is_declared_apart(text)) line["brief"] = list_of(brief);
+    declarations << line;
+  };
+  for (const StageMember& member : stages[k].members) declare(member.text, brief_comment(member.function));
+  if (k + 1 < stages.size()) declare(stages[k + 1].make, {comment_of_maker(stages[k + 1]).front()});
   item["name"] = stages[k].name;
   item["comment"] = std::string(kComments[k]);
   item["declarations"] = data(declarations);
@@ -60,20 +77,16 @@ data struct_of(const std::vector<StageText>& stages, std::size_t k) {
 data definition(const FunctionText& text, const std::vector<std::string>& comment, const std::string& stage) {
   data item;
   write_parts(item, text);
+  // Where declarations stand apart, a member is declared in its struct.
+  const bool is_in_header = !is_declared_apart(text) || stage.empty();
+  item["in_header?"] = is_in_header;
   item["comment"] = list_of(comment);
-  item["template_parameters"] = template_parameters(text);
+  item["header_comment"] = list_of(is_in_header ? comment : std::vector<std::string>{});
+  item["header_parameters"] = template_parameters(text);
   item["signature"] = signature(text, stage);
   item["body"] = without_newline(text.body);
+  write_declaration(item, text);
   return item;
-}
-
-std::vector<std::string> comment_of_maker(const StageText& stage) {
-  const std::string what = stage.make.name == "at" ? "What depends on positions only and is needed more than once."
-                                                   : "What depends on velocities, too, and is needed more than once.";
-  std::vector<std::string> lines = {what};
-  for (const std::string& argument : stage.make.arguments) lines.push_back("  " + comment_text(argument));
-  lines.push_back("Reads " + stage.make.reads + ". Operations: " + stage.operations + ".");
-  return lines;
 }
 
 }  // namespace

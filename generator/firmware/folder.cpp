@@ -136,8 +136,9 @@ class FolderWriter {
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       data item, expected(data::type::list);
       for (const ExpectedEntry& entry : vectors_.expected[k]) {
-        expected << data("entry", fmt::format("{}, {}, {}", decimal_literal(entry.exact), decimal_literal(entry.rest),
-                                              decimal_literal(entry.allowed)));
+        expected << data("entry",
+                         fmt::format("{}, {}, {}, {}", decimal_literal(entry.exact), decimal_literal(entry.rest),
+                                     decimal_literal(entry.allowed), decimal_literal(entry.proven)));
       }
       item["function"] = cpp_identifier(functions_[k].name);
       item["entries"] = std::to_string(entries_of(functions_[k]));

@@ -1,29 +1,40 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "firmware/test_vectors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "emit/emit.hpp"
+#include "firmware/proven_bounds.hpp"
+#include "firmware/worst_state_found.hpp"
+#include "verify/emitted_text.hpp"
 #include "verify/expected.hpp"
 #include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {
 
-constexpr int kRandomStates = 8, kEdgeStates = 4;
+constexpr int kRandomStates = 8, kEdgeStates = 4, kSearchedStates = 100;
 constexpr unsigned kSeed = 1;
 
-std::vector<State> chosen_states(const Mechanism& mechanism, const SymbolValues& symbols, const std::string& scalar) {
+std::vector<State> in_scalar(std::vector<State> states, const SymbolValues& symbols, const std::string& scalar) {
+  states = with_parameters(std::move(states), symbols);
+  if (scalar == "float") {
+    for (State& state : states) state = in_float(state);
+  }
+  return states;
+}
+
+std::vector<State> random_and_extreme(const Mechanism& mechanism) {
   std::vector<State> states = random_states(mechanism, kRandomStates, kSeed);
   const std::vector<State> edges = edge_states(mechanism);
   for (std::size_t k = 0; k < kEdgeStates && !edges.empty(); ++k) {
     states.push_back(edges[k * (edges.size() - 1) / (kEdgeStates - 1)]);
-  }
-  states = with_parameters(std::move(states), symbols);
-  if (scalar == "float") {
-    for (State& state : states) state = in_float(state);
   }
   return states;
 }
@@ -36,45 +47,107 @@ double angle_rounding(const State& state) {
   return sum;
 }
 
-ExpectedEntry entry_of(const Real50& value, double allowed) {
-  const auto exact = value.convert_to<double>();
-  return {exact, Real50(value - exact).convert_to<double>(), allowed};
+// Up to four digits: the last ones come from sines of <cmath>, which are not the same everywhere.
+double rounded_up(double x) {
+  const std::string text = fmt::format("{:.3e}", x * 1.0005);
+  double result = 0;
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
 }
+
+// What is smaller than the reference's own roundings is none of the value: entries that are computed without an error
+// are proven to be equal.
+double without_noise(const Real50& x, double scale) {
+  constexpr double kNoise = 1e-45;
+  return abs(x) <= kNoise * scale ? 0 : x.convert_to<double>();
+}
+
+ExpectedEntry entry_of(const Real50& value, double scale, double allowed, double proven) {
+  const double exact = without_noise(value, scale);
+  return {exact, without_noise(value - exact, scale), allowed, proven};
+}
+
+// The functions as the target executes them: all forms of the text compute the same bits.
+EmittedText text_of(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& scalar) {
+  EmitOptions options;
+  options.scalar = scalar;
+  return EmittedText(emit_cpp(mechanism, functions, options));
+}
+
+class VectorMaker {
+ public:
+  VectorMaker(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
+              const std::string& scalar)
+      : mechanism_(mechanism),
+        functions_(functions),
+        scalar_(scalar),
+        values_(robot, mechanism, kSeed),
+        text_(text_of(mechanism, functions, scalar)) {
+    for (const Function& function : functions) expected_.push_back(values_.of(function));
+  }
+
+  TestVectors run() {
+    take_states(random_and_extreme(mechanism_));
+    const std::vector<State> pool =
+        in_scalar(random_states(mechanism_, kSearchedStates, kSeed), values_.symbols(), scalar_);
+    for (std::size_t f = 0; f < functions_.size(); ++f) {
+      const auto worst =
+          worst_state_found(functions_[f], text_.operations(f, functions_[f]), expected_[f], pool, scalar_);
+      if (worst && is_regular(*worst)) result_.states.push_back(*worst);
+    }
+    for (std::size_t f = 0; f < functions_.size(); ++f) expect(f);
+    return std::move(result_);
+  }
+
+ private:
+  // Where a function has no value, nothing is to be tested.
+  bool is_regular(const State& state) const {
+    return std::all_of(expected_.begin(), expected_.end(), [&state](const Expected& e) { return e.is_regular(state); });
+  }
+
+  void take_states(std::vector<State> states) {
+    for (State& state : in_scalar(std::move(states), values_.symbols(), scalar_)) {
+      if (is_regular(state)) result_.states.push_back(std::move(state));
+    }
+  }
+
+  void expect(std::size_t f) {
+    const Function& function = functions_[f];
+    const ProvenBounds bounds(mechanism_, functions_, text_, f, scalar_);
+    result_.expected.emplace_back();
+    for (const State& given : result_.states) {
+      const State state = state_for(function, given);
+      const std::vector<Real50> exact = expected_[f].exact(state);
+      const std::vector<double> scale = expected_[f].scale(state), proven = bounds.at(state);
+      const double unit = kAllowedUnits * angle_rounding(state) * epsilon();
+      std::size_t k = 0;
+      for (const Output& output : function.outputs) {
+        for (std::size_t e = 0; e < output.entries.size(); ++e, ++k) {
+          const double allowed = output.leaves_out(e) ? -1 : rounded_up(unit * scale[k]);
+          result_.expected.back().push_back(entry_of(exact[k], scale[k], allowed, proven[k]));
+        }
+      }
+    }
+  }
+
+  double epsilon() const {
+    return scalar_ == "float" ? double(std::numeric_limits<float>::epsilon()) : std::numeric_limits<double>::epsilon();
+  }
+
+  const Mechanism& mechanism_;
+  const std::vector<Function>& functions_;
+  std::string scalar_;
+  ExpectedValues values_;
+  EmittedText text_;
+  std::vector<Expected> expected_;
+  TestVectors result_;
+};
 
 }  // namespace
 
 TestVectors test_vectors(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
                          const std::string& scalar) {
-  const double epsilon =
-      scalar == "float" ? double(std::numeric_limits<float>::epsilon()) : std::numeric_limits<double>::epsilon();
-  const ExpectedValues values(robot, mechanism, kSeed);
-  std::vector<Expected> expected;
-  for (const Function& function : functions) expected.push_back(values.of(function));
-  TestVectors result;
-  for (State& state : chosen_states(mechanism, values.symbols(), scalar)) {
-    // Where a function has no value, nothing is to be tested.
-    const bool is_regular =
-        std::all_of(expected.begin(), expected.end(), [&state](const Expected& e) { return e.is_regular(state); });
-    if (is_regular) result.states.push_back(std::move(state));
-  }
-  for (std::size_t f = 0; f < functions.size(); ++f) {
-    const Function& function = functions[f];
-    result.expected.emplace_back();
-    for (const State& given : result.states) {
-      const State state = state_for(function, given);
-      const std::vector<Real50> exact = expected[f].exact(state);
-      const std::vector<double> scale = expected[f].scale(state);
-      const double units = kAllowedUnits * angle_rounding(state);
-      std::size_t k = 0;
-      for (const Output& output : function.outputs) {
-        for (std::size_t e = 0; e < output.entries.size(); ++e, ++k) {
-          const double allowed = output.leaves_out(e) ? -1 : units * epsilon * scale[k];
-          result.expected.back().push_back(entry_of(exact[k], allowed));
-        }
-      }
-    }
-  }
-  return result;
+  return VectorMaker(robot, mechanism, functions, scalar).run();
 }
 
 }  // namespace flatdyn

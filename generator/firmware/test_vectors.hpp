@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a self test on the target compares with: states, and what each function is there, from the recursive reference
-// in 50 digits.
+// What a self test on the target compares with: states, among them the worst that a search finds, and what each
+// function is there, from the recursive reference in 50 digits; with the errors that are allowed, and those that are
+// proven.
 #pragma once
 
 #include <string>
@@ -20,11 +21,13 @@ inline constexpr double kAllowedUnits = 16;
 struct ExpectedEntry {
   double exact = 0, rest = 0;
   double allowed = 0;  // largest absolute error; negative: the entry is left out
+  double proven = -1;  // bound of the absolute error, as `flatdyn certify` states it; negative: none is proven here
 };
 
 struct TestVectors {
-  std::vector<State>
-      states;  // numbers of the scalar, random ones within the limits first; all functions have values there
+  // In numbers of the scalar, all functions have values there: random ones within the limits, extremes, then the worst
+  // one found of each function.
+  std::vector<State> states;
   std::vector<std::vector<ExpectedEntry>> expected;  // by function: the entries of all outputs, state after state
 };
 

@@ -32,11 +32,6 @@ class Scanner : TokenCursor {
   }
 
  private:
-  void skip_past_block() {
-    skip_to("{");
-    skip_block();
-  }
-
   void open_namespace() {
     namespaces_.push_back(word(1));
     skip_to("{");
@@ -50,12 +45,14 @@ class Scanner : TokenCursor {
   }
 
   void declaration() {
+    if (word(1) != "<") {  // an instantiation
+      skip_past(";");
+      return;
+    }
     skip_to(">");
     ++at_;
     if (is("struct")) {
       structure();
-    } else if (is("static")) {
-      skip_past_block();  // of no robot's own: rounding_is_as_written()
     } else {
       function();
     }
@@ -82,7 +79,7 @@ class Scanner : TokenCursor {
   void function() {
     WrittenFunction written;
     const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
-    if (is("inline")) ++at_;
+    if (is("inline") || is("static")) ++at_;
     written.returns = word();
     while (word() != "(") {
       if (is("::")) written.member_of = word(-4);  // Motion<Scalar>::
@@ -90,10 +87,15 @@ class Scanner : TokenCursor {
     }
     written.name = word(-1);
     parameters(written);
-    skip_to("{");
+    while (word() != ";" && word() != "{") ++at_;
+    if (is(";")) {  // defined in the source
+      ++at_;
+      return;
+    }
     written.begin = at_ + 1;
     skip_block();
     written.end = at_ - 1;
+    if (written.name == "rounding_is_as_written") return;  // of no robot's own
     if (is_part) {
       if (!found_.parts.emplace(written.name, written).second) fail("a part made twice");
     } else {

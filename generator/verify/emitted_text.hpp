@@ -38,7 +38,7 @@ struct WrittenFunction {
 
 class EmittedText {
  public:
-  // A C++ header. Throws Failure(bug) where the text is none of the emitter's.
+  // A C++ header, followed by its source if there is one. Throws Failure(bug) where the text is none of the emitter's.
   explicit EmittedText(const std::string& header);
   // A C header, and then its source, in "double" or "float".
   EmittedText(const std::string& header, const std::string& source, const std::string& scalar);

@@ -8,19 +8,20 @@
 namespace flatdyn {
 namespace {
 
-double value_of(const Operation& operation, const std::vector<double>& values, const State& state) {
+template <class T>
+T value_of(const Operation& operation, const std::vector<T>& values, const State& state, const SinesAndCosines& given) {
   const auto a = [&] { return values[static_cast<std::size_t>(operation.a)]; };
   const auto b = [&] { return values[static_cast<std::size_t>(operation.b)]; };
-  const auto input = [&] { return state.of(operation.input.kind)[static_cast<std::size_t>(operation.input.index)]; };
+  const auto index = static_cast<std::size_t>(operation.input.index);
   switch (operation.step) {
     case Step::constant:
-      return operation.value;
+      return static_cast<T>(operation.value);
     case Step::input:
-      return input();
+      return static_cast<T>(state.of(operation.input.kind)[index]);
     case Step::sine:
-      return std::sin(input());
+      return static_cast<T>(given.sine[index]);
     case Step::cosine:
-      return std::cos(input());
+      return static_cast<T>(given.cosine[index]);
     case Step::negate:
       return -a();
     case Step::add:
@@ -34,21 +35,41 @@ double value_of(const Operation& operation, const std::vector<double>& values, c
     case Step::sign:
       break;
   }
-  return (a() > 0 ? 1 : 0) - (a() < 0 ? 1 : 0);
+  return static_cast<T>((a() > 0 ? 1 : 0) - (a() < 0 ? 1 : 0));
+}
+
+template <class T>
+std::vector<T> values_in(const StraightLine& lines, const State& state, const SinesAndCosines& given) {
+  std::vector<T> values;
+  values.reserve(static_cast<std::size_t>(lines.size()));
+  for (int k = 0; k < lines.size(); ++k) values.push_back(value_of<T>(lines[k], values, state, given));
+  return values;
 }
 
 }  // namespace
 
+SinesAndCosines library_sines(const State& state) {
+  SinesAndCosines all;
+  for (const double q : state.q) {
+    all.sine.push_back(std::sin(q));
+    all.cosine.push_back(std::cos(q));
+  }
+  return all;
+}
+
 std::vector<double> values_of(const StraightLine& lines, const State& state) {
-  std::vector<double> values;
-  for (int k = 0; k < lines.size(); ++k) values.push_back(value_of(lines[k], values, state));
-  return values;
+  return values_in<double>(lines, state, library_sines(state));
 }
 
 std::vector<double> outputs_of(const StraightLine& lines, const State& state) {
+  return outputs_of<double>(lines, state, library_sines(state));
+}
+
+template <class T>
+std::vector<double> outputs_of(const StraightLine& lines, const State& state, const SinesAndCosines& given) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> values = values_of(lines, state);
-  const auto value = [&values](int k) { return k < 0 ? kNone : values[static_cast<std::size_t>(k)]; };
+  const std::vector<T> values = values_in<T>(lines, state, given);
+  const auto value = [&values](int k) { return k < 0 ? kNone : double(values[static_cast<std::size_t>(k)]); };
   const bool holds =
       std::all_of(lines.positive.begin(), lines.positive.end(), [&](int condition) { return value(condition) > 0; });
   std::vector<double> entries;
@@ -57,5 +78,8 @@ std::vector<double> outputs_of(const StraightLine& lines, const State& state) {
   }
   return entries;
 }
+
+template std::vector<double> outputs_of<float>(const StraightLine&, const State&, const SinesAndCosines&);
+template std::vector<double> outputs_of<double>(const StraightLine&, const State&, const SinesAndCosines&);
 
 }  // namespace flatdyn

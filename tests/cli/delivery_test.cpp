@@ -55,6 +55,44 @@ TEST(DryRun, NamesTheOutputsAndWritesNothing) {
   EXPECT_TRUE(scratch.is_empty());
 }
 
+// Header and source belong together: each is compared, named and depended on.
+TEST(Pair, IsDeliveredAsTwoFiles) {
+  const Scratch scratch;
+  const std::string pair = "--form pair --scalar double,float";
+  const Outcome named = run_flatdyn(generate(scratch.path(), pair + " -n"));
+  EXPECT_EQ(named.code, 0) << named.err;
+  for (const char* name : {"pendulum_motor.hpp", "pendulum_motor.cpp", "pendulum_motor.json"}) {
+    EXPECT_THAT(named.out, HasSubstr("would write " + scratch.path(name) + "\n"));
+  }
+  ASSERT_EQ(run_flatdyn(generate(scratch.path(), pair + " --depfile " + scratch.path("d"))).code, 0);
+  EXPECT_THAT(scratch.read("d"),
+              StartsWith(fmt::format("{} {} {}: ", scratch.path("pendulum_motor.hpp"),
+                                     scratch.path("pendulum_motor.cpp"), scratch.path("pendulum_motor.json"))));
+  EXPECT_THAT(scratch.read("pendulum_motor.json"), HasSubstr("\"source\": \"pendulum_motor.cpp\""));
+  EXPECT_EQ(run_flatdyn(generate(scratch.path(), pair + " --check")).code, 0);
+  scratch.write("pendulum_motor.cpp", scratch.read("pendulum_motor.cpp") + "// edited\n");
+  const Outcome outdated = run_flatdyn(generate(scratch.path(), pair + " --check"));
+  EXPECT_EQ(outdated.code, 7);
+  EXPECT_THAT(outdated.err, HasSubstr("pendulum_motor.cpp: is not what this run would write"));
+  std::filesystem::remove(scratch.path("pendulum_motor.cpp"));
+  EXPECT_EQ(run_flatdyn(generate(scratch.path(), pair + " --check")).code, 7);
+}
+
+TEST(Pair, IsOfCppOnly) {
+  const auto refused = [](const std::string& options) {
+    const Outcome outcome = run_flatdyn(generate("/nowhere/at/all", options));
+    EXPECT_EQ(outcome.code, 2) << options;
+    return outcome.err;
+  };
+  EXPECT_THAT(refused("--form pair --language c"), HasSubstr("--form: C has one form only"));
+  EXPECT_THAT(refused("--form pair --python"), HasSubstr("--form: C has one form only"));
+  EXPECT_THAT(refused("--form pair --language javascript"), HasSubstr("--form: JavaScript has one form only"));
+  EXPECT_THAT(refused("--scalar double,float"), HasSubstr("use --form pair"));
+  EXPECT_THAT(refused("--scalar double,float --language c"), HasSubstr("name one"));
+  EXPECT_THAT(refused("--form pair --scalar double,double"), HasSubstr("scalar \"double\" is named twice"));
+  EXPECT_THAT(refused("--form pair --scalar double,half"), HasSubstr("half"));
+}
+
 TEST(DryRun, IsNoCheck) { EXPECT_EQ(run_flatdyn(generate("/nowhere/at/all", "-n --check")).code, 2); }
 
 // A scene and the robot file that the robot file is written over count, too; make takes the rule as it is.

@@ -141,7 +141,7 @@ std::string differences_of(const std::string& robot, int most_lines) {
   for (int s = 0; s < 2; ++s) {
     const std::string name = fmt::format("in_{}", kScalars[s]),
                       own = header_name(model.mechanism, options_of("", Language::c, 0));
-    CText text = emit_c(model.mechanism, functions, options_of(kScalars[s], Language::c, most_lines));
+    HeaderAndSource text = emit_c(model.mechanism, functions, options_of(kScalars[s], Language::c, most_lines));
     const std::size_t at = text.source.find("#include \"" + own);
     text.source.replace(at + 10, own.size(), name + ".h");  // two forms of one robot in one folder
     write(folder.path() / (name + ".h"), text.header);

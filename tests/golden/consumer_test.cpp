@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// tests/consumer/header: a CMake project of its own builds against generated/ and runs.
+// tests/consumer/header: a CMake project of its own builds against generated/ and runs: an arm in a header, another in
+// header and source.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@ std::vector<fs::path> code_in(const fs::path& folder) {
   std::vector<fs::path> headers;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string kind = entry.path().extension().string();
-    if (kind == ".hpp" || kind == ".h" || kind == ".c") headers.push_back(entry.path());
+    if (kind == ".hpp" || kind == ".cpp" || kind == ".h" || kind == ".c") headers.push_back(entry.path());
   }
   std::sort(headers.begin(), headers.end());
   return headers;

@@ -22,8 +22,8 @@ std::vector<GoldenCase> read_cases(const std::filesystem::path& table);
 std::string generate(const std::string& program, const std::filesystem::path& source_dir, const GoldenCase& golden,
                      const std::filesystem::path& output);
 
-// A sentence for each .hpp, .h or .c in `produced` that is missing in `expected` or differs from it, with the first
-// line that does; and one if nothing was produced.
+// A sentence for each .hpp, .cpp, .h or .c in `produced` that is missing in `expected` or differs from it, with the
+// first line that does; and one if nothing was produced.
 std::vector<std::string> differences(const std::filesystem::path& expected, const std::filesystem::path& produced);
 
 std::string content_of(const std::filesystem::path& file);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include "golden/golden.hpp"
@@ -22,14 +23,19 @@ const fs::path kGenerated = kSource / "generated";
 
 std::vector<GoldenCase> cases() { return read_cases(kGenerated / "robots.txt"); }
 
-bool is_in_c(const GoldenCase& golden) { return golden.options.find("--language c") != std::string::npos; }
+// What a robot is checked in as beside its header: empty, "in_c", "as_pair".
+std::string form_of(const GoldenCase& golden) {
+  const auto has = [&golden](const char* option) { return golden.options.find(option) != std::string::npos; };
+  return has("--language c") ? "in_c" : has("--form pair") ? "as_pair" : "";
+}
 
 std::string test_name(const ::testing::TestParamInfo<GoldenCase>& info) {
   std::string name = fs::path(info.param.robot).stem().string();
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
-  return is_in_c(info.param) ? name + "_in_c" : name;
+  const std::string form = form_of(info.param);
+  return form.empty() ? name : name + "_" + form;
 }
 
 class Golden : public ::testing::TestWithParam<GoldenCase> {};
@@ -46,17 +52,16 @@ INSTANTIATE_TEST_SUITE_P(Robots, Golden, ::testing::ValuesIn(cases()), test_name
 
 // No robot is left out silently, and no header is left from a robot that is gone.
 TEST(GoldenTable, ListsEveryRobot) {
-  std::set<std::string> listed, in_c;
+  std::map<std::string, std::set<std::string>> listed;  // by form
   for (const GoldenCase& golden : cases()) {
     EXPECT_TRUE(fs::exists(kSource / golden.robot)) << golden.robot;
-    const bool is_new = is_in_c(golden) ? in_c.insert(golden.robot).second : listed.insert(golden.robot).second;
-    EXPECT_TRUE(is_new) << golden.robot << " is listed twice";
+    EXPECT_TRUE(listed[form_of(golden)].insert(golden.robot).second) << golden.robot << " is listed twice";
   }
   for (const auto& entry : fs::directory_iterator(kSource / "robots")) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".urdf" && extension != ".toml") continue;
     const std::string robot = "robots/" + entry.path().filename().string();
-    EXPECT_EQ(listed.count(robot), 1u) << robot << " is missing in generated/robots.txt";
+    EXPECT_EQ(listed[""].count(robot), 1u) << robot << " is missing in generated/robots.txt";
   }
 }
 
@@ -74,30 +79,34 @@ TEST(GoldenTable, StaysUnderFiveMegabytes) {
   EXPECT_LT(bytes, 5'000'000u);
 }
 
-std::vector<std::string> headers() {
+std::vector<std::string> cpp_files() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(kGenerated)) {
-    if (entry.path().extension() == ".hpp") names.push_back(entry.path().stem().string());
+    const std::string kind = entry.path().extension().string();
+    if (kind == ".hpp" || kind == ".cpp") names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
   return names;
 }
 
-class GoldenHeader : public ::testing::TestWithParam<std::string> {};
+class GoldenCpp : public ::testing::TestWithParam<std::string> {};
 
 // With every warning an error, by both compilers.
-TEST_P(GoldenHeader, CompilesAlone) {
+TEST_P(GoldenCpp, CompilesAlone) {
   for (const char* compiler : {"g++", "clang++"}) {
     const std::string command = fmt::format(
         "{} -std=c++17 -fsyntax-only -x c++ -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion "
-        "-Wfloat-equal -Werror -fno-exceptions -fno-rtti '{}/{}.hpp'",
+        "-Wfloat-equal -Werror -fno-exceptions -fno-rtti '{}/{}'",
         compiler, kGenerated.string(), GetParam());
     EXPECT_EQ(std::system(command.c_str()), 0) << compiler;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Generated, GoldenHeader, ::testing::ValuesIn(headers()),
-                         [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(Generated, GoldenCpp, ::testing::ValuesIn(cpp_files()), [](const auto& test) {
+  std::string name = test.param;
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace flatdyn::testing

@@ -44,6 +44,7 @@ class Project {
   bool runs() { return run(fmt::format("'{}/consumer'", build())); }
   std::string log() const { return scratch_.read("log"); }
   std::string generated(const std::string& file) const { return scratch_.read("build/my_arm.flatdyn/" + file); }
+  bool remove(const std::string& file) { return std::filesystem::remove(scratch_.path(file)); }
 
  private:
   std::string build() const { return scratch_.path("build"); }
@@ -98,6 +99,24 @@ TEST_P(Package, IsGeneratedFromAgainOnlyWhenAFileChanged) {
   EXPECT_THAT(project.log(), HasSubstr("Generating the dynamics of my_arm"));
   EXPECT_FALSE(project.runs());
   EXPECT_THAT(project.log(), HasSubstr("gravity: 78.48 29.43 N m"));
+}
+
+// Without the source, the header is no use: both are made again.
+TEST_P(Package, MakesBothFilesOfAPairAgain) {
+  Project project("package");
+  ASSERT_TRUE(project.configure(fmt::format("-G '{}' -D CMAKE_PREFIX_PATH='{}'", GetParam(), prefix())))
+      << project.log();
+  ASSERT_TRUE(project.make("my_arm_as_pair")) << project.log();
+  ASSERT_TRUE(project.remove("build/my_arm_as_pair.flatdyn/my_arm_as_pair.cpp"));
+  ASSERT_TRUE(project.make("my_arm_as_pair")) << project.log();
+  EXPECT_THAT(project.log(), HasSubstr("Generating the dynamics of my_arm_as_pair"));
+}
+
+TEST(InstalledPackage, SaysWhichFormsThereAre) {
+  Project project("package");
+  project.replace("package/CMakeLists.txt", "FORM pair", "FORM tarball");
+  EXPECT_FALSE(project.configure(fmt::format("-D CMAKE_PREFIX_PATH='{}'", prefix())));
+  EXPECT_THAT(project.log(), HasSubstr("FORM is header or pair, not \"tarball\""));
 }
 
 INSTANTIATE_TEST_SUITE_P(Generators, Package, ::testing::Values("Ninja", "Unix Makefiles"),

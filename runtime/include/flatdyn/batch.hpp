@@ -17,6 +17,7 @@
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
+#include "flatdyn/interface.hpp"
 #include "flatdyn/sincos.hpp"
 
 namespace flatdyn {
@@ -27,6 +28,7 @@ class Lanes {
  public:
   using Batch = xsimd::batch<T>;
   static constexpr std::size_t width = Batch::size;
+  static constexpr int flatdyn_interface = kInterface;  // generated code asks for it
 
   Lanes() = default;
   explicit Lanes(double x) noexcept : batch_(static_cast<T>(x)) {}

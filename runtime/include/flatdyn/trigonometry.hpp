@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <xsimd/xsimd.hpp>
 
+#include "flatdyn/interface.hpp"
 #include "flatdyn/sincos.hpp"
 
 namespace flatdyn {
@@ -53,6 +54,9 @@ struct TogetherSinCos {
   // Joints<joint...> is a type of the generated header.
   template <class T, template <int...> class Joints, int... joint>
   void operator()(const T* q, Joints<joint...>, T* s, T* c) const noexcept {
+    static_assert(detail::interface_of<Joints<joint...>>(nullptr) == kInterface,
+                  "flatdyn/trigonometry.hpp is of another version of flatdyn than this generated code: generate it "
+                  "again, with the flatdyn that the header came with");
     constexpr int joints[] = {joint...};
     constexpr std::size_t n = sizeof...(joint), width = detail::width_for<T, n>();
     if constexpr (n >= width && detail::is_row<joint...>()) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "my_arm.hpp"
+#include "my_arm_as_pair.hpp"
 #include "my_arm_in_c.h"
 
 namespace {
@@ -16,13 +17,15 @@ bool close(double a, double b) { return std::abs(a - b) <= 1e-12; }
 
 int main() {
   const double q[my_arm::joint_count] = {}, zero[my_arm::joint_count] = {};
-  double g[my_arm::joint_count], tau[my_arm::joint_count], in_c[my_arm::joint_count];
+  double g[my_arm::joint_count], tau[my_arm::joint_count], in_c[my_arm::joint_count], as_pair[my_arm::joint_count];
   my_arm::gravity(q, g);
   my_arm::inverse_dynamics(q, zero, zero, tau);
   my_arm_in_c_inverse_dynamics(q, zero, zero, in_c);
+  my_arm_as_pair::inverse_dynamics(q, zero, zero, as_pair);
   std::printf("gravity: %g %g N m\n", g[0], g[1]);
   const bool right = close(g[0], 4 * kGravity) && close(g[1], kGravity);
   const bool alike = close(tau[0], g[0]) && close(tau[1], g[1]);
-  const bool same = in_c[0] == tau[0] && in_c[1] == tau[1];  // the same bits
-  return right && alike && same && my_arm::rounding_is_as_written() ? 0 : 1;
+  const bool same = in_c[0] == tau[0] && in_c[1] == tau[1] && as_pair[0] == tau[0] && as_pair[1] == tau[1];  // bits
+  const bool rounded = my_arm::rounding_is_as_written() && my_arm_as_pair::rounding_is_as_written<float>();
+  return right && alike && same && rounded ? 0 : 1;
 }

@@ -20,6 +20,7 @@ struct Printed {
   std::vector<OptimisedFunction> functions;
   std::optional<Stages> stages;
   std::string header;
+  HeaderAndSource pair;
 };
 
 Printed printed(const char* robot, const std::vector<std::string>& names, int most_lines = 0) {
@@ -34,6 +35,8 @@ Printed printed(const char* robot, const std::vector<std::string>& names, int mo
   EmitOptions emit;
   emit.most_lines = most_lines;
   result.header = emit_cpp(model.mechanism, functions_of(result.functions), emit, result.stages);
+  emit.more_scalars = {"float"};
+  result.pair = emit_cpp_pair(model.mechanism, functions_of(result.functions), emit, result.stages);
   return result;
 }
 
@@ -46,6 +49,8 @@ TEST(EmittedText, IsWhatWasPrinted) {
     for (const int most_lines : {0, 40}) {
       const Printed all = printed(robot, kNames, most_lines);
       EXPECT_NO_THROW(prove_text(all.header, all.functions, all.stages)) << robot << ", lines: " << most_lines;
+      EXPECT_NO_THROW(prove_text(all.pair.header + all.pair.source, all.functions, all.stages))
+          << robot << " in header and source, lines: " << most_lines;
     }
   }
 }
@@ -71,9 +76,8 @@ std::vector<std::size_t> places_of(const std::string& header, const std::string&
   return places;
 }
 
-TEST(EmittedText, WithASlipIsRefused) {
-  const Printed all = printed("ur5.urdf", {"inverse_dynamics", "inertia_matrix", "forward_dynamics"});
-  const std::size_t code = all.header.find("inline void inverse_dynamics");
+void expect_slips_refused(const Printed& all, const std::string& text) {
+  const std::size_t code = text.find("sin_cos(q, Joints");
   const std::pair<const char*, const char*> slips[] = {
       {" + ", " - "},     {" - ", " + "},       {" * ", " + "},
       {" / ", " * "},     {"s_2", "c_2"},       {"qd_3", "qd_4"},
@@ -81,19 +85,24 @@ TEST(EmittedText, WithASlipIsRefused) {
       {"qdd_2", "qdd_1"}, {"tau[1]", "tau[0]"}, {"stage.x1 ", "stage.x2 "}};
   std::mt19937 engine(1);
   int mutants = 0;
-  for (const auto& [text, instead] : slips) {
-    const std::vector<std::size_t> places = places_of(all.header, text);
+  for (const auto& [slip, instead] : slips) {
+    const std::vector<std::size_t> places = places_of(text, slip);
     for (int k = 0; k < 5 && !places.empty(); ++k) {
       const std::size_t place = places[engine() % places.size()];
       if (place < code) continue;
-      std::string wrong = all.header;
-      wrong.replace(place, std::string(text).size(), instead);
+      std::string wrong = text;
+      wrong.replace(place, std::string(slip).size(), instead);
       EXPECT_THROW(prove_text(wrong, all.functions, all.stages), Failure)
-          << text << " at " << wrong.substr(place - 40, 80);
+          << slip << " at " << wrong.substr(place - 40, 80);
       ++mutants;
     }
   }
   EXPECT_GE(mutants, 40);
+}
+
+TEST(EmittedText, WithASlipIsRefused) {
+  const Printed all = printed("ur5.urdf", {"inverse_dynamics", "inertia_matrix", "forward_dynamics"});
+  for (const std::string& text : {all.header, all.pair.header + all.pair.source}) expect_slips_refused(all, text);
 }
 
 // Made once, written in several ways.
@@ -107,7 +116,7 @@ class PrintedOnce {
     functions_ = make_functions(model_, options, quiet, findings);
   }
 
-  CText text(const std::string& scalar, int most_lines = 0) const {
+  HeaderAndSource text(const std::string& scalar, int most_lines = 0) const {
     EmitOptions emit;
     emit.language = Language::c;
     emit.scalar = scalar;
@@ -125,7 +134,7 @@ class PrintedOnce {
     prove_text(EmittedText::of_javascript(module), functions_, std::nullopt);
   }
 
-  void prove(const CText& text, const std::string& source, const std::string& scalar) const {
+  void prove(const HeaderAndSource& text, const std::string& source, const std::string& scalar) const {
     prove_text(EmittedText(text.header, source, scalar), functions_, std::nullopt);
   }
 
@@ -139,7 +148,7 @@ TEST(EmittedText, InCIsWhatWasPrinted) {
     const PrintedOnce all(robot);
     for (const char* scalar : {"double", "float"}) {
       for (const int most_lines : {0, 40}) {
-        const CText text = all.text(scalar, most_lines);
+        const HeaderAndSource text = all.text(scalar, most_lines);
         EXPECT_NO_THROW(all.prove(text, text.source, scalar)) << robot << " " << scalar << ", lines: " << most_lines;
       }
     }
@@ -149,7 +158,7 @@ TEST(EmittedText, InCIsWhatWasPrinted) {
 // Every one of these changes what the text computes, wherever it is made.
 TEST(EmittedText, InCWithASlipIsRefused) {
   const PrintedOnce all("scara.toml");
-  const CText printed = all.text("float");
+  const HeaderAndSource printed = all.text("float");
   const std::string& source = printed.source;
   const std::pair<const char*, const char*> slips[] = {{" + ", " - "},
                                                        {" - ", " + "},
@@ -186,7 +195,7 @@ TEST(EmittedText, InCWithASlipIsRefused) {
 
 TEST(EmittedText, InCThatIsNoneIsRefused) {
   const PrintedOnce all("scara.toml");
-  const CText text = all.text("double");
+  const HeaderAndSource text = all.text("double");
   EXPECT_THROW(all.prove(text, "", "double"), Failure);
   EXPECT_THROW(all.prove(text, text.source.substr(0, text.source.size() / 2), "double"), Failure);
   EXPECT_THROW(all.prove(text, text.source + "}", "double"), Failure);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Generated code and the runtime's headers of two versions in one build: neither compiler takes them, and what it
+// prints says what to do.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "golden/golden.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+constexpr const char* kTogether = R"(#include "ur5.hpp"
+#include "flatdyn/trigonometry.hpp"
+int main() {
+  double q[6] = {}, g[6];
+  ur5::gravity(q, g, flatdyn::TogetherSinCos());
+}
+)";
+constexpr const char* kLanes = R"(#include "flatdyn/batch.hpp"
+#include "ur5.hpp"
+int main() {
+  const flatdyn::Lanes<double> q[6] = {};
+  flatdyn::Lanes<double> g[6];
+  ur5::gravity(q, g);
+}
+)";
+constexpr const char* kOwnScalar = R"(#include "ur5.hpp"
+int main() {
+  const long double q[6] = {};
+  long double g[6];
+  ur5::gravity(q, g);
+}
+)";
+
+// A folder with the runtime and a generated header, either of which may be changed.
+class Interface : public ::testing::TestWithParam<const char*> {
+ protected:
+  Interface() {
+    fs::create_directory(folder_.path() / "flatdyn");
+    for (const char* name : {"batch.hpp", "trigonometry.hpp", "sincos.hpp", "interface.hpp"}) {
+      fs::copy_file(kSource / "runtime/include/flatdyn" / name, folder_.path() / "flatdyn" / name);
+    }
+    fs::copy_file(kSource / "generated/ur5.hpp", folder_.path() / "ur5.hpp");
+  }
+
+  void replace(const std::string& file, const std::string& old, const std::string& text) const {
+    std::string content = content_of(folder_.path() / file);
+    const std::size_t at = content.find(old);
+    ASSERT_NE(at, std::string::npos) << file << " has no " << old;
+    std::ofstream(folder_.path() / file) << content.replace(at, old.size(), text);
+  }
+
+  // What the compiler says; nothing if it takes the program.
+  std::string complaint(const char* program) const {
+    std::ofstream(folder_.path() / "main.cpp") << program;
+    const std::string command = fmt::format(
+        "cd '{}' && {} -std=c++17 -fsyntax-only -Wall -Wextra -Werror -I. main.cpp "
+        "> log 2>&1",
+        folder_.path().string(), GetParam());
+    const int status = std::system(command.c_str());
+    return (status == 0 ? "" : "failed: ") + content_of(folder_.path() / "log");
+  }
+
+  const fs::path kSource = FLATDYN_SOURCE_DIR;
+  TemporaryFolder folder_;
+};
+
+TEST_P(Interface, FitsWithinAVersion) {
+  for (const char* program : {kTogether, kLanes, kOwnScalar}) EXPECT_EQ(complaint(program), "");
+}
+
+TEST_P(Interface, OfANewerRuntimeIsRefused) {
+  replace("flatdyn/interface.hpp", "kInterface = 1", "kInterface = 2");
+  EXPECT_THAT(complaint(kTogether), HasSubstr("flatdyn/trigonometry.hpp is of another version of flatdyn than this "
+                                              "generated code: generate it again"));
+  EXPECT_THAT(complaint(kLanes), HasSubstr("this scalar is of another version of flatdyn's runtime than this generated "
+                                           "code: generate it again"));
+  EXPECT_EQ(complaint(kOwnScalar), "");
+}
+
+// As it was before there were numbers.
+TEST_P(Interface, OfGeneratedCodeWithoutANumberIsRefused) {
+  replace("ur5.hpp", "  static constexpr int flatdyn_interface = 1;", "");
+  EXPECT_THAT(complaint(kTogether), HasSubstr("generate it again, with the flatdyn that the header came with"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Compilers, Interface, ::testing::Values("g++", "clang++"),
+                         [](const auto& test) { return test.param == std::string("g++") ? "gcc" : "clang"; });
+
+}  // namespace
+}  // namespace flatdyn::testing
