@@ -72,9 +72,10 @@ class PageWriter {
     write_functions(header);
     write_stages(header);
     header["uses_sign"] = uses_sign_;
+    header["uses_sqrt"] = uses_sqrt_;
     header["uses_trigonometry"] = uses_trigonometry_;
     if (dialect_.is_c()) write_c_names(header, dialect_, header_name(mechanism_, options_));
-    header["uses_math"] = uses_trigonometry_ || uses_infinity();
+    header["uses_math"] = uses_trigonometry_ || uses_sqrt_ || uses_infinity();
     return header;
   }
 
@@ -244,6 +245,7 @@ class PageWriter {
 
   void note_needs(const FunctionText& text) {
     uses_sign_ = uses_sign_ || text.uses_sign;
+    uses_sqrt_ = uses_sqrt_ || text.uses_sqrt;
     uses_trigonometry_ = uses_trigonometry_ || text.uses_trigonometry;
   }
 
@@ -314,7 +316,7 @@ class PageWriter {
   std::vector<std::string> base_names_;     // of kBaseConstants; empty where no function needs them
   HeaderScope scope_;
   std::vector<std::string> exports_;
-  bool uses_sign_ = false, uses_trigonometry_ = false;
+  bool uses_sign_ = false, uses_sqrt_ = false, uses_trigonometry_ = false;
 };
 
 }  // namespace

@@ -36,6 +36,7 @@ class FunctionWriter {
     text.body = body_.text;
     text.parts = body_.parts;
     text.uses_sign = body_.uses_sign;
+    text.uses_sqrt = body_.uses_sqrt;
     text.uses_trigonometry = body_.uses_trigonometry();
     if (dialect_.is_c()) in_two(text, given_name);
     if (dialect_.is_javascript()) text.parameters = c_parameters(false, false);

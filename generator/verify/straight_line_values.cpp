@@ -31,6 +31,8 @@ double value_of(const Operation& operation, const std::vector<double>& values, c
       return a() * b();
     case Step::divide:
       return a() / b();
+    case Step::sqrt:
+      return std::sqrt(a());
     case Step::sign:
       break;
   }
