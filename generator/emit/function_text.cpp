@@ -210,8 +210,11 @@ class FunctionWriter {
       return output.name + (output.meaning.empty() ? "" : ": " + output.meaning);
     }
     if (function_.positive.empty()) return "";
+    const std::string also = function_.task.empty()       ? ""
+                             : function_.task.is_damped() ? " or of J B^-1 J^T + lambda^2 1"
+                                                          : " or of J B^-1 J^T";
     return fmt::format("false if the result means nothing, because a pivot of B{} is not positive or not a number",
-                       function_.task.empty() ? "" : " or of J B^-1 J^T");
+                       also);
   }
 
   const Function& function_;
