@@ -65,9 +65,27 @@ struct Parameters {
   Scalar I_l1b;
 };
 
+namespace detail {
+
+// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+struct Interface {
+  template <class Scalar>
+  static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
+    return Scalar::flatdyn_interface == 1;
+  }
+  template <class Scalar>
+  static constexpr bool fits(...) noexcept {
+    return true;
+  }
+};
+
+}  // namespace detail
+
 // Joints by their indices.
 template <int... joint>
-struct Joints {};
+struct Joints {
+  static constexpr int flatdyn_interface = 1;  // flatdyn/trigonometry.hpp asks for it
+};
 
 // Where a function has its sines and cosines from: its last argument, called once with all joints
 // that the function needs, to write s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
@@ -75,6 +93,9 @@ struct Joints {};
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    static_assert(detail::Interface::fits<Scalar>(nullptr),
+        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
+        "it again, with the flatdyn that the runtime came with");
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);

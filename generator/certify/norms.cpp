@@ -127,6 +127,8 @@ Norms::Expansion Norms::unrounded(int k) {
       return product(k);
     case Step::divide:
       throw Failure(ExitCode::unsupported, "it divides", "certify bounds sums and products only");
+    case Step::sqrt:
+      throw Failure(ExitCode::unsupported, "it takes a square root", "certify bounds sums and products only");
     case Step::sign:
       if (expansion(operation.a).slack > 0) {
         throw Failure(ExitCode::unsupported, "it takes the sign of a rounded value");

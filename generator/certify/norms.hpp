@@ -38,7 +38,7 @@ class Norms {
   Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits);
 
   // Of operation k: its largest size; its size before it was rounded; and the error that it makes itself, which is that
-  // of a sine, of a constant, or of a rounding. Throws Failure(unsupported) for divisions.
+  // of a sine, of a constant, or of a rounding. Throws Failure(unsupported) for divisions and roots.
   double largest(int k);
   double largest_before_rounding(int k) { return expansion(k).before_rounding; }
   double own_error(int k) { return expansion(k).own_error; }

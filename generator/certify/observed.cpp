@@ -86,6 +86,11 @@ Lanes<T> sign(const Lanes<T>& x) {
   return mapped(x, [](T each) { return static_cast<T>((each > 0) - (each < 0)); });
 }
 
+template <class T>
+Lanes<T> square_root(const Lanes<T>& x) {
+  return mapped(x, [](T each) { return std::sqrt(each); });
+}
+
 // The text, operation by operation.
 template <class T>
 std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch) {
@@ -124,6 +129,9 @@ std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch) {
       case Step::sign:
         values.push_back(sign(a()));
         break;
+      case Step::sqrt:
+        values.push_back(square_root(a()));
+        break;
     }
   }
   return values;
@@ -146,6 +154,7 @@ class LaneArithmetic {
   Scalar sin(const Graph&, NodeId, const Scalar& angle) const { return sine_or_cosine(angle, false); }
   Scalar cos(const Graph&, NodeId, const Scalar& angle) const { return sine_or_cosine(angle, true); }
   Scalar sign(const Scalar& x) const { return flatdyn::sign(x); }
+  Scalar sqrt(const Scalar& x) const { return square_root(x); }
 
  private:
   const Batch* batch_ = nullptr;

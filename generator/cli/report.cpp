@@ -11,20 +11,23 @@
 namespace flatdyn {
 namespace {
 
-// Where there are more joints, too many of them to look at, or to wait for.
-constexpr int kMostJointsOfChristoffel = 12;
+// Where there are more joints, Christoffel symbols and the regressor are too large to look at, or to wait for.
+constexpr int kMostJointsOfLargeMaps = 12;
 
 struct ReportArguments : RobotArguments {
   std::string file;
   std::string parameters = "given";
-  std::string with;  // "certificate"; empty: nothing more
+  std::string with;    // "certificate"; empty: nothing more
+  std::string stress;  // stress.json; empty: none
 };
 
 std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
   std::vector<std::string> names = default_function_names();
-  std::erase_if(names, [&mechanism](const std::string& name) {
-    return name == "christoffel" && mechanism.size() > kMostJointsOfChristoffel;
-  });
+  if (mechanism.size() <= kMostJointsOfLargeMaps) {
+    names.emplace_back("regressor");
+  } else {
+    std::erase(names, "christoffel");
+  }
   return names;
 }
 
@@ -53,6 +56,14 @@ std::string proof_text(const std::vector<Proof>& proofs) {
       proofs.size());
 }
 
+std::optional<WorstStates> worst_states(const std::string& file, const Model& model) {
+  if (file.empty()) return std::nullopt;
+  Diagnostics diagnostics;
+  WorstStates states = read_worst_states(file, model.mechanism.name, diagnostics);
+  if (diagnostics.has_errors()) throw BadInput(ExitCode::input, diagnostics);
+  return states;
+}
+
 // By flatdyn's own bounds: what Gappa proves in a given time depends on the computer.
 Certificate certificate_of(const Model& model, const std::vector<OptimisedFunction>& functions, Progress& progress) {
   const std::vector<OptimisedFunction> torques = {functions.front()};
@@ -74,7 +85,10 @@ ExitCode report(const ReportArguments& arguments) {
     arguments.note_function_keys(read);
     return read;
   }());
-  check_outputs({arguments.file}, model.robot.files);
+  std::vector<std::string> read = model.robot.files;
+  if (!arguments.stress.empty()) read.push_back(arguments.stress);
+  check_outputs({arguments.file}, read);
+  const std::optional<WorstStates> worst = worst_states(arguments.stress, model);
   Progress progress(arguments.quiet);
   Diagnostics findings;
   std::vector<OptimisedFunction> functions = functions_for(model, options, progress, findings);
@@ -93,6 +107,7 @@ ExitCode report(const ReportArguments& arguments) {
                       parameter_set(arguments.parameters),
                       settings + (settings.empty() || of_base.empty() ? "" : " ") + of_base,
                       proof_text(proofs)};
+  content.worst_states = worst;
   const PageCode code = page_code(content);
   if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
   prove_text(EmittedText::of_javascript(code.text), code.functions, std::nullopt);
@@ -129,6 +144,11 @@ Run add_report(CLI::App& app) {
       ->add_option("--with", arguments->with,
                    "also on the page: certificate, how large the rounding errors of the torques can be")
       ->check(CLI::IsMember({"certificate"}));
+  command
+      ->add_option("--stress", arguments->stress,
+                   "also on the page: the worst states, from stress.json that `flatdyn stress ROBOT -o FOLDER` wrote")
+      ->check(kNotEmpty)
+      ->type_name("FILE.json");
   return [arguments] { return report(*arguments); };
 }
 

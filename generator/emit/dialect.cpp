@@ -72,7 +72,8 @@ std::vector<std::string> Dialect::reserved() const {
             "joint_names",
             "rounding_is_as_written"};
   }
-  std::vector<std::string> words = {"restrict", "sin", "cos", "sinf", "cosf", count_name("joint_count")};
+  std::vector<std::string> words = {"restrict", "sin",  "cos",   "sqrt",
+                                    "sinf",     "cosf", "sqrtf", count_name("joint_count")};
   for (const char* name :
        {"joint_names", "parameters", "sign", "is_zero", "sines_and_cosines", "rounding_is_as_written"}) {
     words.push_back(global(name));
@@ -106,6 +107,10 @@ std::string Dialect::library(const std::string& function) const {
 
 std::string Dialect::sign(const std::string& of) const {
   return (is_javascript() ? "Math.sign(" : is_c() ? global("sign(") : "detail::sign(") + of + ")";
+}
+
+std::string Dialect::sqrt(const std::string& of) const {
+  return (is_javascript() ? "Math.sqrt(" : is_c() ? library("sqrt") + "(" : "detail::sqrt(") + of + ")";
 }
 
 std::string Dialect::parameter(const std::string& member) const {

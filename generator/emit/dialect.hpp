@@ -57,6 +57,8 @@ class Dialect {
 
   // "detail::sign(x)", "panda_sign(x)", "Math.sign(x)".
   std::string sign(const std::string& of) const;
+  // "detail::sqrt(x)", "sqrtf(x)", "Math.sqrt(x)".
+  std::string sqrt(const std::string& of) const;
   // A free symbol of the robot: "parameters.m_1", "parameters->m_1".
   std::string parameter(const std::string& member) const;
 

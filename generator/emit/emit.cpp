@@ -79,9 +79,11 @@ class PageWriter {
     header["header_sign?"] = uses_sign_ && !is_pair();
     header["interface"] = std::to_string(kInterface);
     header["asks_runtime?"] = uses_trigonometry_ && !is_pair();  // a pair is compiled without the runtime
+    header["uses_sqrt"] = uses_sqrt_;
+    header["header_sqrt?"] = uses_sqrt_ && !is_pair();
     header["uses_trigonometry"] = uses_trigonometry_;
     if (dialect_.is_c()) write_c_names(header, dialect_, header_name(mechanism_, options_));
-    header["uses_math"] = uses_trigonometry_ || uses_infinity();
+    header["uses_math"] = uses_trigonometry_ || uses_sqrt_ || uses_infinity();
     return header;
   }
 
@@ -273,6 +275,7 @@ class PageWriter {
 
   void note_needs(const FunctionText& text) {
     uses_sign_ = uses_sign_ || text.uses_sign;
+    uses_sqrt_ = uses_sqrt_ || text.uses_sqrt;
     uses_trigonometry_ = uses_trigonometry_ || text.uses_trigonometry;
   }
 
@@ -344,7 +347,7 @@ class PageWriter {
   HeaderScope scope_;
   std::vector<std::string> exports_;
   Instantiations instantiations_;  // of C++ in header and source
-  bool uses_sign_ = false, uses_trigonometry_ = false;
+  bool uses_sign_ = false, uses_sqrt_ = false, uses_trigonometry_ = false;
 };
 
 }  // namespace

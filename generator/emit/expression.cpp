@@ -29,6 +29,8 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
       return quotient(node);
     case Op::sign:
       return {dialect_.sign(use(node.operands[0])), Binding::atom};
+    case Op::sqrt:
+      return {dialect_.sqrt(use(node.operands[0])), Binding::atom};
     case Op::sin:
     case Op::cos:
     case Op::input:

@@ -68,6 +68,7 @@ class BodyWriter {
     body.inputs = inputs_;
     body.output_names = output_names_;
     body.uses_sign = has_op(Op::sign);
+    body.uses_sqrt = has_op(Op::sqrt);
     body.uses_positions = std::any_of(inputs_.begin(), inputs_.end(), [this](const Input& input) {
       return input.kind == InputKind::q && is_used_by_itself(find_input(input));
     });

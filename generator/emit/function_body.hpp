@@ -16,7 +16,7 @@ struct FunctionBody {
   std::string parts;                      // functions that it calls, in C++ for namespace detail; empty if it is short
   std::vector<Input> inputs;              // that it reads, but for what an earlier stage has stored
   std::vector<std::string> output_names;  // as the outputs are called in it
-  bool uses_sign = false;
+  bool uses_sign = false, uses_sqrt = false;
   bool uses_positions = false;      // reads entries of q, not only for their sines and cosines
   std::vector<int> turning_joints;  // whose sines and cosines it takes
   bool takes_sines = false, takes_cosines = false;

@@ -36,6 +36,7 @@ class FunctionWriter {
     text.body = body_.text;
     text.parts = body_.parts;
     text.uses_sign = body_.uses_sign;
+    text.uses_sqrt = body_.uses_sqrt;
     text.uses_trigonometry = body_.uses_trigonometry();
     if (dialect_.is_c()) in_two(text, given_name);
     if (dialect_.is_javascript()) text.parameters = c_parameters(false, false);
@@ -236,8 +237,11 @@ class FunctionWriter {
       return output.name + (output.meaning.empty() ? "" : ": " + output.meaning);
     }
     if (function_.positive.empty()) return "";
+    const std::string also = function_.task.empty()       ? ""
+                             : function_.task.is_damped() ? " or of J B^-1 J^T + lambda^2 1"
+                                                          : " or of J B^-1 J^T";
     return fmt::format("false if the result means nothing, because a pivot of B{} is not positive or not a number",
-                       function_.task.empty() ? "" : " or of J B^-1 J^T");
+                       also);
   }
 
   const Function& function_;

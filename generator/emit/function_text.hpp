@@ -46,7 +46,7 @@ struct FunctionText {
   std::string parts;                    // functions for nobody else that a long body calls; else empty
   std::optional<GivenText> given;       // in C, where sines or cosines are needed
   std::vector<Instance> compiled;       // C++ in header and source: what the source is compiled for; else empty
-  bool uses_sign = false;
+  bool uses_sign = false, uses_sqrt = false;
   bool uses_trigonometry = false;  // then it has SinCos as a template parameter, and is passed one
 };
 

@@ -56,6 +56,9 @@ std::vector<double> typical_magnitudes(const Graph& graph) {
         break;
       case Op::sign:
         break;
+      case Op::sqrt:
+        magnitude = std::sqrt(at(node.operands[0]));
+        break;
     }
   }
   return magnitudes;

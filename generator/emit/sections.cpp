@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "emit/literals.hpp"
 #include "emit/writer.hpp"
 #include "emit/written.hpp"
 #include "graph/count.hpp"
+#include "symbolic/euler_angles.hpp"
 
 namespace flatdyn {
 
@@ -35,6 +37,21 @@ std::string zeros(const Function& function, std::size_t o, const FunctionText& t
   return fmt::format(" Always zero: {} of the {} entries of {}.", count, output.entries.size(), text.outputs[o].name);
 }
 
+// What the numbers mean where the scene asks for angles or for damping.
+std::string task_facts(const Task& task) {
+  std::string facts;
+  const bool has_angles = task.has_angles() && !task.empty() && task.rows.back() >= 3;
+  if (has_angles) facts += " " + describe_angles(task.orientation) + ". J is the analytical Jacobian, of their rates.";
+  if (task.is_damped()) {
+    facts += fmt::format(
+        " Damped: J B^-1 J^T + lambda^2 1 is inverted, lambda = {}, so that B_A is never larger than 1 / lambda^2; a "
+        "force"
+        " f on the task accelerates it by lambda^2 f less than B_A says.",
+        decimal_literal(task.damping));
+  }
+  return facts;
+}
+
 }  // namespace
 
 std::vector<std::string> brief_comment(const Function& function) {
@@ -49,6 +66,7 @@ std::vector<std::string> function_comment(const Function& function, const Functi
   for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
   std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
   if (function.at_rest) facts += " Holds where qd = 0, and does not read it.";
+  facts += task_facts(function.task);
   facts += written_text(function, text.outputs);
   for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
   for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);

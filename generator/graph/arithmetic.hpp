@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Real numbers for evaluate(): double and friends, and any multiprecision type whose sin and cos are found by ADL.
+// Real numbers for evaluate(): double and friends, and any multiprecision type whose sin, cos and sqrt are found by
+// ADL.
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -39,6 +40,10 @@ class RealArithmetic {
     return cos(angle);
   }
   T sign(const T& x) const { return x > 0 ? T(1) : x < 0 ? T(-1) : T(0); }
+  T sqrt(const T& x) const {
+    using std::sqrt;
+    return sqrt(x);
+  }
 
  private:
   std::function<T(const Input&)> value_of_;

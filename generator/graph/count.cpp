@@ -18,6 +18,7 @@ void add_node(const Node& node, OperationCount& count) {
       count.multiplications += static_cast<int>(node.operands.size()) - 1;
       break;
     case Op::quotient:
+    case Op::sqrt:
       ++count.divisions;
       break;
     case Op::sin:

@@ -12,7 +12,7 @@ namespace flatdyn {
 struct OperationCount {
   int additions = 0;  // and subtractions
   int multiplications = 0;
-  int divisions = 0;
+  int divisions = 0;      // and square roots, which take processors as long
   int trigonometric = 0;  // sin and cos, each
 
   int arithmetic() const { return additions + multiplications; }

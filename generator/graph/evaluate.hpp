@@ -17,6 +17,7 @@ namespace flatdyn {
 //   Scalar sin(const Graph&, NodeId angle, const Scalar& angle_value)
 //   Scalar cos(const Graph&, NodeId angle, const Scalar& angle_value)
 //   Scalar sign(const Scalar&)
+//   Scalar sqrt(const Scalar&)
 // Returns the values of all nodes that `roots(function)` reach; the others are default-constructed.
 template <class Arithmetic>
 std::vector<typename Arithmetic::Scalar> evaluate(const Function& function, Arithmetic& arithmetic) {
@@ -58,6 +59,9 @@ std::vector<typename Arithmetic::Scalar> evaluate(const Function& function, Arit
         break;
       case Op::sign:
         at(id) = arithmetic.sign(at(node.operands[0]));
+        break;
+      case Op::sqrt:
+        at(id) = arithmetic.sqrt(at(node.operands[0]));
         break;
     }
   }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 
 #include "graph/evaluate.hpp"
@@ -30,6 +31,8 @@ struct FieldTraits;
 //   static F draw(std::uint64_t bits)            a random element from random bits
 //   static std::uint64_t key(const F&)           a hash of the value
 //   static bool is_negative(const F&)            true for exactly one of x and -x, if x is not 0
+//   static F sqrt(const F&)                      of its two roots always the same; throws std::domain_error if it has
+//   none
 
 template <class F>
 class FieldArithmetic {
@@ -64,6 +67,9 @@ class FieldArithmetic {
     if (x == F(0)) return F(0);
     return Traits::is_negative(x) ? -drawn(-x, 1) : drawn(x, 1);
   }
+
+  // Half of all numbers have none: then another point has to be drawn.
+  F sqrt(const F& x) const { return Traits::sqrt(x); }
 
   // Cosine and sine of an angle that is no sum: of an input, for one.
   CirclePoint point(const F& angle) const {
@@ -149,6 +155,13 @@ struct FieldTraits<Rational> {
                      mpz_fdiv_ui(denominator(value).backend().data(), 0xffffffffffffffc5UL));
   }
   static bool is_negative(const Rational& value) { return value < 0; }
+  static Rational sqrt(const Rational& value) {
+    const boost::multiprecision::mpz_int above = numerator(value), below = denominator(value);
+    if (value < 0) throw std::domain_error("no square of a rational number");
+    const boost::multiprecision::mpz_int a = boost::multiprecision::sqrt(above), b = boost::multiprecision::sqrt(below);
+    if (a * a != above || b * b != below) throw std::domain_error("no square of a rational number");
+    return Rational(a, b);
+  }
 };
 
 using RationalArithmetic = FieldArithmetic<Rational>;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graph/graph.hpp"
+#include "graph/task.hpp"
 
 namespace flatdyn {
 
@@ -40,7 +41,7 @@ struct Function {
   std::vector<InputKind> inputs;  // the arguments in order, whether or not every entry is read
   int base_parameters = 0;        // length of pi_b, where it is one of them
   bool at_rest = false;           // holds where qd = 0, and does not read it
-  std::vector<int> task{};        // of the operational space: rows of the tip's Jacobian, 0 to 5, rising
+  Task task{};                    // of the operational space
   Graph graph;
   std::vector<Output> outputs;
   // Values that must all be positive for the result to mean anything (pivots of B); then the function returns bool.

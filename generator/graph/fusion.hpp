@@ -14,7 +14,7 @@ struct FusedFunction {
   std::string name, summary, equation;
   std::vector<InputKind> inputs;
   bool at_rest = false;
-  std::vector<int> task{};
+  Task task{};
   std::size_t outputs = 0, conditions = 0;  // how many of Function::outputs and Function::positive are its own
 };
 

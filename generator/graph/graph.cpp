@@ -237,6 +237,15 @@ NodeId Graph::sign(NodeId argument) {
   return intern(std::move(node));
 }
 
+// Of constants only 0 and 1: their roots are the same in every field.
+NodeId Graph::sqrt(NodeId argument) {
+  if (is_constant(argument) && ((*this)[argument].value == 0 || (*this)[argument].value == 1)) return argument;
+  Node node;
+  node.op = Op::sqrt;
+  node.operands = {argument};
+  return intern(std::move(node));
+}
+
 NodeId Graph::copy(const Node& node, const std::vector<NodeId>& image) {
   const auto at = [&image](NodeId id) { return image[static_cast<std::size_t>(id)]; };
   switch (node.op) {
@@ -262,6 +271,8 @@ NodeId Graph::copy(const Node& node, const std::vector<NodeId>& image) {
       return cos(at(node.operands[0]));
     case Op::sign:
       return sign(at(node.operands[0]));
+    case Op::sqrt:
+      return sqrt(at(node.operands[0]));
   }
   throw std::logic_error("graph: a node of no known kind");
 }

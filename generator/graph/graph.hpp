@@ -40,7 +40,7 @@ struct Term {
   bool operator==(const Term&) const = default;
 };
 
-enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos, sign };
+enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos, sign, sqrt };
 
 // One operation. Which members mean something depends on op:
 //   constant  value
@@ -52,6 +52,7 @@ enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos
 //             From kept_product only: an operand may be a product, or a scaled node whose coefficient is not -1.
 //   quotient  operands[0] / operands[1]; neither is a scaled node, the denominator no constant
 //   sin, cos, sign   of operands[0], which is not scaled by a negative number (sign: not scaled at all); sign(0) = 0
+//   sqrt      of operands[0], which is not 0 and not 1
 struct Node {
   Op op = Op::constant;
   Rational value = 0;
@@ -80,6 +81,7 @@ class Graph {
   NodeId sin(NodeId angle);
   NodeId cos(NodeId angle);
   NodeId sign(NodeId argument);
+  NodeId sqrt(NodeId argument);
 
   // As sum and product, but operands that are scaled nodes or products stay as they are instead of being folded in:
   // for passes, which make such a node an operand where several uses share it, and for copies of their results.

@@ -52,15 +52,48 @@ class ModP {
   // By Fermat's little theorem. Throws std::domain_error for 0.
   ModP inverse() const {
     if (value_ == 0) throw std::domain_error("GF(p): division by zero");
+    return to_the(P - 2);
+  }
+
+  ModP to_the(std::uint64_t exponent) const {
     ModP result(1), power = *this;
-    for (std::uint64_t exponent = P - 2; exponent > 0; exponent >>= 1) {
+    for (; exponent > 0; exponent >>= 1) {
       if ((exponent & 1) != 0) result *= power;
       power *= power;
     }
     return result;
   }
 
+  bool is_square() const { return value_ == 0 || to_the((P - 1) / 2).value_ == 1; }
+
+  // The smaller one of both roots, by Tonelli and Shanks (Cohen, A Course in Computational Algebraic Number Theory,
+  // algorithm 1.5.1). Throws std::domain_error if there is none.
+  ModP sqrt() const {
+    if (value_ == 0) return *this;
+    if (!is_square()) throw std::domain_error("GF(p): no square");
+    std::uint64_t odd = P - 1;
+    while (odd % 2 == 0) odd /= 2;
+    ModP generator(2);
+    while (generator.is_square()) generator += ModP(1);
+    generator = generator.to_the(odd);
+    ModP root = to_the((odd + 1) / 2), rest = to_the(odd);  // root² = rest · *this, rest of order 2^k
+    while (rest.value_ != 1) {
+      ModP step = generator;
+      while ((rest * step * step).order() >= rest.order()) step *= step;
+      root *= step;
+      rest *= step * step;
+    }
+    return root.value_ < P - root.value_ ? root : -root;
+  }
+
  private:
+  // k of the order 2^k that roots of unity have which are powers of two.
+  int order() const {
+    int k = 0;
+    for (ModP power = *this; power.value_ != 1; power *= power) ++k;
+    return k;
+  }
+
   std::uint64_t value_ = 0;
 };
 
@@ -70,6 +103,7 @@ struct FieldTraits<ModP<P>> {
   static ModP<P> draw(std::uint64_t bits) { return ModP<P>(bits); }
   static std::uint64_t key(ModP<P> value) { return value.value(); }
   static bool is_negative(ModP<P> value) { return value.value() > P / 2; }
+  static ModP<P> sqrt(ModP<P> value) { return value.sqrt(); }
 };
 
 template <std::uint64_t P = kMersenne61>

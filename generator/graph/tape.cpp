@@ -67,6 +67,8 @@ class TapeWriter {
         return add(Code::cos, cell_of(node.operands[0]));
       case Op::sign:
         return add(Code::sign, cell_of(node.operands[0]));
+      case Op::sqrt:
+        return add(Code::sqrt, cell_of(node.operands[0]));
     }
     return 0;  // no other op
   }
@@ -137,6 +139,9 @@ bool Tape::run(const TapeInputs& given, std::span<double> results) {
         break;
       case Code::sign:
         x[to] = static_cast<double>((x[a] > 0) - (x[a] < 0));
+        break;
+      case Code::sqrt:
+        x[to] = std::sqrt(x[a]);
         break;
     }
   }

@@ -37,7 +37,7 @@ class Tape {
   bool run(const TapeInputs& given, std::span<double> results);
 
  private:
-  enum class Code : std::uint8_t { add, subtract, multiply, add_multiple, divide, sin, cos, sign };
+  enum class Code : std::uint8_t { add, subtract, multiply, add_multiple, divide, sin, cos, sign, sqrt };
   struct Instruction {
     Code code;
     std::uint32_t to, a, b, c;  // cells; c of add_multiple only: to = a + b c

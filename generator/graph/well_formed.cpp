@@ -52,7 +52,9 @@ Complaint check_quotient(const Graph& graph, const Node& node) {
 Complaint check_unary(const Graph& graph, const Node& node) {
   if (node.operands.size() != 1) return "not one operand";
   const NodeId operand = node.operands[0];
-  if (node.op == Op::sign) {
+  if (node.op == Op::sqrt) {
+    if (graph.is_zero(operand)) return "the square root of 0";
+  } else if (node.op == Op::sign) {
     if (graph.is_constant(operand) || graph.is_scaled(operand)) return "the sign of a constant or a scaled node";
   } else if (graph.is_zero(operand)) {
     return "sin or cos of 0";
@@ -73,6 +75,7 @@ Complaint check_node(const Graph& graph, const Node& node) {
     case Op::sin:
     case Op::cos:
     case Op::sign:
+    case Op::sqrt:
       return check_unary(graph, node);
     case Op::constant:
     case Op::input:

@@ -5,6 +5,7 @@
 
 #include "input/held_joints.hpp"
 #include "input/toml_parts.hpp"
+#include "model/field_mechanism.hpp"
 
 namespace flatdyn {
 
@@ -45,18 +46,41 @@ std::vector<SceneLimits> read_all_limits(TomlTable table) {
   return all;
 }
 
+Orientation read_orientation(TomlTable& table, Diagnostics& diagnostics) {
+  const std::optional<std::string> text = table.text("orientation");
+  if (!text) return Orientation::angular_velocity;
+  if (text == "zyz") return Orientation::zyz;
+  if (text == "rpy") return Orientation::rpy;
+  diagnostics.error(table.place_of("orientation"), "orientation: " + quoted(*text) + " are no angles",
+                    "write \"zyz\" or \"rpy\", or leave it out for the angular velocity");
+  return Orientation::angular_velocity;
+}
+
+Rational read_damping(TomlTable& table, Diagnostics& diagnostics) {
+  const std::optional<Value> damping = table.number("damping", Quantity::other);
+  if (!damping) return 0;
+  if (is_rational(damping->number) && to_rational(damping->number) >= 0) return to_rational(damping->number);
+  diagnostics.error(table.place_of("damping"), "damping: it is not a rational number from 0",
+                    "lambda of (J B^-1 J^T + lambda^2 1)^-1, 0.01 for instance");
+  return 0;
+}
+
 // Rows of the Jacobian by the names that people give them.
-std::vector<int> read_task(TomlTable& table, Diagnostics& diagnostics) {
-  static const std::vector<std::string> kNames = {"x", "y", "z", "rx", "ry", "rz"};
+std::vector<int> read_rows(TomlTable& table, Orientation orientation, Diagnostics& diagnostics) {
+  const bool has_angles = orientation != Orientation::angular_velocity;
+  const std::vector<std::string> names = has_angles ? std::vector<std::string>{"x", "y", "z", "phi", "theta", "psi"}
+                                                    : std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz"};
   std::vector<int> rows;
   for (const Reference& direction : table.references("task")) {
-    const auto found = std::find(kNames.begin(), kNames.end(), direction.name);
-    if (found == kNames.end()) {
+    const auto found = std::find(names.begin(), names.end(), direction.name);
+    if (found == names.end()) {
       diagnostics.error(direction.place, "task: " + quoted(direction.name) + " is no direction",
-                        "x, y, z for the tip's velocity, rx, ry, rz for its rotation, in the base frame");
+                        has_angles ? "x, y, z for the tip's velocity, phi, theta, psi for the rates of its angles"
+                                   : "x, y, z for the tip's velocity, rx, ry, rz for its rotation, in the base frame; "
+                                     "with `orientation` phi, theta, psi");
       continue;
     }
-    rows.push_back(static_cast<int>(found - kNames.begin()));
+    rows.push_back(static_cast<int>(found - names.begin()));
   }
   std::sort(rows.begin(), rows.end());
   if (std::adjacent_find(rows.begin(), rows.end()) != rows.end()) {
@@ -125,7 +149,9 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   scene.at_rest = table.boolean("static").value_or(false);
   scene.friction = table.boolean("friction").value_or(true);
   scene.error_budget = read_error_budget(table, diagnostics);
-  scene.task = read_task(table, diagnostics);
+  scene.task.orientation = read_orientation(table, diagnostics);
+  scene.task.damping = read_damping(table, diagnostics);
+  scene.task.rows = read_rows(table, scene.task.orientation, diagnostics);
   if (table.is_list("task")) require_some(table.references("task"), table.place_of("task"), "task", diagnostics);
   scene.functions = table.references("functions");
   if (table.is_list("functions")) {

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "symbolic/operational.hpp"
+#include "symbolic/task_rows.hpp"
 #include "trajectory/pace_limits.hpp"
 
 namespace flatdyn {
 namespace {
 
 std::vector<int> translations(const Mechanism& mechanism) {
+  if (mechanism.task.has_angles()) {
+    throw Failure(ExitCode::unsupported, "an ellipsoid has base axes, and the scene asks for Euler angles",
+                  "take `orientation` out of the scene");
+  }
   std::vector<int> rows = task_rows(mechanism);
   if (mechanism.task.empty()) std::erase_if(rows, [](int row) { return row >= 3; });
   if (!rows.empty()) return rows;

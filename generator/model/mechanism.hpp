@@ -74,7 +74,7 @@ struct Mechanism {
   std::vector<Body> bodies;      // parents before children
   std::vector<LinkFrame> links;  // of every written link, in file order
   LinkFrame tip;                 // the frame of the tip
-  std::vector<int> task;         // rows of its Jacobian that the scene names, 0 to 5; empty: those that are independent
+  Task task;                     // what the scene says of it; no rows: those of its Jacobian that are independent
   Vec3 gravity = zero_vector();  // g_0 in the base frame, m/s^2
   InertialParameters base;       // of what is fixed to the base (counts for the potential energy's constant only)
   std::vector<FreeSymbol> symbols;

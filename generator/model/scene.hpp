@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/task.hpp"
 #include "model/parts.hpp"
 
 namespace flatdyn {
@@ -62,7 +63,7 @@ struct Scene {
   bool at_rest = false;  // joint velocities are 0
   bool friction = true;  // false: none at all
   std::optional<ErrorBudget> error_budget;
-  std::vector<int> task;             // rows of the tip's Jacobian, rising: 0 to 5 for x, y, z, rx, ry, rz; empty: all
+  Task task;                         // of the tip; no rows: all that are independent
   std::vector<Reference> functions;  // empty: those of `outputs`; if these are none: the usual ones
   std::vector<SceneOutputs> outputs;
 };

@@ -10,7 +10,7 @@
 
 #include "diagnostics/table.hpp"
 #include "report/plot.hpp"
-#include "symbolic/operational.hpp"
+#include "symbolic/task_rows.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "report/budget_report.hpp"
 #include "symbolic/number_text.hpp"
+#include "symbolic/task_rows.hpp"
 
 namespace flatdyn {
 namespace {
@@ -25,6 +26,7 @@ class SceneText {
     if (scene.payload) add_payload(*scene.payload);
     if (scene.at_rest) add("static", "true");
     if (!scene.friction) add("friction", "false");
+    add_task(scene.task);
     if (scene.error_budget) add("error_budget", scene.error_budget->written);
     for (const SceneLimits& limits : scene.limits) add_limits(limits);
     if (!scene.functions.empty()) {
@@ -41,6 +43,12 @@ class SceneText {
 
   std::string list(const Vec3& v) const {
     return fmt::format("[{}, {}, {}]", number_(v[0]), number_(v[1]), number_(v[2]));
+  }
+
+  void add_task(const Task& task) {
+    if (!task.empty()) add("task", fmt::format("[{}]", task_text(task.rows, task.orientation)));
+    if (task.has_angles()) add("orientation", task.orientation == Orientation::zyz ? "zyz" : "rpy");
+    if (task.is_damped()) add("damping", number_(GiNaC::numeric(task.damping.str().c_str())));
   }
 
   void add_payload(const ScenePayload& payload) {

@@ -45,6 +45,7 @@ class SampledState {
   Number cos(const Graph& graph, NodeId angle, const Number& value) const {
     return is_drawn(graph, angle) ? exact(point(graph, angle).c) : Number(GiNaC::cos(value));
   }
+  Number sqrt(const Number& value) const { return GiNaC::sqrt(value); }
   Number sign(const Number& rate) const { return exact(drawn_.sign(to_rational(rate))); }
 
  private:

@@ -103,6 +103,10 @@ Number Derivation::sign(const Number& argument, const std::string& name) {
   return name_node(graph_.sign(node(argument)), name);
 }
 
+Number Derivation::sqrt(const Number& argument, const std::string& name) {
+  return name_node(graph_.sqrt(node(argument)), name);
+}
+
 Number Derivation::quotient(const Number& numerator, const Number& denominator, const std::string& name) {
   const NodeId above = node(numerator);
   return name_node(graph_.quotient(above, node(denominator)), name);

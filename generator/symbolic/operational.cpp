@@ -2,65 +2,53 @@
 #include "symbolic/operational.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <numeric>
 
 #include "diagnostics/diagnostics.hpp"
-#include "graph/mod_p.hpp"
 #include "symbolic/composite.hpp"
-#include "symbolic/elimination.hpp"
 #include "symbolic/energy.hpp"
 #include "symbolic/factorisation.hpp"
-#include "symbolic/functions.hpp"
-#include "symbolic/kinematics.hpp"
+#include "symbolic/task_rows.hpp"
 
 namespace flatdyn {
 namespace {
-
-// Of the Jacobian's rows in this order, those that do not depend on the ones before. At a random point of a large prime
-// field: rows that are independent anywhere are so there, but for a chance of about 1e-17.
-std::vector<int> independent(const Mechanism& mechanism, const std::vector<int>& rows) {
-  using Arithmetic = ModPArithmetic<kMersenne61>;
-  using F = Arithmetic::Scalar;
-  Arithmetic arithmetic(1);
-  const Function function = link_derivation("jacobian")(mechanism, mechanism.tip);
-  const std::vector<F> values = evaluate(function, arithmetic);
-  const Output& J = function.outputs.front();
-  std::vector<std::vector<F>> columns(static_cast<std::size_t>(J.cols));
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    for (const int row : rows) {
-      const NodeId entry = J.entries[static_cast<std::size_t>(row * J.cols) + j];
-      columns[j].push_back(values[static_cast<std::size_t>(entry)]);
-    }
-  }
-  std::vector<int> kept;
-  for (const std::size_t k : reduced_echelon(columns, [](const F& x) { return x == F(0); }).pivots) {
-    kept.push_back(rows[k]);
-  }
-  return kept;
-}
 
 // Several numbers of rows of a task, or of joints, as a matrix; and sums over the joints.
 class OperationalSpace {
  public:
   explicit OperationalSpace(Workbench& bench)
       : bench_(bench),
-        rows_(task_rows(bench.mechanism)),
+        task_{task_rows(bench.mechanism), bench.mechanism.task.orientation, bench.mechanism.task.damping},
         B_(bench.frames, bench.inertia()),
-        J_(jacobian_rows()),
+        J_(task_jacobian(bench, task_.rows, task_.orientation)),
         Y_(half_solved_rows()),
         Z_(divided_by_pivots()),
-        mobility_(bench.derivation, chain(rows_.size()), mobility(), "J B^-1 J^T", "m_") {}
+        mobility_(damped_mobility()),
+        factors_(bench.derivation, chain(size()), mobility_, "J B^-1 J^T", "m_") {}
 
-  std::size_t size() const { return rows_.size(); }
-  const std::vector<int>& rows() const { return rows_; }
+  std::size_t size() const { return task_.rows.size(); }
+  const Task& task() const { return task_; }
 
   // B_A b.
   std::vector<Number> inertia_times(std::vector<Number> b, const std::string& name) const {
-    return mobility_.solve(std::move(b), name);
+    return factors_.solve(std::move(b), name);
   }
-  Rows inertia() const { return mobility_.inverse("b_a"); }
+  Rows inertia() const { return factors_.inverse("b_a"); }
+
+  // r² / (tr M tr M^-1) of the matrix M that is inverted, λ_1 … λ_r its eigenvalues: 1 where all of them are equal. As
+  // tr M ≥ max λ and tr M^-1 ≥ 1 / min λ, it is between min λ / max λ and r² times that.
+  Number condition(const Rows& inverse) const {
+    if (size() == 1) return 1;
+    Derivation& d = bench_.derivation;
+    Number trace = 0, trace_of_inverse = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      trace += mobility_[i][i];
+      trace_of_inverse += inverse[i][i];
+    }
+    const Number traces = d.named(trace, "tr_m") * d.named(trace_of_inverse, "tr_b_a");
+    return d.quotient(static_cast<int>(size() * size()), traces, "condition");
+  }
 
   // J B^-1 b, for b by joint.
   std::vector<Number> acceleration(const std::vector<Number>& b, const std::string& name) const {
@@ -77,7 +65,7 @@ class OperationalSpace {
   // B^-1 J^T, by row of the task.
   Rows inverse_inertia_times_jacobian() const {
     Rows result;
-    for (std::size_t i = 0; i < size(); ++i) result.push_back(B_.finished(Y_[i], "x_" + label(rows_[i])));
+    for (std::size_t i = 0; i < size(); ++i) result.push_back(B_.finished(Y_[i], "x_" + label(task_.rows[i])));
     return result;
   }
 
@@ -91,10 +79,10 @@ class OperationalSpace {
   }
 
   Function finished(std::vector<InputKind> inputs, std::vector<Output> outputs) const {
-    std::vector<NodeId> positive = bench_.nodes(B_.pivots()), more = bench_.nodes(mobility_.pivots());
+    std::vector<NodeId> positive = bench_.nodes(B_.pivots()), more = bench_.nodes(factors_.pivots());
     positive.insert(positive.end(), more.begin(), more.end());
     Function function = flatdyn::finished(bench_, std::move(inputs), std::move(outputs), std::move(positive));
-    function.task = rows_;
+    function.task = task_;
     return function;
   }
 
@@ -108,18 +96,6 @@ class OperationalSpace {
 
   Number named(const Number& value, const std::string& name, std::size_t row) const {
     return bench_.derivation.named(value, name + "_" + label(static_cast<int>(row)));
-  }
-
-  Rows jacobian_rows() const {
-    const std::vector<JacobianColumn> columns =
-        at_coordinates(bench_.mechanism, bench_.derivation, jacobian(bench_.frames, bench_.mechanism.tip));
-    Rows J;
-    for (const int row : rows_) {
-      J.emplace_back();
-      const auto r = static_cast<std::size_t>(row);
-      for (const JacobianColumn& column : columns) J.back().push_back(r < 3 ? column.linear[r] : column.angular[r - 3]);
-    }
-    return J;
   }
 
   Rows half_solved_rows() const {
@@ -138,12 +114,13 @@ class OperationalSpace {
     return Z;
   }
 
-  // J B^-1 Jᵀ: what a unit force at the tip accelerates it by.
-  Rows mobility() const {
+  // J B^-1 Jᵀ: what a unit force at the tip accelerates it by; and λ² 1.
+  Rows damped_mobility() const {
+    const Number damping = GiNaC::numeric(Rational(task_.damping * task_.damping).str().c_str());
     Rows M(size(), std::vector<Number>(size(), 0));
     for (std::size_t i = 0; i < size(); ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
-        Number sum = 0;
+        Number sum = i == j ? damping : Number(0);
         for (std::size_t k = 0; k < Y_[i].size(); ++k) sum += Z_[i][k] * Y_[j][k];
         M[i][j] = M[j][i] = named(sum, "m_" + label(static_cast<int>(i)), j);
       }
@@ -152,10 +129,10 @@ class OperationalSpace {
   }
 
   Workbench& bench_;
-  std::vector<int> rows_;
+  Task task_;
   Factorisation B_;
-  Rows J_, Y_, Z_;
-  Factorisation mobility_;
+  Rows J_, Y_, Z_, mobility_;
+  Factorisation factors_;
 };
 
 std::vector<Number> coriolis_torques(Workbench& bench) {
@@ -164,30 +141,17 @@ std::vector<Number> coriolis_torques(Workbench& bench) {
 }
 
 std::string of_task(const std::string& what, const OperationalSpace& space) {
-  return what + " of the task " + task_text(space.rows());
+  return what + " of the task " + task_text(space.task().rows, space.task().orientation);
+}
+
+// Where M = J B^-1 Jᵀ + λ² 1 is inverted.
+std::string condition_meaning(const OperationalSpace& space) {
+  return space.task().is_damped()
+             ? "0..1, r^2 / (tr M tr M^-1) of M = J B^-1 J^T + lambda^2 1: small where the task is singular"
+             : "0..1, r^2 / (tr M tr M^-1) of M = J B^-1 J^T: 0 where the task is singular";
 }
 
 }  // namespace
-
-std::string task_text(const std::vector<int>& rows) {
-  static constexpr const char* kNames[] = {"x", "y", "z", "rx", "ry", "rz"};
-  std::vector<std::string> names;
-  for (const int row : rows) names.emplace_back(kNames[row]);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::vector<int> task_rows(const Mechanism& mechanism) {
-  const std::vector<int> wanted = mechanism.task.empty() ? std::vector{0, 1, 2, 3, 4, 5} : mechanism.task;
-  std::vector<int> rows = independent(mechanism, wanted);
-  if (rows.empty() || (!mechanism.task.empty() && rows != wanted)) {
-    throw Failure(ExitCode::unsupported,
-                  fmt::format("operational space: the tip \"{}\" cannot move along {} independently",
-                              mechanism.tip.link, task_text(wanted)),
-                  rows.empty() ? "no joint moves it: choose another with --tip"
-                               : fmt::format("of the scene's `task` it can along {}", task_text(rows)));
-  }
-  return rows;
-}
 
 Function operational_inertia_function(Workbench& bench) {
   const OperationalSpace space(bench);
@@ -204,17 +168,15 @@ Function operational_inertia_function(Workbench& bench) {
   return space.finished(
       {InputKind::q},
       {matrix_output("B_A", r, r, bench.nodes(B_A), of_task("inertia matrix", space) + ", symmetric, SI units"),
-       matrix_output("J_bar", n, r, J_bar, "B^-1 J^T B_A: J_bar^T tau is the force on the task, SI units")});
+       matrix_output("J_bar", n, r, J_bar, "B^-1 J^T B_A: J_bar^T tau is the force on the task, SI units"),
+       vector_output("condition", {bench.node(space.condition(B_A))}, condition_meaning(space))});
 }
 
 Function operational_bias_function(Workbench& bench) {
   const OperationalSpace space(bench);
-  const JacobianColumn drift = jacobian_dot_qd(bench.frames, bench.mechanism.tip);
+  const std::vector<Number> drift = task_drift(bench, space.task().rows, space.task().orientation);
   std::vector<Number> c = space.acceleration(coriolis_torques(bench), "c");
-  for (std::size_t i = 0; i < space.size(); ++i) {
-    const auto row = static_cast<std::size_t>(space.rows()[i]);
-    c[i] -= row < 3 ? drift.linear[row] : drift.angular[row - 3];
-  }
+  for (std::size_t i = 0; i < space.size(); ++i) c[i] -= drift[i];
   const std::vector<Number> g = space.acceleration(bench.at_coordinates(gravity_torques(bench.frames)), "g");
   const std::vector<Number> c_A = space.inertia_times(c, "c_a"), g_A = space.inertia_times(g, "g_a");
   return space.finished({InputKind::q, InputKind::qd},
@@ -226,7 +188,8 @@ Function null_space_torque_function(Workbench& bench) {
   const OperationalSpace space(bench);
   if (static_cast<int>(space.size()) == bench.size()) {
     throw Failure(ExitCode::unsupported,
-                  fmt::format("null_space_torque: the task {} takes all joints", task_text(space.rows())),
+                  fmt::format("null_space_torque: the task {} takes all joints",
+                              task_text(space.task().rows, space.task().orientation)),
                   "name fewer directions in the scene's `task`");
   }
   const std::vector<Number> tau = bench.all(InputKind::tau);

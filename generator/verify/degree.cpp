@@ -108,6 +108,11 @@ class RationalDegreeArithmetic {
     return sin(graph, angle, value);
   }
   RationalDegree sign(const RationalDegree&) const { return {false, 1, {}, nullptr}; }
+  // sqrt(N / D) = sqrt(N D) / D, and a root counts for no less than what it is the root of.
+  RationalDegree sqrt(RationalDegree x) const {
+    for (const auto& [k, exponent] : x.exponents) x.numerator += exponent * (*denominators_)[k];
+    return x;
+  }
 
   // (N_a / Π D^e_a) / (N_b / Π D^e_b): N_b becomes a denominator.
   RationalDegree divide(RationalDegree a, const RationalDegree& b) {
@@ -186,6 +191,15 @@ FunctionDegrees function_degrees(const Function& function) {
   FunctionDegrees result{all.numerator, 0};
   for (const auto& [k, exponent] : all.exponents) result.denominator += exponent * arithmetic.denominators()[k];
   return result;
+}
+
+// The values are polynomials A + B r in roots r of others, r² = f, which vanish where A² = B² f does, of twice their
+// degree; and points are drawn until f has a root, which it has at half of them.
+double root_factor(const Function& function) {
+  for (NodeId id = 0; id < function.graph.size(); ++id) {
+    if (function.graph[id].op == Op::sqrt) return 4;
+  }
+  return 1;
 }
 
 double drawn_angles(const Function& function, const Mechanism& mechanism) {

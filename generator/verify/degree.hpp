@@ -54,6 +54,9 @@ struct FunctionDegrees {
 };
 FunctionDegrees function_degrees(const Function& function);
 
+// How many times more points a difference may vanish at, because of square roots: 1 if the function takes none.
+double root_factor(const Function& function);
+
 // How many values are drawn for angles, at most: each cosine and sine is a quotient by 1 + t².
 double drawn_angles(const Function& function, const Mechanism& mechanism);
 

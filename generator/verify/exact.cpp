@@ -39,10 +39,10 @@ std::vector<ExactMismatch> describe(const Function& function, const std::set<Mis
 }
 
 // Runs `compare(arithmetic, mismatches)` at one point of one field. A division by zero, which has probability below
-// D/p, asks for another point.
+// D/p, asks for another point, as does a square root that is none, which has probability 1/2.
 template <std::uint64_t P, class Compare>
 void at_point(std::uint64_t seed, const Compare& compare, std::set<MismatchKey>& mismatches) {
-  constexpr int kAttempts = 8;
+  constexpr int kAttempts = 64;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     try {
       ModPArithmetic<P> arithmetic(scrambled(seed, static_cast<std::uint64_t>(attempt)));
@@ -86,12 +86,18 @@ double in_drawn_values(double degree, double angles, double reciprocals) {
   return degree * (1 + 2 * angles + reciprocals);
 }
 
+// What angles multiply degrees by: there are up to seven entries of R beside one of J, and a root, see root_factor().
+constexpr double kAngleFactor = 32;
+
 // Of single accelerations B^-1 (tau - n), numerator and denominator have n factors of B or of what it is multiplied by.
 // The derivatives of forward dynamics are compared at a q̈ of their own making, which is B⁻¹ times a torque.
 double degree_factor(const Mechanism& mechanism, const Function& function) {
   if (function.name == "forward_dynamics_derivatives") return 2;
   // B_A is the inverse of J B^-1 Jᵀ, of at most six rows, and B^-1 adj B / det B.
-  if (!function.task.empty()) return 2.0 * static_cast<double>(function.task.size()) * (mechanism.size() + 2);
+  if (!function.task.empty()) {
+    const double factor = 2.0 * static_cast<double>(function.task.rows.size()) * (mechanism.size() + 2);
+    return function.task.has_angles() ? kAngleFactor * factor : factor;
+  }
   if (function.name == "base_parameters") return 2;  // Y_b π_b is compared with Y π
   const bool is_solved = function.name == "forward_dynamics" && !is_whole(function);
   return is_solved ? 2.0 * mechanism.size() : 1;
@@ -156,6 +162,7 @@ ExactResult prove_equal(const Function& a, const Function& b, const ExactOptions
   const FunctionDegrees in_a = function_degrees(a), in_b = function_degrees(b);
   const double angles = drawn_angles(a, {}) + drawn_angles(b, {});
   const double degree =
+      std::max(root_factor(a), root_factor(b)) *
       in_drawn_values(in_a.numerator + in_a.denominator + in_b.numerator + in_b.denominator, angles, 0);
   return finished(a, mismatches, static_cast<int>(roots_a.size()), degree, options);
 }

@@ -11,6 +11,7 @@
 #include "verify/derivative_outputs.hpp"
 #include "verify/joint_points.hpp"
 #include "verify/regressor_outputs.hpp"
+#include "verify/task_definition.hpp"
 
 namespace flatdyn {
 
@@ -141,29 +142,50 @@ class LagrangianOutputs {
 
   Values task_rows(const Values& all) const {
     Values rows;
-    for (const int row : function_.task) rows.push_back(all[static_cast<std::size_t>(row)]);
+    for (const int row : function_.task.rows) rows.push_back(all[static_cast<std::size_t>(row)]);
     return rows;
+  }
+
+  TaskDefinition<F> task_definition() {
+    const auto root = [this](const F& x) { return arithmetic_.sqrt(x); };
+    return {function_.task, lagrangian_, frame(), root};
+  }
+
+  // J B^-1 Jᵀ and the task's damping.
+  Matrix<F> mobility(const Matrix<F>& J, const Matrix<F>& X) const {
+    Matrix<F> M = times(J, X);
+    const F damping = arithmetic_.constant(function_.task.damping);
+    for (int i = 0; i < M.rows(); ++i) M(i, i) += damping * damping;
+    return M;
+  }
+
+  static F trace(const Matrix<F>& A) {
+    F sum(0);
+    for (int i = 0; i < A.rows(); ++i) sum += A(i, i);
+    return sum;
   }
 
   // (7.130)–(7.141), as they are written.
   Values operational(const std::string& output) {
-    const Matrix<F> all = lagrangian_.jacobian(frame());
-    const int n = mechanism_.size(), r = static_cast<int>(function_.task.size());
+    const TaskDefinition<F> task = task_definition();
+    const Matrix<F> all = task.jacobian();
+    const int n = mechanism_.size(), r = static_cast<int>(function_.task.rows.size());
     Matrix<F> J(r, n), Jt(n, r), unit(r, r);
     for (int i = 0; i < r; ++i) {
       unit(i, i) = F(1);
-      for (int k = 0; k < n; ++k) J(i, k) = Jt(k, i) = all(function_.task[static_cast<std::size_t>(i)], k);
+      for (int k = 0; k < n; ++k) J(i, k) = Jt(k, i) = all(function_.task.rows[static_cast<std::size_t>(i)], k);
     }
     const Matrix<F> X = solution(lagrangian_.inertia(), Jt);
-    const Matrix<F> B_A = solution(times(J, X), unit);
+    const Matrix<F> M = mobility(J, X), B_A = solution(M, unit);
     if (output == "B_A") return B_A.entries();
+    if (output == "condition") return {F(static_cast<std::uint64_t>(r * r)) / (trace(M) * trace(B_A))};
     if (output == "J_bar") return times(X, B_A).entries();
     const auto acceleration = [&](const Values& b) { return times(J, solution(lagrangian_.inertia(), b)); };
     if (output == "g_A") return times(B_A, acceleration(lagrangian_.gravity()));
     if (output == "c_A") {
       Values c = acceleration(times(lagrangian_.coriolis_matrix(rates()), rates()));
-      const Values drift = task_rows(lagrangian_.jacobian_dot_qd(frame(), rates()));
-      for (std::size_t i = 0; i < c.size(); ++i) c[i] += -drift[i];
+      const Values change = task_rows(task.drift(rates()));
+      for (std::size_t i = 0; i < c.size(); ++i) c[i] += -change[i];
       return times(B_A, c);
     }
     const Values tau = drawn(InputKind::tau, n);

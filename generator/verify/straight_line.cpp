@@ -26,6 +26,7 @@ int StraightLine::subtract(int a, int b) { return make({Step::subtract, a, b}); 
 int StraightLine::multiply(int a, int b) { return make({Step::multiply, a, b}); }
 int StraightLine::divide(int a, int b) { return make({Step::divide, a, b}); }
 int StraightLine::sign(int a) { return make({Step::sign, a}); }
+int StraightLine::sqrt(int a) { return make({Step::sqrt, a}); }
 
 StraightLine with_constants_apart(const StraightLine& lines, const std::function<bool(double)>& is_apart) {
   StraightLine result;
@@ -97,6 +98,8 @@ NodeId node_of(const Operation& operation, const std::vector<NodeId>& nodes, Gra
       return graph.product({node(operation.a), node(operation.b)});
     case Step::divide:
       return quotient(node(operation.a), node(operation.b), graph);
+    case Step::sqrt:
+      return graph.sqrt(node(operation.a));
     case Step::sign:
       break;
   }

@@ -12,12 +12,12 @@
 
 namespace flatdyn {
 
-enum class Step : std::uint8_t { constant, input, sine, cosine, negate, add, subtract, multiply, divide, sign };
+enum class Step : std::uint8_t { constant, input, sine, cosine, negate, add, subtract, multiply, divide, sign, sqrt };
 
 // The k-th operation; its operands are operations before it.
 struct Operation {
   Step step = Step::constant;
-  int a = -1, b = -1;  // operands; negate and sign have no b
+  int a = -1, b = -1;  // operands; negate, sign and sqrt have no b
   double value = 0;    // of a constant
   Input input{};       // of input; of sine and cosine the joint's position
 
@@ -37,6 +37,7 @@ class StraightLine {
   int multiply(int a, int b);
   int divide(int a, int b);
   int sign(int a);
+  int sqrt(int a);
 
   const Operation& operator[](int k) const { return operations_[static_cast<std::size_t>(k)]; }
   int size() const { return static_cast<int>(operations_.size()); }

@@ -32,6 +32,8 @@ T value_of(const Operation& operation, const std::vector<T>& values, const State
       return a() * b();
     case Step::divide:
       return a() / b();
+    case Step::sqrt:
+      return std::sqrt(a());
     case Step::sign:
       break;
   }

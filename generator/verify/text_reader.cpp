@@ -338,19 +338,27 @@ class TextReader {
       at_ += 2;
       return lines_.sign(in_brackets());
     }
+    if (text_.is_c() && (is("sqrt") || is("sqrtf")) && word(1) == "(") {
+      at_ += 2;
+      return lines_.sqrt(in_brackets());
+    }
     if (accept("detail")) {
-      for (const char* text : {"::", "sign", "("}) expect(text);
-      return lines_.sign(in_brackets());
+      expect("::");
+      const bool is_root = accept("sqrt");
+      if (!is_root) expect("sign");
+      expect("(");
+      return is_root ? lines_.sqrt(in_brackets()) : lines_.sign(in_brackets());
     }
     return named_value(take());
   }
 
-  // .sin(q[2]), .cos(q[2]), .sign(sum)
+  // .sin(q[2]), .cos(q[2]), .sign(sum), .sqrt(sum)
   int library_call() {
     expect(".");
     const std::string function = take();
     expect("(");
     if (function == "sign") return lines_.sign(in_brackets());
+    if (function == "sqrt") return lines_.sqrt(in_brackets());
     if (function != "sin" && function != "cos") fail("an unknown function");
     for (const char* text : {"q", "["}) expect(text);
     const int joint = index();

@@ -45,7 +45,7 @@ struct Arguments {
     h_e.f_e = h.template head<3>();
     h_e.mu_e = h.template tail<3>();
   }
-  const std::vector<int>& task;  // of the function
+  const Task& task;  // of the function
   reference::VectorX<S> q, qd, qdd, tau;
   reference::Environment<S> h_e;
 };
@@ -105,7 +105,9 @@ const std::map<std::string, Evaluation<S>>& reference_table() {
       {"operational_inertia", [](const R& r, const A& a) { return operational_inertia_entries<S>(r, a.q, a.task); }},
       {"operational_bias", [](const R& r, const A& a) { return operational_bias_entries<S>(r, a.q, a.qd, a.task); }},
       {"null_space_torque",
-       [](const R& r, const A& a) { return row_by_row(ref::null_space_torque(r, a.q, a.tau, a.task)); }},
+       [](const R& r, const A& a) {
+         return row_by_row(ref::null_space_torque(r, a.q, a.tau, reference_task<S>(a.task)));
+       }},
       {"kinetic_energy", [](const R& r, const A& a) { return std::vector<S>{ref::kinetic_energy(r, a.q, a.qd)}; }},
       {"potential_energy", [](const R& r, const A& a) { return std::vector<S>{ref::potential_energy(r, a.q)}; }},
       {"forward_kinematics", pose_entries<S>},

@@ -54,6 +54,27 @@ assert.equal(panda.position_upper[0], 2.8973);
       << folder_.read("log");
 }
 
+// The tip's angles take one: what the null space is left with exerts nothing along them, (7.140).
+TEST_F(Javascript, TakesSquareRoots) {
+  folder_.write("scene.toml", "orientation = \"rpy\"\ntask = [\"theta\", \"psi\"]\n");
+  generate("robots/ur5.urdf --functions operational_inertia,null_space_torque --scene '" + folder_.path("scene.toml") +
+           "'");
+  EXPECT_THAT(folder_.read("ur5.js"), HasSubstr("Math.sqrt("));
+  EXPECT_EQ(run(R"js(import * as ur5 from './ur5.js';
+const q = [0.3, -1, 0.7, 1.1, -0.4, 2], B_A = [], J_bar = [], condition = [], rest = [], again = [];
+assert.equal(ur5.operational_inertia(q, B_A, J_bar, condition), true);
+assert(Math.abs(B_A[1] - B_A[2]) === 0 && B_A[0] > 0 && condition[0] > 0 && condition[0] < 1);
+assert.equal(ur5.null_space_torque(q, [1, 2, 3, 4, 5, 6], rest), true);
+for (let j = 0; j < 2; ++j) {
+  let force = 0;
+  for (let k = 0; k < 6; ++k) force += J_bar[2 * k + j] * rest[k];
+  assert(Math.abs(force) < 1e-12, String(force));
+}
+)js"),
+            0)
+      << folder_.read("log");
+}
+
 // Free symbols of the robot, and a B that is not positive definite.
 TEST_F(Javascript, TakesParametersAndSaysWhereThereIsNoResult) {
   generate("robots/planar_2r.toml --functions gravity,forward_dynamics --name arm --max-lines 40");

@@ -275,6 +275,70 @@ limits = { velocity = 2, acceleration = 10 }
   EXPECT_FALSE(std::filesystem::exists(none));
 }
 
+// As many squares as the header has entries that are not always zero.
+TEST(ReportFile, MapsTheRegressorAsTheHeaderHasIt) {
+  const Scratch folder;
+  ASSERT_EQ(run_flatdyn(fmt::format("report robots/scara.toml -q -o '{}'", folder.path("page.html"))).code, 0);
+  ASSERT_EQ(run_flatdyn(fmt::format("generate robots/scara.toml -q --functions regressor -o '{}'", folder.path())).code,
+            0);
+  const std::string header = folder.read("scara.hpp"), page = folder.read("page.html");
+  const std::size_t begin = header.find("{", header.find("regressor_nonzero[")), end = header.find("}", begin);
+  const auto filled = std::count(header.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 header.begin() + static_cast<std::ptrdiff_t>(end), '1');
+  EXPECT_GT(filled, 20);
+  EXPECT_LT(filled, 4 * 52);
+  EXPECT_THAT(page, HasSubstr(fmt::format("{} of 208 entries", filled)));
+  const std::size_t map = page.find("aria-label=\"regressor:"), path = page.find("<path", map);
+  ASSERT_NE(map, std::string::npos);
+  EXPECT_EQ(std::count(page.begin() + static_cast<std::ptrdiff_t>(path),
+                       page.begin() + static_cast<std::ptrdiff_t>(page.find("/>", path)), 'M'),
+            filled);
+}
+
+// What flatdyn stress has saved, and no other file.
+TEST_F(Report, ShowsTheWorstStates) {
+  const std::string robot = "robots/pendulum_motor.toml", out = folder_.path("found");
+  ASSERT_EQ(run_flatdyn(fmt::format("stress {} -q --functions gravity,inverse_dynamics --states 100 --edges 20 "
+                                    "--evaluations 100 --variants double -o '{}'",
+                                    robot, out))
+                .code,
+            0);
+  const json found = json::parse(folder_.read("found/stress.json"));
+  const std::string page = folder_.path("page.html"),
+                    report = fmt::format("report {} -q -o '{}' --stress ", robot, page);
+  ASSERT_EQ(run_flatdyn(report + "'" + out + "/stress.json'").code, 0);
+  const std::string text = folder_.read("page.html");
+  ASSERT_GE(found.at("rows").size(), 2u);
+  for (const json& row : found.at("rows")) {
+    EXPECT_THAT(text, HasSubstr(fmt::format("<code>{}</code></th><td>{}</td><td class=\"n\">{:.2g}</td>",
+                                            row.at("function").get<std::string>(), row.at("scalar").get<std::string>(),
+                                            row.at("worst").at("scaled_error").get<double>())));
+    EXPECT_THAT(text, HasSubstr(row.at("worst").at("state").get<std::string>()));
+  }
+  const json seen = told_by(text, kCheck);
+  EXPECT_EQ(seen.at("troubles"), json::array());
+  EXPECT_EQ(seen.at("unnamed"), 0);
+
+  folder_.write("broken.json", "{\n\"robot\": \"pendulum_motor\",\n");
+  folder_.write("other.json", found.dump());
+  folder_.write("half.json",
+                R"({"robot": "pendulum_motor", "bound": 64, "ratio": 4, "rows": [{"function": "gravity"}]})");
+  const auto refused = [&](const std::string& command) {
+    const Outcome outcome = run_flatdyn(command);
+    EXPECT_EQ(outcome.code, 3) << command;
+    return outcome.err;
+  };
+  EXPECT_THAT(refused(report + "'" + folder_.path("broken.json") + "'"),
+              HasSubstr("broken.json:3: error: this is no JSON"));
+  EXPECT_THAT(refused(report + "'" + folder_.path("half.json") + "'"), HasSubstr("no result of flatdyn stress"));
+  EXPECT_THAT(
+      refused(fmt::format("report robots/scara.toml -q -o '{}' --stress '{}'", page, folder_.path("other.json"))),
+      HasSubstr("and the page of \"scara\""));
+  EXPECT_EQ(run_flatdyn(report + "'" + folder_.path("none.json") + "'").code, 6);
+  EXPECT_EQ(run_flatdyn(fmt::format("report {0} -q -o '{1}' --stress '{1}'", robot, folder_.path("other.json"))).code,
+            2);
+}
+
 TEST(ReportFile, IsRefusedWhereThereIsNothingToShow) {
   const Scratch folder;
   const std::string page = folder.path("page.html");

@@ -67,6 +67,12 @@ INSTANTIATE_TEST_SUITE_P(
                                      kPayload},
         SceneOfRobot{"scara.toml", std::string("static = true\nfunctions = [\"inverse_dynamics\", \"base_regressor\", "
                                                "\"adaptive_regressor\"]\n[locked]\nd_3 = 0.05\n")},
+        SceneOfRobot{"puma560.toml",
+                     "orientation = \"zyz\"\nfunctions = [\"operational_inertia\", "
+                     "\"operational_bias\"]\n"},
+        SceneOfRobot{"ur5.urdf",
+                     "orientation = \"rpy\"\ntask = [\"y\", \"theta\", \"psi\"]\ndamping = 0.05\nfunctions = "
+                     "[\"operational_inertia\", \"operational_bias\", \"null_space_torque\"]\n"},
         SceneOfRobot{"planar_2r.toml",
                      "[locked]\ntheta_2 = \"pi/3\"\n[payload]\nmass = \"m_p\"\ncom = [\"l_p\", 0, 0]\n"}),
     [](const auto& test) { return fmt::format("Scene{}", test.index); });
@@ -97,6 +103,61 @@ TEST(Scene, AHeaderCompilesWithoutAWarning) {
   const std::string compile = fmt::format(
       "g++ -std=c++17 -O1 -Wall -Wextra -Wconversion -Wunused -Werror '{0}.cpp' -o '{0}' && '{0}'", program);
   EXPECT_EQ(std::system(compile.c_str()), 0);
+}
+
+constexpr const char* kTipInAngles = "orientation = \"zyz\"\ntask = [\"x\", \"theta\", \"psi\"]\ndamping = 0.01\n";
+
+// Angles take a square root, which each language writes in its own way.
+TEST(Scene, AnglesAndDampingAreTheSameInCAndSaidInTheHeader) {
+  const Scratch scratch;
+  const std::string generate =
+      "generate -q robots/ur5.urdf --functions operational_inertia,operational_bias -o " + scratch.path();
+  ASSERT_EQ(run_in_scene(scratch, generate, kTipInAngles).code, 0);
+  ASSERT_EQ(run_in_scene(scratch, generate + " --language c", kTipInAngles).code, 0);
+  std::string header = scratch.read("ur5.hpp");
+  for (std::size_t at = 0; (at = header.find("\n// ", at)) != std::string::npos;) header.replace(at, 4, " ");
+  for (const char* text : {"task = [x, theta, psi]; orientation = zyz; damping = 0.01", "of the task x, theta, psi",
+                           "R = R_z(phi) R_y(theta) R_z(psi), 0 < theta < pi", "analytical Jacobian",
+                           "lambda = 0.01, so that B_A is never larger than 1 / lambda^2",
+                           "a pivot of B or of J B^-1 J^T + lambda^2 1 is not positive", "condition[1]"}) {
+    EXPECT_THAT(header, HasSubstr(text));
+  }
+  const std::string use =
+      "#include <stdio.h>\nint main(void) {\n  double q[6] = {0.3, -1, 0.7, 1.1, -0.4, 2}, qd[6] = {1, 2, -1, 0.5, 1, "
+      "-2};\n"
+      "  double B_A[9], J_bar[18], condition[1], c_A[3], g_A[3];\n  int k;\n"
+      "  if (!ur5INERTIA(q, B_A, J_bar, condition) || !ur5BIAS(q, qd, c_A, g_A)) return 1;\n"
+      "  for (k = 0; k < 9; ++k) printf(\"%a\\n\", B_A[k]);\n  for (k = 0; k < 18; ++k) printf(\"%a\\n\", J_bar[k]);\n"
+      "  for (k = 0; k < 3; ++k) printf(\"%a %a\\n\", c_A[k], g_A[k]);\n  printf(\"%a\\n\", condition[0]);\n"
+      "  return condition[0] > 0 && condition[0] < 1 ? 0 : 1;\n}\n";
+  const auto with = [&use](const std::string& include, const std::string& separator) {
+    std::string text = "#include \"" + include + "\"\n" + use;
+    text.replace(text.find("ur5INERTIA"), 10, "ur5" + separator + "operational_inertia");
+    text.replace(text.find("ur5BIAS"), 7, "ur5" + separator + "operational_bias");
+    return text;
+  };
+  scratch.write("use.cpp", with("ur5.hpp", "::"));
+  scratch.write("use.c", with("ur5.h", "_"));
+  const std::string command = fmt::format(
+      "cd '{}' && g++ -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror use.cpp -o use_cpp && "
+      "gcc -std=c99 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Werror use.c ur5.c -lm -o use_c && "
+      "./use_cpp > cpp.txt && ./use_c > c.txt",
+      scratch.path());
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(scratch.read("cpp.txt"), scratch.read("c.txt"));
+}
+
+TEST(Scene, AnglesWithoutRatesAreRefused) {
+  const Scratch scratch;
+  const std::string verify = "verify -q robots/scara.toml --functions operational_inertia";
+  const Outcome refused = run_in_scene(scratch, verify, "orientation = \"zyz\"\n");
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("at every position of the robot the ZYZ angles are singular"));
+  scratch.write("states.csv", "q1,q2,q3,q4\n0.1,0.5,0.1,0\n");
+  const Outcome drawn = run_in_scene(
+      scratch, "manipulability -q robots/scara.toml --states " + scratch.path("states.csv"), "orientation = \"rpy\"\n");
+  EXPECT_EQ(drawn.code, 4);
+  EXPECT_THAT(drawn.err, HasSubstr("the scene asks for Euler angles"));
 }
 
 TEST(Scene, TheHashIsOfItsBytesAndTheStampOfItsContent) {

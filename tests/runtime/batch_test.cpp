@@ -71,6 +71,14 @@ TEST_F(BatchTest, SinesAndCosinesAreRightToOneUlp) {
   }
 }
 
+TEST_F(BatchTest, SquareRootsAreThoseOfEachState) {
+  const std::vector<double> x = {0, 0.01, 2, 1e300, 4, 1e-300, 0.5, 3};
+  std::vector<double> roots(x.size());
+  const auto take_root = [](const auto* from, auto* to) { *to = sqrt(*from); };
+  for_each_state<double>(x.size(), take_root, in<1>(x.data(), x.size()), out<1>(roots.data(), x.size()));
+  for (std::size_t k = 0; k < x.size(); ++k) EXPECT_EQ(roots[k], std::sqrt(x[k])) << x[k];
+}
+
 TEST_F(BatchTest, LargeAnglesAreLeftToTheLibraryAndSpoilNoOthers) {
   const double inf = std::numeric_limits<double>::infinity();
   for (const double large : {1.1e5, -1e15, 1e300}) {

@@ -51,6 +51,9 @@ inline Function mutant(const Function& function, NodeId victim, Mutation mutatio
       case Op::sign:
         moved.push_back(g.sign(operands[0]));
         break;
+      case Op::sqrt:
+        moved.push_back(g.sqrt(operands[0]));
+        break;
     }
   }
   return with_graph(function, std::move(g), moved);

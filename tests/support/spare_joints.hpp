@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "symbolic/operational.hpp"
+#include "symbolic/task_rows.hpp"
 
 namespace flatdyn::testing {
 
 // The same mechanism with a task of one row, which leaves joints over: then every function can be derived.
 inline Mechanism with_spare_joints(Mechanism mechanism) {
-  mechanism.task = {task_rows(mechanism).front()};
+  mechanism.task.rows = {task_rows(mechanism).front()};
   return mechanism;
 }
 

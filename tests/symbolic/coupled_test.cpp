@@ -202,7 +202,7 @@ TEST_F(Machine, EveryFunctionIsTheLagrangians) {
 
 TEST_F(Machine, OperationalFunctionsAreTheLagrangians) {
   Mechanism mechanism = model_.mechanism;
-  mechanism.task = {0, 2};
+  mechanism.task.rows = {0, 2};
   for (const char* name : {"operational_inertia", "operational_bias", "null_space_torque"}) {
     EXPECT_TRUE(prove_exactly(mechanism, derive_function(mechanism, name)).equal) << name;
   }

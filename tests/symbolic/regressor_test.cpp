@@ -44,6 +44,7 @@ class Expressions {
   Number sin(const Graph& graph, NodeId angle, const Number&) const { return s[joint(graph, angle)]; }
   Number cos(const Graph& graph, NodeId angle, const Number&) const { return c[joint(graph, angle)]; }
   Number sign(const Number& x) const { return GiNaC::csgn(x); }
+  Number sqrt(const Number& x) const { return GiNaC::sqrt(x); }
 
   std::vector<GiNaC::symbol> q, qd, qdd, c, s;
 

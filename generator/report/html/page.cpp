@@ -9,6 +9,7 @@
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
 #include "report/describe.hpp"
+#include "report/html/regressor_map.hpp"
 #include "report/html/tables.hpp"
 #include "report/html/zero_map.hpp"
 #include "symbolic/number_text.hpp"
@@ -90,6 +91,7 @@ data maps(const std::vector<OptimisedFunction>& functions) {
   data list(data::type::list);
   for (const OptimisedFunction& each : functions) {
     for (const Output& output : each.function.outputs) {
+      if (each.function.name == "regressor") continue;  // too wide for a place among them
       const bool is_map = output.layout == Layout::matrix || output.layout == Layout::christoffel;
       if (!is_map || output.entries.empty() || each.function.name == "forward_kinematics") continue;
       const int filled = nonzero_entries(each.function, output);
@@ -104,6 +106,19 @@ data maps(const std::vector<OptimisedFunction>& functions) {
     }
   }
   return list;
+}
+
+void write_regressor(data& page, const std::vector<OptimisedFunction>& functions) {
+  const auto made = std::find_if(functions.begin(), functions.end(),
+                                 [](const OptimisedFunction& each) { return each.function.name == "regressor"; });
+  page["regressor?"] = made != functions.end();
+  if (made == functions.end()) return;
+  const Output& Y = made->function.outputs.front();
+  const std::string text = fmt::format("{} of {} entries", nonzero_entries(made->function, Y), Y.entries.size());
+  page["regressor"] = regressor_map(made->function, Y, fmt::format("regressor: {} not always zero", text));
+  page["regressor_rows"] = std::to_string(Y.rows);
+  page["regressor_cols"] = std::to_string(Y.cols);
+  page["regressor_text"] = text;
 }
 
 }  // namespace
@@ -139,11 +154,13 @@ std::string report_page(const PageContent& content, const PageCode& code) {
   page["summary"] = joints_text(model.mechanism);
   page["facts"] = facts_text(model);
   page["maps"] = maps(content.functions);
+  write_regressor(page, content.functions);
   write_operations(page, content.functions);
   write_base(page, model.mechanism, content.parameters);
   write_model(page, model, content.snap_effects);
   write_notes(page, model, content.findings);
   write_certificate(page, content.certificate);
+  write_worst_states(page, content.worst_states);
   page["hash"] = model.input_hash;
   page["options?"] = !content.options.empty();
   page["options"] = content.options;

@@ -9,6 +9,7 @@
 #include "certify/certificate.hpp"
 #include "pipeline.hpp"
 #include "report/html/drawing.hpp"
+#include "report/html/worst_states.hpp"
 #include "symbolic/parameters.hpp"
 
 namespace flatdyn {
@@ -26,6 +27,7 @@ struct PageContent {
   std::string options;                            // that shaped the page
   std::string proof;                              // a sentence: what was proven of the functions
   std::optional<Certificate> certificate{};       // of the torques
+  std::optional<WorstStates> worst_states{};      // that a search has found
 };
 
 // The page's functions as JavaScript: the body of a function that returns them. With what it prints, in its order.

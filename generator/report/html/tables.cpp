@@ -133,6 +133,29 @@ void write_certificate(data& page, const std::optional<Certificate>& certificate
   page["certificate_states"] = std::to_string(certificate->options.observed.states);
 }
 
+void write_worst_states(data& page, const std::optional<WorstStates>& states) {
+  page["worst?"] = states.has_value();
+  if (!states) return;
+  data rows(data::type::list);
+  for (const WorstState& state : states->rows) {
+    data row;
+    row["function"] = state.function;
+    row["scalar"] = state.scalar;
+    row["error"] = state.error;
+    row["found"] = state.found;
+    row["variant"] = state.variant;
+    row["condition"] = state.condition;
+    row["reference"] = state.reference;
+    row["ratio"] = state.ratio;
+    row["verdict"] = std::string(state.passed ? "ok" : "too large");
+    row["state"] = state.state;
+    rows << row;
+  }
+  page["worst"] = data(rows);
+  page["worst_bound"] = states->bound;
+  page["worst_ratio"] = states->ratio;
+}
+
 namespace {
 
 data joint_rows(const ordered_json& joints) {

@@ -8,6 +8,7 @@
 
 #include "certify/certificate.hpp"
 #include "pipeline.hpp"
+#include "report/html/worst_states.hpp"
 #include "symbolic/parameters.hpp"
 
 namespace flatdyn {
@@ -20,6 +21,9 @@ void write_base(kainjow::mustache::data& page, const Mechanism& mechanism, Param
 
 // How large the rounding errors of the torques can be, if that was asked for.
 void write_certificate(kainjow::mustache::data& page, const std::optional<Certificate>& certificate);
+
+// Where rounding errors were largest, if a search for such states was given.
+void write_worst_states(kainjow::mustache::data& page, const std::optional<WorstStates>& states);
 
 // Joints with their limits, what a scene fixed, snapped angles.
 void write_model(kainjow::mustache::data& page, const Model& model, const std::vector<double>& snap_effects);

@@ -57,6 +57,7 @@ class Lanes {
   friend Mask operator>(const Lanes& a, const Lanes& b) noexcept { return Mask(a.batch_ > b.batch_); }
   friend Lanes sin(const Lanes& a) noexcept { return Lanes(flatdyn::sin(a.batch_)); }
   friend Lanes cos(const Lanes& a) noexcept { return Lanes(flatdyn::cos(a.batch_)); }
+  friend Lanes sqrt(const Lanes& a) noexcept { return Lanes(xsimd::sqrt(a.batch_)); }
 
  private:
   Batch batch_;

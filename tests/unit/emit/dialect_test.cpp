@@ -39,6 +39,13 @@ TEST(Dialect, MakesPrefixesOfNamespaces) {
   EXPECT_EQ(Dialect().global("gravity"), "gravity");
 }
 
+TEST(Dialect, TakesSquareRootsFromTheLibrary) {
+  EXPECT_EQ(Dialect().sqrt("x"), "detail::sqrt(x)");
+  EXPECT_EQ(Dialect::c("double", "arm").sqrt("x"), "sqrt(x)");
+  EXPECT_EQ(Dialect::c("float", "arm").sqrt("x"), "sqrtf(x)");
+  EXPECT_EQ(Dialect::javascript().sqrt("x"), "Math.sqrt(x)");
+}
+
 TEST(Dialect, WritesExpressionsOfTheSameShape) {
   testing::Builder b;
   const VariableNames names = {"a"};

@@ -73,6 +73,7 @@ TEST_F(Expressions, QuotientsKeepTheirStructure) {
 
 TEST_F(Expressions, FunctionsAndConstants) {
   EXPECT_EQ(text(build.graph.sign(a)), "detail::sign(a)");
+  EXPECT_EQ(text(build.graph.sqrt(a)), "detail::sqrt(a)");
   EXPECT_EQ(text(build.number("-3/2")), "Scalar(-1.5)");
 }
 

@@ -95,6 +95,45 @@ TEST(ModP, IsAFieldOverAPrime) {
   EXPECT_THROW(F(0).inverse(), std::domain_error);
 }
 
+template <std::uint64_t P>
+void expect_roots() {
+  using F = ModP<P>;
+  int roots = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const F x(scrambled(seed, P));
+    if (x.is_square()) {
+      EXPECT_EQ(x.sqrt() * x.sqrt(), x);
+      ++roots;
+    } else {
+      EXPECT_THROW(x.sqrt(), std::domain_error);
+    }
+    EXPECT_TRUE((x * x).sqrt() == x || (x * x).sqrt() == -x);
+  }
+  EXPECT_GT(roots, 60);
+  EXPECT_LT(roots, 140);
+  EXPECT_EQ(F(0).sqrt(), F(0));
+  EXPECT_EQ(F(1).sqrt(), F(1));
+}
+
+TEST(ModP, HasSquareRootsOfHalfItsNumbers) {
+  expect_roots<kMersenne61>();
+  expect_roots<kPrime61b>();
+  expect_roots<kPrime61c>();
+}
+
+TEST_F(EvaluateTest, TakesSquareRoots) {
+  const NodeId zero = graph.constant(0), one = graph.constant(1), four = graph.constant(4);
+  EXPECT_EQ(graph.sqrt(zero), zero);
+  EXPECT_EQ(graph.sqrt(one), one);
+  EXPECT_NE(graph.sqrt(four), graph.constant(2)) << "the other root is as good in a field";
+  set_output(graph.sqrt(four));
+  EXPECT_EQ(value(RationalArithmetic(3)), 2);
+  EXPECT_EQ(count_operations(function).divisions, 1);
+  EXPECT_EQ(check_well_formed(function), std::nullopt);
+  set_output(graph.sqrt(graph.constant(2)));
+  EXPECT_THROW(value(RationalArithmetic(3)), std::domain_error);
+}
+
 TEST_F(EvaluateTest, CountsEachNodeOnce) {
   const NodeId sum = graph.sum({{1, a}, {-3, b}}, 2);                                 // 1 mul, 2 add
   const NodeId cube = graph.product({sum, sum, sum});                                 // 2 mul

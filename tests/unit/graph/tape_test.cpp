@@ -34,6 +34,8 @@ TEST_F(TapeTest, ComputesEveryOperation) {
   EXPECT_EQ(values(2, 0.5),
             (std::vector<double>{4 * std::sin(0.5) / 4 - 0.5 + std::cos(2.0) + 5, -3 * 4.0 + 2, 0.125}));
   EXPECT_EQ(values(0.5, 0.5)[1], -3);
+  function.outputs = {{"r", Layout::scalar, 1, 1, {graph.sqrt(a)}, "anything"}};
+  EXPECT_EQ(values(2.25, 0), std::vector<double>{1.5});
 }
 
 TEST_F(TapeTest, SaysWhereAPivotIsNotPositive) {
