@@ -297,9 +297,9 @@ TEST(ReportFile, MapsTheRegressorAsTheHeaderHasIt) {
 
 // What flatdyn stress has saved, and no other file.
 TEST_F(Report, ShowsTheWorstStates) {
-  const std::string robot = "robots/pendulum_motor.toml", out = folder_.path("found");
+  const std::string robot = "robots/planar_2r_example_7_2.toml", out = folder_.path("found");
   ASSERT_EQ(run_flatdyn(fmt::format("stress {} -q --functions gravity,inverse_dynamics --states 100 --edges 20 "
-                                    "--evaluations 100 --variants double -o '{}'",
+                                    "--evaluations 100 --variants double,float -o '{}'",
                                     robot, out))
                 .code,
             0);
@@ -319,10 +319,10 @@ TEST_F(Report, ShowsTheWorstStates) {
   EXPECT_EQ(seen.at("troubles"), json::array());
   EXPECT_EQ(seen.at("unnamed"), 0);
 
-  folder_.write("broken.json", "{\n\"robot\": \"pendulum_motor\",\n");
+  folder_.write("broken.json", "{\n\"robot\": \"planar_2r_example_7_2\",\n");
   folder_.write("other.json", found.dump());
   folder_.write("half.json",
-                R"({"robot": "pendulum_motor", "bound": 64, "ratio": 4, "rows": [{"function": "gravity"}]})");
+                R"({"robot": "planar_2r_example_7_2", "bound": 64, "ratio": 4, "rows": [{"function": "gravity"}]})");
   const auto refused = [&](const std::string& command) {
     const Outcome outcome = run_flatdyn(command);
     EXPECT_EQ(outcome.code, 3) << command;
