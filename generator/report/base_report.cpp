@@ -32,9 +32,10 @@ std::string describe_base(const Mechanism& mechanism, ParameterSet set) {
   const std::vector<bool> present = parameters_in(mechanism, set);
   const NumberText value_text(mechanism);
   std::string text = fmt::format(
-      "{} base parameters of {} parameters; link i is moved by the i-th joint of q, its parameters are "
+      "{} base parameters of {} parameters; link i is moved by the i-th joint {}, its parameters are "
       "about the origin of its canonical frame\n\n",
-      base.size(), std::count(present.begin(), present.end(), true));
+      base.size(), std::count(present.begin(), present.end(), true),
+      mechanism.is_coupled() ? "that moves, in depth-first order" : "of q");
   std::vector<std::vector<std::string>> rows = {{"pi_b", "value", "combination"}};
   for (int k = 0; k < base.size(); ++k) {
     rows.push_back({std::to_string(k), value_text(values[static_cast<std::size_t>(k)]), combination_text(base, k)});

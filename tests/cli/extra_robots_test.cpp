@@ -30,19 +30,9 @@ TEST_P(ExtraRobots, Verifies) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, ExtraRobots,
-                         ::testing::Values("anymal_c.urdf", "double_pendulum.urdf", "solo12.urdf",
+                         ::testing::Values("anymal_c.urdf", "double_pendulum.urdf", "panda.urdf", "solo12.urdf",
                                            "talos_left_arm.urdf", "talos_reduced.urdf", "ur5_robot.urdf", "z1.urdf"),
                          [](const auto& test) { return fs::path(test.param).stem().string(); });
-
-TEST(MimicJoint, IsRefusedUnlessHeld) {
-  const fs::path file = folder() / "panda.urdf";
-  if (!fs::exists(file)) GTEST_SKIP() << "no such file: " << file;
-  const std::string inspect = "inspect --quiet '" + file.string() + "'";
-  const Outcome refused = run_flatdyn(inspect);
-  EXPECT_EQ(refused.code, 4);
-  EXPECT_THAT(refused.err, ::testing::HasSubstr("--fix panda_finger_joint2"));
-  EXPECT_EQ(run_flatdyn(inspect + " --fix panda_finger_joint2").code, 0);
-}
 
 }  // namespace
 }  // namespace flatdyn::testing

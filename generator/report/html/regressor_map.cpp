@@ -30,17 +30,19 @@ std::string filled_entries(const Function& function, const Output& Y) {
 }  // namespace
 
 std::string regressor_map(const Function& function, const Output& Y, const std::string& label) {
-  const int joints = Y.rows, height = kHeight * joints, width = left_of(joints) - kGap;
+  const int groups = Y.cols / kParametersPerJoint, height = kHeight * Y.rows, width = left_of(groups) - kGap;
   std::string text =
       fmt::format("<svg role=\"img\" aria-label=\"{0}\" width=\"{1}\" height=\"{2}\" viewBox=\"0 0 {1} {2}\">",
                   html_text(label), width, height + kBelow);
-  for (int joint = 0; joint < joints; ++joint) {
+  for (int joint = 0; joint < groups; ++joint) {
     text += fmt::format("<rect class=\"frame\" x=\"{}\" width=\"{}\" height=\"{}\"/>", left_of(joint), kGroup - 1,
                         height - 1);
     text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", left_of(joint) + kGroup / 2,
                         height + kBelow - 5, joint + 1);
-    text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kLeft - 5, kHeight * (joint + 1) - 3,
-                        joint + 1);
+  }
+  for (int row = 0; row < Y.rows; ++row) {
+    text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kLeft - 5, kHeight * (row + 1) - 3,
+                        row + 1);
   }
   return text + fmt::format("<path d=\"{}\"/></svg>", filled_entries(function, Y));
 }
