@@ -151,8 +151,9 @@ class PageWriter {
       text += ".";
     }
     if (mechanism_.is_coupled()) {
+      const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
       text += fmt::format(" Coupled joints, rad or m: {}; q, qd, qdd and tau are those of the joints above.",
-                          fmt::join(coupled_joint_texts(mechanism_), ", "));
+                          fmt::join(coupled_joint_texts(mechanism_, by_index), ", "));
     }
     if (!options_.scene_facts.empty()) text += " " + options_.scene_facts;
     return comment_text(text);

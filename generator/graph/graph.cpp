@@ -47,6 +47,17 @@ void collect(std::vector<Term>& terms) {
   terms.resize(kept);
 }
 
+// The positive number by which a sum of several terms has whole coefficients without a common divisor; 1 for others.
+Rational common_divisor(const Node& node) {
+  if (node.op != Op::sum || node.terms.size() < 2) return 1;
+  auto divisor = numerator(node.terms.front().coefficient), multiple = denominator(node.terms.front().coefficient);
+  for (const Term& term : node.terms) {
+    divisor = gcd(divisor, numerator(term.coefficient));
+    multiple = lcm(multiple, denominator(term.coefficient));
+  }
+  return Rational(divisor, multiple);
+}
+
 }  // namespace
 
 NodeId Graph::intern(Node node) {
@@ -231,6 +242,12 @@ NodeId Graph::sign(NodeId argument) {
     return scaled(factor, sign(inner.node));
   }
   if ((*this)[argument].op == Op::sign) return argument;
+  // Multiples of a sum have its sign: of all of them, that with whole numbers and no common divisor stands for it.
+  if (const Rational divisor = common_divisor((*this)[argument]); divisor != 1) {
+    std::vector<Term> terms = (*this)[argument].terms;
+    for (Term& term : terms) term.coefficient /= divisor;
+    return sign(sum(std::move(terms), (*this)[argument].value / divisor));
+  }
   Node node;
   node.op = Op::sign;
   node.operands = {argument};

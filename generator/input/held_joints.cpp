@@ -84,8 +84,43 @@ bool can_move(const LockedJoint& lock, const Joint& joint, JointType type, Diagn
   return false;
 }
 
+// A joint that is held has a coordinate no longer: q_j = (p - b - Σ f_k q_k) / f_j, of its position p, is put in where
+// other joints follow it.
+void put_in_coordinate(const Joint& held, const Coupled& coupled, Robot& robot) {
+  Number own = 0;
+  for (const Coupled::Term& term : coupled.terms) own += term.joint.name == held.name ? term.factor : Number(0);
+  for (Joint& joint : robot.joints) {
+    if (!joint.coupled) continue;
+    std::vector<Coupled::Term> terms;
+    for (const Coupled::Term& term : joint.coupled->terms) {
+      if (term.joint.name != held.name) {
+        terms.push_back(term);
+        continue;
+      }
+      joint.coupled->offset += term.factor * (held.held->position - coupled.offset) / own;
+      for (const Coupled::Term& other : coupled.terms) {
+        if (other.joint.name != held.name) terms.push_back({other.joint, -term.factor * other.factor / own});
+      }
+    }
+    joint.coupled->terms = terms;
+  }
+}
+
+// Its coupling ends with its motion. That of a follower without a coordinate is said, because its leaders move on.
+void end_coupling(const LockedJoint& lock, const Joint& joint, const Coupled& coupled, ReadContext& context,
+                  Robot& robot) {
+  const bool has_coordinate = std::any_of(coupled.terms.begin(), coupled.terms.end(), [&](const Coupled::Term& term) {
+    return term.joint.name == joint.name && !vanishes(term.factor);
+  });
+  if (has_coordinate && joint.held) put_in_coordinate(joint, coupled, robot);
+  if (has_coordinate) return;
+  context.diagnostics.note(lock.place, held_at(lock) + ", follows no other joint any more",
+                           "to hold them together, hold \"" + coupled.terms.front().joint.name + "\" instead");
+}
+
 void hold(const LockedJoint& lock, Joint& joint, ReadContext& context, Robot& robot) {
   const JointType type = joint.held ? joint.held->type : joint.type;
+  const std::optional<Coupled> coupled = joint.coupled;
   joint.type = JointType::fixed;
   joint.coupled.reset();
   joint.held.reset();
@@ -93,6 +128,7 @@ void hold(const LockedJoint& lock, Joint& joint, ReadContext& context, Robot& ro
   if (type == JointType::fixed && vanishes(lock.position)) return;
   if (!vanishes(lock.position) && !can_move(lock, joint, type, context.diagnostics)) return;
   joint.held = Held{type, position_of(lock, type, context)};
+  if (coupled) end_coupling(lock, joint, *coupled, context, robot);
   warn_outside_limits(lock, joint, context.diagnostics);
 }
 

@@ -137,7 +137,11 @@ class UrdfReader {
   // Drake writes its own tag where other readers of the file are not to see the coupling.
   void read_mimic(const XMLElement& element, const std::string& what, Joint& joint) {
     const XMLElement* mimic = element.FirstChildElement("mimic");
-    if (mimic == nullptr) mimic = element.FirstChildElement("drake:mimic");
+    const XMLElement* drakes = element.FirstChildElement("drake:mimic");
+    if (mimic != nullptr && drakes != nullptr) {
+      diagnostics_.error(values_.place(*drakes), what + ": it has both <mimic> and <drake:mimic>", "keep one of them");
+    }
+    if (mimic == nullptr) mimic = drakes;
     if (mimic == nullptr) return;
     const std::string where = what + ", mimic";
     const Place place = values_.place(*mimic);
@@ -149,6 +153,10 @@ class UrdfReader {
     if (leader.empty()) return;
     if (leader == joint.name) {
       diagnostics_.error(place, what + " mimics itself", "name the joint that it follows");
+      return;
+    }
+    if (vanishes(factor)) {
+      diagnostics_.error(place, what + " mimics by a multiplier of 0", "make it type=\"fixed\" if it does not move");
       return;
     }
     joint.coupled = Coupled{{{{leader, place}, factor}}, offset, place};

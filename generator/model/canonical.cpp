@@ -307,31 +307,6 @@ void add_links(const RawTree& tree, const Placer& placer, Mechanism& mechanism) 
   mechanism.tip = {robot.links[tip_link].name, tree.body_of_[tip_link], tip.R, tip.p};
 }
 
-// A limit of a joint that follows one coordinate alone is one of that coordinate, too.
-void tighten(const Limits& follower, const LinearPosition& position, Limits& limits) {
-  const Number factor = position.factors.begin()->second;
-  const auto lower_of = [](std::optional<Value>& limit, const Value& other) {
-    if (!limit || nearest_double(other.number) < nearest_double(limit->number)) limit = other;
-  };
-  const auto upper_of = [](std::optional<Value>& limit, const Value& other) {
-    if (!limit || nearest_double(other.number) > nearest_double(limit->number)) limit = other;
-  };
-  const bool turns_back = nearest_double(factor) < 0;
-  const auto of_coordinate = [&](const Value& limit) {
-    return Value{rationalised((limit.number - position.offset) / factor), limit.place};
-  };
-  const auto& [low, high] =
-      turns_back ? std::tie(follower.upper, follower.lower) : std::tie(follower.lower, follower.upper);
-  if (low) upper_of(limits.lower, of_coordinate(*low));
-  if (high) lower_of(limits.upper, of_coordinate(*high));
-  const Number magnitude = turns_back ? -factor : factor;
-  const auto slower_of = [&](std::optional<Value>& limit, const std::optional<Value>& other) {
-    if (other) lower_of(limit, {(other->number / magnitude).expand(), other->place});
-  };
-  slower_of(limits.velocity, follower.velocity);
-  slower_of(limits.acceleration, follower.acceleration);
-}
-
 void add_coupling(const RawTree& tree, Mechanism& mechanism) {
   const Robot& robot = tree.robot_;
   if (!has_coupled_joints(robot)) return;
@@ -341,6 +316,7 @@ void add_coupling(const RawTree& tree, Mechanism& mechanism) {
   for (const int joint : joints_with_coordinates(robot)) {
     column.emplace(joint, mechanism.coordinates.size());
     mechanism.coordinates.push_back(body_of_joint.at(joint));
+    mechanism.bodies[static_cast<std::size_t>(body_of_joint.at(joint))].limits = coordinate_limits(robot, joint);
   }
   for (const int joint : tree.joint_of_) {
     const LinearPosition position = position_of(robot, joint);
@@ -348,11 +324,6 @@ void add_coupling(const RawTree& tree, Mechanism& mechanism) {
     for (const auto& [owner, factor] : position.factors) row[column.at(owner)] = factor;
     mechanism.coupling.push_back(std::move(row));
     mechanism.offsets.push_back(position.offset);
-    if (position.factors.size() != 1) continue;
-    const int owner = position.factors.begin()->first;
-    if (owner == joint) continue;
-    tighten(robot.joints[static_cast<std::size_t>(joint)].limits, position,
-            mechanism.bodies[static_cast<std::size_t>(body_of_joint.at(owner))].limits);
   }
 }
 

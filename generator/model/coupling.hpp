@@ -33,4 +33,12 @@ bool has_coupled_joints(const Robot& robot);
 // Of a moving joint. Defined for valid couplings.
 LinearPosition position_of(const Robot& robot, int joint);
 
+// Of the coordinate that belongs to a joint: the limits of all joints that follow it alone, this one among them if its
+// position does; effort as that of its own drive.
+Limits coordinate_limits(const Robot& robot, int owner);
+
+// Coordinates move the joints independently, and limits leave them room. Limits that bound no single coordinate are
+// noted.
+void check_coordinates(const Robot& robot, Diagnostics& diagnostics);
+
 }  // namespace flatdyn

@@ -2,7 +2,6 @@
 #include "model/linear_loops.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "diagnostics/nearest.hpp"
 #include "graph/mod_p.hpp"
@@ -104,24 +103,31 @@ class RandomPosition {
   std::vector<JointPoint<F>> points_;
 };
 
-// The dependent joints' angles, if some are such that the loop stays closed. Two joints at most: more are not
-// determined by a loop in a plane.
-std::optional<std::vector<Candidate>> linear_solution(const CutLoop& loop) {
+using Solution = std::vector<Candidate>;
+
+bool holds_a_joint_still(const Solution& solution) {
+  return std::any_of(solution.begin(), solution.end(), [](const Candidate& candidate) {
+    return std::all_of(candidate.factors.begin(), candidate.factors.end(), [](int factor) { return factor == 0; });
+  });
+}
+
+// All angles of the dependent joints for which the loop stays closed. Two joints at most: more are not determined by a
+// loop in a plane.
+std::vector<Solution> linear_solutions(const CutLoop& loop) {
   const std::vector<Candidate> all = all_candidates(loop.independent.size());
   RandomPosition first(loop, 1), second(loop, 2), third(loop, 3);
-  const auto closes = [&](const std::vector<Candidate>& tried) {
-    return first.closes(tried) && second.closes(tried) && third.closes(tried);
+  std::vector<Solution> solutions;
+  const auto try_out = [&](const Solution& tried) {
+    if (first.closes(tried) && second.closes(tried) && third.closes(tried)) solutions.push_back(tried);
   };
   for (const Candidate& a : all) {
     if (loop.dependent.size() == 1) {
-      if (closes({a})) return std::vector{a};
+      try_out({a});
       continue;
     }
-    for (const Candidate& b : all) {
-      if (closes({a, b})) return std::vector{a, b};
-    }
+    for (const Candidate& b : all) try_out({a, b});
   }
-  return std::nullopt;
+  return solutions;
 }
 
 std::vector<int> way_to_base(const Mechanism& tree, int body) {
@@ -139,22 +145,41 @@ class LoopSettler {
     cut.tree = make_mechanism(without_couplings());
     if (!find_ends(loop, cut) || !find_joints(loop, cut)) return;
     constexpr std::size_t kMostDependent = 2, kMostIndependent = 3;
-    std::optional<std::vector<Candidate>> solution;
+    std::vector<Solution> solutions;
     if (cut.dependent.size() <= kMostDependent && cut.independent.size() <= kMostIndependent) {
-      solution = linear_solution(cut);
+      solutions = linear_solutions(cut);
     }
-    if (!solution) {
-      diagnostics_.unsupported(loop.place,
-                               "loop between \"" + loop.links[0].name + "\" and \"" + loop.links[1].name +
-                                   "\": its dependent joints are not the others' sums and differences, as in a "
-                                   "parallelogram; other loops are not supported yet",
-                               "check the points, and that opposite sides are of equal length");
+    const bool found_any = !solutions.empty();
+    // Folded, opposite links lie on each other and turn as one: that is not what the loop is there for.
+    std::erase_if(solutions, holds_a_joint_still);
+    if (solutions.size() != 1) {
+      report(loop, found_any, solutions.size());
       return;
     }
-    for (std::size_t d = 0; d < cut.dependent.size(); ++d) couple(loop, cut, d, (*solution)[d]);
+    for (std::size_t d = 0; d < cut.dependent.size(); ++d) couple(loop, cut, d, solutions[0][d]);
   }
 
  private:
+  void report(const Loop& loop, bool found_any, std::size_t solutions) {
+    const std::string what = "loop between \"" + loop.links[0].name + "\" and \"" + loop.links[1].name + "\": ";
+    if (solutions > 1) {
+      diagnostics_.error(loop.place,
+                         what + "it does not determine its dependent joints: it stays closed in several ways",
+                         "check its points and lengths, and which joints depend on the others");
+    } else if (found_any) {
+      diagnostics_.error(loop.place, what + "it stays closed only if a dependent joint does not move",
+                         "check its links, or make that joint fixed");
+    } else {
+      diagnostics_.unsupported(
+          loop.place,
+          what +
+              "its dependent joints are not sums and differences of the others' positions and "
+              "quarter turns, as in a parallelogram; other loops are not supported yet",
+          "check that opposite sides are equal, that the joints' axes are parallel, and that frames "
+          "are turned against each other by quarter turns only");
+    }
+  }
+
   Robot without_couplings() const {
     Robot tree = robot_;
     for (Joint& joint : tree.joints) joint.coupled.reset();
@@ -199,8 +224,14 @@ class LoopSettler {
     for (const Reference& joint : loop.dependent) {
       const auto found = std::find(known.begin(), known.end(), joint.name);
       if (found == known.end()) {
-        diagnostics_.error(joint.place, "loop, dependent: \"" + joint.name + "\" is no joint of it that moves",
-                           hint_for_unknown(joint.name, known, "joints of the loop"));
+        const bool is_held = std::any_of(robot_.joints.begin(), robot_.joints.end(), [&joint](const Joint& each) {
+          return each.name == joint.name && each.type == JointType::fixed;
+        });
+        diagnostics_.error(joint.place,
+                           "loop, dependent: \"" + joint.name + "\" is " +
+                               (is_held ? "fixed or held: it cannot follow the others" : "no joint of it that moves"),
+                           is_held ? "hold the joints that it follows instead"
+                                   : hint_for_unknown(joint.name, known, "joints of the loop"));
         return false;
       }
       cut.dependent.push_back(bodies[static_cast<std::size_t>(found - known.begin())]);
@@ -235,13 +266,7 @@ class LoopSettler {
     for (std::size_t k = 0; k < candidate.factors.size(); ++k) {
       if (candidate.factors[k] != 0) add_leader(joint_of(cut, cut.independent[k]), candidate.factors[k], coupled);
     }
-    Joint& joint = joint_of(cut, cut.dependent[d]);
-    if (!coupled.terms.empty()) {
-      joint.coupled = coupled;
-    } else {  // it keeps its angle, whatever the loop does
-      joint.held = Held{joint.type, coupled.offset};
-      joint.type = JointType::fixed;
-    }
+    joint_of(cut, cut.dependent[d]).coupled = coupled;
   }
 
   // Multiples of a joint's position, which is not its coordinate where it is coupled itself.

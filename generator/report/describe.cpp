@@ -51,7 +51,8 @@ std::string describe_model(const Model& model, const std::vector<double>& snap_e
   }
   text += aligned_table(rows);
   if (mechanism.is_coupled()) {
-    text += fmt::format("\ncoupled joints:\n  {}\n", fmt::join(coupled_joint_texts(mechanism), "\n  "));
+    const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
+    text += fmt::format("\ncoupled joints:\n  {}\n", fmt::join(coupled_joint_texts(mechanism, by_index), "\n  "));
   }
   const std::vector<std::string> scene = scene_items(model);
   if (!scene.empty()) text += fmt::format("\nfixed by scene or options:\n  {}\n", fmt::join(scene, "\n  "));
@@ -142,6 +143,16 @@ nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
   return joint;
 }
 
+// Of a coupled joint: Σ factor · q + offset, the entries of q by their joints' names.
+nlohmann::ordered_json position_json(const Mechanism& mechanism, std::size_t body, const NumberText& text) {
+  nlohmann::ordered_json factors = nlohmann::ordered_json::object();
+  for (int k = 0; k < mechanism.size(); ++k) {
+    const Number& factor = mechanism.coupling[body][static_cast<std::size_t>(k)];
+    if (!vanishes(factor)) factors[mechanism.joint(k).joint] = number_json(factor, text);
+  }
+  return {{"factors", factors}, {"offset", number_json(mechanism.offsets[body], text)}};
+}
+
 }  // namespace
 
 std::string describe_bodies(const Mechanism& mechanism) {
@@ -161,8 +172,15 @@ nlohmann::ordered_json model_json(const Model& model, const std::vector<double>&
   json["gravity"] = list_json(model.mechanism.gravity, text);
   json["tip"] = model.mechanism.tip.link;
   json["joints"] = nlohmann::ordered_json::array();
-  for (const Body& body : model.mechanism.joints()) json["joints"].push_back(joint_json(body, text));
-  if (model.mechanism.is_coupled()) json["coupled_joints"] = coupled_joint_texts(model.mechanism);
+  const Mechanism& mechanism = model.mechanism;
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    json["joints"].push_back(joint_json(mechanism.bodies[i], text));
+    if (mechanism.is_coupled()) json["joints"].back()["position"] = position_json(mechanism, i, text);
+  }
+  if (mechanism.is_coupled()) {
+    json["q"] = nlohmann::ordered_json::array();
+    for (const Body& body : mechanism.joints()) json["q"].push_back(body.joint);
+  }
   json["merged_links"] = model.mechanism.merged;
   if (const std::vector<std::string> scene = scene_items(model); !scene.empty()) json["scene"] = scene;
   json["symbols"] = symbol_names(model.mechanism);

@@ -263,7 +263,7 @@ Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, 
   }
   if (mechanism.is_coupled()) {
     throw Failure(ExitCode::unsupported, "error budget: coupled joints are not supported yet",
-                  "leave the budget out, or hold the joints that follow others: --fix");
+                  "leave the budget out");
   }
   const BaseParameters base = base_parameters(mechanism);
   Mechanism fewest = with_base_parameters(mechanism, base, base_values(mechanism, base));

@@ -82,9 +82,11 @@ void couple(Dice& dice, PlainRobot& robot) {
     if (dice.one_in(2)) continue;
     const int before = static_cast<int>(k);
     const int leaders = dice.one_in(3) ? 2 : 1;
+    const int most = robot.links.size() > 5 ? 1 : 2;  // turns of followers of followers multiply
     for (int i = 0; i < leaders && i < before; ++i) {
-      const int factor = link.is_prismatic ? dice.from(-150, 150) : 100 * dice.from(-2, 2);
-      if (factor != 0) link.follows.push_back({before - i, factor});
+      const int factor = link.is_prismatic ? dice.from(-150, 150) : 100 * dice.from(-most, most);
+      const bool slides = robot.links[static_cast<std::size_t>(before - i - 1)].is_prismatic;
+      if (factor != 0 && (link.is_prismatic || !slides)) link.follows.push_back({before - i, factor});
     }
     if (link.follows.empty()) continue;
     link.has_coordinate = dice.one_in(4);

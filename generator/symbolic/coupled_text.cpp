@@ -26,7 +26,7 @@ bool is_own_coordinate(const Mechanism& mechanism, int body) {
 
 }  // namespace
 
-std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism) {
+std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const CoordinateName& coordinate) {
   std::vector<std::string> texts;
   for (int i = 0; i < mechanism.body_count() && mechanism.is_coupled(); ++i) {
     if (is_own_coordinate(mechanism, i)) continue;
@@ -34,7 +34,7 @@ std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism) {
     std::string sum;
     for (int k = 0; k < mechanism.size(); ++k) {
       const Number& factor = mechanism.coupling[row][static_cast<std::size_t>(k)];
-      if (!vanishes(factor)) append_term(sum, factor, "q[" + std::to_string(k) + "]");
+      if (!vanishes(factor)) append_term(sum, factor, coordinate(k));
     }
     if (!vanishes(mechanism.offsets[row])) append_term(sum, mechanism.offsets[row], "");
     texts.push_back(mechanism.bodies[row].joint + " = " + sum);

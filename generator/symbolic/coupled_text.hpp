@@ -2,6 +2,7 @@
 // Where coupled joints are, for people.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,10 @@
 
 namespace flatdyn {
 
+// What an entry of q is called.
+using CoordinateName = std::function<std::string(int)>;
+
 // "right_finger = q[0] + 0.01" of every joint whose position is no entry of q, rad or m.
-std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism);
+std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const CoordinateName& coordinate);
 
 }  // namespace flatdyn

@@ -10,6 +10,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "symbolic/closed_form.hpp"
+#include "symbolic/coupled_text.hpp"
 #include "symbolic/latex.hpp"
 
 namespace flatdyn {
@@ -46,6 +47,7 @@ class Deriver {
 
   DerivedModel run() {
     add_joints();
+    add_coupled_joints();
     add_inertia();
     add_christoffel_symbols();
     for (int i = 0; i < n(); ++i) {
@@ -84,6 +86,11 @@ class Deriver {
       model_.joints.push_back({pretty_.coordinate("q", i) + (slides ? " = " + pretty_.coordinate("d", i) : ""),
                                fmt::format("{} ({})", body.joint, type), 0, false});
     }
+  }
+
+  void add_coupled_joints() {
+    const auto coordinate = [this](int k) { return pretty_.coordinate("q", k); };
+    for (const std::string& text : coupled_joint_texts(mechanism_, coordinate)) model_.coupled.push_back(text);
   }
 
   void add_inertia() {
@@ -294,6 +301,7 @@ std::string derive_text(const Mechanism& mechanism, const DeriveOptions& options
   const DerivedModel model = derive_model(mechanism, options, Notation::text);
   std::string text = mechanism.name + "\n";
   for (const DerivedLine& joint : model.joints) text += joint.name + ": " + joint.text + "\n";
+  for (const std::string& joint : model.coupled) text += joint + "\n";
   append_section(text, "Inertia matrix B(q), (7.32)", model.inertia);
   if (model.christoffel.empty()) {
     text += "\nChristoffel symbols c_ijk(q), (7.45): all are zero\n";
@@ -313,6 +321,7 @@ std::string derive_text(const Mechanism& mechanism, const DeriveOptions& options
 std::string derive_latex(const Mechanism& mechanism, const DeriveOptions& options) {
   const DerivedModel model = derive_model(mechanism, options, Notation::latex);
   std::string text = "% " + mechanism.name + "\n";
+  for (const std::string& joint : model.coupled) text += "% " + joint + "\n";
   append_latex(text, "Inertia matrix B(q), (7.32)", model.inertia);
   append_latex(text, "Shared by Christoffel symbols", model.shared);
   append_latex(text, "Christoffel symbols c_ijk(q), (7.45); all others are zero", model.christoffel);

@@ -25,6 +25,7 @@ struct DerivedLine {
 
 struct DerivedModel {
   std::vector<DerivedLine> joints;       // q_i, and the joint's name and type
+  std::vector<std::string> coupled;      // "theta_2 = q_2 - q_1": joints that follow others
   std::vector<DerivedLine> inertia;      // b_ij for i <= j
   std::vector<DerivedLine> shared;       // h = …, for what several Christoffel symbols share
   std::vector<DerivedLine> christoffel;  // those that are not zero

@@ -4,39 +4,63 @@
 
 #include <vector>
 
+#include "graph/evaluate.hpp"
 #include "model/lagrangian.hpp"
 
 namespace flatdyn {
 
-template <class Arithmetic, class F = typename Arithmetic::Scalar>
-JointPoint<F> joint_point(const Mechanism& mechanism, const Arithmetic& arithmetic, int i) {
-  Graph graph;  // of the joint's angle
+// The inputs of this kind that move body i's joint, with their factors, as a sum.
+inline NodeId joint_sum(const Mechanism& mechanism, InputKind kind, int i, Graph& graph) {
+  if (!mechanism.is_coupled()) return graph.input({kind, i});
   std::vector<Term> terms;
-  F value = F(0);
-  const auto add = [&](int k, const Rational& factor) {
-    const Input input{InputKind::q, k};
-    value += arithmetic.constant(factor) * arithmetic.input(input);
-    terms.push_back({factor, graph.input(input)});
-  };
-  if (!mechanism.is_coupled()) add(i, 1);
-  for (int k = 0; k < mechanism.size() && mechanism.is_coupled(); ++k) {
+  for (int k = 0; k < mechanism.size(); ++k) {
     const Number& factor = mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-    if (!vanishes(factor)) add(k, to_rational(factor));
+    if (!vanishes(factor)) terms.push_back({to_rational(factor), graph.input({kind, k})});
   }
+  return graph.sum(terms);
+}
+
+// The values of nodes of a graph of inputs.
+template <class Arithmetic>
+std::vector<typename Arithmetic::Scalar> values_of(Graph graph, const std::vector<NodeId>& nodes,
+                                                   Arithmetic& arithmetic) {
+  Function function;
+  function.graph = std::move(graph);
+  function.outputs.push_back({"", Layout::vector, static_cast<int>(nodes.size()), 1, nodes, ""});
+  const auto all = evaluate(function, arithmetic);
+  std::vector<typename Arithmetic::Scalar> values;
+  for (const NodeId node : nodes) values.push_back(all[static_cast<std::size_t>(node)]);
+  return values;
+}
+
+template <class Arithmetic, class F = typename Arithmetic::Scalar>
+JointPoint<F> joint_point(const Mechanism& mechanism, Arithmetic& arithmetic, int i) {
+  Graph graph;
+  const NodeId position = joint_sum(mechanism, InputKind::q, i, graph);
   JointPoint<F> point;
   if (mechanism.bodies[static_cast<std::size_t>(i)].prismatic) {
-    point.d = value;
+    point.d = values_of(std::move(graph), {position}, arithmetic)[0];
     return point;
   }
-  const NodeId angle = graph.sum(terms);
-  point.c = arithmetic.cos(graph, angle, value);
-  point.s = arithmetic.sin(graph, angle, value);
+  const NodeId c = graph.cos(position), s = graph.sin(position);
+  const std::vector<F> values = values_of(std::move(graph), {c, s}, arithmetic);
+  point.c = values[0];
+  point.s = values[1];
   return point;
+}
+
+// The signs of the rates of all bodies' joints: sgn(2 q̇) is sgn(q̇) to a Graph, so they are taken from one.
+template <class Arithmetic, class F = typename Arithmetic::Scalar>
+std::vector<F> joint_signs(const Mechanism& mechanism, Arithmetic& arithmetic, InputKind kind) {
+  Graph graph;
+  std::vector<NodeId> signs;
+  for (int i = 0; i < mechanism.body_count(); ++i) signs.push_back(graph.sign(joint_sum(mechanism, kind, i, graph)));
+  return values_of(std::move(graph), signs, arithmetic);
 }
 
 // Of every body's joint.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
-std::vector<JointPoint<F>> joint_points(const Mechanism& mechanism, const Arithmetic& arithmetic) {
+std::vector<JointPoint<F>> joint_points(const Mechanism& mechanism, Arithmetic& arithmetic) {
   std::vector<JointPoint<F>> points;
   for (int i = 0; i < mechanism.body_count(); ++i) points.push_back(joint_point(mechanism, arithmetic, i));
   return points;

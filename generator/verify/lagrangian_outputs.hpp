@@ -88,11 +88,7 @@ class LagrangianOutputs {
   Values rates() const { return drawn(InputKind::qd, mechanism_.size()); }
   Values tip_force() const { return drawn(InputKind::h_e, 6); }
 
-  Values signs() const {
-    Values result;
-    for (const F& qd : joint_values(lagrangian_.mechanism(), rates())) result.push_back(arithmetic_.sign(qd));
-    return result;
-  }
+  Values signs() const { return joint_signs(mechanism_, arithmetic_, InputKind::qd); }
 
   static Values added(Values a, const Values& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "symbolic/base_parameters.hpp"
+#include "verify/joint_points.hpp"
 #include "verify/lagrangian_regressor.hpp"
 
 namespace flatdyn {
@@ -27,7 +28,7 @@ class RegressorOutputs {
       : function_(function),
         arithmetic_(arithmetic),
         number_(mechanism.symbols, arithmetic),
-        field_(field),
+        mechanism_(mechanism),
         lagrangian_(field, q),
         given_(parameters_in(mechanism, ParameterSet::given)) {
     if (function != "regressor") base_ = base_parameters(mechanism);
@@ -70,11 +71,7 @@ class RegressorOutputs {
     return result;
   }
 
-  Values signs(InputKind kind) const {
-    Values result;
-    for (const F& rate : joint_values(field_, drawn(kind))) result.push_back(arithmetic_.sign(rate));
-    return result;
-  }
+  Values signs(InputKind kind) const { return joint_signs(mechanism_, arithmetic_, kind); }
 
   Matrix<F> actual() const {
     return lagrangian_.regressor(drawn(InputKind::qd), drawn(InputKind::qdd), signs(InputKind::qd));
@@ -108,7 +105,7 @@ class RegressorOutputs {
   const std::string& function_;
   Arithmetic& arithmetic_;
   NumberMap<Arithmetic> number_;
-  const FieldMechanism<F>& field_;
+  const Mechanism& mechanism_;
   LagrangianRegressor<F> lagrangian_;
   std::vector<bool> given_;
   BaseParameters base_;

@@ -22,7 +22,7 @@ class Samples {
 
   // Rows of Y at one random state, the columns as listed.
   void append(const std::vector<int>& columns, Rows& rows) {
-    const ModPArithmetic<P> state(engine_());
+    ModPArithmetic<P> state(engine_());
     const LagrangianRegressor<F> lagrangian(field_, joint_points(mechanism_, state));
     const auto n = static_cast<std::size_t>(mechanism_.size()), bodies = field_.bodies.size();
     const Matrix<F> Y = lagrangian.regressor(drawn(n), drawn(n), drawn(bodies));

@@ -63,6 +63,40 @@ TEST(Parallelogram, IsFoundFromItsLoop) {
   }
 }
 
+// A rhombus can fold, opposite links on each other; it is not taken for folded, in whatever order joints are named.
+TEST(Rhombus, IsNotTakenForFolded) {
+  for (const char* dependent : {"\"b\", \"c\"", "\"c\", \"b\""}) {
+    const std::string text = std::string(R"(name = "rhombus"
+[[link]]
+joint = "a"
+mass = 1
+[[link]]
+joint = "b"
+xyz = [0.5, 0, 0]
+rpy = [0, 0, "pi/2"]
+mass = 1
+[[link]]
+joint = "c"
+xyz = [0.5, 0, 0]
+mass = 1
+[[link]]
+joint = "d"
+parent = "base"
+mass = 1
+[[loop]]
+links = ["link3", "link4"]
+from = [0.5, 0, 0]
+to = [0.5, 0, 0]
+dependent = [)") + dependent +
+                             "]\n";
+    const Mechanism mechanism = testing::model_of_toml(text).mechanism;
+    ASSERT_EQ(mechanism.size(), 2);
+    EXPECT_EQ(mechanism.coupling[1], (std::vector<Number>{-1, 1}));
+    EXPECT_EQ(mechanism.coupling[2], (std::vector<Number>{1, -1}));
+    EXPECT_EQ(mechanism.offsets[1], -GiNaC::Pi / 2);
+  }
+}
+
 // m_3' (l_3' - a_1') / (m_2' l_2') = a_1' / a_1'': then B_a is diagonal and constant.
 TEST(Parallelogram, IsDecoupledByDesign) {
   const Derived arm("parallelogram.toml");
@@ -140,6 +174,7 @@ gear_ratio = 40
 [[link]]
 joint = "wrist"
 position = "2*elbow - shoulder"
+coulomb = 0.1
 xyz = [0.3, 0, 0]
 rpy = ["pi/2", 0, 0.3]
 mass = 1
@@ -161,7 +196,8 @@ joint = "right_finger"
 parent = "link3"
 type = "prismatic"
 axis = [0, -1, 0]
-position = "left_finger + 0.01"
+position = "1.5*left_finger + 0.01"
+coulomb = 0.2
 xyz = [0, 0, 0.2]
 mass = 0.12
 com = [0.01, 0, 0]
@@ -198,6 +234,56 @@ TEST_F(Machine, EveryFunctionIsTheLagrangians) {
     const Function function = derive_function(model_.mechanism, entry.name);
     EXPECT_TRUE(prove_exactly(model_.mechanism, function).equal) << entry.name;
   }
+}
+
+// The joint stands where it is held, and the joints that follow its coordinate know where that is.
+TEST_F(Machine, IsHeldAtAJointsPosition) {
+  std::string text = kMachine;
+  text.insert(text.find("[[link]]"), "[fixed]\nelbow = 0.25\n");
+  const Mechanism held = testing::model_of_toml(text).mechanism;
+  ASSERT_EQ(held.size(), 2);  // the elbow's coordinate is shoulder + 0.25 - 0.4
+  const auto body = [&](const std::string& joint) {
+    return static_cast<std::size_t>(
+        std::find_if(held.bodies.begin(), held.bodies.end(), [&](const Body& each) { return each.joint == joint; }) -
+        held.bodies.begin());
+  };
+  EXPECT_EQ(held.coupling[body("wrist")], (std::vector<Number>{1, 0}));  // 2 (shoulder - 0.15) - shoulder
+  EXPECT_TRUE(vanishes(held.offsets[body("wrist")] + Number(3) / 10));
+  EXPECT_EQ(held.coupling[body("rack")], (std::vector<Number>{Number(3) / 100, 0}));
+}
+
+TEST(Followers, HaveLimitsThatBoundTheirLeader) {
+  const Mechanism mechanism = testing::model_of_toml(R"(name = "belt"
+[[link]]
+joint = "drive"
+mass = 1
+limits = { lower = -1, upper = 1, velocity = 2, effort = 5 }
+[[link]]
+joint = "own"
+mass = 1
+position = "2*own"
+limits = { lower = -1, upper = 0.4, velocity = 3, effort = 7 }
+[[link]]
+joint = "a-b"
+mass = 1
+position = "-2*drive + 0.1"
+limits = { lower = -0.9, upper = 4, velocity = 3 }
+[[link]]
+joint = "last"
+mass = 1
+position = "'a-b' - own"
+)")
+                                  .mechanism;
+  const auto number = [](const std::optional<Value>& value) { return nearest_double(value->number); };
+  const Limits drive = mechanism.joint(0).limits, own = mechanism.joint(1).limits;
+  EXPECT_DOUBLE_EQ(number(drive.lower), -1);
+  EXPECT_DOUBLE_EQ(number(drive.upper), 0.5);
+  EXPECT_DOUBLE_EQ(number(drive.velocity), 1.5);
+  EXPECT_DOUBLE_EQ(number(drive.effort), 5);
+  EXPECT_DOUBLE_EQ(number(own.lower), -0.5);
+  EXPECT_DOUBLE_EQ(number(own.upper), 0.2);
+  EXPECT_DOUBLE_EQ(number(own.velocity), 1.5);
+  EXPECT_DOUBLE_EQ(number(own.effort), 14);
 }
 
 TEST_F(Machine, OperationalFunctionsAreTheLagrangians) {
