@@ -262,8 +262,7 @@ Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, 
     throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
   }
   if (mechanism.is_coupled()) {
-    throw Failure(ExitCode::unsupported, "error budget: coupled joints are not supported yet",
-                  "leave the budget out");
+    throw Failure(ExitCode::unsupported, "error budget: coupled joints are not supported yet", "leave the budget out");
   }
   const BaseParameters base = base_parameters(mechanism);
   Mechanism fewest = with_base_parameters(mechanism, base, base_values(mechanism, base));
