@@ -210,11 +210,10 @@ class Lagrange {
     }
   }
 
-  // ∂/∂q_k, with ∂c/∂q = -s and ∂s/∂q = c.
+  // ∂/∂q_k, with ∂c/∂q = -s and ∂s/∂q = c. A coordinate that turns one joint may move another that slides.
   Number derivative(const Number& b, int k) const {
-    if (mechanism_.joint(k).prismatic) return b.diff(form_.d[at(k)]);
     const GiNaC::symbol &c = form_.c[at(k)], &s = form_.s[at(k)];
-    return c * b.diff(s) - s * b.diff(c);
+    return c * b.diff(s) - s * b.diff(c) + b.diff(form_.d[at(k)]);
   }
 
   void add_christoffel_symbols() {

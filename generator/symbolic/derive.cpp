@@ -81,11 +81,19 @@ class Deriver {
   void add_joints() {
     for (int i = 0; i < n(); ++i) {
       const Body& body = mechanism_.joint(i);
-      const bool slides = body.prismatic && !pretty_.long_names();
+      const bool slides = (body.prismatic || moves_a_slide(i)) && !pretty_.long_names();
       const std::string type = body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
       model_.joints.push_back({pretty_.coordinate("q", i) + (slides ? " = " + pretty_.coordinate("d", i) : ""),
                                fmt::format("{} ({})", body.joint, type), 0, false});
     }
+  }
+
+  // Whether a joint that slides follows coordinate k.
+  bool moves_a_slide(int k) const {
+    for (std::size_t i = 0; i < mechanism_.coupling.size(); ++i) {
+      if (mechanism_.bodies[i].prismatic && !vanishes(mechanism_.coupling[i][at(k)])) return true;
+    }
+    return false;
   }
 
   void add_coupled_joints() {

@@ -10,6 +10,7 @@
 #include "support/written_model.hpp"
 #include "symbolic/base_parameters.hpp"
 #include "symbolic/closed_form.hpp"
+#include "symbolic/closed_functions.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/textbook_robots.hpp"
@@ -284,6 +285,28 @@ position = "'a-b' - own"
   EXPECT_DOUBLE_EQ(number(own.upper), 0.2);
   EXPECT_DOUBLE_EQ(number(own.velocity), 1.5);
   EXPECT_DOUBLE_EQ(number(own.effort), 14);
+}
+
+// A crank that drives a rack: its coordinate is an angle here and a length there.
+TEST(CrankAndRack, HaveTheSameClosedForm) {
+  const Mechanism mechanism = testing::model_of_toml(R"(name = "rack"
+[[link]]
+joint = "crank"
+mass = 1
+com = [0.2, 0, 0]
+[[link]]
+joint = "rack"
+type = "prismatic"
+position = "rack + 1.45*crank"
+rpy = ["pi/2", 0, 0]
+mass = 1
+)")
+                                  .mechanism;
+  for (const char* name : {"inverse_dynamics", "christoffel", "coriolis_matrix", "inertia_matrix", "bias"}) {
+    const std::optional<Function> closed = closed_variant(mechanism, derive_function(mechanism, name));
+    ASSERT_TRUE(closed.has_value()) << name;
+    EXPECT_TRUE(prove_exactly(mechanism, *closed).equal) << name;
+  }
 }
 
 TEST_F(Machine, OperationalFunctionsAreTheLagrangians) {
