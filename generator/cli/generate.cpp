@@ -258,6 +258,37 @@ ExitCode generate(GenerateArguments arguments) {
   return ExitCode::ok;
 }
 
+// In what the code is written, and what is written around it.
+void add_form_options(CLI::App& command, GenerateArguments& arguments) {
+  arguments.scalar_given =
+      command
+          .add_option("--scalar", arguments.scalars,
+                      "scalar of the constants; of a pair, one or two that it is compiled for: double,float")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->check(CLI::IsMember({"double", "float"}))
+          ->default_str("double");
+  arguments.language_given =
+      command
+          .add_option("--language", arguments.language,
+                      "a C++17 header, a C99 header and source in one scalar, or a JavaScript module")
+          ->check(CLI::IsMember({"c++", "c", "javascript"}))
+          ->capture_default_str();
+  arguments.form_given =
+      command
+          .add_option("--form", arguments.form,
+                      "of C++: all in one header, or a pair of header and source, which is compiled once")
+          ->check(CLI::IsMember({"header", "pair"}))
+          ->capture_default_str();
+  command
+      .add_option("--firmware", arguments.firmware,
+                  "a folder in C that builds for this processor as it is, with a self test that qemu runs; in "
+                  "float for cortex-m4 and riscv32")
+      ->check(CLI::IsMember(firmware_target_names()));
+  command.add_flag("--python", arguments.python,
+                   "a module for Python over the C form, for one state or a batch: ctypes and numpy");
+}
+
 }  // namespace
 
 Run add_generate(CLI::App& app) {
@@ -287,33 +318,7 @@ Run add_generate(CLI::App& app) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
-  arguments->scalar_given =
-      command
-          ->add_option("--scalar", arguments->scalars,
-                       "scalar of the constants; of a pair, one or two that it is compiled for: double,float")
-          ->delimiter(',')
-          ->allow_extra_args(false)
-          ->check(CLI::IsMember({"double", "float"}))
-          ->default_str("double");
-  arguments->language_given =
-      command
-          ->add_option("--language", arguments->language,
-                       "a C++17 header, a C99 header and source in one scalar, or a JavaScript module")
-          ->check(CLI::IsMember({"c++", "c", "javascript"}))
-          ->capture_default_str();
-  arguments->form_given =
-      command
-          ->add_option("--form", arguments->form,
-                       "of C++: all in one header, or a pair of header and source, which is compiled once")
-          ->check(CLI::IsMember({"header", "pair"}))
-          ->capture_default_str();
-  command
-      ->add_option("--firmware", arguments->firmware,
-                   "a folder in C that builds for this processor as it is, with a self test that qemu runs; in "
-                   "float for cortex-m4 and riscv32")
-      ->check(CLI::IsMember(firmware_target_names()));
-  command->add_flag("--python", arguments->python,
-                    "a module for Python over the C form, for one state or a batch: ctypes and numpy");
+  add_form_options(*command, *arguments);
   command
       ->add_option("--namespace", arguments->name_space,
                    "C++ namespace, and in C what names begin with; default: the robot's name")

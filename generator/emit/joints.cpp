@@ -2,11 +2,11 @@
 #include "emit/joints.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "diagnostics/table.hpp"
 #include "emit/literals.hpp"
 #include "emit/writer.hpp"
+#include "model/field_mechanism.hpp"
 
 namespace flatdyn {
 
@@ -24,13 +24,6 @@ constexpr LimitKind kLimitKinds[] = {
 std::string plain(std::string literal) {
   if (literal.size() > 2 && literal.compare(literal.size() - 2, 2, ".0") == 0) literal.resize(literal.size() - 2);
   return literal;
-}
-
-Rational to_rational(const GiNaC::numeric& number) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << number.numer() << '/' << number.denom();
-  return Rational(text.str());
 }
 
 std::optional<Rational> limit_of(const Body& body, const LimitKind& kind) {
@@ -58,7 +51,7 @@ std::optional<Rational> rational_of(const Number& number) {
   constexpr int kDigits = 40;  // of Pi and roots: enough for the nearest double
   if (has_symbols(number)) return std::nullopt;
   const Number exact = is_rational(number) ? number : exact_decimal(to_decimal(number, kDigits));
-  return to_rational(GiNaC::ex_to<GiNaC::numeric>(exact));
+  return to_rational(exact);
 }
 
 std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind, const Dialect& dialect) {

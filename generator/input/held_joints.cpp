@@ -87,8 +87,7 @@ bool can_move(const LockedJoint& lock, const Joint& joint, JointType type, Diagn
 // A joint that is held has a coordinate no longer: q_j = (p - b - Σ f_k q_k) / f_j, of its position p, is put in where
 // other joints follow it.
 void put_in_coordinate(const Joint& held, const Coupled& coupled, Robot& robot) {
-  Number own = 0;
-  for (const Coupled::Term& term : coupled.terms) own += term.joint.name == held.name ? term.factor : Number(0);
+  const Number own = own_factor(held.name, coupled);
   for (Joint& joint : robot.joints) {
     if (!joint.coupled) continue;
     std::vector<Coupled::Term> terms;
@@ -109,11 +108,10 @@ void put_in_coordinate(const Joint& held, const Coupled& coupled, Robot& robot) 
 // Its coupling ends with its motion. That of a follower without a coordinate is said, because its leaders move on.
 void end_coupling(const LockedJoint& lock, const Joint& joint, const Coupled& coupled, ReadContext& context,
                   Robot& robot) {
-  const bool has_coordinate = std::any_of(coupled.terms.begin(), coupled.terms.end(), [&](const Coupled::Term& term) {
-    return term.joint.name == joint.name && !vanishes(term.factor);
-  });
-  if (has_coordinate && joint.held) put_in_coordinate(joint, coupled, robot);
-  if (has_coordinate) return;
+  if (!vanishes(own_factor(joint.name, coupled))) {
+    put_in_coordinate(joint, coupled, robot);
+    return;
+  }
   context.diagnostics.note(lock.place, held_at(lock) + ", follows no other joint any more",
                            "to hold them together, hold \"" + coupled.terms.front().joint.name + "\" instead");
 }
@@ -134,17 +132,14 @@ void hold(const LockedJoint& lock, Joint& joint, ReadContext& context, Robot& ro
 
 // A joint whose leaders are all held stands still with them.
 void hold_followers(Robot& robot) {
-  std::vector<std::pair<Joint*, Number>> still;
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    if (!robot.joints[j].coupled) continue;
-    const LinearPosition position = position_of(robot, static_cast<int>(j));
-    if (position.is_constant()) still.emplace_back(&robot.joints[j], position.offset);
-  }
-  for (const auto& [joint, position] : still) {
-    joint->held = Held{joint->type, position};
-    joint->type = JointType::fixed;
-    joint->coupled.reset();
-    hold_rotor(*joint, robot);
+  const std::vector<LinearPosition> positions = joint_positions(robot);
+  for (std::size_t j = 0; j < positions.size(); ++j) {
+    Joint& joint = robot.joints[j];
+    if (!joint.coupled || !positions[j].is_constant()) continue;
+    joint.held = Held{joint.type, positions[j].offset};
+    joint.type = JointType::fixed;
+    joint.coupled.reset();
+    hold_rotor(joint, robot);
   }
 }
 
@@ -176,7 +171,7 @@ void hold_joints(ReadContext& context, Robot& robot) {
   }
   if (!couplings_are_valid) return;
   hold_followers(robot);
-  refuse_fractions(robot, context.diagnostics);
+  refuse_factors(robot, context.diagnostics);
 }
 
 }  // namespace flatdyn

@@ -42,10 +42,6 @@ std::optional<Coupled> linear_terms(const Number& expression, const NamedSymbols
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 // Names that are no identifiers stand in single quotes; they are exchanged for identifiers.
 std::string with_quoted_names(const std::string& text, NamedSymbols& symbols) {
   std::string plain;

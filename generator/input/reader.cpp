@@ -11,7 +11,7 @@
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
 #include "input/utf8.hpp"
-#include "model/coupling.hpp"
+#include "model/coordinate_limits.hpp"
 #include "model/linear_loops.hpp"
 #include "model/validate.hpp"
 

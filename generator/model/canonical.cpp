@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "model/coupling.hpp"
+#include "model/coordinate_limits.hpp"
 #include "model/mechanism.hpp"
 #include "model/rational_rotation.hpp"
 
@@ -52,11 +52,8 @@ Transform held_motion(const Joint& joint) {
 }
 
 // Where a coupled joint stands when all coordinates are zero, along or about z.
-Transform offset_motion(const Robot& robot, int joint_index) {
-  const Joint& joint = robot.joints[static_cast<std::size_t>(joint_index)];
-  if (!joint.coupled) return {};
-  const Number offset = position_of(robot, joint_index).offset;
-  if (vanishes(offset)) return {};
+Transform offset_motion(const Joint& joint, const Number& offset) {
+  if (!joint.coupled || vanishes(offset)) return {};
   if (joint.type == JointType::prismatic) return {identity_matrix(), {0, 0, rationalised(offset)}};
   return {rotation_z(planar_rotation(offset)), zero_vector()};
 }
@@ -98,15 +95,19 @@ Transform from_zxz(Transform frame) {
 class RawTree {
  public:
   explicit RawTree(const Robot& robot)
-      : robot_(robot), link_pose_(robot.links.size()), body_of_(robot.links.size(), -1) {
+      : robot_(robot),
+        position_(joint_positions(robot)),
+        link_pose_(robot.links.size()),
+        body_of_(robot.links.size(), -1) {
     walk(robot.root);
   }
 
   const Robot& robot_;
-  std::vector<Transform> link_pose_;  // of each written link in its body's raw frame
-  std::vector<int> body_of_;          // body of each written link; -1: the base
-  std::vector<Transform> raw_;        // of each body's raw frame in its parent's raw frame
-  std::vector<int> joint_of_;         // written joint of each body
+  std::vector<LinearPosition> position_;  // of each written joint
+  std::vector<Transform> link_pose_;      // of each written link in its body's raw frame
+  std::vector<int> body_of_;              // body of each written link; -1: the base
+  std::vector<Transform> raw_;            // of each body's raw frame in its parent's raw frame
+  std::vector<int> joint_of_;             // written joint of each body
   std::vector<int> parent_;
   std::vector<std::string> merged_;
 
@@ -128,7 +129,8 @@ class RawTree {
       merged_.push_back(robot_.links[child].name);
     } else {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
-      raw_.push_back(from_zxz(compose(compose(frame, onto_axis), offset_motion(robot_, joint_index))));
+      raw_.push_back(from_zxz(compose(compose(frame, onto_axis),
+                                      offset_motion(joint, position_[static_cast<std::size_t>(joint_index)].offset))));
       parent_.push_back(body_of_[parent]);
       joint_of_.push_back(joint_index);
       body_of_[child] = static_cast<int>(raw_.size()) - 1;
@@ -316,10 +318,11 @@ void add_coupling(const RawTree& tree, Mechanism& mechanism) {
   for (const int joint : joints_with_coordinates(robot)) {
     column.emplace(joint, mechanism.coordinates.size());
     mechanism.coordinates.push_back(body_of_joint.at(joint));
-    mechanism.bodies[static_cast<std::size_t>(body_of_joint.at(joint))].limits = coordinate_limits(robot, joint);
+    mechanism.bodies[static_cast<std::size_t>(body_of_joint.at(joint))].limits =
+        coordinate_limits(robot, tree.position_, joint);
   }
   for (const int joint : tree.joint_of_) {
-    const LinearPosition position = position_of(robot, joint);
+    const LinearPosition& position = tree.position_[static_cast<std::size_t>(joint)];
     std::vector<Number> row(mechanism.coordinates.size(), 0);
     for (const auto& [owner, factor] : position.factors) row[column.at(owner)] = factor;
     mechanism.coupling.push_back(std::move(row));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "diagnostics/diagnostics.hpp"
@@ -21,24 +22,19 @@ struct LinearPosition {
 // Whether joints that are named exist, and no joint follows itself through others.
 bool validate_couplings(const Robot& robot, Diagnostics& diagnostics);
 
-// Sines and cosines are those of coordinates: of fractions of a coordinate they cannot be made of them. For couplings
-// that are valid.
-void refuse_fractions(const Robot& robot, Diagnostics& diagnostics);
+// Sines and cosines are those of coordinates: of fractions of a coordinate they cannot be made of them, so joints that
+// turn do so by whole multiples up to 64; and no factor is beyond what numbers may be. For couplings that are valid.
+void refuse_factors(const Robot& robot, Diagnostics& diagnostics);
+
+// By how much of a joint's own coordinate it moves; 0 if it has none.
+Number own_factor(const std::string& joint, const Coupled& coupled);
 
 // The moving joints that have a coordinate, in depth-first file order: the order of q. Defined for a valid tree.
 std::vector<int> joints_with_coordinates(const Robot& robot);
 
 bool has_coupled_joints(const Robot& robot);
 
-// Of a moving joint. Defined for valid couplings.
-LinearPosition position_of(const Robot& robot, int joint);
-
-// Of the coordinate that belongs to a joint: the limits of all joints that follow it alone, this one among them if its
-// position does; effort as that of its own drive.
-Limits coordinate_limits(const Robot& robot, int owner);
-
-// Coordinates move the joints independently, and limits leave them room. Limits that bound no single coordinate are
-// noted.
-void check_coordinates(const Robot& robot, Diagnostics& diagnostics);
+// Of every joint of the robot, of those that do not move a constant. Defined for valid couplings.
+std::vector<LinearPosition> joint_positions(const Robot& robot);
 
 }  // namespace flatdyn

@@ -10,8 +10,6 @@
 #include <map>
 #include <utility>
 
-#include "diagnostics/diagnostics.hpp"
-
 #include "model/rational_rotation.hpp"
 #include "symbolic/turns.hpp"
 
@@ -94,19 +92,11 @@ class Lagrange {
     const std::vector<Number> factors = factors_of(i);
     PlanarRotation total;
     for (std::size_t k = 0; k < factors.size(); ++k) {
-      if (!factors[k].info(GiNaC::info_flags::integer)) refuse_fraction(i);
       const int times = GiNaC::ex_to<GiNaC::numeric>(factors[k]).to_int();
       const PlanarRotation step{form_.c[k], times < 0 ? Number(-form_.s[k]) : Number(form_.s[k])};
       for (int turn = 0; turn < std::abs(times); ++turn) total = total * step;
     }
     return {total.c.expand(), total.s.expand()};
-  }
-
-  [[noreturn]] void refuse_fraction(int i) const {
-    throw Failure(
-        ExitCode::unsupported,
-        "derive: joint \"" + body(i).joint + "\" turns by a fraction of a coordinate, which has no closed form",
-        "choose the coordinate that turns least, so that the others turn by whole multiples of it");
   }
 
   // Aᵀ B A and Aᵀ g.

@@ -23,7 +23,6 @@ struct ClosedForm {
 // An index of joints as one of vectors.
 inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Throws Failure(unsupported) where a joint turns by a fraction of a coordinate.
 ClosedForm closed_form(const Mechanism& mechanism);
 
 // sin(x)² → 1 - cos(x)² everywhere, expanded: for the joints' s_i and c_i, and for angles that are free symbols.

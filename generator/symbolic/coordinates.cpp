@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/coordinates.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 
 #include "model/rational_rotation.hpp"
@@ -29,10 +28,6 @@ Number joint_value(const Mechanism& mechanism, const std::vector<Number>& coordi
   return sum;
 }
 
-}  // namespace
-
-namespace {
-
 // "m1_2x3": back by coordinate 1, twice by coordinate 3.
 std::string turn_label(const std::vector<Number>& multiples) {
   std::string text;
@@ -44,10 +39,6 @@ std::string turn_label(const std::vector<Number>& multiples) {
     text += label(static_cast<int>(k));
   }
   return text;
-}
-
-PlanarRotation named(Derivation& d, const PlanarRotation& a, const std::string& name) {
-  return {d.named(a.c, "c_" + name), d.named(a.s, "s_" + name)};
 }
 
 // k times an angle: half of k, twice, and once more if k is odd.
@@ -94,7 +85,8 @@ std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivat
 
 Number joint_rate(const Mechanism& mechanism, Derivation& derivation, int i) {
   if (!mechanism.is_coupled()) return derivation.input(InputKind::qd, i);
-  return joint_motion(mechanism, derivation, InputKind::qd)[static_cast<std::size_t>(i)];
+  const std::vector<Number> qd = inputs(derivation, InputKind::qd, mechanism.size());
+  return derivation.named(joint_value(mechanism, qd, i), "qd_" + label(i));
 }
 
 std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation, InputKind kind) {

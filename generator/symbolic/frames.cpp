@@ -11,6 +11,10 @@ namespace flatdyn {
 
 std::string label(int i) { return std::to_string(i + 1); }
 
+PlanarRotation named(Derivation& derivation, const PlanarRotation& rotation, const std::string& name) {
+  return {derivation.named(rotation.c, "c_" + name), derivation.named(rotation.s, "s_" + name)};
+}
+
 namespace {
 
 // Rz(a) T Rz(a)^T in 8 multiplications: with g = c (T_xx - T_yy) - 2 s T_xy, only c g and s g are added.
@@ -39,10 +43,6 @@ Mat3 turn_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
 
 Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
   return cycled(cycled(turn_tensor_z(d, a, cycled(T), name)));
-}
-
-PlanarRotation named(Derivation& d, const PlanarRotation& a, const std::string& name) {
-  return {d.named(a.c, "c_" + name), d.named(a.s, "s_" + name)};
 }
 
 }  // namespace

@@ -81,4 +81,7 @@ class Frames {
 // "3" for body 2: people count joints from 1.
 std::string label(int i);
 
+// c_name, s_name.
+PlanarRotation named(Derivation& derivation, const PlanarRotation& rotation, const std::string& name);
+
 }  // namespace flatdyn

@@ -8,16 +8,10 @@
 #include <tuple>
 
 #include "diagnostics/diagnostics.hpp"
+#include "model/field_mechanism.hpp"
 
 namespace flatdyn {
 namespace {
-
-Rational rational(const Number& number) {
-  const GiNaC::numeric value = GiNaC::ex_to<GiNaC::numeric>(number);
-  std::ostringstream text;
-  text << value.numer() << '/' << value.denom();
-  return Rational(text.str());
-}
 
 // Calls visit(factor, exponent) for the factors of one expanded term, numbers included; reciprocals have exponent -k.
 template <class Visit>
@@ -163,7 +157,7 @@ Names::Names(const Mechanism& mechanism, const ClosedForm& form) : form_(form) {
 
 void Names::multiply(const Number& factor, int exponent, Monomial& monomial, Rational& coefficient) const {
   if (is_rational(factor)) {
-    for (int k = 0; k < exponent; ++k) coefficient *= rational(factor);
+    for (int k = 0; k < exponent; ++k) coefficient *= to_rational(factor);
     return;
   }
   const auto is_factor = [&factor](const GiNaC::symbol& s) { return factor.is_equal(s); };

@@ -35,7 +35,7 @@ namespace {
 template <class S>
 class Converter {
  public:
-  Converter(const Robot& robot, const SymbolValues& symbol_values) : robot_(robot) {
+  Converter(const Robot& robot, const SymbolValues& symbol_values) : robot_(robot), position_(joint_positions(robot)) {
     for (std::size_t k = 0; k < robot.symbols.size(); ++k) values_[robot.symbols[k].symbol] = symbol_values[k];
   }
 
@@ -148,7 +148,7 @@ class Converter {
     std::map<int, Eigen::Index> column;
     for (const int owner : owners) column.emplace(owner, static_cast<Eigen::Index>(column.size()));
     for (std::size_t i = 0; i < joints.size(); ++i) {
-      for (const auto& [owner, factor] : position_of(robot_, joints[i]).factors) {
+      for (const auto& [owner, factor] : position_[static_cast<std::size_t>(joints[i])].factors) {
         result_.coupling(static_cast<Eigen::Index>(i), column.at(owner)) = number(factor);
       }
     }
@@ -157,7 +157,7 @@ class Converter {
   // Where a coupled joint stands when all coordinates are zero becomes part of the way to it.
   void add_offset(std::size_t written, reference::Joint<S>& result) const {
     const Joint& joint = robot_.joints[written];
-    if (joint.coupled) displace(joint.type, position_of(robot_, static_cast<int>(written)).offset, joint, result);
+    if (joint.coupled) displace(joint.type, position_[written].offset, joint, result);
   }
 
   static int carrier_of(const Joint& joint) { return joint.motor->carrier >= 0 ? joint.motor->carrier : joint.parent; }
@@ -181,6 +181,7 @@ class Converter {
   }
 
   const Robot& robot_;
+  std::vector<LinearPosition> position_;  // of each written joint
   GiNaC::exmap values_;
   reference::Robot<S> result_;
   int next_index_ = 0;

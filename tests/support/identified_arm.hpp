@@ -11,8 +11,9 @@
 namespace flatdyn::testing {
 
 struct Arm {
-  explicit Arm(const std::string& file, ParameterSet set = ParameterSet::given)
-      : robot(model_of(file)), torque(robot, set, quiet) {}
+  explicit Arm(const std::string& file, ParameterSet set = ParameterSet::given) : Arm(model_of(file), set) {}
+  explicit Arm(Model model, ParameterSet set = ParameterSet::given)
+      : robot(std::move(model)), torque(robot, set, quiet) {}
 
   Progress quiet{true};
   Model robot;
@@ -33,8 +34,7 @@ struct Arm {
 
 // Without noise every base parameter is found to 1e-9. The torques are those of the recursive reference, which knows
 // nothing of regressors.
-inline void expect_recovery(const std::string& robot) {
-  const Arm arm(robot);
+inline void expect_recovery(const Arm& arm, const std::string& robot) {
   const Eigen::VectorXd truth = arm.truth();
   const Estimate found =
       estimate(arm.observed(simulated(arm.robot, {.samples = 600})), Eigen::VectorXd::Zero(truth.size()));
@@ -45,5 +45,7 @@ inline void expect_recovery(const std::string& robot) {
     EXPECT_NEAR(found.values(k), truth(k), 1e-9 * std::abs(truth(k)) + 1e-13 * size) << robot << ", " << k;
   }
 }
+
+inline void expect_recovery(const std::string& robot) { expect_recovery(Arm(robot), robot); }
 
 }  // namespace flatdyn::testing

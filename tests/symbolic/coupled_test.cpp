@@ -6,6 +6,7 @@
 #include "flatdyn/reference/newton_euler.hpp"
 #include "model/coupling.hpp"
 #include "model/states.hpp"
+#include "support/identified_arm.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 #include "symbolic/base_parameters.hpp"
@@ -329,6 +330,19 @@ TEST(Parallelogram, BaseParametersAreThoseOfTheSamples) {
   const BaseParameters base = base_parameters(mechanism);
   EXPECT_TRUE(compare_with_samples(mechanism, base, ParameterSet::given).equal);
   EXPECT_EQ(base.size(), 8);  // two inertias, and three first moments, each with its x and y
+}
+
+TEST_F(Machine, IsIdentifiedInItsCoordinates) { testing::expect_recovery(testing::Arm(model_), "machine"); }
+
+// Each follows the two before it: asked of every time anew, the first would be reached a million million times.
+TEST(Followers, AreFollowedOnceEach) {
+  std::string text = "name = \"rabbits\"\n";
+  for (int i = 1; i <= 60; ++i) {
+    text += "[[link]]\ntype = \"prismatic\"\nmass = 1\n";
+    if (i > 2) text += "position = \"joint" + std::to_string(i - 1) + " + joint" + std::to_string(i - 2) + "\"\n";
+  }
+  const Mechanism mechanism = testing::model_of_toml(text).mechanism;
+  EXPECT_EQ(mechanism.coupling.back()[1], GiNaC::fibonacci(59));
 }
 
 // The tree with the couplings as constraints Φ = q_joint - A q = 0, whose forces are found with the accelerations:

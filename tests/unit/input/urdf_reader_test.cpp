@@ -214,7 +214,7 @@ TEST_F(UrdfReader, AMimicJointFollowsAnother) {
   const Robot robot = read("r.urdf", one_joint_urdf("revolute", "", more), {});
   EXPECT_EQ(moving_joints(robot).size(), 2U);
   ASSERT_EQ(joints_with_coordinates(robot), std::vector<int>{0});
-  const LinearPosition position = position_of(robot, 1);
+  const LinearPosition position = joint_positions(robot)[1];
   EXPECT_EQ(position.factors.at(0), Number(-5) / 100);
   EXPECT_EQ(position.offset, Number(1) / 100);
 }
