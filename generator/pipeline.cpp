@@ -60,10 +60,10 @@ void search_choices(const Model& model, const SearchLimit& limit, std::vector<Pl
                 fmt::format("--search {} makes the same again", candidates));
 }
 
-std::vector<std::string> names_of_functions(bool on_request) {
+std::vector<std::string> names_of_functions(bool on_request, const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const FunctionEntry& entry : function_table()) {
-    if (entry.is_on_request() == on_request) names.emplace_back(entry.name);
+    if (entry.is_on_request() == on_request && entry.is_of(mechanism)) names.emplace_back(entry.name);
   }
   return names;
 }
@@ -148,15 +148,22 @@ std::vector<Function> whole_functions(const Model& model, const std::vector<std:
   return functions_of(make_functions(with_whole_functions(model), options, progress, none));
 }
 
-std::vector<std::string> default_function_names() { return names_of_functions(false); }
-std::vector<std::string> requested_function_names() { return names_of_functions(true); }
+void refuse_loops(const Model& model, const std::string& what) {
+  if (!model.mechanism.has_loops()) return;
+  throw Failure(ExitCode::unsupported, what + ": robots with closed loops are not supported yet",
+                "inspect, generate, verify, eval and identify know them; so do all commands where loops are parallelograms");
+}
+
+std::vector<std::string> default_function_names(const Mechanism& mechanism) {
+  return names_of_functions(false, mechanism);
+}
 
 std::vector<OptimisedFunction> make_functions(const Model& model, const PipelineOptions& options, Progress& progress,
                                               Diagnostics& findings) {
   check_scene_names(model);
   const std::vector<std::string> wanted = functions_asked_for(options, model.robot.scene);
   const bool asked = !wanted.empty();
-  const std::vector<std::string> names = asked ? wanted : default_function_names();
+  const std::vector<std::string> names = asked ? wanted : default_function_names(model.mechanism);
   check_names(model.mechanism, names);
   std::vector<Plan> plans;
   for (const std::string& name : names) {

@@ -21,7 +21,7 @@ namespace flatdyn {
 struct PipelineOptions {
   ReadOptions read;
   bool warnings_are_errors = false;
-  std::vector<std::string> functions;  // empty: those of the scene; without one: default_function_names()
+  std::vector<std::string> functions;  // empty: those of the scene; without one: default_function_names
   bool whole_functions = false;        // no error budget is worked out, whatever the scene says
   std::optional<SearchLimit> search;   // for the choices that each function is derived from; none: the usual ones
 };
@@ -93,8 +93,10 @@ std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimis
 std::vector<Function> whole_functions(const Model& model, const std::vector<std::string>& names,
                                       const std::string& what, Progress& progress);
 
-// Names of the functions of the table, in its order: those that are made unless others are asked for, and the rest.
-std::vector<std::string> default_function_names();
-std::vector<std::string> requested_function_names();
+// Throws Failure(unsupported) for robots with closed loops that are no linear couplings. `what`: "simulate".
+void refuse_loops(const Model& model, const std::string& what);
+
+// Names of the functions of the table that are made unless others are asked for, in its order.
+std::vector<std::string> default_function_names(const Mechanism& mechanism);
 
 }  // namespace flatdyn

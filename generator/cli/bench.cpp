@@ -38,6 +38,7 @@ BenchReport bench_robot(const BenchArguments& arguments, const std::string& robo
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   const Model model = read_model(robot, options);
+  refuse_loops(model, "bench");
   print_diagnostics(model.diagnostics, arguments.quiet);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty()) {
     throw Failure(ExitCode::unsupported, "bench compares whole functions in motion with peers",

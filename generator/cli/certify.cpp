@@ -86,6 +86,7 @@ void write(const CertifyArguments& arguments, const Certified& result, const std
 ExitCode run_certify(const CertifyArguments& arguments) {
   const PipelineOptions options = pipeline_options(arguments);
   const Model model = read_model(arguments.robot, options);
+  refuse_loops(model, "certify");
   print_diagnostics(model.diagnostics, arguments.quiet);
   const Certified result = certified(arguments, model, options);
   const std::string hash = content_hash({result.text});

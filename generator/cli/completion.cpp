@@ -4,7 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/option_list.hpp"
-#include "pipeline.hpp"
+#include "symbolic/functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -37,13 +37,13 @@ std::string cases_of(const CLI::App& command) {
 }
 
 std::string script(const CLI::App& app) {
-  std::vector<std::string> commands, functions = default_function_names();
+  std::vector<std::string> commands, functions;
   std::string cases;
   for (const CLI::App* command : subcommands(app)) {
     commands.push_back(command->get_name());
     cases += cases_of(*command);
   }
-  for (const std::string& name : requested_function_names()) functions.push_back(name);
+  for (const FunctionEntry& entry : function_table()) functions.emplace_back(entry.name);
   return "# bash completion for flatdyn, made by `flatdyn completion`.\n"
          "_flatdyn_words() { mapfile -t COMPREPLY < <(compgen -W \"$1\" -- \"$word\"); }\n"
          "_flatdyn_files() {\n"

@@ -16,6 +16,7 @@ struct ExciteArguments : RobotArguments {
 
 ExitCode excite(const ExciteArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
+  refuse_loops(model, "excite");
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (model.mechanism.name + "_excitation");

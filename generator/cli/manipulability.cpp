@@ -41,6 +41,7 @@ DrawingPlane drawing_plane(const std::string& name, const std::vector<int>& task
 
 ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
+  refuse_loops(model, "manipulability");
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

@@ -84,6 +84,7 @@ PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments
 
 ExitCode payload(const PayloadArguments& arguments) {
   const Model robot = read_model(arguments.robot, arguments.options());
+  refuse_loops(robot, "payload");
   check_usage(arguments, robot);
   print_diagnostics(robot.diagnostics, arguments.quiet);
   arguments.note_function_keys(robot);

@@ -22,7 +22,7 @@ struct ReportArguments : RobotArguments {
 };
 
 std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
-  std::vector<std::string> names = default_function_names();
+  std::vector<std::string> names = default_function_names(mechanism);
   if (mechanism.size() <= kMostJointsOfLargeMaps) {
     names.emplace_back("regressor");
   } else {
@@ -82,6 +82,7 @@ ExitCode report(const ReportArguments& arguments) {
   const PipelineOptions options = arguments.options();
   const Model model = with_whole_functions([&] {
     Model read = read_model(arguments.robot, options);
+    refuse_loops(read, "report");
     arguments.note_function_keys(read);
     return read;
   }());

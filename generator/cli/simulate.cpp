@@ -55,6 +55,7 @@ Simulation read(const SimulateArguments& arguments, const Model& model) {
 ExitCode run_simulate(const SimulateArguments& arguments) {
   const InterruptHandler handler;
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
+  refuse_loops(model, "simulate");
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   const Simulation simulation = read(arguments, model);

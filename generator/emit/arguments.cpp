@@ -7,11 +7,12 @@
 
 namespace flatdyn {
 
-InputArgument input_argument(InputKind kind, int joints, int base_parameters) {
+InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters) {
+  const int joints = counts.joints;
   constexpr int kWrench = 6;
   switch (kind) {
     case InputKind::q:
-      return {"q", joints, "joint positions, rad or m"};
+      return {"q", counts.positions, "joint positions, rad or m"};
     case InputKind::qd:
       return {"qd", joints, "joint velocities, rad/s or m/s"};
     case InputKind::qdd:

@@ -7,6 +7,7 @@
 
 #include "emit/dialect.hpp"
 #include "graph/function.hpp"
+#include "model/mechanism.hpp"
 
 namespace flatdyn {
 
@@ -16,8 +17,16 @@ struct InputArgument {
   std::string meaning;  // "joint velocities, rad/s or m/s"
 };
 
-// `joints`: length of q; `base_parameters`: of pi_b. Not for InputKind::parameter: those arrive in one struct.
-InputArgument input_argument(InputKind kind, int joints, int base_parameters = 0);
+// How long q̇ is, and with it q̈ and τ; and how long q, which is longer where loops are closed.
+struct JointCounts {
+  int joints, positions;
+
+  JointCounts(int n) : joints(n), positions(n) {}  // NOLINT(google-explicit-constructor): most robots have one number
+  explicit JointCounts(const Mechanism& mechanism) : joints(mechanism.size()), positions(mechanism.position_count()) {}
+};
+
+// `counts`: lengths of q and q̇; `base_parameters`: of pi_b. Not for InputKind::parameter: those arrive in one struct.
+InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters = 0);
 
 // The local variable that an input is read into: "qd_2" of qd[1]; a parameter's is its member's name.
 std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters);

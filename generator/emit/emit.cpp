@@ -74,6 +74,7 @@ class PageWriter {
     write_constants(header);
     write_functions(header);
     write_stages(header);
+    write_loop_closing(header);
     if (is_pair()) write_instantiations(header);
     header["uses_sign"] = uses_sign_;
     header["header_sign?"] = uses_sign_ && !is_pair();
@@ -96,6 +97,12 @@ class PageWriter {
   // All names at namespace scope, before any function is written: its variables must differ from them.
   void take_names() {
     for (const LimitKind& kind : limits_given(mechanism_)) names_.unique(dialect_.global(kind.constant));
+    if (mechanism_.has_loops()) {
+      for (const char* name : {"position_names", "independent_positions", "close_loops"}) {
+        names_.unique(dialect_.global(name));
+      }
+      names_.unique(dialect_.count_name("position_count"));
+    }
     if (std::any_of(functions_.begin(), functions_.end(), uses_base_parameters)) {
       for (const char* name : kBaseConstants) {
         const bool is_count = base_names_.empty();
@@ -116,6 +123,7 @@ class PageWriter {
     scope_.dialect = dialect_;
     if (is_pair()) scope_.compiled = compiled_scalars(options_);
     scope_.joints = mechanism_.size();
+    scope_.positions = mechanism_.position_count();
     scope_.most_lines = options_.most_lines;
     scope_.names.insert(names_.taken().begin(), names_.taken().end());
     NameTable members({"Scalar", "Parameters", "Real", "restrict"});
@@ -124,7 +132,7 @@ class PageWriter {
 
   void write_documentation(data& header) const {
     header["robot"] = comment_text(mechanism_.name);
-    header["summary"] = fmt::format("{} joint{}", mechanism_.size(), mechanism_.size() == 1 ? "" : "s");
+    header["summary"] = joints_text(mechanism_);
     header["version"] = std::string(FLATDYN_VERSION);
     std::vector<std::string> stamp;
     if (!options_.options_stamp.empty()) stamp.push_back("Options: " + comment_text(options_.options_stamp));
@@ -150,25 +158,41 @@ class PageWriter {
       for (std::size_t k = 0; k < mechanism_.merged.size(); ++k) text += (k == 0 ? " " : ", ") + mechanism_.merged[k];
       text += ".";
     }
-    if (mechanism_.is_coupled()) {
-      const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
+    const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
+    const std::vector<std::string> coupled = coupled_joint_texts(mechanism_, by_index);
+    if (!coupled.empty()) {
       text += fmt::format(" Coupled joints, rad or m: {}; q, qd, qdd and tau are those of the joints above.",
-                          fmt::join(coupled_joint_texts(mechanism_, by_index), ", "));
+                          fmt::join(coupled, ", "));
     }
+    if (mechanism_.has_loops()) text += loop_facts();
     if (!options_.scene_facts.empty()) text += " " + options_.scene_facts;
     return comment_text(text);
+  }
+
+  std::string loop_facts() const {
+    std::vector<std::string> dependent;
+    for (const LoopClosure& loop : mechanism_.loops) {
+      for (const std::string& joint : dependent_joint_names(mechanism_, loop)) dependent.push_back(joint);
+    }
+    return fmt::format(
+        " Closed loops make {} follow from the other joints: q has the positions of all of them, qd, qdd and tau are "
+        "those of the others. Functions hold where q closes the loops. Of loop k, inv_lk is the reciprocal of the "
+        "determinant that its joints are found with; A_i_j is how joint i moves with the joint of qd[j - 1].",
+        fmt::join(dependent, ", "));
   }
 
   void write_constants(data& header) {
     exports_.emplace_back("joint_count");
     header["joint_count"] = std::to_string(mechanism_.size());
     data constants(data::type::list);
+    header["loops?"] = mechanism_.has_loops();
     if (mechanism_.size() > 0) {
       std::vector<std::string> joints;
       for (const Body& body : mechanism_.joints()) joints.push_back(dialect_.text(body.joint));
       exports_.emplace_back("joint_names");
       constants << constant("As the robot file names them", per_joint("const char*", "joint_names", joints));
     }
+    if (mechanism_.has_loops()) write_position_constants(header, constants);
     for (const LimitKind& kind : limits_given(mechanism_)) {
       const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
       exports_.emplace_back(kind.constant);
@@ -185,6 +209,24 @@ class PageWriter {
     std::vector<std::string> names;
     for (const std::string& name : scope_.parameters) names.push_back(dialect_.text(name));
     header["parameter_names"] = without_newline(dialect_.definition({"const char*", "parameter_names", "", names}));
+  }
+
+  // q is longer than qd: which of its entries are independent.
+  void write_position_constants(data& header, data& constants) {
+    header["position_count"] = std::to_string(mechanism_.position_count());
+    header["positions"] = dialect_.count_name("position_count");
+    std::vector<std::string> joints, entries;
+    for (int p = 0; p < mechanism_.position_count(); ++p) {
+      joints.push_back(dialect_.text(mechanism_.bodies[static_cast<std::size_t>(mechanism_.body_at(p))].joint));
+    }
+    for (const int p : mechanism_.independent) entries.push_back(std::to_string(p));
+    exports_.emplace_back("position_count");
+    exports_.emplace_back("position_names");
+    exports_.emplace_back("independent_positions");
+    constants << constant("The joints of q", {"const char*", dialect_.global("position_names"),
+                                              dialect_.count_name("position_count"), joints});
+    constants << constant("The entries of q that qd, qdd and tau belong to",
+                          per_joint("int", "independent_positions", entries));
   }
 
   void write_base_constants(data& header) {
@@ -278,6 +320,27 @@ class PageWriter {
     uses_sign_ = uses_sign_ || text.uses_sign;
     uses_sqrt_ = uses_sqrt_ || text.uses_sqrt;
     uses_trigonometry_ = uses_trigonometry_ || text.uses_trigonometry;
+  }
+
+  // close_loops(), where there is all that it calls.
+  void write_loop_closing(data& header) {
+    const auto name_of = [this](const char* function) -> std::string {
+      for (std::size_t k = 0; k < functions_.size(); ++k) {
+        if (functions_[k].name == function && is_whole(functions_[k])) return function_names_[k];
+      }
+      return "";
+    };
+    const std::string closure = name_of("loop_closure"), step = name_of("loop_step");
+    header["closes_loops?"] = !closure.empty() && !step.empty();
+    if (closure.empty() || step.empty()) return;
+    std::size_t rows = 0;
+    for (const LoopClosure& loop : mechanism_.loops) rows += loop.rows.size();
+    header["loop_closure"] = closure;
+    header["loop_step"] = step;
+    header["closure_count"] = std::to_string(rows);
+    const std::string name = dialect_.global("close_loops");
+    header["close_loops"] = name;
+    exports_.push_back(name);
   }
 
   // The structural zeros of the matrices of function k, a row per line.

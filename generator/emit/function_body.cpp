@@ -261,13 +261,14 @@ class BodyWriter {
   std::string trigonometry(bool of_parts) const {
     if (turning_joints_.empty() || dialect_.is_c()) return "";
     if (dialect_.is_javascript()) return of_parts ? angle_functions_in_arrays() : "";
-    return code_line("Scalar sine[joint_count], cosine[joint_count];", kStatementIndent) +
+    const char* const count = scope_.positions == scope_.joints ? "joint_count" : "position_count";
+    return code_line(fmt::format("Scalar sine[{0}], cosine[{0}];", count), kStatementIndent) +
            code_line(fmt::format("sin_cos(q, Joints<{}>(), sine, cosine);", fmt::join(turning_joints_, ", ")),
                      kStatementIndent);
   }
 
   std::string angle_functions_in_arrays() const {
-    const auto joints = static_cast<std::size_t>(scope_.joints);
+    const auto joints = static_cast<std::size_t>(scope_.positions);
     std::string text = list_line(dialect_.arrays(), {dialect_.array("sine", joints), dialect_.array("cosine", joints)},
                                  ";", kStatementIndent);
     for (const Statement& statement : schedule_.statements) {

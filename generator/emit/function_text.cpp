@@ -125,7 +125,7 @@ class FunctionWriter {
 
   // Tells `given` whose sines and cosines it gets.
   std::string body_that_asks(GivenText& given) const {
-    const std::string count = dialect_.count_name("joint_count");
+    const std::string count = dialect_.count_name(scope_.positions == scope_.joints ? "joint_count" : "position_count");
     std::string text =
         code_line(fmt::format("{0} sine[{1}], cosine[{1}];", dialect_.scalar(), count), kStatementIndent);
     for (const auto& [first, last] : runs_of_joints()) {
@@ -196,10 +196,16 @@ class FunctionWriter {
     }
   }
 
+  JointCounts counts() const {
+    JointCounts result(scope_.joints);
+    result.positions = scope_.positions;
+    return result;
+  }
+
   std::vector<ArrayArgument> input_arrays() const {
     std::vector<ArrayArgument> arrays;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, scope_.joints, function_.base_parameters);
+      const InputArgument argument = input_argument(kind, counts(), function_.base_parameters);
       arrays.push_back({argument.name, static_cast<std::size_t>(argument.length)});
     }
     return arrays;
@@ -217,7 +223,7 @@ class FunctionWriter {
   std::vector<std::string> argument_lines() const {
     std::vector<std::vector<std::string>> rows;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, scope_.joints, function_.base_parameters);
+      const InputArgument argument = input_argument(kind, counts(), function_.base_parameters);
       rows.push_back({fmt::format("{}[{}]", argument.name, argument.length), "in", argument.meaning});
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
@@ -240,8 +246,12 @@ class FunctionWriter {
     const std::string also = function_.task.empty()       ? ""
                              : function_.task.is_damped() ? " or of J B^-1 J^T + lambda^2 1"
                                                           : " or of J B^-1 J^T";
-    return fmt::format("false if the result means nothing, because a pivot of B{} is not positive or not a number",
-                       also);
+    const bool asks_loops = function_.loop_conditions > 0;
+    const bool asks_pivots = function_.positive.size() > static_cast<std::size_t>(function_.loop_conditions);
+    return fmt::format("false if the result means nothing, because {}{}{}",
+                       asks_loops ? "a closed loop is within 1e-6 of being singular" : "",
+                       asks_loops && asks_pivots ? ", or " : "",
+                       asks_pivots ? fmt::format("a pivot of B{} is not positive or not a number", also) : "");
   }
 
   const Function& function_;

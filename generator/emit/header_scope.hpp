@@ -12,7 +12,8 @@ namespace flatdyn {
 
 struct HeaderScope {
   Dialect dialect;
-  int joints = 0;
+  int joints = 0;                       // length of qd
+  int positions = 0;                    // of q
   int most_lines = 0;                   // of a function; 0: no limit but that of compilers
   std::vector<std::string> parameters;  // members of Parameters, by index of the free symbol
   std::set<std::string> names;          // taken at namespace scope

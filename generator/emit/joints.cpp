@@ -35,6 +35,12 @@ std::string type_of(const Body& body) {
   return body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
 }
 
+// The entry of qd that entry p of q is integrated from; of dependent joints there is none.
+std::string rate_text(const Mechanism& mechanism, int p) {
+  const auto found = std::find(mechanism.independent.begin(), mechanism.independent.end(), p);
+  return found == mechanism.independent.end() ? "-" : std::to_string(found - mechanism.independent.begin());
+}
+
 }  // namespace
 
 std::vector<LimitKind> limits_given(const Mechanism& mechanism) {
@@ -66,11 +72,16 @@ std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKi
 std::vector<std::string> joint_table(const Mechanism& mechanism) {
   const std::vector<LimitKind> limits = limits_given(mechanism);
   std::vector<std::vector<std::string>> rows = {{"index", "joint", "moves link", "type", "unit"}};
+  if (mechanism.has_loops()) rows[0] = {"q", "qd", "joint", "moves link", "type", "unit"};
   for (const LimitKind& kind : limits) rows[0].push_back(kind.column);
-  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
-    const Body& body = mechanism.joints()[i];
-    std::vector<std::string> row = {std::to_string(i), comment_text(body.joint), comment_text(body.link), type_of(body),
-                                    body.prismatic ? "m" : "rad"};
+  for (int p = 0; p < mechanism.position_count(); ++p) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(p))];
+    std::vector<std::string> row = {std::to_string(p)};
+    if (mechanism.has_loops()) row.push_back(rate_text(mechanism, p));
+    for (const std::string& text : {comment_text(body.joint), comment_text(body.link), type_of(body)}) {
+      row.push_back(text);
+    }
+    row.emplace_back(body.prismatic ? "m" : "rad");
     for (const LimitKind& kind : limits) {
       const std::optional<Rational> limit = limit_of(body, kind);
       row.push_back(limit ? plain(decimal_literal(*limit)) : "none");

@@ -29,7 +29,7 @@ std::optional<Rational> rational_of(const Number& number);
 // The entries of the emitted array of one kind of limit: "Real(2.8973)", "Real(HUGE_VAL)".
 std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind, const Dialect& dialect);
 
-// Lines: index, joint, link, type, unit and the limits given.
+// Lines: index (in closed loops those in q and qd), joint, link, type, unit and the limits given.
 std::vector<std::string> joint_table(const Mechanism& mechanism);
 
 }  // namespace flatdyn

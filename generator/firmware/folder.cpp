@@ -100,7 +100,7 @@ class FolderWriter {
   data arrays() const {
     data list(data::type::list);
     for (const InputKind kind : kMotionKinds) {
-      const InputArgument argument = input_argument(kind, mechanism_.size());
+      const InputArgument argument = input_argument(kind, JointCounts(mechanism_));
       if (!is_read(kind)) continue;
       data item;
       item["name"] = argument.name;

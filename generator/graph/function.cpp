@@ -29,7 +29,8 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
                   .task = function.task,
                   .graph = std::move(graph),
                   .outputs = function.outputs,
-                  .positive = function.positive};
+                  .positive = function.positive,
+                  .loop_conditions = function.loop_conditions};
   const auto replace = [&image](NodeId& id) { id = image[static_cast<std::size_t>(id)]; };
   for (Output& output : result.outputs) std::for_each(output.entries.begin(), output.entries.end(), replace);
   std::for_each(result.positive.begin(), result.positive.end(), replace);

@@ -44,8 +44,10 @@ struct Function {
   Task task{};                    // of the operational space
   Graph graph;
   std::vector<Output> outputs;
-  // Values that must all be positive for the result to mean anything (pivots of B); then the function returns bool.
+  // Values that must all be positive for the result to mean anything (pivots of B, loops); then the function returns
+  // bool.
   std::vector<NodeId> positive;
+  int loop_conditions = 0;  // the last ones of these: closed loops that must not be singular
 };
 
 // Output entries and conditions, in order: what keeps a node alive.

@@ -42,7 +42,8 @@ Fusion fused(const std::vector<Function>& functions) {
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
     fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
-                            function.task, function.outputs.size(), function.positive.size()});
+                            function.task, function.outputs.size(), function.positive.size(),
+                            function.loop_conditions});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
   return fusion;
@@ -68,7 +69,8 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .task = part.task,
           .graph = fusion.function.graph,
           .outputs = slice(fusion.function.outputs, output, part.outputs),
-          .positive = slice(fusion.function.positive, condition, part.conditions)};
+          .positive = slice(fusion.function.positive, condition, part.conditions),
+          .loop_conditions = part.loop_conditions};
 }
 
 }  // namespace flatdyn

@@ -16,6 +16,7 @@ struct FusedFunction {
   bool at_rest = false;
   Task task{};
   std::size_t outputs = 0, conditions = 0;  // how many of Function::outputs and Function::positive are its own
+  int loop_conditions = 0;
 };
 
 struct Fusion {

@@ -64,19 +64,23 @@ std::pair<std::string, std::string> split_unit(const std::string& text) {
   return {trimmed(text.substr(0, open)), trimmed(text.substr(open + 1, text.size() - open - 2))};
 }
 
+const Body& body_with(const Mechanism& mechanism, Quantity quantity, int index) {
+  const int body = quantity == Quantity::q ? mechanism.body_at(index) : mechanism.body_of(index);
+  return mechanism.bodies[static_cast<std::size_t>(body)];
+}
+
 // Names of everything that is read.
 std::map<std::string, Meaning> known_names(const Mechanism& mechanism) {
   std::map<std::string, Meaning> names = {{"t", {Quantity::time, 0}}, {"time", {Quantity::time, 0}}};
   static constexpr std::pair<const char*, Quantity> kStems[] = {
       {"q", Quantity::q}, {"tau", Quantity::tau}, {"qd", Quantity::qd}, {"qdd", Quantity::qdd}};
   for (const auto& [stem, quantity] : kStems) {
-    for (int i = 0; i < mechanism.size(); ++i) {
+    const int count = quantity == Quantity::q ? mechanism.position_count() : mechanism.size();
+    for (int i = 0; i < count; ++i) {
       names[stem + std::to_string(i + 1)] = {quantity, i};
       names[stem + ("_" + std::to_string(i + 1))] = {quantity, i};  // as `flatdyn eval` writes it
     }
-    for (int i = 0; i < mechanism.size(); ++i) {
-      names[stem + ("_" + mechanism.joints()[static_cast<std::size_t>(i)].joint)] = {quantity, i};
-    }
+    for (int i = 0; i < count; ++i) names[stem + ("_" + body_with(mechanism, quantity, i).joint)] = {quantity, i};
   }
   static constexpr const char* kForces[] = {"fx", "fy", "fz", "mx", "my", "mz"};
   for (int k = 0; k < LogLayout::kWrench; ++k) {
@@ -137,8 +141,10 @@ class HeadingReader {
     for (const NamedColumn& column : columns) count(column);
     LogHeading heading;
     heading.layout.joints = mechanism_.size();
+    heading.layout.positions = mechanism_.position_count();
+    for (int i = 0; i < mechanism_.size(); ++i) heading.layout.position_of.push_back(mechanism_.position_of(i));
     require_all(Quantity::time, "time", "t", 1);
-    require_all(Quantity::q, "positions", "q", mechanism_.size());
+    require_all(Quantity::q, "positions", "q", mechanism_.position_count());
     heading.layout.has_torques = torques_;
     if (torques_) require_all(Quantity::tau, "torques", "tau", mechanism_.size());
     heading.layout.has_rates = all_or_none(Quantity::qd, "qd", mechanism_.size());
@@ -208,7 +214,7 @@ class HeadingReader {
     if (column.unit.empty()) return 1;
     const auto [quantity, index] = *column.meaning;
     const bool of_joint = quantity != Quantity::time && quantity != Quantity::h_e;
-    const bool prismatic = of_joint && mechanism_.joints()[static_cast<std::size_t>(index)].prismatic;
+    const bool prismatic = of_joint && body_with(mechanism_, quantity, index).prismatic;
     const std::vector<Unit> units = units_of(quantity, prismatic, index);
     std::vector<std::string> names;
     for (const Unit& unit : units) {
@@ -225,7 +231,7 @@ class HeadingReader {
     if (of_other_joints_.empty()) return;
     diagnostics_.warning(place_,
                          fmt::format("columns of joints that the robot does not have (it has {}) are not used: {}",
-                                     mechanism_.size(), some_of(of_other_joints_)),
+                                     mechanism_.position_count(), some_of(of_other_joints_)),
                          "is this the log of this robot, without joints that --fix holds?");
   }
 

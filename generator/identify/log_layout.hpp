@@ -10,16 +10,18 @@
 
 namespace flatdyn {
 
-// Channels of a sample: time, q, and, where the log has them, τ, q̇, q̈ and the tip force.
+// Channels of a sample: time, q, and, where the log has them, τ, q̇, q̈ and the tip force. Where loops are closed, q has
+// more entries than the others: position_of[i] is the one that q̇_i is the rate of.
 struct LogLayout {
-  int joints = 0;
+  int joints = 0, positions = 0;
+  std::vector<int> position_of{};
   bool has_torques = true;
   bool has_rates = false, has_accelerations = false, has_tip_force = false;
 
   static constexpr int kWrench = 6;
   static constexpr int time() { return 0; }
   static constexpr int q() { return 1; }
-  int tau() const { return 1 + joints; }
+  int tau() const { return 1 + positions; }
   int qd() const { return tau() + (has_torques ? joints : 0); }
   int qdd() const { return qd() + (has_rates ? joints : 0); }
   int h_e() const { return qdd() + (has_accelerations ? joints : 0); }

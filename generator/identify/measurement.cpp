@@ -29,7 +29,9 @@ void ThinnedSamples::offer(const TorqueModel& model, const MeasuredMotion& motio
   if (offered_++ % stride_ != 0) return;
   const int n = model.joints();
   const auto numbers = [n](const double* from) { return std::vector<double>(from, from + n); };
-  MotionSample sample{motion.time, numbers(motion.q), numbers(motion.qd), numbers(motion.qdd), numbers(motion.tau)};
+  const int positions = model.mechanism().position_count();
+  MotionSample sample{motion.time, std::vector<double>(motion.q, motion.q + positions), numbers(motion.qd),
+                      numbers(motion.qdd), numbers(motion.tau)};
   if (motion.h_e != nullptr) {
     std::vector<double> tip(static_cast<std::size_t>(n));
     model.tip_torque(motion.q, motion.h_e, tip.data());

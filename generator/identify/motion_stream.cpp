@@ -55,7 +55,7 @@ class MotionFilter {
   explicit MotionFilter(const StreamPlan& plan)
       : layout_(plan.layout()),
         n_(plan.layout().joints),
-        q_(n_),
+        q_(plan.layout().positions),
         qd_(n_),
         qdd_(n_),
         tau_(n_),
@@ -73,14 +73,14 @@ class MotionFilter {
     if (layout_.has_rates) {
       smooth(window, layout_.qd(), 0, qd_);
     } else {
-      smooth(window, LogLayout::q(), 1, qd_);
+      smooth_positions(window, 1, qd_);
     }
     if (layout_.has_accelerations) {
       smooth(window, layout_.qdd(), 0, qdd_);
     } else if (layout_.has_rates) {
       smooth(window, layout_.qd(), 1, qdd_);
     } else {
-      smooth(window, LogLayout::q(), 2, qdd_);
+      smooth_positions(window, 2, qdd_);
     }
     if (layout_.has_tip_force) smooth(window, layout_.h_e(), 0, h_e_);
     return {times(times.rows() / 2, 0),
@@ -94,6 +94,13 @@ class MotionFilter {
  private:
   void smooth(const Window& window, int first, int order, Eigen::VectorXd& out) const {
     out.noalias() = window.channels(first, static_cast<int>(out.size())).transpose() * weights_[order];
+  }
+
+  // Of the positions that rates belong to.
+  void smooth_positions(const Window& window, int order, Eigen::VectorXd& out) const {
+    if (layout_.positions == layout_.joints) return smooth(window, LogLayout::q(), order, out);
+    const Eigen::VectorXd all = window.channels(LogLayout::q(), layout_.positions).transpose() * weights_[order];
+    for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = all[layout_.position_of[static_cast<std::size_t>(i)]];
   }
 
   LogLayout layout_;

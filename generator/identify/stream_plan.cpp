@@ -62,9 +62,13 @@ class UnitChecks {
 
   void run() {
     check_positions();
+    for (int i = 0; i < mechanism_.position_count(); ++i) {
+      if (!mechanism_.bodies[static_cast<std::size_t>(mechanism_.body_at(i))].prismatic) check_speed(i);
+    }
     for (int i = 0; i < mechanism_.size(); ++i) {
-      if (!mechanism_.joints()[static_cast<std::size_t>(i)].prismatic) check_speed(i);
-      if (layout_.has_rates) check_derivative(LogLayout::q() + i, layout_.qd() + i, i, "q", "qd");
+      if (layout_.has_rates) {
+        check_derivative(LogLayout::q() + mechanism_.position_of(i), layout_.qd() + i, i, "q", "qd");
+      }
       if (layout_.has_rates && layout_.has_accelerations) {
         check_derivative(layout_.qd() + i, layout_.qdd() + i, i, "qd", "qdd");
       }

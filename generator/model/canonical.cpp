@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/coordinate_limits.hpp"
+#include "model/loop_closure.hpp"
 #include "model/mechanism.hpp"
 #include "model/rational_rotation.hpp"
 
@@ -345,6 +346,7 @@ Mechanism make_mechanism(const Robot& robot) {
   add_links(tree, placer, mechanism);
   for (int i = 0; i < mechanism.body_count(); ++i) add_motor(tree, placer, i, mechanism);
   add_coupling(tree, mechanism);
+  add_loops(robot, mechanism);
   return mechanism;
 }
 

@@ -28,6 +28,11 @@ Mechanism with_frame_raised(const Mechanism& mechanism, int i, const Number& ris
     if (link.body == i) lower(link.p);
   }
   if (result.tip.body == i) lower(result.tip.p);
+  for (LoopClosure& loop : result.loops) {
+    for (LoopClosure::End& end : loop.ends) {
+      if (end.body == i) lower(end.p);
+    }
+  }
   return result;
 }
 
@@ -38,6 +43,9 @@ Mechanism in_length_unit(const Mechanism& mechanism, const Number& unit) {
   for (Body& body : result.bodies) {
     body.p = expanded(1 / unit * body.p);
     scale(body.inertia, unit);
+  }
+  for (LoopClosure& loop : result.loops) {
+    for (LoopClosure::End& end : loop.ends) end.p = expanded(1 / unit * end.p);
   }
   return result;
 }

@@ -44,6 +44,16 @@ struct FieldBody {
 };
 
 template <class F>
+struct FieldLoop {
+  int bodies[2];
+  Vector3<F> points[2];
+  int carrier;
+  Matrix3<F> axes;
+  std::vector<std::size_t> rows;
+  std::vector<int> dependent;
+};
+
+template <class F>
 struct FieldMechanism {
   std::vector<FieldBody<F>> bodies;
   std::vector<FieldFrame<F>> links;
@@ -51,8 +61,14 @@ struct FieldMechanism {
   Vector3<F> gravity;
   FieldInertia<F> base;
   std::vector<std::vector<F>> coupling;  // body by coordinate; empty: q_i is the position of body i's joint
+  // Where loops are closed, `coupling` is that at one position; this one goes by entry of q.
+  std::vector<FieldLoop<F>> loops;
+  std::vector<int> independent;
+  std::vector<std::vector<F>> tree_coupling;
 
   bool is_coupled() const { return !coupling.empty(); }
+  bool has_loops() const { return !loops.empty(); }
+  int position_count() const { return static_cast<int>(tree_coupling.front().size()); }  // of q, with loops
   int body_count() const { return static_cast<int>(bodies.size()); }
   int size() const { return is_coupled() ? static_cast<int>(coupling.front().size()) : body_count(); }  // of q
 };
@@ -191,6 +207,9 @@ class MechanismMap {
       result.coupling.emplace_back();
       for (const Number& factor : row) result.coupling.back().push_back(number_(factor));
     }
+    for (const LoopClosure& loop : mechanism_.loops) result.loops.push_back(mapped(loop));
+    result.independent = mechanism_.independent;
+    if (mechanism_.has_loops()) result.tree_coupling = result.coupling;
     return result;
   }
 
@@ -201,6 +220,14 @@ class MechanismMap {
     return {number_(a.mass), mapped(a.first_moment), mapped(a.inertia)};
   }
   FieldFrame<F> mapped(const LinkFrame& a) const { return {a.body, mapped(a.R), mapped(a.p)}; }
+  FieldLoop<F> mapped(const LoopClosure& a) const {
+    return {{a.ends[0].body, a.ends[1].body},
+            {mapped(a.ends[0].p), mapped(a.ends[1].p)},
+            a.carrier,
+            mapped(a.axes),
+            a.rows,
+            a.dependent};
+  }
 
   // Rz(beta) Rx(alpha) Rz(theta), multiplied in the field.
   Matrix3<F> rotation(const Body& body) const {

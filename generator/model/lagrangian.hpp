@@ -2,56 +2,23 @@
 // The model by its definition, without symbols: Lagrange's equations over any field. Joint i enters by a point of the
 // unit circle (cos q_i, sin q_i), or by d_i. B is (7.32), body by body, from Jacobians in the base frame; derivatives
 // come from dual numbers over the field, with dc = -s dq and ds = c dq. Shares nothing with the recursive derivation.
-// Where joints are coupled, B is Aᵀ B A of the tree, and its derivatives are those along the coordinates.
+// Where joints are coupled, B is Aᵀ B A of the tree, and its derivatives are those along the coordinates; where loops
+// are closed, A G takes the place of A, see field_loops.hpp.
 #pragma once
 
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "model/field_mechanism.hpp"
+#include "model/field_loops.hpp"
 
 namespace flatdyn {
-
-// Where joint i is: c, s for a revolute joint, d for a prismatic one.
-template <class F>
-struct JointPoint {
-  F c = F(1), s = F(0), d = F(0);
-};
-
-template <class F>
-struct Pose3 {
-  Matrix3<F> R;
-  Vector3<F> p;
-};
 
 // A column of a geometric Jacobian: (7.18), (7.19).
 template <class F>
 struct Column {
   Vector3<F> linear, angular;
 };
-
-// Poses of all bodies in the base frame.
-template <class S, class F>
-std::vector<Pose3<S>> body_poses(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q) {
-  const S zero = S(F(0)), one = S(F(1));
-  std::vector<Pose3<S>> poses;
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    const FieldBody<F>& body = mechanism.bodies[i];
-    const Pose3<S> base{{{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}}, {zero, zero, zero}};
-    const Pose3<S> parent = body.parent < 0 ? base : poses[static_cast<std::size_t>(body.parent)];
-    Pose3<S> pose{times(parent.R, body.R), plus(parent.p, times(parent.R, body.p))};
-    if (body.prismatic) {
-      const Vector3<S> z = {pose.R[0][2], pose.R[1][2], pose.R[2][2]};
-      pose.p = plus(pose.p, scaled(q[i].d, z));
-    } else {
-      for (Vector3<S>& row : pose.R)
-        row = {row[0] * q[i].c + row[1] * q[i].s, row[1] * q[i].c - row[0] * q[i].s, row[2]};
-    }
-    poses.push_back(pose);
-  }
-  return poses;
-}
 
 template <class F>
 class Lagrangian {
@@ -61,7 +28,7 @@ class Lagrangian {
 
   // q: of every body's joint.
   Lagrangian(FieldMechanism<F> mechanism, std::vector<JointPoint<F>> q)
-      : mechanism_(std::move(mechanism)), q_(std::move(q)), poses_(body_poses(mechanism_, q_)) {}
+      : mechanism_(closed_at(std::move(mechanism), q)), q_(std::move(q)), poses_(body_poses(mechanism_, q_)) {}
 
   int size() const { return mechanism_.size(); }
   const FieldMechanism<F>& mechanism() const { return mechanism_; }
@@ -185,17 +152,16 @@ class Lagrangian {
 
   // (dJ/dt) qd: the derivative of J along qd, times qd.
   Values jacobian_dot_qd(const FieldFrame<F>& frame, const Values& qd) const {
-    const Values rates = joint_values(mechanism_, qd);
-    std::vector<JointPoint<D>> q;
-    for (std::size_t i = 0; i < q_.size(); ++i) q.push_back(moving(q_[i], rates[i]));
-    const std::vector<Pose3<D>> poses = body_poses(mechanism_, q);
+    const Values rates = joint_values(mechanism_, qd), drift = joint_drift(mechanism_, q_, rates, qd);
+    const std::vector<Pose3<D>> poses = body_poses(mechanism_, moving(q_, rates));
     const Vector3<D> p = pose_of(poses, frame).p;
     Values result(6, F(0));
     for (int j = frame.body; j >= 0; j = parent(j)) {
       const Column<D> column = joint_column(poses, j, p);
       for (std::size_t row = 0; row < 3; ++row) {
-        result[row] += column.linear[row].derivative * rates[static_cast<std::size_t>(j)];
-        result[row + 3] += column.angular[row].derivative * rates[static_cast<std::size_t>(j)];
+        const auto k = static_cast<std::size_t>(j);
+        result[row] += column.linear[row].derivative * rates[k] + column.linear[row].value * drift[k];
+        result[row + 3] += column.angular[row].derivative * rates[k] + column.angular[row].value * drift[k];
       }
     }
     return result;
@@ -214,10 +180,6 @@ class Lagrangian {
   bool moves(int k, int i) const {
     while (i > k) i = parent(i);
     return i == k;
-  }
-
-  static JointPoint<D> moving(const JointPoint<F>& q, const F& rate) {
-    return {D(q.c, -q.s * rate), D(q.s, q.c * rate), D(q.d, rate)};
   }
 
   template <class S>
@@ -289,18 +251,36 @@ class Lagrangian {
 
   // ∂B/∂q_k. Where joints are not coupled, only bodies that joint k moves have a part in it.
   Matrix<F> differentiate(int k) const {
-    std::vector<JointPoint<D>> q;
-    for (int i = 0; i < body_count(); ++i) q.push_back(moving(q_[static_cast<std::size_t>(i)], rate(i, k)));
+    Values rates;
+    for (int i = 0; i < body_count(); ++i) rates.push_back(rate(i, k));
+    const std::vector<JointPoint<D>> q = moving(q_, rates);
     const std::vector<Pose3<D>> poses = body_poses(mechanism_, q);
     Matrix<D> B(body_count(), body_count());
     for (int i = 0; i < body_count(); ++i) {
       if (mechanism_.is_coupled() || moves(k, i)) add_body(poses, i, B);
     }
-    Matrix<F> result(body_count(), body_count());
-    for (int i = 0; i < body_count(); ++i) {
-      for (int j = 0; j < body_count(); ++j) result(i, j) = B(i, j).derivative;
+    if (mechanism_.has_loops()) return derivative_of(between(closed_coupling(mechanism_, q), B));
+    return at_coordinates(mechanism_, derivative_of(B));
+  }
+
+  static Matrix<F> derivative_of(const Matrix<D>& B) {
+    Matrix<F> result(B.rows(), B.cols());
+    for (int i = 0; i < B.rows(); ++i) {
+      for (int j = 0; j < B.cols(); ++j) result(i, j) = B(i, j).derivative;
     }
-    return at_coordinates(mechanism_, result);
+    return result;
+  }
+
+  // Aᵀ B A.
+  static Matrix<D> between(const std::vector<std::vector<D>>& rows, const Matrix<D>& B) {
+    const int bodies = static_cast<int>(rows.size()), n = static_cast<int>(rows.front().size());
+    Matrix<D> A(bodies, n), A_transposed(n, bodies);
+    for (int i = 0; i < bodies; ++i) {
+      for (int k = 0; k < n; ++k) {
+        A(i, k) = A_transposed(k, i) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+      }
+    }
+    return times(A_transposed, times(B, A));
   }
 
   FieldMechanism<F> mechanism_;

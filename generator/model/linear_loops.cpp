@@ -5,7 +5,8 @@
 
 #include "diagnostics/nearest.hpp"
 #include "graph/mod_p.hpp"
-#include "model/lagrangian.hpp"
+#include "model/body_poses.hpp"
+#include "model/loop_closure.hpp"
 
 namespace flatdyn {
 namespace {
@@ -140,48 +141,34 @@ class LoopSettler {
  public:
   LoopSettler(Robot& robot, Diagnostics& diagnostics) : robot_(robot), diagnostics_(diagnostics) {}
 
-  void settle(const Loop& loop) {
+  // Whether its dependent joints are coupled now.
+  bool settle(const Loop& loop) {
     CutLoop cut;
-    cut.tree = make_mechanism(without_couplings());
-    if (!find_ends(loop, cut) || !find_joints(loop, cut)) return;
+    cut.tree = make_mechanism(open_tree());
+    if (!find_ends(loop, cut) || !find_joints(loop, cut)) return false;
     constexpr std::size_t kMostDependent = 2, kMostIndependent = 3;
     std::vector<Solution> solutions;
     if (cut.dependent.size() <= kMostDependent && cut.independent.size() <= kMostIndependent) {
       solutions = linear_solutions(cut);
     }
-    const bool found_any = !solutions.empty();
     // Folded, opposite links lie on each other and turn as one: that is not what the loop is there for.
     std::erase_if(solutions, holds_a_joint_still);
-    if (solutions.size() != 1) {
-      report(loop, found_any, solutions.size());
-      return;
+    if (solutions.size() > 1) {
+      diagnostics_.error(loop.place,
+                         "loop between \"" + loop.links[0].name + "\" and \"" + loop.links[1].name +
+                             "\": it does not determine its dependent joints: it stays closed in several ways",
+                         "check its points and lengths, and which joints depend on the others");
     }
+    if (solutions.size() != 1) return false;
     for (std::size_t d = 0; d < cut.dependent.size(); ++d) couple(loop, cut, d, solutions[0][d]);
+    return true;
   }
 
  private:
-  void report(const Loop& loop, bool found_any, std::size_t solutions) {
-    const std::string what = "loop between \"" + loop.links[0].name + "\" and \"" + loop.links[1].name + "\": ";
-    if (solutions > 1) {
-      diagnostics_.error(loop.place,
-                         what + "it does not determine its dependent joints: it stays closed in several ways",
-                         "check its points and lengths, and which joints depend on the others");
-    } else if (found_any) {
-      diagnostics_.error(loop.place, what + "it stays closed only if a dependent joint does not move",
-                         "check its links, or make that joint fixed");
-    } else {
-      diagnostics_.unsupported(
-          loop.place,
-          what +
-              "its dependent joints are not sums and differences of the others' positions and "
-              "quarter turns, as in a parallelogram; other loops are not supported yet",
-          "check that opposite sides are equal, that the joints' axes are parallel, and that frames "
-          "are turned against each other by quarter turns only");
-    }
-  }
-
-  Robot without_couplings() const {
+  // Every joint moves by itself.
+  Robot open_tree() const {
     Robot tree = robot_;
+    tree.loops.clear();
     for (Joint& joint : tree.joints) joint.coupled.reset();
     return tree;
   }
@@ -288,7 +275,11 @@ class LoopSettler {
 }  // namespace
 
 void settle_loops(Robot& robot, Diagnostics& diagnostics) {
-  for (const Loop& loop : robot.loops) LoopSettler(robot, diagnostics).settle(loop);
+  std::erase_if(robot.loops, [&](const Loop& loop) { return LoopSettler(robot, diagnostics).settle(loop); });
+  if (diagnostics.has_errors() || robot.loops.empty()) return;
+  Robot open = robot;
+  open.loops.clear();
+  check_loops(robot, make_mechanism(open), diagnostics);
 }
 
 }  // namespace flatdyn

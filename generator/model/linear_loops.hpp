@@ -9,8 +9,8 @@ namespace flatdyn {
 
 // Finds q = A q_a + b of each loop's dependent joints, and couples them so. Factors -1, 0, 1 and quarter turns are
 // tried, and kept if the loop stays closed for all positions and all values of symbols: decided modulo a large prime at
-// random points. Loops that stay closed in another way are reported as unsupported. For a robot that has been
-// validated.
+// random points. These loops are done with then; others stay, and are checked, see loop_closure.hpp. For a robot that
+// has been validated.
 void settle_loops(Robot& robot, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

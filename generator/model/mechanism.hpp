@@ -67,6 +67,20 @@ struct LinkFrame {
   Vec3 p = zero_vector();
 };
 
+// A closed loop that is not a matter of linear coupling, cut where two points meet. Φ(q) = 0: of the way from the first
+// point to the second, in the frame of the body that carries the loop, those components that the joints change.
+struct LoopClosure {
+  struct End {
+    int body = -1;  // -1: the base
+    Vec3 p = zero_vector();
+  };
+  End ends[2];
+  int carrier = -1;               // the body nearest to the ends that both are moved by; -1: the base
+  Mat3 axes = identity_matrix();  // the components' axes, as columns, in the carrier's frame
+  std::vector<std::size_t> rows;  // of the components
+  std::vector<int> dependent;     // entries of q that follow from the others; as many as rows
+};
+
 class JointRange;
 
 struct Mechanism {
@@ -86,11 +100,22 @@ struct Mechanism {
   std::vector<std::vector<Number>> coupling;
   std::vector<Number> offsets;  // what is constant, rad or m
 
-  int size() const { return is_coupled() ? static_cast<int>(coordinates.size()) : body_count(); }  // of q
+  // Where loops are closed, q has the positions of all joints that are not coupled, and q̇, q̈ and τ are those of the
+  // independent ones among them. In that order each loop finds all that it depends on. Then joints count as coupled.
+  std::vector<LoopClosure> loops;
+  std::vector<int> independent;  // entries of q; empty: all
+
+  int position_count() const { return is_coupled() ? static_cast<int>(coordinates.size()) : body_count(); }  // of q
+  // Of q̇, q̈ and τ; and of q, where no loop is closed.
+  int size() const { return has_loops() ? static_cast<int>(independent.size()) : position_count(); }
   int body_count() const { return static_cast<int>(bodies.size()); }
   bool is_coupled() const { return !coupling.empty(); }
-  JointRange joints() const;  // the joints that the entries of q belong to, in their order
-  int body_of(int k) const { return is_coupled() ? coordinates[static_cast<std::size_t>(k)] : k; }
+  bool has_loops() const { return !loops.empty(); }
+  JointRange joints() const;  // the joints that the entries of q̇ belong to, in their order
+  // The entry of q that is integrated from entry k of q̇.
+  int position_of(int k) const { return has_loops() ? independent[static_cast<std::size_t>(k)] : k; }
+  int body_at(int position) const { return is_coupled() ? coordinates[static_cast<std::size_t>(position)] : position; }
+  int body_of(int k) const { return body_at(position_of(k)); }
   const Body& joint(int k) const { return bodies[static_cast<std::size_t>(body_of(k))]; }
   bool has_prismatic_joint() const;
 };

@@ -99,7 +99,7 @@ struct Robot {
   std::vector<std::string> files;             // all that were read: this one, and a URDF that it names
   std::vector<Link> links;                    // in file order
   std::vector<Joint> joints;                  // in file order
-  std::vector<Loop> loops;                    // as written; their dependent joints are coupled
+  std::vector<Loop> loops;                    // closed ones; those of coupled joints are part of `joints`
   int root = -1;                              // index of the root link; it is the fixed base
   int tip = -1;                               // index of the link whose frame is the tip
   Pose tip_offset;                            // of the tip frame in the tip link's frame

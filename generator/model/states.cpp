@@ -53,10 +53,17 @@ State in_float(State state) {
 }
 
 StateSource::StateSource(const Mechanism& mechanism) {
-  for (const Body& body : mechanism.joints()) {
-    const Range position = position_range(body);
-    joints_.push_back({position.low, position.high, bound(body.limits.velocity, body.prismatic ? 1 : 5),
+  for (int k = 0; k < mechanism.position_count(); ++k) {
+    const Range range = position_range(mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(k))]);
+    positions_.emplace_back(range.low, range.high);
+  }
+  for (int k = 0; k < mechanism.size(); ++k) {
+    const Body& body = mechanism.joint(k);
+    joints_.push_back({mechanism.position_of(k), bound(body.limits.velocity, body.prismatic ? 1 : 5),
                        bound(body.limits.acceleration, body.prismatic ? 10 : 20), bound(body.limits.effort, 100)});
+  }
+  for (const LoopClosure& loop : mechanism.loops) {
+    dependent_.insert(dependent_.end(), loop.dependent.begin(), loop.dependent.end());
   }
 }
 
@@ -65,9 +72,11 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
   std::vector<State> states;
   for (int k = 0; k < count; ++k) {
     State state;
+    state.q.resize(positions_.size());
+    const auto draw_position = [&](std::size_t p) { state.q[p] = uniform(positions_[p].first, positions_[p].second); };
     for (const Joint& joint : joints_) {
       const auto symmetric = [&uniform](double b) { return uniform(-b, b); };
-      state.q.push_back(uniform(joint.lower, joint.upper));
+      draw_position(static_cast<std::size_t>(joint.position));
       state.qd.push_back(symmetric(joint.velocity));
       state.qdd.push_back(symmetric(joint.acceleration));
       state.tau.push_back(symmetric(joint.effort));
@@ -75,6 +84,7 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
       state.qdd_r.push_back(reference(-20, 20));
     }
     for (double& h : state.h_e) h = uniform(-50, 50);
+    for (const int p : dependent_) draw_position(static_cast<std::size_t>(p));
     states.push_back(std::move(state));
   }
   return states;
@@ -102,10 +112,11 @@ std::vector<State> with_parameters(std::vector<State> states, const std::vector<
 std::vector<State> edge_states(const Mechanism& mechanism) {
   std::vector<State> states;
   const auto n = static_cast<std::size_t>(mechanism.size());
+  const auto positions = static_cast<std::size_t>(mechanism.position_count());
   for (const double q : {0.0, kPi / 2, -kPi / 2, kPi, -kPi, 2000 * kPi, 0.1 + 1000}) {
     for (const double qd : {0.0, 1.0, -1000.0}) {
       State state;
-      state.q.assign(n, q);
+      state.q.assign(positions, q);
       state.qd.assign(n, qd);
       state.qdd.assign(n, qd == 1.0 ? -2.0 : 0.0);
       state.tau.assign(n, 1.0);

@@ -60,9 +60,12 @@ class StateSource {
 
  private:
   struct Joint {
-    double lower, upper, velocity, acceleration, effort;
+    int position;  // entry of q
+    double velocity, acceleration, effort;
   };
-  std::vector<Joint> joints_;
+  std::vector<std::pair<double, double>> positions_;  // by entry of q: from, to
+  std::vector<Joint> joints_;                         // by entry of q̇
+  std::vector<int> dependent_;                        // entries of q
 };
 
 // As many base parameters, between -1 and 1, in each of the states.

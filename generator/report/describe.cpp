@@ -34,17 +34,22 @@ std::string snap_text(const Snap& snap, double torque_change) {
                      nearest_double(snap.difference), torque_change);
 }
 
+std::vector<std::string> independent_names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const Body& body : mechanism.joints()) names.push_back(body.joint);
+  return names;
+}
+
 }  // namespace
 
 std::string describe_model(const Model& model, const std::vector<double>& snap_effects) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText number(mechanism);
-  std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name,
-                                 mechanism.size() == 1 ? "1 joint" : fmt::format("{} joints", mechanism.size()),
+  std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name, joints_text(mechanism),
                                  number(mechanism.gravity), mechanism.tip.link);
   std::vector<std::vector<std::string>> rows = {{"q", "joint", "type", "moves", "after", "range", "speed", "effort"}};
-  for (int i = 0; i < mechanism.size(); ++i) {
-    const Body& body = mechanism.joints()[static_cast<std::size_t>(i)];
+  for (int i = 0; i < mechanism.position_count(); ++i) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(i))];
     const std::string parent = body.parent < 0 ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
     rows.push_back({std::to_string(i), body.joint, type_of(body), body.link, parent, range_text(body.limits, number),
                     limit_text(body.limits.velocity, number), limit_text(body.limits.effort, number)});
@@ -52,7 +57,14 @@ std::string describe_model(const Model& model, const std::vector<double>& snap_e
   text += aligned_table(rows);
   if (mechanism.is_coupled()) {
     const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
-    text += fmt::format("\ncoupled joints:\n  {}\n", fmt::join(coupled_joint_texts(mechanism, by_index), "\n  "));
+    const std::vector<std::string> coupled = coupled_joint_texts(mechanism, by_index);
+    if (!coupled.empty()) text += fmt::format("\ncoupled joints:\n  {}\n", fmt::join(coupled, "\n  "));
+  }
+  if (mechanism.has_loops()) {
+    text += fmt::format("\nclosed loops, qd and tau of {}:\n", fmt::join(independent_names(mechanism), ", "));
+    for (const LoopClosure& loop : mechanism.loops) {
+      text += fmt::format("  {} follow from the others\n", fmt::join(dependent_joint_names(mechanism, loop), ", "));
+    }
   }
   const std::vector<std::string> scene = scene_items(model);
   if (!scene.empty()) text += fmt::format("\nfixed by scene or options:\n  {}\n", fmt::join(scene, "\n  "));
@@ -146,9 +158,10 @@ nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
 // Of a coupled joint: Σ factor · q + offset, the entries of q by their joints' names.
 nlohmann::ordered_json position_json(const Mechanism& mechanism, std::size_t body, const NumberText& text) {
   nlohmann::ordered_json factors = nlohmann::ordered_json::object();
-  for (int k = 0; k < mechanism.size(); ++k) {
+  for (int k = 0; k < mechanism.position_count(); ++k) {
     const Number& factor = mechanism.coupling[body][static_cast<std::size_t>(k)];
-    if (!vanishes(factor)) factors[mechanism.joint(k).joint] = number_json(factor, text);
+    const std::string& joint = mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(k))].joint;
+    if (!vanishes(factor)) factors[joint] = number_json(factor, text);
   }
   return {{"factors", factors}, {"offset", number_json(mechanism.offsets[body], text)}};
 }
@@ -179,7 +192,16 @@ nlohmann::ordered_json model_json(const Model& model, const std::vector<double>&
   }
   if (mechanism.is_coupled()) {
     json["q"] = nlohmann::ordered_json::array();
-    for (const Body& body : mechanism.joints()) json["q"].push_back(body.joint);
+    for (int k = 0; k < mechanism.position_count(); ++k) {
+      json["q"].push_back(mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(k))].joint);
+    }
+  }
+  if (mechanism.has_loops()) {
+    json["independent"] = independent_names(mechanism);
+    json["loops"] = nlohmann::ordered_json::array();
+    for (const LoopClosure& loop : mechanism.loops) {
+      json["loops"].push_back({{"dependent", dependent_joint_names(mechanism, loop)}});
+    }
   }
   json["merged_links"] = model.mechanism.merged;
   if (const std::vector<std::string> scene = scene_items(model); !scene.empty()) json["scene"] = scene;

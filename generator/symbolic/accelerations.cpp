@@ -4,7 +4,7 @@
 namespace flatdyn {
 
 std::vector<Number> bias_torques(Workbench& bench) {
-  const Motion motion{bench.joint_motion(InputKind::qd), bench.no_motion(), bench.mechanism.gravity, true};
+  const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_drift(), bench.mechanism.gravity, true};
   return bench.at_coordinates(torques(bench.frames, motion));
 }
 

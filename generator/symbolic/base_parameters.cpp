@@ -7,6 +7,7 @@
 #include "model/field_mechanism.hpp"
 #include "symbolic/coupled_base.hpp"
 #include "symbolic/elimination.hpp"
+#include "symbolic/loop_shifts.hpp"
 #include "symbolic/redundant.hpp"
 
 namespace flatdyn {
@@ -130,9 +131,11 @@ BaseParameters base_parameters(const Mechanism& mechanism, ParameterSet set) {
   std::erase_if(rows, [](const ParameterForm& form) { return form.empty(); });
   ModPArithmetic<> arithmetic(1);
   const NumberMap<ModPArithmetic<>> field(mechanism.symbols, arithmetic);
-  const BaseParameters base = reduced(std::move(rows), by_preference(mechanism), parameters_in(mechanism, set),
-                                      [&field](const Number& x) { return field(x) == ModP<kMersenne61>(0); });
-  return mechanism.is_coupled() ? reduced_at_coordinates(mechanism, base) : base;
+  const auto is_zero = [&field](const Number& x) { return field(x) == ModP<kMersenne61>(0); };
+  const std::vector<bool> present = parameters_in(mechanism, set);
+  const BaseParameters base = reduced(rows, by_preference(mechanism), present, is_zero);
+  if (!mechanism.is_coupled()) return base;
+  return reduced_at_coordinates(mechanism, without_shifts(mechanism, base, rows, present, is_zero));
 }
 
 std::vector<Number> base_values(const Mechanism& mechanism, const BaseParameters& base) {

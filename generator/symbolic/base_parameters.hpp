@@ -22,9 +22,16 @@ namespace flatdyn {
 // Σ coefficient · π_index.
 using ParameterForm = std::map<int, Number>;
 
+// What a closed loop hides: Y shift = 0 where the loop is closed. Of parameters π, share·π is hidden.
+struct LoopShift {
+  ParameterForm shift, share;
+};
+
+// Where loops are closed, Y = Y_b K; at any other positions Y = Y_b K + Σ (Y shift) share.
 struct BaseParameters {
   std::vector<int> columns;                // places in π of the kept parameters, ascending
   std::vector<ParameterForm> combination;  // row k of K; the coefficient of columns[k] is 1, of other kept ones 0
+  std::vector<LoopShift> shifts{};
 
   int size() const { return static_cast<int>(columns.size()); }
 };

@@ -162,6 +162,7 @@ Mechanism with_half_inertia(const Mechanism& mechanism) {
     body.inertia.first_moment = factor * body.inertia.first_moment;
     for (Vec3& row : body.inertia.inertia) row = factor * row;
     if (body.rotor) body.rotor->inertia *= factor;
+    body.armature *= factor;
   }
   return half;
 }

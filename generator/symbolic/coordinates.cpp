@@ -4,28 +4,50 @@
 #include <cstdlib>
 
 #include "model/rational_rotation.hpp"
+#include "symbolic/loops.hpp"
 
 namespace flatdyn {
 namespace {
 
 std::string names_of(int i, int k) { return "_" + label(i) + "_" + label(k); }
 
-// The bodies that coordinate k moves directly, with their factors.
-std::vector<std::pair<int, Number>> moved_by(const Mechanism& mechanism, int k) {
-  std::vector<std::pair<int, Number>> result;
+// A; where loops are closed, A G: by body, how its joint moves with the coordinates.
+Rows factors_of(const Mechanism& mechanism, Derivation& derivation) {
+  if (!mechanism.has_loops()) return mechanism.coupling;
+  const Rows G = ClosedLoops(mechanism, derivation).motion();
+  Rows result;
   for (int i = 0; i < mechanism.body_count(); ++i) {
-    const Number& factor = mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-    if (!vanishes(factor)) result.emplace_back(i, factor);
+    result.emplace_back();
+    for (int k = 0; k < mechanism.size(); ++k) {
+      Number sum = 0;
+      for (std::size_t p = 0; p < G.size(); ++p) {
+        sum += mechanism.coupling[static_cast<std::size_t>(i)][p] * G[p][static_cast<std::size_t>(k)];
+      }
+      result.back().push_back(derivation.named(sum, "A" + names_of(i, k)));
+    }
   }
   return result;
 }
 
-Number joint_value(const Mechanism& mechanism, const std::vector<Number>& coordinates, int i) {
-  Number sum = 0;
-  for (std::size_t k = 0; k < coordinates.size(); ++k) {
-    sum += mechanism.coupling[static_cast<std::size_t>(i)][k] * coordinates[k];
+// The bodies that coordinate k moves directly, with their factors.
+std::vector<std::pair<int, Number>> moved_by(const Rows& factors, int k) {
+  std::vector<std::pair<int, Number>> result;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const Number& factor = factors[i][static_cast<std::size_t>(k)];
+    if (!vanishes(factor)) result.emplace_back(static_cast<int>(i), factor);
   }
+  return result;
+}
+
+Number sum_of(const std::vector<Number>& factors, const std::vector<Number>& values) {
+  Number sum = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) sum += factors[k] * values[k];
   return sum;
+}
+
+std::vector<Number> rates_of(const Mechanism& mechanism, Derivation& derivation, InputKind kind) {
+  static const std::map<InputKind, const char*> names = {{InputKind::qd, "qd_"}, {InputKind::qd_r, "qd_r_"}};
+  return joint_motion(mechanism, derivation, inputs(derivation, kind, mechanism.size()), names.at(kind));
 }
 
 // "m1_2x3": back by coordinate 1, twice by coordinate 3.
@@ -50,6 +72,18 @@ PlanarRotation multiple(Derivation& d, const PlanarRotation& a, int times, const
   return times % 2 == 0 ? even : named(d, even * a, n + "o");
 }
 
+// Of all bodies' joints, for motions of theirs that close the loops.
+std::vector<Number> drift_along(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& rates,
+                                const std::vector<Number>& rates_r, const std::string& name) {
+  const std::vector<Number> drift = ClosedLoops(mechanism, derivation).drift(rates, rates_r, name);
+  std::vector<Number> result;
+  for (std::size_t i = 0; i < mechanism.coupling.size(); ++i) {
+    const std::string n = name + "_j" + label(static_cast<int>(i));
+    result.push_back(derivation.named(sum_of(mechanism.coupling[i], drift), n));
+  }
+  return result;
+}
+
 }  // namespace
 
 PlanarRotation turn_by(Derivation& d, const std::vector<Number>& multiples) {
@@ -69,16 +103,17 @@ PlanarRotation turn_by(Derivation& d, const std::vector<Number>& multiples) {
 
 Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i) {
   if (!mechanism.is_coupled()) return derivation.input(InputKind::q, i);
-  const std::vector<Number> q = inputs(derivation, InputKind::q, mechanism.size());
-  return derivation.named(joint_value(mechanism, q, i), "q_" + label(i));
+  const std::vector<Number> q = inputs(derivation, InputKind::q, mechanism.position_count());
+  return derivation.named(sum_of(mechanism.coupling[static_cast<std::size_t>(i)], q), "q_" + label(i));
 }
 
 std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation,
                                  const std::vector<Number>& coordinates, const std::string& name) {
   if (!mechanism.is_coupled()) return coordinates;
+  const Rows factors = factors_of(mechanism, derivation);
   std::vector<Number> result;
   for (int i = 0; i < mechanism.body_count(); ++i) {
-    result.push_back(derivation.named(joint_value(mechanism, coordinates, i), name + label(i)));
+    result.push_back(derivation.named(sum_of(factors[static_cast<std::size_t>(i)], coordinates), name + label(i)));
   }
   return result;
 }
@@ -86,22 +121,47 @@ std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivat
 Number joint_rate(const Mechanism& mechanism, Derivation& derivation, int i) {
   if (!mechanism.is_coupled()) return derivation.input(InputKind::qd, i);
   const std::vector<Number> qd = inputs(derivation, InputKind::qd, mechanism.size());
-  return derivation.named(joint_value(mechanism, qd, i), "qd_" + label(i));
+  const Rows factors = factors_of(mechanism, derivation);
+  return derivation.named(sum_of(factors[static_cast<std::size_t>(i)], qd), "qd_" + label(i));
+}
+
+std::vector<Number> joint_drift(const Mechanism& mechanism, Derivation& derivation, InputKind kind_r) {
+  if (!mechanism.has_loops()) return std::vector<Number>(static_cast<std::size_t>(mechanism.body_count()), 0);
+  return drift_along(mechanism, derivation, rates_of(mechanism, derivation, InputKind::qd),
+                     rates_of(mechanism, derivation, kind_r), "drift");
+}
+
+std::vector<Number> joint_curvature(const Mechanism& mechanism, Derivation& derivation, int j, int k) {
+  const Rows factors = factors_of(mechanism, derivation);
+  const auto column = [&factors](int coordinate) {
+    std::vector<Number> result;
+    for (const std::vector<Number>& row : factors) result.push_back(row[static_cast<std::size_t>(coordinate)]);
+    return result;
+  };
+  return drift_along(mechanism, derivation, column(j), column(k), "H" + names_of(j, k));
 }
 
 std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation, InputKind kind) {
-  const std::map<InputKind, const char*> names = {
-      {InputKind::qd, "qd_"}, {InputKind::qdd, "qdd_"}, {InputKind::qd_r, "qd_r_"}, {InputKind::qdd_r, "qdd_r_"}};
-  return joint_motion(mechanism, derivation, inputs(derivation, kind, mechanism.size()), names.at(kind));
+  if (kind == InputKind::qd || kind == InputKind::qd_r) return rates_of(mechanism, derivation, kind);
+  const bool of_reference = kind == InputKind::qdd_r;
+  const std::string name = of_reference ? "qdd_r_" : "qdd_";
+  std::vector<Number> result = joint_motion(mechanism, derivation, inputs(derivation, kind, mechanism.size()), name);
+  if (!mechanism.has_loops()) return result;
+  const std::vector<Number> drift = joint_drift(mechanism, derivation, of_reference ? InputKind::qd_r : InputKind::qd);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = derivation.named(result[i] + drift[i], name + label(static_cast<int>(i)) + "a");
+  }
+  return result;
 }
 
 std::vector<Number> at_coordinates(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& tau,
                                    const std::string& name) {
   if (!mechanism.is_coupled()) return tau;
+  const Rows factors = factors_of(mechanism, derivation);
   std::vector<Number> result;
   for (int k = 0; k < mechanism.size(); ++k) {
     Number sum = 0;
-    for (const auto& [i, factor] : moved_by(mechanism, k)) sum += factor * tau[static_cast<std::size_t>(i)];
+    for (const auto& [i, factor] : moved_by(factors, k)) sum += factor * tau[static_cast<std::size_t>(i)];
     result.push_back(derivation.named(sum, name + "_q" + label(k)));
   }
   return result;
@@ -110,13 +170,13 @@ std::vector<Number> at_coordinates(const Mechanism& mechanism, Derivation& deriv
 Rows rows_at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Rows& matrix,
                          const std::string& name) {
   if (!mechanism.is_coupled()) return matrix;
+  const Rows factors = factors_of(mechanism, derivation);
   Rows result;
   for (int k = 0; k < mechanism.size(); ++k) {
     result.emplace_back(matrix.front().size(), 0);
     for (std::size_t column = 0; column < matrix.front().size(); ++column) {
       Number sum = 0;
-      for (const auto& [i, factor] : moved_by(mechanism, k))
-        sum += factor * matrix[static_cast<std::size_t>(i)][column];
+      for (const auto& [i, factor] : moved_by(factors, k)) sum += factor * matrix[static_cast<std::size_t>(i)][column];
       result.back()[column] = derivation.named(sum, name + names_of(k, static_cast<int>(column)) + "h");
     }
   }
@@ -126,12 +186,13 @@ Rows rows_at_coordinates(const Mechanism& mechanism, Derivation& derivation, con
 Rows at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Rows& matrix, Shape shape,
                     const std::string& name) {
   if (!mechanism.is_coupled()) return matrix;
-  const Rows half = rows_at_coordinates(mechanism, derivation, matrix, name);
+  const Rows half = rows_at_coordinates(mechanism, derivation, matrix, name),
+             factors = factors_of(mechanism, derivation);
   Rows result(half.size(), std::vector<Number>(half.size(), 0));
   for (int k = 0; k < mechanism.size(); ++k) {
     for (int l = shape == Shape::symmetric ? k : 0; l < mechanism.size(); ++l) {
       Number sum = 0;
-      for (const auto& [i, factor] : moved_by(mechanism, l)) {
+      for (const auto& [i, factor] : moved_by(factors, l)) {
         sum += factor * half[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
       }
       Number& entry = result[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)];
@@ -144,7 +205,8 @@ Rows at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Ro
 
 ChristoffelSymbols at_coordinates(const Mechanism& mechanism, Derivation& derivation, const ChristoffelSymbols& c) {
   if (!mechanism.is_coupled()) return c;
-  const auto row = [&](int i) -> const std::vector<Number>& { return mechanism.coupling[static_cast<std::size_t>(i)]; };
+  const Rows factors = factors_of(mechanism, derivation);
+  const auto row = [&](int i) -> const std::vector<Number>& { return factors[static_cast<std::size_t>(i)]; };
   ChristoffelSymbols sums;
   const auto add = [&](int r, int s, int t, const Number& value) {
     for (int i = 0; i < mechanism.size(); ++i) {
@@ -173,10 +235,11 @@ ChristoffelSymbols at_coordinates(const Mechanism& mechanism, Derivation& deriva
 std::vector<JacobianColumn> at_coordinates(const Mechanism& mechanism, Derivation& derivation,
                                            const std::vector<JacobianColumn>& columns) {
   if (!mechanism.is_coupled()) return columns;
+  const Rows factors = factors_of(mechanism, derivation);
   std::vector<JacobianColumn> result;
   for (int k = 0; k < mechanism.size(); ++k) {
     JacobianColumn sum;
-    for (const auto& [i, factor] : moved_by(mechanism, k)) {
+    for (const auto& [i, factor] : moved_by(factors, k)) {
       const JacobianColumn& column = columns[static_cast<std::size_t>(i)];
       sum.linear = sum.linear + factor * column.linear;
       sum.angular = sum.angular + factor * column.angular;

@@ -24,6 +24,13 @@ Function sampled_function(const Mechanism& mechanism, const BaseParameters& base
                   {matrix_output("Y_b", bench.size(), base.size(), entries, "")});
 }
 
+constexpr std::size_t kSpareRows = 4;  // beyond the number of columns: then the rank is full, as good as surely
+
+// A coordinate's angle, not one of the robot's symbols.
+bool is_coordinate(const Graph& graph, NodeId angle) {
+  return graph[angle].op == Op::input && graph[angle].input.kind == InputKind::q;
+}
+
 Number exact(const Rational& value) { return GiNaC::numeric(value.str().c_str()); }
 
 // A state of random rational numbers, the robot's own symbols kept.
@@ -40,19 +47,15 @@ class SampledState {
   }
   Number divide(const Number& a, const Number& b) const { return a / b; }
   Number sin(const Graph& graph, NodeId angle, const Number& value) const {
-    return is_drawn(graph, angle) ? exact(point(graph, angle).s) : Number(GiNaC::sin(value));
+    return is_coordinate(graph, angle) ? exact(point(graph, angle).s) : Number(GiNaC::sin(value));
   }
   Number cos(const Graph& graph, NodeId angle, const Number& value) const {
-    return is_drawn(graph, angle) ? exact(point(graph, angle).c) : Number(GiNaC::cos(value));
+    return is_coordinate(graph, angle) ? exact(point(graph, angle).c) : Number(GiNaC::cos(value));
   }
   Number sqrt(const Number& value) const { return GiNaC::sqrt(value); }
   Number sign(const Number& rate) const { return exact(drawn_.sign(to_rational(rate))); }
 
  private:
-  // A coordinate's, not one of the robot's symbols.
-  static bool is_drawn(const Graph& graph, NodeId angle) {
-    return graph[angle].op == Op::input && graph[angle].input.kind == InputKind::q;
-  }
   RationalArithmetic::CirclePoint point(const Graph& graph, NodeId angle) const {
     return drawn_.point(drawn_.input(graph[angle].input));
   }
@@ -74,11 +77,60 @@ void add_sample(const Mechanism& mechanism, const Function& function, std::uint6
   }
 }
 
+// A state modulo a large prime. Symbols have the same values in all.
+class FieldState {
+ public:
+  using Arithmetic = ModPArithmetic<>;
+  using Scalar = Arithmetic::Scalar;
+
+  explicit FieldState(std::uint64_t seed) : drawn_(seed) {}
+
+  Scalar constant(const Rational& value) const { return drawn_.constant(value); }
+  Scalar input(const Input& input) const {
+    return (input.kind == InputKind::parameter ? symbols_ : drawn_).input(input);
+  }
+  Scalar divide(const Scalar& a, const Scalar& b) const { return a / b; }
+  Scalar sin(const Graph& graph, NodeId angle, const Scalar& value) const {
+    return of(graph, angle).sin(graph, angle, value);
+  }
+  Scalar cos(const Graph& graph, NodeId angle, const Scalar& value) const {
+    return of(graph, angle).cos(graph, angle, value);
+  }
+  Scalar sqrt(const Scalar& value) const { return drawn_.sqrt(value); }
+  Scalar sign(const Scalar& rate) const { return drawn_.sign(rate); }
+
+ private:
+  const Arithmetic& of(const Graph& graph, NodeId angle) const {
+    return is_coordinate(graph, angle) ? drawn_ : symbols_;
+  }
+
+  Arithmetic drawn_, symbols_{0};
+};
+
+// Whether no column depends on others: decided modulo a large prime, where that is cheap. With symbols, and where loops
+// are closed, exact elimination is not.
+bool are_independent(const Function& function) {
+  using F = ModP<kMersenne61>;
+  const Output& Y = function.outputs.front();
+  const auto columns = static_cast<std::size_t>(Y.cols);
+  std::vector<std::vector<F>> rows;
+  for (std::uint64_t seed = 1; rows.size() < columns + kSpareRows; ++seed) {
+    FieldState state(seed);
+    const std::vector<F> values = evaluate(function, state);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Y.rows); ++i) {
+      rows.emplace_back();
+      for (std::size_t k = 0; k < columns; ++k) {
+        rows.back().push_back(values[static_cast<std::size_t>(Y.entries[i * columns + k])]);
+      }
+    }
+  }
+  return reduced_echelon(std::move(rows), [](const F& x) { return x == F(0); }).pivots.size() == columns;
+}
+
 Echelon<Number> sampled_echelon(const Mechanism& mechanism, const Function& function) {
-  constexpr std::size_t kSpare = 4;  // rows beyond the number of columns: then the rank is full, as good as surely
   const auto columns = static_cast<std::size_t>(function.outputs.front().cols);
   Rows rows;
-  for (std::uint64_t seed = 1; rows.size() < columns + kSpare; ++seed) add_sample(mechanism, function, seed, rows);
+  for (std::uint64_t seed = 1; rows.size() < columns + kSpareRows; ++seed) add_sample(mechanism, function, seed, rows);
   ModPArithmetic<> arithmetic(1);
   const NumberMap<ModPArithmetic<>> field(mechanism.symbols, arithmetic);
   return reduced_echelon(std::move(rows), [&field](const Number& x) { return field(x) == ModP<kMersenne61>(0); });
@@ -109,7 +161,9 @@ void add_multiple(ParameterForm& form, const Number& factor, const ParameterForm
 BaseParameters reduced_at_coordinates(const Mechanism& mechanism, const BaseParameters& base) {
   if (base.columns.empty()) return base;
   const BaseParameters tree = by_preference(base);
-  const Echelon<Number> echelon = sampled_echelon(mechanism, sampled_function(mechanism, tree));
+  const Function sampled = sampled_function(mechanism, tree);
+  if (are_independent(sampled)) return base;
+  const Echelon<Number> echelon = sampled_echelon(mechanism, sampled);
   std::map<int, ParameterForm> kept;
   for (std::size_t r = 0; r < echelon.rows.size(); ++r) {
     ParameterForm& form = kept[tree.columns[echelon.pivots[r]]];
@@ -120,7 +174,7 @@ BaseParameters reduced_at_coordinates(const Mechanism& mechanism, const BasePara
     for (auto& [index, coefficient] : form) coefficient = simplified<Number>(coefficient);
     std::erase_if(form, [](const auto& term) { return vanishes(term.second); });
   }
-  BaseParameters reduced;
+  BaseParameters reduced{{}, {}, base.shifts};
   for (auto& [column, form] : kept) {
     reduced.columns.push_back(column);
     reduced.combination.push_back(std::move(form));

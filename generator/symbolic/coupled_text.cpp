@@ -17,9 +17,9 @@ void append_term(std::string& sum, const Number& number, const std::string& what
 }
 
 bool is_own_coordinate(const Mechanism& mechanism, int body) {
-  for (int k = 0; k < mechanism.size(); ++k) {
+  for (int k = 0; k < mechanism.position_count(); ++k) {
     const Number& factor = mechanism.coupling[static_cast<std::size_t>(body)][static_cast<std::size_t>(k)];
-    if (!factor.is_equal(mechanism.body_of(k) == body ? 1 : 0)) return false;
+    if (!factor.is_equal(mechanism.body_at(k) == body ? 1 : 0)) return false;
   }
   return vanishes(mechanism.offsets[static_cast<std::size_t>(body)]);
 }
@@ -32,7 +32,7 @@ std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const C
     if (is_own_coordinate(mechanism, i)) continue;
     const auto row = static_cast<std::size_t>(i);
     std::string sum;
-    for (int k = 0; k < mechanism.size(); ++k) {
+    for (int k = 0; k < mechanism.position_count(); ++k) {
       const Number& factor = mechanism.coupling[row][static_cast<std::size_t>(k)];
       if (!vanishes(factor)) append_term(sum, factor, coordinate(k));
     }
@@ -40,6 +40,21 @@ std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const C
     texts.push_back(mechanism.bodies[row].joint + " = " + sum);
   }
   return texts;
+}
+
+std::string joints_text(const Mechanism& mechanism) {
+  const int count = mechanism.position_count();
+  std::string text = std::to_string(count) + (count == 1 ? " joint" : " joints");
+  if (mechanism.has_loops()) text += ", " + std::to_string(mechanism.size()) + " of them independent";
+  return text;
+}
+
+std::vector<std::string> dependent_joint_names(const Mechanism& mechanism, const LoopClosure& loop) {
+  std::vector<std::string> names;
+  for (const int k : loop.dependent) {
+    names.push_back(mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(k))].joint);
+  }
+  return names;
 }
 
 }  // namespace flatdyn

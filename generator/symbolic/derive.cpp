@@ -19,6 +19,10 @@ namespace {
 constexpr int kLongestChain = 8;  // joints from base to tip: each one multiplies the number of terms by three
 
 void refuse_long_chains(const Mechanism& mechanism) {
+  if (mechanism.has_loops()) {
+    throw Failure(ExitCode::unsupported, "with closed loops, the equations of motion have no closed form",
+                  "flatdyn generate makes code of them: of Phi_q, G with dq/dt = G qd, B, C and g");
+  }
   std::vector<int> depth;
   for (const Body& body : mechanism.bodies) depth.push_back(body.parent < 0 ? 1 : depth[at(body.parent)] + 1);
   const int longest = depth.empty() ? 0 : *std::max_element(depth.begin(), depth.end());

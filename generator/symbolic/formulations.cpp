@@ -86,7 +86,7 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
 bool has_choices(const Mechanism& mechanism, const std::string& name) {
   const Request request = parsed(mechanism, name);
   const FunctionKind kind = request.entry->kind;
-  return kind != FunctionKind::kinematics && kind != FunctionKind::regressor;
+  return kind != FunctionKind::kinematics && kind != FunctionKind::regressor && kind != FunctionKind::loops;
 }
 
 namespace {

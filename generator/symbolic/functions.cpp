@@ -12,6 +12,7 @@
 #include "symbolic/derivatives.hpp"
 #include "symbolic/energy.hpp"
 #include "symbolic/kinematics.hpp"
+#include "symbolic/loop_functions.hpp"
 #include "symbolic/operational.hpp"
 #include "symbolic/regressor_functions.hpp"
 #include "symbolic/workbench.hpp"
@@ -67,8 +68,29 @@ Function inertia_matrix_function(const Mechanism& mechanism, const Choices& choi
   });
 }
 
+// What closed loops add: (A G)ᵀ B times the second derivatives of the joints' positions. `bench`: of half the inertia.
+void add_curvature(Workbench& bench, ChristoffelSymbols& symbols) {
+  Rows B = inertia_matrix(bench.frames);
+  for (std::vector<Number>& row : B) {
+    for (Number& b : row) b *= 2;
+  }
+  const Rows GB = rows_at_coordinates(bench.mechanism, bench.derivation, B, "b");
+  for (int k = 0; k < bench.size(); ++k) {
+    for (int j = 0; j <= k; ++j) {
+      const std::vector<Number> H = joint_curvature(bench.mechanism, bench.derivation, j, k);
+      for (int i = 0; i < bench.size(); ++i) {
+        Number sum = symbols[{i, j, k}];
+        for (std::size_t r = 0; r < H.size(); ++r) sum += GB[static_cast<std::size_t>(i)][r] * H[r];
+        symbols[{i, j, k}] = bench.derivation.named(sum, "c_l" + label(i) + "_" + label(j) + "_" + label(k));
+      }
+    }
+  }
+}
+
 ChristoffelSymbols christoffel_at_coordinates(Workbench& bench) {
-  return at_coordinates(bench.mechanism, bench.derivation, christoffel_symbols(bench.frames));
+  ChristoffelSymbols symbols = at_coordinates(bench.mechanism, bench.derivation, christoffel_symbols(bench.frames));
+  if (bench.mechanism.has_loops()) add_curvature(bench, symbols);
+  return symbols;
 }
 
 Function christoffel(const Mechanism& mechanism, const Choices& choices) {
@@ -107,8 +129,9 @@ Function coriolis_from_christoffel(const Mechanism& mechanism, const Choices& ch
 
 // C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative.
 std::optional<Function> coriolis_from_momenta(const Mechanism& mechanism, const Choices& choices) {
+  if (mechanism.has_loops()) return std::nullopt;
   return derived(with_half_inertia(mechanism), choices, [](Workbench& bench) {
-    const Motion motion{bench.joint_motion(InputKind::qd), bench.no_motion(), zero_vector(), false};
+    const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_drift(), zero_vector(), false};
     const Rows C = torque_derivatives(bench.frames, motion).dqd;
     return finished_coriolis(bench,
                              bench.nodes(at_coordinates(bench.mechanism, bench.derivation, C, Shape::general, "C")));
@@ -147,7 +170,7 @@ Function forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
 std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& mechanism, const Choices& choices) {
   if (!has_articulated_form(mechanism)) return std::nullopt;
   return derived(mechanism, choices, [](Workbench& bench) {
-    const Motion motion{bench.joint_motion(InputKind::qd), bench.no_motion(), bench.mechanism.gravity, true};
+    const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_drift(), bench.mechanism.gravity, true};
     const std::vector<Number> tau = bench.all(InputKind::tau);
     const ArticulatedSolution solution = articulated_accelerations(bench.frames, motion, tau);
     return finished_accelerations(bench, solution.qdd, solution.pivots);
@@ -156,22 +179,37 @@ std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& 
 
 // The composite bodies that B is made from give the bias, too.
 std::optional<Function> forward_dynamics_by_composite_bodies(const Mechanism& mechanism, const Choices& choices) {
-  if (mechanism.has_prismatic_joint()) return std::nullopt;
+  if (mechanism.has_prismatic_joint() || mechanism.has_loops()) return std::nullopt;
   return derived(mechanism, choices, [](Workbench& bench) {
     const Factorisation B(bench.frames, bench.inertia());
-    const Motion motion{bench.joint_motion(InputKind::qd), bench.no_motion(), bench.mechanism.gravity, true};
+    const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_drift(), bench.mechanism.gravity, true};
     const std::vector<Number> bias =
         bench.at_coordinates(composite_bias_torques(bench.frames, motion, composites(bench.frames)));
     return finished_accelerations(bench, accelerations(bench, B, bias), B.pivots());
   });
 }
 
+void refuse_derivatives_of_loops(const Mechanism& mechanism, const std::string& name) {
+  if (!mechanism.has_loops()) return;
+  throw Failure(ExitCode::unsupported, name + ": derivatives of robots with closed loops are not supported yet",
+                "leave this function out");
+}
+
 Function inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  refuse_derivatives_of_loops(mechanism, "inverse_dynamics_derivatives");
   return derived(mechanism, choices, torque_derivatives_function);
 }
 
 Function forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  refuse_derivatives_of_loops(mechanism, "forward_dynamics_derivatives");
   return derived(mechanism, choices, acceleration_derivatives_function);
+}
+
+// Nothing in it is chosen.
+template <Function (*derive)(Workbench&)>
+Function of_loops(const Mechanism& mechanism, const Choices&) {
+  Workbench bench(mechanism);
+  return derive(bench);
 }
 
 template <Function (*derive)(Workbench&)>
@@ -271,6 +309,13 @@ const std::vector<FunctionEntry>& function_table() {
       {"forward_kinematics", "Pose of the tip", "(2.50)", Kind::kinematics, forward_kinematics_tip},
       {"jacobian", "Geometric Jacobian of the tip", "(7.14), (7.15)", Kind::kinematics, jacobian_tip},
       {"jacobian_dot_qd", "(dJ/dt) qd of the tip", "", Kind::kinematics, jacobian_dot_qd_tip},
+      {"loop_closure", "Phi(q): what lies between the points where the loops are closed", "", Kind::loops,
+       of_loops<loop_closure_function>},
+      {"loop_jacobian", "Phi_q, the derivative of loop_closure", "", Kind::loops, of_loops<loop_jacobian_function>},
+      {"loop_step", "Newton's step of the dependent joints towards closed loops", "", Kind::loops,
+       of_loops<loop_step_function>},
+      {"loop_motion", "Rates and accelerations of all joints of q, from those of the independent ones", "", Kind::loops,
+       of_loops<loop_motion_function>},
       {"inverse_dynamics_derivatives",
        "Derivatives of tau(q, qd, qdd) by q and by qd; Coulomb friction counts as constant", "", Kind::derivatives,
        inverse_dynamics_derivatives},

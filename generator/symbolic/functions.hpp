@@ -15,6 +15,7 @@ namespace flatdyn {
 enum class FunctionKind {
   dynamics,     // inertial parameters are numbers in it
   kinematics,   // it has none
+  loops,        // kinematics of robots with closed loops
   derivatives,  // of dynamics
   operational,  // dynamics as the tip feels them
   regressor,    // they are factors or inputs: it chooses its own
@@ -32,12 +33,17 @@ struct FunctionEntry {
 
   // Left out unless asked for by name: these serve identification, adaptive control, optimisers and control at the tip,
   // and are larger than all other functions of a controller together.
-  bool is_on_request() const { return kind != FunctionKind::dynamics && kind != FunctionKind::kinematics; }
+  bool is_on_request() const {
+    return kind != FunctionKind::dynamics && kind != FunctionKind::kinematics && kind != FunctionKind::loops;
+  }
+  // Whether the robot has what the function is about.
+  bool is_of(const Mechanism& mechanism) const { return kind != FunctionKind::loops || mechanism.has_loops(); }
 };
 
 // In the order in which they are emitted: inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel,
 // coriolis_matrix, gravity, bias, forward_dynamics, kinetic_energy, potential_energy, forward_kinematics, jacobian,
-// jacobian_dot_qd; then on request inverse_dynamics_derivatives, forward_dynamics_derivatives, operational_inertia,
+// jacobian_dot_qd; for robots with closed loops loop_closure, loop_jacobian, loop_step, loop_motion; then on request
+// inverse_dynamics_derivatives, forward_dynamics_derivatives, operational_inertia,
 // operational_bias, null_space_torque, regressor, base_regressor, base_parameters, inverse_dynamics_base,
 // adaptive_regressor.
 const std::vector<FunctionEntry>& function_table();

@@ -73,9 +73,9 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
 
 namespace {
 
-// ω̇ of a body from the joints' own q̇ ω × z. As a part of U it stands beside ω², which may be far larger.
-Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion>& links,
-                          const std::vector<Number>& qd) {
+// ω̇ of a body from the joints' own q̇ ω × z, and from what accelerates them in closed loops. As a part of U it stands
+// beside ω², which may be far larger.
+Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion>& links, const Motion& motion) {
   Derivation& d = frames.derivation();
   std::vector<int> path = path_to_base(frames, body);
   std::reverse(path.begin(), path.end());
@@ -84,7 +84,8 @@ Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion
     const auto k = static_cast<std::size_t>(i);
     domega = frames.down(i, domega, "domega_f_" + label(i));
     if (frames.body(i).prismatic) continue;
-    const Vec3 carried = {qd[k] * links[k].omega[1], -qd[k] * links[k].omega[0], 0};
+    const Number& qd = motion.qd[k];
+    const Vec3 carried = {qd * links[k].omega[1], -qd * links[k].omega[0], motion.qdd[k]};
     domega = d.named(domega + carried, "domega_q_" + label(i));
   }
   return domega;
@@ -96,12 +97,12 @@ JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
   if (link.body < 0) return {};
   Derivation& d = frames.derivation();
   const std::vector<Number> qd = joint_motion(frames.mechanism(), d, InputKind::qd);
-  const Motion motion{qd, std::vector<Number>(qd.size(), 0), zero_vector(), false};
+  const Motion motion{qd, joint_drift(frames.mechanism(), d, InputKind::qd), zero_vector(), false};
   const std::vector<LinkMotion> links = link_motions(frames, motion);
   const LinkMotion& body = links[static_cast<std::size_t>(link.body)];
   const Vec3 ddp = d.named(body.ddp + body.U * link.p, "ddp_e");
   return {to_base(frames, link.body, ddp, "a"),
-          to_base(frames, link.body, angular_acceleration(frames, link.body, links, motion.qd), "domega_e")};
+          to_base(frames, link.body, angular_acceleration(frames, link.body, links, motion), "domega_e")};
 }
 
 Wrench wrench_on_body(Frames& frames, const LinkFrame& link, const Wrench& wrench) {

@@ -137,7 +137,7 @@ class OperationalSpace {
 
 std::vector<Number> coriolis_torques(Workbench& bench) {
   return bench.at_coordinates(
-      torques(bench.frames, {bench.joint_motion(InputKind::qd), bench.no_motion(), zero_vector(), false}));
+      torques(bench.frames, {bench.joint_motion(InputKind::qd), bench.joint_drift(), zero_vector(), false}));
 }
 
 std::string of_task(const std::string& what, const OperationalSpace& space) {

@@ -55,7 +55,7 @@ Function inverse_dynamics_base_function(const Mechanism& mechanism) {
   for (const Number& torque : at_coordinates(mechanism, derivation, torques(frames, motion), "tau")) {
     tau.push_back(derivation.node(torque));
   }
-  Function function = finished(derivation, {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::pi_b},
+  Function function = finished(mechanism, derivation, {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::pi_b},
                                {vector_output("tau", tau, kTorqueMeaning)});
   function.base_parameters = base.size();
   return function;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "symbolic/loops.hpp"
+
 namespace flatdyn {
 
 std::vector<GiNaC::symbol> Workbench::parameters(const Mechanism& mechanism) {
@@ -39,9 +41,31 @@ Output scalar_output(const std::string& name, NodeId entry, const std::string& m
   return {name, Layout::scalar, 1, 1, {entry}, meaning};
 }
 
-Function finished(Derivation& derivation, std::vector<InputKind> inputs, std::vector<Output> outputs,
-                  std::vector<NodeId> positive) {
+namespace {
+
+// Of the loops that the outputs have to be closed for: of whose determinants they have the reciprocals.
+std::vector<NodeId> loop_conditions(const Mechanism& mechanism, Derivation& derivation,
+                                    const std::vector<Output>& outputs) {
+  std::vector<NodeId> entries, result;
+  for (const Output& output : outputs) entries.insert(entries.end(), output.entries.begin(), output.entries.end());
+  const auto conditions = ClosedLoops(mechanism, derivation).conditions();
+  const std::vector<bool> used = reachable_from(derivation.graph(), entries);
+  for (const ClosedLoops::Condition& condition : conditions) {
+    if (used[static_cast<std::size_t>(condition.reciprocal)]) result.push_back(condition.positive);
+  }
+  return result;
+}
+
+}  // namespace
+
+Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<InputKind> inputs,
+                  std::vector<Output> outputs, std::vector<NodeId> positive) {
   Function function;
+  if (mechanism.has_loops()) {
+    const std::vector<NodeId> conditions = loop_conditions(mechanism, derivation, outputs);
+    function.loop_conditions = static_cast<int>(conditions.size());
+    positive.insert(positive.end(), conditions.begin(), conditions.end());
+  }
   function.inputs = std::move(inputs);
   function.graph = std::move(derivation.graph());
   function.outputs = std::move(outputs);

@@ -21,9 +21,8 @@ struct Workbench {
   // Of every coordinate; and of every body's joint, whose motion follows from the coordinates.
   std::vector<Number> all(InputKind kind) { return inputs(derivation, kind, size()); }
   std::vector<Number> joint_motion(InputKind kind) { return flatdyn::joint_motion(mechanism, derivation, kind); }
-  std::vector<Number> no_motion() const {
-    return std::vector<Number>(static_cast<std::size_t>(mechanism.body_count()), 0);
-  }
+  // What is left of it where q̈ is zero.
+  std::vector<Number> joint_drift() { return flatdyn::joint_drift(mechanism, derivation, InputKind::qd); }
   std::vector<Number> at_coordinates(const std::vector<Number>& tau) {
     return flatdyn::at_coordinates(mechanism, derivation, tau, "tau");
   }
@@ -45,12 +44,12 @@ Output matrix_output(const std::string& name, int rows, int cols, std::vector<No
                      const std::string& meaning);
 Output scalar_output(const std::string& name, NodeId entry, const std::string& meaning);
 
-// Takes the graph out of the derivation.
-Function finished(Derivation& derivation, std::vector<InputKind> inputs, std::vector<Output> outputs,
-                  std::vector<NodeId> positive = {});
+// Takes the graph out of the derivation. Where loops are closed, those that count must not be singular.
+Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<InputKind> inputs,
+                  std::vector<Output> outputs, std::vector<NodeId> positive = {});
 inline Function finished(Workbench& bench, std::vector<InputKind> inputs, std::vector<Output> outputs,
                          std::vector<NodeId> positive = {}) {
-  return finished(bench.derivation, std::move(inputs), std::move(outputs), std::move(positive));
+  return finished(bench.mechanism, bench.derivation, std::move(inputs), std::move(outputs), std::move(positive));
 }
 
 }  // namespace flatdyn

@@ -138,7 +138,7 @@ std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
   std::vector<JointPoint<Degree>> degrees;
   for (int i = 0; i < mechanism.body_count(); ++i) {
     double turns = mechanism.is_coupled() ? 0 : 1;
-    for (int k = 0; k < mechanism.size() && mechanism.is_coupled(); ++k) {
+    for (int k = 0; k < mechanism.position_count() && mechanism.is_coupled(); ++k) {
       turns += std::abs(nearest_double(mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]));
     }
     degrees.push_back({Degree::of(turns), Degree::of(turns), Degree::of(1)});
@@ -203,7 +203,7 @@ double root_factor(const Function& function) {
 }
 
 double drawn_angles(const Function& function, const Mechanism& mechanism) {
-  double count = static_cast<double>(mechanism.size()) + static_cast<double>(mechanism.symbols.size());
+  double count = static_cast<double>(mechanism.position_count()) + static_cast<double>(mechanism.symbols.size());
   for (NodeId id = 0; id < function.graph.size(); ++id) {
     const Op op = function.graph[id].op;
     if (op == Op::sin || op == Op::cos) count += 1;

@@ -30,7 +30,9 @@ class Degree {
     if (a.is_zero_ || b.is_zero_) return {};
     return of(a.degree_ + b.degree_);
   }
-  friend Degree operator/(const Degree& a, const Degree&) { return a; }  // by constants only
+  // A denominator counts as a factor: with all terms of a sum over their common denominator, no degree is more than
+  // twice of what it is so.
+  friend Degree operator/(const Degree& a, const Degree& b) { return a * b; }
 
  private:
   bool is_zero_ = true;

@@ -95,7 +95,7 @@ class Scanner : TokenCursor {
     written.begin = at_ + 1;
     skip_block();
     written.end = at_ - 1;
-    if (written.name == "rounding_is_as_written") return;  // of no robot's own
+    if (is_no_formula(written.name)) return;
     if (is_part) {
       if (!found_.parts.emplace(written.name, written).second) fail("a part made twice");
     } else {

@@ -24,11 +24,11 @@ class Columns {
   std::vector<std::string> names_of(const Input& input) const {
     const auto k = static_cast<std::size_t>(input.index);
     if (input.kind == InputKind::parameter) return {mechanism_.symbols[k].name};
-    const std::string stem = input_argument(input.kind, mechanism_.size()).name;
+    const std::string stem = input_argument(input.kind, JointCounts(mechanism_)).name;
     std::vector<std::string> names = {stem + std::to_string(input.index + 1)};
     if (input.kind == InputKind::pi_b) return names;
     static constexpr const char* kForceNames[] = {"fx", "fy", "fz", "mx", "my", "mz"};
-    names.push_back(input.kind == InputKind::h_e ? kForceNames[k] : stem + "_" + mechanism_.joints()[k].joint);
+    names.push_back(input.kind == InputKind::h_e ? kForceNames[k] : stem + "_" + joint_of(input));
     return names;
   }
 
@@ -41,6 +41,11 @@ class Columns {
   }
 
  private:
+  const std::string& joint_of(const Input& input) const {
+    const int body = input.kind == InputKind::q ? mechanism_.body_at(input.index) : mechanism_.body_of(input.index);
+    return mechanism_.bodies[static_cast<std::size_t>(body)].joint;
+  }
+
   const Mechanism& mechanism_;
   std::map<std::string, std::size_t> index_;
 };
@@ -79,7 +84,7 @@ std::vector<Input> inputs_of(const Mechanism& mechanism, const Function& functio
   for (const InputKind kind : function.inputs) {
     if (kind == InputKind::parameter) continue;  // all of them below
     if (kind == InputKind::qd && function.at_rest) continue;
-    const int length = input_argument(kind, mechanism.size(), function.base_parameters).length;
+    const int length = input_argument(kind, JointCounts(mechanism), function.base_parameters).length;
     for (int i = 0; i < length; ++i) inputs.push_back({kind, i});
   }
   for (std::size_t k = 0; k < mechanism.symbols.size(); ++k)
@@ -117,7 +122,8 @@ class Evaluator {
                       const std::vector<std::string>& entries) {
     const std::vector<S> zero(static_cast<std::size_t>(mechanism_.size()), S(0));
     StateOf<S> state;
-    state.q = state.qd = state.qdd = state.tau = state.qd_r = state.qdd_r = zero;
+    state.q.assign(static_cast<std::size_t>(mechanism_.position_count()), S(0));
+    state.qd = state.qdd = state.tau = state.qd_r = state.qdd_r = zero;
     state.parameters.assign(mechanism_.symbols.size(), S(0));
     state.pi_b.assign(static_cast<std::size_t>(function_.base_parameters), S(0));
     symbols_.assign(mechanism_.symbols.size(), 0);
@@ -149,16 +155,27 @@ class Evaluator {
   std::optional<RegressorReference<S>> regressor_;
 };
 
+// Why a function has no value at a state, and what to do.
+struct Singularity {
+  const char *what, *hint;
+};
+
+Singularity singularity_of(const Function& function) {
+  if (function.loop_conditions > 0) {
+    return {"a closed loop is singular here, or the inertia matrix not positive definite",
+            "leave such positions out, or let other joints be the dependent ones"};
+  }
+  if (!function.task.empty()) return {"the tip's task is singular here", "leave such positions out"};
+  return {"the inertia matrix is not positive definite here", "joints that move no mass need an armature"};
+}
+
 template <class S>
 void append_values(Evaluator<S> evaluation, const Columns& columns, const std::vector<Input>& inputs, CsvTable& table,
-                   const std::string& file, bool is_at_the_tip, Diagnostics& diagnostics) {
+                   const std::string& file, const Singularity& singularity, Diagnostics& diagnostics) {
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const auto values = evaluation(columns, inputs, table.rows[k]);
     if (!values) {
-      diagnostics.error(
-          {file, table.lines[k]},
-          is_at_the_tip ? "the tip's task is singular here" : "the inertia matrix is not positive definite here",
-          is_at_the_tip ? "leave such positions out" : "joints that move no mass need an armature");
+      diagnostics.error({file, table.lines[k]}, singularity.what, singularity.hint);
       continue;
     }
     table.rows[k].insert(table.rows[k].end(), values->begin(), values->end());
@@ -184,12 +201,12 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
     for (const std::string& name : output_columns(output)) result.columns.push_back(name);
   }
   constexpr int kDoubleDigits = 17;
-  const bool is_at_the_tip = !function.task.empty();
+  const Singularity singularity = singularity_of(function);
   if (options.digits > kDoubleDigits) {
-    append_values(Evaluator<Real50>(robot, mechanism, function, options), columns, inputs, result, file, is_at_the_tip,
+    append_values(Evaluator<Real50>(robot, mechanism, function, options), columns, inputs, result, file, singularity,
                   diagnostics);
   } else {
-    append_values(Evaluator<double>(robot, mechanism, function, options), columns, inputs, result, file, is_at_the_tip,
+    append_values(Evaluator<double>(robot, mechanism, function, options), columns, inputs, result, file, singularity,
                   diagnostics);
   }
   if (diagnostics.has_errors()) return {};

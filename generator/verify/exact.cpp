@@ -91,7 +91,7 @@ constexpr double kAngleFactor = 32;
 
 // Of single accelerations B^-1 (tau - n), numerator and denominator have n factors of B or of what it is multiplied by.
 // The derivatives of forward dynamics are compared at a q̈ of their own making, which is B⁻¹ times a torque.
-double degree_factor(const Mechanism& mechanism, const Function& function) {
+double own_degree_factor(const Mechanism& mechanism, const Function& function) {
   if (function.name == "forward_dynamics_derivatives") return 2;
   // B_A is the inverse of J B^-1 Jᵀ, of at most six rows, and B^-1 adj B / det B.
   if (!function.task.empty()) {
@@ -101,6 +101,11 @@ double degree_factor(const Mechanism& mechanism, const Function& function) {
   if (function.name == "base_parameters") return 2;  // Y_b π_b is compared with Y π
   const bool is_solved = function.name == "forward_dynamics" && !is_whole(function);
   return is_solved ? 2.0 * mechanism.size() : 1;
+}
+
+// Of closed loops, the determinants that are divided by are common denominators, see Degree.
+double degree_factor(const Mechanism& mechanism, const Function& function) {
+  return (mechanism.has_loops() ? 2 : 1) * own_degree_factor(mechanism, function);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ Expected ExpectedValues::torques_and_poses(const Function& function) const {
           [&function, in_float](const State& s) {
             return doubles(reference_values<float>(function, in_float, widened<float>(s)));
           },
-          [&function, rounded](const State& s) {
+          [this, &function, rounded](const State& s) {
+            if (!is_clear_of_singular_loops(s)) return false;
             return function.task.empty() || is_regular(rounded, vector_of<double>(s.q), function.task);
           }};
 }
@@ -51,7 +52,23 @@ Expected ExpectedValues::regressor_of(const Function& function) const {
           [rounded](const State& s) { return rounded.values(s); },
           [rounded](const State& s) { return magnitudes(rounded, s); },
           [in_float](const State& s) { return doubles(in_float.values(widened<float>(s))); },
-          [](const State&) { return true; }};
+          [this](const State& s) { return is_clear_of_singular_loops(s); }};
+}
+
+bool ExpectedValues::is_clear_of_singular_loops(const State& state) const {
+  constexpr double kLeast = 1e-3;
+  return rounded_.loops.empty() || reference::loop_regularity(rounded_, vector_of<double>(state.q)) > kLeast;
+}
+
+std::vector<State> ExpectedValues::with_closed_loops(std::vector<State> states) const {
+  constexpr double kTolerance = 1e-12;  // m
+  if (rounded_.loops.empty()) return states;
+  for (State& state : states) {
+    reference::VectorX<double> q = vector_of<double>(state.q);
+    if (reference::close_loops(rounded_, q, kTolerance)) state.q.assign(q.begin(), q.end());
+  }
+  std::erase_if(states, [this](const State& state) { return !is_clear_of_singular_loops(state); });
+  return states;
 }
 
 bool costs_many_recursions(const Function& function) {

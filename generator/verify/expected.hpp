@@ -16,7 +16,8 @@ struct Expected {
   std::function<std::vector<Real50>(const State&)> exact;           // from the recursive reference
   std::function<std::vector<double>(const State&)> rounded, scale;  // the reference in double; magnitudes
   std::function<std::vector<double>(const State&)> in_float;        // the reference in float
-  // Whether the function has a value there; near a singularity of its task it has none that doubles could hold.
+  // Whether the function has a value there; near a singularity of its task, or of a closed loop, it has none that
+  // doubles could hold.
   std::function<bool(const State&)> is_regular;
 };
 
@@ -29,8 +30,12 @@ class ExpectedValues {
   const SymbolValues& symbols() const { return symbols_; }
   // The function must outlive the result.
   Expected of(const Function& function) const;
+  // With dependent joints where they close the loops, if they can; states near a singularity of a loop are left out.
+  // The functions have values at any others, too.
+  std::vector<State> with_closed_loops(std::vector<State> states) const;
 
  private:
+  bool is_clear_of_singular_loops(const State& state) const;
   Expected torques_and_poses(const Function& function) const;
   Expected regressor_of(const Function& function) const;
 

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "model/joint_points.hpp"
 #include "verify/derivative_outputs.hpp"
-#include "verify/joint_points.hpp"
+#include "verify/joint_signs.hpp"
+#include "verify/loop_outputs.hpp"
 #include "verify/regressor_outputs.hpp"
 #include "verify/task_definition.hpp"
 
@@ -29,9 +31,9 @@ class LagrangianOutputs {
         stem_(function.name.substr(0, function.name.find(':'))),
         link_(function.name == stem_ ? "" : function.name.substr(stem_.size() + 1)),
         function_(function),
-        lagrangian_(field_mechanism(mechanism, arithmetic), joint_points(mechanism, arithmetic)) {
-    if (is_regressor(stem_))
-      regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, joint_points(mechanism_, arithmetic_));
+        q_(joint_points(mechanism, arithmetic)),
+        lagrangian_(field_mechanism(mechanism, arithmetic), q_) {
+    if (is_regressor(stem_)) regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, q_);
   }
 
   // The function's own values, brought to a form that can be compared: for forward_dynamics, if no entry is left out,
@@ -60,7 +62,7 @@ class LagrangianOutputs {
     if (stem_ == "forward_dynamics" && output.left_out.empty()) return net_torques();
     if (stem_ == "forward_dynamics") return solution(lagrangian_.inertia(), net_torques());
     if (stem_ == "inverse_dynamics_derivatives") {
-      return torque_derivatives(output.name == "dtau_dq", drawn(InputKind::qdd, mechanism_.size()));
+      return torque_derivatives(output.name == "dtau_dq", qdd());
     }
     if (stem_ == "forward_dynamics_derivatives") return acceleration_derivatives(output);
     if (!function_.task.empty()) return operational(output.name);
@@ -69,6 +71,7 @@ class LagrangianOutputs {
     if (stem_ == "forward_kinematics") return pose(output.name);
     if (stem_ == "jacobian") return lagrangian_.jacobian(frame()).entries();
     if (stem_ == "jacobian_dot_qd") return lagrangian_.jacobian_dot_qd(frame(), rates());
+    if (mechanism_.has_loops()) return LoopOutputs<F>(lagrangian_.mechanism(), q_).entries(output.name, rates(), qdd());
     throw Failure(ExitCode::bug, "no definition to compare function \"" + stem_ + "\" with");
   }
 
@@ -86,6 +89,7 @@ class LagrangianOutputs {
   }
 
   Values rates() const { return drawn(InputKind::qd, mechanism_.size()); }
+  Values qdd() const { return drawn(InputKind::qdd, mechanism_.size()); }
   Values tip_force() const { return drawn(InputKind::h_e, 6); }
 
   Values signs() const { return joint_signs(mechanism_, arithmetic_, InputKind::qd); }
@@ -95,9 +99,7 @@ class LagrangianOutputs {
     return a;
   }
 
-  Values inverse_dynamics() {
-    return lagrangian_.inverse_dynamics(rates(), drawn(InputKind::qdd, mechanism_.size()), signs());
-  }
+  Values inverse_dynamics() { return lagrangian_.inverse_dynamics(rates(), qdd(), signs()); }
 
   // τ - n: what B q̈ has to be.
   Values net_torques() {
@@ -243,6 +245,7 @@ class LagrangianOutputs {
   const Values& values_;
   std::string stem_, link_;
   const Function& function_;
+  std::vector<JointPoint<F>> q_;  // of every body's joint
   Lagrangian<F> lagrangian_;
   std::optional<RegressorOutputs<Arithmetic>> regressor_;
 };

@@ -21,14 +21,14 @@ class LagrangianRegressor {
 
   // q: of every body's joint.
   LagrangianRegressor(const FieldMechanism<F>& mechanism, std::vector<JointPoint<F>> q)
-      : mechanism_(mechanism), q_(std::move(q)) {}
+      : mechanism_(closed_at(mechanism, q)), q_(std::move(q)) {}
 
   int size() const { return mechanism_.size(); }
 
   // Y(q, q̇, q̈), n x 13 for every body. Friction is given by the signs of the joints' rates that it acts on.
   Matrix<F> regressor(const Values& qd, const Values& qdd, const Values& sign) const {
     const Values rates = joint_values(mechanism_, qd);
-    Matrix<F> Y = without_friction(rates, joint_values(mechanism_, qdd), true);
+    Matrix<F> Y = without_friction(rates, accelerations(rates, qd, qdd), true);
     add_friction(rates, sign, Y);
     return rows_at_coordinates(mechanism_, Y);
   }
@@ -40,7 +40,7 @@ class LagrangianRegressor {
     const Values zero(rates.size(), F(0));
     Values both = rates;
     for (std::size_t i = 0; i < both.size(); ++i) both[i] += rates_r[i];
-    Matrix<F> Y = without_friction(zero, joint_values(mechanism_, qdd_r), true);
+    Matrix<F> Y = without_friction(zero, accelerations(rates, qd_r, qdd_r), true);
     const Matrix<F> sum = without_friction(both, zero, false), first = without_friction(rates, zero, false),
                     second = without_friction(rates_r, zero, false);
     const F half = F(1) / (F(1) + F(1));
@@ -61,19 +61,19 @@ class LagrangianRegressor {
   template <class S>
   using Columns = std::vector<std::pair<int, Column<S>>>;
 
-  static JointPoint<D> moving(const JointPoint<F>& q, const F& rate) {
-    return {D(q.c, -q.s * rate), D(q.s, q.c * rate), D(q.d, rate)};
+  // Of the joints: where loops are closed, they have some from q̇, too.
+  Values accelerations(const Values& joint_rates, const Values& qd, const Values& qdd) const {
+    Values result = joint_values(mechanism_, qdd);
+    const Values drift = joint_drift(mechanism_, q_, joint_rates, qd);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += drift[i];
+    return result;
   }
 
   // Values at q and q̇, derivatives along (dq, dqd).
   Motion<D> motion(const Values& qd, const Values& dq, const Values& dqd) const {
-    std::vector<JointPoint<D>> points;
     Motion<D> result;
-    for (std::size_t i = 0; i < qd.size(); ++i) {
-      points.push_back(moving(q_[i], dq[i]));
-      result.qd.emplace_back(qd[i], dqd[i]);
-    }
-    result.poses = body_poses(mechanism_, points);
+    for (std::size_t i = 0; i < qd.size(); ++i) result.qd.emplace_back(qd[i], dqd[i]);
+    result.poses = body_poses(mechanism_, moving(q_, dq));
     return result;
   }
 
@@ -207,7 +207,7 @@ class LagrangianRegressor {
     }
   }
 
-  const FieldMechanism<F>& mechanism_;
+  FieldMechanism<F> mechanism_;
   std::vector<JointPoint<F>> q_;
 };
 

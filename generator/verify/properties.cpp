@@ -22,6 +22,7 @@ constexpr double kTolerance = 1e-30;
 struct ExactState {
   Vector50 q, qd, qdd, tau;
   std::vector<double> parameters;
+  Vector50 rates{};  // of all entries of q; empty: not known
 };
 
 Vector50 exact_vector(const std::vector<double>& values) {
@@ -76,7 +77,7 @@ class Functions {
 
   Matrix50 matrix(const std::string& name, const ExactState& state) const {
     const Vector50 entries = (*this)(name, state);
-    const Eigen::Index n = state.q.size();
+    const Eigen::Index n = state.qd.size();
     return Eigen::Map<const Eigen::Matrix<Real50, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(entries.data(), n,
                                                                                                     n);
   }
@@ -88,7 +89,7 @@ class Functions {
 
 ExactState after(const ExactState& state, const Real50& time) {
   ExactState later = state;
-  later.q += time * state.qd;
+  later.q += time * state.rates;
   later.qd += time * state.qdd;
   return later;
 }
@@ -143,6 +144,12 @@ double round_trip(const Functions& f, ExactState state) {
   return relative((qdd - state.qdd).norm(), qdd.norm());
 }
 
+// Where loops are closed, q is longer than q̇, and only one function knows how all of it moves.
+Vector50 rates_of(const Functions& f, const ExactState& state) {
+  if (state.q.size() == state.qd.size()) return state.qd;
+  return f.has({"loop_motion"}) ? f("loop_motion", state) : Vector50();
+}
+
 }  // namespace
 
 std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states) {
@@ -152,6 +159,7 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
   for (std::size_t k = 0; k < std::min(kStates, states.size()); ++k) {
     const State& s = states[k];
     exact.push_back({exact_vector(s.q), exact_vector(s.qd), exact_vector(s.qdd), exact_vector(s.tau), s.parameters});
+    exact.back().rates = rates_of(f, exact.back());
   }
   std::vector<Property> properties;
   const auto vanishing = [&](const std::string& name, double (*measure)(const Functions&, const ExactState&)) {
@@ -165,7 +173,7 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
     for (const ExactState& state : exact) pivot = std::min(pivot, smallest_pivot(f, state));
     properties.push_back(definiteness(pivot));
   }
-  const bool moves = !f.are_at_rest();
+  const bool moves = !f.are_at_rest() && !exact.empty() && exact.front().rates.size() > 0;
   if (moves && f.has({"inertia_matrix", "coriolis_matrix"})) vanishing("w'(dB/dt - 2C)w = 0, (7.48)", skewness);
   if (moves && f.has({"inverse_dynamics", "bias", "coriolis_matrix", "kinetic_energy"})) {
     vanishing("energy balance, (7.50)", energy_imbalance);

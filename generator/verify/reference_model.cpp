@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "verify/reference_model.hpp"
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <type_traits>
 
 #include "model/coupling.hpp"
+#include "model/mechanism.hpp"
 
 namespace flatdyn {
 
@@ -45,7 +47,8 @@ class Converter {
     for (const Link& link : robot_.links) add_link(link);
     attach_joints_of(robot_.root);
     add_motors();
-    if (has_coupled_joints(robot_)) couple();
+    if (has_coupled_joints(robot_) || !robot_.loops.empty()) couple();
+    if (!robot_.loops.empty()) close_loops();
     result_.tip = robot_.tip;
     std::tie(result_.R_tip, result_.p_tip) = pose(robot_.tip_offset);
     return result_;
@@ -152,6 +155,34 @@ class Converter {
         result_.coupling(static_cast<Eigen::Index>(i), column.at(owner)) = number(factor);
       }
     }
+  }
+
+  // Where loops are cut, and what counts as their coordinates, is the mechanism's; frames are those of written links.
+  void close_loops() {
+    const Mechanism mechanism = make_mechanism(robot_);
+    for (const LoopClosure& closure : mechanism.loops) {
+      reference::Loop<S> loop;
+      for (std::size_t e = 0; e < 2; ++e) {
+        const LinkFrame& link = link_of(mechanism, closure.ends[e].body);
+        loop.links[e] = index_of(mechanism, link);
+        loop.points[e] = matrix(link.R).transpose() * (vector(closure.ends[e].p) - vector(link.p));
+      }
+      const LinkFrame& carrier = link_of(mechanism, closure.carrier);
+      loop.carrier = index_of(mechanism, carrier);
+      loop.axes = matrix(carrier.R).transpose() * matrix(closure.axes);
+      loop.rows.assign(closure.rows.begin(), closure.rows.end());
+      loop.dependent = closure.dependent;
+      result_.loops.push_back(std::move(loop));
+    }
+    result_.independent = mechanism.independent;
+  }
+
+  static const LinkFrame& link_of(const Mechanism& mechanism, int body) {
+    return *std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                         [body](const LinkFrame& link) { return link.body == body; });
+  }
+  static int index_of(const Mechanism& mechanism, const LinkFrame& link) {
+    return static_cast<int>(&link - mechanism.links.data());
   }
 
   // Where a coupled joint stands when all coordinates are zero becomes part of the way to it.

@@ -3,11 +3,13 @@
 // right if Y_b K is Y: then so are its columns, which are among those of Y, and K.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "model/joint_points.hpp"
 #include "symbolic/base_parameters.hpp"
-#include "verify/joint_points.hpp"
+#include "verify/joint_signs.hpp"
 #include "verify/lagrangian_regressor.hpp"
 
 namespace flatdyn {
@@ -35,9 +37,10 @@ class RegressorOutputs {
     for (const Number& parameter : dynamic_parameters(mechanism)) parameters_.push_back(number_(parameter));
   }
 
-  // The function's own values; for a base regressor Y_b K, for base parameters Y_b π_b.
+  // The function's own values; for a base regressor Y_b K, for base parameters Y_b π_b; both with what is added to them
+  // where loops are not closed.
   Values found(const Values& values) const {
-    if (function_ == "base_parameters") return torques(values);
+    if (function_ == "base_parameters") return with_hidden_torques(torques(values));
     if (function_ != "base_regressor" && function_ != "adaptive_regressor") return values;
     const std::size_t b = base_.columns.size();
     Values product;
@@ -48,6 +51,7 @@ class RegressorOutputs {
           row[static_cast<std::size_t>(index)] += values[i * b + k] * number_(coefficient);
         }
       }
+      add_hidden(static_cast<int>(i), row);
       product.insert(product.end(), row.begin(), row.end());
     }
     return product;
@@ -59,12 +63,44 @@ class RegressorOutputs {
     if (function_ == "base_regressor") return given_columns(actual());
     if (function_ == "inverse_dynamics_base") return torques(base_inputs());
     if (function_ == "base_parameters") return times(actual(), parameters_);
-    const Matrix<F> Y = lagrangian_.adaptive(drawn(InputKind::qd), drawn(InputKind::qd_r), drawn(InputKind::qdd_r),
-                                             signs(InputKind::qd_r));
-    return given_columns(Y);
+    return given_columns(adaptive());
   }
 
  private:
+  Matrix<F> adaptive() const {
+    return lagrangian_.adaptive(drawn(InputKind::qd), drawn(InputKind::qd_r), drawn(InputKind::qdd_r),
+                                signs(InputKind::qd_r));
+  }
+
+  F product(const ParameterForm& form, const std::function<F(int)>& factor) const {
+    F sum(0);
+    for (const auto& [index, coefficient] : form) sum += number_(coefficient) * factor(index);
+    return sum;
+  }
+
+  // Row i of Σ (Y shift) share.
+  void add_hidden(int i, Values& row) const {
+    if (base_.shifts.empty()) return;
+    const Matrix<F> Y = function_ == "adaptive_regressor" ? adaptive() : actual();
+    for (const LoopShift& loop : base_.shifts) {
+      const F moved = product(loop.shift, [&](int index) { return Y(i, index); });
+      for (const auto& [index, coefficient] : loop.share) {
+        row[static_cast<std::size_t>(index)] += moved * number_(coefficient);
+      }
+    }
+  }
+
+  Values with_hidden_torques(Values tau) const {
+    const Matrix<F> Y = actual();
+    for (const LoopShift& loop : base_.shifts) {
+      const F hidden = product(loop.share, [&](int index) { return parameters_[static_cast<std::size_t>(index)]; });
+      for (int i = 0; i < Y.rows(); ++i) {
+        tau[static_cast<std::size_t>(i)] += product(loop.shift, [&](int index) { return Y(i, index); }) * hidden;
+      }
+    }
+    return tau;
+  }
+
   Values drawn(InputKind kind) const {
     Values result;
     for (int i = 0; i < lagrangian_.size(); ++i) result.push_back(arithmetic_.input({kind, i}));

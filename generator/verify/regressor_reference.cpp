@@ -160,7 +160,7 @@ RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const refe
 
 template <class S>
 reference::MatrixX<S> RegressorReference<S>::matrix(const StateOf<S>& state) const {
-  const auto n = static_cast<Eigen::Index>(state.q.size());
+  const auto n = static_cast<Eigen::Index>(state.qd.size());
   reference::MatrixX<S> Y(n, static_cast<Eigen::Index>(units_.size()));
   for (std::size_t k = 0; k < units_.size(); ++k) {
     Y.col(static_cast<Eigen::Index>(k)) =
@@ -182,7 +182,7 @@ std::vector<S> RegressorReference<S>::values(const StateOf<S>& state) const {
 std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state) {
   if (of.function() == "base_parameters") return of.base_magnitudes();
   const auto& units = of.units();
-  reference::MatrixX<double> M(static_cast<Eigen::Index>(state.q.size()), static_cast<Eigen::Index>(units.size()));
+  reference::MatrixX<double> M(static_cast<Eigen::Index>(state.qd.size()), static_cast<Eigen::Index>(units.size()));
   for (std::size_t k = 0; k < units.size(); ++k) {
     M.col(static_cast<Eigen::Index>(k)) =
         of.function() == "adaptive_regressor"

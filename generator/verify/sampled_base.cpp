@@ -4,8 +4,8 @@
 #include <random>
 
 #include "graph/mod_p.hpp"
+#include "model/joint_points.hpp"
 #include "symbolic/elimination.hpp"
-#include "verify/joint_points.hpp"
 #include "verify/lagrangian_regressor.hpp"
 
 namespace flatdyn {

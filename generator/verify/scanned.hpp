@@ -16,6 +16,12 @@ struct Scanned {
   std::map<std::string, std::vector<std::string>> fields;  // of structs, by name
 };
 
+// Whether a function of the text is none of the robot's own formulas: rounding_is_as_written, and close_loops, which
+// calls the robot's in a loop.
+inline bool is_no_formula(const std::string& name) {
+  return name.ends_with("rounding_is_as_written") || name.ends_with("close_loops");
+}
+
 // Of a C header and its source. Throws Failure(bug) where the text is none of the emitter's.
 Scanned scanned_c(const std::vector<Token>& tokens, const std::string& scalar);
 

@@ -69,7 +69,7 @@ class CScanner : TokenCursor {
     written.end = at_ - 1;
     if (is_static) {
       if (!written.parameters.empty() && !found_.parts.emplace(written.name, written).second) fail("a part made twice");
-    } else if (!written.parameters.empty()) {  // else rounding_is_as_written(void), of no robot's own
+    } else if (!is_no_formula(written.name)) {
       forget_what_it_calls(written);
       found_.functions.push_back(written);
     }

@@ -59,7 +59,7 @@ class JavascriptScanner : TokenCursor {
     written.begin = at_ + 1;
     skip_block();
     written.end = at_ - 1;
-    functions_.push_back(std::move(written));
+    if (!is_no_formula(written.name)) functions_.push_back(std::move(written));
   }
 
   // export {gravity, bias};

@@ -72,6 +72,12 @@ std::vector<S> one_after_the_other(const std::vector<reference::MatrixX<S>>& mat
 }
 
 template <class S>
+std::vector<S> loop_motion_entries(const reference::Robot<S>& robot, const Arguments<S>& a) {
+  const reference::MatrixX<S> G = reference::loop_motion(robot, a.q);
+  return one_after_the_other<S>({G * a.qd, G * a.qdd + reference::loop_drift(robot, a.q, a.qd)});
+}
+
+template <class S>
 std::vector<S> torque_derivative_entries(const reference::Robot<S>& robot, const Arguments<S>& a) {
   const auto d = reference::inverse_dynamics_derivatives(robot, a.q, a.qd, a.qdd);
   return one_after_the_other<S>({d.dq, d.dqd});
@@ -113,6 +119,10 @@ const std::map<std::string, Evaluation<S>>& reference_table() {
       {"forward_kinematics", pose_entries<S>},
       {"jacobian", [](const R& r, const A& a) { return row_by_row(ref::jacobian(r, a.q)); }},
       {"jacobian_dot_qd", [](const R& r, const A& a) { return row_by_row(ref::jacobian_dot_qd(r, a.q, a.qd)); }},
+      {"loop_closure", [](const R& r, const A& a) { return row_by_row(ref::loop_closure(r, a.q)); }},
+      {"loop_jacobian", [](const R& r, const A& a) { return row_by_row(ref::loop_jacobian(r, a.q)); }},
+      {"loop_step", [](const R& r, const A& a) { return row_by_row(ref::loop_step(r, a.q)); }},
+      {"loop_motion", loop_motion_entries<S>},
   };
   return table;
 }
@@ -131,7 +141,7 @@ reference::MatrixX<double> absolute_inverse(const MagnitudeRobot& r, const Magni
 
 // Of q̈ = B⁻¹ (τ - n): what an error of the size of the terms of B q̈ + n - τ becomes.
 reference::VectorX<double> acceleration_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
-  const auto zero = reference::VectorX<double>::Zero(a.q.size());
+  const auto zero = reference::VectorX<double>::Zero(r.size());
   const reference::VectorX<double> qdd = reference::forward_dynamics(r, a.q, a.qd, a.tau).cwiseAbs();
   const reference::VectorX<double> terms =
       reference::torque_magnitude(r, a.q, a.qd, zero) + a.tau.cwiseAbs() + reference::inertia_magnitude(r, a.q) * qdd;
@@ -177,6 +187,12 @@ std::vector<double> tip_acceleration(const MagnitudeRobot& r, const MagnitudeArg
   return {m[0], m[0], m[0], m[1], m[1], m[1]};
 }
 
+std::vector<double> loop_motion_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
+  return one_after_the_other<double>(
+      {reference::loop_motion_magnitude(r, a.q) * a.qd.cwiseAbs(),
+       reference::loop_motion_magnitude(r, a.q) * a.qdd.cwiseAbs() + reference::loop_drift_magnitude(r, a.q, a.qd)});
+}
+
 const std::map<std::string, Evaluation<double>>& magnitude_table() {
   using R = MagnitudeRobot;
   using A = MagnitudeArguments;
@@ -194,12 +210,12 @@ const std::map<std::string, Evaluation<double>>& magnitude_table() {
       {"coriolis_matrix", [](const R& r, const A& a) { return row_by_row(ref::coriolis_magnitude(r, a.q, a.qd)); }},
       {"gravity",
        [](const R& r, const A& a) {
-         const ref::VectorX<double> zero = ref::VectorX<double>::Zero(a.q.size());
+         const ref::VectorX<double> zero = ref::VectorX<double>::Zero(r.size());
          return row_by_row(ref::torque_magnitude(r, a.q, zero, zero));
        }},
       {"bias",
        [](const R& r, const A& a) {
-         const ref::VectorX<double> zero = ref::VectorX<double>::Zero(a.q.size());
+         const ref::VectorX<double> zero = ref::VectorX<double>::Zero(r.size());
          return row_by_row(ref::torque_magnitude(r, a.q, a.qd, zero));
        }},
       {"forward_dynamics", [](const R& r, const A& a) { return row_by_row(acceleration_magnitude(r, a)); }},
@@ -215,6 +231,10 @@ const std::map<std::string, Evaluation<double>>& magnitude_table() {
       {"forward_kinematics", pose_magnitude},
       {"jacobian", jacobian_magnitude},
       {"jacobian_dot_qd", tip_acceleration},
+      {"loop_closure", [](const R& r, const A& a) { return row_by_row(ref::loop_closure_magnitude(r, a.q)); }},
+      {"loop_jacobian", [](const R& r, const A& a) { return row_by_row(ref::loop_jacobian_magnitude(r, a.q)); }},
+      {"loop_step", [](const R& r, const A& a) { return row_by_row(ref::loop_step_magnitude(r, a.q)); }},
+      {"loop_motion", loop_motion_magnitude},
   };
   return table;
 }

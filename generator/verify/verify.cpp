@@ -32,7 +32,8 @@ class Comparison {
              const VerifyOptions& options)
       : expected_(robot, mechanism, options.seed),
         compiled_(mechanism, functions),
-        random_(with_parameters(random_states(mechanism, options.states, options.seed), expected_.symbols())),
+        random_(expected_.with_closed_loops(
+            with_parameters(random_states(mechanism, options.states, options.seed), expected_.symbols()))),
         edge_(with_parameters(edge_states(mechanism), expected_.symbols())) {
     for (const Function& function : functions) {
       if (function.base_parameters == 0) continue;

@@ -54,6 +54,31 @@ TEST(ExitCodes, AWrongFileIsInput) {
   EXPECT_FALSE(std::filesystem::exists(scratch.path("out")));
 }
 
+// What is not there yet for closed loops.
+TEST(ExitCodes, ClosedLoopsAreRefusedWhereTheyAreNotSupported) {
+  const Scratch scratch;
+  const std::string robot = "robots/slider_crank.toml", out = scratch.path("out");
+  scratch.write("plan.csv", "t,q1,qd1,qdd1\n0,0,0,0\n1,1,0,0\n");
+  const std::string plan = " --trajectory " + scratch.path("plan.csv");
+  for (const std::string& command :
+       {"derive " + robot, "torques " + robot + plan + " -o " + out, "scale " + robot + plan + " -o " + out,
+        "stress " + robot, "certify " + robot, "report " + robot + " -o " + out, "excite " + robot + " -o " + out,
+        "bench " + robot, "generate " + robot + " -o " + out + " --functions inverse_dynamics_derivatives"}) {
+    const Outcome outcome = run_flatdyn(command);
+    EXPECT_EQ(outcome.code, 4) << command << "\n" << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("closed loops")) << command;
+    EXPECT_FALSE(std::filesystem::exists(out)) << command;
+  }
+}
+
+TEST(ExitCodes, LoopFunctionsAreOfRobotsWithLoops) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_flatdyn("generate robots/planar_2r.toml -o " + scratch.path("out") + " --functions loop_closure");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("no loops that have to be closed"));
+}
+
 constexpr const char* kTooFlat =
     "<robot name='a'><link name='b'/><link name='c'><inertial><mass value='1'/>"
     "<inertia ixx='1' iyy='1' izz='3' ixy='0' ixz='0' iyz='0'/></inertial></link>"

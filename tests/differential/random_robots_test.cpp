@@ -57,7 +57,7 @@ std::vector<double> kdl_values(const reference::Robot<double>& robot, const std:
     solver.CartToJnt(given(state.q), given(state.qd), given(state.tau), none, result);
     return entries_of(result);
   }
-  return row_by_row(reference::at_coordinates<double>(robot, result.data));
+  return row_by_row(reference::at_coordinates<double>(robot, vector_of<double>(state.q), result.data));
 }
 
 // The largest scaled difference between the robot's values and KDL's.

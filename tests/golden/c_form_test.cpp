@@ -92,6 +92,7 @@ std::string comparison(const Function& function, const std::string& scalar, cons
 
 std::string program(const Model& model, const std::vector<Function>& functions, const std::string (&headers)[2]) {
   const std::size_t n = static_cast<std::size_t>(model.mechanism.size()), symbols = model.mechanism.symbols.size();
+  const int m = model.mechanism.position_count();
   std::string text =
       "#include <cmath>\n#include <cstdio>\n#include <cstring>\n#include \"whole.hpp\"\n"
       "#include \"in_double.h\"\n#include \"in_float.h\"\n"
@@ -101,13 +102,13 @@ std::string program(const Model& model, const std::vector<Function>& functions, 
       "static int differ = 0, changed = 0;\n";
   for (int s = 0; s < 2; ++s) {
     const std::string scalar = kScalars[s];
-    text +=
-        fmt::format("static void compare_in_{0}() {{\n  {0} q[{1}], qd[{1}], qdd[{1}], tau[{1}], h_e[6];\n", scalar, n);
+    text += fmt::format("static void compare_in_{0}() {{\n  {0} q[{2}], qd[{1}], qdd[{1}], tau[{1}], h_e[6];\n", scalar,
+                        n, m);
     for (const char* array : {"q", "qd", "qdd", "tau", "h_e"}) {
       text += fmt::format("  for ({0}& x : {1}) x = {0}(drawn() * 2);\n", scalar, array);
     }
-    text += fmt::format("  {0} sine[{1}], cosine[{1}];\n", scalar, n);
-    text += fmt::format("  for (int k = 0; k < {}; ++k) sine[k] = std::sin(q[k]), cosine[k] = std::cos(q[k]);\n", n);
+    text += fmt::format("  {0} sine[{1}], cosine[{1}];\n", scalar, m);
+    text += fmt::format("  for (int k = 0; k < {}; ++k) sine[k] = std::sin(q[k]), cosine[k] = std::cos(q[k]);\n", m);
     if (symbols > 0) {
       std::vector<std::string> values;
       for (std::size_t k = 0; k < symbols; ++k) values.push_back(fmt::format("{}({})", scalar, 0.3 + 0.07 * double(k)));

@@ -29,6 +29,8 @@ struct SimulationOptions {
   unsigned seed = 1;
   bool moving = true;     // otherwise only the first joint moves
   bool standing = false;  // every sample is a pose in which the robot stands still
+  double amplitude = 1;
+  std::vector<double> around{};  // where loops are closed: all of q, about which the independent joints move
 };
 
 // Uniform in [-1, 1], the same on every machine.
@@ -47,6 +49,17 @@ class Uniform {
   std::mt19937 engine_;
 };
 
+// Positions of all joints for those of the independent ones, near where they were before.
+inline Eigen::VectorXd closed(const reference::Robot<double>& robot, const Eigen::VectorXd& independent,
+                              Eigen::VectorXd before) {
+  if (robot.loops.empty()) return independent;
+  for (std::size_t i = 0; i < robot.independent.size(); ++i) {
+    before[robot.independent[i]] = independent[static_cast<Eigen::Index>(i)];
+  }
+  if (!reference::close_loops(robot, before, 1e-14)) throw Failure(ExitCode::bug, "the loops cannot be closed there");
+  return before;
+}
+
 inline std::vector<SimulatedSample> simulated(const Model& model, const SimulationOptions& options) {
   constexpr int kHarmonics = 5;
   const int n = model.mechanism.size();
@@ -56,11 +69,14 @@ inline std::vector<SimulatedSample> simulated(const Model& model, const Simulati
   Eigen::VectorXd offset(n);
   for (int i = 0; i < n; ++i) {
     offset(i) = draw() / 2;
+    if (!options.around.empty()) offset(i) = options.around[static_cast<std::size_t>(model.mechanism.position_of(i))];
     for (int l = 0; l < kHarmonics; ++l) {
-      a(i, l) = options.moving || i == 0 ? draw() / (l + 1) : 0;
-      b(i, l) = options.moving || i == 0 ? draw() / (l + 1) : 0;
+      a(i, l) = options.moving || i == 0 ? options.amplitude * draw() / (l + 1) : 0;
+      b(i, l) = options.moving || i == 0 ? options.amplitude * draw() / (l + 1) : 0;
     }
   }
+  Eigen::VectorXd near =
+      Eigen::Map<const Eigen::VectorXd>(options.around.data(), static_cast<Eigen::Index>(options.around.size()));
   std::vector<SimulatedSample> samples;
   for (int k = 0; k < options.samples; ++k) {
     SimulatedSample sample{k / options.rate, offset, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), {}};
@@ -75,6 +91,7 @@ inline std::vector<SimulatedSample> simulated(const Model& model, const Simulati
       sample.qd.setZero();
       sample.qdd.setZero();
     }
+    sample.q = near = closed(robot, sample.q, near);
     sample.tau = reference::inverse_dynamics<double>(robot, sample.q, sample.qd, sample.qdd);
     for (int i = 0; i < n; ++i) sample.tau(i) += options.noise * draw.normal();
     samples.push_back(std::move(sample));
@@ -87,18 +104,18 @@ enum class LogDerivatives { both, rates, none };
 inline void write_log(const std::filesystem::path& path, const std::vector<SimulatedSample>& samples,
                       LogDerivatives derivatives = LogDerivatives::both) {
   std::ofstream file(path);
-  const auto n = samples.front().q.size();
-  const auto names = [&](const char* stem) {
+  const auto names = [&](const char* stem, Eigen::Index n) {
     for (Eigen::Index i = 1; i <= n; ++i) file << fmt::format(",{}{}", stem, i);
   };
   const auto numbers = [&](const Eigen::VectorXd& v) {
     for (const double value : v) file << fmt::format(",{}", value);
   };
   file << "t";
-  names("q");
-  names("tau");
-  if (derivatives != LogDerivatives::none) names("qd");
-  if (derivatives == LogDerivatives::both) names("qdd");
+  const Eigen::Index n = samples.front().tau.size();
+  names("q", samples.front().q.size());
+  names("tau", n);
+  if (derivatives != LogDerivatives::none) names("qd", n);
+  if (derivatives == LogDerivatives::both) names("qdd", n);
   file << "\n";
   for (const SimulatedSample& sample : samples) {
     file << fmt::format("{}", sample.time);

@@ -7,24 +7,9 @@
 namespace flatdyn::reference {
 
 template <class S>
-struct Pose {
-  Matrix3<S> R = Matrix3<S>::Identity();  // in the base frame
-  Vector3<S> p = Vector3<S>::Zero();      // m
-};
-
-template <class S>
 std::vector<Pose<S>> link_poses(const Robot<S>& robot, const VectorX<S>& coordinates) {
   VectorX<S> room;
-  const VectorX<S>& q = of_joints(robot, coordinates, room);
-  std::vector<Pose<S>> poses(robot.links.size());
-  for (const Joint<S>& joint : robot.joints) {
-    const JointPlacement<S> place = placement(joint, joint.index >= 0 ? q[joint.index] : S(0));
-    const Pose<S>& parent = poses[static_cast<std::size_t>(joint.parent)];
-    Pose<S>& child = poses[static_cast<std::size_t>(joint.child)];
-    child.R = parent.R * place.R;
-    child.p = parent.p + parent.R * place.before + child.R * place.after;
-  }
-  return poses;
+  return detail::poses_of_tree(robot, of_joints(robot, coordinates, room));
 }
 
 template <class S>
@@ -55,14 +40,14 @@ MatrixX<S> jacobian(const Robot<S>& robot, const VectorX<S>& q) {
       J.col(joint.index).template tail<3>() = z;
     }
   }
-  if (robot.coupling.size() > 0) J = MatrixX<S>(J.lazyProduct(robot.coupling));
+  if (robot.coupling.size() > 0) J = MatrixX<S>(J.lazyProduct(motion_of_joints(robot, q)));
   return J;
 }
 
 // J̇ q̇ of the tip: its acceleration when q̈ = 0, base axes, linear first.
 template <class S>
 VectorX<S> jacobian_dot_qd(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
-  const VectorX<S> zero = VectorX<S>::Zero(q.size());
+  const VectorX<S> zero = VectorX<S>::Zero(robot.size());
   const LinkMotion<S> tip = link_motions(robot, q, qd, zero, false)[static_cast<std::size_t>(robot.tip)];
   VectorX<S> a(6);
   a.template head<3>() = tip.R * (tip.ddp + detail::swing(tip.omega, tip.domega, robot.p_tip));
@@ -87,7 +72,8 @@ S potential_energy(const Robot<S>& robot, const VectorX<S>& q) {
 template <class S>
 S kinetic_energy(const Robot<S>& robot, const VectorX<S>& coordinates, const VectorX<S>& coordinate_rates) {
   VectorX<S> positions, rates;
-  const VectorX<S>&q = of_joints(robot, coordinates, positions), &qd = of_joints(robot, coordinate_rates, rates);
+  const VectorX<S>&q = of_joints(robot, coordinates, positions),
+        &qd = rates_of_joints(robot, coordinates, coordinate_rates, rates);
   struct Velocity {
     Vector3<S> omega = Vector3<S>::Zero(), v = Vector3<S>::Zero();  // link axes
   };

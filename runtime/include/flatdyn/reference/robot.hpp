@@ -53,6 +53,18 @@ struct Joint {
   Rotor<S> rotor;  // inertia 0: none
 };
 
+// A closed loop, cut where a point of one link meets a point of another. What lies between them is measured along the
+// columns of `axes`, which are fixed to a link that all of the loop moves with.
+template <class S>
+struct Loop {
+  int links[2] = {0, 0};
+  Vector3<S> points[2] = {Vector3<S>::Zero(), Vector3<S>::Zero()};  // in the links' frames, m
+  int carrier = 0;                                                  // link
+  Matrix3<S> axes = Matrix3<S>::Identity();                         // in the carrier's frame
+  std::vector<int> rows;                                            // the components that joints change, of 0 to 2
+  std::vector<int> dependent;                                       // entries of q, as many
+};
+
 template <class S>
 struct Robot {
   std::vector<Link<S>> links;
@@ -65,28 +77,27 @@ struct Robot {
   // Where joints are coupled: the positions of the moving joints are coupling · q, constants being part of R_0 and p_0.
   // Empty: they are q.
   MatrixX<S> coupling;
+  // Loops find their dependent joints in this order. With loops, q̇, q̈ and τ are those of the independent entries of q.
+  std::vector<Loop<S>> loops;
+  std::vector<int> independent;
 
   int joint_count() const {
     int n = 0;
     for (const Joint<S>& joint : joints) n += joint.index >= 0 ? 1 : 0;
     return n;
   }
-  int size() const { return coupling.size() > 0 ? static_cast<int>(coupling.cols()) : joint_count(); }  // of q
+  int position_count() const {
+    return coupling.size() > 0 ? static_cast<int>(coupling.cols()) : joint_count();
+  }                                                                                                     // of q
+  int size() const { return loops.empty() ? position_count() : static_cast<int>(independent.size()); }  // of q̇
 };
 
-// Positions, velocities or accelerations of the moving joints; `room` holds them where joints are coupled.
+// Positions of the moving joints, and what else is linear in them; `room` holds them where joints are coupled.
 template <class S>
 const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<S>& room) {
   if (robot.coupling.size() == 0) return q;
   room = robot.coupling.lazyProduct(q);
   return room;
-}
-
-// Torques at the coordinates, of those at the joints.
-template <class S>
-VectorX<S> at_coordinates(const Robot<S>& robot, VectorX<S> tau) {
-  if (robot.coupling.size() == 0) return tau;
-  return robot.coupling.transpose().lazyProduct(tau);
 }
 
 // Rotation by an angle about a unit axis (Rodrigues).

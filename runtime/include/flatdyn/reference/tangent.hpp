@@ -29,6 +29,10 @@ struct Tangent {
   friend Tangent operator*(const Tangent& a, const Tangent& b) {
     return Tangent(a.value * b.value, a.slope * b.value + a.value * b.slope);
   }
+  friend Tangent operator/(const Tangent& a, const Tangent& b) {
+    const S quotient = a.value / b.value;
+    return Tangent(quotient, (a.slope - quotient * b.slope) / b.value);
+  }
   friend bool operator<(const Tangent& a, const Tangent& b) { return a.value < b.value; }
   friend bool operator>(const Tangent& a, const Tangent& b) { return a.value > b.value; }
 
@@ -44,7 +48,7 @@ struct Tangent {
   }
 };
 
-// The same robot over tangents, all of its numbers constant.
+// The same robot over tangents, all of its numbers constant. For robots without closed loops.
 template <class S>
 Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
   using T = Tangent<S>;

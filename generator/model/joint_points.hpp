@@ -13,7 +13,8 @@ namespace flatdyn {
 inline NodeId joint_sum(const Mechanism& mechanism, InputKind kind, int i, Graph& graph) {
   if (!mechanism.is_coupled()) return graph.input({kind, i});
   std::vector<Term> terms;
-  for (int k = 0; k < mechanism.size(); ++k) {
+  const int count = kind == InputKind::q ? mechanism.position_count() : mechanism.size();
+  for (int k = 0; k < count; ++k) {
     const Number& factor = mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
     if (!vanishes(factor)) terms.push_back({to_rational(factor), graph.input({kind, k})});
   }
@@ -47,15 +48,6 @@ JointPoint<F> joint_point(const Mechanism& mechanism, Arithmetic& arithmetic, in
   point.c = values[0];
   point.s = values[1];
   return point;
-}
-
-// The signs of the rates of all bodies' joints: sgn(2 q̇) is sgn(q̇) to a Graph, so they are taken from one.
-template <class Arithmetic, class F = typename Arithmetic::Scalar>
-std::vector<F> joint_signs(const Mechanism& mechanism, Arithmetic& arithmetic, InputKind kind) {
-  Graph graph;
-  std::vector<NodeId> signs;
-  for (int i = 0; i < mechanism.body_count(); ++i) signs.push_back(graph.sign(joint_sum(mechanism, kind, i, graph)));
-  return values_of(std::move(graph), signs, arithmetic);
 }
 
 // Of every body's joint.

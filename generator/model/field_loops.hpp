@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Closed loops over any field, by their definition: the closure Φ of each loop from the poses of the bodies in the base
+// frame, and G from Φ_q G = 0, so that q̇ = G q̇_a with q̇_a of the independent joints.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "model/body_poses.hpp"
+#include "model/field_mechanism.hpp"
+
+namespace flatdyn {
+
+template <class S, class F>
+class LoopGeometry {
+ public:
+  LoopGeometry(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q)
+      : mechanism_(mechanism), poses_(body_poses(mechanism, q)) {}
+
+  // All components of the way from the first end to the second, those that the joints do not change, too.
+  Vector3<S> gap(const FieldLoop<F>& loop) const { return in_axes(loop, minus(end(loop, 1), end(loop, 0))); }
+
+  // Its derivative by each entry of q, 3 × m.
+  Matrix<S> jacobian(const FieldLoop<F>& loop) const {
+    Matrix<S> J(3, mechanism_.position_count());
+    for (std::size_t e = 0; e < 2; ++e) {
+      const Vector3<S> p = end(loop, e);
+      for (int i = loop.bodies[e]; i != loop.carrier; i = mechanism_.bodies[static_cast<std::size_t>(i)].parent) {
+        const Vector3<S> column = in_axes(loop, moved_by(i, p));
+        for (int k = 0; k < J.cols(); ++k) {
+          for (int row = 0; row < 3; ++row) {
+            const S part = column[static_cast<std::size_t>(row)] * factor(i, k);
+            J(row, k) += e == 0 ? -part : part;
+          }
+        }
+      }
+    }
+    return J;
+  }
+
+  // Φ_q of one loop: the rows that count.
+  Matrix<S> rows(const FieldLoop<F>& loop) const {
+    const Matrix<S> all = jacobian(loop);
+    Matrix<S> J(static_cast<int>(loop.rows.size()), all.cols());
+    for (int r = 0; r < J.rows(); ++r) {
+      for (int k = 0; k < J.cols(); ++k) J(r, k) = all(static_cast<int>(loop.rows[static_cast<std::size_t>(r)]), k);
+    }
+    return J;
+  }
+
+ private:
+  const F& factor(int body, int position) const {
+    return mechanism_.tree_coupling[static_cast<std::size_t>(body)][static_cast<std::size_t>(position)];
+  }
+
+  Vector3<S> end(const FieldLoop<F>& loop, std::size_t e) const {
+    const Vector3<F>& p = loop.points[e];
+    if (loop.bodies[e] < 0) return {S(p[0]), S(p[1]), S(p[2])};
+    const Pose3<S>& body = poses_[static_cast<std::size_t>(loop.bodies[e])];
+    return plus(body.p, times(body.R, p));
+  }
+
+  Vector3<S> moved_by(int i, const Vector3<S>& p) const {
+    const Pose3<S>& pose = poses_[static_cast<std::size_t>(i)];
+    const Vector3<S> z = {pose.R[0][2], pose.R[1][2], pose.R[2][2]};
+    return mechanism_.bodies[static_cast<std::size_t>(i)].prismatic ? z : outer(z, minus(p, pose.p));
+  }
+
+  Vector3<S> in_axes(const FieldLoop<F>& loop, Vector3<S> v) const {
+    if (loop.carrier >= 0) v = times(transposed(poses_[static_cast<std::size_t>(loop.carrier)].R), v);
+    return times(transposed(loop.axes), v);
+  }
+
+  const FieldMechanism<F>& mechanism_;
+  std::vector<Pose3<S>> poses_;
+};
+
+// By its first row. For matrices of up to three.
+template <class S>
+S determinant(const Matrix<S>& A) {
+  if (A.rows() == 1) return A(0, 0);
+  S sum{};
+  for (int k = 0; k < A.cols(); ++k) {
+    Matrix<S> minor(A.rows() - 1, A.cols() - 1);
+    for (int i = 1; i < A.rows(); ++i) {
+      for (int j = 0, to = 0; j < A.cols(); ++j) {
+        if (j != k) minor(i - 1, to++) = A(i, j);
+      }
+    }
+    const S part = A(0, k) * determinant(minor);
+    sum += k % 2 == 0 ? part : -part;
+  }
+  return sum;
+}
+
+// Some of the columns.
+template <class S>
+Matrix<S> columns_of(const Matrix<S>& A, const std::vector<int>& columns) {
+  Matrix<S> result(A.rows(), static_cast<int>(columns.size()));
+  for (int i = 0; i < A.rows(); ++i) {
+    for (int k = 0; k < result.cols(); ++k) result(i, k) = A(i, columns[static_cast<std::size_t>(k)]);
+  }
+  return result;
+}
+
+// G, m × n, loop by loop, by Cramer's rule.
+template <class S, class F>
+Matrix<S> loop_motion(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q) {
+  const LoopGeometry<S, F> geometry(mechanism, q);
+  Matrix<S> G(mechanism.position_count(), static_cast<int>(mechanism.independent.size()));
+  for (int a = 0; a < G.cols(); ++a) G(mechanism.independent[static_cast<std::size_t>(a)], a) = S(F(1));
+  for (const FieldLoop<F>& loop : mechanism.loops) {
+    const Matrix<S> J = geometry.rows(loop), own = columns_of(J, loop.dependent);
+    const S det = determinant(own);
+    const Matrix<S> rest = times(J, G);  // of dependent joints that are still at rest
+    for (int a = 0; a < G.cols(); ++a) {
+      for (int d = 0; d < own.cols(); ++d) {
+        Matrix<S> replaced = own;
+        for (int row = 0; row < own.rows(); ++row) replaced(row, d) = -rest(row, a);
+        G(loop.dependent[static_cast<std::size_t>(d)], a) = determinant(replaced) / det;
+      }
+    }
+  }
+  return G;
+}
+
+// A G: how the bodies' joints move with the independent coordinates.
+template <class S, class F>
+std::vector<std::vector<S>> closed_coupling(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q) {
+  const Matrix<S> G = loop_motion(mechanism, q);
+  std::vector<std::vector<S>> result;
+  for (const std::vector<F>& row : mechanism.tree_coupling) {
+    result.emplace_back(static_cast<std::size_t>(G.cols()), S{});
+    for (int k = 0; k < G.rows(); ++k) {
+      for (int a = 0; a < G.cols(); ++a) {
+        result.back()[static_cast<std::size_t>(a)] += G(k, a) * row[static_cast<std::size_t>(k)];
+      }
+    }
+  }
+  return result;
+}
+
+// With the loops closed at these positions of the joints.
+template <class F>
+FieldMechanism<F> closed_at(FieldMechanism<F> mechanism, const std::vector<JointPoint<F>>& q) {
+  if (mechanism.has_loops()) mechanism.coupling = closed_coupling(mechanism, q);
+  return mechanism;
+}
+
+// Accelerations of the joints that independent rates q̇_r have while the joints move at these rates and q̈ is zero:
+// d(A G)/dt q̇_r.
+template <class F>
+std::vector<F> joint_drift(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<F>>& q,
+                           const std::vector<F>& joint_rates, const std::vector<F>& qd_r) {
+  std::vector<F> drift(q.size(), F(0));
+  if (!mechanism.has_loops()) return drift;
+  const auto coupling = closed_coupling(mechanism, moving(q, joint_rates));
+  for (std::size_t i = 0; i < drift.size(); ++i) {
+    for (std::size_t a = 0; a < qd_r.size(); ++a) drift[i] += coupling[i][a].derivative * qd_r[a];
+  }
+  return drift;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The recursive Newton–Euler algorithm of the textbook, (7.107)–(7.114), over any scalar, for trees of joints with any
+// axes, each with a motion of its own.
+#pragma once
+
+#include "flatdyn/reference/robot.hpp"
+
+namespace flatdyn::reference {
+
+// What acts besides the joints' motion. h_e: force and moment that the tip exerts on the environment, in base axes, the
+// moment about the tip's origin, (7.42).
+template <class S>
+struct Environment {
+  bool gravity = true;
+  bool friction = true;
+  Vector3<S> f_e = Vector3<S>::Zero();   // N
+  Vector3<S> mu_e = Vector3<S>::Zero();  // N m
+};
+
+template <class S>
+struct Pose {
+  Matrix3<S> R = Matrix3<S>::Identity();  // in the base frame
+  Vector3<S> p = Vector3<S>::Zero();      // m
+};
+
+// Motion of a link's frame, in its own axes.
+template <class S>
+struct LinkMotion {
+  Matrix3<S> R = Matrix3<S>::Identity();   // link axes in base axes
+  Vector3<S> omega = Vector3<S>::Zero();   // rad/s
+  Vector3<S> domega = Vector3<S>::Zero();  // rad/s^2
+  Vector3<S> ddp = Vector3<S>::Zero();     // of the origin, less g_0, m/s^2
+};
+
+namespace detail {
+
+template <class S>
+S sign(const S& x) {
+  return S((x > S(0)) - (x < S(0)));
+}
+
+// ω̇ × r + ω × (ω × r): what a point at r accelerates against the frame's origin.
+template <class S>
+Vector3<S> swing(const Vector3<S>& omega, const Vector3<S>& domega, const Vector3<S>& r) {
+  return domega.cross(r) + omega.cross(omega.cross(r));
+}
+
+// Forward recursion over one joint, (7.107)–(7.109).
+template <class S>
+LinkMotion<S> moved(const LinkMotion<S>& parent, const Joint<S>& joint, const JointPlacement<S>& place, const S& qd,
+                    const S& qdd) {
+  LinkMotion<S> child;
+  const Vector3<S>& z = place.z_parent;
+  Vector3<S> omega = parent.omega, domega = parent.domega;
+  Vector3<S> ddp = parent.ddp + swing(parent.omega, parent.domega, place.before);
+  if (joint.type == JointType::revolute) {
+    omega += qd * z;
+    domega += qdd * z + qd * parent.omega.cross(z);
+  } else if (joint.type == JointType::prismatic) {
+    ddp += qdd * z + S(2) * qd * parent.omega.cross(z);
+  }
+  child.R = parent.R * place.R;
+  child.omega = place.R.transpose() * omega;
+  child.domega = place.R.transpose() * domega;
+  child.ddp = place.R.transpose() * ddp + swing(child.omega, child.domega, place.after);
+  return child;
+}
+
+// Inertial force and moment about the link's origin, (7.110), (7.112), (7.113).
+template <class S>
+void add_inertial_wrench(const Link<S>& link, const LinkMotion<S>& motion, Vector3<S>& f, Vector3<S>& mu) {
+  for (const Inertial<S>& body : link.inertials) {
+    const Vector3<S> F = body.mass * (motion.ddp + swing(motion.omega, motion.domega, body.r_C));
+    f += F;
+    mu += body.r_C.cross(F) + body.inertia * motion.domega + motion.omega.cross(body.inertia * motion.omega);
+  }
+}
+
+template <class S>
+std::vector<Pose<S>> poses_of_tree(const Robot<S>& robot, const VectorX<S>& q) {
+  std::vector<Pose<S>> poses(robot.links.size());
+  for (const Joint<S>& joint : robot.joints) {
+    const JointPlacement<S> place = placement(joint, joint.index >= 0 ? q[joint.index] : S(0));
+    const Pose<S>& parent = poses[static_cast<std::size_t>(joint.parent)];
+    Pose<S>& child = poses[static_cast<std::size_t>(joint.child)];
+    child.R = parent.R * place.R;
+    child.p = parent.p + parent.R * place.before + child.R * place.after;
+  }
+  return poses;
+}
+
+// The links' motion for the motion of all moving joints; at fixed joints nothing but the frame changes.
+template <class S>
+std::vector<LinkMotion<S>> motions_of_tree(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
+                                           const VectorX<S>& qdd, bool gravity) {
+  std::vector<LinkMotion<S>> motions(robot.links.size());
+  if (gravity) motions[static_cast<std::size_t>(robot.root)].ddp = -robot.gravity;
+  for (const Joint<S>& joint : robot.joints) {
+    const bool moves = joint.index >= 0;
+    const S zero(0);
+    const JointPlacement<S> place = placement(joint, moves ? q[joint.index] : zero);
+    motions[static_cast<std::size_t>(joint.child)] =
+        moved(motions[static_cast<std::size_t>(joint.parent)], joint, place, moves ? qd[joint.index] : zero,
+              moves ? qdd[joint.index] : zero);
+  }
+  return motions;
+}
+
+// Torques at all moving joints for their motion.
+template <class S>
+VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& qdd,
+                           const Environment<S>& environment) {
+  const std::vector<LinkMotion<S>> motions = motions_of_tree(robot, q, qd, qdd, environment.gravity);
+  std::vector<Vector3<S>> f(robot.links.size(), Vector3<S>::Zero()), mu(robot.links.size(), Vector3<S>::Zero());
+  for (std::size_t l = 0; l < robot.links.size(); ++l) add_inertial_wrench(robot.links[l], motions[l], f[l], mu[l]);
+
+  const auto tip = static_cast<std::size_t>(robot.tip);
+  const Vector3<S> f_e = motions[tip].R.transpose() * environment.f_e;
+  f[tip] += f_e;
+  mu[tip] += motions[tip].R.transpose() * environment.mu_e + robot.p_tip.cross(f_e);
+
+  VectorX<S> tau = VectorX<S>::Zero(q.size());
+  // Rotors: their spin acts on their carrier, (7.105), and on their joint, (7.111), (7.114).
+  for (const Joint<S>& joint : robot.joints) {
+    if (joint.index < 0) continue;
+    const S &v = qd[joint.index], &a = qdd[joint.index];
+    tau[joint.index] += joint.armature * a;
+    if (environment.friction) tau[joint.index] += joint.viscous * v + joint.coulomb * sign(v);
+    const Rotor<S>& rotor = joint.rotor;
+    const LinkMotion<S>& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
+    const Vector3<S> turning = carrier.omega.cross(rotor.axis);
+    const S spin = rotor.gear_ratio * rotor.inertia;
+    mu[static_cast<std::size_t>(rotor.carrier)] += spin * a * rotor.axis + spin * v * turning;
+    // Of ω̇_m only what turns about z_m counts: k_r q̇ ω × z_m is normal to it.
+    tau[joint.index] += spin * (carrier.domega.dot(rotor.axis) + rotor.gear_ratio * a);
+  }
+
+  for (std::size_t j = robot.joints.size(); j-- > 0;) {
+    const Joint<S>& joint = robot.joints[j];
+    const auto child = static_cast<std::size_t>(joint.child), parent = static_cast<std::size_t>(joint.parent);
+    const JointPlacement<S> place = placement(joint, joint.index >= 0 ? q[joint.index] : S(0));
+    const Vector3<S> at_joint = mu[child] + place.after.cross(f[child]);
+    if (joint.type == JointType::revolute) tau[joint.index] += at_joint.dot(place.z_child);
+    if (joint.type == JointType::prismatic) tau[joint.index] += f[child].dot(place.z_child);
+    const Vector3<S> force = place.R * f[child];
+    f[parent] += force;
+    mu[parent] += place.R * at_joint + place.before.cross(force);
+  }
+  return tau;
+}
+
+}  // namespace detail
+
+}  // namespace flatdyn::reference

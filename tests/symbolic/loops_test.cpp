@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Closed loops: four-bar linkage, slider-crank, five-bar, Andrews' squeezer, and a loop in space. Their functions
+// against the Lagrangian, against the tree with the forces that hold the loops, and against numbers from elsewhere.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "diagnostics/temporary_folder.hpp"
+#include "flatdyn/reference/kinematics.hpp"
+#include "identify/measurement.hpp"
+#include "model/states.hpp"
+#include "support/identified_arm.hpp"
+#include "support/written_model.hpp"
+#include "symbolic/formulations.hpp"
+#include "symbolic/functions.hpp"
+#include "verify/exact.hpp"
+#include "verify/expected.hpp"
+#include "verify/reference_model.hpp"
+#include "verify/values.hpp"
+
+namespace flatdyn {
+namespace {
+
+using reference::VectorX;
+
+// A four-bar linkage on a turntable, its plane tilted, its coupler geared to a fan; and a platform that ends in a ball
+// joint on a post: three dependent joints about axes of their own.
+constexpr const char* kSpatial = R"(name = "spatial"
+gravity = [0.3, 0.2, -9.81]
+[[link]]
+name = "table"
+joint = "turn"
+xyz = [0.1, 0.2, 0.3]
+mass = 2
+com = [0.1, 0.1, 0]
+inertia = { zz = 0.2 }
+inertia_about = "com"
+coulomb = 0.3
+[[link]]
+name = "plate"
+joint = "bolt"
+type = "fixed"
+xyz = [0.2, 0, 0.1]
+rpy = [0.5, 0.3, -0.2]
+[[link]]
+name = "crank"
+joint = "crank"
+mass = 1
+com = [0.1, 0.02, 0]
+inertia = { xx = 0.01, yy = 0.02, zz = 0.02, xy = 0.003 }
+inertia_about = "com"
+viscous = 0.2
+motor = { inertia = 1e-4, gear_ratio = 50 }
+[[link]]
+name = "coupler"
+joint = "coupler"
+xyz = [0.3, 0, 0]
+mass = 0.5
+com = [0.2, 0.05, 0.01]
+inertia = { zz = 0.01 }
+inertia_about = "com"
+coulomb = 0.1
+[[link]]
+name = "fan"
+joint = "fan"
+xyz = [0.1, 0.1, 0]
+mass = 0.2
+com = [0.03, 0, 0]
+position = "2*coupler - crank"
+[[link]]
+name = "rocker"
+joint = "rocker"
+parent = "plate"
+xyz = [0.5, 0.05, 0]
+mass = 0.7
+com = [0.2, 0, 0]
+viscous = 0.05
+[[link]]
+name = "arm"
+joint = "arm"
+parent = "base"
+xyz = [-0.3, 0, 0]
+axis = [1, 0.2, 0]
+mass = 0.4
+com = [0.1, 0, 0]
+[[link]]
+name = "stick"
+joint = "stick"
+xyz = [0, 0.4, 0.1]
+axis = [0, 1, 0.5]
+mass = 0.3
+com = [0.1, 0, 0.1]
+[[link]]
+name = "ram"
+joint = "ram"
+type = "prismatic"
+xyz = [0.1, 0, 0]
+axis = [1, 0, 1]
+mass = 0.2
+[[loop]]
+links = ["coupler", "rocker"]
+from = [0.5, 0, 0]
+to = [0.4, 0, 0]
+dependent = ["coupler", "rocker"]
+[[loop]]
+links = ["ram", "rocker"]
+from = [0.2, 0.1, 0]
+to = [0.1, 0.3, 0.2]
+dependent = ["arm", "stick", "ram"]
+[tip]
+link = "fan"
+xyz = [0.05, 0.02, 0.01]
+)";
+
+Model loop_model(const std::string& name) {
+  return name == "spatial" ? testing::model_of_toml(kSpatial) : testing::model_of(name);
+}
+
+class Loops : public ::testing::TestWithParam<const char*> {
+ protected:
+  const Model model_ = loop_model(GetParam());
+  const SymbolValues symbols_ = random_symbol_values(model_.robot, 3);
+};
+
+bool is_for_loops(const FunctionEntry& entry) {
+  return entry.kind != FunctionKind::derivatives && entry.kind != FunctionKind::operational;
+}
+
+TEST_P(Loops, EveryFunctionIsTheLagrangians) {
+  for (const FunctionEntry& entry : function_table()) {
+    if (!is_for_loops(entry)) continue;
+    const Function function = derive_function(model_.mechanism, entry.name);
+    EXPECT_TRUE(prove_exactly(model_.mechanism, function).equal) << entry.name;
+  }
+}
+
+// In 50 digits, at positions where the loops are open: the reference knows of derivatives nothing but accelerations.
+TEST_P(Loops, EveryFunctionIsTheReferences) {
+  const ExpectedValues values(model_.robot, model_.mechanism, 7);
+  for (const FunctionEntry& entry : function_table()) {
+    if (!is_for_loops(entry)) continue;
+    const Function function = derive_function(model_.mechanism, entry.name);
+    const Expected expected = values.of(function);
+    GraphEvaluator<Real50> graph(function);
+    std::vector<State> states =
+        with_parameters(random_states(model_.mechanism, costs_many_recursions(function) ? 1 : 4, 11), values.symbols());
+    draw_base_parameters(states, function.base_parameters, 5);
+    for (const State& state : states) {
+      const auto found = graph(widened<Real50>(state));
+      ASSERT_TRUE(found.has_value()) << entry.name;
+      const std::vector<Real50> wanted = expected.exact(state);
+      const std::vector<double> scale = expected.scale(state);
+      for (std::size_t k = 0; k < wanted.size(); ++k) {
+        const auto difference = static_cast<double>(abs((*found)[k] - wanted[k]));
+        EXPECT_LE(difference, 1e-35 * (1 + scale[k])) << entry.name << " " << k;
+      }
+    }
+  }
+}
+
+VectorX<double> vector(const std::vector<double>& v) {
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
+}
+
+// The tree with the loops as constraints whose forces are found with the accelerations,
+// [B_t Φ_qᵀ; Φ_q 0] [q̈_t; -λ] = [τ_t - n_t; -Φ̇_q q̇]: derivatives of Φ by differences.
+TEST_P(Loops, MoveAsTheTreeWithConstraintForces) {
+  const auto closed = reference_robot<double>(model_.robot, symbols_);
+  auto tree = closed;
+  tree.loops.clear();
+  const int m = tree.size();
+  const auto gap = [&closed](const VectorX<double>& q) { return reference::loop_closure<double>(closed, q); };
+  int compared = 0;
+  for (const State& state : random_states(model_.mechanism, 40, 5)) {
+    VectorX<double> q = vector(state.q);
+    if (!reference::close_loops(closed, q, 1e-13)) continue;
+    const VectorX<double> qd = reference::loop_motion(closed, q) * vector(state.qd);
+    constexpr double kStep = 1e-5;
+    Eigen::MatrixXd Phi(gap(q).size(), m);
+    for (int k = 0; k < m; ++k) {
+      const VectorX<double> dq = kStep * VectorX<double>::Unit(m, k);
+      Phi.col(k) = (gap(q + dq) - gap(q - dq)) / (2 * kStep);
+    }
+    const double slow = kStep / (1 + qd.norm());
+    const VectorX<double> drift =
+        (gap(q + 10 * slow * qd) - 2 * gap(q) + gap(q - 10 * slow * qd)) / (100 * slow * slow);
+    if (Phi.jacobiSvd().singularValues().minCoeff() < 1e-2 * Phi.norm()) continue;
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(m + Phi.rows(), m + Phi.rows());
+    K.topLeftCorner(m, m) = reference::inertia_matrix<double>(tree, q);
+    K.topRightCorner(m, Phi.rows()) = Phi.transpose();
+    K.bottomLeftCorner(Phi.rows(), m) = Phi;
+    VectorX<double> right(K.rows());
+    right.head(m) = -reference::bias<double>(tree, q, qd);
+    for (int a = 0; a < closed.size(); ++a) {
+      right[closed.independent[static_cast<std::size_t>(a)]] += state.tau[static_cast<std::size_t>(a)];
+    }
+    right.tail(Phi.rows()) = -drift;
+    const VectorX<double> all = K.fullPivLu().solve(right).head(m);
+    const VectorX<double> found = reference::forward_dynamics<double>(closed, q, vector(state.qd), vector(state.tau));
+    for (int a = 0; a < closed.size(); ++a) {
+      const double wanted = all[closed.independent[static_cast<std::size_t>(a)]];
+      EXPECT_NEAR(found[a], wanted, 2e-4 * (1 + all.norm()));
+    }
+    ++compared;
+  }
+  EXPECT_GE(compared, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Loops,
+                         ::testing::Values("slider_crank.toml", "four_bar.toml", "five_bar.toml",
+                                           "andrews_squeezer.toml", "spatial"),
+                         [](const auto& robot) {
+                           const std::string name = robot.param;
+                           return name.substr(0, name.find('.'));
+                         });
+
+// Without noise, at positions where the loops are closed: all of π_b, so there K has no parameter too many.
+TEST(SliderCrank, IsIdentified) {
+  testing::expect_recovery(testing::Arm("slider_crank.toml"), "slider_crank",
+                           {.samples = 600, .around = {0.3, -0.4, 0.4}});
+}
+
+TEST(FiveBar, IsIdentified) {
+  testing::expect_recovery(testing::Arm("five_bar.toml"), "five_bar",
+                           {.samples = 600, .amplitude = 0.08, .around = {1.57, -0.71, 1.57, 0.71}});
+}
+
+// Its closed loops leave a short way round one position, where some columns are nearly others' combinations.
+TEST(AndrewsSqueezer, IsIdentified) {
+  testing::expect_recovery(testing::Arm("andrews_squeezer.toml"), "andrews_squeezer",
+                           {.samples = 600, .around = {-0.06, 0, 0.455, 0.487, 0.223, 1.23, -0.223}}, 1e-9);
+}
+
+// From a log without rates, read as users have them: q of all joints, τ of the crank.
+TEST(SliderCrank, IsIdentifiedFromALog) {
+  const testing::Arm arm("slider_crank.toml");
+  const TemporaryFolder folder;
+  testing::write_log(folder.path() / "log.csv",
+                     testing::simulated(arm.robot, {.samples = 6000, .rate = 500, .around = {0.3, -0.4, 0.4}}),
+                     testing::LogDerivatives::none);
+  Progress quiet(true);
+  Diagnostics found;
+  const Measurement measurement = measure(arm.torque, {folder.path() / "log.csv"}, {}, quiet, found);
+  ASSERT_FALSE(found.has_errors());
+  const Eigen::VectorXd truth = arm.truth();
+  const Estimate estimated = estimate(measurement.observations, Eigen::VectorXd::Zero(truth.size()));
+  for (Eigen::Index k = 0; k < truth.size(); ++k) {
+    EXPECT_NEAR(estimated.values(k), truth(k), 0.02 * truth.cwiseAbs().maxCoeff()) << k;
+  }
+}
+
+// x = r cos θ + sqrt(l² - r² sin² θ), and its slope.
+TEST(SliderCrank, IsWhereTheTriangleSays) {
+  const auto robot = reference_robot<double>(testing::model_of("slider_crank.toml").robot, {});
+  for (const double theta : {0.3, 1.2, -2.0, 3.0}) {
+    VectorX<double> q(3);
+    q << theta, -theta, 0.4;
+    ASSERT_TRUE(reference::close_loops(robot, q, 1e-14));
+    const double root = std::sqrt(0.09 - 0.0225 * std::pow(std::sin(theta), 2));
+    EXPECT_NEAR(q[2], 0.15 * std::cos(theta) + root, 1e-13);
+    const double slope = -0.15 * std::sin(theta) * (1 + 0.15 * std::cos(theta) / root);
+    EXPECT_NEAR(reference::loop_motion(robot, q)(2, 0), slope, 1e-13);
+  }
+}
+
+// Initial values of the test set: positions, and the accelerations of the crank and of the rod under the spring and the
+// driving torque, 28 digits each.
+TEST(AndrewsSqueezer, StartsAsPublished) {
+  const Model model = testing::model_of("andrews_squeezer.toml");
+  const auto robot = reference_robot<Real50>(model.robot, {});
+  VectorX<Real50> q(7), qd(1), qdd(1);  // beta, Theta, gamma, delta, Phi, epsilon, Omega
+  q << Real50("-0.0617138900142764496358948458001"), 0, Real50("0.455279819163070380255912382449"),
+      Real50("0.487364979543842550225598953530"), Real50("0.222668390165885884674473185609"),
+      Real50("1.23054744454982119249735015568"), Real50("-0.222668390165885884674473185609");
+  qd << 0;
+  qdd << Real50("14222.4439199541138705911625887");
+  EXPECT_LT(reference::loop_closure(robot, q).norm(), Real50("1e-30"));
+  EXPECT_LT(abs(reference::loop_motion(robot, q)(1, 0) * qdd[0] - Real50("-10666.8329399655854029433719415")),
+            Real50("1e-22"));
+  const reference::Vector3<Real50> pulled =
+      reference::Vector3<Real50>(Real50("0.014"), Real50("0.072"), 0) - reference::tip_pose(robot, q).p;
+  const Real50 length = pulled.norm();
+  reference::Environment<Real50> spring;  // what the tip exerts on it
+  spring.f_e = -Real50(4530) * (length - Real50("0.07785")) / length * pulled;
+  const VectorX<Real50> tau = reference::inverse_dynamics<Real50>(robot, q, qd, qdd, spring);
+  EXPECT_LT(abs(tau[0] - Real50("0.033")), Real50("1e-26"));
+}
+
+// Crank and rod in line, and the slider driving: the loop does not say how fast the crank turns.
+TEST(SingularLoop, IsSaidSo) {
+  const std::string text = [] {
+    std::ifstream file(FLATDYN_SOURCE_DIR "/robots/slider_crank.toml");
+    std::stringstream all;
+    all << file.rdbuf();
+    std::string found = all.str();
+    const std::string dependent = R"(dependent = ["theta_2", "x"])";
+    return found.replace(found.find(dependent), dependent.size(), R"(dependent = ["theta_1", "theta_2"])");
+  }();
+  const Model model = testing::model_of_toml(text);
+  const Function motion = derive_function(model.mechanism, "loop_motion");
+  EXPECT_EQ(motion.loop_conditions, 1);
+  GraphEvaluator<double> graph(motion);
+  State state;
+  state.qd = state.qdd = {1};
+  state.q = {0, 0, 0.45};
+  EXPECT_FALSE(graph(state).has_value());
+  state.q = {1e-7, -1e-7, 0.45};
+  EXPECT_FALSE(graph(state).has_value());
+  state.q = {1e-4, -1e-4, 0.45};
+  EXPECT_TRUE(graph(state).has_value());
+  const auto robot = reference_robot<double>(model.robot, {});
+  VectorX<double> q(3);
+  q << 0.1, 0.1, 0.5;  // farther than the links reach
+  const VectorX<double> before = q;
+  EXPECT_FALSE(reference::close_loops(robot, q, 1e-12));
+  EXPECT_EQ(q, before);
+}
+
+}  // namespace
+}  // namespace flatdyn
