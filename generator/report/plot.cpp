@@ -143,9 +143,9 @@ std::string range_text(const Panel& panel, const std::vector<double> Series::*nu
   return is_narrow ? fmt::format("[{}:{}]", low - room, high + room) : "[]";
 }
 
-// Over the panel, where its curves would be.
+// Where curves would be, above the middle: a guide may go through that.
 std::string empty_label(const Panel& panel) {
-  return fmt::format("set label 1 {} at graph 0.5, graph 0.5 center front noenhanced textcolor rgb '{}'\n",
+  return fmt::format("set label 1 {} at graph 0.02, graph 0.85 left front noenhanced textcolor rgb '{}'\n",
                      gnuplot_string("nothing to plot" + (panel.if_empty.empty() ? "" : ": " + panel.if_empty)),
                      kPlotInk);
 }
