@@ -57,6 +57,29 @@ struct Parameters {
   Scalar k_r2;
 };
 
+namespace detail {
+
+// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+struct Interface {
+  template <class Scalar>
+  static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
+    return Scalar::flatdyn_interface == 1;
+  }
+  template <class Scalar>
+  static constexpr bool fits(...) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool checked() noexcept {
+    static_assert(fits<Scalar>(nullptr),
+        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
+        "it again, with the flatdyn that the runtime came with");
+    return true;
+  }
+};
+
+}  // namespace detail
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
@@ -67,6 +90,7 @@ struct Parameters {
 template <class Scalar>
 inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* /* qd */, const Scalar* qdd, Scalar* tau) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, m_m2 = parameters.m_m2,
@@ -88,6 +112,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 template <class Scalar>
 inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* /* qd */, const Scalar* qdd, const Scalar* h_e, Scalar* tau) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar h_e_1 = h_e[0], h_e_3 = h_e[2];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
@@ -113,6 +138,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 template <class Scalar>
 inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* B) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar m_l1 = parameters.m_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, m_m2 = parameters.m_m2, I_m2 = parameters.I_m2,
       k_r2 = parameters.k_r2;
@@ -135,6 +161,7 @@ inline constexpr bool christoffel_nonzero[6] = {
 template <class Scalar>
 inline void christoffel(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     Scalar* c) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   c[0] = c[1] = c[2] = c[3] = c[4] = c[5] = Scalar(0.0);
 }
 
@@ -152,6 +179,7 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 template <class Scalar>
 inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     const Scalar* /* qd */, Scalar* C) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   C[0] = C[1] = C[2] = C[3] = Scalar(0.0);
 }
 
@@ -163,6 +191,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Sc
 template <class Scalar>
 inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* g) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, m_l1 = parameters.m_l1, m_l2 = parameters.m_l2,
       m_m2 = parameters.m_m2;
   const Scalar mc_1 = m_l1 + m_l2 + m_m2;
@@ -179,6 +208,7 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
 template <class Scalar>
 inline void bias(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* /* qd */, Scalar* n) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, m_l2 = parameters.m_l2,
       m_m2 = parameters.m_m2;
   const Scalar m_1 = m_l1 + m_m2;
@@ -198,6 +228,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* /* q */,
 template <class Scalar>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* /* qd */, const Scalar* tau, Scalar* qdd) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, m_m2 = parameters.m_m2,
@@ -224,6 +255,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 template <class Scalar>
 inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* qd) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar m_l1 = parameters.m_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, m_m2 = parameters.m_m2, I_m2 = parameters.I_m2,
@@ -244,6 +276,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 // add.
 template <class Scalar>
 inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_1 = q[0];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, m_l2 = parameters.m_l2,
       m_m2 = parameters.m_m2;
@@ -266,6 +299,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar>
 inline void forward_kinematics(const Parameters<Scalar>& /* parameters */, const Scalar* q,
     Scalar* R, Scalar* p) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_1 = q[0], q_2 = q[1];
   p[2] = q_1;
   p[0] = q_2;
@@ -291,6 +325,7 @@ inline constexpr bool jacobian_nonzero[12] = {
 template <class Scalar>
 inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     Scalar* J) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   J[1] = J[4] = Scalar(1.0);
   J[0] = J[2] = J[3] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
   J[10] = J[11] = Scalar(0.0);
@@ -304,6 +339,7 @@ inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /
 template <class Scalar>
 inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     const Scalar* /* qd */, Scalar* a) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   a[0] = a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
 

@@ -67,6 +67,13 @@ struct Interface {
   static constexpr bool fits(...) noexcept {
     return true;
   }
+  template <class Scalar>
+  static constexpr bool checked() noexcept {
+    static_assert(fits<Scalar>(nullptr),
+        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
+        "it again, with the flatdyn that the runtime came with");
+    return true;
+  }
 };
 
 }  // namespace detail
@@ -83,9 +90,7 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::fits<Scalar>(nullptr),
-        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
-        "it again, with the flatdyn that the runtime came with");
+    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -101,6 +106,7 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -167,6 +173,7 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 template <class Scalar>
 inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* B) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar I = parameters.I, k_r = parameters.k_r, I_m = parameters.I_m;
   B[0] = I + k_r * k_r * I_m;
 }
@@ -183,6 +190,7 @@ inline constexpr bool christoffel_nonzero[1] = {
 template <class Scalar>
 inline void christoffel(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     Scalar* c) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   c[0] = Scalar(0.0);
 }
 
@@ -199,6 +207,7 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 template <class Scalar>
 inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     const Scalar* /* qd */, Scalar* C) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   C[0] = Scalar(0.0);
 }
 
@@ -270,6 +279,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 template <class Scalar>
 inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* qd) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar I = parameters.I, k_r = parameters.k_r, I_m = parameters.I_m;
   return Scalar(0.5) * qd_1 * qd_1 * (I + k_r * k_r * I_m);
@@ -332,6 +342,7 @@ inline constexpr bool jacobian_nonzero[6] = {
 template <class Scalar>
 inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     Scalar* J) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   J[5] = Scalar(1.0);
   J[0] = J[1] = J[2] = J[3] = J[4] = Scalar(0.0);
 }
@@ -344,6 +355,7 @@ inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /
 template <class Scalar>
 inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     const Scalar* /* qd */, Scalar* a) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   a[0] = a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
 

@@ -87,6 +87,13 @@ struct Interface {
   static constexpr bool fits(...) noexcept {
     return true;
   }
+  template <class Scalar>
+  static constexpr bool checked() noexcept {
+    static_assert(fits<Scalar>(nullptr),
+        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
+        "it again, with the flatdyn that the runtime came with");
+    return true;
+  }
 };
 
 }  // namespace detail
@@ -103,9 +110,7 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::fits<Scalar>(nullptr),
-        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
-        "it again, with the flatdyn that the runtime came with");
+    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -121,6 +126,7 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -374,6 +380,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
 template <class Scalar>
 inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* g) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, m_l3 = parameters.m_l3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;
   const Scalar mc_3 = m_l3 + m_l4 + m_m4;
@@ -535,6 +542,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 // add.
 template <class Scalar>
 inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_3 = q[2];
   const Scalar g = parameters.g, m_l3 = parameters.m_l3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;

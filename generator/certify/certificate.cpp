@@ -58,10 +58,8 @@ class Constants {
   std::map<double, std::set<Rational>> values_;
 };
 
-// Sines and cosines of <cmath>, and of flatdyn's own in registers, are right to 1 ulp, which is half of that of 1 or
-// less.
-RoundingModel rounding_model(const Constants& constants, const RoundingFormat& format) {
-  return {format, std::ldexp(1.0, -format.precision),
+RoundingModel rounding_model(const Constants& constants, const RoundingFormat& format, const CertifyOptions& options) {
+  return {format, trigonometry_error(options),
           [&constants, &format](double literal) { return constants.error(literal, format); }};
 }
 
@@ -100,7 +98,7 @@ class Certifier {
         options_(options),
         constants_(function),
         analysis_(with_constants_apart(text, [this](double literal) { return constants_.is_ambiguous(literal); }),
-                  rounding_model(constants_, format_), input_limits(mechanism)) {
+                  rounding_model(constants_, format_, options), input_limits(mechanism)) {
     result_.name = function.name;
   }
 
@@ -114,13 +112,21 @@ class Certifier {
     result_.seconds = seconds_since(start);
     progress.step("looking for errors of " + function_.name);
     const std::vector<double> observed =
-        observed_errors(mechanism_, analysis_.text(), operations_, function_, exact_, format_, options_.observed);
+        observed_errors(mechanism_, analysis_.text(), operations_, function_, exact_, format_, observed_options());
     for (std::size_t k = 0; k < observed.size(); ++k) result_.outputs[k].observed = observed[k];
     if (asks_gappa(options_)) ask(progress);
     return std::move(result_);
   }
 
  private:
+  // Those of <cmath> take part of what sines may be off, and what is added to them is rounded.
+  ObservedOptions observed_options() const {
+    constexpr double kOfCmath = 1, kOfSum = 1;
+    ObservedOptions options = options_.observed;
+    options.sine_error = std::ldexp(std::max(0.0, options_.trigonometry_ulp - kOfCmath - kOfSum), -format_.precision);
+    return options;
+  }
+
   // One for every operation that goes to an entry.
   void find_outputs() {
     for (std::size_t o = 0; o < function_.outputs.size(); ++o) {
@@ -190,6 +196,11 @@ class Certifier {
 };
 
 }  // namespace
+
+// The last place of numbers from 1/2 to 1, of which no sine's or cosine's is larger.
+double trigonometry_error(const CertifyOptions& options) {
+  return std::ldexp(options.trigonometry_ulp, -rounding_format(options.scalar).precision);
+}
 
 std::string certified_name(const Output& output, std::size_t entry) {
   return output.layout == Layout::scalar ? output.name : fmt::format("{}[{}]", output.name, entry);

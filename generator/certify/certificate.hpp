@@ -17,9 +17,13 @@ namespace flatdyn {
 
 struct CertifyOptions {
   std::string scalar = "double";
+  double trigonometry_ulp = 1;  // what sines and cosines may be off, in last places of numbers below 1
   ObservedOptions observed;
   double time_limit = 120;  // of Gappa for one script, s; 0: it is not asked
 };
+
+// The same as an absolute error.
+double trigonometry_error(const CertifyOptions& options);
 
 // One number that a function computes; it may go to several entries.
 struct CertifiedOutput {

@@ -5,7 +5,9 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <future>
+#include <random>
 #include <thread>
 #include <unordered_map>
 
@@ -59,7 +61,9 @@ Lanes<T> filled(T value) {
 class Batch {
  public:
   Batch(const StateSource& source, const RoundingFormat& format, unsigned seed)
-      : states_(source.draw(kTogether, seed)), format_(format) {}
+      : states_(source.draw(kTogether, seed)), format_(format), seed_(seed) {}
+
+  unsigned seed() const { return seed_; }
 
   template <class T>
   Lanes<T> input(const Input& input) const {
@@ -74,7 +78,15 @@ class Batch {
  private:
   std::vector<State> states_;
   const RoundingFormat& format_;
+  unsigned seed_;
 };
+
+// More by the error where the state's bit is set, else less.
+template <class T>
+Lanes<T> disturbed(Lanes<T> x, T error, std::uint64_t signs) {
+  for (std::size_t k = 0; k < kTogether; ++k) x.of[k] += (signs >> k & 1) != 0 ? error : -error;
+  return x;
+}
 
 template <class T>
 Lanes<T> sine_or_cosine(const Lanes<T>& angle, bool is_cosine) {
@@ -93,7 +105,8 @@ Lanes<T> square_root(const Lanes<T>& x) {
 
 // The text, operation by operation.
 template <class T>
-std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch) {
+std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch, double sine_error) {
+  std::mt19937_64 signs(batch.seed());
   std::vector<Lanes<T>> values;
   values.reserve(static_cast<std::size_t>(lines.size()));
   for (int k = 0; k < lines.size(); ++k) {
@@ -110,6 +123,7 @@ std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch) {
       case Step::sine:
       case Step::cosine:
         values.push_back(sine_or_cosine(batch.input<T>(operation.input), operation.step == Step::cosine));
+        if (sine_error > 0) values.back() = disturbed(values.back(), static_cast<T>(sine_error), signs());
         break;
       case Step::negate:
         values.push_back(mapped(a(), [](T x) { return -x; }));
@@ -179,7 +193,7 @@ std::vector<double> largest_errors(const Comparison& comparison, std::atomic<uns
   for (unsigned b = next++; b < batches; b = next++) {
     const Batch batch(comparison.source, comparison.format, comparison.options.seed + b);
     arithmetic.take(batch);
-    const std::vector<Lanes<T>> computed = executed<T>(comparison.lines, batch);
+    const std::vector<Lanes<T>> computed = executed<T>(comparison.lines, batch, comparison.options.sine_error);
     const std::vector<Lanes<Wide>> exact = evaluate(comparison.function, arithmetic);
     for (std::size_t k = 0; k < largest.size(); ++k) {
       const Lanes<T>& x = computed[static_cast<std::size_t>(comparison.of[k])];

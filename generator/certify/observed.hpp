@@ -14,12 +14,13 @@ namespace flatdyn {
 struct ObservedOptions {
   int states = 1'000'000;
   unsigned seed = 1;
+  double sine_error = 0;  // that is added to every sine and cosine, or taken away, at random
 };
 
 // By operation in `of`: the largest absolute difference between its result in the format and the entry of the graph
 // that it computes, within the limits of the joints. `exact` are nodes of the graph, one for each. In long double for
-// the format double, in double for float. Sines and cosines are those of <cmath>. The same for the same seed, on any
-// number of cores.
+// the format double, in double for float. Sines and cosines are those of <cmath>, but for `sine_error`. The same for
+// the same seed, on any number of cores.
 std::vector<double> observed_errors(const Mechanism& mechanism, const StraightLine& lines, const std::vector<int>& of,
                                     const Function& function, const std::vector<NodeId>& exact,
                                     const RoundingFormat& format, const ObservedOptions& options);

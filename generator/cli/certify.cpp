@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "input/content_hash.hpp"
@@ -83,7 +85,19 @@ void write(const CertifyArguments& arguments, const Certified& result, const std
   write_files(files);
 }
 
+// More, and they are no sines: bounds then speak of nothing.
+void check_trigonometry(const CertifyOptions& options) {
+  constexpr double kMost = 0.125;
+  const double error = trigonometry_error(options);
+  if (error <= kMost) return;
+  throw Failure(
+      ExitCode::usage, fmt::format("--trigonometry-ulp: sines and cosines that are off by {:.2g}", error),
+      fmt::format("give what they are off over 2^-{}: 1000 is {:.2g}", rounding_format(options.scalar).precision,
+                  std::ldexp(1000.0, -rounding_format(options.scalar).precision)));
+}
+
 ExitCode run_certify(const CertifyArguments& arguments) {
+  check_trigonometry(arguments.options);
   const PipelineOptions options = pipeline_options(arguments);
   const Model model = read_model(arguments.robot, options);
   refuse_loops(model, "certify");
@@ -136,6 +150,12 @@ Run add_certify(CLI::App& app) {
   add_search_option(*command, *arguments);
   command->add_option("--scalar", arguments->options.scalar, "scalar that the code runs in")
       ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--trigonometry-ulp", arguments->options.trigonometry_ulp,
+          "what sines and cosines may be off (a table, a callback), in units of 2^-53 in double, 2^-24 in float")
+      ->check(number_between(0.5, 1e12))
       ->capture_default_str();
   command->add_option("--states", arguments->options.observed.states, "random states at which errors are looked for")
       ->capture_default_str()

@@ -32,7 +32,8 @@ void write_findings(const StressArguments& arguments, const StressReport& report
         {folder / fmt::format("worst_{}_{}.csv", row.function, row.scalar), state_csv(report, row, row.worst.state)});
   }
   write_files(files);
-  if (!arguments.json) fmt::print("\nwrote {0}/stress.json, stress.svg, worst_*.csv\n", arguments.folder);
+  if (arguments.json) return;
+  fmt::print("\nwrote {0}/stress.json, stress.svg, worst_*.csv\n{1}", arguments.folder, left_out_of_plot(report));
 }
 
 ExitCode run_family(const StressArguments& arguments) {

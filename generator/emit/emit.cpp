@@ -79,7 +79,7 @@ class PageWriter {
     header["uses_sign"] = uses_sign_;
     header["header_sign?"] = uses_sign_ && !is_pair();
     header["interface"] = std::to_string(kInterface);
-    header["asks_runtime?"] = uses_trigonometry_ && !is_pair();  // a pair is compiled without the runtime
+    header["asks_runtime?"] = !is_pair();  // a pair is compiled without the runtime
     header["uses_sqrt"] = uses_sqrt_;
     header["header_sqrt?"] = uses_sqrt_ && !is_pair();
     header["uses_trigonometry"] = uses_trigonometry_;
@@ -270,6 +270,7 @@ class PageWriter {
       item["comment"] = list_of(function_comment(functions_[k], text));
       item["header_parameters"] = template_parameters(text);
       item["signature"] = signature(text);
+      item["asks_scalar?"] = asks_scalar(text);
       item["body"] = without_newline(text.body);
       if (dialect_.is_c()) write_c_function(item, functions_[k], text);
       if (is_pair()) write_pair_function(item, functions_[k], text);

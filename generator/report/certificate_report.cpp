@@ -99,6 +99,11 @@ std::string judgement(const Certificate& certificate, double enough) {
   return fmt::format("{} is enough: no torque is off by more than {}\n", certificate.scalar, part);
 }
 
+std::string trigonometry(const Certificate& certificate) {
+  return fmt::format("sines and cosines that are off by no more than {:g} ulp, {:.3e}",
+                     certificate.options.trigonometry_ulp, trigonometry_error(certificate.options));
+}
+
 std::string markdown_table(const Rows& rows) {
   std::string text;
   for (const auto& row : rows) {
@@ -125,8 +130,9 @@ std::string describe_certificate(const Certificate& certificate, double enough) 
     text += "\n" + aligned_table(rows_of(certificate, shown)) + "\n";
   }
   text += fmt::format(
-      "bound: of the absolute rounding error in {}, within the joints' limits\nseen: the largest of {} random states\n",
-      certificate.scalar, certificate.options.observed.states);
+      "bound: of the absolute rounding error in {}, within the joints' limits, for {}\n"
+      "seen: the largest of {} random states\n",
+      certificate.scalar, trigonometry(certificate), certificate.options.observed.states);
   return text + judgement(certificate, enough);
 }
 
@@ -138,13 +144,13 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       "numbers, at the same inputs.\n\n"
       "This holds\n\n"
       "- within the limits of position, speed, acceleration and torque that the header states;\n"
-      "- for sines and cosines that are right to 1 ulp;\n"
+      "- for {};\n"
       "- in builds in which `rounding_is_as_written<{}>()` is true.\n\n"
       "Check it with Gappa alone: `for g in {}/*.g; do gappa $g || echo \"$g: refused\"; done`. Gappa proves what each "
       "script says: how large the error of each operation is, and that all together are within the bound. How large an "
       "operation's result can be, and how much of its error reaches an output, are hypotheses there, which flatdyn "
       "has proven from norms.\n",
-      certificate.robot, certificate.scalar, header, hash, certificate.scalar,
+      certificate.robot, certificate.scalar, header, hash, trigonometry(certificate), certificate.scalar,
       std::filesystem::path(header).replace_extension("gappa").string());
   for (const CertifiedFunction& function : certificate.functions) {
     text += fmt::format("\n## {}\n\n{}", function.name, markdown_table(rows_of(certificate, function.outputs)));
@@ -162,6 +168,8 @@ nlohmann::ordered_json certificate_json(const Certificate& certificate, const st
                                  {"scalar", certificate.scalar},
                                  {"header", header},
                                  {"hash", hash},
+                                 {"trigonometry_ulp", certificate.options.trigonometry_ulp},
+                                 {"trigonometry_error", trigonometry_error(certificate.options)},
                                  {"gappa", certificate.by_gappa},
                                  {"states", certificate.options.observed.states},
                                  {"seed", certificate.options.observed.seed}};

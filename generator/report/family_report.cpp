@@ -100,7 +100,7 @@ std::string family_plot(const FamilyReport& report) {
     }
     if (!panel.series.empty()) panels.push_back(std::move(panel));
   }
-  panels.back().x_label = report.family == "chains" ? "joints" : report.family;
+  if (!panels.empty()) panels.back().x_label = report.family == "chains" ? "joints" : report.family;
   return svg_plot("Family " + report.family, panels);
 }
 

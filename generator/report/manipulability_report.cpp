@@ -109,7 +109,7 @@ std::string manipulability_plot(const std::string& robot, const std::vector<int>
     largest = std::max({largest, shadows.back().axes.colwise().norm().maxCoeff(), shadows.back().centre.norm() / 2});
     reach = std::max(reach, length_of(pose.skeleton));
   }
-  const double scale = largest > 0 ? kDrawnPart * reach / largest : 1;
+  const double scale = largest > 0 && reach > 0 ? kDrawnPart * reach / largest : 1;
   Panel panel{fmt::format("accelerations at the tip: 1 m is {:.3g} m/s^2", 1 / scale),
               fmt::format("{} in m", direction(plane.across)),
               fmt::format("{} in m", direction(plane.up)),

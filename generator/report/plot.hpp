@@ -25,6 +25,7 @@ struct Panel {
   std::string title, x_label, y_label;
   std::vector<Series> series;
   PanelStyle style = PanelStyle::curves;
+  std::string if_empty = {};  // why, where none of its series has a number that its axes have a place for
 };
 
 enum class PictureFormat {
@@ -32,8 +33,9 @@ enum class PictureFormat {
   png,  // on white, twice as many pixels as the SVG is wide and high
 };
 
-// Panels below each other in one picture. The same input gives the same bytes. Throws Failure(io) where there is no
-// gnuplot.
+// Panels below each other in one picture. What has no number that its axes have a place for (zero has none on a
+// logarithmic one) says that there is nothing to plot. The same input gives the same bytes. Throws Failure(io) where
+// there is no gnuplot.
 std::string plot(const std::string& title, const std::vector<Panel>& panels, PictureFormat format);
 inline std::string svg_plot(const std::string& title, const std::vector<Panel>& panels) {
   return plot(title, panels, PictureFormat::svg);

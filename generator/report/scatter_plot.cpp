@@ -45,6 +45,12 @@ void add_zero(Axis& axis) {
   axis.zero = axis.first - room / 2;
 }
 
+// Within what axes with room around them can count to.
+bool has_place(const ScatterPoint& point) {
+  constexpr double kLeast = 1e-250, kMost = 1e250;
+  return point.x > kLeast && point.x < kMost && (point.y == 0 || (point.y > kLeast && point.y < kMost));
+}
+
 // "2e1" is written as 20. One, two and five of each decade; of many decades only the powers of ten.
 std::string ticks(const Axis& axis) {
   std::vector<std::string> marks;
@@ -67,7 +73,7 @@ class PanelWriter {
  public:
   explicit PanelWriter(const ScatterPanel& panel) : panel_(panel) {
     for (const ScatterPoint& point : panel.points) {
-      if (std::isfinite(point.y) && point.x > 0) points_.push_back(point);
+      if (has_place(point)) points_.push_back(point);
     }
     std::stable_sort(points_.begin(), points_.end(),
                      [](const ScatterPoint& a, const ScatterPoint& b) { return a.x < b.x; });
@@ -91,6 +97,7 @@ class PanelWriter {
     height_ = sheet_height;
     frame_.top = top + headroom_ + kTop;
     frame_.bottom = top + height() - kBottom;
+    if (points_.empty()) return heading(top) + axes() + nothing();
     return heading(top) + axes() + labels() + data_block(index, "points", points_) +
            data_block(index, "front", front()) + plot(index);
   }
@@ -107,6 +114,12 @@ class PanelWriter {
   std::string heading(double top) const {
     return fmt::format("set label {} at {} center noenhanced textcolor rgb '{}'\n", gnuplot_string(panel_.title),
                        screen((frame_.left + frame_.right) / 2, top + 0.4 * kTop), kPlotInk);
+  }
+
+  // The frame with a text in it.
+  std::string nothing() const {
+    return fmt::format("set label 'nothing to plot' at {} center textcolor rgb '{}'\nplot [1:10] [1:10] NaN notitle\n",
+                       screen((frame_.left + frame_.right) / 2, (frame_.top + frame_.bottom) / 2), kPlotInk);
   }
 
   std::string axes() const {
@@ -178,7 +191,8 @@ class PanelWriter {
 }  // namespace
 
 std::string svg_scatter(const std::string& title, const std::vector<ScatterPanel>& panels) {
-  std::vector<PanelWriter> writers(panels.begin(), panels.end());
+  const std::vector<ScatterPanel> drawn = panels.empty() ? std::vector<ScatterPanel>(1) : panels;
+  std::vector<PanelWriter> writers(drawn.begin(), drawn.end());
   double height = kSheetTitle;
   for (const PanelWriter& writer : writers) height += writer.height();
   const auto script = [&](const std::filesystem::path& output) {

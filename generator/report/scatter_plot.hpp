@@ -21,7 +21,8 @@ struct ScatterPanel {
   std::vector<ScatterPoint> points;
 };
 
-// Panels below each other in one SVG, as svg_plot does it. Points that are not finite are left out.
+// Panels below each other in one SVG, as svg_plot does it. Points that are not finite are left out; a
+// panel without points says that there is nothing to plot.
 std::string svg_scatter(const std::string& title, const std::vector<ScatterPanel>& panels);
 
 }  // namespace flatdyn

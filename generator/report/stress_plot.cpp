@@ -19,24 +19,45 @@ Series unit_line(const std::vector<Series>& clouds) {
   return {"one unit of the terms", {1, largest}, {1, largest}, true};
 }
 
+bool has_place(const StressError& point) {
+  return std::isfinite(point.condition) && std::isfinite(point.relative) && point.relative > 0;
+}
+
 Panel condition_panel(const StressReport& report, const std::string& scalar) {
   Panel panel{"error against condition, " + scalar,
               "condition: size of the terms / size of the entry",
               "relative error / eps",
               {},
-              PanelStyle::cloud};
+              PanelStyle::cloud,
+              "no error above zero"};
   for (const StressRow& row : report.rows) {
     if (row.scalar != scalar) continue;
     Series series{row.function, {}, {}};
     for (const StressError& point : row.points) {
-      if (!std::isfinite(point.condition) || !std::isfinite(point.relative) || !(point.relative > 0)) continue;
+      if (!has_place(point)) continue;
       series.x.push_back(point.condition);
       series.y.push_back(point.relative);
     }
-    if (!series.x.empty()) panel.series.push_back(std::move(series));
+    panel.series.push_back(std::move(series));
   }
   panel.series.push_back(unit_line(panel.series));
   return panel;
+}
+
+// The scalars that were searched.
+std::vector<std::string> scalars_of(const StressReport& report) {
+  std::vector<std::string> scalars;
+  for (const char* scalar : {"double", "float"}) {
+    const auto is_in = [&](const StressRow& row) { return row.scalar == scalar; };
+    if (std::any_of(report.rows.begin(), report.rows.end(), is_in)) scalars.push_back(scalar);
+  }
+  return scalars;
+}
+
+bool has_errors(const StressReport& report, const std::string& scalar) {
+  return std::any_of(report.rows.begin(), report.rows.end(), [&](const StressRow& row) {
+    return row.scalar == scalar && std::any_of(row.points.begin(), row.points.end(), has_place);
+  });
 }
 
 // Up to the last one that has something.
@@ -55,7 +76,8 @@ Panel histogram_panel(const StressReport& report, const std::string& scalar) {
               "units of the last place of the terms' size",
               "part of the states",
               {},
-              PanelStyle::steps};
+              PanelStyle::steps,
+              "every random state was refused"};
   for (const StressRow& row : report.rows) {
     if (row.scalar != scalar || row.states == 0) continue;
     Series series{row.function, {}, {}};
@@ -73,11 +95,19 @@ Panel histogram_panel(const StressReport& report, const std::string& scalar) {
 
 std::string stress_plot(const StressReport& report) {
   std::vector<Panel> panels;
-  for (const char* scalar : {"double", "float"}) {
+  for (const std::string& scalar : scalars_of(report)) {
     panels.push_back(condition_panel(report, scalar));
     panels.push_back(histogram_panel(report, scalar));
   }
   return svg_plot("Rounding errors of " + report.robot, panels);
+}
+
+std::string left_out_of_plot(const StressReport& report) {
+  std::string text;
+  for (const std::string& scalar : scalars_of(report)) {
+    if (!has_errors(report, scalar)) text += fmt::format("no error above zero in {}: nothing to plot\n", scalar);
+  }
+  return text;
 }
 
 }  // namespace flatdyn

@@ -103,8 +103,8 @@ class TextReader {
     } else if (accept("const")) {
       if (!text_.is_javascript()) expect(text_.scalar_.c_str());
       definitions();
-    } else if (word() == text_.scalar_ || word(1) == "<" || is("(")) {
-      skip_past(";");  // arrays, an empty stage, or "(void)qd;"
+    } else if (word() == text_.scalar_ || word(1) == "<" || is("(") || is("static_assert")) {
+      skip_past(";");  // arrays, an empty stage, "(void)qd;", or what only compilers ask
     } else if (accept("sin_cos")) {
       sines_and_cosines();
     } else if (text_.is_c() && ends_with(word(), "_sines_and_cosines")) {

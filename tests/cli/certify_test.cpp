@@ -67,6 +67,79 @@ TEST(Certify, SaysWhetherFloatIsEnough) {
               HasSubstr("float is not enough: errors of more than 1e-07 %"));
 }
 
+// A caller's sines, off by what the certificate was told: -1 and 1 times that, by the bits of a number.
+constexpr const char* kWithSinesThatAreOff = R"(#include <cstdio>
+#include <random>
+#include "planar_2r_example_7_2.hpp"
+namespace robot = planar_2r_example_7_2;
+struct SinCosThatIsOff {
+  mutable std::mt19937 bits;
+  float off(double x) const { return static_cast<float>(x + (bits() % 2 ? ULP - 1 : 1 - ULP) * 0x1p-24); }
+  template <template <int...> class Joints, int... joint>
+  void operator()(const float* q, Joints<joint...>, float* s, float* c) const {
+    ((s[joint] = off(std::sin(double(q[joint]))), c[joint] = off(std::cos(double(q[joint])))), ...);
+  }
+};
+int main() {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> part(-1, 1);
+  const SinCosThatIsOff sines{random};
+  double largest[2] = {};
+  for (int k = 0; k < 100000; ++k) {
+    float q[2], qd[2], qdd[2], tau[2];
+    double Q[2], Qd[2], Qdd[2], exact[2];
+    for (int i = 0; i < 2; ++i) {
+      Q[i] = q[i] = float(4 * part(random));
+      Qd[i] = qd[i] = float(robot::velocity_limit[i] * part(random));
+      Qdd[i] = qdd[i] = float(robot::acceleration_limit[i] * part(random));
+    }
+    robot::inverse_dynamics(q, qd, qdd, tau, sines);
+    robot::inverse_dynamics(Q, Qd, Qdd, exact);
+    for (int i = 0; i < 2; ++i) largest[i] = std::fmax(largest[i], std::fabs(tau[i] - exact[i]));
+  }
+  std::printf("[%.17g, %.17g]", largest[0], largest[1]);
+  return robot::rounding_is_as_written<float>() ? 0 : 1;
+}
+)";
+
+std::vector<double> inverse_dynamics_bounds(const Scratch& scratch, const std::string& options) {
+  const Outcome outcome = run_flatdyn(kPlanar + std::string("-q --functions inverse_dynamics --states 2000 ") +
+                                      options + " -o " + scratch.path());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  std::vector<double> bounds;
+  const json certificate = json::parse(scratch.read("planar_2r_example_7_2.certificate.json"));
+  for (const json& output : certificate.at("functions").at(0).at("outputs")) bounds.push_back(output.at("bound"));
+  return bounds;
+}
+
+// With the compiled text.
+TEST(Certify, HoldsForSinesOfTheCallersOwn) {
+  const Scratch scratch;
+  const std::vector<double> good = inverse_dynamics_bounds(scratch, "--scalar float");
+  const std::vector<double> bounds = inverse_dynamics_bounds(scratch, "--scalar float --trigonometry-ulp 500");
+  EXPECT_THAT(scratch.read("planar_2r_example_7_2.certificate.md"),
+              HasSubstr("sines and cosines that are off by no more than 500 ulp, 2.980e-05"));
+  EXPECT_EQ(json::parse(scratch.read("planar_2r_example_7_2.certificate.json")).at("trigonometry_ulp"), 500);
+  scratch.write("main.cpp", kWithSinesThatAreOff);
+  const std::string folder = scratch.path();
+  ASSERT_EQ(std::system(("cd '" + folder + "' && c++ -std=c++17 -O2 -ffp-contract=off -DULP=500 main.cpp -o off && " +
+                         "./off > seen")
+                            .c_str()),
+            0);
+  const json seen = json::parse(scratch.read("seen"));
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_LE(seen[k].get<double>(), bounds[k]);
+    EXPECT_GT(seen[k].get<double>(), bounds[k] / 10);
+    EXPECT_GT(seen[k].get<double>(), good[k]);
+  }
+}
+
+TEST(Certify, RefusesSinesThatAreNone) {
+  const Outcome outcome = run_flatdyn(kPlanar + std::string("--scalar float --trigonometry-ulp 1e8"));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("sines and cosines that are off by 6"));
+}
+
 TEST(Certify, WithoutGappaGivesItsOwnBounds) {
   const Scratch scratch;
   const std::string program = FLATDYN_PROGRAM, robot = std::string(FLATDYN_SOURCE_DIR) + "/robots/panda.urdf";

@@ -10,6 +10,7 @@ namespace flatdyn::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* kShort = " -q --states 50 --edges 30 --evaluations 50";
 
@@ -32,6 +33,21 @@ TEST(Stress, FindsWorstStatesThatEvalRepeats) {
   const Outcome graph = run_flatdyn(eval), reference = run_flatdyn(eval + " --reference");
   EXPECT_EQ(graph.code, 0) << graph.err;
   EXPECT_EQ(reference.code, 0) << reference.err;
+}
+
+// Zero has no place on a logarithmic axis, and a scalar that was not asked for has no panel.
+TEST(Stress, SaysThatErrorsOfZeroCannotBePlotted) {
+  const Scratch scratch;
+  const std::string command = "stress robots/pendulum_motor.toml --variants double -o " + scratch.path() + kShort;
+  const Outcome outcome = run_flatdyn(command + " --functions inertia_matrix,jacobian");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("no error above zero in double: nothing to plot\n"));
+  EXPECT_THAT(scratch.read("stress.svg"), HasSubstr("nothing to plot: no error above zero"));
+  EXPECT_THAT(scratch.read("stress.svg"), Not(HasSubstr("float")));
+  const Outcome all = run_flatdyn(command);
+  EXPECT_EQ(all.code, 0) << all.out << all.err;
+  EXPECT_THAT(all.out, Not(HasSubstr("nothing to plot")));
+  EXPECT_THAT(scratch.read("stress.svg"), HasSubstr("inertia_matrix: nothing to plot"));
 }
 
 TEST(Stress, IsTheSameInEveryRun) {

@@ -39,6 +39,24 @@ int main() {
 }
 )";
 
+constexpr const char* kLanesWithoutSines = R"(#include "cartesian_2.hpp"
+#include "flatdyn/batch.hpp"
+int main() {
+  const cartesian_2::Parameters<flatdyn::Lanes<double>> parameters = {};
+  const flatdyn::Lanes<double> q[2] = {};
+  flatdyn::Lanes<double> B[4];
+  cartesian_2::inertia_matrix(parameters, q, B);
+}
+)";
+constexpr const char* kGivenLanes = R"(#include "flatdyn/batch.hpp"
+#include "ur5.hpp"
+int main() {
+  const flatdyn::Lanes<double> q[6] = {}, sine[6] = {}, cosine[6] = {};
+  flatdyn::Lanes<double> g[6];
+  ur5::gravity(q, g, ur5::GivenSinCos<flatdyn::Lanes<double>>{sine, cosine});
+}
+)";
+
 // A folder with the runtime and a generated header, either of which may be changed.
 class Interface : public ::testing::TestWithParam<const char*> {
  protected:
@@ -47,7 +65,9 @@ class Interface : public ::testing::TestWithParam<const char*> {
     for (const char* name : {"batch.hpp", "trigonometry.hpp", "sincos.hpp", "interface.hpp"}) {
       fs::copy_file(kSource / "runtime/include/flatdyn" / name, folder_.path() / "flatdyn" / name);
     }
-    fs::copy_file(kSource / "generated/ur5.hpp", folder_.path() / "ur5.hpp");
+    for (const char* name : {"ur5.hpp", "cartesian_2.hpp"}) {
+      fs::copy_file(kSource / "generated" / name, folder_.path() / name);
+    }
   }
 
   void replace(const std::string& file, const std::string& old, const std::string& text) const {
@@ -73,15 +93,19 @@ class Interface : public ::testing::TestWithParam<const char*> {
 };
 
 TEST_P(Interface, FitsWithinAVersion) {
-  for (const char* program : {kTogether, kLanes, kOwnScalar}) EXPECT_EQ(complaint(program), "");
+  for (const char* program : {kTogether, kLanes, kOwnScalar, kLanesWithoutSines, kGivenLanes}) {
+    EXPECT_EQ(complaint(program), "");
+  }
 }
 
 TEST_P(Interface, OfANewerRuntimeIsRefused) {
   replace("flatdyn/interface.hpp", "kInterface = 1", "kInterface = 2");
   EXPECT_THAT(complaint(kTogether), HasSubstr("flatdyn/trigonometry.hpp is of another version of flatdyn than this "
                                               "generated code: generate it again"));
-  EXPECT_THAT(complaint(kLanes), HasSubstr("this scalar is of another version of flatdyn's runtime than this generated "
-                                           "code: generate it again"));
+  for (const char* program : {kLanes, kLanesWithoutSines, kGivenLanes}) {
+    EXPECT_THAT(complaint(program), HasSubstr("this scalar is of another version of flatdyn's runtime than this "
+                                              "generated code: generate it again"));
+  }
   EXPECT_EQ(complaint(kOwnScalar), "");
 }
 

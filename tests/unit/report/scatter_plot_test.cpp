@@ -44,5 +44,22 @@ TEST(SvgScatter, GivesTheSameBytesInEveryRun) {
   EXPECT_EQ(svg_scatter("plot", points()), svg_scatter("plot", points()));
 }
 
+TEST(SvgScatter, SaysWhereThereIsNothingToPlot) {
+  const std::vector<std::vector<ScatterPoint>> nowhere = {
+      {}, {{"a", 0, 1}}, {{"a", NAN, 1}}, {{"a", INFINITY, 1}}, {{"a", 1, NAN}}, {{"a", 1, -1}}, {{"a", 1, 1e308}}};
+  for (const auto& scattered : nowhere) {
+    EXPECT_THAT(svg_scatter("plot", {{"panel", "ns", "", scattered}}), HasSubstr("nothing to plot"));
+  }
+  EXPECT_THAT(svg_scatter("plot", {}), HasSubstr("nothing to plot"));
+}
+
+TEST(SvgScatter, DrawsOnePointAndWhatIsExact) {
+  const std::vector<std::vector<ScatterPoint>> hard = {
+      {{"a", 1, 1}}, {{"a", 1, 0}}, {{"a", 1, 0}, {"b", 2, 0}}, {{"a", 1, 1}, {"b", 1, 1}}};
+  for (const auto& scattered : hard) {
+    EXPECT_THAT(svg_scatter("plot", {{"panel", "ns", "", scattered}}), Not(HasSubstr("nothing to plot")));
+  }
+}
+
 }  // namespace
 }  // namespace flatdyn::testing
