@@ -68,6 +68,13 @@ struct Interface {
   static constexpr bool fits(...) noexcept {
     return true;
   }
+  template <class Scalar>
+  static constexpr bool checked() noexcept {
+    static_assert(fits<Scalar>(nullptr),
+        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
+        "it again, with the flatdyn that the runtime came with");
+    return true;
+  }
 };
 
 }  // namespace detail
@@ -84,9 +91,7 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::fits<Scalar>(nullptr),
-        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
-        "it again, with the flatdyn that the runtime came with");
+    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -102,6 +107,7 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -468,6 +474,7 @@ inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: g[0], g[1].
 template <class Scalar>
 inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   g[0] = g[1] = Scalar(0.0);
 }
 
@@ -654,6 +661,7 @@ inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
 // Reads nothing. Operations: 0 mul, 0 add.
 template <class Scalar>
 inline Scalar potential_energy(const Scalar* /* q */) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   return Scalar(0.0);
 }
 

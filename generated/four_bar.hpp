@@ -87,6 +87,13 @@ struct Interface {
   static constexpr bool fits(...) noexcept {
     return true;
   }
+  template <class Scalar>
+  static constexpr bool checked() noexcept {
+    static_assert(fits<Scalar>(nullptr),
+        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
+        "it again, with the flatdyn that the runtime came with");
+    return true;
+  }
 };
 
 }  // namespace detail
@@ -103,9 +110,7 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::fits<Scalar>(nullptr),
-        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
-        "it again, with the flatdyn that the runtime came with");
+    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -121,6 +126,7 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };

@@ -66,6 +66,13 @@ struct Interface {
   static constexpr bool fits(...) noexcept {
     return true;
   }
+  template <class Scalar>
+  static constexpr bool checked() noexcept {
+    static_assert(fits<Scalar>(nullptr),
+        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
+        "it again, with the flatdyn that the runtime came with");
+    return true;
+  }
 };
 
 }  // namespace detail
@@ -82,9 +89,7 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::fits<Scalar>(nullptr),
-        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
-        "it again, with the flatdyn that the runtime came with");
+    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -100,6 +105,7 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -313,6 +319,7 @@ inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: g[0].
 template <class Scalar>
 inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   g[0] = Scalar(0.0);
 }
 
@@ -438,6 +445,7 @@ inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
 // Reads nothing. Operations: 0 mul, 0 add.
 template <class Scalar>
 inline Scalar potential_energy(const Scalar* /* q */) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   return Scalar(0.0);
 }
 
@@ -456,6 +464,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 // p[2].
 template <class Scalar>
 inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_3 = q[2];
   p[0] = q_3;
   R[0] = R[4] = R[8] = Scalar(1.0);

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How large the terms are that the joints' motion is the sum of: of positions, rates and accelerations, and, where
+// loops are closed, of what the dependent joints are found from. Errors of that size in the equations of a loop become,
+// in their solution, what |Φ_d⁻¹| makes of them.
+#pragma once
+
+#include <algorithm>
+
+#include "flatdyn/reference/kinematics.hpp"
+
+namespace flatdyn::reference {
+
+namespace detail {
+
+struct MotionMagnitude {
+  double omega = 0, domega = 0, ddp = 0;
+
+  double swing(double r) const { return (domega + omega * omega) * r; }
+};
+
+inline MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint, double q, double qd,
+                             double qdd) {
+  MotionMagnitude child = parent;
+  const double slide = joint.type == JointType::prismatic ? std::abs(q) : 0;
+  child.ddp += parent.swing(joint.p_0.norm() + slide);
+  if (joint.type == JointType::revolute) {
+    child.omega += qd;
+    child.domega += qdd + qd * parent.omega;
+  } else if (joint.type == JointType::prismatic) {
+    child.ddp += qdd + 2 * qd * parent.omega;
+  }
+  child.ddp += child.swing(joint.p_1.norm());
+  return child;
+}
+
+// The sum of the terms of a joint's position.
+inline VectorX<double> of_joints(const Robot<double>& robot, const VectorX<double>& q) {
+  if (robot.coupling.size() == 0) return q.cwiseAbs();
+  return robot.coupling.cwiseAbs() * q.cwiseAbs();
+}
+
+// Of Φ_q of one loop, by joint: what turns an end has the length of the way to it.
+inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const Loop<double>& loop,
+                                               const VectorX<double>& positions) {
+  MatrixX<double> J = MatrixX<double>::Zero(static_cast<Eigen::Index>(loop.rows.size()), robot.joint_count());
+  for (int end = 0; end < 2; ++end) {
+    double way = loop.points[end].norm();
+    for (int link = loop.links[end]; link != loop.carrier;) {
+      const auto joint = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                      [link](const Joint<double>& each) { return each.child == link; });
+      if (joint == robot.joints.end()) break;
+      way += joint->p_1.norm();
+      if (moves_end(robot, loop, *joint, end)) {
+        J.col(joint->index).array() += joint->type == JointType::prismatic ? 1.0 : way;
+        if (joint->type == JointType::prismatic) way += std::abs(positions[joint->index]);
+      }
+      way += joint->p_0.norm();
+      link = joint->parent;
+    }
+  }
+  return J;
+}
+
+// From the carrier of a loop to both of its ends.
+inline double length_of(const Robot<double>& robot, const Loop<double>& loop, const VectorX<double>& positions) {
+  double length = 0;
+  for (int end = 0; end < 2; ++end) {
+    length += loop.points[end].norm();
+    int link = loop.links[end];
+    for (std::size_t j = robot.joints.size(); j-- > 0 && link != loop.carrier;) {
+      const Joint<double>& joint = robot.joints[j];
+      if (joint.child != link) continue;
+      link = joint.parent;
+      length += joint.p_0.norm() + joint.p_1.norm();
+      if (joint.type == JointType::prismatic) length += positions[joint.index];
+    }
+  }
+  return length;
+}
+
+// Of Φ̇_q q̇ of one loop: what its ends accelerate by.
+inline double loop_drift_magnitude(const Robot<double>& robot, const Loop<double>& loop,
+                                   const VectorX<double>& positions, const VectorX<double>& rates) {
+  std::vector<MotionMagnitude> motions(robot.links.size());
+  for (const Joint<double>& joint : robot.joints) {
+    const bool is_in_loop = moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1);
+    const MotionMagnitude& parent = motions[static_cast<std::size_t>(joint.parent)];
+    motions[static_cast<std::size_t>(joint.child)] = moved(parent, joint, joint.index < 0 ? 0 : positions[joint.index],
+                                                           is_in_loop ? std::abs(rates[joint.index]) : 0, 0);
+  }
+  double sum = 0;
+  for (int end = 0; end < 2; ++end) {
+    const MotionMagnitude& link = motions[static_cast<std::size_t>(loop.links[end])];
+    sum += link.ddp + link.swing(loop.points[end].norm());
+  }
+  return sum;
+}
+
+// Of values of all entries of q that close the loops, Φ_q values + extra = 0, where those of the independent entries
+// are known: what errors of the size of all terms become in the solution. `values`: the solution itself.
+template <class Extra>
+VectorX<double> completed_magnitude(const Robot<double>& robot, const VectorX<double>& q, VectorX<double> known,
+                                    const VectorX<double>& values, const Extra& extra) {
+  VectorX<double> room;
+  const VectorX<double> positions = of_joints(robot, q);
+  const std::vector<Pose<double>> poses = poses_of_tree(robot, reference::of_joints(robot, q, room));
+  for (const Loop<double>& loop : robot.loops) {
+    const MatrixX<double> own =
+        dependent_columns<double>(loop, loop_jacobian_of_joints(robot, loop, poses) * robot.coupling);
+    const MatrixX<double> size = loop_jacobian_magnitude(robot, loop, positions) * robot.coupling.cwiseAbs();
+    VectorX<double> terms = size * known;
+    terms.array() += extra(loop);
+    for (const int d : loop.dependent) terms += size.col(d) * std::abs(values[d]);
+    const VectorX<double> found = own.inverse().cwiseAbs() * terms;
+    for (std::size_t d = 0; d < loop.dependent.size(); ++d) {
+      known[loop.dependent[d]] = found[static_cast<Eigen::Index>(d)];
+    }
+  }
+  return known;
+}
+
+}  // namespace detail
+
+// Of G.
+inline MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  const MatrixX<double> G = loop_motion(robot, q);
+  MatrixX<double> result(G.rows(), G.cols());
+  for (Eigen::Index a = 0; a < G.cols(); ++a) {
+    const VectorX<double> unit = VectorX<double>::Unit(q.size(), robot.independent[static_cast<std::size_t>(a)]);
+    result.col(a) =
+        detail::completed_magnitude(robot, q, unit, VectorX<double>(G.col(a)), [](const Loop<double>&) { return 0.0; });
+  }
+  return result;
+}
+
+namespace detail {
+
+// Of A, or of A G.
+inline MatrixX<double> motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  if (robot.loops.empty()) return robot.coupling.cwiseAbs();
+  return robot.coupling.cwiseAbs() * loop_motion_magnitude(robot, q);
+}
+
+// The sum of the terms of a joint's rate.
+inline VectorX<double> rates_of_joints(const Robot<double>& robot, const VectorX<double>& q,
+                                       const VectorX<double>& qd) {
+  if (robot.coupling.size() == 0) return qd.cwiseAbs();
+  return motion_magnitude(robot, q) * qd.cwiseAbs();
+}
+
+}  // namespace detail
+
+// Of γ.
+inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const VectorX<double>& q,
+                                            const VectorX<double>& qd) {
+  const VectorX<double> positions = detail::of_joints(robot, q), rates = detail::rates_of_joints(robot, q, qd);
+  const auto drift = [&](const Loop<double>& loop) {
+    return detail::loop_drift_magnitude(robot, loop, positions, rates);
+  };
+  return detail::completed_magnitude(robot, q, VectorX<double>::Zero(q.size()), loop_drift(robot, q, qd), drift);
+}
+
+// Of Φ: the lengths of the ways to both ends.
+inline VectorX<double> loop_closure_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  std::vector<double> entries;
+  const VectorX<double> positions = detail::of_joints(robot, q);
+  for (const Loop<double>& loop : robot.loops) {
+    entries.insert(entries.end(), loop.rows.size(), detail::length_of(robot, loop, positions));
+  }
+  return Eigen::Map<const VectorX<double>>(entries.data(), static_cast<Eigen::Index>(entries.size()));
+}
+
+// Of Φ_q.
+inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  const VectorX<double> positions = detail::of_joints(robot, q);
+  MatrixX<double> J(0, q.size());
+  for (const Loop<double>& loop : robot.loops) {
+    const MatrixX<double> rows = detail::loop_jacobian_magnitude(robot, loop, positions) * robot.coupling.cwiseAbs();
+    J.conservativeResize(J.rows() + rows.rows(), Eigen::NoChange);
+    J.bottomRows(rows.rows()) = rows;
+  }
+  return J;
+}
+
+// Of Newton's step.
+inline VectorX<double> loop_step_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+  const VectorX<double> positions = detail::of_joints(robot, q);
+  const auto gap = [&](const Loop<double>& loop) { return detail::length_of(robot, loop, positions); };
+  return detail::completed_magnitude(robot, q, VectorX<double>::Zero(q.size()), loop_step(robot, q), gap);
+}
+
+namespace detail {
+
+// Of its acceleration.
+inline VectorX<double> accelerations_of_joints(const Robot<double>& robot, const VectorX<double>& q,
+                                               const VectorX<double>& qd, const VectorX<double>& qdd) {
+  if (robot.loops.empty()) return rates_of_joints(robot, q, qdd);
+  return rates_of_joints(robot, q, qdd) + robot.coupling.cwiseAbs() * loop_drift_magnitude(robot, q, qd);
+}
+
+}  // namespace detail
+
+}  // namespace flatdyn::reference
