@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "report/manipulability_report.hpp"
+#include "manipulability/workspace_map.hpp"
+#include "report/manipulability_plot.hpp"
 #include "report/time_table.hpp"
 #include "verify/csv.hpp"
 
@@ -13,30 +14,76 @@ namespace flatdyn {
 namespace {
 
 struct ManipulabilityArguments : RobotArguments {
-  std::string states, output, plot, plane, norm = "plain";
-  double torque = 1;
+  std::string states, output, plot, view, map, norm = "plain";
+  double torque = 1, spacing = 0;
 };
 
-std::vector<std::vector<double>> read_positions(const std::string& file, const Mechanism& mechanism) {
+constexpr double kPlacesAlongArm = 24;  // of a map without --spacing
+
+struct Positions {
+  std::vector<std::vector<double>> q;
+  std::vector<double> t;  // empty, or one for each q
+  int first_line = 0;     // in the file
+};
+
+Positions read_positions(const ManipulabilityArguments& arguments, const Mechanism& mechanism) {
+  const std::string& file = arguments.states;
   Diagnostics found;
   const CsvTable table = read_csv(file, found);
   const std::vector<std::size_t> columns = joint_columns(table, "q", mechanism, file, found);
   if (table.rows.empty()) found.error({file, 0}, "there is no row", "write a heading and at least one position");
+  if (!arguments.map.empty() && table.rows.size() > 1) {
+    found.error({file, table.lines[1]}, "a map starts at one position", "leave one row, or leave out --map");
+  }
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
-  std::vector<std::vector<double>> positions;
+  const auto time = std::find(table.columns.begin(), table.columns.end(), "t");
+  Positions positions;
+  positions.first_line = table.lines.front();
   for (const std::vector<std::string>& row : table.rows) {
-    positions.emplace_back();
-    for (const std::size_t column : columns) positions.back().push_back(nearest_double(exact_decimal(row[column])));
+    const auto number = [&](std::size_t column) { return nearest_double(exact_decimal(row[column])); };
+    positions.q.emplace_back();
+    for (const std::size_t column : columns) positions.q.back().push_back(number(column));
+    if (time != table.columns.end())
+      positions.t.push_back(number(static_cast<std::size_t>(time - table.columns.begin())));
   }
   return positions;
 }
 
-// The one asked for; else one in which an arm of a plane moves, else the one from the side.
-DrawingPlane drawing_plane(const std::string& name, const std::vector<int>& task) {
-  static const std::map<std::string, DrawingPlane> kPlanes = {{"xy", {0, 1}}, {"xz", {0, 2}}, {"yz", {1, 2}}};
-  if (!name.empty()) return kPlanes.at(name);
-  if (task == std::vector{0, 1}) return {0, 1};
-  return task == std::vector{1, 2} ? DrawingPlane{1, 2} : DrawingPlane{0, 2};
+// Those asked for; else the plane in which an arm of a plane moves, or all.
+std::vector<View> views(const std::string& name, const std::vector<int>& task) {
+  if (!name.empty() && name != "all") return {view_of(name)};
+  if (name.empty() && task == std::vector{0, 1}) return {view_of("xy")};
+  if (name.empty() && task == std::vector{0, 2}) return {view_of("xz")};
+  if (name.empty() && task == std::vector{1, 2}) return {view_of("yz")};
+  return all_views();
+}
+
+bool has_turns(const std::vector<int>& task) {
+  return std::any_of(task.begin(), task.end(), [](int row) { return row >= 3; });
+}
+
+// Instead of the start, all places on a grid that the tip gets to from there.
+void spread(const ManipulabilityArguments& arguments, const Model& model, const std::vector<int>& task, double spacing,
+            Positions& positions) {
+  const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(positions.q.front().data(), model.mechanism.size());
+  if (!is_within_limits(model.mechanism, start)) {
+    Diagnostics found;
+    found.error({arguments.states, positions.first_line}, "the map's start is beyond the joints' limits",
+                "start within them");
+    throw BadInput(ExitCode::input, found);
+  }
+  WorkspaceGrid grid{view_of(arguments.map).onto.transpose(), spacing, has_turns(task)};
+  positions = {};
+  for (const Eigen::VectorXd& q : map_workspace(TipKinematics(model.robot), model.mechanism, start, grid)) {
+    positions.q.emplace_back(q.begin(), q.end());
+  }
+}
+
+std::string picture(const ManipulabilityArguments& arguments, const std::string& robot, const std::vector<int>& task,
+                    const std::vector<ManipulablePose>& poses, double spacing) {
+  const PictureFormat format = picture_format(arguments.plot);
+  if (!arguments.map.empty()) return workspace_plot(robot, task, poses, view_of(arguments.map), spacing, format);
+  return manipulability_plot(robot, task, poses, views(arguments.view, task), format);
 }
 
 ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
@@ -47,22 +94,29 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   std::vector<std::string> inputs = model.robot.files;
   inputs.push_back(arguments.states);
   check_outputs({arguments.output, arguments.plot}, inputs);
-  const std::vector<std::vector<double>> positions = read_positions(arguments.states, model.mechanism);
+  Positions positions = read_positions(arguments, model.mechanism);
   Progress progress(arguments.quiet);
   Manipulability arm(model, arguments.norm == "limits" ? TorqueNorm::limits : TorqueNorm::plain, arguments.torque,
                      progress);
+  const double length = length_of(arm.skeleton(positions.q.front()));
+  const double spacing = arguments.spacing > 0 ? arguments.spacing : length / kPlacesAlongArm;
+  if (!arguments.map.empty()) {
+    progress.step("mapping the workspace");
+    spread(arguments, model, arm.task(), spacing, positions);
+  }
   std::vector<ManipulablePose> poses;
-  for (const std::vector<double>& q : positions) poses.push_back({q, arm.at(q), arm.skeleton(q)});
+  for (const std::vector<double>& q : positions.q) {
+    poses.push_back({q, arm.at(q), arm.skeleton(q)});
+    if (!positions.t.empty()) poses.back().t = positions.t[poses.size() - 1];
+  }
+  const std::string& name = model.mechanism.name;
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back({arguments.output, manipulability_csv(arm.task(), poses)});
   if (!arguments.plot.empty()) {
-    const DrawingPlane plane = drawing_plane(arguments.plane, arm.task());
-    files.push_back({arguments.plot, manipulability_plot(model.mechanism.name, arm.task(), poses, plane,
-                                                         picture_format(arguments.plot))});
+    files.push_back({arguments.plot, picture(arguments, name, arm.task(), poses, spacing)});
   }
-  write_and_tell(
-      files, {describe_manipulability(arm.task(), poses), manipulability_json(model.mechanism.name, arm.task(), poses)},
-      arguments.json);
+  write_and_tell(files, {describe_manipulability(arm.task(), poses), manipulability_json(name, arm.task(), poses)},
+                 arguments.json);
   return ExitCode::ok;
 }
 
@@ -74,7 +128,8 @@ Run add_manipulability(CLI::App& app) {
       "The dynamic manipulability ellipsoid (7.148) at positions of a CSV file: which accelerations of the tip torques "
       "of one norm make.\n\n"
       "  flatdyn manipulability robots/planar_2r_example_7_2.toml --states docs/examples/two_poses.csv --torque 500\n"
-      "  flatdyn manipulability robots/panda.urdf --states docs/examples/panda_states.csv --norm limits -o m.csv");
+      "  flatdyn manipulability robots/panda.urdf --states docs/examples/panda_states.csv --norm limits -o m.csv\n"
+      "  flatdyn manipulability robots/ur5.urdf --states start.csv --map xz --plot map.svg -o map.csv");
   const auto arguments = std::make_shared<ManipulabilityArguments>();
   arguments->add_to(*command);
   command->add_option("--states", arguments->states, "CSV: q1,… or q_<joint>,…; other columns do not matter")
@@ -91,9 +146,21 @@ Run add_manipulability(CLI::App& app) {
       ->check(kNotEmpty)
       ->type_name("FILE");
   add_plot_option(*command, arguments->plot, "the arm with its ellipsoids");
-  command
-      ->add_option("--plane", arguments->plane, "that the picture shows, of the base frame; default: the arm's, or xz")
-      ->check(CLI::IsMember({"xy", "xz", "yz"}));
+  auto* view =
+      command
+          ->add_option("--view", arguments->view,
+                       "of the picture: along an axis of the base frame, in space, or all of them; default: the arm's "
+                       "plane, or all")
+          ->check(CLI::IsMember({"xy", "xz", "yz", "space", "all"}));
+  auto* map = command
+                  ->add_option("--map", arguments->map,
+                               "instead of the position in the file, all that the tip gets to from there in a plane of "
+                               "the base frame")
+                  ->check(CLI::IsMember({"xy", "xz", "yz"}))
+                  ->excludes(view);
+  command->add_option("--spacing", arguments->spacing, "of the map's places, m; default: a 24th of the arm's length")
+      ->needs(map)
+      ->check(positive_number());
   return [arguments] { return run_manipulability(*arguments); };
 }
 

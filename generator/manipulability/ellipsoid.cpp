@@ -48,6 +48,22 @@ std::vector<std::string> links_to_tip(const Mechanism& mechanism) {
 
 }  // namespace
 
+// The image of the unit ball under onto · axes · lengths: of U Σ Vᵀ, that is the ball's under U Σ.
+Eigen::Matrix2d shadow(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto) {
+  const Eigen::MatrixXd half = onto * ellipsoid.axes * ellipsoid.lengths.asDiagonal();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(half, Eigen::ComputeThinU);
+  Eigen::Matrix2d axes = Eigen::Matrix2d::Zero();
+  for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k)
+    axes.col(k) = svd.matrixU().col(k) * svd.singularValues()(k);
+  return axes;
+}
+
+double length_of(const std::vector<Eigen::Vector3d>& skeleton) {
+  double length = 0;
+  for (std::size_t k = 1; k < skeleton.size(); ++k) length += (skeleton[k] - skeleton[k - 1]).norm();
+  return length;
+}
+
 Manipulability::Manipulability(const Model& model, TorqueNorm norm, double radius, Progress& progress)
     : task_(translations(model.mechanism)), torque_unit_(radius * torque_units(model.mechanism, norm)) {
   std::vector<std::string> names = {"inertia_matrix", "gravity", "jacobian"};

@@ -23,6 +23,12 @@ struct Ellipsoid {
   double measure = 0;
 };
 
+// Half axes by column, the longer first, of the ellipse that a parallel projection makes of an ellipsoid. onto: 2 × r.
+Eigen::Matrix2d shadow(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto);
+
+// Of the lines between points that follow each other.
+double length_of(const std::vector<Eigen::Vector3d>& skeleton);
+
 // What the norm of joint torques is.
 enum class TorqueNorm {
   plain,   // √(τᵀ τ), (7.142)

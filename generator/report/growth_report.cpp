@@ -63,7 +63,7 @@ using Quantity = double (*)(const GrowthRow&);
 Panel panel_of(const GrowthReport& report, const std::string& title, Quantity quantity) {
   Panel panel{title, "", "", {}, PanelStyle::marked};
   for (const GrowthCurve& curve : report.curves) {
-    Series series{curve.shape + ", " + curve.function, {}, {}, false};
+    Series series{curve.shape + ", " + curve.function, {}, {}};
     for (const GrowthRow& row : curve.rows) {
       series.x.push_back(row.joints);
       series.y.push_back(quantity(row));

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "manipulability/ellipsoid.hpp"
-#include "report/plot.hpp"
 
 namespace flatdyn {
 
@@ -13,20 +13,12 @@ namespace flatdyn {
 struct ManipulablePose {
   std::vector<double> q;
   Ellipsoid ellipsoid;
-  std::vector<Eigen::Vector3d> skeleton;
+  std::vector<Eigen::Vector3d> skeleton;  // m, the tip last
+  std::optional<double> t = {};           // s, on a path; all poses have one, or none
 };
 
-// Two of the base frame's axes: 0 for x, 1 for y, 2 for z.
-struct DrawingPlane {
-  int across = 0, up = 1;
-};
-
-// q1,…,centre_x,…,length_1,…,axis_1_x,…,measure: SI units.
+// t,q1,…,p_x,p_y,p_z,centre_x,…,length_1,…,axis_1_x,…,measure: SI units.
 std::string manipulability_csv(const std::vector<int>& task, const std::vector<ManipulablePose>& poses);
-// The arm from the side, with the ellipsoids' outlines at its tip, of the accelerations along x, y, z.
-std::string manipulability_plot(const std::string& robot, const std::vector<int>& task,
-                                const std::vector<ManipulablePose>& poses, const DrawingPlane& plane,
-                                PictureFormat format);
 
 std::string describe_manipulability(const std::vector<int>& task, const std::vector<ManipulablePose>& poses);
 nlohmann::ordered_json manipulability_json(const std::string& robot, const std::vector<int>& task,

@@ -16,7 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kWidth = 860, kPanelHeight = 250, kPlaneHeight = 620, kTitleHeight = 40;
+constexpr int kColourBarWidth = 14, kHalfMargin = 2;  // characters
 constexpr std::size_t kColourCount = std::size(kPlotColours);
+// Light in both themes, so that curves and the ink show on all of them.
+constexpr const char *kPaleCell = "#eaf2fb", *kDarkCell = "#3f7fc1";
 
 // gnuplot fails where it is given no number that its axes have a place for; nearer to the largest double its ranges
 // overflow.
@@ -48,8 +51,11 @@ bool has_place(PanelStyle style, const Series& series) {
 std::string data_text(PanelStyle style, const Series& series, const std::string& name) {
   std::string text = fmt::format("{} << EOD\n", name);
   for (std::size_t k = 0; k < series.x.size(); ++k) {
-    // An empty line breaks the curve.
-    text += has_place(style, series.x[k], series.y[k]) ? fmt::format("{} {}\n", series.x[k], series.y[k]) : "\n";
+    if (has_place(style, series.x[k], series.y[k])) {
+      text += fmt::format("{} {}", series.x[k], series.y[k]);
+      if (series.kind == SeriesKind::cells) text += fmt::format(" {}", series.value[k]);
+    }
+    text += '\n';  // an empty line breaks the curve
   }
   return text + "EOD\n";
 }
@@ -64,28 +70,35 @@ std::size_t key_width(const std::vector<Panel>& panels) {
   constexpr std::size_t kStroke = 8;
   std::size_t longest = 0;
   for (const Panel& panel : panels) {
+    if (panel.is_half) continue;
     for (const Series& series : panel.series) longest = std::max(longest, key_text(panel.style, series).size());
   }
   return longest + kStroke;
 }
 
-std::string style_text(const std::vector<Panel>& panels) {
+std::string style_text() {
   return fmt::format(
       "set encoding utf8\n"
       "set border 3 linecolor rgb '{0}'\n"
       "set tics nomirror out scale 0.5 textcolor rgb '{0}'\n"
       "set grid linecolor rgb '{0}' linewidth 0.4 dashtype 3\n"
-      "set key outside right top Left reverse samplen 1.5 width 1 noenhanced textcolor rgb '{0}'\n"
-      "set lmargin 10\nset rmargin {1}\nset tmargin 2\nset bmargin 3\n"
-      "set autoscale xfix\nset offsets 0, 0, graph 0.04, graph 0.04\n",
-      kPlotInk, key_width(panels));
+      "set lmargin 10\nset tmargin 2\nset bmargin 3.5\n"
+      "set autoscale xfix\nset offsets 0, 0, graph 0.04, graph 0.04\n"
+      "set palette defined (0 '{1}', 1 '{2}')\nset style fill solid noborder\n",
+      kPlotInk, kPaleCell, kDarkCell);
 }
 
 std::string drawn_with(PanelStyle style, const Series& series, std::size_t k) {
-  if (series.is_guide && style == PanelStyle::plane) {
-    return fmt::format("linespoints linewidth 2.5 pointtype 7 pointsize 0.7 linecolor rgb '{}'", kPlotInk);
+  switch (series.kind) {
+    case SeriesKind::curve:
+      break;
+    case SeriesKind::guide:
+      return fmt::format("lines linewidth 1 dashtype 2 linecolor rgb '{}'", kPlotInk);
+    case SeriesKind::arm:
+      return fmt::format("linespoints linewidth 2.5 pointtype 7 pointsize 0.7 linecolor rgb '{}'", kPlotInk);
+    case SeriesKind::cells:
+      return "boxxyerror linecolor palette";
   }
-  if (series.is_guide) return fmt::format("lines linewidth 1 dashtype 2 linecolor rgb '{}'", kPlotInk);
   const std::string colour = fmt::format("linecolor rgb '{}'", kPlotColours[k % kColourCount]);
   const std::string line = fmt::format("linewidth 1.4 {} dashtype {}", colour, k / kColourCount + 1);
   switch (style) {
@@ -112,18 +125,29 @@ std::string marks_text(const Panel& panel) {
   return marks.empty() ? "autofreq" : fmt::format("({})", fmt::join(marks, ", "));
 }
 
+// 1, 2 or 5 times a power of ten: so wide that a window has three to seven marks, whose numbers have room.
+double mark_step(const Window& window) {
+  const double rough = (window.right - window.left) / 7, power = std::pow(10, std::floor(std::log10(rough)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (rough <= step * power) return step * power;
+  }
+  return 10 * power;
+}
+
 std::string axes_text(const Panel& panel) {
   switch (panel.style) {
     case PanelStyle::curves:
-      return "unset logscale\nset xtics autofreq\n";
+      return "unset logscale\nset xtics autofreq\nset ytics autofreq\n";
     case PanelStyle::marked:
       return fmt::format("set logscale xy\nset offsets 0, 0, 0, 0\nset xtics {}\n", marks_text(panel));
     case PanelStyle::cloud:
       return "set logscale xy\nset offsets 0, 0, 0, 0\nset xtics autofreq\nset format '10^{%T}'\n";
     case PanelStyle::steps:
       return "unset logscale\nset logscale x 2\nset offsets 0, 0, 0, 0\nset xtics autofreq\nset format '%g'\n";
-    case PanelStyle::plane:
-      return "unset logscale\nset xtics autofreq\nset size ratio -1\n";
+    case PanelStyle::plane: {
+      const std::string step = panel.window ? fmt::format("{}", mark_step(*panel.window)) : "autofreq";
+      return fmt::format("unset logscale\nset xtics {0}\nset ytics {0}\n", step);
+    }
   }
   return "";
 }
@@ -157,13 +181,39 @@ std::string plot_command(const Panel& panel, const std::vector<std::string>& cur
   if (is_empty)
     return fmt::format("plot [1:10] [1:10] {}\n",
                        curves.empty() ? "NaN notitle" : fmt::format("{}", fmt::join(curves, ", ")));
+  if (panel.window) {
+    const auto& [left, right, bottom, top] = *panel.window;
+    return fmt::format("plot [{}:{}] [{}:{}] {}\n", left, right, bottom, top, fmt::join(curves, ", "));
+  }
   return fmt::format("plot {} {} {}\n", range_text(panel, &Series::x), range_text(panel, &Series::y),
                      fmt::join(curves, ", "));
 }
 
+std::string notes_text(const Panel& panel) {
+  std::string text;
+  for (const Note& note : panel.notes) {
+    text += fmt::format("set label {} at {}, {} center front noenhanced textcolor rgb '{}'\n",
+                        gnuplot_string(note.text), note.x, note.y, kPlotInk);
+  }
+  return text;
+}
+
+std::string key_style(const Panel& panel) {
+  if (panel.is_half) return "unset key\n";
+  return fmt::format("set key outside right top Left reverse samplen 1.5 width 1 noenhanced textcolor rgb '{}'\n",
+                     kPlotInk);
+}
+
+// Squares take half their edge in both directions.
+std::string columns_text(const Panel& panel, const Series& series) {
+  return series.kind == SeriesKind::cells ? fmt::format(" using 1:2:({0}):({0}):3", panel.cell / 2) : "";
+}
+
 std::string panel_text(const Panel& panel, std::size_t index) {
   std::string text = gnuplot_label("title", panel.title, "offset 0,-0.5") + gnuplot_label("xlabel", panel.x_label) +
-                     gnuplot_label("ylabel", panel.y_label) + axes_text(panel);
+                     gnuplot_label("ylabel", panel.y_label) + gnuplot_label("cblabel", panel.value_label) +
+                     axes_text(panel) + notes_text(panel) + key_style(panel) +
+                     (panel.has_logarithmic_values ? "set logscale cb\n" : "unset logscale cb\n");
   std::vector<std::string> curves;
   bool is_empty = true;
   for (std::size_t k = 0; k < panel.series.size(); ++k) {
@@ -171,19 +221,42 @@ std::string panel_text(const Panel& panel, std::size_t index) {
     const bool is_drawn = has_place(panel.style, series);
     const std::string name = fmt::format("$panel{}_{}", index, k);
     if (is_drawn) text += data_text(panel.style, series, name);
-    if (is_drawn && !series.is_guide) is_empty = false;
-    curves.push_back(fmt::format("{} with {} title {}", is_drawn ? name : "NaN", drawn_with(panel.style, series, k),
-                                 gnuplot_string(key_text(panel.style, series))));
+    if (is_drawn && series.kind != SeriesKind::guide && series.kind != SeriesKind::arm) is_empty = false;
+    curves.push_back(fmt::format("{} with {} title {}", is_drawn ? name + columns_text(panel, series) : "NaN",
+                                 drawn_with(panel.style, series, k), gnuplot_string(key_text(panel.style, series))));
   }
   if (is_empty) text += empty_label(panel);
-  return text + plot_command(panel, curves) + (is_empty ? "unset label 1\n" : "");
+  return text + plot_command(panel, curves) + "unset label\n";
 }
 
-// All panels have the height that one of them needs.
-int panel_height(const std::vector<Panel>& panels) {
-  const bool has_plane =
-      std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.style == PanelStyle::plane; });
-  return has_plane ? kPlaneHeight : kPanelHeight;
+int panel_height(const Panel& panel) {
+  if (panel.style != PanelStyle::plane) return kPanelHeight;
+  return panel.is_half ? kWidth / 2 : kPlaneHeight;
+}
+
+// Panels of one row, from the top.
+std::vector<std::vector<const Panel*>> rows_of(const std::vector<Panel>& panels) {
+  std::vector<std::vector<const Panel*>> rows;
+  for (const Panel& panel : panels) {
+    const bool joins = panel.is_half && !rows.empty() && rows.back().size() == 1 && rows.back().front()->is_half;
+    if (joins) {
+      rows.back().push_back(&panel);
+    } else {
+      rows.push_back({&panel});
+    }
+  }
+  return rows;
+}
+
+int row_height(const std::vector<const Panel*>& row) {
+  int height = 0;
+  for (const Panel* panel : row) height = std::max(height, panel_height(*panel));
+  return height;
+}
+
+bool has_cells(const Panel& panel) {
+  return std::any_of(panel.series.begin(), panel.series.end(),
+                     [](const Series& series) { return series.kind == SeriesKind::cells; });
 }
 
 std::string terminal_text(PictureFormat format, int height) {
@@ -198,13 +271,27 @@ std::string terminal_text(PictureFormat format, int height) {
 
 std::string script_text(const std::string& title, const std::vector<Panel>& panels, PictureFormat format,
                         const fs::path& output) {
-  const int count = static_cast<int>(panels.size());
-  std::string text = terminal_text(format, kTitleHeight + count * panel_height(panels)) +
-                     fmt::format("set output {}\n", gnuplot_string(output.string()));
-  text += style_text(panels);
-  text += fmt::format("set multiplot layout {},1 title {} noenhanced textcolor rgb '{}' font ',15'\n", count,
-                      gnuplot_string(title), kPlotInk);
-  for (std::size_t k = 0; k < panels.size(); ++k) text += panel_text(panels[k], k);
+  const std::vector<std::vector<const Panel*>> rows = rows_of(panels);
+  int height = kTitleHeight;
+  for (const auto& row : rows) height += row_height(row);
+  std::string text =
+      terminal_text(format, height) + fmt::format("set output {}\n", gnuplot_string(output.string())) + style_text() +
+      fmt::format("set multiplot title {} noenhanced textcolor rgb '{}' font ',15'\n", gnuplot_string(title), kPlotInk);
+  double below = height - kTitleHeight;
+  std::size_t index = 0;
+  for (const auto& row : rows) {
+    below -= row_height(row);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const Panel& panel = *row[k];
+      const auto margin = panel.is_half      ? kHalfMargin
+                          : has_cells(panel) ? kColourBarWidth
+                                             : static_cast<int>(key_width(panels));
+      text += fmt::format("set origin {},{}\nset size {} {},{}\nset rmargin {}\n", 0.5 * static_cast<double>(k),
+                          below / height, panel.style == PanelStyle::plane ? "ratio -1" : "noratio",
+                          panel.is_half ? 0.5 : 1.0, static_cast<double>(row_height(row)) / height, margin);
+      text += panel_text(panel, index++);
+    }
+  }
   return text + "unset multiplot\n";
 }
 

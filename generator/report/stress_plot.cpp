@@ -16,7 +16,7 @@ Series unit_line(const std::vector<Series>& clouds) {
   for (const Series& each : clouds) {
     for (const double x : each.x) largest = std::max(largest, x);
   }
-  return {"one unit of the terms", {1, largest}, {1, largest}, true};
+  return {"one unit of the terms", {1, largest}, {1, largest}, SeriesKind::guide};
 }
 
 bool has_place(const StressError& point) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
 #include "flatdyn/reference/kinematics.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
@@ -109,6 +112,26 @@ TEST(Manipulability, KnowsWhereTheArmIs) {
   ASSERT_EQ(points.size(), 3U);
   EXPECT_LE((points[1] - Eigen::Vector3d(std::cos(0.5), std::sin(0.5), 0)).norm(), 1e-15);
   EXPECT_LE((points[2] - points[1] - Eigen::Vector3d(std::cos(1.5), std::sin(1.5), 0)).norm(), 1e-15);
+}
+
+// All of the ellipsoid's points are seen within the outline, and some on it.
+TEST(Shadow, IsTheOutline) {
+  srand(7);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Eigen::Matrix3d axes = Eigen::Quaterniond::UnitRandom().toRotationMatrix();
+    const Ellipsoid ellipsoid{Eigen::Vector3d::Zero(), axes, Eigen::Vector3d(3, 2, trial % 3), 0};
+    const Eigen::MatrixXd onto = Eigen::Quaterniond::UnitRandom().toRotationMatrix().topRows<2>();
+    const Eigen::Matrix2d half = shadow(ellipsoid, onto);
+    EXPECT_NEAR(half.col(0).dot(half.col(1)), 0, 1e-12);
+    double farthest = 0;
+    for (int k = 0; k < 20000; ++k) {
+      const Eigen::Vector3d u = Eigen::Vector3d::Random().normalized();
+      const Eigen::Vector2d seen = onto * (axes * u.cwiseProduct(ellipsoid.lengths));
+      farthest = std::max(farthest, (half.inverse() * seen).norm());
+    }
+    EXPECT_LE(farthest, 1 + 1e-9);
+    EXPECT_GT(farthest, 0.995);
+  }
 }
 
 }  // namespace
