@@ -2,7 +2,7 @@
 //
 // The dynamics of robot "andrews_squeezer" as flat code: 7 joints, 1 of them independent.
 // Made by flatdyn 0.1.0 from its robot file; to change it, make it again.
-// Input: sha1:5b04e4be87dc3a9c05aa484c27fd1c3b7308bc61
+// Input: sha1:72fbf573832cb7b54aa7054d30f9cfa576d70314
 //
 //   q  qd  joint    moves link  type      unit
 //   0  0   beta     K1          revolute  rad
@@ -15,9 +15,11 @@
 //
 // Gravity is (0, 0, 0) m/s^2 in the base frame. The tip belongs to link "K3". Closed loops make
 // Theta, gamma, delta, Phi, epsilon, Omega follow from the other joints: q has the positions of all
-// of them, qd, qdd and tau are those of the others. Functions hold where q closes the loops. Of
-// loop k, inv_lk is the reciprocal of the determinant that its joints are found with; A_i_j is how
-// joint i moves with the joint of qd[j - 1].
+// of them, qd, qdd and tau are those of the others. Functions hold where q closes the loops. Names
+// with lk belong to loop k: R_lk, p_lk and r_lk to the way from its carrier to its two ends, Phi_lk
+// to its closure's derivative by q, inv_lk is the reciprocal of the determinant that its joints are
+// found with, and regular_lk is positive unless the loop is singular. A_i_j is how joint i moves
+// with the joint of qd[j - 1], drift what it accelerates by if that one does not.
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup

@@ -2,7 +2,7 @@
 //
 // The dynamics of robot "five_bar" as flat code: 4 joints, 2 of them independent.
 // Made by flatdyn 0.1.0 from its robot file; to change it, make it again.
-// Input: sha1:e94c3562eb3bc274a57b02b0d7ca2218beb4da3c
+// Input: sha1:37dcea398acd14ac33e08ac2b4c502b8e0d55653
 //
 //   q  qd  joint        moves link   type      unit
 //   0  0   left         left_crank   revolute  rad
@@ -12,9 +12,11 @@
 //
 // Gravity is (0, 0, 0) m/s^2 in the base frame. The tip belongs to link "left_rod". Closed loops
 // make left_elbow, right_elbow follow from the other joints: q has the positions of all of them,
-// qd, qdd and tau are those of the others. Functions hold where q closes the loops. Of loop k,
-// inv_lk is the reciprocal of the determinant that its joints are found with; A_i_j is how joint i
-// moves with the joint of qd[j - 1].
+// qd, qdd and tau are those of the others. Functions hold where q closes the loops. Names with lk
+// belong to loop k: R_lk, p_lk and r_lk to the way from its carrier to its two ends, Phi_lk to its
+// closure's derivative by q, inv_lk is the reciprocal of the determinant that its joints are found
+// with, and regular_lk is positive unless the loop is singular. A_i_j is how joint i moves with the
+// joint of qd[j - 1], drift what it accelerates by if that one does not.
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup

@@ -2,7 +2,7 @@
 //
 // The dynamics of robot "slider_crank" as flat code: 3 joints, 1 of them independent.
 // Made by flatdyn 0.1.0 from its robot file; to change it, make it again.
-// Input: sha1:05012ea0f12de12be1f87981827d0b8a28ed5cfe
+// Input: sha1:f6bd304ca84354b5223c16e31aeadf566eaff92e
 //
 //   q  qd  joint    moves link  type       unit
 //   0  0   theta_1  crank       revolute   rad
@@ -11,9 +11,11 @@
 //
 // Gravity is (0, 0, 0) m/s^2 in the base frame. The tip belongs to link "slider". Closed loops make
 // theta_2, x follow from the other joints: q has the positions of all of them, qd, qdd and tau are
-// those of the others. Functions hold where q closes the loops. Of loop k, inv_lk is the reciprocal
-// of the determinant that its joints are found with; A_i_j is how joint i moves with the joint of
-// qd[j - 1].
+// those of the others. Functions hold where q closes the loops. Names with lk belong to loop k:
+// R_lk, p_lk and r_lk to the way from its carrier to its two ends, Phi_lk to its closure's
+// derivative by q, inv_lk is the reciprocal of the determinant that its joints are found with, and
+// regular_lk is positive unless the loop is singular. A_i_j is how joint i moves with the joint of
+// qd[j - 1], drift what it accelerates by if that one does not.
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup

@@ -84,21 +84,21 @@ bool is_decimal(const std::string& text) {
 }
 
 // "JOINT" or "JOINT=POSITION".
-LockedJoint fixed_option(const std::string& text) {
+JointPosition fixed_option(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos) return {text};
-  LockedJoint lock{text.substr(0, sign), 0, text.substr(sign + 1)};
+  JointPosition lock{text.substr(0, sign), 0, text.substr(sign + 1)};
   lock.is_decimal = is_decimal(lock.written);
   lock.position = lock.is_decimal ? decimal_option("--fix", lock.written) : expression_option("--fix", lock.written);
   return lock;
 }
 
-std::vector<LockedJoint> fixed_options(const std::vector<std::string>& texts) {
-  std::vector<LockedJoint> all;
+std::vector<JointPosition> fixed_options(const std::vector<std::string>& texts) {
+  std::vector<JointPosition> all;
   for (const std::string& text : texts) {
-    const LockedJoint lock = fixed_option(text);
+    const JointPosition lock = fixed_option(text);
     const auto before =
-        std::find_if(all.begin(), all.end(), [&lock](const LockedJoint& each) { return each.joint == lock.joint; });
+        std::find_if(all.begin(), all.end(), [&lock](const JointPosition& each) { return each.joint == lock.joint; });
     if (before == all.end()) {
       all.push_back(lock);
     } else if (!vanishes(before->position - lock.position)) {
@@ -112,7 +112,7 @@ std::vector<LockedJoint> fixed_options(const std::vector<std::string>& texts) {
 }
 
 // As an expression, which is never snapped: what it was taken for is written.
-std::string position_text(const LockedJoint& lock, const Robot& robot) {
+std::string position_text(const JointPosition& lock, const Robot& robot) {
   for (const Joint& joint : robot.joints) {
     const bool is_snapped = joint.name == lock.joint && joint.held && !vanishes(joint.held->position - lock.position);
     if (is_snapped) return plain_number_text(joint.held->position);
@@ -301,7 +301,7 @@ std::vector<std::string> RobotArguments::settings(const Model& model) const {
   }
   if (!tip.empty()) lines.push_back(fmt::format("tip = {{ link = {} }}", toml_string(tip)));
   std::vector<std::string> fixed;
-  for (const LockedJoint& lock : wanted.locked) {
+  for (const JointPosition& lock : wanted.locked) {
     fixed.push_back(fmt::format("{} = {}", toml_string(lock.joint), toml_string(position_text(lock, model.robot))));
   }
   if (!fixed.empty()) lines.push_back(fmt::format("fixed = {{ {} }}", fmt::join(fixed, ", ")));

@@ -47,6 +47,7 @@ ExitCode run_eval(const EvalArguments& arguments) {
   const CsvTable result =
       evaluate_table(model.robot, model.mechanism, functions[0], states, arguments.states, arguments.options, found);
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
+  print_diagnostics(found, arguments.quiet);
   const std::string text = arguments.json ? json_of(result).dump(2) + "\n" : to_text(result);
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back({arguments.output, text});

@@ -177,7 +177,6 @@ class Scaling {
 ExitCode scale(const ScaleArguments& arguments) {
   check_usage(arguments);
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
-  refuse_loops(model, "scale");
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

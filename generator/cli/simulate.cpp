@@ -33,7 +33,7 @@ class InterruptHandler {
 };
 
 Simulation read(const SimulateArguments& arguments, const Model& model) {
-  Simulation simulation = resting(model.mechanism);
+  Simulation simulation = resting(model.robot, model.mechanism);
   Diagnostics found;
   if (!arguments.simulation.empty()) {
     read_simulation(arguments.simulation, model.robot, model.mechanism, simulation, found);
@@ -55,7 +55,6 @@ Simulation read(const SimulateArguments& arguments, const Model& model) {
 ExitCode run_simulate(const SimulateArguments& arguments) {
   const InterruptHandler handler;
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
-  refuse_loops(model, "simulate");
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   const Simulation simulation = read(arguments, model);

@@ -24,7 +24,6 @@ std::vector<TextFile> torque_files(const TorquesArguments& arguments, const Mech
 
 ExitCode torques(const TorquesArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
-  refuse_loops(model, "torques");
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

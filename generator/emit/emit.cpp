@@ -176,8 +176,12 @@ class PageWriter {
     }
     return fmt::format(
         " Closed loops make {} follow from the other joints: q has the positions of all of them, qd, qdd and tau are "
-        "those of the others. Functions hold where q closes the loops. Of loop k, inv_lk is the reciprocal of the "
-        "determinant that its joints are found with; A_i_j is how joint i moves with the joint of qd[j - 1].",
+        "those of the others. Functions hold where q closes the loops. Names with lk belong to loop k: R_lk, p_lk "
+        "and r_lk to the way from its carrier to its two ends, Phi_lk to its closure's derivative by q, inv_lk is the "
+        "reciprocal of the determinant that its joints are found with, and regular_lk is positive unless the loop is "
+        "singular. A_i_j is how joint i moves with the joint of qd[j - 1], drift what it accelerates by if that one "
+        "does "
+        "not.",
         fmt::join(dependent, ", "));
   }
 

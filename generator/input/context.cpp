@@ -44,7 +44,7 @@ GiNaC::numeric magnitude_of(const Number& value) {
 
 bool is_held(const std::string& joint, const ReadContext& context) {
   return std::any_of(context.held_joints.begin(), context.held_joints.end(),
-                     [&](const LockedJoint& held) { return held.joint == joint; });
+                     [&](const JointPosition& held) { return held.joint == joint; });
 }
 
 std::string line_seen_from(const Place& here, const Place& place) {

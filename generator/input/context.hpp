@@ -21,9 +21,10 @@ struct ReadContext {
   Diagnostics& diagnostics;
   SymbolTable symbols;
   std::vector<Snap> snaps;
-  std::size_t angles_near = 0;           // to a multiple of pi/12, so far
-  std::vector<LockedJoint> held_joints;  // that options, scene or robot file want held; of two for one joint the first
-  std::set<std::string> rotor_joints;    // whose armature is gear_ratio^2 rotor_inertia of a URDF
+  std::size_t angles_near = 0;  // to a multiple of pi/12, so far
+  std::vector<JointPosition>
+      held_joints;                     // that options, scene or robot file want held; of two for one joint the first
+  std::set<std::string> rotor_joints;  // whose armature is gear_ratio^2 rotor_inertia of a URDF
 };
 
 bool is_held(const std::string& joint, const ReadContext& context);

@@ -38,9 +38,9 @@ void hold_rotor(Joint& joint, Robot& robot) {
   joint.motor.reset();
 }
 
-std::string held_at(const LockedJoint& lock) { return "joint \"" + lock.joint + "\", held at " + lock.written; }
+std::string held_at(const JointPosition& lock) { return "joint \"" + lock.joint + "\", held at " + lock.written; }
 
-Number position_of(const LockedJoint& lock, JointType type, ReadContext& context) {
+Number position_of(const JointPosition& lock, JointType type, ReadContext& context) {
   const Spot spot{lock.place, held_at(lock)};
   const Quantity quantity = type == JointType::prismatic ? Quantity::length : Quantity::angle;
   context.symbols.check_quantity(lock.position, quantity, lock.place, context.diagnostics);
@@ -59,7 +59,7 @@ bool has_no_range(const Limits& limits) {
   return limits.lower && limits.upper && vanishes(limits.lower->number) && vanishes(limits.upper->number);
 }
 
-void warn_outside_limits(const LockedJoint& lock, const Joint& joint, Diagnostics& diagnostics) {
+void warn_outside_limits(const JointPosition& lock, const Joint& joint, Diagnostics& diagnostics) {
   const Limits& limits = joint.limits;
   if (has_no_range(limits)) return;
   const auto warn = [&](const char* what, const Number& limit) {
@@ -73,7 +73,7 @@ void warn_outside_limits(const LockedJoint& lock, const Joint& joint, Diagnostic
 }
 
 // False, and an error, where there is no motion by which the joint could get to its position.
-bool can_move(const LockedJoint& lock, const Joint& joint, JointType type, Diagnostics& diagnostics) {
+bool can_move(const JointPosition& lock, const Joint& joint, JointType type, Diagnostics& diagnostics) {
   if (type == JointType::fixed) {
     diagnostics.error(lock.place, held_at(lock) + ": it is a fixed joint, or of a type that can be held at 0 only",
                       "leave the position out");
@@ -106,7 +106,7 @@ void put_in_coordinate(const Joint& held, const Coupled& coupled, Robot& robot) 
 }
 
 // Its coupling ends with its motion. That of a follower without a coordinate is said, because its leaders move on.
-void end_coupling(const LockedJoint& lock, const Joint& joint, const Coupled& coupled, ReadContext& context,
+void end_coupling(const JointPosition& lock, const Joint& joint, const Coupled& coupled, ReadContext& context,
                   Robot& robot) {
   if (!vanishes(own_factor(joint.name, coupled))) {
     put_in_coordinate(joint, coupled, robot);
@@ -116,7 +116,7 @@ void end_coupling(const LockedJoint& lock, const Joint& joint, const Coupled& co
                            "to hold them together, hold \"" + coupled.terms.front().joint.name + "\" instead");
 }
 
-void hold(const LockedJoint& lock, Joint& joint, ReadContext& context, Robot& robot) {
+void hold(const JointPosition& lock, Joint& joint, ReadContext& context, Robot& robot) {
   const JointType type = joint.held ? joint.held->type : joint.type;
   const std::optional<Coupled> coupled = joint.coupled;
   joint.type = JointType::fixed;
@@ -145,10 +145,10 @@ void hold_followers(Robot& robot) {
 
 }  // namespace
 
-std::vector<LockedJoint> read_locked(TomlTable table) {
-  std::vector<LockedJoint> all;
+std::vector<JointPosition> read_locked(TomlTable table) {
+  std::vector<JointPosition> all;
   for (const std::string& joint : table.keys()) {
-    if (std::optional<LockedJoint> lock = table.locked_joint(joint)) all.push_back(*lock);
+    if (std::optional<JointPosition> lock = table.locked_joint(joint)) all.push_back(*lock);
   }
   return all;
 }
@@ -158,7 +158,7 @@ void hold_joints(ReadContext& context, Robot& robot) {
   std::vector<std::string> known;
   for (const Joint& joint : robot.joints) known.push_back(joint.name);
   std::set<std::string> done;
-  for (const LockedJoint& lock : context.held_joints) {
+  for (const JointPosition& lock : context.held_joints) {
     if (!done.insert(lock.joint).second) continue;
     const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
                                     [&lock](const Joint& joint) { return joint.name == lock.joint; });

@@ -10,7 +10,7 @@
 namespace flatdyn {
 
 // JOINT = POSITION, ... of a table.
-std::vector<LockedJoint> read_locked(TomlTable table);
+std::vector<JointPosition> read_locked(TomlTable table);
 
 // Makes fixed joints of context.held_joints. The rotor of one that no longer turns becomes a body of its carrier.
 void hold_joints(ReadContext& context, Robot& robot);

@@ -11,6 +11,7 @@
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
 #include "input/utf8.hpp"
+#include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
 #include "model/linear_loops.hpp"
 #include "model/validate.hpp"
@@ -122,6 +123,7 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   if (robot.name.empty()) take_name_of_file(path, found, robot);
   if (robot.scene.gravity) robot.gravity = *robot.scene.gravity;
   if (!found.has_errors()) settle_loops(robot, found);
+  if (!found.has_errors()) check_assembly(robot, found);
   if (!found.has_errors()) check_coordinates(robot, found);
   hand_over(found, diagnostics);
   if (found.has_errors()) return std::nullopt;

@@ -61,10 +61,10 @@ void add_scene(Scene file, Scene& scene) {
   scene = std::move(file);
   if (first.gravity) scene.gravity = first.gravity;
   if (first.error_budget) scene.error_budget = first.error_budget;
-  std::vector<LockedJoint> locked = first.locked;
-  for (const LockedJoint& lock : scene.locked) {
+  std::vector<JointPosition> locked = first.locked;
+  for (const JointPosition& lock : scene.locked) {
     const bool is_said = std::any_of(locked.begin(), locked.end(),
-                                     [&lock](const LockedJoint& before) { return before.joint == lock.joint; });
+                                     [&lock](const JointPosition& before) { return before.joint == lock.joint; });
     if (!is_said) locked.push_back(lock);
   }
   scene.locked = std::move(locked);

@@ -62,6 +62,7 @@ class TomlReader {
     robot_.gravity = table.vector("gravity", Quantity::acceleration, robot_.gravity);
     read_attachments(table, attachments);
     for (TomlTable& row : table.tables("loop")) read_loop(row);
+    if (const std::optional<TomlTable> positions = table.table("assembly")) robot_.assembly = read_locked(*positions);
     table.reject_unknown_keys();
     carriers_.find_in(robot_, diagnostics_);
     return attachments;
@@ -70,12 +71,12 @@ class TomlReader {
  private:
   // A list of joints, held at 0, or a table with their positions.
   void read_fixed(TomlTable& table) {
-    std::vector<LockedJoint>& held = context_.held_joints;
+    std::vector<JointPosition>& held = context_.held_joints;
     if (!table.is_table("fixed")) {
       for (const Reference& joint : table.references("fixed")) held.push_back({joint.name, 0, "0", true, joint.place});
       return;
     }
-    for (const LockedJoint& lock : read_locked(*table.table("fixed"))) held.push_back(lock);
+    for (const JointPosition& lock : read_locked(*table.table("fixed"))) held.push_back(lock);
   }
 
   // ---- links of the file itself

@@ -139,13 +139,13 @@ std::vector<std::string> TomlTable::keys() const {
   return all;
 }
 
-std::optional<LockedJoint> TomlTable::locked_joint(const std::string& joint) {
+std::optional<JointPosition> TomlTable::locked_joint(const std::string& joint) {
   const toml::node* node = find(joint);
   const std::optional<Number> position = node == nullptr ? std::nullopt : number_of(*node, joint);
   if (!position) return std::nullopt;
   const bool is_decimal = !node->is_string();
   const std::string written = is_decimal ? source_.text_of(node->source()) : node->as_string()->get();
-  return LockedJoint{joint, *position, written, is_decimal, source_.place(node->source())};
+  return JointPosition{joint, *position, written, is_decimal, source_.place(node->source())};
 }
 
 std::optional<Coupled> TomlTable::linear_position(std::string_view key, JointType type) {

@@ -61,7 +61,7 @@ class TomlTable {
   // For tables whose keys are names.
   std::vector<std::string> keys() const;
   // JOINT = POSITION
-  std::optional<LockedJoint> locked_joint(const std::string& joint);
+  std::optional<JointPosition> locked_joint(const std::string& joint);
   // The position of a coupled joint, linear in the coordinates of others.
   std::optional<Coupled> linear_position(std::string_view key, JointType type);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnostics/diagnostics.hpp"
@@ -16,6 +17,20 @@ struct Leader {
   double factor;
 };
 
+// Of positions, those that are integrated from rates.
+Leader rate_of(const Mechanism& mechanism, Leader leader, std::size_t body) {
+  if (!mechanism.has_loops()) return leader;
+  const auto found =
+      std::find(mechanism.independent.begin(), mechanism.independent.end(), static_cast<int>(leader.coordinate));
+  if (found != mechanism.independent.end()) {
+    return {static_cast<std::size_t>(found - mechanism.independent.begin()), leader.factor};
+  }
+  throw Failure(ExitCode::unsupported,
+                fmt::format("friction of joint \"{}\", which a closed loop moves, is not supported here",
+                            mechanism.bodies[body].joint),
+                "leave it out (viscous = 0, coulomb = 0), or choose other dependent joints");
+}
+
 Leader leader_of(const Mechanism& mechanism, std::size_t body) {
   if (!mechanism.is_coupled()) return {body, 1};
   const std::vector<Number>& row = mechanism.coupling[body];
@@ -23,7 +38,7 @@ Leader leader_of(const Mechanism& mechanism, std::size_t body) {
   for (std::size_t k = 0; k < row.size(); ++k) {
     if (!vanishes(row[k])) leaders.push_back({k, nearest_double(row[k])});
   }
-  if (leaders.size() == 1) return leaders.front();
+  if (leaders.size() == 1) return rate_of(mechanism, leaders.front(), body);
   throw Failure(ExitCode::unsupported,
                 fmt::format("friction of joint \"{}\", which follows several coordinates, is not supported here",
                             mechanism.bodies[body].joint),

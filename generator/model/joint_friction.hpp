@@ -8,12 +8,13 @@
 
 namespace flatdyn {
 
-// By entry of q: F_v in N m s/rad or N s/m, F_s in N m or N; of all joints that follow it: Σ a² F_v and Σ |a| F_s.
+// By entry of q̇: F_v in N m s/rad or N s/m, F_s in N m or N; of all joints that follow it: Σ a² F_v and Σ |a| F_s.
 struct JointFriction {
   std::vector<double> viscous, coulomb;
 };
 
-// Throws Failure(unsupported) if a joint that follows several coordinates has friction: no coordinate has it alone.
+// Throws Failure(unsupported) if a joint that follows several coordinates, or a closed loop, has friction: no
+// coordinate has it alone.
 JointFriction joint_friction(const Mechanism& mechanism);
 
 }  // namespace flatdyn

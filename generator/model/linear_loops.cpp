@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/linear_loops.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "diagnostics/nearest.hpp"
@@ -206,19 +208,28 @@ class LoopSettler {
     std::copy_if(a.begin(), a.end(), std::back_inserter(bodies), [&](int body) { return !is_on(b, body); });
     std::copy_if(b.begin(), b.end(), std::back_inserter(bodies), [&](int body) { return !is_on(a, body); });
     std::sort(bodies.begin(), bodies.end());
+    if (bodies.empty()) {
+      diagnostics_.error(loop.place, "loop: no joint moves its two ends against each other",
+                         "name two links that joints hold apart");
+      return false;
+    }
     std::vector<std::string> known;
     for (const int body : bodies) known.push_back(cut.tree.bodies[static_cast<std::size_t>(body)].joint);
     for (const Reference& joint : loop.dependent) {
       const auto found = std::find(known.begin(), known.end(), joint.name);
       if (found == known.end()) {
+        const bool is_elsewhere = std::any_of(robot_.joints.begin(), robot_.joints.end(),
+                                              [&joint](const Joint& each) { return each.name == joint.name; });
         const bool is_held = std::any_of(robot_.joints.begin(), robot_.joints.end(), [&joint](const Joint& each) {
           return each.name == joint.name && each.type == JointType::fixed;
         });
         diagnostics_.error(joint.place,
                            "loop, dependent: \"" + joint.name + "\" is " +
                                (is_held ? "fixed or held: it cannot follow the others" : "no joint of it that moves"),
-                           is_held ? "hold the joints that it follows instead"
-                                   : hint_for_unknown(joint.name, known, "joints of the loop"));
+                           is_held        ? "hold the joints that it follows instead"
+                           : is_elsewhere ? "it moves both ends, or none: joints of the loop are " +
+                                                fmt::format("{}", fmt::join(known, ", "))
+                                          : hint_for_unknown(joint.name, known, "joints of the loop"));
         return false;
       }
       cut.dependent.push_back(bodies[static_cast<std::size_t>(found - known.begin())]);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "flatdyn/reference/real50.hpp"
 #include "graph/arithmetic.hpp"
@@ -42,16 +44,58 @@ std::vector<int> way_from_base(const Mechanism& tree, int body) {
   return way;
 }
 
-// Carrier, and the axes of the joint next to it: in those a loop in a plane has two components.
-void place_axes(const Mechanism& tree, LoopClosure& loop) {
-  const std::vector<int> a = way_from_base(tree, loop.ends[0].body), b = way_from_base(tree, loop.ends[1].body);
+// Of body i's joint, in the parent's frame: the third axis is the joint's. Where it slides, they are the body's.
+Mat3 joint_axes(const Mechanism& tree, int body) {
+  const Body& joint = tree.bodies[index(body)];
+  const Mat3 axes = rotation_z(joint.beta) * rotation_x(joint.alpha);
+  return expanded(joint.prismatic ? axes * rotation_z(joint.theta) : axes);
+}
+
+// The bodies from the carrier to each end, the carrier left out.
+std::array<std::vector<int>, 2> chains(const Mechanism& tree, LoopClosure& loop) {
+  std::array<std::vector<int>, 2> ways = {way_from_base(tree, loop.ends[0].body),
+                                          way_from_base(tree, loop.ends[1].body)};
+  auto& [a, b] = ways;
   std::size_t common = 0;
   while (common < a.size() && common < b.size() && a[common] == b[common]) ++common;
   if (common > 0) loop.carrier = a[common - 1];
-  const std::vector<int>& longer = a.size() > b.size() ? a : b;
-  if (common == longer.size()) return;
-  const Body& first = tree.bodies[index(longer[common])];
-  loop.axes = expanded(rotation_z(first.beta) * rotation_x(first.alpha));
+  for (std::vector<int>& way : ways) way.erase(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(common));
+  return ways;
+}
+
+// Those of the first joint that turns, seen from the carrier with all joints before it at 0, which slide: in those a
+// loop in a plane has two components.
+std::optional<Mat3> axes_of_turning(const Mechanism& tree, const std::vector<int>& chain) {
+  Mat3 axes = identity_matrix();
+  for (const int body : chain) {
+    axes = expanded(axes * joint_axes(tree, body));
+    if (!tree.bodies[index(body)].prismatic) return axes;
+  }
+  return std::nullopt;
+}
+
+void place_axes(const Mechanism& tree, const std::array<std::vector<int>, 2>& chains, LoopClosure& loop) {
+  const bool longer = chains[1].size() >= chains[0].size();
+  for (const std::vector<int>& chain : {chains[longer], chains[!longer]}) {
+    if (const std::optional<Mat3> axes = axes_of_turning(tree, chain)) {
+      loop.axes = *axes;
+      return;
+    }
+  }
+}
+
+// The third of the loop's axes in the frame of an end's body, if its joints leave it there.
+bool carries_axis(const Mechanism& tree, const std::vector<int>& chain, const Vec3& axis, LoopClosure::End& end) {
+  end.axis = axis;
+  RealTree arithmetic(drawn);
+  const NumberMap value(tree.symbols, arithmetic);
+  for (const int body : chain) {
+    end.axis = expanded(transpose(joint_axes(tree, body)) * end.axis);
+    if (tree.bodies[index(body)].prismatic) continue;
+    if (!is_zero(value(end.axis[0])) || !is_zero(value(end.axis[1]))) return false;
+    end.axis = {0, 0, end.axis[2]};
+  }
+  return true;
 }
 
 // The tree with this one loop, its joints at a position like any other.
@@ -93,7 +137,12 @@ void find_rows(const Mechanism& tree, LoopClosure& loop) {
 LoopClosure closure_of(const Loop& written, const Mechanism& tree) {
   LoopClosure loop;
   for (std::size_t e = 0; e < 2; ++e) loop.ends[e] = end_of(tree, written.links[e].name, written.points[e]);
-  place_axes(tree, loop);
+  const std::array<std::vector<int>, 2> ways = chains(tree, loop);
+  place_axes(tree, ways, loop);
+  const Vec3 axis = {loop.axes[0][2], loop.axes[1][2], loop.axes[2][2]};
+  const bool is_carried[] = {carries_axis(tree, ways[0], axis, loop.ends[0]),
+                             carries_axis(tree, ways[1], axis, loop.ends[1])};
+  loop.has_common_axis = is_carried[0] && is_carried[1];
   find_rows(tree, loop);
   for (const Reference& joint : written.dependent) {
     for (int k = 0; k < tree.position_count(); ++k) {
@@ -168,6 +217,9 @@ class LoopCheck {
     if (!can_close(random.gap())) {
       error("its points can never meet: they lie apart in a direction in which no joint moves them",
             "check from and to: in a loop in a plane, both have the same height above it");
+    } else if (moving_joints(random.rows()) < loop_.rows.size()) {
+      error(fmt::format("it takes {} coordinates, which is more than it has joints", loop_.rows.size()),
+            "name links that more joints hold apart; joints that move both ends do not count");
     } else if (loop_.rows.size() != loop_.dependent.size()) {
       error(fmt::format("it takes {} coordinate{}, and names {} dependent joint{}", loop_.rows.size(),
                         loop_.rows.size() == 1 ? "" : "s", loop_.dependent.size(),
@@ -191,6 +243,12 @@ class LoopCheck {
     return true;
   }
 
+  static std::size_t moving_joints(const Matrix<Real>& J) {
+    std::size_t count = 0;
+    for (int k = 0; k < J.cols(); ++k) count += depends_on(J, k);
+    return count;
+  }
+
   bool is_driven(const Matrix<Real>& J) const {
     for (int k = 0; k < J.cols(); ++k) {
       const bool own = std::find(loop_.dependent.begin(), loop_.dependent.end(), k) != loop_.dependent.end();
@@ -208,6 +266,29 @@ class LoopCheck {
   Diagnostics& diagnostics_;
   LoopClosure loop_;
 };
+
+// The first name that another loop, or this one, has named before.
+const Reference* named_before(const Robot& robot, std::size_t l) {
+  std::vector<std::string> before;
+  for (std::size_t k = 0; k < l; ++k) {
+    for (const Reference& joint : robot.loops[k].dependent) before.push_back(joint.name);
+  }
+  for (const Reference& joint : robot.loops[l].dependent) {
+    if (std::find(before.begin(), before.end(), joint.name) != before.end()) return &joint;
+    before.push_back(joint.name);
+  }
+  return nullptr;
+}
+
+// Each loop takes as many coordinates as it names joints: so no joint may count twice.
+void check_names(const Robot& robot, Diagnostics& diagnostics) {
+  for (std::size_t l = 0; l < robot.loops.size(); ++l) {
+    const Reference* joint = named_before(robot, l);
+    if (joint == nullptr) continue;
+    diagnostics.error(joint->place, name_of(robot.loops[l]) + "\"" + joint->name + "\" is named as dependent before",
+                      "name each joint once, in one loop; a loop that is closed twice is one loop");
+  }
+}
 
 std::vector<LoopClosure> closures(const Robot& robot, const Mechanism& tree) {
   std::vector<LoopClosure> loops;
@@ -236,6 +317,8 @@ void add_loops(const Robot& robot, Mechanism& mechanism) {
 void check_loops(const Robot& robot, const Mechanism& open, Diagnostics& diagnostics) {
   if (robot.loops.empty()) return;
   const Mechanism tree = with_coupling(open);
+  check_names(robot, diagnostics);
+  if (diagnostics.has_errors()) return;
   for (const Loop& loop : robot.loops) LoopCheck(tree, loop, diagnostics).run();
   if (diagnostics.has_errors()) return;
   const std::vector<std::size_t> order = sorted(tree, closures(robot, tree));

@@ -73,8 +73,10 @@ struct LoopClosure {
   struct End {
     int body = -1;  // -1: the base
     Vec3 p = zero_vector();
+    Vec3 axis = zero_vector();  // with has_common_axis: the direction, which both bodies share, in this one's frame
   };
   End ends[2];
+  bool has_common_axis = false;   // all its joints turn about one direction, or slide
   int carrier = -1;               // the body nearest to the ends that both are moved by; -1: the base
   Mat3 axes = identity_matrix();  // the components' axes, as columns, in the carrier's frame
   std::vector<std::size_t> rows;  // of the components

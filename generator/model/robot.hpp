@@ -100,6 +100,7 @@ struct Robot {
   std::vector<Link> links;                    // in file order
   std::vector<Joint> joints;                  // in file order
   std::vector<Loop> loops;                    // closed ones; those of coupled joints are part of `joints`
+  std::vector<JointPosition> assembly;        // of some joints: near which the loops are closed; others are near 0
   int root = -1;                              // index of the root link; it is the fixed base
   int tip = -1;                               // index of the link whose frame is the tip
   Pose tip_offset;                            // of the tip frame in the tip link's frame

@@ -15,8 +15,8 @@
 
 namespace flatdyn {
 
-// A joint that is held still.
-struct LockedJoint {
+// Where a joint is, or is held.
+struct JointPosition {
   std::string joint;
   Number position = 0;        // rad or m, as written
   std::string written = "0";  // the text of it
@@ -57,7 +57,7 @@ std::optional<ErrorBudget> error_budget(const std::string& text);
 struct Scene {
   std::string file;  // empty if there is none
   std::optional<Vec3> gravity;
-  std::vector<LockedJoint> locked;  // of two for one joint the first counts
+  std::vector<JointPosition> locked;  // of two for one joint the first counts
   std::optional<ScenePayload> payload;
   std::vector<SceneLimits> limits;
   bool at_rest = false;  // joint velocities are 0

@@ -22,7 +22,7 @@ class SceneText {
 
   std::vector<std::string> items(const Scene& scene) {
     if (scene.gravity) add("gravity", list(*scene.gravity));
-    for (const LockedJoint& lock : scene.locked) add("locked." + lock.joint, lock.written);
+    for (const JointPosition& lock : scene.locked) add("locked." + lock.joint, lock.written);
     if (scene.payload) add_payload(*scene.payload);
     if (scene.at_rest) add("static", "true");
     if (!scene.friction) add("friction", "false");

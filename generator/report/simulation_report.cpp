@@ -27,12 +27,18 @@ std::string label(const Mechanism& mechanism, const MotionEvent& event) {
   return fmt::format("{} {}", mechanism.joints()[static_cast<std::size_t>(event.joint)].joint, to_string(event.kind));
 }
 
+// Dependent joints of closed loops may slide where the independent ones turn.
+std::string unit_of_positions(const Mechanism& mechanism) {
+  const bool is_mixed = mechanism.has_loops() && mechanism.has_prismatic_joint();
+  return is_mixed ? "rad, m" : unit_of(mechanism, "rad", "m");
+}
+
 }  // namespace
 
 TimeTable simulation_table(const SimulatedMotion& motion) {
   TimeTable table{{"t"}, {}};
   for (const auto& [name, member] : kByJoint) {
-    for (Eigen::Index i = 1; i <= motion.rows.front().q.size(); ++i)
+    for (Eigen::Index i = 1; i <= (motion.rows.front().*member).size(); ++i)
       table.columns.push_back(fmt::format("{}{}", name, i));
   }
   for (const auto& [name, member] : kEnergies) table.columns.emplace_back(name);
@@ -57,22 +63,23 @@ std::string events_csv(const Mechanism& mechanism, const SimulatedMotion& motion
 }
 
 std::string simulation_plot(const Mechanism& mechanism, const TimeTable& table, PictureFormat format) {
-  const std::size_t n = mechanism.joints().size();
-  std::vector<std::string> joints;
+  const std::size_t n = mechanism.joints().size(), m = static_cast<std::size_t>(mechanism.position_count());
+  std::vector<std::string> joints, positions;
   for (const Body& body : mechanism.joints()) joints.push_back(body.joint);
-  // Which of the tables' groups of columns.
-  const auto columns = [&](std::size_t group, std::size_t count) {
+  for (int p = 0; p < mechanism.position_count(); ++p)
+    positions.push_back(mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(p))].joint);
+  const auto columns = [](std::size_t first, std::size_t count) {
     std::vector<std::size_t> all(count);
-    std::iota(all.begin(), all.end(), 1 + group * n);
+    std::iota(all.begin(), all.end(), first);
     return all;
   };
   const std::vector<PanelColumns> panels = {
-      {"positions", "q in " + unit_of(mechanism, "rad", "m"), columns(0, n), joints},
-      {"speeds", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), columns(1, n), joints},
-      {"torques", "tau in " + unit_of(mechanism, "N m", "N"), columns(3, n), joints},
+      {"positions", "q in " + unit_of_positions(mechanism), columns(1, m), positions},
+      {"speeds", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), columns(1 + m, n), joints},
+      {"torques", "tau in " + unit_of(mechanism, "N m", "N"), columns(1 + m + 2 * n, n), joints},
       {"energies",
        "J",
-       columns(std::size(kByJoint), std::size(kEnergies)),
+       columns(1 + m + 4 * n, std::size(kEnergies)),
        {"kinetic", "potential", "work of the torques", "dissipated"}}};
   return time_plot(mechanism.name + ": simulated motion", table, panels, format);
 }

@@ -262,7 +262,9 @@ Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, 
     throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
   }
   if (mechanism.is_coupled()) {
-    throw Failure(ExitCode::unsupported, "error budget: coupled joints are not supported yet", "leave the budget out");
+    const char* what = mechanism.has_loops() ? "closed loops" : "coupled joints";
+    throw Failure(ExitCode::unsupported, fmt::format("error budget: {} are not supported yet", what),
+                  "leave the budget out");
   }
   const BaseParameters base = base_parameters(mechanism);
   Mechanism fewest = with_base_parameters(mechanism, base, base_values(mechanism, base));

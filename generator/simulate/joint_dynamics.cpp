@@ -7,6 +7,7 @@ namespace flatdyn {
 namespace {
 
 Model without_dry_friction(Model model) {
+  require_numbers(model.robot, "a simulation");
   for (Body& body : model.mechanism.bodies) body.coulomb = 0;
   return model;
 }
@@ -18,8 +19,7 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 }  // namespace
 
 JointDynamics::JointDynamics(const Model& model, Progress& progress)
-    : model_(without_dry_friction(with_whole_functions(model))) {
-  require_numbers(model.robot, "a simulation");
+    : model_(without_dry_friction(with_whole_functions(model))), closed_(model_) {
   const JointFriction friction = joint_friction(model.mechanism);
   viscous_ = vector_of(friction.viscous);
   coulomb_ = vector_of(friction.coulomb);
@@ -33,16 +33,20 @@ JointDynamics::JointDynamics(const Model& model, Progress& progress)
   g_.resize(joints());
 }
 
-TapeInputs JointDynamics::inputs(const double* q, const double* qd) const {
+std::span<const double> JointDynamics::positions(const double* q) {
+  return closed_.of({q, static_cast<std::size_t>(joints())});
+}
+
+TapeInputs JointDynamics::inputs(const double* q, const double* qd) {
   const auto n = static_cast<std::size_t>(joints());
   TapeInputs given;
-  given[InputKind::q] = {q, n};
+  given[InputKind::q] = positions(q);
   if (qd != nullptr) given[InputKind::qd] = {qd, n};
   return given;
 }
 
 const MotionTerms& JointDynamics::at(const double* q, const double* qd) {
-  terms_->run(inputs(q, qd), entries_);
+  if (!terms_->run(inputs(q, qd), entries_)) closed_.refuse_singular();
   const Eigen::Index n = joints();
   result_.B = Eigen::Map<const Eigen::MatrixXd>(entries_.data(), n, n);
   result_.n = Eigen::Map<const Eigen::VectorXd>(entries_.data() + n * n, n);

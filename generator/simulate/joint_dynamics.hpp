@@ -7,6 +7,7 @@
 
 #include "graph/tape.hpp"
 #include "pipeline.hpp"
+#include "trajectory/closed_positions.hpp"
 
 namespace flatdyn {
 
@@ -27,16 +28,20 @@ class JointDynamics {
   const Eigen::VectorXd& viscous() const { return viscous_; }  // F_v, N m s (N s/m)
   const Eigen::VectorXd& coulomb() const { return coulomb_; }  // F_s, N m (N)
 
-  // q in rad or m, qd in rad/s or m/s; n numbers each.
+  // q in rad or m, qd in rad/s or m/s; n numbers each, of the independent joints where loops are closed. Throws
+  // Failure(input) where these cannot be.
   const MotionTerms& at(const double* q, const double* qd);
   const MotionTerms& last() const { return result_; }  // of at()
   const Eigen::VectorXd& gravity(const double* q);     // N m (N)
   double potential_energy(const double* q);            // J
+  // Of all joints that are not coupled, dependent ones too. Valid until the next call of any of these.
+  std::span<const double> positions(const double* q);
 
  private:
-  TapeInputs inputs(const double* q, const double* qd) const;
+  TapeInputs inputs(const double* q, const double* qd);
 
   Model model_;  // without dry friction
+  ClosedPositions closed_;
   Eigen::VectorXd viscous_, coulomb_;
   std::optional<Tape> terms_, gravity_, potential_;
   std::vector<double> entries_;

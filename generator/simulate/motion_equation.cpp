@@ -32,6 +32,11 @@ MotionEquation::MotionEquation(const Simulation& simulation, JointDynamics& dyna
   }
 }
 
+Eigen::VectorXd MotionEquation::positions(const MotionState& x) {
+  const std::span<const double> q = dynamics_.positions(x.data());
+  return Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+}
+
 MotionState MotionEquation::initial_state() const {
   MotionState x = simulation_.q;
   x.insert(x.end(), simulation_.qd.begin(), simulation_.qd.end());

@@ -39,6 +39,7 @@ class MotionEquation {
   const Eigen::VectorXd& tau() const { return tau_; }  // at the last motion()
   // At the last motion() or decide().
   double kinetic_energy(const MotionState& x) const;
+  Eigen::VectorXd positions(const MotionState& x);  // of all joints that are not coupled
   double potential_energy(const MotionState& x) { return dynamics_.potential_energy(x.data()); }
 
   // Whether there are dry friction or stops at all.

@@ -58,9 +58,9 @@ struct Simulation {
   double step = 1e-3;              // rk4, s; made shorter, so that rows fall on steps
 };
 
-// All at rest at q = 0 and without torques; then what the file says. What is wrong goes into `diagnostics`. Throws
-// Failure(io) if a file cannot be read.
-Simulation resting(const Mechanism& mechanism);
+// All at rest at q = 0, or where its loops are assembled, and without torques; then what the file says. What is wrong
+// goes into `diagnostics`. Throws Failure(io) if a file cannot be read.
+Simulation resting(const Robot& robot, const Mechanism& mechanism);
 void read_simulation(const std::string& file, const Robot& robot, const Mechanism& mechanism, Simulation& simulation,
                      Diagnostics& diagnostics);
 

@@ -7,6 +7,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/toml_table.hpp"
+#include "model/assembly.hpp"
 #include "simulate/simulation.hpp"
 #include "trajectory/read_trajectory.hpp"
 #include "verify/csv.hpp"
@@ -197,10 +198,13 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
   return samples;
 }
 
-Simulation resting(const Mechanism& mechanism) {
+Simulation resting(const Robot& robot, const Mechanism& mechanism) {
   Simulation simulation;
-  simulation.q.assign(mechanism.joints().size(), 0);
-  simulation.qd = simulation.constant = simulation.q;
+  const std::vector<double> positions = assembled_positions(robot, mechanism);
+  for (int i = 0; i < mechanism.size(); ++i)
+    simulation.q.push_back(mechanism.has_loops() ? positions[static_cast<std::size_t>(mechanism.position_of(i))] : 0);
+  simulation.qd.assign(simulation.q.size(), 0);
+  simulation.constant = simulation.qd;
   return simulation;
 }
 

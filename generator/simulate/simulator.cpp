@@ -179,10 +179,10 @@ class Simulator {
   SimulationRow row(const MotionState& x, double t) {
     const ContactMotion now = equation_.motion(x, t);
     const Eigen::Index n = now.qdd.size();
-    const Eigen::Map<const Eigen::VectorXd> q(x.data(), n), qd(x.data() + n, n);
+    const Eigen::Map<const Eigen::VectorXd> qd(x.data() + n, n);
     const auto energies = static_cast<std::size_t>(2 * n);
     return {t,
-            q,
+            equation_.positions(x),
             qd,
             now.qdd,
             equation_.tau(),

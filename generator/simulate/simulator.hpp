@@ -11,7 +11,7 @@ namespace flatdyn {
 
 struct SimulationRow {
   double time = 0;                    // s
-  Eigen::VectorXd q, qd, qdd, tau;    // tau as given
+  Eigen::VectorXd q, qd, qdd, tau;    // q of dependent joints too; tau as given
   Eigen::VectorXd friction;           // on the joint: −F_v q̇, dry friction, and its stop's push; N m (N)
   double kinetic = 0, potential = 0;  // J
   double work = 0, dissipated = 0;    // J since the start: of tau, and by friction and stops

@@ -5,11 +5,15 @@
 #include <optional>
 #include <utility>
 
+#include "flatdyn/reference/real50.hpp"
+#include "graph/arithmetic.hpp"
+#include "model/field_mechanism.hpp"
 #include "symbolic/elimination.hpp"
 
 namespace flatdyn {
 namespace {
 
+using reference::Real50;
 using IsZero = std::function<bool(const Number&)>;
 
 Number product(const ParameterForm& a, const ParameterForm& b) {
@@ -35,6 +39,21 @@ bool is_possible(const ParameterForm& shift, const std::vector<ParameterForm>& f
                      [&](const ParameterForm& form) { return is_zero(product(form, absent)); });
 }
 
+// Frames that are turned by any angles are rational to 40 digits: what would be zero is nearly so. It must not become
+// what others are divided by.
+class Size {
+ public:
+  explicit Size(const Mechanism& mechanism) : arithmetic_(somewhere), value_(mechanism.symbols, arithmetic_) {}
+
+  bool is_trifling(const Number& x) const { return abs(value_(x)) < Real50("1e-30"); }
+
+ private:
+  static Real50 somewhere(const Input& input) { return Real50(7 * input.index + 11) / 13; }
+
+  RealArithmetic<Real50> arithmetic_;
+  NumberMap<RealArithmetic<Real50>> value_;
+};
+
 // In the order in which parameters are kept.
 int rank_of(int index) {
   const auto* place = std::find(std::begin(kPreference), std::end(kPreference), parameter_of(index));
@@ -42,14 +61,61 @@ int rank_of(int index) {
 }
 
 // The row of K that goes.
-std::optional<std::size_t> last_row(const BaseParameters& base, const std::vector<Number>& amounts,
-                                    const IsZero& is_zero) {
+std::optional<std::size_t> last_row(const BaseParameters& base, const std::vector<Number>& amounts, const Size& size) {
   std::optional<std::size_t> last;
   for (std::size_t k = 0; k < amounts.size(); ++k) {
-    if (is_zero(amounts[k])) continue;
+    if (size.is_trifling(amounts[k])) continue;
     if (!last || rank_of(base.columns[k]) > rank_of(base.columns[*last])) last = k;
   }
   return last;
+}
+
+// Parameters of masses on the line p + z axis, of which only ∫ z^power is not zero.
+InertialParameters masses_on_line(const LoopClosure::End& end, std::size_t power) {
+  switch (power) {
+    case 0:
+      return {1, end.p, steiner(1, end.p)};
+    case 1:
+      return {0, end.axis, inertia_between(end.p, end.axis)};
+    default:
+      return {0, zero_vector(), steiner(1, end.axis)};
+  }
+}
+
+void add(int body, const InertialParameters& parameters, int sign, ParameterForm& shift) {
+  if (body < 0) return;
+  const std::vector<Number> entries = entries_of(parameters);
+  for (int k = 0; k < kInertialPerBody; ++k) {
+    const Number& entry = entries[static_cast<std::size_t>(k)];
+    if (!vanishes(entry)) shift[index_of(body, static_cast<Parameter>(k))] += sign * entry;
+  }
+}
+
+// Products of inertia with the loop's direction n, as of ∫ z r = n × v: those of all links together are n × the way
+// round the loop, which is nothing.
+InertialParameters products_of(const Vec3& n, const Vec3& v) {
+  return {0, zero_vector(), inertia_between(n, cross(n, v))};
+}
+
+// Nothing if a joint slides: no link has its length.
+ParameterForm products_round_loop(const Mechanism& mechanism, const LoopClosure& loop) {
+  ParameterForm shift;
+  for (const bool is_second : {false, true}) {
+    const LoopClosure::End& end = loop.ends[is_second];
+    const int sign = is_second ? -1 : 1;
+    Vec3 next = end.p;
+    for (int body = end.body; body != loop.carrier;) {
+      const Body& joint = mechanism.bodies[static_cast<std::size_t>(body)];
+      if (joint.prismatic) return {};
+      add(body, products_of(end.axis, next), sign, shift);  // all links share the direction, which is their joints' z
+      next = joint.p;
+      body = joint.parent;
+    }
+    const Vec3 direction = {loop.axes[0][2], loop.axes[1][2], loop.axes[2][2]};
+    add(loop.carrier, products_of(direction, next), sign, shift);
+  }
+  std::erase_if(shift, [](const auto& term) { return vanishes(term.second); });
+  return shift;
 }
 
 }  // namespace
@@ -57,29 +123,29 @@ std::optional<std::size_t> last_row(const BaseParameters& base, const std::vecto
 std::vector<ParameterForm> loop_shifts(const Mechanism& mechanism) {
   std::vector<ParameterForm> shifts;
   for (const LoopClosure& loop : mechanism.loops) {
-    ParameterForm shift;
-    for (std::size_t e = 0; e < 2; ++e) {
-      const auto& [body, p] = loop.ends[e];
-      if (body < 0) continue;
-      const std::vector<Number> entries = entries_of({1, p, steiner(1, p)});
-      for (int k = 0; k < kInertialPerBody; ++k) {
-        const Number& entry = entries[static_cast<std::size_t>(k)];
-        if (!vanishes(entry)) shift[index_of(body, static_cast<Parameter>(k))] += e == 0 ? entry : Number(-entry);
+    for (std::size_t power = 0; power < (loop.has_common_axis ? 3 : 1); ++power) {
+      ParameterForm shift;
+      for (const bool is_second : {false, true}) {
+        const LoopClosure::End& end = loop.ends[is_second];
+        add(end.body, masses_on_line(end, power), is_second ? -1 : 1, shift);
       }
+      shifts.push_back(std::move(shift));
     }
-    shifts.push_back(std::move(shift));
+    if (loop.has_common_axis) shifts.push_back(products_round_loop(mechanism, loop));
   }
   return shifts;
 }
 
 BaseParameters without_shifts(const Mechanism& mechanism, BaseParameters base, const std::vector<ParameterForm>& forms,
                               const std::vector<bool>& present, const IsZero& is_zero) {
+  const Size size(mechanism);
   for (ParameterForm shift : loop_shifts(mechanism)) {
+    std::erase_if(shift, [&size](const auto& term) { return size.is_trifling(term.second); });
     if (!is_possible(shift, forms, present, is_zero)) continue;
     for (const LoopShift& before : base.shifts) shift = sum(shift, -product(before.share, shift), before.shift);
     std::vector<Number> amounts;
     for (const ParameterForm& form : base.combination) amounts.push_back(product(form, shift));
-    const std::optional<std::size_t> last = last_row(base, amounts, is_zero);
+    const std::optional<std::size_t> last = last_row(base, amounts, size);
     if (!last) continue;
     ParameterForm share;
     for (const auto& [index, coefficient] : base.combination[*last]) {

@@ -11,7 +11,12 @@ enum : std::size_t { kInverseDynamics, kInertiaMatrix, kGravityTorques, kTipJaco
 }  // namespace
 
 PathTorques::PathTorques(const Model& model, bool tip_force, Progress& progress)
-    : n_(static_cast<std::size_t>(model.mechanism.size())), tau_(n_), B_(n_ * n_), g_(n_), J_(tip_force ? 6 * n_ : 0) {
+    : n_(static_cast<std::size_t>(model.mechanism.size())),
+      closed_(model),
+      tau_(n_),
+      B_(n_ * n_),
+      g_(n_),
+      J_(tip_force ? 6 * n_ : 0) {
   std::vector<std::string> names = {"inverse_dynamics", "inertia_matrix", "gravity"};
   if (tip_force) names.emplace_back("jacobian");
   for (const Function& function : whole_functions(model, names, "a trajectory", progress))
@@ -21,10 +26,10 @@ PathTorques::PathTorques(const Model& model, bool tip_force, Progress& progress)
 
 void PathTorques::run(const TrajectoryPoint& point) {
   TapeInputs given;
-  given[InputKind::q] = point.q;
+  given[InputKind::q] = closed_.of(point.q);
   given[InputKind::qd] = point.qd;
   given[InputKind::qdd] = point.qdd;
-  tapes_[kInverseDynamics].run(given, tau_);
+  if (!tapes_[kInverseDynamics].run(given, tau_)) closed_.refuse_singular();
   if (!point.h_e.empty()) tapes_[kTipJacobian].run(given, J_);
 }
 
@@ -36,7 +41,7 @@ PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
   for (const TrajectoryPoint& point : trajectory.points) {
     run(point);
     TapeInputs given;
-    given[InputKind::q] = point.q;
+    given[InputKind::q] = closed_.of(point.q);
     tapes_[kInertiaMatrix].run(given, B_);
     tapes_[kGravityTorques].run(given, g_);
     for (std::size_t i = 0; i < n_; ++i) {

@@ -12,6 +12,7 @@
 #include "graph/tape.hpp"
 #include "model/joint_friction.hpp"
 #include "pipeline.hpp"
+#include "trajectory/closed_positions.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace flatdyn {
@@ -39,6 +40,7 @@ class PathTorques {
   void run(const TrajectoryPoint& point);
 
   std::size_t n_;
+  ClosedPositions closed_;
   std::vector<Tape> tapes_;              // inverse dynamics, B, g; J
   std::vector<double> tau_, B_, g_, J_;  // results
   JointFriction friction_;

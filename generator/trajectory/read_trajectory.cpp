@@ -27,14 +27,35 @@ Trajectory read_samples(const std::filesystem::path& path, const Mechanism& mech
   if (diagnostics.has_errors()) return trajectory;
   const auto n = static_cast<std::size_t>(mechanism.size());
   const auto add = [&](const MeasuredMotion& motion) {
-    TrajectoryPoint point{
-        motion.time, {motion.q, motion.q + n}, {motion.qd, motion.qd + n}, {motion.qdd, motion.qdd + n}, {}};
+    TrajectoryPoint point{motion.time, {}, {motion.qd, motion.qd + n}, {motion.qdd, motion.qdd + n}, {}};
+    for (int i = 0; i < mechanism.size(); ++i) point.q.push_back(motion.q[mechanism.position_of(i)]);
     if (plan.layout().has_tip_force) point.h_e.assign(motion.h_e, motion.h_e + LogLayout::kWrench);
     trajectory.points.push_back(std::move(point));
   };
   stream(path, mechanism, plan, options, add, diagnostics);
   if (!diagnostics.has_errors()) mark_jumps(trajectory);
   return trajectory;
+}
+
+bool is_at_tip(const Posture& posture) { return std::holds_alternative<TipPosture>(posture); }
+
+bool is_at_tip(const Segment& segment) {
+  const auto* move = std::get_if<JointMove>(&segment.motion);
+  return std::holds_alternative<LineMove>(segment.motion) || (move != nullptr && is_at_tip(move->to));
+}
+
+// Inverse kinematics does not know how loops move the tip.
+void refuse_tip_moves(const TrajectoryPlan& plan, Diagnostics& diagnostics) {
+  const char *what = "places of the tip in robots with closed loops are not supported yet",
+             *hint = "say where the independent joints are";
+  if (is_at_tip(plan.start)) diagnostics.unsupported(std::get<TipPosture>(plan.start).place, what, hint);
+  for (const Segment& segment : plan.segments) {
+    if (is_at_tip(segment)) diagnostics.unsupported(segment.place, what, hint);
+  }
+  if (plan.tip_force && plan.tip_force->in_tip_axes) {
+    diagnostics.unsupported({plan.file, 0}, "tip forces in tip axes of robots with closed loops are not supported yet",
+                            "give them in base axes");
+  }
 }
 
 }  // namespace
@@ -46,6 +67,7 @@ Trajectory read_trajectory(const std::filesystem::path& path, const Robot& robot
   if (!is_plan(path)) return read_samples(path, mechanism, diagnostics);
   const TipKinematics tip(robot);
   const TrajectoryPlan plan = read_plan(path, mechanism, diagnostics);
+  if (mechanism.has_loops()) refuse_tip_moves(plan, diagnostics);
   return diagnostics.has_errors() ? Trajectory{} : planned_motion(plan, tip, diagnostics, intervals);
 }
 

@@ -45,7 +45,8 @@ std::string TorqueTerm::name() const {
   return text;
 }
 
-TorqueTerms::TorqueTerms(const Model& model, bool tip_force, Progress& progress) : n_(model.mechanism.size()) {
+TorqueTerms::TorqueTerms(const Model& model, bool tip_force, Progress& progress)
+    : n_(model.mechanism.size()), closed_(model) {
   std::vector<std::string> names = {"inertia_matrix", "christoffel", "gravity",
                                     tip_force ? "inverse_dynamics_tip_force" : "inverse_dynamics"};
   if (tip_force) names.emplace_back("jacobian");
@@ -108,11 +109,13 @@ double TorqueTerms::value_of(const TorqueTerm& term, const TrajectoryPoint& poin
 
 void TorqueTerms::evaluate(const TrajectoryPoint& point, std::span<double> values, std::span<double> tau) {
   TapeInputs given;
-  given[InputKind::q] = point.q;
+  given[InputKind::q] = closed_.of(point.q);
   given[InputKind::qd] = point.qd;
   given[InputKind::qdd] = point.qdd;
   given[InputKind::h_e] = point.h_e;
-  for (std::size_t k = 0; k < tapes_.size(); ++k) tapes_[k].run(given, results_[k]);
+  for (std::size_t k = 0; k < tapes_.size(); ++k) {
+    if (!tapes_[k].run(given, results_[k])) closed_.refuse_singular();
+  }
   for (std::size_t k = 0; k < terms_.size(); ++k) values[k] = value_of(terms_[k], point);
   std::copy(results_[kInverse].begin(), results_[kInverse].end(), tau.begin());
 }

@@ -13,6 +13,7 @@
 #include "graph/tape.hpp"
 #include "model/joint_friction.hpp"
 #include "pipeline.hpp"
+#include "trajectory/closed_positions.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace flatdyn {
@@ -49,6 +50,7 @@ class TorqueTerms {
   void add_terms_of(int i, const Function& B, const Function& symbols);
 
   int n_ = 0;
+  ClosedPositions closed_;
   std::vector<TorqueTerm> terms_;
   JointFriction friction_;
   std::vector<Tape> tapes_;                   // B, Christoffel symbols, g, J of the tip, inverse dynamics

@@ -3,16 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
 #include "emit/arguments.hpp"
+#include "flatdyn/reference/closed_loops.hpp"
 #include "verify/regressor_outputs.hpp"
 #include "verify/regressor_reference.hpp"
 #include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {
+
+// The emitted functions' own bound, below which they return false.
+constexpr double kSingularLoop = 1e-6;
 
 // Where each input is found: a column, or nowhere.
 class Columns {
@@ -109,7 +114,7 @@ class Evaluator {
   std::optional<std::vector<std::string>> operator()(const Columns& columns, const std::vector<Input>& inputs,
                                                      const std::vector<std::string>& entries) {
     const StateOf<S> state = state_of(columns, inputs, entries);
-    const auto values = options_.reference ? std::optional(from_reference(state)) : graph_(state);
+    const auto values = options_.reference ? from_reference(state) : graph_(state);
     if (!values) return std::nullopt;
     std::vector<std::string> texts;
     for (const S& value : kept_values(function_, *values)) texts.push_back(text_of(value, options_.digits));
@@ -136,12 +141,15 @@ class Evaluator {
     return state;
   }
 
-  std::vector<S> from_reference(const StateOf<S>& state) {
+  // Of all functions, where loops are singular: the reference goes through their motion.
+  std::optional<std::vector<S>> from_reference(const StateOf<S>& state) {
     // The robot's numbers change with its symbols only.
     if (!reference_ || !symbols_.empty()) {
       reference_ = seen_by(function_, robot_, reference_robot<S>(robot_, symbols_));
       if (is_regressor(function_.name)) regressor_.emplace(mechanism_, *reference_, symbols_, function_.name);
     }
+    const reference::VectorX<S> q = vector_of(state.q);
+    if (mechanism_.has_loops() && !(reference::loop_regularity(*reference_, q) > S(kSingularLoop))) return std::nullopt;
     return regressor_ ? regressor_->values(state) : reference_values(function_, *reference_, state);
   }
 
@@ -160,8 +168,8 @@ struct Singularity {
   const char *what, *hint;
 };
 
-Singularity singularity_of(const Function& function) {
-  if (function.loop_conditions > 0) {
+Singularity singularity_of(const Mechanism& mechanism, const Function& function) {
+  if (mechanism.has_loops()) {
     return {"a closed loop is singular here, or the inertia matrix not positive definite",
             "leave such positions out, or let other joints be the dependent ones"};
   }
@@ -182,6 +190,47 @@ void append_values(Evaluator<S> evaluation, const Columns& columns, const std::v
   }
 }
 
+// Where loops are closed, rates and torques are fewer than positions: columns of all joints would be taken for others.
+void check_rate_columns(const Mechanism& mechanism, const CsvTable& states, const std::string& file,
+                        Diagnostics& diagnostics) {
+  for (const char* stem : {"qd", "qdd", "tau", "qd_r", "qdd_r"}) {
+    for (int k = mechanism.size() + 1; k <= mechanism.position_count(); ++k) {
+      const std::string name = fmt::format("{}{}", stem, k);
+      if (std::find(states.columns.begin(), states.columns.end(), name) == states.columns.end()) continue;
+      diagnostics.error(
+          {file, 1},
+          fmt::format("column {}: {} has {} entries, of the independent joints", name, stem, mechanism.size()),
+          fmt::format("name columns by joint, the first one {}_{}", stem, mechanism.joint(0).joint));
+    }
+  }
+}
+
+// Functions hold where loops are closed: a wrong sign of a dependent joint, or degrees, show in the gap.
+void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const CsvTable& states, const Columns& columns,
+                        const std::string& file, Diagnostics& diagnostics) {
+  if (!mechanism.has_loops() || !mechanism.symbols.empty()) return;
+  const auto reference = reference_robot<double>(robot, {});
+  double most = 0;
+  int line = 0;
+  for (std::size_t k = 0; k < states.rows.size(); ++k) {
+    Eigen::VectorXd q(mechanism.position_count());
+    for (int p = 0; p < mechanism.position_count(); ++p) {
+      const auto column = columns.find({InputKind::q, p});
+      if (!column) return;  // the function does not read it
+      q[p] = nearest_double(exact_decimal(states.rows[k][*column]));
+    }
+    const double gap = reference::loop_closure(reference, q).norm();
+    if (!(gap > most)) continue;
+    most = gap;
+    line = states.lines[k];
+  }
+  constexpr double kClosed = 1e-6;  // m
+  if (most <= kClosed) return;
+  diagnostics.warning({file, line},
+                      fmt::format("the loops are open here, by {:.3g} m: values hold where they are closed", most),
+                      "loop_closure and loop_step lead to positions that close them");
+}
+
 }  // namespace
 
 CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Function& function,
@@ -195,13 +244,15 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
                                                fmt::join(columns.names_of(input), " or "), function.name));
     }
   }
+  check_rate_columns(mechanism, states, file, diagnostics);
   if (diagnostics.has_errors()) return {};
+  warn_of_open_loops(robot, mechanism, states, columns, file, diagnostics);
   CsvTable result = states;
   for (const Output& output : function.outputs) {
     for (const std::string& name : output_columns(output)) result.columns.push_back(name);
   }
   constexpr int kDoubleDigits = 17;
-  const Singularity singularity = singularity_of(function);
+  const Singularity singularity = singularity_of(mechanism, function);
   if (options.digits > kDoubleDigits) {
     append_values(Evaluator<Real50>(robot, mechanism, function, options), columns, inputs, result, file, singularity,
                   diagnostics);

@@ -2,6 +2,8 @@
 // The robots of robots/, read.
 #pragma once
 
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "pipeline.hpp"
@@ -10,6 +12,12 @@ namespace flatdyn::testing {
 
 inline Model model_of(const std::string& file) {
   return read_model(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file, {});
+}
+
+// As written, to be changed.
+inline std::string text_of_robot(const std::string& file) {
+  std::ifstream stream(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace flatdyn::testing

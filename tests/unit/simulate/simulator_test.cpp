@@ -49,7 +49,7 @@ class BlockTest : public ::testing::TestWithParam<IntegrationMethod> {
  protected:
   // 2 kg, F_s = 4 N: it loses 2 m/s in every second.
   Simulation moving(const Model& model, double speed, double duration) const {
-    Simulation simulation = resting(model.mechanism);
+    Simulation simulation = resting(model.robot, model.mechanism);
     simulation.qd = {speed};
     simulation.duration = duration;
     simulation.rate = 100;
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, BlockTest, ::testing::Values(IntegrationMethod
 // Through the period of the mathematical pendulum, 4 K(sin(θ/2)) sqrt(l/g).
 TEST(Simulator, SwingsAsLongAsAPendulumDoes) {
   const Model model = pendulum();
-  Simulation simulation = resting(model.mechanism);
+  Simulation simulation = resting(model.robot, model.mechanism);
   const double amplitude = 2;  // rad, from hanging
   simulation.q = {amplitude - std::numbers::pi / 2};
   const double period = 4 * boost::math::ellint_1(std::sin(amplitude / 2)) / std::sqrt(9.81);
@@ -139,7 +139,7 @@ TEST(Simulator, SwingsAsLongAsAPendulumDoes) {
 
 TEST(Simulator, Rk4IsOfOrderFour) {
   const Model model = pendulum();
-  Simulation simulation = resting(model.mechanism);
+  Simulation simulation = resting(model.robot, model.mechanism);
   simulation.duration = 1;
   simulation.rate = 1;
   simulation.tolerance = 1e-13;
@@ -156,7 +156,7 @@ TEST(Simulator, Rk4IsOfOrderFour) {
 // Computed torque makes the error obey ë + k_D ė + k_P e = 0: with k_P = 25, k_D = 10 it is e_0 (1 + 5 t) exp(−5 t).
 TEST(Simulator, ComputedTorqueMakesTheErrorLinear) {
   const Model model = model_of("panda.urdf");
-  Simulation simulation = resting(model.mechanism);
+  Simulation simulation = resting(model.robot, model.mechanism);
   simulation.q = {0, -0.785, 0, -2.356, 0, 1.571, 0.785};
   simulation.duration = 1;
   simulation.rate = 10;
@@ -178,7 +178,7 @@ TEST(Simulator, ComputedTorqueMakesTheErrorLinear) {
 TEST(Simulator, EveryRowIsInverseDynamicsOfItsMotion) {
   for (const char* name : {"panda.urdf", "puma560.toml"}) {
     const Model model = model_of(name);
-    Simulation simulation = resting(model.mechanism);
+    Simulation simulation = resting(model.robot, model.mechanism);
     simulation.duration = 2;
     simulation.rate = 50;
     const reference::Robot<double> arm = reference_robot<double>(model.robot, {});
@@ -195,7 +195,7 @@ TEST(Simulator, EveryRowIsInverseDynamicsOfItsMotion) {
 // A digital controller: its torque stays for a period.
 TEST(Simulator, HoldsTheTorqueForThePeriod) {
   const Model model = block("");
-  Simulation simulation = resting(model.mechanism);
+  Simulation simulation = resting(model.robot, model.mechanism);
   simulation.duration = 1;
   simulation.rate = 1000;
   simulation.feedback = FeedbackLaw{FeedbackLaw::Kind::pd, {10}, {2}, {0.5}, false, {}};
@@ -211,7 +211,7 @@ TEST(Simulator, HoldsTheTorqueForThePeriod) {
 
 TEST(Simulator, TorquesEndAtTheEffortLimit) {
   const Model model = model_of("panda.urdf");
-  Simulation simulation = resting(model.mechanism);
+  Simulation simulation = resting(model.robot, model.mechanism);
   simulation.duration = 0.01;
   simulation.constant.assign(7, 1000);
   simulation.saturate = true;
@@ -224,7 +224,7 @@ TEST(Simulator, EndsWhereItIsInterrupted) {
   const Model model = pendulum();
   Progress progress(true);
   JointDynamics dynamics(model, progress);
-  const SimulatedMotion motion = simulate(resting(model.mechanism), dynamics, [](double time) { return time > 1; });
+  const SimulatedMotion motion = simulate(resting(model.robot, model.mechanism), dynamics, [](double time) { return time > 1; });
   EXPECT_TRUE(motion.interrupted);
   EXPECT_GT(motion.end, 1);
   EXPECT_LT(motion.end, 2);
@@ -233,7 +233,7 @@ TEST(Simulator, EndsWhereItIsInterrupted) {
 
 TEST(Simulator, SaysWhereAMotionCannotBeFollowed) {
   const Model model = block("");
-  Simulation simulation = resting(model.mechanism);
+  Simulation simulation = resting(model.robot, model.mechanism);
   simulation.feedback = FeedbackLaw{FeedbackLaw::Kind::pd, {-1e30}, {-1e30}, {1}, false, {}};
   EXPECT_THROW(run(model, simulation), Failure);
 }
@@ -241,7 +241,7 @@ TEST(Simulator, SaysWhereAMotionCannotBeFollowed) {
 // What a simulation computes, in numbers that no other use of the machine changes: 10 s of the Panda under PD control.
 TEST(Simulator, TakesFewEvaluations) {
   const Model model = model_of("panda.urdf");
-  Simulation simulation = resting(model.mechanism);
+  Simulation simulation = resting(model.robot, model.mechanism);
   Diagnostics none;
   read_simulation(std::string(FLATDYN_SOURCE_DIR) + "/docs/examples/panda_reach.toml", model.robot, model.mechanism,
                   simulation, none);
