@@ -110,6 +110,31 @@ TEST_F(Firmware, PandaInDoubleOnCortexM7Passes) {
   expect_measured_as_counted("panda_", {"inverse_dynamics"});
 }
 
+// C++ in header and source, in float; of the C++ library it needs <cmath>, which for this processor is a package of its
+// own.
+TEST_F(Firmware, ThePairInCppIsAsSmallAsTheCForm) {
+  if (!has_program("arm-none-eabi-g++")) GTEST_SKIP() << "arm-none-eabi-g++ is not installed: scripts/setup";
+  generate("robots/panda.urdf --form pair --scalar float --functions inverse_dynamics");
+  folder_.write("cmath",
+                "extern \"C\" { float sinf(float); float cosf(float); }\n"
+                "namespace std {\ninline float sin(float x) { return sinf(x); }\n"
+                "inline float cos(float x) { return cosf(x); }\n}\n");
+  const std::string command =
+      "arm-none-eabi-g++ -I. -std=c++17 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 "
+      "-ffp-contract=off -ffunction-sections -fstack-usage -c panda.cpp && arm-none-eabi-nm -CS panda.o && "
+      "cat panda.su";
+  ASSERT_EQ(std::system(fmt::format("cd '{}' && ({}) > log 2>&1", folder_.path(), command).c_str()), 0) << printed();
+  const std::string text = printed();
+  std::smatch code, stack;
+  ASSERT_TRUE(std::regex_search(text, code, std::regex(" ([0-9a-f]+) W .*inverse_dynamics<.*LibrarySinCos>"))) << text;
+  ASSERT_TRUE(std::regex_search(text, stack, std::regex("inverse_dynamics.*LibrarySinCos\\]\t([0-9]+)"))) << text;
+  constexpr int kHexadecimal = 16;
+  EXPECT_LE(std::stoi(code[1], nullptr, kHexadecimal), 3500);
+  EXPECT_LE(std::stoi(stack[1]), 376);  // of the C form
+  EXPECT_THAT(text, ::testing::ContainsRegex(" U cosf\n +U sinf\n"));
+  EXPECT_THAT(text, Not(::testing::ContainsRegex(" U [^sc]")));
+}
+
 TEST_F(Firmware, AllFunctionsOfSmallRobotsPass) {
   generate("robots/scara.toml --firmware cortex-m4");
   EXPECT_EQ(make("run"), 0) << printed();
