@@ -30,9 +30,9 @@ class BatchFunction {
   }
 
   std::string definition() const {
-    std::string loop = read() + call();
+    std::string loop = blocks() + read() + call();
     for (const ArrayArgument& result : results_) loop += write(result);
-    return signature() + blocks() +
+    return signature() +
            code_line(fmt::format("for (size_t k = 0; k < count; k += {}) {{", dialect_.global("count")), kInFunction) +
            code_line(fmt::format("const size_t states = {}(count - k);", dialect_.global("states")), kInLoop) + loop +
            code_line("}", kInFunction) + "}\n";
@@ -59,8 +59,12 @@ class BatchFunction {
   std::string blocks() const {
     std::vector<std::string> items;
     for (const ArrayArgument& input : text_.inputs) items.push_back(dialect_.array(block(input), input.length));
-    for (const ArrayArgument& result : results_) items.push_back(dialect_.array(block(result), result.length));
-    return list_line(dialect_.arrays(), items, ";", kInFunction);
+    for (std::size_t k = 0; k < results_.size(); ++k) {
+      // What a scene leaves out is not written.
+      const char* const initial = function_.outputs[k].left_out.empty() ? "" : " = {{0}}";
+      items.push_back(dialect_.array(block(results_[k]), results_[k].length) + initial);
+    }
+    return list_line(dialect_.arrays(), items, ";", kInLoop);
   }
 
   static std::string block(const ArrayArgument& array) { return array.name + "_block"; }

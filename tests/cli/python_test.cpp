@@ -293,6 +293,19 @@ for k in range(21):
       << folder_.read("log");
 }
 
+// Entries that a scene leaves out are 0, and no compiler sees an array that is not filled.
+TEST_F(Python, WhatASceneLeavesOutIsZero) {
+  folder_.write("few.toml", "[outputs]\ninverse_dynamics = [\"tau[0]\", \"tau[2]\"]\n");
+  generate(fmt::format("robots/panda.urdf --scene '{}' --name arm", folder_.path("few.toml")));
+  build("arm");
+  EXPECT_EQ(run(R"py(import numpy as np, arm
+tau = arm.inverse_dynamics(*np.random.default_rng(1).uniform(-1, 1, (3, 19, 7)))
+assert (tau[:, [1, 3, 4, 5, 6]] == 0).all() and (tau[:, [0, 2]] != 0).all()
+)py"),
+            0)
+      << folder_.read("log");
+}
+
 TEST_F(Python, SaysHowTheLibraryIsMade) {
   generate("robots/pendulum_motor.toml --functions gravity");
   EXPECT_NE(run("import pendulum_motor\n"), 0);
