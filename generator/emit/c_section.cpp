@@ -14,10 +14,10 @@ using kainjow::mustache::data;
 namespace {
 
 // The function that takes sines and cosines before the one that calls it.
-std::string definitions(const FunctionText& text) {
-  const auto definition = [&text](const std::string& name, const std::vector<std::string>& parameters,
-                                  const std::string& body) {
-    return c_signature(text.returns, name, parameters, " {") + "\n" + body + "}";
+std::string definitions(const FunctionText& text, const std::string& linkage) {
+  const auto definition = [&](const std::string& name, const std::vector<std::string>& parameters,
+                              const std::string& body) {
+    return c_signature(linkage + text.returns, name, parameters, " {") + "\n" + body + "}";
   };
   const std::string own = definition(text.name, text.parameters, text.body);
   return text.given ? definition(text.given->name, text.given->parameters, text.given->body) + "\n\n" + own : own;
@@ -36,10 +36,10 @@ void write_c_names(data& page, const Dialect& dialect, const std::string& header
   page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
 }
 
-void write_c_function(data& item, const Function& function, const FunctionText& text) {
+void write_c_function(data& item, const Function& function, const FunctionText& text, const std::string& linkage) {
   item["brief"] = list_of(brief_comment(function));
   item["declaration"] = c_signature(text.returns, text.name, text.declared, ";");
-  item["definitions"] = definitions(text);
+  item["definitions"] = definitions(text, linkage);
   item["given?"] = text.given.has_value();
   if (!text.given) return;
   item["given_comment"] = fmt::format(

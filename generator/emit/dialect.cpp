@@ -26,15 +26,21 @@ std::string prefix_of(const std::string& name_space) {
 Dialect Dialect::c(const std::string& scalar, const std::string& name_space) {
   Dialect dialect;
   dialect.language_ = Language::c;
-  dialect.scalar_ = scalar;
+  dialect.scalar_ = dialect.number_ = scalar;
   dialect.prefix_ = prefix_of(name_space);
+  return dialect;
+}
+
+Dialect Dialect::c_lanes(const std::string& scalar, const std::string& name_space) {
+  Dialect dialect = c(scalar, name_space);
+  dialect.scalar_ = dialect.prefix_ + "lanes";
   return dialect;
 }
 
 Dialect Dialect::javascript() {
   Dialect dialect;
   dialect.language_ = Language::javascript;
-  dialect.scalar_ = "number";
+  dialect.scalar_ = dialect.number_ = "number";
   return dialect;
 }
 
@@ -83,7 +89,11 @@ std::vector<std::string> Dialect::reserved() const {
 
 std::string Dialect::literal(const Rational& value) const {
   if (is_cpp()) return "Scalar(" + decimal_literal(value) + ")";
-  return scalar_ == "float" ? float_literal(value) : decimal_literal(value);
+  return spread(number_ == "float" ? float_literal(value) : decimal_literal(value));
+}
+
+std::string Dialect::spread(const std::string& number) const {
+  return is_lanes() ? global("all(") + number + ")" : number;
 }
 
 std::string Dialect::real_literal(const Rational& value) const {
@@ -94,7 +104,7 @@ std::string Dialect::infinity(bool negative) const {
   const std::string sign = negative ? "-" : "";
   if (is_javascript()) return sign + "Infinity";
   if (is_cpp()) return "Real(" + sign + "HUGE_VAL)";
-  return sign + (scalar_ == "float" ? "HUGE_VALF" : "HUGE_VAL");
+  return sign + (number_ == "float" ? "HUGE_VALF" : "HUGE_VAL");
 }
 
 std::string Dialect::text(const std::string& value) const {
@@ -102,7 +112,7 @@ std::string Dialect::text(const std::string& value) const {
 }
 
 std::string Dialect::library(const std::string& function) const {
-  return is_c() && scalar_ == "float" ? function + "f" : function;
+  return is_c() && number_ == "float" ? function + "f" : function;
 }
 
 std::string Dialect::sign(const std::string& of) const {
@@ -110,11 +120,15 @@ std::string Dialect::sign(const std::string& of) const {
 }
 
 std::string Dialect::sqrt(const std::string& of) const {
-  return (is_javascript() ? "Math.sqrt(" : is_c() ? library("sqrt") + "(" : "detail::sqrt(") + of + ")";
+  return (is_javascript() ? "Math.sqrt("
+          : is_lanes()    ? global("sqrt(")
+          : is_c()        ? library("sqrt") + "("
+                          : "detail::sqrt(") +
+         of + ")";
 }
 
 std::string Dialect::parameter(const std::string& member) const {
-  return (is_c() ? "parameters->" : "parameters.") + member;
+  return is_c() ? spread("parameters->" + member) : "parameters." + member;
 }
 
 std::string Dialect::restricted(const std::string& type, const std::string& name, bool restricts) const {
@@ -132,7 +146,7 @@ std::string Dialect::output(const std::string& name, bool restricts) const {
 
 std::string Dialect::parameters_argument(bool restricts) const {
   if (is_cpp()) return "const Parameters<Scalar>& parameters";
-  return restricted("const " + global("parameters"), "parameters", restricts);
+  return restricted("const " + exported("parameters"), "parameters", restricts);
 }
 
 std::string Dialect::number_output(const std::string& name) const {
@@ -150,7 +164,11 @@ std::string Dialect::array(const std::string& name, std::size_t length) const {
   return is_javascript() ? fmt::format("{} = new Float64Array({})", name, length) : fmt::format("{}[{}]", name, length);
 }
 
-std::string Dialect::conditions_begin() const { return is_javascript() ? "let positive = " : "bool positive = "; }
+std::string Dialect::condition_type() const { return is_lanes() ? global("mask") : "bool"; }
+std::string Dialect::always() const { return is_lanes() ? "~(" + condition_type() + "){0}" : "true"; }
+
+std::string Dialect::conditions_begin() const { return (is_javascript() ? "let" : condition_type()) + " positive = "; }
+
 std::string Dialect::conditions_continue() const { return is_javascript() ? "positive &&= " : "positive &= "; }
 
 std::string Dialect::part_begin(const std::string& name) const {

@@ -29,17 +29,25 @@ class Dialect {
   Dialect() = default;
   // C99 in one scalar, "double" or "float"; `name_space`: of the C++ form, "a::b", here the prefix a_b_.
   static Dialect c(const std::string& scalar, const std::string& name_space);
+  // GNU C: of as many states as a SIMD register has lanes, in vectors of that scalar. A robot's own numbers are spread
+  // over the lanes.
+  static Dialect c_lanes(const std::string& scalar, const std::string& name_space);
   // Names of a module's own; numbers are doubles.
   static Dialect javascript();
 
   bool is_cpp() const { return language_ == Language::cpp; }
   bool is_c() const { return language_ == Language::c; }
   bool is_javascript() const { return language_ == Language::javascript; }
+  bool is_lanes() const { return is_c() && scalar_ != number_; }
 
   // The type of variables: "Scalar", "float"; "number", which JavaScript's comments say.
   const std::string& scalar() const { return scalar_; }
-  // What is known outside of its function: "gravity", "panda_gravity".
-  std::string global(const std::string& name) const { return prefix_ + name; }
+  // Of the numbers in them: "float" also where `scalar` is a vector of floats.
+  const std::string& number() const { return number_; }
+  // What is known outside of its function: "gravity", "panda_gravity", of lanes "panda_lanes_gravity".
+  std::string global(const std::string& name) const { return prefix_ + (is_lanes() ? kLanes : "") + name; }
+  // What is known outside of its file, or from another one.
+  std::string exported(const std::string& name) const { return prefix_ + name; }
   // A count: "joint_count", "PANDA_JOINT_COUNT".
   std::string count_name(const std::string& name) const;
   // Words that variables must differ from beside those of C++.
@@ -75,6 +83,8 @@ class Dialect {
   std::string constant() const;
   std::string arrays() const;
   std::string array(const std::string& name, std::size_t length) const;
+  std::string condition_type() const;       // "bool"
+  std::string always() const;               // "true"
   std::string conditions_begin() const;     // "bool positive = "
   std::string conditions_continue() const;  // "positive &= "
 
@@ -92,11 +102,14 @@ class Dialect {
   std::string all_positive(const std::string& array, std::size_t length) const;
 
  private:
+  static constexpr const char* kLanes = "lanes_";
+
+  std::string spread(const std::string& number) const;
   std::string restricted(const std::string& type, const std::string& name, bool restricts) const;
   std::string type_of(const ConstantArray& array) const;
 
   Language language_ = Language::cpp;
-  std::string scalar_ = "Scalar";
+  std::string scalar_ = "Scalar", number_ = "Scalar";
   std::string prefix_;
 };
 

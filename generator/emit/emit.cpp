@@ -9,6 +9,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/base_constants.hpp"
+#include "emit/batch_section.hpp"
 #include "emit/c_section.hpp"
 #include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
@@ -54,12 +55,16 @@ class PageWriter {
  public:
   PageWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
              const std::optional<Stages>& stages)
+      : PageWriter(mechanism, functions, options, stages, dialect_of(mechanism, options)) {}
+
+  PageWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
+             const std::optional<Stages>& stages, Dialect dialect)
       : mechanism_(mechanism),
         functions_(functions),
         options_(options),
         stages_(stages),
         namespace_(namespace_of(mechanism.name, options.name_space)),
-        dialect_(dialect_of(mechanism, options)),
+        dialect_(std::move(dialect)),
         names_(as_set(dialect_.reserved())) {
     if (options.scalar != "double" && options.scalar != "float") {
       throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
@@ -84,6 +89,7 @@ class PageWriter {
     header["header_sqrt?"] = uses_sqrt_ && !is_pair();
     header["uses_trigonometry"] = uses_trigonometry_;
     if (dialect_.is_c()) write_c_names(header, dialect_, header_name(mechanism_, options_));
+    if (dialect_.is_lanes()) write_batch_names(header, functions_, dialect_);
     header["uses_math"] = uses_trigonometry_ || uses_sqrt_ || uses_infinity();
     return header;
   }
@@ -276,7 +282,8 @@ class PageWriter {
       item["signature"] = signature(text);
       item["asks_scalar?"] = asks_scalar(text);
       item["body"] = without_newline(text.body);
-      if (dialect_.is_c()) write_c_function(item, functions_[k], text);
+      if (dialect_.is_c()) write_c_function(item, functions_[k], text, dialect_.is_lanes() ? "static " : "");
+      if (dialect_.is_lanes()) write_batch_function(item, functions_[k], text, dialect_);
       if (is_pair()) write_pair_function(item, functions_[k], text);
       if (dialect_.is_javascript()) write_javascript_function(item, functions_[k], text);
       list << item;
@@ -457,6 +464,15 @@ HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& 
   const std::optional<Stages> none;
   const data page = PageWriter(mechanism, functions, options, none).page();
   return {squeezed(rendered(templates::header_h, page)), squeezed(rendered(templates::source_c, page))};
+}
+
+std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,
+                         const EmitOptions& options) {
+  const std::optional<Stages> none;
+  const Dialect lanes = Dialect::c_lanes(options.scalar, namespace_of(mechanism.name, options.name_space));
+  data page = PageWriter(mechanism, functions, options, none, lanes).page();
+  page["sines"] = without_newline(rendered(templates::batch_sines_c, page));
+  return squeezed(rendered(templates::batch_c, page));
 }
 
 std::string emit_javascript(const Mechanism& mechanism, const std::vector<Function>& functions,

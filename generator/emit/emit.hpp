@@ -50,6 +50,11 @@ HeaderAndSource emit_cpp_pair(const Mechanism& mechanism, const std::vector<Func
 // The same functions in C99, for options.scalar: no templates, plain arrays, names with a prefix. The same bits.
 HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options);
 
+// The same functions over arrays of states, several states at a time in the lanes of SIMD registers: a source of GNU C
+// that goes with the C form's header. The same statements, and the same bits but for sines and cosines.
+std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,
+                         const EmitOptions& options);
+
 // The same functions in JavaScript, in double: an ES module, or the body of a function that returns them in an object,
 // for a page. The same operations in the same order.
 enum class JavascriptForm { module, function_body };

@@ -127,8 +127,8 @@ class BodyWriter {
     }
     const std::size_t pivots = pivots_to_check().size();
     if (pivots == 0) return condition();
-    return code_line(dialect_.conditions_begin() + "true;", kStatementIndent) + dialect_.all_positive(kPivots, pivots) +
-           code_line("return positive;", kStatementIndent);
+    return code_line(dialect_.conditions_begin() + dialect_.always() + ";", kStatementIndent) +
+           dialect_.all_positive(kPivots, pivots) + code_line("return positive;", kStatementIndent);
   }
 
   std::vector<Step> input_steps() const {
@@ -401,7 +401,7 @@ class BodyWriter {
                       printer_.use(id), zero),
           kStatementIndent);
     }
-    return text + code_line(text.empty() ? "return true;" : "return positive;", kStatementIndent);
+    return text + code_line("return " + (text.empty() ? dialect_.always() : "positive") + ";", kStatementIndent);
   }
 
   // Constants are known to be positive.

@@ -142,7 +142,7 @@ class FunctionWriter {
 
   std::string return_type(const std::string& scalar) const {
     if (makes_stage()) return scope_.made + "<" + scalar + ">";
-    return returns_value(function_) ? scalar : function_.positive.empty() ? "void" : "bool";
+    return returns_value(function_) ? scalar : function_.positive.empty() ? "void" : dialect_.condition_type();
   }
 
   bool reads(InputKind kind) const {

@@ -20,7 +20,7 @@ std::size_t at(NodeId id) { return static_cast<std::size_t>(id); }
 // Values that only their own stage can compute: inputs, and what is asked from the source of sines and cosines.
 bool is_source(const Node& node) { return node.op == Op::input || node.op == Op::sin || node.op == Op::cos; }
 
-using Places = std::map<NodeId, int>;  // nodes of the whole → fields
+using FieldPlaces = std::map<NodeId, int>;  // nodes of the whole → fields
 
 class Splitter {
  public:
@@ -40,7 +40,7 @@ class Splitter {
     Stages stages;
     const std::vector<NodeId> in_configuration = stored(kPosition);
     const std::vector<NodeId> in_motion = stored(kVelocity);
-    Places configuration = places(in_configuration);
+    FieldPlaces configuration = places(in_configuration);
     stages.configuration.fields = names_of(in_configuration, "x");
     stages.configuration.make = maker("at", {InputKind::q}, in_configuration, {});
     for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -99,8 +99,8 @@ class Splitter {
     return result;
   }
 
-  static Places places(const std::vector<NodeId>& fields) {
-    Places result;
+  static FieldPlaces places(const std::vector<NodeId>& fields) {
+    FieldPlaces result;
     for (std::size_t k = 0; k < fields.size(); ++k) result[fields[k]] = static_cast<int>(k);
     return result;
   }
@@ -129,7 +129,7 @@ class Splitter {
     Graph graph;
     std::vector<NodeId> image;
   };
-  Copy copy(const std::vector<NodeId>& wanted, const Places& given) const {
+  Copy copy(const std::vector<NodeId>& wanted, const FieldPlaces& given) const {
     std::vector<bool> needed(users_.size(), false);
     for (const NodeId id : wanted) needed[at(id)] = true;
     for (NodeId id = graph_.size() - 1; id >= 0; --id) {
@@ -150,7 +150,7 @@ class Splitter {
   }
 
   Function maker(const std::string& name, std::vector<InputKind> inputs, const std::vector<NodeId>& fields,
-                 const Places& given) const {
+                 const FieldPlaces& given) const {
     Copy made = copy(fields, given);
     Output output{"stage", Layout::fields, static_cast<int>(fields.size()), 1, {}, ""};
     for (const NodeId id : fields) output.entries.push_back(made.image[at(id)]);
@@ -163,7 +163,7 @@ class Splitter {
             .positive = {}};
   }
 
-  Function member(const Function& part, const Places& given) const {
+  Function member(const Function& part, const FieldPlaces& given) const {
     Copy made = copy(roots(part), given);
     Function result = with_graph(part, std::move(made.graph), made.image);
     std::erase_if(result.inputs, [](InputKind kind) { return kind == InputKind::q || kind == InputKind::qd; });
@@ -171,7 +171,7 @@ class Splitter {
   }
 
   // Fields: its own, and those of the configuration that its functions read.
-  void add_motion(Stages& stages, std::vector<NodeId> own, const Places& configuration) {
+  void add_motion(Stages& stages, std::vector<NodeId> own, const FieldPlaces& configuration) {
     std::vector<std::string> names = names_of(own, "v");
     std::map<NodeId, int> given = places(own);
     for (const auto& [id, place] : configuration) given.emplace(id, -1);
@@ -185,7 +185,7 @@ class Splitter {
       own.push_back(id);
       names.push_back(stages.configuration.fields[static_cast<std::size_t>(place)]);
     }
-    const Places motion = places(own);
+    const FieldPlaces motion = places(own);
     stages.motion.fields = names;
     stages.motion.make = maker("with", {InputKind::qd}, own, configuration);
     for (std::size_t k = 0; k < parts_.size(); ++k) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
+#include <string_view>
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/arguments.hpp"
@@ -43,6 +45,7 @@ class FolderWriter {
                                        {"main.c", rendered(templates::firmware_main_c, page)},
                                        {"makefile", rendered(templates::firmware_makefile, page)},
                                        {"report", rendered(templates::firmware_report, page)}};
+    if (measures()) files.push_back({"measure.c", rendered(templates::firmware_measure_c, page)});
     if (target_.has_own_start) {
       files.push_back({"startup.c", rendered(templates::firmware_startup_c, page)});
       files.push_back({"target.ld", rendered(templates::firmware_target_ld, page)});
@@ -68,6 +71,9 @@ class FolderWriter {
     page["branches"] = std::string(target_.branches);
     page["packages"] = std::string(target_.packages);
     page["own_start?"] = target_.has_own_start;
+    page["measures?"] = measures();
+    page["sines"] = joint_literals(Rational(3, 5));
+    page["cosines"] = joint_literals(Rational(4, 5));
     page["units"] = fmt::format("{}", kAllowedUnits);
     page["state_count"] = std::to_string(vectors_.states.size());
     page["function_count"] = std::to_string(functions_.size());
@@ -77,6 +83,14 @@ class FolderWriter {
     page["states"] = states();
     page["functions"] = functions();
     return page;
+  }
+
+  // What emulates a whole board can let its clock go by instructions; a program for Linux cannot be counted.
+  bool measures() const { return std::string_view(target_.emulator).starts_with("qemu-system"); }
+
+  std::string joint_literals(const Rational& value) const {
+    const auto joints = static_cast<std::size_t>(std::max(1, mechanism_.size()));
+    return fmt::format("{}", fmt::join(std::vector<std::string>(joints, dialect_.literal(value)), ", "));
   }
 
   static std::size_t entries_of(const Function& function) {
@@ -133,6 +147,7 @@ class FolderWriter {
 
   data functions() const {
     data list(data::type::list);
+    const std::string header = emit_c(mechanism_, functions_, options_).header;
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       data item, expected(data::type::list);
       for (const ExpectedEntry& entry : vectors_.expected[k]) {
@@ -143,6 +158,7 @@ class FolderWriter {
       item["function"] = cpp_identifier(functions_[k].name);
       item["entries"] = std::to_string(entries_of(functions_[k]));
       item["call"] = call(functions_[k]);
+      item["straight_call"] = straight_call(functions_[k], header);
       item["expected"] = data(expected);
       list << item;
     }
@@ -165,6 +181,45 @@ class FolderWriter {
     const std::string name = dialect_.global(cpp_identifier(function.name));
     const std::string line = list_line(begin + name + "(", arguments, ");", kIndent);
     return without_newline(line + (gives_bool ? "" : "  return true;\n"));
+  }
+
+  // Of what takes sines and cosines, if it does not do without: "(void)panda_gravity_given(sine, cosine, out);"
+  std::string straight_call(const Function& function, const std::string& header) const {
+    constexpr std::size_t kIndent = 2;
+    const std::string own_name = dialect_.global(cpp_identifier(function.name));
+    const bool is_given = header.find(" " + own_name + "_given(") != std::string::npos;
+    const std::string name = own_name + (is_given ? "_given" : "");
+    std::vector<std::string> arguments;
+    for (const std::string& parameter : parameters_of(name, header)) {
+      arguments.push_back(argument_for(parameter, function));
+    }
+    const std::string receiver = returns_value(function) ? "out[0] = " : "(void)";
+    return without_newline(list_line(receiver + name + "(", arguments, ");", kIndent));
+  }
+
+  // Their names, as the header declares them.
+  static std::vector<std::string> parameters_of(const std::string& function, const std::string& header) {
+    const std::size_t begin = header.find(" " + function + "(") + function.size() + 2;
+    std::istringstream declared(header.substr(begin, header.find(')', begin) - begin));
+    std::vector<std::string> names;
+    for (std::string parameter; std::getline(declared, parameter, ',');) {
+      names.push_back(parameter.substr(parameter.rfind(' ') + 1));
+    }
+    return names;
+  }
+
+  std::string argument_for(const std::string& parameter, const Function& function) const {
+    if (parameter == "parameters") return "&state->parameters";
+    if (parameter == "sine" || parameter == "cosine") return parameter;
+    for (const InputKind kind : function.inputs) {
+      if (parameter == input_argument(kind, 0).name) return "state->" + parameter;
+    }
+    std::size_t offset = 0;
+    for (const Output& output : function.outputs) {
+      if (parameter == output.name) break;
+      offset += output.entries.size();
+    }
+    return offset == 0 ? "out" : fmt::format("out + {}", offset);
   }
 
   const Mechanism& mechanism_;

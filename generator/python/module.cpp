@@ -42,7 +42,7 @@ class ModuleWriter {
 
   PythonModule written() const {
     const data page = filled();
-    return {rendered(templates::python_module_py, page), rendered(templates::python_batch_c, page)};
+    return {rendered(templates::python_module_py, page), emit_c_batch(mechanism_, functions_, options_)};
   }
 
  private:
@@ -85,7 +85,6 @@ class ModuleWriter {
     row["summary"] = function.summary + " " + function.equation;
     row["parameters?"] = has_parameters();
     write_python(function, row);
-    write_c(function, row);
     return row;
   }
 
@@ -104,8 +103,7 @@ class ModuleWriter {
       shapes.push_back(shape_of(output));
       results << line_of(output.name, "of one state " + shape_of(output), output.meaning);
     }
-    const bool is_checked = !function.positive.empty();
-    if (is_checked) {
+    if (!function.positive.empty()) {
       const std::string singular = function.task.empty() ? "" : ", or the task is singular";
       results << data("line", "Not a number where B is not positive definite" + singular + ".");
     }
@@ -115,34 +113,6 @@ class ModuleWriter {
     row["shapes"] = tuple_of(shapes);
     row["meanings"] = data(meanings);
     row["results"] = data(results);
-    row["is_checked"] = std::string(is_checked ? "True" : "False");
-  }
-
-  // The loop over states: its parameters, and the call of the C form in it.
-  void write_c(const Function& function, data& row) const {
-    std::vector<std::string> parameters = {"size_t count"}, arguments;
-    if (has_parameters()) {
-      parameters.push_back(fmt::format("const {}* parameters", dialect_.global("parameters")));
-      arguments.emplace_back("parameters");
-    }
-    for (const InputKind kind : function.inputs) {
-      const InputArgument input = argument(function, kind);
-      parameters.push_back(dialect_.input(input.name, false));
-      arguments.push_back(fmt::format("{} + {} * k", input.name, input.length));
-    }
-    std::string result = returns_value(function) ? function.outputs[0].name + "[k] = " : "";
-    for (const Output& output : function.outputs) {
-      parameters.push_back(dialect_.output(output.name, false));
-      if (returns_value(function)) continue;
-      arguments.push_back(fmt::format("{} + {} * k", output.name, output.entries.size()));
-    }
-    if (!function.positive.empty()) {
-      parameters.emplace_back("bool* positive");
-      result = "positive[k] = ";
-    }
-    const std::string name = dialect_.global(cpp_identifier(function.name));
-    row["signature"] = without_newline(list_line(fmt::format("void {}_batch(", name), parameters, ") {", 0));
-    row["call"] = without_newline(list_line(result + name + "(", arguments, ");", 4));
   }
 
   static data line_of(const std::string& name, const std::string& shape, const std::string& meaning) {

@@ -58,6 +58,27 @@ class Firmware : public ::testing::Test {
     return {};
   }
 
+  // Straight-line code executes each of its instructions once; the others are the loop's, and pass arguments.
+  void expect_measured_as_counted(const std::string& prefix, const std::vector<std::string>& functions) {
+    constexpr int kAround = 20;
+    ASSERT_EQ(make("size"), 0) << printed();
+    std::vector<int> counted;
+    for (const std::string& function : functions) {
+      const std::vector<int> given = row(prefix + function + "_given"), own = row(prefix + function);
+      ASSERT_EQ(own.size(), 6u) << function;
+      counted.push_back((given.empty() ? own : given)[4]);
+    }
+    ASSERT_EQ(make("measure"), 0) << printed();
+    EXPECT_THAT(printed(), Not(HasSubstr("warning")));
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+      const std::vector<int> measured = row(functions[k]);  // sines given, and of libm
+      ASSERT_EQ(measured.size(), 2u) << printed();
+      EXPECT_GT(measured[0], counted[k]) << functions[k];
+      EXPECT_LE(measured[0], counted[k] + kAround) << functions[k];
+      EXPECT_GE(measured[1], measured[0]) << functions[k];
+    }
+  }
+
   Scratch folder_;
 };
 
@@ -79,23 +100,54 @@ TEST_F(Firmware, PandaInFloatOnCortexM4PassesAndStaysSmall) {
   EXPECT_GE(given[4], 535);                 // instructions: one at least for each operation
   EXPECT_EQ(given[5], 0);                   // conditional branches
   EXPECT_THAT(printed(), HasSubstr("needs from libraries: cosf sinf \n"));
+  expect_measured_as_counted("panda_", {"inverse_dynamics"});
 }
 
 TEST_F(Firmware, PandaInDoubleOnCortexM7Passes) {
   generate("robots/panda.urdf --firmware cortex-m7 --functions inverse_dynamics");
   EXPECT_EQ(make("run"), 0) << printed();
   EXPECT_THAT(printed(), HasSubstr("panda on cortex-m7, in double, at 13 states: passed\n"));
-  EXPECT_EQ(make("size"), 0) << printed();
+  expect_measured_as_counted("panda_", {"inverse_dynamics"});
+}
+
+// C++ in header and source, in float; of the C++ library it needs <cmath>, which for this processor is a package of its
+// own.
+TEST_F(Firmware, ThePairInCppIsAsSmallAsTheCForm) {
+  if (!has_program("arm-none-eabi-g++")) GTEST_SKIP() << "arm-none-eabi-g++ is not installed: scripts/setup";
+  generate("robots/panda.urdf --form pair --scalar float --functions inverse_dynamics");
+  folder_.write("cmath",
+                "extern \"C\" { float sinf(float); float cosf(float); }\n"
+                "namespace std {\ninline float sin(float x) { return sinf(x); }\n"
+                "inline float cos(float x) { return cosf(x); }\n}\n");
+  const std::string command =
+      "arm-none-eabi-g++ -I. -std=c++17 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 "
+      "-ffp-contract=off -ffunction-sections -fstack-usage -c panda.cpp && arm-none-eabi-nm -CS panda.o && "
+      "cat panda.su";
+  ASSERT_EQ(std::system(fmt::format("cd '{}' && ({}) > log 2>&1", folder_.path(), command).c_str()), 0) << printed();
+  const std::string text = printed();
+  std::smatch code, stack;
+  ASSERT_TRUE(std::regex_search(text, code, std::regex(" ([0-9a-f]+) W .*inverse_dynamics<.*LibrarySinCos>"))) << text;
+  ASSERT_TRUE(std::regex_search(text, stack, std::regex("inverse_dynamics.*LibrarySinCos\\]\t([0-9]+)"))) << text;
+  constexpr int kHexadecimal = 16;
+  EXPECT_LE(std::stoi(code[1], nullptr, kHexadecimal), 3500);
+  EXPECT_LE(std::stoi(stack[1]), 376);  // of the C form
+  EXPECT_THAT(text, ::testing::ContainsRegex(" U cosf\n +U sinf\n"));
+  EXPECT_THAT(text, Not(::testing::ContainsRegex(" U [^sc]")));
 }
 
 TEST_F(Firmware, AllFunctionsOfSmallRobotsPass) {
   generate("robots/scara.toml --firmware cortex-m4");
   EXPECT_EQ(make("run"), 0) << printed();
   EXPECT_THAT(printed(), HasSubstr("jacobian_dot_qd "));
+  expect_measured_as_counted(
+      "scara_", {"inverse_dynamics", "inverse_dynamics_tip_force", "inertia_matrix", "christoffel", "coriolis_matrix",
+                 "gravity", "bias", "forward_dynamics", "kinetic_energy", "potential_energy", "forward_kinematics",
+                 "jacobian", "jacobian_dot_qd"});
   EXPECT_EQ(make("clean"), 0);
   generate("robots/planar_2r.toml --firmware cortex-m7 --scalar float");  // with free symbols
   EXPECT_EQ(make("run"), 0) << printed();
   EXPECT_THAT(printed(), ::testing::ContainsRegex("planar_2r on cortex-m7, in float, at [0-9]+ states: passed\n"));
+  expect_measured_as_counted("planar_2r_", {"gravity", "kinetic_energy", "forward_dynamics"});
 }
 
 class OtherProcessor : public Firmware, public ::testing::WithParamInterface<const char*> {
@@ -137,6 +189,11 @@ TEST_P(OtherProcessor, RunsThePandaAndNoticesAWrongVector) {
   EXPECT_EQ(given[1] % bytes, 0);
   EXPECT_LE(given[1], numbers * bytes);
   EXPECT_GE(given[1], numbers * bytes * 9 / 10);
+  if (GetParam() == std::string("aarch64")) {
+    EXPECT_NE(make("measure"), 0);  // a program for Linux
+  } else {
+    expect_measured_as_counted("panda_", {"inverse_dynamics"});
+  }
   std::string vectors = folder_.read("test_vectors.c");
   vectors.insert(vectors.find("{ ", vectors.find("expected_inverse_dynamics[")) + 2, "100 + ");
   folder_.write("test_vectors.c", vectors);

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <regex>
+#include <utility>
 
 #include "cli/program.hpp"
 
@@ -91,6 +93,214 @@ g = arm.gravity(level, np.zeros(2))
 assert g.dtype == np.float32 and np.allclose(g, [4 * 9.81, 9.81], rtol=1e-6)
 assert np.isfinite(arm.forward_dynamics(level, [0, 1], np.zeros(2), g)).all()
 assert np.isnan(arm.forward_dynamics(arm.Parameters(), np.zeros((3, 2)), np.zeros(2), np.zeros(2))).all()
+)py"),
+            0)
+      << folder_.read("log");
+}
+
+// The C form's own functions, with libm's sines, in the same library: what batches are compared with.
+constexpr const char* kSingleCalls = R"py(import ctypes
+import numpy as np
+
+def single(module, name, shapes, *rows, parameters=None):
+    function = getattr(module._library, module.__name__ + "_" + name)
+    rows = [np.ascontiguousarray(row, module._number) for row in rows]
+    results = [np.empty(shape, module._number) for shape in shapes]
+    given = [] if parameters is None else [ctypes.byref(parameters)]
+    function(*given, *(ctypes.c_void_p(array.ctypes.data) for array in rows + results))
+    return results[0] if len(results) == 1 else results
+
+def same_bits(a, b):
+    return np.array_equal(a, b, equal_nan=True)
+)py";
+
+// Whatever the last block of lanes has room for. Where sines and cosines are exact, all bits.
+TEST_F(Python, BatchesAreWhatSingleCallsAre) {
+  for (const char* scalar : {"double", "float"}) {
+    generate(fmt::format("robots/panda.urdf --functions inverse_dynamics,inertia_matrix,forward_dynamics --scalar {}",
+                         scalar));
+    build("panda");
+    EXPECT_EQ(run(kSingleCalls + std::string(R"py(
+import panda
+rng = np.random.default_rng(1)
+close = 1e3 * np.finfo(panda._number).eps
+for n in (1, 7, 8, 9, 1000):
+    q, qd, qdd = rng.uniform(-1, 1, (3, n, 7)).astype(panda._number)
+    tau, B = panda.inverse_dynamics(q, qd, qdd), panda.inertia_matrix(q)
+    alone = [panda.inverse_dynamics(q[k], qd[k], qdd[k]) for k in range(n)]
+    assert same_bits(tau, alone) and same_bits(B, [panda.inertia_matrix(row) for row in q])
+    in_c = [single(panda, "inverse_dynamics", [7], q[k], qd[k], qdd[k]) for k in range(n)]
+    assert np.abs(tau - in_c).max() < close * np.abs(tau).max()
+    assert np.abs(B - [single(panda, "inertia_matrix", [(7, 7)], row) for row in q]).max() < close * B.max()
+    in_c = [single(panda, "forward_dynamics", [7], q[k], qd[k], tau[k]) for k in range(n)]
+    assert np.abs(panda.forward_dynamics(q, qd, tau) - in_c).max() < 1e3 * close
+    straight = panda.inverse_dynamics(np.zeros(7), qd, qdd)
+    assert same_bits(straight, [single(panda, "inverse_dynamics", [7], np.zeros(7), *row) for row in zip(qd, qdd)])
+)py")),
+              0)
+        << scalar << folder_.read("log");
+  }
+}
+
+// Prismatic joints, friction with its signs, free symbols; a function that returns a number.
+TEST_F(Python, BatchesOfRobotsWithoutSinesHaveTheSameBits) {
+  generate("robots/cartesian_2.toml --functions inverse_dynamics,inertia_matrix,kinetic_energy");
+  build("cartesian_2");
+  generate("robots/puma560.toml --functions inverse_dynamics");
+  build("puma560");
+  EXPECT_EQ(run(kSingleCalls + std::string(R"py(
+import cartesian_2, puma560
+rng = np.random.default_rng(1)
+p = cartesian_2.Parameters(**{name: rng.uniform(1, 2) for name, _ in cartesian_2.Parameters._fields_})
+q, qd, qdd = rng.uniform(-1, 1, (3, 21, 2))
+tau = cartesian_2.inverse_dynamics(p, q, qd, qdd)
+assert same_bits(tau, [single(cartesian_2, "inverse_dynamics", [2], *row, parameters=p) for row in zip(q, qd, qdd)])
+B = single(cartesian_2, "inertia_matrix", [(2, 2)], q[0], parameters=p)
+assert same_bits(cartesian_2.inertia_matrix(p, q), [B] * 21)
+T = np.einsum("ni,ij,nj->n", qd, B, qd) / 2
+assert np.allclose(cartesian_2.kinetic_energy(p, q, qd), T, rtol=1e-14)
+qd = rng.choice([-1e-9, 0, 1e-9], (33, 6))
+qd[::5, 5] = np.nan
+tau = puma560.inverse_dynamics(np.zeros(6), qd, np.zeros(6))
+assert same_bits(tau, [single(puma560, "inverse_dynamics", [6], np.zeros(6), row, np.zeros(6)) for row in qd])
+assert np.nanmin(tau[qd[:, 0] > 0, 0]) > 1 and np.isnan(tau).any() and np.isfinite(tau).any()
+)py")),
+            0)
+      << folder_.read("log");
+}
+
+// R of a pendulum are its sine and cosine. Beyond 1e5 rad the library is asked, in the lanes that need it.
+TEST_F(Python, SinesOfBatchesAreRightToOneUlpAndLargeAnglesAreTheLibrarys) {
+  for (const char* scalar : {"double", "float"}) {
+    generate(fmt::format("robots/pendulum_motor.toml --functions forward_kinematics --scalar {}", scalar));
+    build("pendulum_motor");
+    EXPECT_EQ(run(kSingleCalls + std::string(R"py(
+import pendulum_motor as arm
+p = arm.Parameters()
+rng = np.random.default_rng(1)
+for size in (1e-8, 1, 4, 60, 1e3, 1e5):
+    q = rng.uniform(-size, size, 100_000)
+    q[1::2] = np.clip(np.rint(q[1::2] / (np.pi / 4)) * (np.pi / 4), -size, size)  # zeros, maxima, the seam
+    q = q.astype(arm._number)
+    R, _ = arm.forward_kinematics(p, q[:, None])
+    for value, exact in ((R[:, 1, 0], np.sin(q.astype(np.longdouble))), (R[:, 0, 0], np.cos(q.astype(np.longdouble)))):
+        ulp = np.spacing(np.abs(exact).astype(arm._number)).astype(np.longdouble)
+        assert (np.abs(value - exact) / ulp).max() < 1, size
+q = np.array([0.5, 1e5, 1e8, np.inf, -np.inf, np.nan, -1e30, 0.25, -1.1e5, 1, 2, 3, 4, 5, 6, 7, 8], arm._number)
+R, _ = arm.forward_kinematics(p, q[:, None])
+alone = np.array([single(arm, "forward_kinematics", [(3, 3), 3], [angle], parameters=p)[0] for angle in q])
+for k, angle in enumerate(q):
+    if not abs(angle) <= 1e5:
+        assert same_bits(R[k], alone[k]), angle
+    else:
+        assert np.abs(R[k] - alone[k]).max() <= 1.5 * np.finfo(arm._number).eps, angle
+assert np.isnan(R[3:6, 0, 0]).all() and np.isfinite(R[6:, 0, 0]).all()
+)py")),
+              0)
+        << scalar << folder_.read("log");
+  }
+}
+
+// Of a function's definition: without line breaks, types, or the spreading of numbers over lanes.
+std::string statements(const std::string& source, const std::string& function, const std::string& prefix) {
+  const std::size_t begin = source.find(" " + function + "(");
+  if (begin == std::string::npos) return "";
+  std::string text = source.substr(source.find('{', begin), source.find("\n}", begin) - source.find('{', begin));
+  text = std::regex_replace(text, std::regex(prefix + "lanes_all\\(([^()]*)\\)"), "$1");
+  text = std::regex_replace(text, std::regex(prefix + "lanes_mask"), "bool");
+  text = std::regex_replace(text, std::regex(prefix + "lanes "), "double ");
+  text = std::regex_replace(text, std::regex(prefix + "lanes_"), prefix);
+  return std::regex_replace(text, std::regex("\\s+"), " ");
+}
+
+// What was proven of one state's text holds for that of lanes.
+TEST_F(Python, StatementsOfLanesAreThoseOfOneState) {
+  generate("robots/panda.urdf --functions inverse_dynamics,forward_dynamics,base_regressor");
+  generate("robots/planar_2r.toml --functions gravity,kinetic_energy,forward_dynamics");
+  generate("robots/puma560.toml --functions inverse_dynamics");
+  const std::pair<std::string, std::string> functions[] = {
+      {"panda", "inverse_dynamics_given"},  {"panda", "forward_dynamics_given"},
+      {"panda", "base_regressor_given"},    {"planar_2r", "kinetic_energy_given"},
+      {"planar_2r", "gravity_given"},       {"planar_2r", "forward_dynamics_given"},
+      {"puma560", "inverse_dynamics_given"}};
+  for (const auto& [robot, function] : functions) {
+    const std::string prefix = robot + "_";
+    const std::string of_one = statements(folder_.read(robot + ".c"), prefix + function, prefix);
+    EXPECT_GT(of_one.size(), 100u) << function;
+    EXPECT_EQ(statements(folder_.read(robot + "_batch.c"), prefix + "lanes_" + function, prefix), of_one);
+  }
+}
+
+// As many packed operations as the text has, and next to none that are not.
+TEST_F(Python, BatchesAreInSimdRegisters) {
+  const bool is_here = std::system("objdump --version > /dev/null 2>&1") == 0;
+  if (!is_here || std::system("uname -m | grep -q x86_64") != 0) GTEST_SKIP() << "objdump of x86-64 counts";
+  generate("robots/panda.urdf --functions inverse_dynamics");
+  const char* const gcc = "cc -O3";
+  const bool has_clang = std::system("clang --version > /dev/null 2>&1") == 0;
+  for (const std::string command :
+       {gcc, "cc -O3 -mavx2", "cc -O3 -mavx512f", "cc -O2", has_clang ? "clang -O2" : gcc}) {
+    const std::string compile = " -std=c99 -ffp-contract=off -fPIC -Wall -Wextra -Werror -c panda_batch.c";
+    ASSERT_EQ(std::system(fmt::format("cd '{}' && {}{} && objdump -d --no-show-raw-insn panda_batch.o > log",
+                                      folder_.path(), command, compile)
+                              .c_str()),
+              0);
+    const auto instructions = [&](const std::string& pattern) {
+      const std::string count = fmt::format("cd '{}' && grep -cE '\\sv?({})\\s' log > count", folder_.path(), pattern);
+      return std::system(count.c_str()) < 0 ? 0 : std::stoi(folder_.read("count"));
+    };
+    EXPECT_GE(instructions("(mul|add|sub)pd"), 535) << command;  // 273 products, 262 sums
+    EXPECT_EQ(instructions("(mul|add|sub|div)sd"), 0) << command;
+  }
+}
+
+// 32 joints, in one block of lanes; its compiler stays quick.
+TEST_F(Python, LargeRobotsCompile) {
+  generate("robots/humanoid32.urdf --functions inverse_dynamics,inertia_matrix,forward_dynamics --max-lines 500");
+  build("humanoid32");
+  EXPECT_EQ(run(kSingleCalls + std::string(R"py(
+import humanoid32 as robot
+q, qd, qdd = np.random.default_rng(1).uniform(-1, 1, (3, 10, len(robot.joint_names)))
+tau = robot.inverse_dynamics(q, qd, qdd)
+assert np.allclose(tau, [single(robot, "inverse_dynamics", [32], *row) for row in zip(q, qd, qdd)], rtol=0, atol=1e-9)
+assert np.abs(robot.forward_dynamics(q, qd, tau) - qdd).max() < 1e-7
+)py")),
+            0)
+      << folder_.read("log");
+}
+
+// Square roots, and rows without a result beside rows with one.
+TEST_F(Python, RowsWithoutAResultAreNotNumbersAndOthersAre) {
+  folder_.write("angles.toml", "orientation = \"rpy\"\n");
+  generate(fmt::format("robots/ur5.urdf --functions operational_bias --scene '{}'", folder_.path("angles.toml")));
+  build("ur5");
+  EXPECT_THAT(folder_.read("ur5_batch.c"), HasSubstr("ur5_lanes_sqrt("));
+  EXPECT_EQ(run(kSingleCalls + std::string(R"py(
+import ur5
+rng = np.random.default_rng(1)
+q, qd = rng.uniform(0.3, 1.2, (2, 21, 6))
+q[3] = np.inf
+q[4, 2] = np.nan
+c, g = ur5.operational_bias(q, qd)
+for k in range(21):
+    c_k, g_k = single(ur5, "operational_bias", [6, 6], q[k], qd[k])
+    if k in (3, 4):
+        assert np.isnan(c[k]).all() and np.isnan(g[k]).all()
+    else:
+        assert np.allclose(c[k], c_k, rtol=1e-9) and np.allclose(g[k], g_k, rtol=1e-9), k
+)py")),
+            0)
+      << folder_.read("log");
+}
+
+// Entries that a scene leaves out are 0, and no compiler sees an array that is not filled.
+TEST_F(Python, WhatASceneLeavesOutIsZero) {
+  folder_.write("few.toml", "[outputs]\ninverse_dynamics = [\"tau[0]\", \"tau[2]\"]\n");
+  generate(fmt::format("robots/panda.urdf --scene '{}' --name arm", folder_.path("few.toml")));
+  build("arm");
+  EXPECT_EQ(run(R"py(import numpy as np, arm
+tau = arm.inverse_dynamics(*np.random.default_rng(1).uniform(-1, 1, (3, 19, 7)))
+assert (tau[:, [1, 3, 4, 5, 6]] == 0).all() and (tau[:, [0, 2]] != 0).all()
 )py"),
             0)
       << folder_.read("log");

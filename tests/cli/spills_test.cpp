@@ -118,8 +118,8 @@ TEST_F(Spills, AreNoMoreThanInAnotherOrder) {
   }
 }
 
-// What stages hand on is in their structs; Debian has no C++ library for this processor, and the code needs little of
-// one.
+// What stages hand on is in their structs. The C++ library for this processor is a package of its own, of which the
+// code needs little.
 TEST_F(Spills, AreFewerInStages) {
   generate(fmt::format("--form pair --scalar float --functions {0} --stages {0}", kFunctions));
   folder_.write("cmath",

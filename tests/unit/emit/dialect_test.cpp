@@ -46,6 +46,19 @@ TEST(Dialect, TakesSquareRootsFromTheLibrary) {
   EXPECT_EQ(Dialect::javascript().sqrt("x"), "Math.sqrt(x)");
 }
 
+// Vectors of GNU C: no number of one state meets them as it is.
+TEST(Dialect, SpreadsNumbersOverLanes) {
+  const Dialect lanes = Dialect::c_lanes("float", "arm");
+  EXPECT_EQ(lanes.scalar(), "arm_lanes");
+  EXPECT_EQ(lanes.number(), "float");
+  EXPECT_EQ(lanes.literal(Rational(-1, 4)), "arm_lanes_all(-0.25f)");
+  EXPECT_EQ(lanes.parameter("m_1"), "arm_lanes_all(parameters->m_1)");
+  EXPECT_EQ(lanes.parameters_argument(), "const arm_parameters* restrict parameters");
+  EXPECT_EQ(lanes.sqrt("x"), "arm_lanes_sqrt(x)");
+  EXPECT_EQ(lanes.conditions_begin() + lanes.always(), "arm_lanes_mask positive = ~(arm_lanes_mask){0}");
+  EXPECT_EQ(Dialect::c("float", "arm").conditions_begin() + Dialect().always(), "bool positive = true");
+}
+
 TEST(Dialect, WritesExpressionsOfTheSameShape) {
   testing::Builder b;
   const VariableNames names = {"a"};

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/batch_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emit/arguments.hpp"
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+
+namespace flatdyn {
+
+using kainjow::mustache::data;
+
+namespace {
+
+constexpr std::size_t kInFunction = 2, kInLoop = 4;
+
+// The states of one call of the function that computes them all at once.
+class BatchFunction {
+ public:
+  BatchFunction(const Function& function, const FunctionText& text, const Dialect& dialect)
+      : function_(function),
+        text_(text),
+        dialect_(dialect),
+        has_parameters_(text.inputs.size() + text.outputs.size() < text.declared.size()),
+        results_(text.outputs) {
+    if (returns_value(function)) results_.push_back({function.outputs[0].name, 1});
+  }
+
+  std::string definition() const {
+    std::string loop = blocks() + read() + call();
+    for (const ArrayArgument& result : results_) loop += write(result);
+    return signature() +
+           code_line(fmt::format("for (size_t k = 0; k < count; k += {}) {{", dialect_.global("count")), kInFunction) +
+           code_line(fmt::format("const size_t states = {}(count - k);", dialect_.global("states")), kInLoop) + loop +
+           code_line("}", kInFunction) + "}\n";
+  }
+
+ private:
+  std::string signature() const {
+    std::vector<std::string> parameters = {"size_t count"};
+    if (has_parameters_) parameters.push_back(dialect_.parameters_argument(false));
+    for (const ArrayArgument& input : text_.inputs) {
+      parameters.push_back(fmt::format("const {}* {}", dialect_.number(), input.name));
+      parameters.push_back(fmt::format("size_t {}_step", input.name));
+    }
+    for (const ArrayArgument& result : results_) {
+      parameters.push_back(fmt::format("{}* {}", dialect_.number(), result.name));
+    }
+    const std::string name = dialect_.exported(cpp_name() + "_batch");
+    return list_line(fmt::format("void {}(", name), parameters, ") {", 0);
+  }
+
+  // "panda_lanes_gravity" → "gravity"
+  std::string cpp_name() const { return text_.name.substr(dialect_.global("").size()); }
+
+  std::string blocks() const {
+    std::vector<std::string> items;
+    for (const ArrayArgument& input : text_.inputs) items.push_back(dialect_.array(block(input), input.length));
+    for (std::size_t k = 0; k < results_.size(); ++k) {
+      // What a scene leaves out is not written.
+      const char* const initial = function_.outputs[k].left_out.empty() ? "" : " = {{0}}";
+      items.push_back(dialect_.array(block(results_[k]), results_[k].length) + initial);
+    }
+    return list_line(dialect_.arrays(), items, ";", kInLoop);
+  }
+
+  static std::string block(const ArrayArgument& array) { return array.name + "_block"; }
+
+  std::string read() const {
+    std::string lines;
+    for (const ArrayArgument& input : text_.inputs) {
+      lines += code_line(fmt::format("{}({} + {}_step * k, {}_step, states, {}, {});", dialect_.global("read"),
+                                     input.name, input.name, input.name, input.length, block(input)),
+                         kInLoop);
+    }
+    return lines;
+  }
+
+  std::string call() const {
+    std::vector<std::string> arguments;
+    if (has_parameters_) arguments.emplace_back("parameters");
+    for (const ArrayArgument& input : text_.inputs) arguments.push_back(block(input));
+    for (const ArrayArgument& output : text_.outputs) arguments.push_back(block(output));
+    const std::string receiver = returns_value(function_) ? block(results_[0]) + "[0] = "
+                                 : is_checked()           ? "const " + dialect_.condition_type() + " positive = "
+                                                          : "";
+    return list_line(receiver + text_.name + "(", arguments, ");", kInLoop);
+  }
+
+  bool is_checked() const { return !function_.positive.empty(); }
+
+  std::string write(const ArrayArgument& result) const {
+    const std::string checked = is_checked()
+                                    ? code_line(fmt::format("{}(positive, {}, {});", dialect_.global("or_not_a_number"),
+                                                            result.length, block(result)),
+                                                kInLoop)
+                                    : "";
+    return checked + code_line(fmt::format("{}({}, states, {}, {} + {} * k);", dialect_.global("write"), block(result),
+                                           result.length, result.name, result.length),
+                               kInLoop);
+  }
+
+  const Function& function_;
+  const FunctionText& text_;
+  const Dialect& dialect_;
+  bool has_parameters_;
+  std::vector<ArrayArgument> results_;
+};
+
+}  // namespace
+
+void write_batch_names(data& page, const std::vector<Function>& functions, const Dialect& dialect) {
+  page["lanes"] = dialect.scalar();
+  page["mask"] = dialect.condition_type();
+  page["number"] = dialect.number();
+  const bool is_float = dialect.number() == "float";
+  page["is_float"] = is_float;
+  page["integer"] = std::string(is_float ? "int" : "long long");
+  page["checks?"] = std::any_of(functions.begin(), functions.end(),
+                                [](const Function& function) { return !function.positive.empty(); });
+}
+
+void write_batch_function(data& item, const Function& function, const FunctionText& text, const Dialect& dialect) {
+  item["batch"] = without_newline(BatchFunction(function, text, dialect).definition());
+}
+
+}  // namespace flatdyn
