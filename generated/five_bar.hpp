@@ -969,8 +969,7 @@ inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Sc
 // larger than `tolerance` (m) after `most_steps`: the loops cannot be closed from there, or are
 // singular. Which of several ways to close them is found depends on where q is.
 template <class Scalar>
-inline bool close_loops(Scalar* q,
-    Scalar tolerance, int most_steps = 20) noexcept {
+inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
   Scalar here[position_count], next[position_count], dq[position_count], phi[2];
   const auto gap_at = [&](const Scalar* position) {
     loop_closure(position, phi);

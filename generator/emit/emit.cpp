@@ -350,6 +350,7 @@ class PageWriter {
     header["loop_closure"] = closure;
     header["loop_step"] = step;
     header["closure_count"] = std::to_string(rows);
+    header["closing_break"] = std::string(mechanism_.symbols.empty() ? " " : "\n    ");
     const std::string name = dialect_.global("close_loops");
     header["close_loops"] = name;
     exports_.push_back(name);

@@ -89,7 +89,7 @@ class FolderWriter {
   bool measures() const { return std::string_view(target_.emulator).starts_with("qemu-system"); }
 
   std::string joint_literals(const Rational& value) const {
-    const auto joints = static_cast<std::size_t>(std::max(1, mechanism_.size()));
+    const auto joints = static_cast<std::size_t>(std::max(1, mechanism_.position_count()));
     return fmt::format("{}", fmt::join(std::vector<std::string>(joints, dialect_.literal(value)), ", "));
   }
 

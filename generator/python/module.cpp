@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "diagnostics/diagnostics.hpp"
@@ -64,6 +65,8 @@ class ModuleWriter {
     for (const FreeSymbol& symbol : mechanism_.symbols) symbols << data("symbol", symbol.name);
     page["symbols"] = data(symbols);
     page["functions"] = functions();
+    page["closes_loops?"] = closes_loops();
+    page["positions"] = std::to_string(mechanism_.position_count());
     return page;
   }
 
@@ -103,16 +106,27 @@ class ModuleWriter {
       shapes.push_back(shape_of(output));
       results << line_of(output.name, "of one state " + shape_of(output), output.meaning);
     }
-    if (!function.positive.empty()) {
-      const std::string singular = function.task.empty() ? "" : ", or the task is singular";
-      results << data("line", "Not a number where B is not positive definite" + singular + ".");
-    }
+    if (!function.positive.empty()) results << data("line", "Not a number where " + condition_of(function) + ".");
     row["arguments"] = fmt::format("{}{}", has_parameters() ? "parameters, " : "", fmt::join(names, ", "));
     row["given"] = tuple_of(names);
     row["lengths"] = tuple_of(lengths);
     row["shapes"] = tuple_of(shapes);
     row["meanings"] = data(meanings);
     row["results"] = data(results);
+  }
+
+  static std::string condition_of(const Function& function) {
+    const auto loops = static_cast<std::size_t>(function.loop_conditions);
+    if (loops == function.positive.size()) return "a closed loop is within 1e-6 of being singular";
+    return std::string("B is not positive definite") + (function.task.empty() ? "" : ", or the task is singular") +
+           (loops > 0 ? ", or a closed loop" : "");
+  }
+
+  // close_loops() of the C form, which is there if both of these are.
+  bool closes_loops() const {
+    return std::count_if(functions_.begin(), functions_.end(), [](const Function& function) {
+             return function.name == "loop_closure" || function.name == "loop_step";
+           }) == 2;
   }
 
   static data line_of(const std::string& name, const std::string& shape, const std::string& meaning) {

@@ -306,6 +306,28 @@ assert (tau[:, [1, 3, 4, 5, 6]] == 0).all() and (tau[:, [0, 2]] != 0).all()
       << folder_.read("log");
 }
 
+// q has the positions of all joints, qd and tau those of the crank.
+TEST_F(Python, ClosesLoops) {
+  generate("robots/slider_crank.toml");
+  build("slider_crank");
+  EXPECT_EQ(run(R"py(import numpy as np, slider_crank as arm
+q = arm.close_loops([0.3, -0.4, 0.4])
+assert np.abs(arm.loop_closure(q)).max() < 1e-12 and q[0] == 0.3 and q[1] < 0
+rows = np.array([arm.close_loops([angle, -angle, 0.4]) for angle in np.linspace(0.1, 1.2, 20)])
+tau = arm.inverse_dynamics(rows, np.full((20, 1), 2.0), np.zeros((20, 1)))
+assert tau.shape == (20, 1) and np.abs(arm.forward_dynamics(rows, np.full((20, 1), 2.0), tau)).max() < 1e-10
+for wrong in ([0.3, -0.4], [0.3, np.nan, 0.4]):
+    try:
+        arm.close_loops(wrong)
+        raise SystemExit(1)
+    except ValueError:
+        pass
+assert "singular" in arm.loop_step.__doc__ and "definite" not in arm.loop_step.__doc__
+)py"),
+            0)
+      << folder_.read("log");
+}
+
 TEST_F(Python, SaysHowTheLibraryIsMade) {
   generate("robots/pendulum_motor.toml --functions gravity");
   EXPECT_NE(run("import pendulum_motor\n"), 0);

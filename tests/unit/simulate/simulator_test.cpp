@@ -224,7 +224,8 @@ TEST(Simulator, EndsWhereItIsInterrupted) {
   const Model model = pendulum();
   Progress progress(true);
   JointDynamics dynamics(model, progress);
-  const SimulatedMotion motion = simulate(resting(model.robot, model.mechanism), dynamics, [](double time) { return time > 1; });
+  const SimulatedMotion motion =
+      simulate(resting(model.robot, model.mechanism), dynamics, [](double time) { return time > 1; });
   EXPECT_TRUE(motion.interrupted);
   EXPECT_GT(motion.end, 1);
   EXPECT_LT(motion.end, 2);
