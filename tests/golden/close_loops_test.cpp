@@ -64,8 +64,8 @@ TEST_F(CloseLoops, InCpp) {
                                 "#define CLOSE slider_crank::close_loops\n#define MOTION slider_crank::loop_motion\n"
                                 "int main() {") +
                         kChecks + "}\n");
-  EXPECT_EQ(run("c++ -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -fno-exceptions main.cpp -o main && ./main"),
-            0)
+  EXPECT_EQ(
+      run("c++ -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -fno-exceptions main.cpp -o main && ./main"), 0)
       << log();
 }
 

@@ -34,8 +34,8 @@ struct Arm {
 
 // Without noise every base parameter is found to 1e-9 of itself and share of the largest. The torques are those of the
 // recursive reference, which knows nothing of regressors.
-inline void expect_recovery(const Arm& arm, const std::string& robot, const SimulationOptions& options = {.samples = 600},
-                            double share = 1e-13) {
+inline void expect_recovery(const Arm& arm, const std::string& robot,
+                            const SimulationOptions& options = {.samples = 600}, double share = 1e-13) {
   const Eigen::VectorXd truth = arm.truth();
   const Estimate found = estimate(arm.observed(simulated(arm.robot, options)), Eigen::VectorXd::Zero(truth.size()));
   EXPECT_TRUE(found.converged) << robot;
