@@ -15,7 +15,7 @@
 // loop k: R_lk, p_lk and r_lk to the way from its carrier to its two ends, Phi_lk to its closure's
 // derivative by q, inv_lk is the reciprocal of the determinant that its joints are found with, and
 // regular_lk is positive unless the loop is singular. A_i_j is how joint i moves with the joint of
-// qd[j - 1], drift what it accelerates by if that one does not.
+// qd[j - 1], drift how it accelerates if that one does not.
 //
 // Every function is a template over its scalar: float, double, or any type that is made from a
 // double, has + - * / (also - of one), comparisons, and sin, cos where argument-dependent lookup

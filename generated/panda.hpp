@@ -2573,77 +2573,82 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
   const Scalar t2 = c_4 * omega_r_3_y;
   const Scalar t3 = s_4 * omega_r_3_y;
   const Scalar t4 = Scalar(3.83030303030303) * t2 - t3;
-  const Scalar omega_r_5_a_y = omega_r_3_y - qd_4;
-  const Scalar t5 = t4 + Scalar(4.654545454545454) * omega_r_5_a_y;
+  const Scalar omega_4_z = qd_4 - omega_r_3_y;
+  const Scalar t5 = t4 - Scalar(4.654545454545454) * omega_4_z;
   const Scalar t6 = c_3 * t1 - s_3 * qd_2;
   const Scalar t7 = c_2 * qd_1;
-  const Scalar omega_3_z = t7 + qd_3;
+  const Scalar omega_3_z = qd_3 + t7;
   const Scalar t8 = c_4 * t6 - s_4 * omega_3_z;
   const Scalar t9 = s_4 * t6 + c_4 * omega_3_z;
   const Scalar t10 = omega_3_z + Scalar(3.83030303030303) * t6;
   const Scalar t11 = t10 - t9 + Scalar(4.654545454545454) * t8;
   const Scalar t12 = c_5 * t5 + s_5 * t11;
   const Scalar t13 = t2 + Scalar(3.83030303030303) * t3;
-  const Scalar t14 = t13 - omega_r_5_a_y;
+  const Scalar t14 = omega_4_z + t13;
   const Scalar t15 = c_6 * t12 - s_6 * t14;
-  const Scalar t16 = c_5 * t8 - s_5 * omega_r_5_a_y;
-  const Scalar t17 = t9 + qd_5;
-  const Scalar t18 = c_6 * t17 + s_6 * t16;
-  const Scalar t19 = c_5 * t11 - s_5 * t5;
-  const Scalar t20 = Scalar(1.0666666666666667) * t18 + t19;
-  const Scalar t21 = c_7 * t15 - s_7 * t20;
-  const Scalar t22 = c_7 * t20 + s_7 * t15;
-  const Scalar t23 = c_6 * t16 - s_6 * t17;
-  const Scalar t24 = c_5 * omega_r_5_a_y + s_5 * t8;
-  const Scalar t25 = t24 - qd_6;
-  const Scalar t26 = c_7 * t23 + s_7 * t25;
-  const Scalar t27 = c_7 * t25 - s_7 * t23;
-  const Scalar t28 = t18 - qd_7;
-  const Scalar t29 = Scalar(0.0009653051699191118) * t26 + Scalar(0.0012555365982728983) * t27 -
-      Scalar(0.0003356825931791965) * t21 - Scalar(0.0004246448862708035) * t22 -
-      Scalar(0.006684151967360946) * t28;
-  const Scalar t30 = c_6 * t14 + s_6 * t12;
-  const Scalar t31 = Scalar(1.0666666666666667) * t25 + t30;
-  const Scalar t32 = Scalar(0.0003356825931791965) * t31 - Scalar(0.000391391281684248) * t27 +
-      Scalar(0.0009653051699191118) * t28 - Scalar(0.00242094377852123) * t26;
-  const Scalar t33 = t27 * (Scalar(0.000391391281684248) * t26 +
-      Scalar(0.0004246448862708035) * t31 - Scalar(0.0012555365982728983) * t28);
-  const Scalar L_6_z = Scalar(0.000103758917218685) * t23 + Scalar(0.000093569097314605) * t18 -
-      Scalar(0.05258828201066731) * t25 + Scalar(0.028677776418885) * t15 -
-      Scalar(0.038254846194675) * t30;
-  const Scalar t34 = Scalar(0.000103758917218685) * t25 - Scalar(0.009543771269492195) * t23 +
-      Scalar(0.014748570382675316) * t18 + Scalar(0.028677776418885) * t19;
-  const Scalar t35 = t18 * (Scalar(-0.000093569097314605) * t25 -
-      Scalar(0.014748570382675316) * t23 + Scalar(0.038254846194675) * t19);
-  const Scalar t36 = Scalar(0.00216405205209813) * t24 + Scalar(0.004600245517563106) * t16 -
-      Scalar(0.00241786586877) * t19 - Scalar(0.011198654185125) * t12 +
-      Scalar(0.033018599263935515) * t17;
-  const Scalar t37 = Scalar(0.00151524447332703) * t24 + Scalar(0.004600245517563106) * t17 +
-      Scalar(0.011198654185125) * t14 + Scalar(0.030116287133882085) * t16;
-  const Scalar t38 = t24 * (Scalar(-0.00151524447332703) * t16 - Scalar(0.00216405205209813) * t17 +
+  const Scalar t16 = c_5 * t8 + s_5 * omega_4_z;
+  const Scalar omega_5_z = qd_5 + t9;
+  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t16;
+  const Scalar t17 = c_5 * t11 - s_5 * t5;
+  const Scalar t18 = Scalar(1.0666666666666667) * omega_r_6_y + t17;
+  const Scalar t19 = c_7 * t15 - s_7 * t18;
+  const Scalar t20 = c_7 * t18 + s_7 * t15;
+  const Scalar t21 = c_6 * t16 - s_6 * omega_5_z;
+  const Scalar omega_r_6_a_z = c_5 * omega_4_z - s_5 * t8;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t22 = c_7 * t21 - s_7 * omega_6_z;
+  const Scalar t23 = c_7 * omega_6_z + s_7 * t21;
+  const Scalar omega_7_z = qd_7 - omega_r_6_y;
+  const Scalar t24 = Scalar(0.0009653051699191118) * t22 - Scalar(0.0012555365982728983) * t23 -
+      Scalar(0.0003356825931791965) * t19 - Scalar(0.0004246448862708035) * t20 +
+      Scalar(0.006684151967360946) * omega_7_z;
+  const Scalar t25 = c_6 * t14 + s_6 * t12;
+  const Scalar t26 = t25 - Scalar(1.0666666666666667) * omega_6_z;
+  const Scalar t27 = Scalar(0.000391391281684248) * t23 + Scalar(0.0003356825931791965) * t26 -
+      Scalar(0.0009653051699191118) * omega_7_z - Scalar(0.00242094377852123) * t22;
+  const Scalar t28 = t23 * (Scalar(0.000391391281684248) * t22 +
+      Scalar(0.0004246448862708035) * t26 + Scalar(0.0012555365982728983) * omega_7_z);
+  const Scalar t29 = Scalar(0.000103758917218685) * t21 +
+      Scalar(0.000093569097314605) * omega_r_6_y + Scalar(0.05258828201066731) * omega_6_z +
+      Scalar(0.028677776418885) * t15 - Scalar(0.038254846194675) * t25;
+  const Scalar t30 = Scalar(0.014748570382675316) * omega_r_6_y -
+      Scalar(0.000103758917218685) * omega_6_z - Scalar(0.009543771269492195) * t21 +
+      Scalar(0.028677776418885) * t17;
+  const Scalar t31 = omega_r_6_y *
+      (Scalar(0.000093569097314605) * omega_6_z - Scalar(0.014748570382675316) * t21 +
+      Scalar(0.038254846194675) * t17);
+  const Scalar L_5_z = Scalar(0.004600245517563106) * t16 -
+      Scalar(0.00216405205209813) * omega_r_6_a_z - Scalar(0.00241786586877) * t17 -
+      Scalar(0.011198654185125) * t12 + Scalar(0.033018599263935515) * omega_5_z;
+  const Scalar t32 = Scalar(0.004600245517563106) * omega_5_z -
+      Scalar(0.00151524447332703) * omega_r_6_a_z + Scalar(0.011198654185125) * t14 +
+      Scalar(0.030116287133882085) * t16;
+  const Scalar t33 = omega_r_6_a_z *
+      (Scalar(-0.00151524447332703) * t16 - Scalar(0.00216405205209813) * omega_5_z +
       Scalar(0.00241786586877) * t14);
-  const Scalar t39 = Scalar(0.0039053550262761) * omega_r_5_a_y - Scalar(0.16284087268546085) * t9 +
+  const Scalar t34 = Scalar(-0.0039053550262761) * omega_4_z - Scalar(0.16284087268546085) * t9 +
       Scalar(0.332066386344495) * t10 + Scalar(0.647723094939183) * t8;
-  const Scalar t40 = t9 * (Scalar(0.09120874531725) * t10 -
-      Scalar(0.00164448757736927) * omega_r_5_a_y + Scalar(0.16284087268546085) * t8);
-  const Scalar t41 = Scalar(0.00164448757736927) * t9 + Scalar(0.0039053550262761) * t8 -
-      Scalar(0.09120874531725) * t13 + Scalar(0.332066386344495) * t4 +
-      Scalar(0.749763367252814) * omega_r_5_a_y;
+  const Scalar t35 = t9 * (Scalar(0.00164448757736927) * omega_4_z +
+      Scalar(0.09120874531725) * t10 + Scalar(0.16284087268546085) * t8);
+  const Scalar t36 = Scalar(0.00164448757736927) * t9 + Scalar(0.0039053550262761) * t8 -
+      Scalar(0.09120874531725) * t13 + Scalar(0.332066386344495) * t4 -
+      Scalar(0.749763367252814) * omega_4_z;
   const Scalar L_2_x = Scalar(0.00398335888393552) * t7 + Scalar(0.01026110182100817) * qd_2 -
       Scalar(1.0706865997634767) * t1;
   const Scalar L_2_y = Scalar(0.0007689361029464) * qd_2 + Scalar(0.00398335888393552) * t1;
-  const Scalar t42 = qd_1 * (Scalar(0.03733744848940618) * qd_1 - (c_2 * L_2_y + s_2 * L_2_x));
-  const Scalar t43 = t6 * (Scalar(0.000121912420950744) * omega_r_3_y +
+  const Scalar t37 = qd_1 * (Scalar(0.03733744848940618) * qd_1 - (c_2 * L_2_y + s_2 * L_2_x));
+  const Scalar t38 = t6 * (Scalar(0.000121912420950744) * omega_r_3_y +
       Scalar(0.01159586409516604) * t6 + Scalar(0.005487648106562256) * omega_3_z);
-  const Scalar t44 = omega_r_3_y *
+  const Scalar t39 = omega_r_3_y *
       (Scalar(0.000121912420950744) * t6 - Scalar(0.004377257121839584) * omega_3_z);
-  const Scalar t45 = omega_3_z * (Scalar(0.13480070614822143) * omega_3_z -
+  const Scalar t40 = omega_3_z * (Scalar(0.13480070614822143) * omega_3_z -
       Scalar(0.022216781084735585) * omega_r_3_y + Scalar(0.47750187874566624) * t6);
   const Scalar L_2_z = Scalar(-0.0007689361029464) * t7 - Scalar(0.01026110182100817) * t1 +
       Scalar(1.1168423647533403) * qd_2;
-  const Scalar t46 = t44 - t26 * t32 + t33 + t43 - t38 - t28 * t29 + t16 * t37 + t17 * t36 - t40 -
-      t23 * t34 + t35 - t25 * L_6_z + t42 + t45 + qd_2 * L_2_z + t8 * t39 + omega_r_5_a_y * t41;
-  return Scalar(0.5) * t46;
+  const Scalar t41 = t39 - t22 * t27 - t28 + t38 + t33 + omega_7_z * t24 + t16 * t32 +
+      omega_5_z * L_5_z - t35 - t21 * t30 + t31 + omega_6_z * t29 + t37 + t40 + qd_2 * L_2_z +
+      t8 * t34 - omega_4_z * t36;
+  return Scalar(0.5) * t41;
 }
 
 // Potential energy of links and rotors (7.36).

@@ -1278,26 +1278,27 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
   const Scalar t10 = omega_5_z * (Scalar(0.00064216) * omega_5_z + Scalar(0.000864576) * t9);
   const Scalar v_r_4_y = c_4 * v_o_4_z + s_4 * t5;
   const Scalar t11 = s_4 * omega_3_z - c_4 * t7;
-  const Scalar t12 = t8 - qd_4;
-  const Scalar t13 = s_5 * t12 + c_5 * t11;
-  const Scalar t14 = t13 * (Scalar(0.000864576) * v_r_4_y - Scalar(0.00024216) * t13);
-  const Scalar omega_6_z = qd_6 + s_5 * t11 - c_5 * t12;
-  const Scalar t15 = Scalar(0.004704) * t8 - Scalar(0.007617575) * v_r_3_y -
+  const Scalar omega_4_z = qd_4 - t8;
+  const Scalar t12 = s_5 * omega_4_z - c_5 * t11;
+  const Scalar t13 = t12 * (Scalar(0.00024216) * t12 + Scalar(0.000864576) * v_r_4_y);
+  const Scalar omega_6_z = qd_6 + s_5 * t11 + c_5 * omega_4_z;
+  const Scalar t14 = Scalar(0.004704) * t8 - Scalar(0.007617575) * v_r_3_y -
       Scalar(0.258710859) * t4 + Scalar(0.313105249) * omega_3_z;
   const Scalar L_3_y = Scalar(0.0106736385) * t7 + Scalar(0.004704) * omega_3_z +
       Scalar(0.02191385) * t2;
-  const Scalar t16 = t7 * (Scalar(0.0106736385) * t8 + Scalar(0.299575024) * t7 +
+  const Scalar t15 = t7 * (Scalar(0.0106736385) * t8 + Scalar(0.299575024) * t7 +
       Scalar(0.744246162) * t2);
-  const Scalar t17 = s_2 * (Scalar(0.690314699) * qd_2 - Scalar(0.0070992) * t2 -
+  const Scalar t16 = s_2 * (Scalar(0.690314699) * qd_2 - Scalar(0.0070992) * t2 -
       Scalar(1.601861202) * t1);
-  const Scalar t18 = c_2 * (Scalar(0.023751) * qd_2 - Scalar(0.0070992) * t1) + t17 +
+  const Scalar t17 = c_2 * (Scalar(0.023751) * qd_2 - Scalar(0.0070992) * t1) + t16 +
       Scalar(4.29424586937411) * qd_1;
-  const Scalar t19 = qd_2 * (Scalar(0.023751) * t2 + Scalar(0.690314699) * t1 +
+  const Scalar t18 = qd_2 * (Scalar(0.023751) * t2 + Scalar(0.690314699) * t1 +
       Scalar(6.502360360025) * qd_2);
   const Scalar T_2 = Scalar(0.00004) * omega_6_z * omega_6_z + Scalar(0.0003) * t11 * t11 +
-      Scalar(0.0016) * t12 * t12 + t10 - t14 + t8 * L_3_y + Scalar(0.20582599086) * qd_6 * qd_6 +
-      Scalar(0.181052127515) * qd_5 * qd_5 + Scalar(0.2023536943736) * qd_4 * qd_4 + t16 +
-      Scalar(0.86242563124731) * qd_3 * qd_3 + omega_3_z * t15 + t19 + qd_1 * t18;
+      Scalar(0.0016) * omega_4_z * omega_4_z + t10 + t13 + t8 * L_3_y +
+      Scalar(0.20582599086) * qd_6 * qd_6 + Scalar(0.181052127515) * qd_5 * qd_5 +
+      Scalar(0.2023536943736) * qd_4 * qd_4 + t15 + Scalar(0.86242563124731) * qd_3 * qd_3 +
+      omega_3_z * t14 + t18 + qd_1 * t17;
   return Scalar(0.5) * T_2;
 }
 

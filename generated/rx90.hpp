@@ -1669,46 +1669,48 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
   const Scalar t6 = s_6 * v_r_5_x - c_6 * v_r_4_y;
   const Scalar t7 = s_4 * omega_3_z - c_4 * omega_r_3_x;
   const Scalar t8 = s_3 * t2 - c_3 * t1;
-  const Scalar t9 = t8 - qd_4;
-  const Scalar t10 = s_5 * t9 + c_5 * t7;
+  const Scalar omega_4_z = qd_4 - t8;
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t7;
   const Scalar omega_r_5_a_z = s_4 * omega_r_3_x + c_4 * omega_3_z;
-  const Scalar omega_5_z = omega_r_5_a_z + qd_5;
-  const Scalar t11 = s_6 * omega_5_z + c_6 * t10;
-  const Scalar t12 = s_6 * t10 - c_6 * omega_5_z;
-  const Scalar omega_r_5_y = s_5 * t7 - c_5 * t9;
-  const Scalar omega_6_z = omega_r_5_y + qd_6;
-  const Scalar t13 = Scalar(0.000534) * t11 + Scalar(0.0009944) * t12 -
+  const Scalar omega_5_z = qd_5 + omega_r_5_a_z;
+  const Scalar t9 = s_6 * omega_5_z - c_6 * omega_r_5_x;
+  const Scalar t10 = s_6 * omega_r_5_x + c_6 * omega_5_z;
+  const Scalar omega_r_5_y = s_5 * t7 + c_5 * omega_4_z;
+  const Scalar omega_6_z = qd_6 + omega_r_5_y;
+  const Scalar t11 = Scalar(0.000534) * t9 - Scalar(0.0009944) * t10 -
       Scalar(0.0013246) * omega_6_z - Scalar(0.0063) * t6 + Scalar(0.01008) * v_r_6_x;
-  const Scalar t14 = s_5 * v_r_4_x - c_5 * t5;
-  const Scalar t15 = t12 * (Scalar(0.000256) * t11 + Scalar(0.0009944) * omega_6_z +
-      Scalar(0.0063) * t14);
-  const Scalar t16 = Scalar(0.0002546) * t11 - Scalar(0.000256) * t12 -
-      Scalar(0.000534) * omega_6_z + Scalar(0.01008) * t14;
-  const Scalar t17 = Scalar(0.0007639) * t10 + Scalar(0.0016163) * omega_r_5_y -
-      Scalar(0.01827) * t14 - Scalar(0.02853) * v_r_5_x + Scalar(0.0158056) * omega_5_z;
-  const Scalar L_5_y = Scalar(0.0016163) * omega_5_z - Scalar(0.0010857) * t10 +
+  const Scalar t12 = s_5 * v_r_4_x - c_5 * t5;
+  const Scalar t13 = t10 * (Scalar(0.000256) * t9 + Scalar(0.0009944) * omega_6_z +
+      Scalar(0.0063) * t12);
+  const Scalar t14 = Scalar(0.0002546) * t9 + Scalar(0.000256) * t10 -
+      Scalar(0.000534) * omega_6_z + Scalar(0.01008) * t12;
+  const Scalar t15 = Scalar(0.0007639) * omega_r_5_x - Scalar(0.0016163) * omega_r_5_y +
+      Scalar(0.01827) * t12 + Scalar(0.02853) * v_r_5_x - Scalar(0.0158056) * omega_5_z;
+  const Scalar L_5_y = Scalar(0.0010857) * omega_r_5_x + Scalar(0.0016163) * omega_5_z +
       Scalar(0.01827) * v_r_4_y;
-  const Scalar t18 = Scalar(0.0007639) * omega_5_z - Scalar(0.0010857) * omega_r_5_y +
-      Scalar(0.0099214) * t10 + Scalar(0.02853) * v_r_4_y;
-  const Scalar t19 = Scalar(0.0110896) * t7 - Scalar(0.0523608) * omega_r_5_a_z -
-      Scalar(0.0469862) * t9 - Scalar(0.10476) * v_r_4_y - Scalar(0.19305) * v_r_4_x;
-  const Scalar L_4_y = Scalar(0.0009736) * t7 + Scalar(0.10476) * t5 - Scalar(0.0523608) * t9;
-  const Scalar L_4_x = Scalar(0.0009736) * omega_r_5_a_z + Scalar(0.0110896) * t9 -
+  const Scalar t16 = Scalar(0.0007639) * omega_5_z - Scalar(0.0010857) * omega_r_5_y -
+      Scalar(0.0099214) * omega_r_5_x + Scalar(0.02853) * v_r_4_y;
+  const Scalar t17 = Scalar(0.0110896) * t7 - Scalar(0.0523608) * omega_r_5_a_z +
+      Scalar(0.0469862) * omega_4_z - Scalar(0.10476) * v_r_4_y - Scalar(0.19305) * v_r_4_x;
+  const Scalar L_4_y = Scalar(0.0009736) * t7 + Scalar(0.10476) * t5 +
+      Scalar(0.0523608) * omega_4_z;
+  const Scalar L_4_x = Scalar(0.0009736) * omega_r_5_a_z - Scalar(0.0110896) * omega_4_z -
       Scalar(0.0221926) * t7 + Scalar(0.19305) * t5;
   const Scalar L_3_z = Scalar(0.016137) * omega_r_3_x + Scalar(0.0408384) * t8 +
       Scalar(0.24705) * t5 - Scalar(3.44772) * t3 + Scalar(2.0518487) * omega_3_z;
   const Scalar L_3_y = Scalar(0.026176) * omega_r_3_x - Scalar(0.0408384) * omega_3_z +
       Scalar(0.24705) * t1;
-  const Scalar t20 = Scalar(0.026176) * t8 - Scalar(0.016137) * omega_3_z -
+  const Scalar t18 = Scalar(0.026176) * t8 - Scalar(0.016137) * omega_3_z -
       Scalar(1.9036137) * omega_r_3_x + Scalar(3.44772) * t1;
   const Scalar L_2_y = Scalar(0.0444376) * qd_2 + Scalar(0.0684948) * t2;
-  const Scalar t21 = t2 * (Scalar(0.1098692) * qd_2 - Scalar(0.0684948) * t1 +
+  const Scalar t19 = t2 * (Scalar(0.1098692) * qd_2 - Scalar(0.0684948) * t1 +
       Scalar(8.4002222) * t2);
   const Scalar L_2_z = Scalar(0.0444376) * t1 - Scalar(0.1098692) * t2 + Scalar(8.554441) * qd_2;
-  const Scalar t22 = t15 - t11 * t16 + omega_6_z * t13 - omega_r_5_y * L_5_y - t10 * t18 -
-      t1 * L_2_y - omega_5_z * t17 + omega_r_5_a_z * L_4_y + t7 * L_4_x + t8 * L_3_y + t9 * t19 +
-      omega_r_3_x * t20 - omega_3_z * L_3_z + t21 - qd_2 * L_2_z - Scalar(9.3573967) * qd_1 * qd_1;
-  return Scalar(-0.5) * t22;
+  const Scalar t20 = -t13 - t9 * t14 + omega_6_z * t11 - omega_r_5_y * L_5_y + omega_r_5_x * t16 -
+      t1 * L_2_y + omega_5_z * t15 + omega_r_5_a_z * L_4_y + t7 * L_4_x + t8 * L_3_y -
+      omega_4_z * t17 + omega_r_3_x * t18 - omega_3_z * L_3_z + t19 - qd_2 * L_2_z -
+      Scalar(9.3573967) * qd_1 * qd_1;
+  return Scalar(-0.5) * t20;
 }
 
 // Potential energy of links and rotors (7.36).

@@ -1102,26 +1102,27 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
   const Scalar omega_r_5_y = s_5 * t8 + c_5 * omega_4_z;
   const Scalar t9 = Scalar(0.000035853228) * omega_r_5_y;
   const Scalar t10 = s_4 * omega_r_3_x + c_4 * t5;
-  const Scalar t11 = t10 + qd_5;
-  const Scalar t12 = t11 * (-t9 - Scalar(0.0038374000421699) * t11 +
+  const Scalar omega_5_z = qd_5 + t10;
+  const Scalar t11 = omega_5_z * (-t9 - Scalar(0.0038374000421699) * omega_5_z +
       Scalar(0.029890125815) * v_r_5_x);
-  const Scalar omega_6_z = omega_r_5_y + qd_6;
+  const Scalar omega_6_z = qd_6 + omega_r_5_y;
   const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t8;
-  const Scalar t13 = omega_r_5_x *
+  const Scalar t12 = omega_r_5_x *
       (Scalar(0.029890125815) * (s_4 * t6 - c_4 * t4) - Scalar(0.0016432000421699) * omega_r_5_x);
-  const Scalar t14 = Scalar(-0.000035853228) * t10;
-  const Scalar t15 = omega_4_z * (t14 - Scalar(0.01654318073165) * omega_4_z +
+  const Scalar t13 = Scalar(-0.000035853228) * t10;
+  const Scalar t14 = omega_4_z * (t13 - Scalar(0.01654318073165) * omega_4_z +
       Scalar(0.12825424325) * t7);
-  const Scalar t16 = t8 * (Scalar(0.01434898073165) * t8 + Scalar(0.12825424325) * v_o_4_z);
+  const Scalar t15 = t8 * (Scalar(0.01434898073165) * t8 + Scalar(0.12825424325) * v_o_4_z);
   const Scalar L_3_z = Scalar(0.12652256366625) * omega_r_3_x +
       Scalar(0.57197413724375) * omega_3_z + Scalar(1.35528400875) * t3;
-  const Scalar t17 = omega_r_3_x *
+  const Scalar t16 = omega_r_3_x *
       (Scalar(0.56787913724375) * omega_r_3_x - Scalar(0.12652256366625) * omega_3_z);
   const Scalar L_2_x = Scalar(0.349300285625) * qd_2 - Scalar(1.39293427915) * t2;
   const Scalar L_2_z = Scalar(0.349300285625) * t2 + Scalar(1.40804167915) * qd_2;
-  const Scalar T_2 = t11 * t9 - omega_4_z * t14 + Scalar(0.0001321171875) * omega_6_z * omega_6_z -
-      t12 - t13 + t16 - t15 - t17 - Scalar(1.35528400875) * t1 * t5 + t2 * L_2_x +
-      omega_3_z * L_3_z + qd_2 * L_2_z + Scalar(2.1327493394493) * qd_1 * qd_1;
+  const Scalar T_2 = omega_5_z * t9 - omega_4_z * t13 +
+      Scalar(0.0001321171875) * omega_6_z * omega_6_z - t11 - t12 + t15 - t14 - t16 -
+      Scalar(1.35528400875) * t1 * t5 + t2 * L_2_x + omega_3_z * L_3_z + qd_2 * L_2_z +
+      Scalar(2.1327493394493) * qd_1 * qd_1;
   return Scalar(0.5) * T_2;
 }
 

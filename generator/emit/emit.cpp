@@ -94,6 +94,24 @@ class PageWriter {
     return header;
   }
 
+  std::vector<StraightCall> straight_calls() const {
+    std::vector<StraightCall> calls;
+    for (std::size_t k = 0; k < functions_.size(); ++k) {
+      const FunctionText text = text_of(k);
+      if (text.given) {
+        calls.push_back({text.given->name, text.given->arguments});
+        continue;
+      }
+      StraightCall call{text.name, {}};
+      if (!mechanism_.symbols.empty()) call.arguments.emplace_back("parameters");
+      for (const auto* arrays : {&text.inputs, &text.outputs}) {
+        for (const ArrayArgument& array : *arrays) call.arguments.push_back(array.name);
+      }
+      calls.push_back(std::move(call));
+    }
+    return calls;
+  }
+
   // All that the text defines for others, in its order.
   const std::vector<std::string>& exported_names() const { return exports_; }
 
@@ -185,8 +203,7 @@ class PageWriter {
         "those of the others. Functions hold where q closes the loops. Names with lk belong to loop k: R_lk, p_lk "
         "and r_lk to the way from its carrier to its two ends, Phi_lk to its closure's derivative by q, inv_lk is the "
         "reciprocal of the determinant that its joints are found with, and regular_lk is positive unless the loop is "
-        "singular. A_i_j is how joint i moves with the joint of qd[j - 1], drift what it accelerates by if that one "
-        "does "
+        "singular. A_i_j is how joint i moves with the joint of qd[j - 1], drift how it accelerates if that one does "
         "not.",
         fmt::join(dependent, ", "));
   }
@@ -227,7 +244,7 @@ class PageWriter {
     header["positions"] = dialect_.count_name("position_count");
     std::vector<std::string> joints, entries;
     for (int p = 0; p < mechanism_.position_count(); ++p) {
-      joints.push_back(dialect_.text(mechanism_.bodies[static_cast<std::size_t>(mechanism_.body_at(p))].joint));
+      joints.push_back(dialect_.text(mechanism_.joint_at(p).joint));
     }
     for (const int p : mechanism_.independent) entries.push_back(std::to_string(p));
     exports_.emplace_back("position_count");
@@ -266,12 +283,15 @@ class PageWriter {
     return item;
   }
 
+  FunctionText text_of(std::size_t k) const {
+    return function_text(functions_[k], function_names_[k], scope_, dialect_.is_c() ? given_names_[k] : "");
+  }
+
   void write_functions(data& header) {
     data list(data::type::list);
     std::size_t next_nonzero = 0;
     for (std::size_t k = 0; k < functions_.size(); ++k) {
-      const FunctionText text =
-          function_text(functions_[k], function_names_[k], scope_, dialect_.is_c() ? given_names_[k] : "");
+      const FunctionText text = text_of(k);
       note_needs(text);
       if (k == 0) header["example"] = list_of(example(text));
       data item;
@@ -465,6 +485,12 @@ HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& 
   const std::optional<Stages> none;
   const data page = PageWriter(mechanism, functions, options, none).page();
   return {squeezed(rendered(templates::header_h, page)), squeezed(rendered(templates::source_c, page))};
+}
+
+std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                         const EmitOptions& options) {
+  const std::optional<Stages> none;
+  return PageWriter(mechanism, functions, options, none).straight_calls();
 }
 
 std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,

@@ -50,6 +50,15 @@ HeaderAndSource emit_cpp_pair(const Mechanism& mechanism, const std::vector<Func
 // The same functions in C99, for options.scalar: no templates, plain arrays, names with a prefix. The same bits.
 HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options);
 
+// How C calls what computes without sines and cosines of its own: the function that is given them, or the function
+// itself where it needs none.
+struct StraightCall {
+  std::string function;                // "panda_gravity_given"
+  std::vector<std::string> arguments;  // names: "parameters", "sine", "cosine", inputs, outputs
+};
+std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                         const EmitOptions& options);
+
 // The same functions over arrays of states, several states at a time in the lanes of SIMD registers: a source of GNU C
 // that goes with the C form's header. The same statements, and the same bits but for sines and cosines.
 std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,

@@ -75,7 +75,7 @@ std::vector<std::string> joint_table(const Mechanism& mechanism) {
   if (mechanism.has_loops()) rows[0] = {"q", "qd", "joint", "moves link", "type", "unit"};
   for (const LimitKind& kind : limits) rows[0].push_back(kind.column);
   for (int p = 0; p < mechanism.position_count(); ++p) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(p))];
+    const Body& body = mechanism.joint_at(p);
     std::vector<std::string> row = {std::to_string(p)};
     if (mechanism.has_loops()) row.push_back(rate_text(mechanism, p));
     for (const std::string& text : {comment_text(body.joint), comment_text(body.link), type_of(body)}) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string_view>
 
 #include "diagnostics/diagnostics.hpp"
@@ -147,7 +146,7 @@ class FolderWriter {
 
   data functions() const {
     data list(data::type::list);
-    const std::string header = emit_c(mechanism_, functions_, options_).header;
+    const std::vector<StraightCall> straight = straight_calls(mechanism_, functions_, options_);
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       data item, expected(data::type::list);
       for (const ExpectedEntry& entry : vectors_.expected[k]) {
@@ -158,7 +157,7 @@ class FolderWriter {
       item["function"] = cpp_identifier(functions_[k].name);
       item["entries"] = std::to_string(entries_of(functions_[k]));
       item["call"] = call(functions_[k]);
-      item["straight_call"] = straight_call(functions_[k], header);
+      item["straight_call"] = straight_call(functions_[k], straight[k]);
       item["expected"] = data(expected);
       list << item;
     }
@@ -184,28 +183,12 @@ class FolderWriter {
   }
 
   // Of what takes sines and cosines, if it does not do without: "(void)panda_gravity_given(sine, cosine, out);"
-  std::string straight_call(const Function& function, const std::string& header) const {
+  std::string straight_call(const Function& function, const StraightCall& call) const {
     constexpr std::size_t kIndent = 2;
-    const std::string own_name = dialect_.global(cpp_identifier(function.name));
-    const bool is_given = header.find(" " + own_name + "_given(") != std::string::npos;
-    const std::string name = own_name + (is_given ? "_given" : "");
     std::vector<std::string> arguments;
-    for (const std::string& parameter : parameters_of(name, header)) {
-      arguments.push_back(argument_for(parameter, function));
-    }
+    for (const std::string& name : call.arguments) arguments.push_back(argument_for(name, function));
     const std::string receiver = returns_value(function) ? "out[0] = " : "(void)";
-    return without_newline(list_line(receiver + name + "(", arguments, ");", kIndent));
-  }
-
-  // Their names, as the header declares them.
-  static std::vector<std::string> parameters_of(const std::string& function, const std::string& header) {
-    const std::size_t begin = header.find(" " + function + "(") + function.size() + 2;
-    std::istringstream declared(header.substr(begin, header.find(')', begin) - begin));
-    std::vector<std::string> names;
-    for (std::string parameter; std::getline(declared, parameter, ',');) {
-      names.push_back(parameter.substr(parameter.rfind(' ') + 1));
-    }
-    return names;
+    return without_newline(list_line(receiver + call.function + "(", arguments, ");", kIndent));
   }
 
   std::string argument_for(const std::string& parameter, const Function& function) const {

@@ -31,7 +31,7 @@ double largest_of(const Body& body) {
 
 PositionCheck::PositionCheck(const Mechanism& mechanism) : mechanism_(mechanism) {
   for (int i = 0; i < mechanism.position_count(); ++i) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(i))];
+    const Body& body = mechanism.joint_at(i);
     largest_.push_back(largest_of(body));
     limited_.push_back(body.limits.lower && body.limits.upper);
   }
@@ -39,7 +39,7 @@ PositionCheck::PositionCheck(const Mechanism& mechanism) : mechanism_(mechanism)
 
 bool PositionCheck::accepts(const double* channels, const Place& place, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < largest_.size(); ++i) {
-    const Body& body = mechanism_.bodies[static_cast<std::size_t>(mechanism_.body_at(static_cast<int>(i)))];
+    const Body& body = mechanism_.joint_at(static_cast<int>(i));
     const double q = channels[static_cast<std::size_t>(LogLayout::q()) + i];
     if (std::abs(q) <= largest_[i]) continue;
     const char* unit = body.prismatic ? "m" : "rad";

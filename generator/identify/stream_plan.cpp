@@ -63,7 +63,7 @@ class UnitChecks {
   void run() {
     check_positions();
     for (int i = 0; i < mechanism_.position_count(); ++i) {
-      if (!mechanism_.bodies[static_cast<std::size_t>(mechanism_.body_at(i))].prismatic) check_speed(i);
+      if (!mechanism_.joint_at(i).prismatic) check_speed(i);
     }
     for (int i = 0; i < mechanism_.size(); ++i) {
       if (layout_.has_rates) {

@@ -22,7 +22,7 @@ void check_assembly(const Robot& robot, Diagnostics& diagnostics) {
 std::vector<double> assembled_positions(const Robot& robot, const Mechanism& mechanism) {
   std::vector<double> positions;
   for (int p = 0; p < mechanism.position_count(); ++p) {
-    const std::string& joint = mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(p))].joint;
+    const std::string& joint = mechanism.joint_at(p).joint;
     const auto given = std::find_if(robot.assembly.begin(), robot.assembly.end(),
                                     [&](const JointPosition& each) { return each.joint == joint; });
     positions.push_back(given == robot.assembly.end() ? 0 : nearest_double(given->position));

@@ -103,7 +103,20 @@ Matrix<S> columns_of(const Matrix<S>& A, const std::vector<int>& columns) {
   return result;
 }
 
-// G, m × n, loop by loop, by Cramer's rule.
+// x of A x = b, by Cramer's rule.
+template <class S>
+std::vector<S> solved(const Matrix<S>& A, const std::vector<S>& b) {
+  const S det = determinant(A);
+  std::vector<S> x;
+  for (int k = 0; k < A.cols(); ++k) {
+    Matrix<S> replaced = A;
+    for (int row = 0; row < A.rows(); ++row) replaced(row, k) = b[static_cast<std::size_t>(row)];
+    x.push_back(determinant(replaced) / det);
+  }
+  return x;
+}
+
+// G, m × n, loop by loop.
 template <class S, class F>
 Matrix<S> loop_motion(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q) {
   const LoopGeometry<S, F> geometry(mechanism, q);
@@ -111,14 +124,12 @@ Matrix<S> loop_motion(const FieldMechanism<F>& mechanism, const std::vector<Join
   for (int a = 0; a < G.cols(); ++a) G(mechanism.independent[static_cast<std::size_t>(a)], a) = S(F(1));
   for (const FieldLoop<F>& loop : mechanism.loops) {
     const Matrix<S> J = geometry.rows(loop), own = columns_of(J, loop.dependent);
-    const S det = determinant(own);
     const Matrix<S> rest = times(J, G);  // of dependent joints that are still at rest
     for (int a = 0; a < G.cols(); ++a) {
-      for (int d = 0; d < own.cols(); ++d) {
-        Matrix<S> replaced = own;
-        for (int row = 0; row < own.rows(); ++row) replaced(row, d) = -rest(row, a);
-        G(loop.dependent[static_cast<std::size_t>(d)], a) = determinant(replaced) / det;
-      }
+      std::vector<S> wanted;
+      for (int row = 0; row < own.rows(); ++row) wanted.push_back(-rest(row, a));
+      const std::vector<S> rates = solved(own, wanted);
+      for (std::size_t d = 0; d < rates.size(); ++d) G(loop.dependent[d], a) = rates[d];
     }
   }
   return G;

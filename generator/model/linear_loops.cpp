@@ -218,18 +218,7 @@ class LoopSettler {
     for (const Reference& joint : loop.dependent) {
       const auto found = std::find(known.begin(), known.end(), joint.name);
       if (found == known.end()) {
-        const bool is_elsewhere = std::any_of(robot_.joints.begin(), robot_.joints.end(),
-                                              [&joint](const Joint& each) { return each.name == joint.name; });
-        const bool is_held = std::any_of(robot_.joints.begin(), robot_.joints.end(), [&joint](const Joint& each) {
-          return each.name == joint.name && each.type == JointType::fixed;
-        });
-        diagnostics_.error(joint.place,
-                           "loop, dependent: \"" + joint.name + "\" is " +
-                               (is_held ? "fixed or held: it cannot follow the others" : "no joint of it that moves"),
-                           is_held        ? "hold the joints that it follows instead"
-                           : is_elsewhere ? "it moves both ends, or none: joints of the loop are " +
-                                                fmt::format("{}", fmt::join(known, ", "))
-                                          : hint_for_unknown(joint.name, known, "joints of the loop"));
+        refuse_dependent(joint, known);
         return false;
       }
       cut.dependent.push_back(bodies[static_cast<std::size_t>(found - known.begin())]);
@@ -239,6 +228,22 @@ class LoopSettler {
       if (turns && !is_on(cut.dependent, body)) cut.independent.push_back(body);
     }
     return check_dependent(loop, cut);
+  }
+
+  void refuse_dependent(const Reference& name, const std::vector<std::string>& known) {
+    const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                                    [&name](const Joint& each) { return each.name == name.name; });
+    const std::string what = "loop, dependent: \"" + name.name + "\" is ";
+    if (joint == robot_.joints.end()) {
+      diagnostics_.error(name.place, what + "no joint of it that moves",
+                         hint_for_unknown(name.name, known, "joints of the loop"));
+    } else if (joint->type == JointType::fixed) {
+      diagnostics_.error(name.place, what + "fixed or held: it cannot follow the others",
+                         "hold the joints that it follows instead");
+    } else {
+      diagnostics_.error(name.place, what + "no joint of it that moves",
+                         fmt::format("it moves both ends, or none: joints of the loop are {}", fmt::join(known, ", ")));
+    }
   }
 
   bool check_dependent(const Loop& loop, const CutLoop& cut) {

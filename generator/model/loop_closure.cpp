@@ -44,23 +44,20 @@ std::vector<int> way_from_base(const Mechanism& tree, int body) {
   return way;
 }
 
-// Of body i's joint, in the parent's frame: the third axis is the joint's. Where it slides, they are the body's.
-Mat3 joint_axes(const Mechanism& tree, int body) {
-  const Body& joint = tree.bodies[index(body)];
-  const Mat3 axes = rotation_z(joint.beta) * rotation_x(joint.alpha);
-  return expanded(joint.prismatic ? axes * rotation_z(joint.theta) : axes);
-}
+// The body that all of a loop moves with, and the bodies from there to each end.
+struct Chains {
+  int carrier = -1;
+  std::array<std::vector<int>, 2> ways;
+};
 
-// The bodies from the carrier to each end, the carrier left out.
-std::array<std::vector<int>, 2> chains(const Mechanism& tree, LoopClosure& loop) {
-  std::array<std::vector<int>, 2> ways = {way_from_base(tree, loop.ends[0].body),
-                                          way_from_base(tree, loop.ends[1].body)};
-  auto& [a, b] = ways;
+Chains chains_of(const Mechanism& tree, const LoopClosure& loop) {
+  Chains chains{-1, {way_from_base(tree, loop.ends[0].body), way_from_base(tree, loop.ends[1].body)}};
+  auto& [a, b] = chains.ways;
   std::size_t common = 0;
   while (common < a.size() && common < b.size() && a[common] == b[common]) ++common;
-  if (common > 0) loop.carrier = a[common - 1];
-  for (std::vector<int>& way : ways) way.erase(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(common));
-  return ways;
+  if (common > 0) chains.carrier = a[common - 1];
+  for (std::vector<int>& way : chains.ways) way.erase(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(common));
+  return chains;
 }
 
 // Those of the first joint that turns, seen from the carrier with all joints before it at 0, which slide: in those a
@@ -68,34 +65,19 @@ std::array<std::vector<int>, 2> chains(const Mechanism& tree, LoopClosure& loop)
 std::optional<Mat3> axes_of_turning(const Mechanism& tree, const std::vector<int>& chain) {
   Mat3 axes = identity_matrix();
   for (const int body : chain) {
-    axes = expanded(axes * joint_axes(tree, body));
-    if (!tree.bodies[index(body)].prismatic) return axes;
+    const Body& joint = tree.bodies[index(body)];
+    axes = expanded(axes * joint_axes(joint));
+    if (!joint.prismatic) return axes;
   }
   return std::nullopt;
 }
 
-void place_axes(const Mechanism& tree, const std::array<std::vector<int>, 2>& chains, LoopClosure& loop) {
-  const bool longer = chains[1].size() >= chains[0].size();
-  for (const std::vector<int>& chain : {chains[longer], chains[!longer]}) {
-    if (const std::optional<Mat3> axes = axes_of_turning(tree, chain)) {
-      loop.axes = *axes;
-      return;
-    }
+Mat3 axes_of(const Mechanism& tree, const std::array<std::vector<int>, 2>& ways) {
+  const bool longer = ways[1].size() >= ways[0].size();
+  for (const std::vector<int>* way : {&ways[longer], &ways[!longer]}) {
+    if (const std::optional<Mat3> axes = axes_of_turning(tree, *way)) return *axes;
   }
-}
-
-// The third of the loop's axes in the frame of an end's body, if its joints leave it there.
-bool carries_axis(const Mechanism& tree, const std::vector<int>& chain, const Vec3& axis, LoopClosure::End& end) {
-  end.axis = axis;
-  RealTree arithmetic(drawn);
-  const NumberMap value(tree.symbols, arithmetic);
-  for (const int body : chain) {
-    end.axis = expanded(transpose(joint_axes(tree, body)) * end.axis);
-    if (tree.bodies[index(body)].prismatic) continue;
-    if (!is_zero(value(end.axis[0])) || !is_zero(value(end.axis[1]))) return false;
-    end.axis = {0, 0, end.axis[2]};
-  }
-  return true;
+  return identity_matrix();
 }
 
 // The tree with this one loop, its joints at a position like any other.
@@ -137,16 +119,13 @@ void find_rows(const Mechanism& tree, LoopClosure& loop) {
 LoopClosure closure_of(const Loop& written, const Mechanism& tree) {
   LoopClosure loop;
   for (std::size_t e = 0; e < 2; ++e) loop.ends[e] = end_of(tree, written.links[e].name, written.points[e]);
-  const std::array<std::vector<int>, 2> ways = chains(tree, loop);
-  place_axes(tree, ways, loop);
-  const Vec3 axis = {loop.axes[0][2], loop.axes[1][2], loop.axes[2][2]};
-  const bool is_carried[] = {carries_axis(tree, ways[0], axis, loop.ends[0]),
-                             carries_axis(tree, ways[1], axis, loop.ends[1])};
-  loop.has_common_axis = is_carried[0] && is_carried[1];
+  const Chains chains = chains_of(tree, loop);
+  loop.carrier = chains.carrier;
+  loop.axes = axes_of(tree, chains.ways);
   find_rows(tree, loop);
   for (const Reference& joint : written.dependent) {
     for (int k = 0; k < tree.position_count(); ++k) {
-      if (tree.bodies[index(tree.body_at(k))].joint == joint.name) loop.dependent.push_back(k);
+      if (tree.joint_at(k).joint == joint.name) loop.dependent.push_back(k);
     }
   }
   return loop;

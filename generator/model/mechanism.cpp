@@ -6,19 +6,13 @@
 #include "model/rational_rotation.hpp"
 
 namespace flatdyn {
-namespace {
 
-// 2 (p·h) 1 - p hᵀ - h pᵀ: what a first moment h adds to the inertia when the pole moves away from it by p.
-Mat3 mixed_steiner(const Vec3& p, const Vec3& h) {
-  const Number twice = 2 * dot(p, h);
-  Mat3 m;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) m[i][j] = (i == j ? twice : Number(0)) - p[i] * h[j] - h[i] * p[j];
-  }
-  return m;
+Mat3 joint_axes(const Body& joint) {
+  const Mat3 axes = rotation_z(joint.beta) * rotation_x(joint.alpha);
+  return expanded(joint.prismatic ? axes * rotation_z(joint.theta) : axes);
 }
 
-}  // namespace
+namespace {}  // namespace
 
 bool InertialParameters::is_zero() const {
   const auto all_vanish = [](const Vec3& v) { return std::all_of(v.begin(), v.end(), vanishes); };
@@ -32,7 +26,7 @@ InertialParameters operator+(const InertialParameters& a, const InertialParamete
 InertialParameters transformed(const InertialParameters& a, const Mat3& R, const Vec3& p) {
   const Vec3 h = R * a.first_moment;
   const Mat3 I = R * a.inertia * transpose(R);
-  return {a.mass, expanded(h + a.mass * p), expanded(I + mixed_steiner(p, h) + steiner(a.mass, p))};
+  return {a.mass, expanded(h + a.mass * p), expanded(I + inertia_between(p, h) + steiner(a.mass, p))};
 }
 
 bool Mechanism::has_prismatic_joint() const {

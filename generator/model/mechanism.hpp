@@ -59,6 +59,10 @@ struct Body {
   Limits limits;
 };
 
+// Of a joint, in the parent's frame: the third axis is the one that it turns about or slides along. Where it slides,
+// they are those of its body.
+Mat3 joint_axes(const Body& joint);
+
 // The constant pose of a written link in the body (or base: -1) it moves with.
 struct LinkFrame {
   std::string link;
@@ -73,10 +77,8 @@ struct LoopClosure {
   struct End {
     int body = -1;  // -1: the base
     Vec3 p = zero_vector();
-    Vec3 axis = zero_vector();  // with has_common_axis: the direction, which both bodies share, in this one's frame
   };
   End ends[2];
-  bool has_common_axis = false;   // all its joints turn about one direction, or slide
   int carrier = -1;               // the body nearest to the ends that both are moved by; -1: the base
   Mat3 axes = identity_matrix();  // the components' axes, as columns, in the carrier's frame
   std::vector<std::size_t> rows;  // of the components
@@ -118,7 +120,8 @@ struct Mechanism {
   int position_of(int k) const { return has_loops() ? independent[static_cast<std::size_t>(k)] : k; }
   int body_at(int position) const { return is_coupled() ? coordinates[static_cast<std::size_t>(position)] : position; }
   int body_of(int k) const { return body_at(position_of(k)); }
-  const Body& joint(int k) const { return bodies[static_cast<std::size_t>(body_of(k))]; }
+  const Body& joint_at(int position) const { return bodies[static_cast<std::size_t>(body_at(position))]; }
+  const Body& joint(int k) const { return joint_at(position_of(k)); }
   bool has_prismatic_joint() const;
 };
 

@@ -54,7 +54,7 @@ State in_float(State state) {
 
 StateSource::StateSource(const Mechanism& mechanism) {
   for (int k = 0; k < mechanism.position_count(); ++k) {
-    const Range range = position_range(mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(k))]);
+    const Range range = position_range(mechanism.joint_at(k));
     positions_.emplace_back(range.low, range.high);
   }
   for (int k = 0; k < mechanism.size(); ++k) {

@@ -49,7 +49,7 @@ std::string describe_model(const Model& model, const std::vector<double>& snap_e
                                  number(mechanism.gravity), mechanism.tip.link);
   std::vector<std::vector<std::string>> rows = {{"q", "joint", "type", "moves", "after", "range", "speed", "effort"}};
   for (int i = 0; i < mechanism.position_count(); ++i) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(i))];
+    const Body& body = mechanism.joint_at(i);
     const std::string parent = body.parent < 0 ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
     rows.push_back({std::to_string(i), body.joint, type_of(body), body.link, parent, range_text(body.limits, number),
                     limit_text(body.limits.velocity, number), limit_text(body.limits.effort, number)});
@@ -160,7 +160,7 @@ nlohmann::ordered_json position_json(const Mechanism& mechanism, std::size_t bod
   nlohmann::ordered_json factors = nlohmann::ordered_json::object();
   for (int k = 0; k < mechanism.position_count(); ++k) {
     const Number& factor = mechanism.coupling[body][static_cast<std::size_t>(k)];
-    const std::string& joint = mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(k))].joint;
+    const std::string& joint = mechanism.joint_at(k).joint;
     if (!vanishes(factor)) factors[joint] = number_json(factor, text);
   }
   return {{"factors", factors}, {"offset", number_json(mechanism.offsets[body], text)}};
@@ -193,7 +193,7 @@ nlohmann::ordered_json model_json(const Model& model, const std::vector<double>&
   if (mechanism.is_coupled()) {
     json["q"] = nlohmann::ordered_json::array();
     for (int k = 0; k < mechanism.position_count(); ++k) {
-      json["q"].push_back(mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(k))].joint);
+      json["q"].push_back(mechanism.joint_at(k).joint);
     }
   }
   if (mechanism.has_loops()) {

@@ -40,7 +40,7 @@ Eigen::MatrixXd projection(const std::vector<int>& task, const View& view) {
 std::vector<Eigen::Matrix2d> ellipses(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto, const View& view) {
   std::vector<Eigen::Matrix2d> all = {shadow(ellipsoid, onto)};
   const Eigen::MatrixXd half = onto * ellipsoid.axes * ellipsoid.lengths.asDiagonal();
-  if (view.name != "space" || half.cols() != 3) return all;
+  if (!view.is_oblique || half.cols() != 3) return all;
   for (Eigen::Index k = 0; k < 3; ++k) {
     all.push_back((Eigen::Matrix2d() << half.col(k), half.col((k + 1) % 3)).finished());
   }
@@ -242,7 +242,7 @@ std::string manipulability_plot(const std::string& robot, const std::vector<int>
     share_scale(panels);
   }
   for (std::size_t k = 0; k < views.size(); ++k) {
-    if (views[k].name != "space") continue;
+    if (!views[k].is_oblique) continue;
     if (!panels[k].window) share_scale(panels);
     add_triad(panels[k], views[k]);
   }

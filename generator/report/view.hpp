@@ -10,6 +10,7 @@ namespace flatdyn {
 
 struct View {
   std::string name;
+  bool is_oblique = false;           // sees all three axes
   std::string across, up;            // labels of the picture's axes; empty where these are none of the base frame's
   Eigen::Matrix<double, 2, 3> onto;  // p in the base frame, m, to the picture's place
 };

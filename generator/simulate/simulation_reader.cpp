@@ -159,6 +159,18 @@ class SimulationReader {
     if (!is_any) {
       diagnostics_.warning(table.place_of("joint_limits"), "joint_limits: no joint has limits", "it has no effect");
     }
+    for (const LoopClosure& loop : mechanism_.loops) {
+      for (const int p : loop.dependent) warn_of_idle_limits(table, mechanism_.joint_at(p));
+    }
+  }
+
+  void warn_of_idle_limits(const TomlTable& table, const Body& dependent) {
+    if (!dependent.limits.lower && !dependent.limits.upper) return;
+    diagnostics_.warning(
+        table.place_of("joint_limits"),
+        fmt::format("joint_limits: joint \"{}\" follows from a closed loop, and goes beyond its limits",
+                    dependent.joint),
+        "limit the independent joints so that it does not");
   }
 
   const std::string& file_;

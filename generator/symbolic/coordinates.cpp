@@ -118,13 +118,6 @@ std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivat
   return result;
 }
 
-Number joint_rate(const Mechanism& mechanism, Derivation& derivation, int i) {
-  if (!mechanism.is_coupled()) return derivation.input(InputKind::qd, i);
-  const std::vector<Number> qd = inputs(derivation, InputKind::qd, mechanism.size());
-  const Rows factors = factors_of(mechanism, derivation);
-  return derivation.named(sum_of(factors[static_cast<std::size_t>(i)], qd), "qd_" + label(i));
-}
-
 std::vector<Number> joint_drift(const Mechanism& mechanism, Derivation& derivation, InputKind kind_r) {
   if (!mechanism.has_loops()) return std::vector<Number>(static_cast<std::size_t>(mechanism.body_count()), 0);
   return drift_along(mechanism, derivation, rates_of(mechanism, derivation, InputKind::qd),

@@ -19,9 +19,6 @@ PlanarRotation turn_by(Derivation& derivation, const std::vector<Number>& multip
 // Of body i's joint, rad or m.
 Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i);
 
-// Of body i's joint, rad/s or m/s.
-Number joint_rate(const Mechanism& mechanism, Derivation& derivation, int i);
-
 // Rates or accelerations of all bodies' joints, of the inputs of this kind.
 std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation, InputKind kind);
 // Accelerations of all bodies' joints where those of the coordinates are zero: d(A G)/dt times rates of this kind. Zero

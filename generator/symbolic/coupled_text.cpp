@@ -52,7 +52,7 @@ std::string joints_text(const Mechanism& mechanism) {
 std::vector<std::string> dependent_joint_names(const Mechanism& mechanism, const LoopClosure& loop) {
   std::vector<std::string> names;
   for (const int k : loop.dependent) {
-    names.push_back(mechanism.bodies[static_cast<std::size_t>(mechanism.body_at(k))].joint);
+    names.push_back(mechanism.joint_at(k).joint);
   }
   return names;
 }

@@ -50,11 +50,12 @@ Number twice_rotor_energy(Derivation& d, const Body& body, const Vec3& axis, con
 Number kinetic_energy(Frames& frames) {
   Derivation& d = frames.derivation();
   const Mechanism& mechanism = frames.mechanism();
+  const std::vector<Number> rates = joint_motion(mechanism, d, InputKind::qd);
   std::vector<Velocity> links;
   Number twice = 0;
   for (int i = 0; i < mechanism.body_count(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-    const Number qd = joint_rate(mechanism, d, i);
+    const Number& qd = rates[static_cast<std::size_t>(i)];
     links.push_back(moved(frames, i, body.parent < 0 ? Velocity{} : links[static_cast<std::size_t>(body.parent)], qd));
     twice += d.named(twice_link_energy(d, frames.inertia(i), links.back(), label(i)), "T_" + label(i));
     twice += d.named(twice_rotor_energy(d, body, frames.rotor_axis(i), links, qd, label(i)), "T_m" + label(i));

@@ -70,15 +70,42 @@ std::optional<std::size_t> last_row(const BaseParameters& base, const std::vecto
   return last;
 }
 
+// The bodies from the loop's carrier to an end, the carrier left out.
+std::vector<int> way_to(const Mechanism& mechanism, const LoopClosure& loop, const LoopClosure::End& end) {
+  std::vector<int> way;
+  for (int body = end.body; body != loop.carrier; body = mechanism.bodies[static_cast<std::size_t>(body)].parent) {
+    way.push_back(body);
+  }
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+Vec3 third_axis(const LoopClosure& loop) { return {loop.axes[0][2], loop.axes[1][2], loop.axes[2][2]}; }
+
+// The third of the loop's axes in the frame of an end's body, if its joints leave it there: they turn about it, or
+// slide.
+std::optional<Vec3> carried_axis(const Mechanism& mechanism, const LoopClosure& loop, const LoopClosure::End& end,
+                                 const Size& size) {
+  Vec3 axis = third_axis(loop);
+  for (const int body : way_to(mechanism, loop, end)) {
+    const Body& joint = mechanism.bodies[static_cast<std::size_t>(body)];
+    axis = expanded(transpose(joint_axes(joint)) * axis);
+    if (joint.prismatic) continue;
+    if (!size.is_trifling(axis[0]) || !size.is_trifling(axis[1])) return std::nullopt;
+    axis = {0, 0, axis[2]};
+  }
+  return axis;
+}
+
 // Parameters of masses on the line p + z axis, of which only ∫ z^power is not zero.
-InertialParameters masses_on_line(const LoopClosure::End& end, std::size_t power) {
+InertialParameters masses_on_line(const Vec3& p, const Vec3& axis, std::size_t power) {
   switch (power) {
     case 0:
-      return {1, end.p, steiner(1, end.p)};
+      return {1, p, steiner(1, p)};
     case 1:
-      return {0, end.axis, inertia_between(end.p, end.axis)};
+      return {0, axis, inertia_between(p, axis)};
     default:
-      return {0, zero_vector(), steiner(1, end.axis)};
+      return {0, zero_vector(), steiner(1, axis)};
   }
 }
 
@@ -92,55 +119,68 @@ void add(int body, const InertialParameters& parameters, int sign, ParameterForm
 }
 
 // Products of inertia with the loop's direction n, as of ∫ z r = n × v: those of all links together are n × the way
-// round the loop, which is nothing.
+// round the loop, which is nothing. Whether n points up or down makes no difference.
 InertialParameters products_of(const Vec3& n, const Vec3& v) {
   return {0, zero_vector(), inertia_between(n, cross(n, v))};
 }
 
-// Nothing if a joint slides: no link has its length.
+// Of a loop whose joints share the direction of its third axis. Nothing if one slides: no link has its length.
 ParameterForm products_round_loop(const Mechanism& mechanism, const LoopClosure& loop) {
+  const Vec3 joint_axis = {0, 0, 1};
   ParameterForm shift;
   for (const bool is_second : {false, true}) {
     const LoopClosure::End& end = loop.ends[is_second];
     const int sign = is_second ? -1 : 1;
     Vec3 next = end.p;
-    for (int body = end.body; body != loop.carrier;) {
-      const Body& joint = mechanism.bodies[static_cast<std::size_t>(body)];
+    std::vector<int> way = way_to(mechanism, loop, end);
+    for (; !way.empty(); way.pop_back()) {
+      const Body& joint = mechanism.bodies[static_cast<std::size_t>(way.back())];
       if (joint.prismatic) return {};
-      add(body, products_of(end.axis, next), sign, shift);  // all links share the direction, which is their joints' z
+      add(way.back(), products_of(joint_axis, next), sign, shift);
       next = joint.p;
-      body = joint.parent;
     }
-    const Vec3 direction = {loop.axes[0][2], loop.axes[1][2], loop.axes[2][2]};
-    add(loop.carrier, products_of(direction, next), sign, shift);
+    add(loop.carrier, products_of(third_axis(loop), next), sign, shift);
   }
   std::erase_if(shift, [](const auto& term) { return vanishes(term.second); });
   return shift;
 }
 
-}  // namespace
-
-std::vector<ParameterForm> loop_shifts(const Mechanism& mechanism) {
+std::vector<ParameterForm> shifts_of(const Mechanism& mechanism, const LoopClosure& loop, const Size& size) {
+  const std::optional<Vec3> axes[] = {carried_axis(mechanism, loop, loop.ends[0], size),
+                                      carried_axis(mechanism, loop, loop.ends[1], size)};
+  const bool has_common_axis = axes[0] && axes[1];
   std::vector<ParameterForm> shifts;
-  for (const LoopClosure& loop : mechanism.loops) {
-    for (std::size_t power = 0; power < (loop.has_common_axis ? 3 : 1); ++power) {
-      ParameterForm shift;
-      for (const bool is_second : {false, true}) {
-        const LoopClosure::End& end = loop.ends[is_second];
-        add(end.body, masses_on_line(end, power), is_second ? -1 : 1, shift);
-      }
-      shifts.push_back(std::move(shift));
+  for (std::size_t power = 0; power < (has_common_axis ? 3 : 1); ++power) {
+    ParameterForm shift;
+    for (const bool is_second : {false, true}) {
+      const LoopClosure::End& end = loop.ends[is_second];
+      const Vec3 axis = axes[is_second].value_or(zero_vector());
+      add(end.body, masses_on_line(end.p, axis, power), is_second ? -1 : 1, shift);
     }
-    if (loop.has_common_axis) shifts.push_back(products_round_loop(mechanism, loop));
+    shifts.push_back(std::move(shift));
+  }
+  if (has_common_axis) shifts.push_back(products_round_loop(mechanism, loop));
+  for (ParameterForm& shift : shifts) {
+    std::erase_if(shift, [&size](const auto& term) { return size.is_trifling(term.second); });
   }
   return shifts;
 }
 
+// All δ, loop by loop.
+std::vector<ParameterForm> loop_shifts(const Mechanism& mechanism, const Size& size) {
+  std::vector<ParameterForm> all;
+  for (const LoopClosure& loop : mechanism.loops) {
+    for (ParameterForm& shift : shifts_of(mechanism, loop, size)) all.push_back(std::move(shift));
+  }
+  return all;
+}
+
+}  // namespace
+
 BaseParameters without_shifts(const Mechanism& mechanism, BaseParameters base, const std::vector<ParameterForm>& forms,
                               const std::vector<bool>& present, const IsZero& is_zero) {
   const Size size(mechanism);
-  for (ParameterForm shift : loop_shifts(mechanism)) {
-    std::erase_if(shift, [&size](const auto& term) { return size.is_trifling(term.second); });
+  for (ParameterForm& shift : loop_shifts(mechanism, size)) {
     if (!is_possible(shift, forms, present, is_zero)) continue;
     for (const LoopShift& before : base.shifts) shift = sum(shift, -product(before.share, shift), before.shift);
     std::vector<Number> amounts;

@@ -13,9 +13,6 @@
 
 namespace flatdyn {
 
-// All δ, loop by loop.
-std::vector<ParameterForm> loop_shifts(const Mechanism& mechanism);
-
 // With one parameter less for each δ that has a part in those of the model, the last that it may be.
 // `forms`: the parameters of the tree, those that the model does not have included, which are those that are not
 // `present`.

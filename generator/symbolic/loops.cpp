@@ -34,6 +34,12 @@ Rows columns_of(const Rows& A, const std::vector<int>& columns) {
   return result;
 }
 
+std::vector<Number> components(const Vec3& v, const std::vector<std::size_t>& rows) {
+  std::vector<Number> result;
+  for (const std::size_t row : rows) result.push_back(v[row]);
+  return result;
+}
+
 std::string entry_name(const std::string& name, std::size_t k) { return name + "_" + label(static_cast<int>(k)); }
 
 }  // namespace
@@ -122,7 +128,7 @@ std::vector<Number> ClosedLoops::completed(std::vector<Number> values, const Ext
 std::vector<Number> ClosedLoops::closure() const {
   std::vector<Number> result;
   for (std::size_t l = 0; l < loops_.size(); ++l) {
-    for (const std::size_t row : mechanism_.loops[l].rows) result.push_back(loops_[l].gap[row]);
+    for (const Number& entry : components(loops_[l].gap, mechanism_.loops[l].rows)) result.push_back(entry);
   }
   return result;
 }
@@ -173,20 +179,32 @@ std::vector<Number> ClosedLoops::drift(const std::vector<Number>& rates, const s
                                        const std::string& name) const {
   const auto extra = [&](const Loop& loop, std::size_t l) {
     const Vec3 gap = acceleration(loop.ways[1], rates, rates_r) - acceleration(loop.ways[0], rates, rates_r);
-    std::vector<Number> entries;
-    for (const std::size_t row : mechanism_.loops[l].rows) entries.push_back(gap[row]);
-    return entries;
+    return components(gap, mechanism_.loops[l].rows);
   };
   return completed(std::vector<Number>(at(mechanism_.position_count()), 0), extra, name);
 }
 
 std::vector<Number> ClosedLoops::step() const {
-  const auto extra = [&](const Loop& loop, std::size_t l) {
-    std::vector<Number> entries;
-    for (const std::size_t row : mechanism_.loops[l].rows) entries.push_back(loop.gap[row]);
-    return entries;
-  };
+  const auto extra = [&](const Loop& loop, std::size_t l) { return components(loop.gap, mechanism_.loops[l].rows); };
   return completed(std::vector<Number>(at(mechanism_.position_count()), 0), extra, "step");
+}
+
+// Of the links beyond joint j of a way, and of how far it and joints after it slide.
+ClosedLoops::Lengths ClosedLoops::lengths_beyond(const std::vector<Joint>& way, std::size_t j,
+                                                 const LoopClosure::End& end) const {
+  if (way[j].slides) return {1, 1};  // its column is a unit vector
+  Lengths lengths{0, 0};
+  const auto add = [&lengths](const Number& square) {
+    lengths.squares += square;
+    ++lengths.count;
+  };
+  for (std::size_t i = j; i + 1 < way.size(); ++i) {
+    const int next = way[i + 1].body;
+    add(dot(frames_.p(next), frames_.p(next)));
+    if (way[i + 1].slides) add(frames_.slide(next) * frames_.slide(next));
+  }
+  add(dot(end.p, end.p));
+  return lengths;
 }
 
 // Squared, by Hadamard: the lengths of its columns are at most those of the links beyond the joints, one after another,
@@ -194,31 +212,18 @@ std::vector<Number> ClosedLoops::step() const {
 Number ClosedLoops::largest_determinant(std::size_t l) const {
   Number product = 1;
   for (const int k : mechanism_.loops[l].dependent) {
-    Number column = 0;
-    int parts = 0;
+    Lengths column{0, 0};
     for (std::size_t e = 0; e < 2; ++e) {
       const std::vector<Joint>& way = loops_[l].ways[e];
       for (std::size_t j = 0; j < way.size(); ++j) {
         const Number times = factor(way[j].body, at(k));
         if (vanishes(times)) continue;
-        if (way[j].slides) {
-          column += times * times;
-          ++parts;
-          continue;
-        }
-        for (std::size_t i = j; i < way.size(); ++i) {
-          const bool is_last = i + 1 == way.size();
-          const Vec3 reach = is_last ? mechanism_.loops[l].ends[e].p : frames_.p(way[i + 1].body);
-          column += times * times * dot(reach, reach);
-          ++parts;
-          if (is_last || !way[i + 1].slides) continue;
-          const Number slide = frames_.slide(way[i + 1].body);
-          column += times * times * slide * slide;
-          ++parts;
-        }
+        const Lengths beyond = lengths_beyond(way, j, mechanism_.loops[l].ends[e]);
+        column.squares += times * times * beyond.squares;
+        column.count += beyond.count;
       }
     }
-    product *= d_.named(parts * column, entry_name("reach_l" + label(static_cast<int>(l)), at(k)));
+    product *= d_.named(column.count * column.squares, entry_name("reach_l" + label(static_cast<int>(l)), at(k)));
   }
   return product;
 }

@@ -60,6 +60,11 @@ class ClosedLoops {
   std::vector<Number> completed(std::vector<Number> values, const Extra& extra, const std::string& name) const;
   Vec3 acceleration(const std::vector<Joint>& way, const std::vector<Number>& rates,
                     const std::vector<Number>& rates_r) const;
+  struct Lengths {
+    Number squares;  // their sum
+    int count;
+  };
+  Lengths lengths_beyond(const std::vector<Joint>& way, std::size_t j, const LoopClosure::End& end) const;
   Number largest_determinant(std::size_t l) const;
 
   const Mechanism& mechanism_;

@@ -18,8 +18,6 @@ constexpr double kFarthestStep = 0.05;  // rad, m
 constexpr int kMostHalvings = 10;
 // Of the links' lengths together: some roundings of the loops' closure.
 constexpr double kClosed = 1e-14;
-// The generated functions' own, below which they return false.
-constexpr double kSingular = 1e-6;
 
 constexpr const char* kAway = "let the motion stay away from there, or choose other dependent joints";
 
@@ -40,7 +38,10 @@ ClosedPositions::ClosedPositions(const Model& model) : independent_(model.mechan
   tolerance_ = kClosed * reach(*robot_);
   const std::vector<double> start = assembled_positions(model.robot, model.mechanism);
   q_ = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
-  if (reference::close_loops(*robot_, q_, tolerance_) && reference::loop_regularity(*robot_, q_) > kSingular) return;
+  if (reference::close_loops(*robot_, q_, tolerance_) &&
+      reference::loop_regularity(*robot_, q_) > reference::kSingularLoop) {
+    return;
+  }
   throw Failure(ExitCode::input,
                 fmt::format("{}: the loops cannot be closed near q = {}, or are singular there", model.robot.file,
                             fmt::join(start, ", ")),

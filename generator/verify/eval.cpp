@@ -16,9 +16,6 @@
 namespace flatdyn {
 namespace {
 
-// The emitted functions' own bound, below which they return false.
-constexpr double kSingularLoop = 1e-6;
-
 // Where each input is found: a column, or nowhere.
 class Columns {
  public:
@@ -47,8 +44,7 @@ class Columns {
 
  private:
   const std::string& joint_of(const Input& input) const {
-    const int body = input.kind == InputKind::q ? mechanism_.body_at(input.index) : mechanism_.body_of(input.index);
-    return mechanism_.bodies[static_cast<std::size_t>(body)].joint;
+    return (input.kind == InputKind::q ? mechanism_.joint_at(input.index) : mechanism_.joint(input.index)).joint;
   }
 
   const Mechanism& mechanism_;
@@ -149,7 +145,9 @@ class Evaluator {
       if (is_regressor(function_.name)) regressor_.emplace(mechanism_, *reference_, symbols_, function_.name);
     }
     const reference::VectorX<S> q = vector_of(state.q);
-    if (mechanism_.has_loops() && !(reference::loop_regularity(*reference_, q) > S(kSingularLoop))) return std::nullopt;
+    if (mechanism_.has_loops() && !(reference::loop_regularity(*reference_, q) > S(reference::kSingularLoop))) {
+      return std::nullopt;
+    }
     return regressor_ ? regressor_->values(state) : reference_values(function_, *reference_, state);
   }
 

@@ -59,15 +59,9 @@ class LoopOutputs {
     for (const FieldLoop<F>& loop : mechanism_.loops) {
       const Matrix<F> J = geometry_.rows(loop), own = columns_of(J, loop.dependent);
       const Values moved = times(J, dq), open = gap(loop);
-      Values found;
-      for (int d = 0; d < own.cols(); ++d) {
-        Matrix<F> replaced = own;
-        for (int row = 0; row < own.rows(); ++row) {
-          const auto r = static_cast<std::size_t>(row);
-          replaced(row, d) = -(moved[r] + open[r]);
-        }
-        found.push_back(determinant(replaced) / determinant(own));
-      }
+      Values wanted;
+      for (std::size_t row = 0; row < open.size(); ++row) wanted.push_back(-(moved[row] + open[row]));
+      const Values found = solved(own, wanted);
       for (std::size_t d = 0; d < found.size(); ++d) dq[static_cast<std::size_t>(loop.dependent[d])] = found[d];
     }
     return dq;

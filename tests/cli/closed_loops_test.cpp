@@ -65,6 +65,18 @@ TEST_F(ClosedLoops, MoveAndNeedTheTorquesThatMovedThem) {
   EXPECT_EQ(scaled.code, 0) << scaled.err;
 }
 
+TEST_F(ClosedLoops, LimitsOfDependentJointsAreNotWatchedAndThatIsSaid) {
+  std::string text = text_of_robot("slider_crank.toml");
+  const std::string slider = "joint = \"x\"\n";
+  text.insert(text.find(slider) + slider.size(), "limits = { lower = 0.3, upper = 0.4, velocity = 1, effort = 1 }\n");
+  scratch.write("limited.toml", text);
+  scratch.write("stop.toml", "duration = 0.1\njoint_limits = \"stop\"\n");
+  const Outcome outcome = run_flatdyn(fmt::format("simulate {} --simulation {} -o {}", scratch.path("limited.toml"),
+                                                  scratch.path("stop.toml"), scratch.path("motion.csv")));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("stop.toml:2: warning: joint_limits: joint \"x\" follows from a closed loop"));
+}
+
 // A slider that pushes the crank through its dead centre.
 TEST_F(ClosedLoops, EndAtASingularPosition) {
   std::string text = text_of_robot("slider_crank.toml");

@@ -44,6 +44,12 @@ Vector3<S> end_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses, int en
   return link.p + link.R * loop.points[end];
 }
 
+// What lies between its ends, the components that joints change.
+template <class S>
+VectorX<S> gap_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses) {
+  return rows_of(loop, in_axes(loop, poses, Vector3<S>(end_of(loop, poses, 1) - end_of(loop, poses, 0))));
+}
+
 // Of one loop, a column for each joint.
 template <class S>
 MatrixX<S> loop_jacobian_of_joints(const Robot<S>& robot, const Loop<S>& loop, const std::vector<Pose<S>>& poses) {
@@ -134,8 +140,7 @@ VectorX<S> loop_closure(const Robot<S>& robot, const VectorX<S>& q) {
   const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, of_joints(robot, q, room));
   std::vector<S> entries;
   for (const Loop<S>& loop : robot.loops) {
-    const Vector3<S> gap = detail::end_of(loop, poses, 1) - detail::end_of(loop, poses, 0);
-    const VectorX<S> rows = detail::rows_of(loop, detail::in_axes(loop, poses, gap));
+    const VectorX<S> rows = detail::gap_of(loop, poses);
     entries.insert(entries.end(), rows.begin(), rows.end());
   }
   return Eigen::Map<const VectorX<S>>(entries.data(), static_cast<Eigen::Index>(entries.size()));
@@ -189,11 +194,7 @@ template <class S>
 VectorX<S> loop_step(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
   const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, of_joints(robot, q, room));
-  const auto gap = [&](const Loop<S>& loop) -> VectorX<S> {
-    return detail::rows_of(
-        loop,
-        detail::in_axes(loop, poses, Vector3<S>(detail::end_of(loop, poses, 1) - detail::end_of(loop, poses, 0))));
-  };
+  const auto gap = [&](const Loop<S>& loop) { return detail::gap_of(loop, poses); };
   return detail::completed(robot, poses, VectorX<S>(VectorX<S>::Zero(q.size())), gap);
 }
 
@@ -220,6 +221,10 @@ bool close_loops(const Robot<S>& robot, VectorX<S>& q, const S& tolerance) {
   q = tried;
   return true;
 }
+
+// Below this regularity, rates of dependent joints mean nothing any more. Generated functions have a bound of their
+// own, against the largest determinant that links of these lengths allow.
+inline constexpr double kSingularLoop = 1e-6;
 
 // How far the loops are from being singular: the smallest determinant that is divided by, against the product of the
 // lengths of its columns. 1 if there are no loops.

@@ -86,10 +86,10 @@ struct Robot {
     for (const Joint<S>& joint : joints) n += joint.index >= 0 ? 1 : 0;
     return n;
   }
-  int position_count() const {
-    return coupling.size() > 0 ? static_cast<int>(coupling.cols()) : joint_count();
-  }                                                                                                     // of q
-  int size() const { return loops.empty() ? position_count() : static_cast<int>(independent.size()); }  // of q̇
+  // Of q.
+  int position_count() const { return coupling.size() > 0 ? static_cast<int>(coupling.cols()) : joint_count(); }
+  // Of q̇.
+  int size() const { return loops.empty() ? position_count() : static_cast<int>(independent.size()); }
 };
 
 // Positions of the moving joints, and what else is linear in them; `room` holds them where joints are coupled.
