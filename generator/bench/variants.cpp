@@ -37,8 +37,22 @@ bool is_whole_call(const BenchVariant& variant) {
   return variant.trigonometry != Trigonometry::given && variant.calling != Calling::staged;
 }
 
+namespace {
+
+// Sines that are given are those of the entries of q here.
+bool asks_for_multiples(const Graph& graph) {
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const bool is_asked = graph[id].op == Op::sin || graph[id].op == Op::cos;
+    if (is_asked && angle_of(graph, id).coefficient != 1) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd) {
   const bool has_angles = count_operations(function).trigonometric > 0;
+  if (variant.trigonometry == Trigonometry::given && asks_for_multiples(function.graph)) return false;
   return (has_xsimd || !needs_xsimd(variant)) && (has_angles || variant.trigonometry == Trigonometry::library);
 }
 

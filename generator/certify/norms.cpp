@@ -112,7 +112,8 @@ Norms::Expansion Norms::unrounded(int k) {
     case Step::sine:
     case Step::cosine:
       turned_[k] = {operation.input.index, operation.step == Step::cosine, kOne};
-      return {{{k, 1}}, 0, 0, model_.sine_error};
+      // A sine differs from that of another angle by less than the angles do.
+      return {{{k, 1}}, 0, 0, model_.sine_error + (operation.a < 0 ? 0 : expansion(operation.a).slack)};
     case Step::negate: {
       const Expansion& of = expansion(operation.a);
       return {times(of.form, -1), of.slack, 0, 0};

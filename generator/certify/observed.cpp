@@ -122,7 +122,8 @@ std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch, do
         break;
       case Step::sine:
       case Step::cosine:
-        values.push_back(sine_or_cosine(batch.input<T>(operation.input), operation.step == Step::cosine));
+        values.push_back(
+            sine_or_cosine(operation.a < 0 ? batch.input<T>(operation.input) : a(), operation.step == Step::cosine));
         if (sine_error > 0) values.back() = disturbed(values.back(), static_cast<T>(sine_error), signs());
         break;
       case Step::negate:

@@ -42,8 +42,9 @@ void write_c_function(data& item, const Function& function, const FunctionText& 
   item["definitions"] = definitions(text, linkage);
   item["given?"] = text.given.has_value();
   if (!text.given) return;
-  item["given_comment"] = fmt::format(
-      "The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = {}.", text.given->joints);
+  item["given_comment"] =
+      fmt::format("The same from sine[k] = sin({0}[k]) and cosine[k] = cos({0}[k]) of the caller's, k = {1}.",
+                  text.given->of, text.given->joints);
   item["given_declaration"] = c_signature(text.returns, text.given->name, text.given->declared, ";");
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
+#include "emit/angles.hpp"
 #include "emit/base_constants.hpp"
 #include "emit/batch_section.hpp"
 #include "emit/c_section.hpp"
@@ -80,6 +81,7 @@ class PageWriter {
     write_functions(header);
     write_stages(header);
     write_loop_closing(header);
+    write_angles(header);
     if (is_pair()) write_instantiations(header);
     header["uses_sign"] = uses_sign_;
     header["header_sign?"] = uses_sign_ && !is_pair();
@@ -127,6 +129,10 @@ class PageWriter {
       }
       names_.unique(dialect_.count_name("position_count"));
     }
+    if (!mechanism_.angles.empty()) {
+      names_.unique(dialect_.count_name("angle_count"));
+      if (dialect_.is_c()) names_.unique(dialect_.global("angles"));
+    }
     if (std::any_of(functions_.begin(), functions_.end(), uses_base_parameters)) {
       for (const char* name : kBaseConstants) {
         const bool is_count = base_names_.empty();
@@ -148,6 +154,7 @@ class PageWriter {
     if (is_pair()) scope_.compiled = compiled_scalars(options_);
     scope_.joints = mechanism_.size();
     scope_.positions = mechanism_.position_count();
+    scope_.angles = multiples_of_positions(mechanism_);
     scope_.most_lines = options_.most_lines;
     scope_.names.insert(names_.taken().begin(), names_.taken().end());
     NameTable members({"Scalar", "Parameters", "Real", "restrict"});
@@ -254,6 +261,18 @@ class PageWriter {
                                               dialect_.count_name("position_count"), joints});
     constants << constant("The entries of q that qd, qdd and tau belong to",
                           per_joint("int", "independent_positions", entries));
+  }
+
+  void write_angles(data& header) {
+    const bool asks = uses_trigonometry_ && !scope_.angles.empty() && !dialect_.is_javascript();
+    header["angles?"] = asks;
+    header["header_angles?"] = asks && !is_pair();
+    if (!asks) return;
+    const std::string count =
+        dialect_.count_definition(dialect_.count_name("angle_count"), static_cast<int>(scope_.angle_count()));
+    header["angles_comment"] = list_of(angles_comment(scope_));
+    header["angle_count"] = without_newline(count);
+    header["angles_definition"] = angles_definition(scope_);
   }
 
   void write_base_constants(data& header) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "emit/angles.hpp"
 #include "emit/arguments.hpp"
 #include "emit/expression.hpp"
 #include "emit/names.hpp"
@@ -39,7 +40,7 @@ NameTable names_in_scope(const Function& function, const HeaderScope& scope) {
   std::set<std::string> taken = scope.names;
   taken.insert(scope.stored.begin(), scope.stored.end());
   for (InputKind kind : function.inputs) taken.insert(input_argument(kind, 0).name);
-  taken.insert({"parameters", "positive", "sin_cos", "sine", "cosine"});
+  taken.insert({"parameters", "positive", "sin_cos", "sine", "cosine", angle_array(scope)});
   taken.insert({kKept, kPivots, kStored, kResult});
   return NameTable(taken);
 }
@@ -59,7 +60,7 @@ class BodyWriter {
     for (const Output& output : function_.outputs) output_names_.push_back(names.unique(output.name));
     variables_ = name_variables(function_, schedule_, scope_.parameters, scope_.stored, names);
     for (const Statement& statement : schedule_.statements) {
-      if (is_angle_function(statement)) turning_joints_.insert(joint_of_angle(statement.node));
+      if (is_angle_function(statement)) angles_.insert(angle_index(function_.graph, statement.node, scope_));
     }
   }
 
@@ -72,7 +73,7 @@ class BodyWriter {
     body.uses_positions = std::any_of(inputs_.begin(), inputs_.end(), [this](const Input& input) {
       return input.kind == InputKind::q && is_used_by_itself(find_input(input));
     });
-    body.turning_joints.assign(turning_joints_.begin(), turning_joints_.end());
+    body.angles.assign(angles_.begin(), angles_.end());
     body.takes_sines = has_op(Op::sin);
     body.takes_cosines = has_op(Op::cos);
     body.text = whole();
@@ -210,15 +211,6 @@ class BodyWriter {
     return statement.targets.empty() && (op == Op::sin || op == Op::cos);
   }
 
-  // Sines and cosines come joint by joint from whoever knows them: sums of angles are the derivation's own business.
-  int joint_of_angle(NodeId id) const {
-    const Node& angle = function_.graph[function_.graph[id].operands[0]];
-    if (angle.op != Op::input || angle.input.kind != InputKind::q) {
-      throw std::logic_error("sine or cosine of what is no joint's position");
-    }
-    return angle.input.index;
-  }
-
   bool is_variable(NodeId id) const { return schedule_.is_variable[static_cast<std::size_t>(id)]; }
 
   const std::string& variable(NodeId id) const { return variables_[static_cast<std::size_t>(id)]; }
@@ -259,17 +251,21 @@ class BodyWriter {
   // One call for the sines and cosines of all joints, so that they can be evaluated together. In C they are arguments.
   // In JavaScript they are asked for one by one, into arrays only where several parts need them.
   std::string trigonometry(bool of_parts) const {
-    if (turning_joints_.empty() || dialect_.is_c()) return "";
+    if (angles_.empty() || dialect_.is_c()) return "";
     if (dialect_.is_javascript()) return of_parts ? angle_functions_in_arrays() : "";
-    const char* const count = scope_.positions == scope_.joints ? "joint_count" : "position_count";
-    return code_line(fmt::format("Scalar sine[{0}], cosine[{0}];", count), kStatementIndent) +
-           code_line(fmt::format("sin_cos(q, Joints<{}>(), sine, cosine);", fmt::join(turning_joints_, ", ")),
-                     kStatementIndent);
+    const bool has_others = !scope_.angles.empty();
+    return code_line(fmt::format("Scalar {1}sine[{0}], cosine[{0}];", angle_count_name(scope_),
+                                 has_others ? "angle[" + angle_count_name(scope_) + "], " : ""),
+                     kStatementIndent) +
+           (has_others ? angles_call(scope_) : "") +
+           code_line(
+               fmt::format("sin_cos({}, Joints<{}>(), sine, cosine);", angle_array(scope_), fmt::join(angles_, ", ")),
+               kStatementIndent);
   }
 
   std::string angle_functions_in_arrays() const {
-    const auto joints = static_cast<std::size_t>(scope_.positions);
-    std::string text = list_line(dialect_.arrays(), {dialect_.array("sine", joints), dialect_.array("cosine", joints)},
+    const std::size_t count = scope_.angle_count();
+    std::string text = list_line(dialect_.arrays(), {dialect_.array("sine", count), dialect_.array("cosine", count)},
                                  ";", kStatementIndent);
     for (const Statement& statement : schedule_.statements) {
       if (!is_angle_function(statement)) continue;
@@ -291,12 +287,13 @@ class BodyWriter {
   // "sine[2]", "Math.sin(q[2])".
   std::string angle_function(NodeId id) const {
     if (!dialect_.is_javascript()) return given_angle_function(id).text;
-    return fmt::format("Math.{}(q[{}])", function_.graph[id].op == Op::sin ? "sin" : "cos", joint_of_angle(id));
+    return fmt::format("Math.{}({})", function_.graph[id].op == Op::sin ? "sin" : "cos",
+                       angle_text(angle_index(function_.graph, id, scope_), scope_));
   }
 
   PartSource given_angle_function(NodeId id) const {
     const char* array = function_.graph[id].op == Op::sin ? "sine" : "cosine";
-    return {fmt::format("{}[{}]", array, joint_of_angle(id)), array};
+    return {fmt::format("{}[{}]", array, angle_index(function_.graph, id, scope_)), array};
   }
 
   NodeId find_input(const Input& input) const {
@@ -422,7 +419,7 @@ class BodyWriter {
   std::vector<std::string> output_names_;
   VariableNames variables_;
   ExpressionPrinter printer_;
-  std::set<int> turning_joints_;  // whose sines or cosines are used
+  std::set<int> angles_;  // whose sines or cosines are used, by index
 };
 
 }  // namespace

@@ -17,11 +17,11 @@ struct FunctionBody {
   std::vector<Input> inputs;              // that it reads, but for what an earlier stage has stored
   std::vector<std::string> output_names;  // as the outputs are called in it
   bool uses_sign = false, uses_sqrt = false;
-  bool uses_positions = false;      // reads entries of q, not only for their sines and cosines
-  std::vector<int> turning_joints;  // whose sines and cosines it takes
+  bool uses_positions = false;  // reads entries of q, not only for their sines and cosines
+  std::vector<int> angles;      // whose sines and cosines it takes, by index
   bool takes_sines = false, takes_cosines = false;
 
-  bool uses_trigonometry() const { return !turning_joints.empty(); }
+  bool uses_trigonometry() const { return !angles.empty(); }
 };
 
 FunctionBody function_body(const Function& function, const std::string& name, const HeaderScope& scope);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "diagnostics/table.hpp"
+#include "emit/angles.hpp"
 #include "emit/arguments.hpp"
 #include "emit/function_body.hpp"
 #include "emit/writer.hpp"
@@ -59,7 +60,8 @@ class FunctionWriter {
       text.body = unread() + text.body;
       return;
     }
-    GivenText given{given_name, c_parameters(true, true), c_parameters(true, false), {}, "", unread() + text.body};
+    GivenText given{given_name, c_parameters(true, true), c_parameters(true, false), {}, angle_array(scope_),
+                    "",         unread() + text.body};
     for (const CArgument& argument : c_arguments(true)) given.arguments.push_back(argument.name);
     text.body = body_that_asks(given);
     text.given = std::move(given);
@@ -110,14 +112,14 @@ class FunctionWriter {
     return text;
   }
 
-  // The joints that turn, as first and last of those with indices in a row.
-  std::vector<std::pair<int, int>> runs_of_joints() const {
+  // The angles that are asked for, as first and last of those with indices in a row.
+  std::vector<std::pair<int, int>> runs_of_angles() const {
     std::vector<std::pair<int, int>> runs;
-    for (const int joint : body_.turning_joints) {
-      if (!runs.empty() && runs.back().second + 1 == joint) {
-        runs.back().second = joint;
+    for (const int angle : body_.angles) {
+      if (!runs.empty() && runs.back().second + 1 == angle) {
+        runs.back().second = angle;
       } else {
-        runs.emplace_back(joint, joint);
+        runs.emplace_back(angle, angle);
       }
     }
     return runs;
@@ -125,12 +127,16 @@ class FunctionWriter {
 
   // Tells `given` whose sines and cosines it gets.
   std::string body_that_asks(GivenText& given) const {
-    const std::string count = dialect_.count_name(scope_.positions == scope_.joints ? "joint_count" : "position_count");
-    std::string text =
-        code_line(fmt::format("{0} sine[{1}], cosine[{1}];", dialect_.scalar(), count), kStatementIndent);
-    for (const auto& [first, last] : runs_of_joints()) {
-      text += code_line(fmt::format("{}(q, {}, {}, sine, cosine);", dialect_.global("sines_and_cosines"), first, last),
-                        kStatementIndent);
+    const std::string count = angle_count_name(scope_), of = angle_array(scope_);
+    const bool has_others = !scope_.angles.empty();
+    std::string text = code_line(fmt::format("{0} {2}sine[{1}], cosine[{1}];", dialect_.scalar(), count,
+                                             has_others ? "angle[" + count + "], " : ""),
+                                 kStatementIndent);
+    if (has_others) text += angles_call(scope_);
+    for (const auto& [first, last] : runs_of_angles()) {
+      text +=
+          code_line(fmt::format("{}({}, {}, {}, sine, cosine);", dialect_.global("sines_and_cosines"), of, first, last),
+                    kStatementIndent);
       given.joints += (given.joints.empty() ? "" : ", ") + std::to_string(first);
       if (last > first) given.joints += ".." + std::to_string(last);
     }

@@ -22,7 +22,7 @@ struct GivenText {
   std::vector<std::string> parameters;  // of its definition
   std::vector<std::string> declared;    // of its declaration
   std::vector<std::string> arguments;   // that a call has
-  std::string joints;                   // whose sines and cosines it takes: "1..6"
+  std::string of, joints;               // whose sines and cosines it takes: "q", "1..6"
   std::string body;                     // indented lines
 };
 

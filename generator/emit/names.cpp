@@ -45,7 +45,7 @@ std::string wanted_name(const Graph& graph, NodeId id, const std::map<NodeId, st
   if (const std::string* given = graph.name(id)) return *given;
   const Node& node = graph[id];
   if (node.op == Op::sin || node.op == Op::cos) {
-    return (node.op == Op::sin ? "s_" : "c_") + std::to_string(graph[node.operands[0]].input.index + 1);
+    return (node.op == Op::sin ? "s_" : "c_") + std::to_string(graph[angle_of(graph, id).node].input.index + 1);
   }
   const auto entry = entries.find(id);
   return entry == entries.end() ? "" : entry->second;

@@ -66,6 +66,7 @@ class Scheduler {
     for (NodeId id : function_.positive) ++at(uses_, id);
     for (NodeId id = graph_.size() - 1; id >= 0; --id) {
       if (!at(alive_, id)) continue;
+      if (is_trigonometric(graph_[id])) continue;  // its angle is written where it is asked for
       const int uses = is_negation(graph_[id]) ? at(uses_, id) : 1;
       for (NodeId operand : operands_of(graph_[id])) at(uses_, operand) += uses;
     }

@@ -121,7 +121,7 @@ class Splitter {
     const Node& node = graph_[id];
     if (const std::string* name = graph_.name(id)) return *name;
     if (node.op != Op::sin && node.op != Op::cos) return "";
-    return (node.op == Op::sin ? "s_" : "c_") + std::to_string(graph_[node.operands[0]].input.index + 1);
+    return (node.op == Op::sin ? "s_" : "c_") + std::to_string(graph_[angle_of(graph_, id).node].input.index + 1);
   }
 
   // A function with these roots, what is stored taken as given.

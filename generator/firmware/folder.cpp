@@ -71,8 +71,8 @@ class FolderWriter {
     page["packages"] = std::string(target_.packages);
     page["own_start?"] = target_.has_own_start;
     page["measures?"] = measures();
-    page["sines"] = joint_literals(Rational(3, 5));
-    page["cosines"] = joint_literals(Rational(4, 5));
+    page["sines"] = angle_literals(Rational(3, 5));
+    page["cosines"] = angle_literals(Rational(4, 5));
     page["units"] = fmt::format("{}", kAllowedUnits);
     page["state_count"] = std::to_string(vectors_.states.size());
     page["function_count"] = std::to_string(functions_.size());
@@ -87,9 +87,9 @@ class FolderWriter {
   // What emulates a whole board can let its clock go by instructions; a program for Linux cannot be counted.
   bool measures() const { return std::string_view(target_.emulator).starts_with("qemu-system"); }
 
-  std::string joint_literals(const Rational& value) const {
-    const auto joints = static_cast<std::size_t>(std::max(1, mechanism_.position_count()));
-    return fmt::format("{}", fmt::join(std::vector<std::string>(joints, dialect_.literal(value)), ", "));
+  std::string angle_literals(const Rational& value) const {
+    const auto angles = static_cast<std::size_t>(std::max(1, mechanism_.angle_count()));
+    return fmt::format("{}", fmt::join(std::vector<std::string>(angles, dialect_.literal(value)), ", "));
   }
 
   static std::size_t entries_of(const Function& function) {

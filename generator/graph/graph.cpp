@@ -308,6 +308,13 @@ void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image) {
   if (const std::string* name = from.name(id)) to.set_name(image, *name);
 }
 
+Term angle_of(const Graph& graph, NodeId id) {
+  const NodeId angle = graph[id].operands.front();
+  const Term term = graph.is_scaled(angle) ? graph[angle].terms.front() : Term{1, angle};
+  if (graph[term.node].op != Op::input) throw std::logic_error("sine or cosine of what is no multiple of an input");
+  return term;
+}
+
 std::vector<NodeId> operands_of(const Node& node) {
   std::vector<NodeId> operands = node.operands;
   for (const Term& term : node.terms) operands.push_back(term.node);

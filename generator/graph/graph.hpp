@@ -117,6 +117,9 @@ class Graph {
 // The name of a node, if it has one, for its image in another graph.
 void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image);
 
+// The angle of a sine or cosine, as a multiple of an input.
+Term angle_of(const Graph& graph, NodeId id);  // throws std::logic_error if it is none
+
 // All operands of a node, whatever its op (for walking).
 std::vector<NodeId> operands_of(const Node& node);
 

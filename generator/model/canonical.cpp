@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "model/angles.hpp"
 #include "model/coordinate_limits.hpp"
 #include "model/loop_closure.hpp"
 #include "model/mechanism.hpp"
@@ -329,6 +330,7 @@ void add_coupling(const RawTree& tree, Mechanism& mechanism) {
     mechanism.coupling.push_back(std::move(row));
     mechanism.offsets.push_back(position.offset);
   }
+  mechanism.angles = further_angles(mechanism);
 }
 
 }  // namespace

@@ -98,11 +98,6 @@ void report_circle(const Robot& robot, const std::vector<int>& circle, Diagnosti
                     "let one of them move by itself");
 }
 
-bool is_small_whole(const Number& factor) {
-  constexpr int kMostTurns = 64;
-  return factor.info(GiNaC::info_flags::integer) && GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(factor)) <= kMostTurns;
-}
-
 }  // namespace
 
 Number own_factor(const std::string& joint, const Coupled& coupled) {
@@ -121,21 +116,19 @@ bool validate_couplings(const Robot& robot, Diagnostics& diagnostics) {
 
 void refuse_factors(const Robot& robot, Diagnostics& diagnostics) {
   constexpr double kLargest = 1e30;  // as of numbers in files
+  constexpr double kMostTurns = 1e6;
   const std::vector<LinearPosition> positions = joint_positions(robot);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Joint& joint = robot.joints[j];
     if (!joint.coupled || joint.type == JointType::fixed) continue;
+    const bool slides = joint.type == JointType::prismatic;
     for (const auto& [owner, factor] : positions[j].factors) {
-      const bool slides = joint.type == JointType::prismatic;
-      if (slides ? std::abs(nearest_double(factor)) <= kLargest : is_small_whole(factor)) continue;
-      diagnostics.unsupported(
-          joint.coupled->place,
-          "joint \"" + joint.name + "\" moves by " + to_decimal(factor, 6) + " times the coordinate of \"" +
-              robot.joints[static_cast<std::size_t>(owner)].name +
-              (slides ? "\": numbers go up to 1e30"
-                      : "\": of joints that turn, only whole multiples up to 64 are supported yet"),
-          slides ? "check the factors"
-                 : "let the joint that turns least have the coordinate, or hold this one: --fix " + joint.name);
+      if (std::abs(nearest_double(factor)) <= (slides ? kLargest : kMostTurns)) continue;
+      diagnostics.unsupported(joint.coupled->place,
+                              "joint \"" + joint.name + "\" moves by " + to_decimal(factor, 6) +
+                                  " times the coordinate of \"" + robot.joints[static_cast<std::size_t>(owner)].name +
+                                  (slides ? "\": numbers go up to 1e30" : "\": joints turn by up to 1e6 times another"),
+                              slides ? "check the factors" : "check the factors; angles are in rad");
     }
   }
 }

@@ -22,8 +22,8 @@ struct LinearPosition {
 // Whether joints that are named exist, and no joint follows itself through others.
 bool validate_couplings(const Robot& robot, Diagnostics& diagnostics);
 
-// Sines and cosines are those of coordinates: of fractions of a coordinate they cannot be made of them, so joints that
-// turn do so by whole multiples up to 64; and no factor is beyond what numbers may be. For couplings that are valid.
+// No factor is beyond what numbers may be, or what leaves an angle its digits: of joints that turn, 1e6. For couplings
+// that are valid.
 void refuse_factors(const Robot& robot, Diagnostics& diagnostics);
 
 // By how much of a joint's own coordinate it moves; 0 if it has none.

@@ -71,6 +71,12 @@ struct LinkFrame {
   Vec3 p = zero_vector();
 };
 
+// A multiple of an entry of q by which joints turn.
+struct CoordinateMultiple {
+  int position = 0;
+  Number factor = 1;  // positive
+};
+
 // A closed loop that is not a matter of linear coupling, cut where two points meet. Φ(q) = 0: of the way from the first
 // point to the second, in the frame of the body that carries the loop, those components that the joints change.
 struct LoopClosure {
@@ -103,6 +109,8 @@ struct Mechanism {
   std::vector<int> coordinates;
   std::vector<std::vector<Number>> coupling;
   std::vector<Number> offsets;  // what is constant, rad or m
+  // Where a joint turns by no small whole multiples of coordinates, sines and cosines of these are asked for, too.
+  std::vector<CoordinateMultiple> angles;
 
   // Where loops are closed, q has the positions of all joints that are not coupled, and q̇, q̈ and τ are those of the
   // independent ones among them. In that order each loop finds all that it depends on. Then joints count as coupled.
@@ -110,6 +118,7 @@ struct Mechanism {
   std::vector<int> independent;  // entries of q; empty: all
 
   int position_count() const { return is_coupled() ? static_cast<int>(coordinates.size()) : body_count(); }  // of q
+  int angle_count() const { return position_count() + static_cast<int>(angles.size()); }
   // Of q̇, q̈ and τ; and of q, where no loop is closed.
   int size() const { return has_loops() ? static_cast<int>(independent.size()) : position_count(); }
   int body_count() const { return static_cast<int>(bodies.size()); }

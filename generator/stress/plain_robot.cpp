@@ -84,7 +84,8 @@ void couple(Dice& dice, PlainRobot& robot) {
     const int leaders = dice.one_in(3) ? 2 : 1;
     const int most = robot.links.size() > 5 ? 1 : 2;  // turns of followers of followers multiply
     for (int i = 0; i < leaders && i < before; ++i) {
-      const int factor = link.is_prismatic ? dice.from(-150, 150) : 100 * dice.from(-most, most);
+      const bool is_whole = !link.is_prismatic && dice.one_in(2);
+      const int factor = is_whole ? 100 * dice.from(-most, most) : dice.from(-150, 150);
       const bool slides = robot.links[static_cast<std::size_t>(before - i - 1)].is_prismatic;
       if (factor != 0 && (link.is_prismatic || !slides)) link.follows.push_back({before - i, factor});
     }

@@ -41,7 +41,7 @@ struct PlainLink {
   std::array<int, 3> particles = {0, 0, 0};  // kg/100, which count for the inertia about the centre of mass only
   std::array<PlainVector, 3> arms = {};      // m/100
   int viscous = 0, coulomb = 0;              // hundredths
-  std::vector<PlainFollowing> follows;       // before it; whole multiples where it turns
+  std::vector<PlainFollowing> follows;       // before it
   bool has_coordinate = true;                // of its own
   int offset = 0;                            // hundredths
   bool has_motor = false;

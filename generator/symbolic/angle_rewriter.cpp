@@ -137,11 +137,11 @@ ReadableSum with_pairs_joined(const Harmonics& sum) {
   return result;
 }
 
-Harmonics harmonics(const ReadableSum& sum, int joints) {
+Harmonics harmonics(const ReadableSum& sum, int angles) {
   Harmonics total;
   for (const auto& [monomial, coefficient] : sum) {
     Harmonics product;
-    product[Angle(static_cast<std::size_t>(joints), 0)].cosine = coefficient;
+    product[Angle(static_cast<std::size_t>(angles), 0)].cosine = coefficient;
     for (const auto& [factor, exponent] : monomial) {
       for (int k = 0; k < exponent; ++k) product = multiplied(product, factor);
     }
@@ -163,7 +163,7 @@ Monomial times(Monomial a, const Monomial& b) {
 
 }  // namespace
 
-AngleRewriter::AngleRewriter(const Mechanism& mechanism) : joints_(mechanism.size()) {
+AngleRewriter::AngleRewriter(const Mechanism& mechanism) : angles_(mechanism.angle_count()) {
   std::vector<std::size_t> group_of(mechanism.bodies.size());
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
@@ -179,6 +179,7 @@ AngleRewriter::AngleRewriter(const Mechanism& mechanism) : joints_(mechanism.siz
     // Coupled joints turn by each other's coordinates, whatever the axes.
     groups_[mechanism.is_coupled() ? 0 : group_of[static_cast<std::size_t>(k)]].push_back(k);
   }
+  for (int k = mechanism.position_count(); k < mechanism.angle_count(); ++k) groups_[0].push_back(k);
   std::erase_if(groups_, [](const std::vector<int>& group) { return group.empty(); });
 }
 
@@ -192,7 +193,7 @@ ReadableSum AngleRewriter::rewritten(ReadableSum sum) const {
     }
     ReadableSum next;
     for (const auto& [context, own] : by_context) {
-      const ReadableSum shorter = with_pairs_joined(harmonics(own, joints_));
+      const ReadableSum shorter = with_pairs_joined(harmonics(own, angles_));
       for (const auto& [monomial, coefficient] : shorter.size() < own.size() ? shorter : own) {
         next[times(context, monomial)] += coefficient;
       }

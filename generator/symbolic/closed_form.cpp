@@ -10,6 +10,7 @@
 #include <map>
 #include <utility>
 
+#include "model/angles.hpp"
 #include "model/rational_rotation.hpp"
 #include "symbolic/turns.hpp"
 
@@ -41,11 +42,10 @@ class Lagrange {
  public:
   explicit Lagrange(const Mechanism& mechanism) : mechanism_(mechanism) {
     const auto n = at(mechanism.body_count());
-    for (int k = 0; k < mechanism.size(); ++k) {
-      const std::string name = std::to_string(k + 1);
-      form_.c.emplace_back("c_" + name);
-      form_.s.emplace_back("s_" + name);
-      form_.d.emplace_back("d_" + name);
+    for (int k = 0; k < mechanism.size(); ++k) form_.d.emplace_back("d_" + std::to_string(k + 1));
+    for (int k = 0; k < mechanism.angle_count(); ++k) {
+      form_.c.emplace_back("c_" + std::to_string(k + 1));
+      form_.s.emplace_back("s_" + std::to_string(k + 1));
     }
     for (int i = 0; i < mechanism.body_count(); ++i) {
       angle_.push_back(mechanism.bodies[at(i)].prismatic ? PlanarRotation{} : turn_of_joint(i));
@@ -89,10 +89,10 @@ class Lagrange {
 
   // Cosine and sine of the sum of multiples, by the addition theorems.
   PlanarRotation turn_of_joint(int i) const {
-    const std::vector<Number> factors = factors_of(i);
+    const std::vector<Number> turns = mechanism_.is_coupled() ? turns_of(mechanism_, i) : factors_of(i);
     PlanarRotation total;
-    for (std::size_t k = 0; k < factors.size(); ++k) {
-      const int times = GiNaC::ex_to<GiNaC::numeric>(factors[k]).to_int();
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+      const int times = GiNaC::ex_to<GiNaC::numeric>(turns[k]).to_int();
       const PlanarRotation step{form_.c[k], times < 0 ? Number(-form_.s[k]) : Number(form_.s[k])};
       for (int turn = 0; turn < std::abs(times); ++turn) total = total * step;
     }
@@ -202,8 +202,16 @@ class Lagrange {
 
   // ∂/∂q_k, with ∂c/∂q = -s and ∂s/∂q = c. A coordinate that turns one joint may move another that slides.
   Number derivative(const Number& b, int k) const {
-    const GiNaC::symbol &c = form_.c[at(k)], &s = form_.s[at(k)];
-    return c * b.diff(s) - s * b.diff(c) + b.diff(form_.d[at(k)]);
+    const auto turned = [&](int angle) {
+      const GiNaC::symbol &c = form_.c[at(angle)], &s = form_.s[at(angle)];
+      return c * b.diff(s) - s * b.diff(c);
+    };
+    Number result = turned(k) + b.diff(form_.d[at(k)]);
+    for (std::size_t a = 0; a < mechanism_.angles.size(); ++a) {
+      const CoordinateMultiple& angle = mechanism_.angles[a];
+      if (angle.position == k) result += angle.factor * turned(mechanism_.size() + static_cast<int>(a));
+    }
+    return result;
   }
 
   void add_christoffel_symbols() {

@@ -11,8 +11,9 @@
 namespace flatdyn {
 
 struct ClosedForm {
-  std::vector<GiNaC::symbol> c, s, d;      // one of each per coordinate; c, s for revolute, d for prismatic joints
-  std::vector<std::vector<Number>> B;      // (7.32)
+  std::vector<GiNaC::symbol> d;        // one per coordinate, for prismatic joints
+  std::vector<GiNaC::symbol> c, s;     // one of each per angle: coordinates of revolute joints, and Mechanism::angles
+  std::vector<std::vector<Number>> B;  // (7.32)
   std::vector<std::vector<Number>> c_ijk;  // [i][k (k + 1) / 2 + j], j <= k, (7.45)
   std::vector<Number> g;                   // (7.39)
 

@@ -184,8 +184,8 @@ bool has_coupled_friction(const Mechanism& mechanism) {
 
 std::optional<Function> closed_variant(const Mechanism& mechanism, const Function& recursive) {
   const bool has_it = std::find(std::begin(kNames), std::end(kNames), recursive.name) != std::end(kNames);
-  if (!has_it || mechanism.has_loops() || mechanism.size() > kMostJoints || has_coupled_friction(mechanism))
-    return std::nullopt;
+  const bool is_coupled = mechanism.has_loops() || !mechanism.angles.empty() || has_coupled_friction(mechanism);
+  if (!has_it || mechanism.size() > kMostJoints || is_coupled) return std::nullopt;
   ClosedModel model(mechanism);
   Function closed = recursive;
   closed.outputs.at(0).entries = model.entries(recursive.name);

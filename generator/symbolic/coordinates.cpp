@@ -72,6 +72,12 @@ PlanarRotation multiple(Derivation& d, const PlanarRotation& a, int times, const
   return times % 2 == 0 ? even : named(d, even * a, n + "o");
 }
 
+Number angle_at(const Mechanism& mechanism, Derivation& derivation, int k) {
+  if (k < mechanism.position_count()) return derivation.input(InputKind::q, k);
+  const CoordinateMultiple& angle = mechanism.angles[static_cast<std::size_t>(k - mechanism.position_count())];
+  return angle.factor * derivation.input(InputKind::q, angle.position);
+}
+
 // Of all bodies' joints, for motions of theirs that close the loops.
 std::vector<Number> drift_along(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& rates,
                                 const std::vector<Number>& rates_r, const std::string& name) {
@@ -86,15 +92,15 @@ std::vector<Number> drift_along(const Mechanism& mechanism, Derivation& derivati
 
 }  // namespace
 
-PlanarRotation turn_by(Derivation& d, const std::vector<Number>& multiples) {
+PlanarRotation turn_by(const Mechanism& mechanism, Derivation& d, const std::vector<Number>& multiples) {
   std::vector<Number> so_far(multiples.size(), 0);
   PlanarRotation total;
   for (std::size_t k = 0; k < multiples.size(); ++k) {
     const int times = GiNaC::ex_to<GiNaC::numeric>(multiples[k]).to_int();
     if (times == 0) continue;
-    const Number q = d.input(InputKind::q, static_cast<int>(k));
+    const Number angle = angle_at(mechanism, d, static_cast<int>(k));
     const std::string n = label(static_cast<int>(k));
-    const PlanarRotation step = multiple(d, {d.cos(q, "c_" + n), d.sin(q, "s_" + n)}, std::abs(times), n);
+    const PlanarRotation step = multiple(d, {d.cos(angle, "c_" + n), d.sin(angle, "s_" + n)}, std::abs(times), n);
     so_far[k] = multiples[k];
     total = named(d, total * (times < 0 ? inverse(step) : step), turn_label(so_far));
   }

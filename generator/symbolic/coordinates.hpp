@@ -12,9 +12,9 @@
 
 namespace flatdyn {
 
-// Cosine and sine of a sum of whole multiples of coordinates, by the addition theorems: so the only angles whose
-// cosines and sines have to be evaluated, or given, are the coordinates themselves.
-PlanarRotation turn_by(Derivation& derivation, const std::vector<Number>& multiples);
+// Cosine and sine of a sum of whole multiples of the mechanism's angles (turns_of), by the addition theorems: so the
+// only angles whose cosines and sines have to be evaluated, or given, are those, most of them coordinates.
+PlanarRotation turn_by(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& multiples);
 
 // Of body i's joint, rad or m.
 Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i);

@@ -47,7 +47,7 @@ class Deriver {
         form_(closed_form(mechanism)),
         names_(mechanism, form_),
         angles_(mechanism),
-        pretty_(names_, mechanism.size(), notation, options.digits) {}
+        pretty_(names_, mechanism.size(), notation, options.digits, mechanism.angles) {}
 
   DerivedModel run() {
     add_joints();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/angles.hpp"
 #include "model/rational_rotation.hpp"
 #include "symbolic/coordinates.hpp"
 #include "symbolic/turns.hpp"
@@ -78,8 +79,8 @@ Frames::Turn Frames::turn_by_joint(int i) {
   if (body.prismatic) return turn;
   turn.angles = label(i);
   if (mechanism_.is_coupled()) {
-    turn.multiples = mechanism_.coupling[static_cast<std::size_t>(i)];
-    turn.gamma = named(derivation_, turn_by(derivation_, turn.multiples) * turn.constant, label(i) + "t");
+    turn.multiples = turns_of(mechanism_, i);
+    turn.gamma = named(derivation_, turn_by(mechanism_, derivation_, turn.multiples) * turn.constant, label(i) + "t");
     return turn;
   }
   const Number q = joint_position(mechanism_, derivation_, i);
@@ -134,7 +135,7 @@ void Frames::hand_on_multiples(const Turn& held, int child) {
     turn.multiples[k] += flips ? -held.multiples[k] : held.multiples[k];
   }
   turn.angles = held.angles + "_" + label(child);
-  turn.gamma = named(derivation_, turn_by(derivation_, turn.multiples) * turn.constant, turn.angles);
+  turn.gamma = named(derivation_, turn_by(mechanism_, derivation_, turn.multiples) * turn.constant, turn.angles);
   turn.beta = {};
 }
 

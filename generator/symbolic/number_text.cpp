@@ -28,6 +28,15 @@ std::string plain_number_text(const Number& number, int digits) {
   return digits >= 17 ? fmt::format("{}", value) : fmt::format("{:.{}g}", value, digits);
 }
 
+std::string factor_text(const Number& factor) {
+  constexpr int kShort = 100;
+  const std::string decimal = plain_number_text(factor);
+  const GiNaC::numeric above = GiNaC::ex_to<GiNaC::numeric>(factor).numer();
+  const GiNaC::numeric below = GiNaC::ex_to<GiNaC::numeric>(factor).denom();
+  if (exact_decimal(decimal).is_equal(factor) || GiNaC::abs(above) >= kShort || below >= kShort) return decimal;
+  return fmt::format("{}/{}", above.to_int(), below.to_int());
+}
+
 std::string NumberText::operator()(const Number& number) const {
   if (!has_symbols(number)) return plain_number_text(number, digits_);
   Pretty pretty(names_, 0, Notation::text, digits_);

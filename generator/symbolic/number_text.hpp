@@ -26,4 +26,7 @@ class NumberText {
 // The text of a number without free symbols. 17 digits or more: the shortest text of the nearest double.
 std::string plain_number_text(const Number& number, int digits = 6);
 
+// Of a rational factor: "2/3" where no short decimal says the same.
+std::string factor_text(const Number& factor);
+
 }  // namespace flatdyn

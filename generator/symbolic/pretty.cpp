@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "model/field_mechanism.hpp"
 #include "symbolic/latex.hpp"
 
 namespace flatdyn {
@@ -64,8 +65,9 @@ bool leaves_small_numbers(const ReadableSum& sum, const Rational& divisor) {
 
 }  // namespace
 
-Pretty::Pretty(const Names& names, int joints, Notation notation, int digits)
-    : names_(names), joints_(joints), notation_(notation), digits_(digits) {
+Pretty::Pretty(const Names& names, int joints, Notation notation, int digits,
+               std::vector<CoordinateMultiple> further_angles)
+    : names_(names), joints_(joints), notation_(notation), digits_(digits), further_angles_(std::move(further_angles)) {
   static const std::set<std::string> kOurs = {"c", "s", "d", "q", "qd", "qdd"};
   long_names_ = std::any_of(names.all().begin(), names.all().end(), [](const std::string& name) {
     const std::size_t underscore = name.find('_');
@@ -107,33 +109,46 @@ std::string Pretty::number(const Rational& magnitude, bool with_symbols) {
   return notation_ == Notation::latex ? latex_number(plain) : plain;
 }
 
-std::string Pretty::trigonometric(const Factor& factor) const {
+// Of the angle: by how much it turns with each of them.
+std::vector<Rational> Pretty::multiples_of_coordinates(const Factor& factor) const {
+  const auto n = static_cast<std::size_t>(joints_);
+  std::vector<Rational> multiples(factor.angle.begin(), factor.angle.begin() + static_cast<std::ptrdiff_t>(n));
+  for (std::size_t a = n; a < factor.angle.size(); ++a) {
+    const CoordinateMultiple& angle = further_angles_[a - n];
+    multiples[static_cast<std::size_t>(angle.position)] += factor.angle[a] * to_rational(angle.factor);
+  }
+  return multiples;
+}
+
+std::string Pretty::trigonometric(const Factor& factor) {
   const bool sine = factor.kind == FactorKind::sine, latex = notation_ == Notation::latex;
-  const bool plain = std::all_of(factor.angle.begin(), factor.angle.end(), [](int k) { return k == 0 || k == 1; });
+  const std::vector<Rational> multiples = multiples_of_coordinates(factor);
+  const bool plain =
+      std::all_of(multiples.begin(), multiples.end(), [](const Rational& k) { return k == 0 || k == 1; });
   if (plain && !long_names_) {
     std::vector<int> joints;
-    for (std::size_t i = 0; i < factor.angle.size(); ++i) {
-      if (factor.angle[i] != 0) joints.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < multiples.size(); ++i) {
+      if (multiples[i] != 0) joints.push_back(static_cast<int>(i));
     }
     return (sine ? "s" : "c") + subscript(joints);
   }
   std::vector<Piece> angles;
-  for (std::size_t i = 0; i < factor.angle.size(); ++i) {
-    const int k = factor.angle[i];
+  for (std::size_t i = 0; i < multiples.size(); ++i) {
+    const Rational& k = multiples[i];
     if (k == 0) continue;
-    const std::string times = std::abs(k) == 1 ? "" : std::to_string(std::abs(k)) + " ";
+    const std::string times = abs(k) == 1 ? "" : number(abs(k), true) + " ";
     angles.push_back({k < 0, times + coordinate("q", static_cast<int>(i))});
   }
   return std::string(latex ? "\\" : "") + (sine ? "sin(" : "cos(") + joined(angles) + ")";
 }
 
-std::string Pretty::factor(const Factor& factor) const {
+std::string Pretty::factor(const Factor& factor) {
   if (factor.is_trigonometric()) return trigonometric(factor);
   if (factor.kind == FactorKind::coordinate) return coordinate(long_names_ ? "q" : "d", factor.index);
   return notation_ == Notation::latex ? latex_name(names_.name(factor)) : names_.name(factor);
 }
 
-std::string Pretty::monomial(const Monomial& monomial) const {
+std::string Pretty::monomial(const Monomial& monomial) {
   std::string text;
   for (const auto& [base, exponent] : monomial) {
     text += (text.empty() ? "" : " ") + factor(base);

@@ -22,7 +22,8 @@ struct Piece {
 
 class Pretty {
  public:
-  Pretty(const Names& names, int joints, Notation notation, int digits);
+  Pretty(const Names& names, int joints, Notation notation, int digits,
+         std::vector<CoordinateMultiple> further_angles = {});
 
   std::vector<Piece> pieces(const ReadableSum& sum, GroupBy group_by);
   std::string text(const ReadableSum& sum, GroupBy group_by) { return joined(pieces(sum, group_by)); }
@@ -39,10 +40,11 @@ class Pretty {
 
  private:
   std::string number(const Rational& magnitude, bool with_symbols);
-  std::string factor(const Factor& factor) const;
-  std::string trigonometric(const Factor& factor) const;
+  std::string factor(const Factor& factor);
+  std::vector<Rational> multiples_of_coordinates(const Factor& factor) const;
+  std::string trigonometric(const Factor& factor);
   std::string product(const Rational& magnitude, const Monomial& monomial);
-  std::string monomial(const Monomial& monomial) const;
+  std::string monomial(const Monomial& monomial);
   std::vector<Piece> sorted_terms(const ReadableSum& sum);
   Piece group(const Monomial& common, const ReadableSum& rest, GroupBy group_by);
 
@@ -50,6 +52,7 @@ class Pretty {
   int joints_;
   Notation notation_;
   int digits_;
+  std::vector<CoordinateMultiple> further_angles_;  // Mechanism::angles
   bool long_names_ = false;
   bool rounded_ = false;
 };

@@ -166,8 +166,12 @@ void Names::multiply(const Number& factor, int exponent, Monomial& monomial, Rat
     angle[i] = 1;
     if (is_factor(form_.c[i])) monomial[{FactorKind::cosine, 0, angle}] += exponent;
     if (is_factor(form_.s[i])) monomial[{FactorKind::sine, 0, angle}] += exponent;
-    if (is_factor(form_.d[i])) monomial[{FactorKind::coordinate, static_cast<int>(i), {}}] += exponent;
-    if (is_factor(form_.c[i]) || is_factor(form_.s[i]) || is_factor(form_.d[i])) return;
+    if (is_factor(form_.c[i]) || is_factor(form_.s[i])) return;
+  }
+  for (std::size_t i = 0; i < form_.d.size(); ++i) {
+    if (!is_factor(form_.d[i])) continue;
+    monomial[{FactorKind::coordinate, static_cast<int>(i), {}}] += exponent;
+    return;
   }
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     if (!entries_[k].expression.is_equal(factor)) continue;

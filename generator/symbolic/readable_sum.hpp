@@ -15,7 +15,8 @@ namespace flatdyn {
 // In the order in which factors are written: k_r^2 I_m, m a g d_1 c_2 s_12.
 enum class FactorKind { gear, dynamic, other, gravity, coordinate, cosine, sine };
 
-// gear … gravity: `index` into Names; coordinate: d of joint `index`; cosine, sine: of Σ angle[i] q_i.
+// gear … gravity: `index` into Names; coordinate: d of joint `index`; cosine, sine: of Σ angle[i] q_i,
+// and beyond q of Mechanism::angles.
 struct Factor {
   FactorKind kind = FactorKind::other;
   int index = 0;
@@ -66,8 +67,8 @@ class AngleRewriter {
   ReadableSum rewritten(ReadableSum sum) const;
 
  private:
-  std::vector<std::vector<int>> groups_;  // joints with parallel axes, each in order
-  int joints_;
+  std::vector<std::vector<int>> groups_;  // angles of joints with parallel axes, each in order
+  int angles_;
 };
 
 }  // namespace flatdyn

@@ -139,7 +139,8 @@ std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
   for (int i = 0; i < mechanism.body_count(); ++i) {
     double turns = mechanism.is_coupled() ? 0 : 1;
     for (int k = 0; k < mechanism.position_count() && mechanism.is_coupled(); ++k) {
-      turns += std::abs(nearest_double(mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]));
+      turns += std::ceil(
+          std::abs(nearest_double(mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)])));
     }
     degrees.push_back({Degree::of(turns), Degree::of(turns), Degree::of(1)});
   }

@@ -18,8 +18,8 @@ int StraightLine::append(const Operation& operation) {
 
 int StraightLine::constant(double value) { return make({Step::constant, -1, -1, value}); }
 int StraightLine::input(Input input) { return make({Step::input, -1, -1, 0, input}); }
-int StraightLine::sine(int joint) { return make({Step::sine, -1, -1, 0, {InputKind::q, joint}}); }
-int StraightLine::cosine(int joint) { return make({Step::cosine, -1, -1, 0, {InputKind::q, joint}}); }
+int StraightLine::sine(int joint, int angle) { return make({Step::sine, angle, -1, 0, {InputKind::q, joint}}); }
+int StraightLine::cosine(int joint, int angle) { return make({Step::cosine, angle, -1, 0, {InputKind::q, joint}}); }
 int StraightLine::negate(int a) { return make({Step::negate, a}); }
 int StraightLine::add(int a, int b) { return make({Step::add, a, b}); }
 int StraightLine::subtract(int a, int b) { return make({Step::subtract, a, b}); }
@@ -79,15 +79,16 @@ NodeId quotient(NodeId a, NodeId b, Graph& graph) {
 
 NodeId node_of(const Operation& operation, const std::vector<NodeId>& nodes, Graph& graph) {
   const auto node = [&nodes](int k) { return nodes[static_cast<std::size_t>(k)]; };
+  const auto angle = [&] { return operation.a < 0 ? graph.input(operation.input) : node(operation.a); };
   switch (operation.step) {
     case Step::constant:
       return graph.constant(Rational(operation.value));
     case Step::input:
       return graph.input(operation.input);
     case Step::sine:
-      return graph.sin(graph.input(operation.input));
+      return graph.sin(angle());
     case Step::cosine:
-      return graph.cos(graph.input(operation.input));
+      return graph.cos(angle());
     case Step::negate:
       return graph.sum({{-1, node(operation.a)}});
     case Step::add:

@@ -17,9 +17,9 @@ enum class Step : std::uint8_t { constant, input, sine, cosine, negate, add, sub
 // The k-th operation; its operands are operations before it.
 struct Operation {
   Step step = Step::constant;
-  int a = -1, b = -1;  // operands; negate, sign and sqrt have no b
+  int a = -1, b = -1;  // operands; negate, sign and sqrt have no b; sine and cosine an angle if it is no entry of q
   double value = 0;    // of a constant
-  Input input{};       // of input; of sine and cosine the joint's position
+  Input input{};       // of input; of sine and cosine the joint's position, by the index in arrays of sines
 
   bool is_sine_or_cosine() const { return step == Step::sine || step == Step::cosine; }
 };
@@ -29,8 +29,8 @@ class StraightLine {
   // Each returns the index of the operation. One that is there already is not made twice: it has the same value.
   int constant(double value);
   int input(Input input);
-  int sine(int joint);
-  int cosine(int joint);
+  int sine(int joint, int angle = -1);
+  int cosine(int joint, int angle = -1);
   int negate(int a);
   int add(int a, int b);
   int subtract(int a, int b);

@@ -19,9 +19,9 @@ T value_of(const Operation& operation, const std::vector<T>& values, const State
     case Step::input:
       return static_cast<T>(state.of(operation.input.kind)[index]);
     case Step::sine:
-      return static_cast<T>(given.sine[index]);
+      return static_cast<T>(operation.a < 0 ? given.sine[index] : std::sin(double(a())));
     case Step::cosine:
-      return static_cast<T>(given.cosine[index]);
+      return static_cast<T>(operation.a < 0 ? given.cosine[index] : std::cos(double(a())));
     case Step::negate:
       return -a();
     case Step::add:

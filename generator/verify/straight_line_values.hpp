@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-// Of the positions, by joint.
+// Of the positions, by joint. Of other angles, those of <cmath> in double are taken.
 struct SinesAndCosines {
   std::vector<double> sine, cosine;
 };

@@ -133,15 +133,28 @@ class TextReader {
     expect(";");
   }
 
-  // sin_cos(q, Joints<1, 2>(), sine, cosine);
+  // sin_cos(q, Joints<1, 2>(), sine, cosine); or of angle, which has been filled.
   void sines_and_cosines() {
+    expect("(");
+    const std::string angles = take();
     skip_past("<");
     do {
-      const int joint = index();
-      arrays_["sine"][joint] = lines_.sine(joint);
-      arrays_["cosine"][joint] = lines_.cosine(joint);
+      ask_for_sine(angles, index());
     } while (accept(","));
     skip_past(";");
+  }
+
+  void ask_for_sine(const std::string& angles, int k) {
+    const int angle = is_input(angles) ? kPosition : angle_at(written_entry(angles, k));
+    arrays_["sine"][k] = lines_.sine(k, angle);
+    arrays_["cosine"][k] = lines_.cosine(k, angle);
+  }
+
+  // An entry of q is known by its index.
+  int angle_at(int operation) const { return lines_[operation].step == Step::input ? kPosition : operation; }
+
+  bool is_input(const std::string& array) const {
+    return std::find(inputs_.begin(), inputs_.end(), array) != inputs_.end();
   }
 
   static bool ends_with(const std::string& text, const std::string& end) {
@@ -152,20 +165,19 @@ class TextReader {
     return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0;
   }
 
-  // arm_sines_and_cosines(q, 1, 6, sine, cosine); of all joints between these.
+  // arm_sines_and_cosines(q, 1, 6, sine, cosine); of all between these.
   void sines_and_cosines_in_c() {
     ++at_;
-    for (const char* text : {"(", "q", ","}) expect(text);
+    expect("(");
+    const std::string angles = take();
+    expect(",");
     const int first = index();
     expect(",");
     const int last = index();
     for (const char* text : {",", "sine", ",", "cosine", ")", ";"}) expect(text);
     constexpr int kMostJoints = 10'000;
     if (last - first > kMostJoints) fail("too many joints");
-    for (int joint = first; joint <= last; ++joint) {
-      arrays_["sine"][joint] = lines_.sine(joint);
-      arrays_["cosine"][joint] = lines_.cosine(joint);
-    }
+    for (int k = first; k <= last; ++k) ask_for_sine(angles, k);
   }
 
   const char* and_also() const { return text_.is_javascript() ? "&&=" : "&="; }
@@ -352,7 +364,7 @@ class TextReader {
     return named_value(take());
   }
 
-  // .sin(q[2]), .cos(q[2]), .sign(sum), .sqrt(sum)
+  // .sin(q[2]), .cos(0.5 * q[2]), .sign(sum), .sqrt(sum)
   int library_call() {
     expect(".");
     const std::string function = take();
@@ -360,10 +372,9 @@ class TextReader {
     if (function == "sign") return lines_.sign(in_brackets());
     if (function == "sqrt") return lines_.sqrt(in_brackets());
     if (function != "sin" && function != "cos") fail("an unknown function");
-    for (const char* text : {"q", "["}) expect(text);
-    const int joint = index();
-    for (const char* text : {"]", ")"}) expect(text);
-    return function == "sin" ? lines_.sine(joint) : lines_.cosine(joint);
+    const int operation = in_brackets();
+    const int angle = angle_at(operation), joint = angle < 0 ? lines_[operation].input.index : 0;
+    return function == "sin" ? lines_.sine(joint, angle) : lines_.cosine(joint, angle);
   }
 
   // Behind the opening one.
@@ -423,7 +434,7 @@ class TextReader {
   }
 
   int entry_of(const std::string& name, int entry) {
-    if (std::find(inputs_.begin(), inputs_.end(), name) != inputs_.end()) {
+    if (is_input(name)) {
       const auto kind = input_kinds().find(name);
       if (kind == input_kinds().end()) fail("an unknown argument");
       return lines_.input({kind->second, entry});
@@ -436,6 +447,8 @@ class TextReader {
     if (array == arrays_.end() || array->second.count(entry) == 0) fail("read before it is written");
     return array->second.at(entry);
   }
+
+  static constexpr int kPosition = -1;  // the angle of a sine that is one of q
 
   const EmittedText& text_;
   const WrittenFunction& written_;

@@ -15,6 +15,7 @@
 #include "emit/identifiers.hpp"
 #include "golden/golden.hpp"
 #include "pipeline.hpp"
+#include "support/given_sines.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {
@@ -107,8 +108,7 @@ std::string program(const Model& model, const std::vector<Function>& functions, 
     for (const char* array : {"q", "qd", "qdd", "tau", "h_e"}) {
       text += fmt::format("  for ({0}& x : {1}) x = {0}(drawn() * 2);\n", scalar, array);
     }
-    text += fmt::format("  {0} sine[{1}], cosine[{1}];\n", scalar, m);
-    text += fmt::format("  for (int k = 0; k < {}; ++k) sine[k] = std::sin(q[k]), cosine[k] = std::cos(q[k]);\n", m);
+    text += testing::given_sines(model.mechanism, scalar);
     if (symbols > 0) {
       std::vector<std::string> values;
       for (std::size_t k = 0; k < symbols; ++k) values.push_back(fmt::format("{}({})", scalar, 0.3 + 0.07 * double(k)));

@@ -16,6 +16,7 @@
 #include "emit/writer.hpp"
 #include "golden/golden.hpp"
 #include "pipeline.hpp"
+#include "support/given_sines.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {
@@ -98,13 +99,10 @@ std::string program(const Forms& forms) {
       "  for (const S& x : all[1]) changed += x < S(0) || x > S(0);\n}\n"
       "template <class Scalar> void compare_all() {\n"
       "  Scalar q[" +
-      n + "], qd[" + n + "], qdd[" + n + "], tau[" + n + "], sine[" + n + "], cosine[" + n +
+      n + "], qd[" + n + "], qdd[" + n + "], tau[" + n +
       "];\n"
       "  for (Scalar* x : {q, qd, qdd, tau}) for (int k = 0; k < " +
-      n +
-      "; ++k) x[k] = Scalar(2 * drawn());\n"
-      "  for (int k = 0; k < " +
-      n + "; ++k) sine[k] = std::sin(q[k]), cosine[k] = std::cos(q[k]);\n";
+      n + "; ++k) x[k] = Scalar(2 * drawn());\n" + testing::given_sines(mechanism, "Scalar");
   if (!mechanism.symbols.empty()) {
     std::vector<std::string> values;
     for (std::size_t k = 0; k < mechanism.symbols.size(); ++k) {

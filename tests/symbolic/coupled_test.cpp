@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Coupled joints: the parallelogram arm of 7.3.3, absolute angles (Problem 7.6), and the same torques from the tree
 // with the forces that hold the couplings.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "emit/emit.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
 #include "model/coupling.hpp"
 #include "model/states.hpp"
@@ -12,6 +14,7 @@
 #include "symbolic/base_parameters.hpp"
 #include "symbolic/closed_form.hpp"
 #include "symbolic/closed_functions.hpp"
+#include "symbolic/derive.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/textbook_robots.hpp"
@@ -63,6 +66,44 @@ TEST(Parallelogram, IsFoundFromItsLoop) {
     EXPECT_EQ(mechanism.offsets[i], b[i]);
     for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(mechanism.coupling[i][k], A[i][k]);
   }
+}
+
+// Two links in a plane, the second turning by 2/3 of what the first one does.
+constexpr const char* kFraction = R"(name = "fraction"
+gravity = [0, "-g", 0]
+[[link]]
+joint = "a"
+mass = "m_1"
+com = ["l_1", 0, 0]
+[[link]]
+joint = "b"
+position = "2/3*a"
+xyz = ["a_1", 0, 0]
+mass = "m_2"
+com = ["l_2", 0, 0]
+)";
+
+// By hand: link 2 turns by 5/3 of q, its angle to link 1 is 2/3 of q.
+TEST(FollowerByAFraction, HasTheClosedFormByHand) {
+  const Mechanism mechanism = testing::model_of_toml(kFraction).mechanism;
+  const ClosedForm form = closed_form(mechanism);
+  const auto symbol = [&](const char* name) { return testing::symbol(mechanism, name); };
+  const Number m1 = symbol("m_1"), m2 = symbol("m_2"), l1 = symbol("l_1"), l2 = symbol("l_2"), a1 = symbol("a_1");
+  ASSERT_EQ(form.c.size(), 2U);
+  const Number c = form.c[0], s = form.s[0], c_b = form.c[1], s_b = form.s[1], turn = Number(5) / 3;
+  const auto is_same = [&](const Number& a, const Number& b) { return reduced(a - b, form).is_zero(); };
+  EXPECT_TRUE(is_same(form.B[0][0], m1 * l1 * l1 + m2 * (a1 * a1 + turn * turn * l2 * l2 + 2 * turn * a1 * l2 * c_b)));
+  EXPECT_TRUE(is_same(form.g[0], symbol("g") * ((m1 * l1 + m2 * a1) * c + turn * m2 * l2 * (c * c_b - s * s_b))));
+  EXPECT_TRUE(is_same(form.christoffel(0, 0, 0), -turn * Number(2) / 3 * m2 * a1 * l2 * s_b));
+}
+
+TEST(FollowerByAFraction, AsksForTheSineOfTheFraction) {
+  const Model model = testing::model_of_toml(kFraction);
+  EXPECT_THAT(derive_text(model.mechanism), ::testing::HasSubstr("cos(2/3 q_1)"));
+  EXPECT_THAT(derive_text(model.mechanism), ::testing::HasSubstr("cos(5/3 q_1)"));
+  const std::string header = emit_cpp(model.mechanism, {derive_function(model.mechanism, "gravity")}, {});
+  EXPECT_THAT(header, ::testing::HasSubstr("and then of 2/3 q[0],\n// by which coupled joints turn."));
+  EXPECT_THAT(header, ::testing::HasSubstr("angle[1] = Scalar(0.6666666666666666) * q[0];"));
 }
 
 // A rhombus can fold, opposite links on each other; it is not taken for folded, in whatever order joints are named.

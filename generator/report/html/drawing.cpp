@@ -45,7 +45,13 @@ class DrawingMaker {
     return joint->link_offset.displacements.empty() ? joint->child : joint->parent;
   }
 
+  // A link that no joint goes on from: as far as the tip, or else its centre of mass.
   void add_stub(int link, Drawing& drawing) {
+    if (link == robot_.tip && !robot_.tip_offset.displacements.empty()) {
+      drawing.lines.emplace_back(link, static_cast<int>(frames_.size()));
+      frames_.push_back(mechanism_.tip);
+      return;
+    }
     const bool is_last = std::none_of(robot_.joints.begin(), robot_.joints.end(),
                                       [link](const Joint& joint) { return joint.parent == link; });
     const Joint* const joint = joint_that_moves(link);

@@ -54,7 +54,7 @@ TEST_P(Certificates, AreAboveEveryErrorThatIsSeen) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Certificates,
                          ::testing::Combine(::testing::Values("planar_2r_example_7_2.toml", "puma560.toml", "rx90.toml",
-                                                              "ur5.urdf"),
+                                                              "ur5.urdf", "finger.toml"),
                                             ::testing::Values("double", "float")));
 
 // Sines from a table: what is seen is above what is proven of good ones, and within what is proven of the table's.

@@ -86,6 +86,12 @@ TEST_F(NormsTest, ErrorsAreHalfAUnitOfTheLastPlace) {
   EXPECT_EQ(of.own_error(speed(0)), 0);
 }
 
+TEST_F(NormsTest, ASineIsOffByWhatItsAngleIsToo) {
+  const int angle = lines_.multiply(lines_.constant(0.1), lines_.input({InputKind::q, 1}));  // up to 0.4
+  EXPECT_THAT(norms().own_error(lines_.sine(2, angle)), just_above(0x1p-53 + 0x1p-55));
+  EXPECT_EQ(norms().own_error(lines_.sine(1)), 0x1p-53);
+}
+
 TEST_F(NormsTest, RefusesDivisions) {
   const int quotient = lines_.divide(speed(0), speed(1));
   Norms of = norms();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
+#include "model/angles.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {
@@ -217,6 +218,17 @@ TEST_F(UrdfReader, AMimicJointFollowsAnother) {
   const LinearPosition position = joint_positions(robot)[1];
   EXPECT_EQ(position.factors.at(0), Number(-5) / 100);
   EXPECT_EQ(position.offset, Number(1) / 100);
+}
+
+TEST_F(UrdfReader, AJointThatTurnsMayMimicByAFraction) {
+  const std::string more = R"(<link name="hand"/><joint name="k" type="revolute"><parent link="arm"/>
+      <child link="hand"/><limit effort="1" velocity="1" lower="0" upper="1"/><mimic joint="j" multiplier="1.13"/>
+      </joint>)";
+  const Mechanism mechanism = make_mechanism(read("r.urdf", one_joint_urdf("revolute", "", more), {}));
+  EXPECT_EQ(mechanism.size(), 1);
+  ASSERT_EQ(mechanism.angles.size(), 1U);
+  EXPECT_EQ(mechanism.angles[0].factor, Number(113) / 100);
+  EXPECT_EQ(turns_of(mechanism, 1), (std::vector<Number>{0, 1}));
 }
 
 TEST_F(UrdfReader, AFollowerOfAHeldJointIsHeldToo) {

@@ -10,6 +10,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/emit.hpp"
+#include "emit/writer.hpp"
 #include "support/robot_models.hpp"
 #include "verify/proof.hpp"
 
@@ -45,7 +46,7 @@ const std::vector<std::string> kNames = {"inverse_dynamics", "inertia_matrix", "
 
 TEST(EmittedText, IsWhatWasPrinted) {
   for (const char* robot :
-       {"ur5.urdf", "scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml"}) {
+       {"ur5.urdf", "scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml", "finger.toml"}) {
     for (const int most_lines : {0, 40}) {
       const Printed all = printed(robot, kNames, most_lines);
       EXPECT_NO_THROW(prove_text(all.header, all.functions, all.stages)) << robot << ", lines: " << most_lines;
@@ -103,6 +104,16 @@ void expect_slips_refused(const Printed& all, const std::string& text) {
 TEST(EmittedText, WithASlipIsRefused) {
   const Printed all = printed("ur5.urdf", {"inverse_dynamics", "inertia_matrix", "forward_dynamics"});
   for (const std::string& text : {all.header, all.pair.header + all.pair.source}) expect_slips_refused(all, text);
+}
+
+TEST(EmittedText, WithAnotherAngleIsRefused) {
+  const Printed all = printed("finger.toml", {"gravity"});
+  const std::string right = "angle[3] = Scalar(0.6666666666666666) * q[2];";
+  ASSERT_NE(all.header.find(right), std::string::npos);
+  for (const char* wrong : {"angle[3] = Scalar(0.6666666666666667) * q[2];", "angle[3] = q[2];",
+                            "angle[3] = Scalar(0.6666666666666666) * q[1];"}) {
+    EXPECT_THROW(prove_text(with_replaced(all.header, right, wrong), all.functions, all.stages), Failure) << wrong;
+  }
 }
 
 // Made once, written in several ways.

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/angles.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "emit/writer.hpp"
+#include "model/field_mechanism.hpp"
+#include "symbolic/number_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+const MultipleOfPosition& multiple(int index, const HeaderScope& scope) {
+  return scope.angles[static_cast<std::size_t>(index - scope.positions)];
+}
+
+std::string fill_name(const HeaderScope& scope) {
+  return scope.dialect.is_cpp() ? "angles" : scope.dialect.global("angles");
+}
+
+}  // namespace
+
+std::vector<MultipleOfPosition> multiples_of_positions(const Mechanism& mechanism) {
+  std::vector<MultipleOfPosition> multiples;
+  for (const CoordinateMultiple& angle : mechanism.angles)
+    multiples.push_back({angle.position, to_rational(angle.factor)});
+  return multiples;
+}
+
+int angle_index(const Graph& graph, NodeId id, const HeaderScope& scope) {
+  const Term angle = angle_of(graph, id);
+  const Input& input = graph[angle.node].input;
+  if (input.kind == InputKind::q && angle.coefficient == 1) return input.index;
+  for (std::size_t k = 0; k < scope.angles.size() && input.kind == InputKind::q; ++k) {
+    const MultipleOfPosition& other = scope.angles[k];
+    if (other.position == input.index && other.factor == angle.coefficient)
+      return scope.positions + static_cast<int>(k);
+  }
+  throw std::logic_error("sine or cosine of what is no joint's position");
+}
+
+std::string angle_text(int index, const HeaderScope& scope) {
+  if (index < scope.positions) return fmt::format("q[{}]", index);
+  const MultipleOfPosition& angle = multiple(index, scope);
+  return fmt::format("{} * q[{}]", scope.dialect.literal(angle.factor), angle.position);
+}
+
+std::string angle_count_name(const HeaderScope& scope) {
+  if (!scope.angles.empty()) return scope.dialect.count_name("angle_count");
+  return scope.dialect.count_name(scope.positions == scope.joints ? "joint_count" : "position_count");
+}
+
+std::string angle_array(const HeaderScope& scope) { return scope.angles.empty() ? "q" : "angle"; }
+
+std::string angles_call(const HeaderScope& scope) {
+  return code_line(scope.dialect.part_call(fill_name(scope)) + "q, angle);", kStatementIndent);
+}
+
+std::string angles_definition(const HeaderScope& scope) {
+  const Dialect& dialect = scope.dialect;
+  const std::vector<std::string> arguments = {dialect.input("q"), dialect.output("angle")};
+  std::string text = list_line(dialect.part_begin(fill_name(scope)), arguments, dialect.function_end(), 0);
+  for (int k = 0; k < scope.positions + static_cast<int>(scope.angles.size()); ++k) {
+    text += code_line(fmt::format("angle[{}] = {};", k, angle_text(k, scope)), kStatementIndent);
+  }
+  return text + "}";
+}
+
+std::vector<std::string> angles_comment(const HeaderScope& scope) {
+  std::string text = "Sines and cosines, by index, are those of so many angles: of q's entries, and then of ";
+  for (std::size_t k = 0; k < scope.angles.size(); ++k) {
+    const MultipleOfPosition& angle = scope.angles[k];
+    text += fmt::format("{}{} q[{}]", k == 0 ? "" : ", ", factor_text(GiNaC::numeric(angle.factor.str().c_str())),
+                        angle.position);
+  }
+  return wrapped_words(text + ", by which coupled joints turn.", kCommentWidth);
+}
+
+}  // namespace flatdyn
