@@ -230,7 +230,7 @@ for first, last, step in (bits(1), bits(4), 1), (1, bits(1), 101), (bits(4), lim
       << folder_.read("log");
 }
 
-// Rows that squares of 16 bytes do not divide, of 1 to 36 entries, with blocks that are full and one that is not.
+// Rows that squares of 16 bytes do not divide, of 2 to 36 entries, with blocks that are full and one that is not.
 TEST_F(Python, RowsOfAllLengthsAreReadAndWrittenWhole) {
   for (const char* scalar : {"double", "float"}) {
     for (const std::string robot : {"prismatic_revolute.toml", "scara.toml", "ur5.urdf"}) {
