@@ -119,6 +119,8 @@ void write_batch_names(data& page, const std::vector<Function>& functions, const
   const bool is_float = dialect.number() == "float";
   page["is_float"] = is_float;
   page["integer"] = std::string(is_float ? "int" : "long long");
+  page["first_halves"] = std::string(is_float ? "0, 4, 1, 5" : "0, 2");
+  page["second_halves"] = std::string(is_float ? "2, 6, 3, 7" : "1, 3");
   page["checks?"] = std::any_of(functions.begin(), functions.end(),
                                 [](const Function& function) { return !function.positive.empty(); });
 }

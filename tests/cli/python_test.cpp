@@ -169,7 +169,8 @@ assert np.nanmin(tau[qd[:, 0] > 0, 0]) > 1 and np.isnan(tau).any() and np.isfini
       << folder_.read("log");
 }
 
-// R of a pendulum are its sine and cosine. Beyond 1e5 rad the library is asked, in the lanes that need it.
+// R of a pendulum are its sine and cosine. Beyond 1e5 rad, in float 6400 rad, the library is asked, in the lanes that
+// need it.
 TEST_F(Python, SinesOfBatchesAreRightToOneUlpAndLargeAnglesAreTheLibrarys) {
   for (const char* scalar : {"double", "float"}) {
     generate(fmt::format("robots/pendulum_motor.toml --functions forward_kinematics --scalar {}", scalar));
@@ -186,18 +187,68 @@ for size in (1e-8, 1, 4, 60, 1e3, 1e5):
     for value, exact in ((R[:, 1, 0], np.sin(q.astype(np.longdouble))), (R[:, 0, 0], np.cos(q.astype(np.longdouble)))):
         ulp = np.spacing(np.abs(exact).astype(arm._number)).astype(np.longdouble)
         assert (np.abs(value - exact) / ulp).max() < 1, size
-q = np.array([0.5, 1e5, 1e8, np.inf, -np.inf, np.nan, -1e30, 0.25, -1.1e5, 1, 2, 3, 4, 5, 6, 7, 8], arm._number)
+most = 1e5 if arm._number == np.float64 else 6400
+q = np.array([0.5, most, np.nextafter(arm._number(most), np.inf), 1e5, 1e8, np.inf, -np.inf, np.nan, -1e30, 0.25, -1.1e5, 1, 2, 3, 4, -0.0, 0, 5, 6, 7, 8], arm._number)
 R, _ = arm.forward_kinematics(p, q[:, None])
 alone = np.array([single(arm, "forward_kinematics", [(3, 3), 3], [angle], parameters=p)[0] for angle in q])
 for k, angle in enumerate(q):
-    if not abs(angle) <= 1e5:
+    if not abs(angle) <= most:
         assert same_bits(R[k], alone[k]), angle
     else:
         assert np.abs(R[k] - alone[k]).max() <= 1.5 * np.finfo(arm._number).eps, angle
-assert np.isnan(R[3:6, 0, 0]).all() and np.isfinite(R[6:, 0, 0]).all()
+assert (np.isnan(R[:, 0, 0]) == ~np.isfinite(q)).all() and (R[q == 0, 1, 0] == 0).all() and (R[q == 0, 0, 0] == 1).all()
 )py")),
               0)
         << scalar << folder_.read("log");
+  }
+}
+
+// In float, every angle from 1 to 4 rad, every 101st from denormal ones to the library's, and those around the limit.
+TEST_F(Python, SinesOfFloatsAreRightToOneUlpAtAllAngles) {
+  generate("robots/pendulum_motor.toml --functions forward_kinematics --scalar float");
+  build("pendulum_motor");
+  EXPECT_EQ(run(R"py(import numpy as np, pendulum_motor as arm
+p = arm.Parameters()
+def bits(x):
+    return int(np.float32(x).view(np.uint32))
+
+def units(value, exact):  # sines of doubles are exact enough to measure those of floats
+    return np.abs(value - exact) / np.spacing(np.abs(exact).astype(np.float32)).astype(np.float64)
+
+limit = bits(6400)
+for first, last, step in (bits(1), bits(4), 1), (1, bits(1), 101), (bits(4), limit, 101), (limit - 999, limit + 999, 1):
+    for begin in range(first, last + 1, step << 20):
+        end = min(begin + (step << 20), last + 1)
+        q = np.arange(begin, end, step, dtype=np.uint32).view(np.float32)
+        q[1::2] *= -1
+        R, _ = arm.forward_kinematics(p, q[:, None])
+        angle = q.astype(np.float64)
+        assert units(R[:, 1, 0], np.sin(angle)).max() < 1, (begin, end)
+        assert units(R[:, 0, 0], np.cos(angle)).max() < 1, (begin, end)
+)py"),
+            0)
+      << folder_.read("log");
+}
+
+// Rows that squares of 16 bytes do not divide, of 2 to 36 entries, with blocks that are full and one that is not.
+TEST_F(Python, RowsOfAllLengthsAreReadAndWrittenWhole) {
+  for (const char* scalar : {"double", "float"}) {
+    for (const std::string robot : {"prismatic_revolute.toml", "scara.toml", "ur5.urdf"}) {
+      const std::string name = robot.substr(0, robot.find('.'));
+      generate(fmt::format("robots/{} --functions inertia_matrix,gravity --scalar {}", robot, scalar));
+      build(name);
+      EXPECT_EQ(run(fmt::format(R"py(import numpy as np, {0} as arm
+rng = np.random.default_rng(1)
+p = [arm.Parameters(**{{name: 1.5 for name, _ in arm.Parameters._fields_}})] if hasattr(arm, "Parameters") else []
+q = rng.uniform(-1, 1, (67, len(arm.joint_names))).astype(arm._number)
+for function in (arm.inertia_matrix, arm.gravity):
+    assert np.array_equal(function(*p, q), [function(*p, row) for row in q])
+    assert np.array_equal(function(*p, np.tile(q[5], (67, 1))), [function(*p, q[5])] * 67)
+)py",
+                                name)),
+                0)
+          << robot << scalar << folder_.read("log");
+    }
   }
 }
 
