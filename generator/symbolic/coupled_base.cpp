@@ -26,9 +26,10 @@ Function sampled_function(const Mechanism& mechanism, const BaseParameters& base
 
 constexpr std::size_t kSpareRows = 4;  // beyond the number of columns: then the rank is full, as good as surely
 
-// A coordinate's angle, not one of the robot's symbols.
+// A coordinate's angle, or a multiple of one; none of the robot's symbols.
 bool is_coordinate(const Graph& graph, NodeId angle) {
-  return graph[angle].op == Op::input && graph[angle].input.kind == InputKind::q;
+  const Node& node = graph[graph.is_scaled(angle) ? graph[angle].terms.front().node : angle];
+  return node.op == Op::input && node.input.kind == InputKind::q;
 }
 
 Number exact(const Rational& value) { return GiNaC::numeric(value.str().c_str()); }
@@ -47,19 +48,15 @@ class SampledState {
   }
   Number divide(const Number& a, const Number& b) const { return a / b; }
   Number sin(const Graph& graph, NodeId angle, const Number& value) const {
-    return is_coordinate(graph, angle) ? exact(point(graph, angle).s) : Number(GiNaC::sin(value));
+    return is_coordinate(graph, angle) ? exact(drawn_.sin(graph, angle, 0)) : Number(GiNaC::sin(value));
   }
   Number cos(const Graph& graph, NodeId angle, const Number& value) const {
-    return is_coordinate(graph, angle) ? exact(point(graph, angle).c) : Number(GiNaC::cos(value));
+    return is_coordinate(graph, angle) ? exact(drawn_.cos(graph, angle, 0)) : Number(GiNaC::cos(value));
   }
   Number sqrt(const Number& value) const { return GiNaC::sqrt(value); }
   Number sign(const Number& rate) const { return exact(drawn_.sign(to_rational(rate))); }
 
  private:
-  RationalArithmetic::CirclePoint point(const Graph& graph, NodeId angle) const {
-    return drawn_.point(drawn_.input(graph[angle].input));
-  }
-
   const Mechanism& mechanism_;
   RationalArithmetic drawn_;
 };

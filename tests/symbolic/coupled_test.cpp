@@ -373,6 +373,54 @@ TEST(Parallelogram, BaseParametersAreThoseOfTheSamples) {
   EXPECT_EQ(base.size(), 8);  // two inertias, and three first moments, each with its x and y
 }
 
+// A gripper's fingers that turn by any fractions, one of them across the axis of what carries it.
+constexpr const char* kGripper = R"(name = "gripper"
+[[link]]
+joint = "wrist"
+mass = 1
+com = [0.1, 0.02, 0.03]
+inertia = { xx = 0.01, yy = 0.02, zz = 0.015, xy = 0.001 }
+inertia_about = "com"
+[[link]]
+joint = "left"
+xyz = [0.2, 0, 0.1]
+rpy = ["pi/2", 0, 0]
+mass = 0.2
+com = [0.05, 0, 0.01]
+inertia = { xx = 0.001, yy = 0.002, zz = 0.002, xz = 0.0001 }
+inertia_about = "com"
+[[link]]
+joint = "right"
+parent = "link1"
+xyz = [0.2, 0, -0.1]
+rpy = ["pi/2", 0, 0]
+position = "-0.28833*left + 0.1"
+mass = 0.3
+com = [0.05, 0.01, 0]
+inertia = { xx = 0.001, yy = 0.002, zz = 0.003, yz = 0.0001 }
+inertia_about = "com"
+)";
+
+TEST(FollowerByAFraction, BaseParametersAreThoseOfTheSamples) {
+  const Mechanism mechanism = testing::model_of_toml(kGripper).mechanism;
+  const BaseParameters base = base_parameters(mechanism);
+  const SampledComparison sampled = compare_with_samples(mechanism, base, ParameterSet::given);
+  EXPECT_TRUE(sampled.equal);
+  EXPECT_EQ(sampled.rank, base.size());
+}
+
+TEST(FollowerByAFraction, EveryFunctionIsTheLagrangians) {
+  const Mechanism mechanism = testing::model_of_toml(kGripper).mechanism;
+  for (const FunctionEntry& entry : function_table()) {
+    if (!entry.is_of(mechanism) || entry.kind == FunctionKind::operational) continue;  // of two coordinates
+    EXPECT_TRUE(prove_exactly(mechanism, derive_function(mechanism, entry.name)).equal) << entry.name;
+  }
+}
+
+TEST(FollowerByAFraction, IsIdentified) {
+  testing::expect_recovery(testing::Arm(testing::model_of_toml(kGripper)), "gripper");
+}
+
 TEST_F(Machine, IsIdentifiedInItsCoordinates) { testing::expect_recovery(testing::Arm(model_), "machine"); }
 
 // Each follows the two before it: asked of every time anew, the first would be reached a million million times.
