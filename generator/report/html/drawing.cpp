@@ -25,6 +25,10 @@ class DrawingMaker {
     Drawing drawing;
     for (const Joint& joint : robot_.joints) drawing.lines.emplace_back(joint.parent, joint.child);
     for (const Body& body : mechanism_.joints()) drawing.joints.push_back(point_on_axis(body));
+    for (const int i : followers()) {
+      const Body& body = mechanism_.bodies[static_cast<std::size_t>(i)];
+      drawing.followers.push_back({point_on_axis(body), body.prismatic});
+    }
     for (std::size_t link = 0; link < robot_.links.size(); ++link) add_stub(static_cast<int>(link), drawing);
     drawing.points = static_cast<int>(frames_.size());
     drawing.function = run_passes(function());
@@ -36,6 +40,17 @@ class DrawingMaker {
     const auto found = std::find_if(robot_.joints.begin(), robot_.joints.end(),
                                     [link](const Joint& joint) { return joint.child == link; });
     return found == robot_.joints.end() ? nullptr : &*found;
+  }
+
+  // Bodies whose joints have no coordinate.
+  std::vector<int> followers() const {
+    std::vector<int> bodies;
+    for (int i = 0; i < mechanism_.body_count(); ++i) {
+      bool has_coordinate = false;
+      for (int k = 0; k < mechanism_.size(); ++k) has_coordinate = has_coordinate || mechanism_.body_of(k) == i;
+      if (!has_coordinate) bodies.push_back(i);
+    }
+    return bodies;
   }
 
   // Standard DH has a link's frame at its end: then the joint is where the link before has its frame.
@@ -68,11 +83,13 @@ class DrawingMaker {
     for (const LinkFrame& frame : frames_) {
       for (const Number& entry : pose(bench.frames, frame).p) add(points, entry);
     }
-    for (int k = 0; k < mechanism_.size(); ++k) {
+    const auto add_axis = [&](int body) {
       LinkFrame frame;
-      frame.body = mechanism_.body_of(k);
+      frame.body = body;
       for (const Vec3& row : pose(bench.frames, frame).R) add(axes, row[2]);
-    }
+    };
+    for (int k = 0; k < mechanism_.size(); ++k) add_axis(mechanism_.body_of(k));
+    for (const int i : followers()) add_axis(i);
     for (const Number& entry : mechanism_.gravity) add(gravity, entry);
     Function drawing = finished(bench, {InputKind::q},
                                 {vector_output("points", points, "where links are, base frame, m"),

@@ -12,12 +12,18 @@
 namespace flatdyn {
 
 struct Drawing {
-  // "drawing" of q: `points` (3 per point, m), `axes` (3 per joint, unit: z of its body) and `gravity` (m/s^2), all in
-  // the base frame. After the passes.
+  struct Follower {
+    int point = 0;  // on its axis
+    bool prismatic = false;
+  };
+
+  // "drawing" of q: `points` (3 per point, m), `axes` (3 per joint, then per follower, unit: z of its body) and
+  // `gravity` (m/s^2), all in the base frame. After the passes.
   Function function;
   int points = 0;
   std::vector<std::pair<int, int>> lines;  // between points
   std::vector<int> joints;                 // by joint in the order of q: the point that lies on its axis
+  std::vector<Follower> followers;         // joints that q has no entry for
 };
 
 // One point per written link, its frame's origin, with a line along every joint of the file, fixed ones too; and the

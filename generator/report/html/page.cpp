@@ -77,6 +77,10 @@ std::string script_data(const PageContent& content) {
   for (const Body& body : content.model.mechanism.joints()) {
     json["joints"].push_back(joint_json(body, content.drawing.joints[json["joints"].size()]));
   }
+  json["followers"] = ordered_json::array();
+  for (const Drawing::Follower& each : content.drawing.followers) {
+    json["followers"].push_back({{"point", each.point}, {"prismatic", each.prismatic}});
+  }
   const std::vector<Body>& bodies = content.model.mechanism.bodies;
   json["tree"] = false;
   for (std::size_t k = 0; k < bodies.size(); ++k) {

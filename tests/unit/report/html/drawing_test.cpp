@@ -37,7 +37,7 @@ void expect_as_the_reference(const std::string& file) {
 }
 
 TEST(Drawing, HasEveryLinkWhereItIs) {
-  for (const char* file : {"panda.urdf", "scara.toml", "planar_2r.toml", "quadruped12.urdf"}) {
+  for (const char* file : {"panda.urdf", "scara.toml", "planar_2r.toml", "quadruped12.urdf", "finger.toml"}) {
     expect_as_the_reference(file);
   }
 }
@@ -68,6 +68,17 @@ TEST(Drawing, HasALinePerJointAndTheEndsOfUrdf) {
   const Drawing drawn = drawing_of(arm.robot, arm.mechanism);
   EXPECT_EQ(drawn.lines.size(), 2u);  // standard DH: frames are at the ends
   EXPECT_EQ(drawn.points, 3);
+}
+
+TEST(Drawing, HasFollowersAndEndsAtTheTip) {
+  const Model finger = testing::model_of("finger.toml");
+  const Drawing drawing = drawing_of(finger.robot, finger.mechanism);
+  EXPECT_EQ(drawing.lines.back(), std::pair(4, 5));
+  EXPECT_EQ(drawing.points, 6);
+  ASSERT_EQ(drawing.followers.size(), 1U);
+  EXPECT_EQ(drawing.followers[0].point, 4);
+  EXPECT_FALSE(drawing.followers[0].prismatic);
+  EXPECT_EQ(drawing.function.outputs[1].entries.size(), 3U * 4);
 }
 
 }  // namespace
