@@ -44,4 +44,7 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 
 if(PROJECT_IS_TOP_LEVEL)
   include(DebianPackage)
+  if(TARGET flatdyn)
+    add_custom_target(program DEPENDS flatdyn manual debian_changelog)  # all that is installed
+  endif()
 endif()

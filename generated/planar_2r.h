@@ -24,7 +24,7 @@
 // those of the C++ form.
 //
 // Sines and cosines come from <math.h>. Who has them from elsewhere (resolvers, a CORDIC unit, a
-// table) calls the functions that end in _given: they take sine and cosine, by joint, in place of
+// table) calls the functions that end in _given: they take sine and cosine, by index, in place of
 // q, and q itself only where the position of a prismatic joint is read.
 
 #ifndef FLATDYN_PLANAR_2R_H

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "emit/writer.hpp"
@@ -18,6 +19,14 @@ const MultipleOfPosition& multiple(int index, const HeaderScope& scope) {
 
 std::string fill_name(const HeaderScope& scope) {
   return scope.dialect.is_cpp() ? "angles" : scope.dialect.global("angles");
+}
+
+std::string function_of(const std::string& name, const std::vector<std::string>& lines, const HeaderScope& scope) {
+  const Dialect& dialect = scope.dialect;
+  std::string text =
+      list_line(dialect.part_begin(name), {dialect.input("q"), dialect.output("angle")}, dialect.function_end(), 0);
+  for (const std::string& line : lines) text += line;
+  return text + "}";
 }
 
 }  // namespace
@@ -58,14 +67,28 @@ std::string angles_call(const HeaderScope& scope) {
   return code_line(scope.dialect.part_call(fill_name(scope)) + "q, angle);", kStatementIndent);
 }
 
+// Where functions have no more than so many lines, the lines are in parts.
 std::string angles_definition(const HeaderScope& scope) {
-  const Dialect& dialect = scope.dialect;
-  const std::vector<std::string> arguments = {dialect.input("q"), dialect.output("angle")};
-  std::string text = list_line(dialect.part_begin(fill_name(scope)), arguments, dialect.function_end(), 0);
-  for (int k = 0; k < scope.positions + static_cast<int>(scope.angles.size()); ++k) {
-    text += code_line(fmt::format("angle[{}] = {};", k, angle_text(k, scope)), kStatementIndent);
+  constexpr std::size_t kAround = 2;
+  const std::string name = fill_name(scope);
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < scope.angle_count(); ++k) {
+    const int index = static_cast<int>(k);
+    lines.push_back(code_line(fmt::format("angle[{}] = {};", k, angle_text(index, scope)), kStatementIndent));
   }
-  return text + "}";
+  const std::size_t most = scope.most_lines > 0 ? static_cast<std::size_t>(scope.most_lines) - kAround : lines.size();
+  if (lines.size() <= most) return function_of(name, lines, scope);
+  std::string text;
+  std::vector<std::string> calls;
+  for (std::size_t first = 0; first < lines.size(); first += most) {
+    const auto begin = lines.begin() + static_cast<std::ptrdiff_t>(first);
+    const std::size_t count = std::min(most, lines.size() - first);
+    const std::string part = fmt::format("{}_{}", name, calls.size() + 1);
+    text += function_of(part, {begin, begin + static_cast<std::ptrdiff_t>(count)}, scope) + "\n\n";
+    if (scope.dialect.is_cpp()) text += "template <class Scalar>\n";
+    calls.push_back(code_line(part + "(q, angle);", kStatementIndent));
+  }
+  return text + function_of(name, calls, scope);
 }
 
 std::vector<std::string> angles_comment(const HeaderScope& scope) {

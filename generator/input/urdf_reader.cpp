@@ -146,11 +146,12 @@ class UrdfReader {
     const std::string where = what + ", mimic";
     const Place place = values_.place(*mimic);
     const std::string leader = values_.required_text(*mimic, "joint", where);
+    const std::size_t before = diagnostics_.all().size();
     const Number factor = values_.number(*mimic, "multiplier", where).value_or(Value{1, place}).number;
     const Number offset = joint.type == JointType::prismatic
                               ? values_.number(*mimic, "offset", where).value_or(Value{0, place}).number
                               : values_.angle(*mimic, "offset", where);
-    if (leader.empty()) return;
+    if (leader.empty() || diagnostics_.all().size() > before) return;
     if (leader == joint.name) {
       diagnostics_.error(place, what + " mimics itself", "name the joint that it follows");
       return;

@@ -10,9 +10,9 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Number size_of(const Number& factor) { return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(factor)); }
 
-// Of which multiples are made by a few multiplications, and lose a digit at most.
+// Twice is made by three multiplications. A multiple loses that many last places: to ask for its sine costs none.
 bool is_small_whole(const Number& factor) {
-  constexpr int kMostTurns = 64;
+  constexpr int kMostTurns = 2;
   return factor.info(GiNaC::info_flags::integer) && GiNaC::ex_to<GiNaC::numeric>(size_of(factor)) <= kMostTurns;
 }
 
@@ -36,6 +36,12 @@ std::vector<CoordinateMultiple> further_angles(const Mechanism& mechanism) {
     }
   }
   return angles;
+}
+
+double largest_turn(const Mechanism& mechanism) {
+  double largest = 1;
+  for (const CoordinateMultiple& angle : mechanism.angles) largest = std::max(largest, nearest_double(angle.factor));
+  return largest;
 }
 
 std::vector<Number> turns_of(const Mechanism& mechanism, int i) {

@@ -8,6 +8,7 @@
 
 #include "bench/calls.hpp"
 #include "diagnostics/nearest.hpp"
+#include "model/angles.hpp"
 #include "stress/extreme_states.hpp"
 #include "stress/program.hpp"
 #include "stress/worst_state.hpp"
@@ -252,6 +253,7 @@ StressRow row_of(const Function& function, const StressProgram& program, std::si
                  const ExpectedValues& expected, const StressStates& source, const Mechanism& mechanism,
                  StressOptions options) {
   options.evaluations = affordable(function, mechanism, options.evaluations);
+  options.bound *= largest_turn(mechanism);
   options.edges = affordable(function, mechanism, options.edges);
   StressRun run(function, StressJudge(function, expected.of(function), scalar), program.calls(k, scalar), options);
   int left = affordable(function, mechanism, options.states);

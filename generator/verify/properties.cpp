@@ -152,7 +152,9 @@ Vector50 rates_of(const Functions& f, const ExactState& state) {
 
 }  // namespace
 
-std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states) {
+std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states,
+                                       double largest_turn) {
+  const double tolerance = kTolerance * largest_turn * largest_turn;
   constexpr std::size_t kStates = 5;
   const Functions f(functions);
   std::vector<ExactState> exact;
@@ -165,7 +167,7 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
   const auto vanishing = [&](const std::string& name, double (*measure)(const Functions&, const ExactState&)) {
     double largest = 0;
     for (const ExactState& state : exact) largest = std::max(largest, measure(f, state));
-    properties.push_back({name, fmt::format("{:.1g}, relative", largest), largest < kTolerance});
+    properties.push_back({name, fmt::format("{:.1g}, relative", largest), largest < tolerance});
   };
   if (f.has({"inertia_matrix"})) {
     vanishing("B is symmetric", asymmetry);

@@ -9,6 +9,8 @@ namespace flatdyn {
 
 // B symmetric and positive definite; wᵀ(Ḃ - 2C)w = 0, (7.48); energy balance, (7.50); forward ∘ inverse = identity.
 // A property whose functions are not among those given is left out.
-std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states);
+// `largest_turn`: of the mechanism; it makes differences by q as much coarser.
+std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states,
+                                       double largest_turn = 1);
 
 }  // namespace flatdyn

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "diagnostics/table.hpp"
+#include "model/angles.hpp"
 #include "verify/compiled.hpp"
 #include "verify/exact.hpp"
 #include "verify/properties.hpp"
@@ -127,6 +128,7 @@ VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::v
                     const VerifyOptions& options, Progress& progress) {
   VerifyReport report;
   progress.step("compiling the emitted code");
+  const double bound = options.bound * largest_turn(mechanism);
   const Comparison comparison(robot, mechanism, functions, options);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     FunctionReport row;
@@ -136,11 +138,11 @@ VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::v
     row.proven = exact.equal;
     report.failure_log2 = std::max(report.failure_log2, exact.failure_log2);
     comparison.compare({functions[k], k}, row);
-    row.passed = row.proven && row.graph_error < kGraphTolerance && row.generated.largest <= options.bound &&
-                 row.at_edges.largest <= options.bound;
+    row.passed = row.proven && row.graph_error < kGraphTolerance && row.generated.largest <= bound &&
+                 row.at_edges.largest <= bound;
     report.functions.push_back(row);
   }
-  report.properties = check_properties(functions, comparison.random());
+  report.properties = check_properties(functions, comparison.random(), largest_turn(mechanism));
   return report;
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Coupled joints: the parallelogram arm of 7.3.3, absolute angles (Problem 7.6), and the same torques from the tree
 // with the forces that hold the couplings.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "emit/emit.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
+#include "model/angles.hpp"
 #include "model/coupling.hpp"
 #include "model/states.hpp"
 #include "support/identified_arm.hpp"
@@ -18,9 +22,11 @@
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/textbook_robots.hpp"
+#include "verify/emitted_text.hpp"
 #include "verify/exact.hpp"
 #include "verify/reference_model.hpp"
 #include "verify/sampled_base.hpp"
+#include "verify/verify.hpp"
 
 namespace flatdyn {
 namespace {
@@ -419,6 +425,46 @@ TEST(FollowerByAFraction, EveryFunctionIsTheLagrangians) {
 
 TEST(FollowerByAFraction, IsIdentified) {
   testing::expect_recovery(testing::Arm(testing::model_of_toml(kGripper)), "gripper");
+}
+
+// Every follower with a factor of its own: more angles than a short function has lines.
+TEST(FollowerByAFraction, HasItsAnglesInPartsWhereFunctionsAreShort) {
+  constexpr int kFollowers = 40, kMostLines = 30;
+  std::string text = "name = \"fan\"\n[[link]]\njoint = \"a\"\nmass = 1\ncom = [0.1, 0, 0]\n";
+  for (int k = 1; k <= kFollowers; ++k) {
+    text += fmt::format("[[link]]\nparent = \"link1\"\nposition = \"0.{:02}*a\"\nmass = 1\ncom = [0.1, 0, 0]\n", k);
+    text += "axis = [0, 1, 0]\n";
+  }
+  const Mechanism mechanism = testing::model_of_toml(text).mechanism;
+  ASSERT_EQ(mechanism.angle_count(), kFollowers + 1);
+  EmitOptions options;
+  options.most_lines = kMostLines;
+  const Function function = derive_function(mechanism, "gravity");
+  const std::string header = emit_cpp(mechanism, {function}, options);
+  int functions = 0;
+  for (std::size_t at = header.find("void angles"); at != std::string::npos; at = header.find("void angles", at + 1)) {
+    const std::string body = header.substr(at, header.find("\n}", at) + 2 - at);
+    EXPECT_LT(std::count(body.begin(), body.end(), '\n'), kMostLines) << body;
+    ++functions;
+  }
+  EXPECT_EQ(functions, 3);
+  EXPECT_EQ(EmittedText(header).operations(0, function).outputs.size(), 1U);
+}
+
+// The reference loses as much: the angle itself is rounded.
+TEST(FollowerByAFraction, MayBeOffByAsManyLastPlacesAsItTurnsMore) {
+  std::string text = kGripper;
+  text.replace(text.find("-0.28833"), 8, "-200.5");
+  const Model model = testing::model_of_toml(text);
+  EXPECT_EQ(largest_turn(model.mechanism), 200.5);
+  EXPECT_EQ(largest_turn(testing::model_of_toml(kGripper).mechanism), 1);
+  Progress quiet(true);
+  VerifyOptions options;
+  options.states = 20;
+  const VerifyReport report =
+      verify(model.robot, model.mechanism, {derive_function(model.mechanism, "gravity")}, options, quiet);
+  EXPECT_TRUE(report.passed());
+  EXPECT_GT(report.functions.front().reference.largest, 16);
 }
 
 TEST_F(Machine, IsIdentifiedInItsCoordinates) { testing::expect_recovery(testing::Arm(model_), "machine"); }
