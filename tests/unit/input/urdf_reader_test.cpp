@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "model/angles.hpp"
+#include "model/coupling.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {
