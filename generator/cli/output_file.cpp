@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -20,8 +21,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+// Where a file is written before it is renamed: hidden, and of this process.
+std::string prefix_beside(const fs::path& path) { return fmt::format(".{}.", path.filename().string()); }
 fs::path beside(const fs::path& path) {
-  return path.parent_path() / fmt::format(".{}.{}", path.filename().string(), ::getpid());
+  return path.parent_path() / (prefix_beside(path) + std::to_string(::getpid()));
+}
+
+// That such a name is of some process.
+bool is_beside(const std::string& name, const fs::path& path) {
+  const std::string prefix = prefix_beside(path);
+  return name.size() > prefix.size() && name.rfind(prefix, 0) == 0 &&
+         name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
@@ -87,20 +99,23 @@ class Cleanup {
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& file) {
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    descriptor_ = ::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ < 0) return;
-    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
-    }
+    int outcome = 0;
+    do outcome = ::flock(descriptor_, LOCK_EX);
+    while (outcome != 0 && errno == EINTR);
+    is_held_ = outcome == 0;
   }
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
   ~FolderLock() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
+  bool is_held() const { return is_held_; }
 
  private:
   int descriptor_ = -1;
+  bool is_held_ = false;
 };
 
 // The folders' locks, in one order for all runs, so that none waits for another that waits for it.
@@ -113,6 +128,38 @@ std::vector<std::unique_ptr<FolderLock>> locked(const std::vector<TextFile>& fil
   std::vector<std::unique_ptr<FolderLock>> locks;
   for (const auto& [folder, file] : by_folder) locks.push_back(std::make_unique<FolderLock>(file));
   return locks;
+}
+
+// What runs that were killed have left beside these files. For who holds the folders' locks: no other run is writing.
+void remove_remains(const std::vector<TextFile>& files) {
+  std::error_code ignored;
+  for (const TextFile& file : files) {
+    std::vector<fs::path> remains;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(file.path), ignored)) {
+      if (is_beside(entry.path().filename().string(), file.path)) remains.push_back(entry.path());
+    }
+    for (const fs::path& path : remains) fs::remove(path, ignored);
+  }
+}
+
+void rename_into_place(const fs::path& path) {
+  std::error_code error;
+  fs::rename(beside(path), path, error);
+  if (error) fail(path, error.message());
+}
+
+void remove_old(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) fail(path, error.message());
+}
+
+// At whatever moment this run is killed, no file of the last run stands beside one of this: the first file is replaced
+// in one step, and the others are away while that happens.
+void put_into_place(const std::vector<fs::path>& paths) {
+  if (paths.empty()) return;
+  for (auto path = paths.begin() + 1; path != paths.end(); ++path) remove_old(*path);
+  for (const fs::path& path : paths) rename_into_place(path);
 }
 
 }  // namespace
@@ -134,23 +181,19 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
 }
 
 void write_files(const std::vector<TextFile>& wanted) {
-  std::vector<TextFile> files;
-  for (const TextFile& file : wanted) files.push_back(followed(file));
-  for (const TextFile& file : files) check_writable(file);
+  std::vector<TextFile> files, streams;
+  for (const TextFile& file : wanted) (is_replaced(file.path) ? files : streams).push_back(followed(file));
+  for (const TextFile& file : wanted) check_writable(followed(file));
   const std::vector<std::unique_ptr<FolderLock>> locks = locked(files);
+  if (std::all_of(locks.begin(), locks.end(), [](const auto& lock) { return lock->is_held(); })) remove_remains(files);
   const Cleanup cleanup(files);
+  std::vector<fs::path> paths;
   for (const TextFile& file : files) {
-    if (is_replaced(file.path)) write_text(beside(file.path), file);
+    write_text(beside(file.path), file);
+    paths.push_back(file.path);
   }
-  for (const TextFile& file : files) {
-    if (!is_replaced(file.path)) {
-      write_text(file.path, file);
-      continue;
-    }
-    std::error_code error;
-    fs::rename(beside(file.path), file.path, error);
-    if (error) fail(file.path, error.message());
-  }
+  put_into_place(paths);
+  for (const TextFile& file : streams) write_text(file.path, file);
 }
 
 void write_and_tell(const std::vector<TextFile>& files, const Told& told, bool as_json) {

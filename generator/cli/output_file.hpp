@@ -17,9 +17,9 @@ struct TextFile {
 // a name do not count.
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
-// Writes all of them beside their places and renames them at the end, so that nobody ever sees half a file and an
-// interrupted run loses nothing. Of several runs in one folder, one after the other does so. A link stays a link; a
-// device is written to. Throws Failure(io).
+// Writes all of them beside their places and renames them at the end: nobody ever sees half a file, and at whatever
+// moment the run is killed, files of one run are there: the last one's, or some or all of this one's. Of several runs
+// in one folder, one after the other does so. A link stays a link; a device is written to. Throws Failure(io).
 void write_files(const std::vector<TextFile>& wanted);
 
 // What a subcommand tells on stdout: for people, or as JSON.
