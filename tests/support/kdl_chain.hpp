@@ -4,11 +4,15 @@
 #pragma once
 
 #include <kdl/chain.hpp>
+#include <kdl/chaindynparam.hpp>
+#include <kdl/chainfdsolver_recursive_newton_euler.hpp>
+#include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <kdl/jntarray.hpp>
 #include <string>
 #include <vector>
 
 #include "flatdyn/reference/kinematics.hpp"
+#include "support/joint_dynamics_peer.hpp"
 
 namespace flatdyn::testing {
 
@@ -58,5 +62,35 @@ inline KDL::Chain kdl_chain(const reference::Robot<double>& robot) {
   chain.addSegment(KDL::Segment("tip", KDL::Joint("to_tip", KDL::Joint::Fixed), kdl(robot.R_tip, robot.p_tip)));
   return chain;
 }
+
+class KdlChainPeer : public JointDynamicsPeer {
+ public:
+  explicit KdlChainPeer(const reference::Robot<double>& robot)
+      : chain_(kdl_chain(robot)), gravity_(kdl(robot.gravity)), result_(static_cast<unsigned>(robot.joint_count())) {}
+
+  Vector inverse_dynamics(const Vector& q, const Vector& qd, const Vector& qdd) override {
+    KDL::ChainIdSolver_RNE(chain_, gravity_).CartToJnt(kdl(q), kdl(qd), kdl(qdd), none_, result_);
+    return result_.data;
+  }
+  Matrix inertia_matrix(const Vector& q) override {
+    KDL::JntSpaceInertiaMatrix B(result_.rows());
+    KDL::ChainDynParam(chain_, gravity_).JntToMass(kdl(q), B);
+    return B.data;
+  }
+  Vector gravity(const Vector& q) override {
+    KDL::ChainDynParam(chain_, gravity_).JntToGravity(kdl(q), result_);
+    return result_.data;
+  }
+  Vector forward_dynamics(const Vector& q, const Vector& qd, const Vector& tau) override {
+    KDL::ChainFdSolver_RNE(chain_, gravity_).CartToJnt(kdl(q), kdl(qd), kdl(tau), none_, result_);
+    return result_.data;
+  }
+
+ private:
+  KDL::Chain chain_;
+  KDL::Vector gravity_;
+  KDL::JntArray result_;
+  KDL::Wrenches none_ = KDL::Wrenches(chain_.getNrOfSegments(), KDL::Wrench::Zero());
+};
 
 }  // namespace flatdyn::testing

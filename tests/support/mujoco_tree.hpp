@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The reference's robot as one of MuJoCo. Its file only says what hangs on what: the numbers are put into the model
+// afterwards, as MuJoCo's own principal axes of inertia are good to nine digits, and as it refuses links that no body
+// could be.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Eigenvalues>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "diagnostics/temporary_folder.hpp"
+#include "support/joint_dynamics_peer.hpp"
+
+namespace flatdyn::testing {
+
+class MujocoTree : public JointDynamicsPeer {
+ public:
+  explicit MujocoTree(const reference::Robot<double>& robot) : robot_(robot), model_(loaded(), mj_deleteModel) {
+    for (int axis = 0; axis < 3; ++axis) model_->opt.gravity[axis] = robot.gravity[axis];
+    for (const Joint& joint : robot_.joints) place(joint);
+    // What MuJoCo has found out from the file's numbers, and would leave out.
+    std::fill_n(model_->body_simple, model_->nbody, mjtByte(0));
+    std::fill_n(model_->body_sameframe, model_->nbody, mjtByte(0));
+    std::fill_n(model_->dof_simplenum, model_->nv, 0);
+    for (int body = model_->nbody - 1; body > 0; --body) {
+      model_->body_subtreemass[body] += model_->body_mass[body];
+      model_->body_subtreemass[model_->body_parentid[body]] += model_->body_subtreemass[body];
+    }
+    data_.reset(mj_makeData(model_.get()));
+  }
+
+  Vector inverse_dynamics(const Vector& q, const Vector& qd, const Vector& qdd) override {
+    set(data_->qpos, q);
+    set(data_->qvel, qd);
+    set(data_->qacc, qdd);
+    mj_inverse(model_.get(), data_.get());
+    return by_joint(data_->qfrc_inverse);
+  }
+
+  Matrix inertia_matrix(const Vector& q) override {
+    const int n = robot_.joint_count();
+    set(data_->qpos, q);
+    mj_kinematics(model_.get(), data_.get());
+    mj_comPos(model_.get(), data_.get());
+    mj_crb(model_.get(), data_.get());
+    std::vector<double> full(static_cast<std::size_t>(n * n));
+    mj_fullM(model_.get(), full.data(), data_->qM);
+    Matrix B(n, n);
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) B(i, j) = full[static_cast<std::size_t>(place_of(i) * n + place_of(j))];
+    }
+    return B;
+  }
+
+  Vector gravity(const Vector& q) override {
+    const Vector still = Vector::Zero(q.size());
+    return inverse_dynamics(q, still, still);
+  }
+
+  Vector forward_dynamics(const Vector& q, const Vector& qd, const Vector& tau) override {
+    set(data_->qpos, q);
+    set(data_->qvel, qd);
+    set(data_->qfrc_applied, tau);
+    mj_forward(model_.get(), data_.get());
+    set(data_->qfrc_applied, Vector::Zero(q.size()));
+    return by_joint(data_->qacc);
+  }
+
+ private:
+  using Joint = reference::Joint<double>;
+  using Inertial = reference::Inertial<double>;
+  struct Frame {
+    reference::Matrix3<double> R = reference::Matrix3<double>::Identity();
+    reference::Vector3<double> p = reference::Vector3<double>::Zero();
+  };
+
+  static std::string name_of(int link) { return "link" + std::to_string(link); }
+
+  // MuJoCo counts joints depth first.
+  int place_of(int joint) const { return model_->jnt_dofadr[mj_name2id(model_.get(), mjOBJ_JOINT, moving(joint))]; }
+  const char* moving(int joint) const { return names_.at(static_cast<std::size_t>(joint)).c_str(); }
+  void set(double* to, const Vector& v) const {
+    for (int i = 0; i < v.size(); ++i) to[place_of(i)] = v[i];
+  }
+  Vector by_joint(const double* from) const {
+    Vector v(robot_.joint_count());
+    for (int i = 0; i < v.size(); ++i) v[i] = from[place_of(i)];
+    return v;
+  }
+
+  std::string body(const Joint& joint) {
+    std::string text = "<body name='" + name_of(joint.child) + "'><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>";
+    if (joint.index >= 0) {
+      names_.resize(std::max(names_.size(), static_cast<std::size_t>(joint.index) + 1));
+      names_[static_cast<std::size_t>(joint.index)] = "joint" + std::to_string(joint.index);
+      const char* type = joint.type == reference::JointType::prismatic ? "slide" : "hinge";
+      text += "<joint name='" + std::string(moving(joint.index)) + "' type='" + type + "'/>";
+    }
+    return text + carried_by(joint.child) + "</body>";
+  }
+
+  std::string carried_by(int link) {
+    std::string text;
+    for (const Joint& joint : robot_.joints) {
+      if (joint.parent == link) text += body(joint);
+    }
+    return text;
+  }
+
+  mjModel* loaded() {
+    const TemporaryFolder folder;
+    const std::string path = (folder.path() / "tree.xml").string();
+    std::ofstream(path) << "<mujoco><option><flag constraint='disable' contact='disable'/></option><worldbody>"
+                        << carried_by(robot_.root) << "</worldbody></mujoco>";
+    char error[1000] = "";
+    mjModel* model = mj_loadXML(path.c_str(), nullptr, error, sizeof error);
+    if (model == nullptr) throw std::runtime_error(error);
+    return model;
+  }
+
+  // A link's frame in MuJoCo's body, which is the joint's frame.
+  Frame frame_of(int link) const {
+    for (const Joint& joint : robot_.joints) {
+      if (joint.child == link) return {joint.R_1, joint.p_1};
+    }
+    return {};
+  }
+
+  static void put(double* to, const reference::Vector3<double>& v) { std::copy(v.begin(), v.end(), to); }
+  static void put(double* to, const reference::Matrix3<double>& R) {
+    const Eigen::Quaterniond turn(R);
+    const double quaternion[] = {turn.w(), turn.x(), turn.y(), turn.z()};
+    std::copy(std::begin(quaternion), std::end(quaternion), to);
+  }
+
+  void place(const Joint& joint) {
+    const int body = mj_name2id(model_.get(), mjOBJ_BODY, name_of(joint.child).c_str());
+    const Frame parent = frame_of(joint.parent);
+    put(model_->body_pos + 3 * body, reference::Vector3<double>(parent.p + parent.R * joint.p_0));
+    put(model_->body_quat + 4 * body, reference::Matrix3<double>(parent.R * joint.R_0));
+    if (joint.index >= 0) put(model_->jnt_axis + 3 * model_->body_jntadr[body], joint.axis);
+    const Frame link = {joint.R_1, joint.p_1};
+    const Inertial whole = together(robot_.links[static_cast<std::size_t>(joint.child)].inertials);
+    const reference::Matrix3<double> central = link.R * whole.inertia * link.R.transpose();
+    const Eigen::SelfAdjointEigenSolver<reference::Matrix3<double>> principal(central);
+    reference::Matrix3<double> axes = principal.eigenvectors();
+    if (axes.determinant() < 0) axes = -axes;
+    model_->body_mass[body] = whole.mass;
+    model_->body_subtreemass[body] = 0;
+    put(model_->body_ipos + 3 * body, reference::Vector3<double>(link.p + link.R * whole.r_C));
+    put(model_->body_iquat + 4 * body, axes);
+    put(model_->body_inertia + 3 * body, reference::Vector3<double>(principal.eigenvalues()));
+  }
+
+  static Inertial together(const std::vector<Inertial>& parts) {
+    Inertial whole;
+    for (const Inertial& part : parts) {
+      whole.mass += part.mass;
+      whole.r_C += part.mass * part.r_C;
+    }
+    if (whole.mass > 0) whole.r_C /= whole.mass;
+    for (const Inertial& part : parts) {
+      const reference::Vector3<double> d = part.r_C - whole.r_C;
+      const reference::Matrix3<double> square = d.squaredNorm() * reference::Matrix3<double>::Identity();
+      whole.inertia += part.inertia + part.mass * (square - d * d.transpose());
+    }
+    return whole;
+  }
+
+  const reference::Robot<double>& robot_;
+  std::vector<std::string> names_;  // of joints in MuJoCo's model
+  std::unique_ptr<mjModel, void (*)(mjModel*)> model_;
+  struct Delete {
+    void operator()(mjData* data) const { mj_deleteData(data); }
+  };
+  std::unique_ptr<mjData, Delete> data_;
+};
+
+}  // namespace flatdyn::testing
