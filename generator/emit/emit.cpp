@@ -12,6 +12,7 @@
 #include "emit/base_constants.hpp"
 #include "emit/batch_section.hpp"
 #include "emit/c_section.hpp"
+#include "emit/facts.hpp"
 #include "emit/function_text.hpp"
 #include "emit/identifiers.hpp"
 #include "emit/javascript_section.hpp"
@@ -174,45 +175,10 @@ class PageWriter {
     header["stamp"] = list_of(stamp);
     header["joint_table"] = list_of(joint_table(mechanism_));
     header["writes"] = list_of(writing_rule(functions_, !dialect_.is_cpp()));
-    header["facts"] = list_of(wrapped_words(facts(), kCommentWidth));
+    header["facts"] = list_of(wrapped_words(facts_of(mechanism_, options_.scene_facts), kCommentWidth));
     header["guard"] = guard_of(namespace_, dialect_.is_c() ? "H" : "HPP");
     header["namespace"] = namespace_;
     header["scalar"] = options_.scalar;
-  }
-
-  std::string facts() const {
-    std::string text =
-        fmt::format("Gravity is {} m/s^2 in the base frame.", NumberText(mechanism_, 17)(mechanism_.gravity));
-    if (!mechanism_.tip.link.empty()) text += fmt::format(" The tip belongs to link \"{}\".", mechanism_.tip.link);
-    if (!mechanism_.merged.empty()) {
-      text += " Links without a joint of their own, part of those that carry them:";
-      for (std::size_t k = 0; k < mechanism_.merged.size(); ++k) text += (k == 0 ? " " : ", ") + mechanism_.merged[k];
-      text += ".";
-    }
-    const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
-    const std::vector<std::string> coupled = coupled_joint_texts(mechanism_, by_index);
-    if (!coupled.empty()) {
-      text += fmt::format(" Coupled joints, rad or m: {}; q, qd, qdd and tau are those of the joints above.",
-                          fmt::join(coupled, ", "));
-    }
-    if (mechanism_.has_loops()) text += loop_facts();
-    if (!options_.scene_facts.empty()) text += " " + options_.scene_facts;
-    return comment_text(text);
-  }
-
-  std::string loop_facts() const {
-    std::vector<std::string> dependent;
-    for (const LoopClosure& loop : mechanism_.loops) {
-      for (const std::string& joint : dependent_joint_names(mechanism_, loop)) dependent.push_back(joint);
-    }
-    return fmt::format(
-        " Closed loops make {} follow from the other joints: q has the positions of all of them, qd, qdd and tau are "
-        "those of the others. Functions hold where q closes the loops. Names with lk belong to loop k: R_lk, p_lk "
-        "and r_lk to the way from its carrier to its two ends, Phi_lk to its closure's derivative by q, inv_lk is the "
-        "reciprocal of the determinant that its joints are found with, and regular_lk is positive unless the loop is "
-        "singular. A_i_j is how joint i moves with the joint of qd[j - 1], drift how it accelerates if that one does "
-        "not.",
-        fmt::join(dependent, ", "));
   }
 
   void write_constants(data& header) {

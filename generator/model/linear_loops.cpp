@@ -133,12 +133,6 @@ std::vector<Solution> linear_solutions(const CutLoop& loop) {
   return solutions;
 }
 
-std::vector<int> way_to_base(const Mechanism& tree, int body) {
-  std::vector<int> way;
-  for (; body >= 0; body = tree.bodies[static_cast<std::size_t>(body)].parent) way.push_back(body);
-  return way;
-}
-
 class LoopSettler {
  public:
   LoopSettler(Robot& robot, Diagnostics& diagnostics) : robot_(robot), diagnostics_(diagnostics) {}
@@ -200,7 +194,7 @@ class LoopSettler {
 
   // Joints of the loop: on the ways from its ends to the base, but not on both.
   bool find_joints(const Loop& loop, CutLoop& cut) {
-    const std::vector<int> a = way_to_base(cut.tree, cut.ends[0].body), b = way_to_base(cut.tree, cut.ends[1].body);
+    const std::vector<int> a = way_to(cut.tree, cut.ends[0].body), b = way_to(cut.tree, cut.ends[1].body);
     std::vector<int> bodies;
     const auto is_on = [](const std::vector<int>& way, int body) {
       return std::find(way.begin(), way.end(), body) != way.end();

@@ -37,13 +37,6 @@ LoopClosure::End end_of(const Mechanism& tree, const std::string& name, const Ve
   return {link->body, expanded(link->p + link->R * rationalised(point))};
 }
 
-std::vector<int> way_from_base(const Mechanism& tree, int body) {
-  std::vector<int> way;
-  for (; body >= 0; body = tree.bodies[index(body)].parent) way.push_back(body);
-  std::reverse(way.begin(), way.end());
-  return way;
-}
-
 // The body that all of a loop moves with, and the bodies from there to each end.
 struct Chains {
   int carrier = -1;
@@ -51,7 +44,7 @@ struct Chains {
 };
 
 Chains chains_of(const Mechanism& tree, const LoopClosure& loop) {
-  Chains chains{-1, {way_from_base(tree, loop.ends[0].body), way_from_base(tree, loop.ends[1].body)}};
+  Chains chains{-1, {way_to(tree, loop.ends[0].body), way_to(tree, loop.ends[1].body)}};
   auto& [a, b] = chains.ways;
   std::size_t common = 0;
   while (common < a.size() && common < b.size() && a[common] == b[common]) ++common;

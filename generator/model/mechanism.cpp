@@ -12,7 +12,12 @@ Mat3 joint_axes(const Body& joint) {
   return expanded(joint.prismatic ? axes * rotation_z(joint.theta) : axes);
 }
 
-namespace {}  // namespace
+std::vector<int> way_to(const Mechanism& mechanism, int body, int from) {
+  std::vector<int> way;
+  for (; body != from; body = mechanism.bodies[static_cast<std::size_t>(body)].parent) way.push_back(body);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
 
 bool InertialParameters::is_zero() const {
   const auto all_vanish = [](const Vec3& v) { return std::all_of(v.begin(), v.end(), vanishes); };

@@ -169,6 +169,10 @@ class JointRange {
 
 inline JointRange Mechanism::joints() const { return JointRange(*this); }
 
+// The bodies on the way from body `from` (-1: the base) to `body`, outwards; the last is `body`, the first comes after
+// `from`, which has to be on the way.
+std::vector<int> way_to(const Mechanism& mechanism, int body, int from = -1);
+
 // R_i^parent at q = 0, without the joint's own motion: Rz(beta) Rx(alpha) Rz(theta).
 Mat3 constant_rotation(const Body& body);
 

@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/kinematics.hpp"
 
-#include <algorithm>
-
 #include "symbolic/coordinates.hpp"
 
 namespace flatdyn {
 namespace {
 
-// Bodies from `body` to the base.
-std::vector<int> path_to_base(Frames& frames, int body) {
-  std::vector<int> path;
-  for (int i = body; i >= 0; i = frames.body(i).parent) path.push_back(i);
-  return path;
-}
-
 // A free vector of body `body` in base axes.
 Vec3 to_base(Frames& frames, int body, Vec3 v, const std::string& name) {
-  for (const int i : path_to_base(frames, body)) v = frames.up(i, v, name + "_" + label(i));
+  for (int i = body; i >= 0; i = frames.body(i).parent) v = frames.up(i, v, name + "_" + label(i));
   return v;
 }
 
 // A point of body `body` in the base frame.
 Vec3 point_in_base(Frames& frames, int body, Vec3 r, const std::string& name) {
   Derivation& d = frames.derivation();
-  for (const int i : path_to_base(frames, body)) {
+  for (int i = body; i >= 0; i = frames.body(i).parent) {
     const std::string n = name + "_" + label(i);
     r = d.named(r + Vec3{0, 0, frames.slide(i)}, n + "s");
     r = d.named(frames.up(i, r, n + "u") + frames.p(i), n);
@@ -48,12 +39,10 @@ SymbolicPose pose(Frames& frames, const LinkFrame& link) {
 std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
   Derivation& d = frames.derivation();
   std::vector<JacobianColumn> columns(static_cast<std::size_t>(frames.mechanism().body_count()));
-  std::vector<int> path = path_to_base(frames, link.body);
   const Vec3 p_e = point_in_base(frames, link.body, link.p, "p");
   // From the base outwards: two columns of each frame's rotation are needed to place the next axis and origin.
   SymbolicPose here;
-  std::reverse(path.begin(), path.end());
-  for (const int i : path) {
+  for (const int i : way_to(frames.mechanism(), link.body)) {
     const std::string n = label(i);
     const Vec3 z = d.named(here.R * frames.axis_in_parent(i), "z_" + n);
     const Vec3 origin = d.named(here.p + here.R * frames.p(i) + frames.slide(i) * z, "p_" + n);
@@ -77,10 +66,8 @@ namespace {
 // beside ω², which may be far larger.
 Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion>& links, const Motion& motion) {
   Derivation& d = frames.derivation();
-  std::vector<int> path = path_to_base(frames, body);
-  std::reverse(path.begin(), path.end());
   Vec3 domega = zero_vector();
-  for (const int i : path) {
+  for (const int i : way_to(frames.mechanism(), body)) {
     const auto k = static_cast<std::size_t>(i);
     domega = frames.down(i, domega, "domega_f_" + label(i));
     if (frames.body(i).prismatic) continue;
@@ -108,9 +95,7 @@ JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
 Wrench wrench_on_body(Frames& frames, const LinkFrame& link, const Wrench& wrench) {
   if (link.body < 0) return {};
   Wrench local = wrench;
-  std::vector<int> path = path_to_base(frames, link.body);
-  std::reverse(path.begin(), path.end());
-  for (const int i : path) {
+  for (const int i : way_to(frames.mechanism(), link.body)) {
     local = {frames.down(i, local.f, "f_e" + label(i)), frames.down(i, local.mu, "mu_e" + label(i))};
   }
   return {local.f, local.mu + cross(frames.derivation().named(link.p, "p_e"), local.f)};

@@ -70,16 +70,6 @@ std::optional<std::size_t> last_row(const BaseParameters& base, const std::vecto
   return last;
 }
 
-// The bodies from the loop's carrier to an end, the carrier left out.
-std::vector<int> way_to(const Mechanism& mechanism, const LoopClosure& loop, const LoopClosure::End& end) {
-  std::vector<int> way;
-  for (int body = end.body; body != loop.carrier; body = mechanism.bodies[static_cast<std::size_t>(body)].parent) {
-    way.push_back(body);
-  }
-  std::reverse(way.begin(), way.end());
-  return way;
-}
-
 Vec3 third_axis(const LoopClosure& loop) { return {loop.axes[0][2], loop.axes[1][2], loop.axes[2][2]}; }
 
 // The third of the loop's axes in the frame of an end's body, if its joints leave it there: they turn about it, or
@@ -87,7 +77,7 @@ Vec3 third_axis(const LoopClosure& loop) { return {loop.axes[0][2], loop.axes[1]
 std::optional<Vec3> carried_axis(const Mechanism& mechanism, const LoopClosure& loop, const LoopClosure::End& end,
                                  const Size& size) {
   Vec3 axis = third_axis(loop);
-  for (const int body : way_to(mechanism, loop, end)) {
+  for (const int body : way_to(mechanism, end.body, loop.carrier)) {
     const Body& joint = mechanism.bodies[static_cast<std::size_t>(body)];
     axis = expanded(transpose(joint_axes(joint)) * axis);
     if (joint.prismatic) continue;
@@ -132,7 +122,7 @@ ParameterForm products_round_loop(const Mechanism& mechanism, const LoopClosure&
     const LoopClosure::End& end = loop.ends[is_second];
     const int sign = is_second ? -1 : 1;
     Vec3 next = end.p;
-    std::vector<int> way = way_to(mechanism, loop, end);
+    std::vector<int> way = way_to(mechanism, end.body, loop.carrier);
     for (; !way.empty(); way.pop_back()) {
       const Body& joint = mechanism.bodies[static_cast<std::size_t>(way.back())];
       if (joint.prismatic) return {};

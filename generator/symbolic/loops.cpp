@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/loops.hpp"
 
-#include <algorithm>
-
 namespace flatdyn {
 namespace {
 
@@ -54,9 +52,7 @@ Number ClosedLoops::factor(int body, std::size_t position) const { return mechan
 // From the carrier outwards, as the Jacobian of a frame; `point`: where the end is.
 std::vector<ClosedLoops::Joint> ClosedLoops::way_to(const LoopClosure& closure, std::size_t end, Vec3& point,
                                                     const std::string& name) {
-  std::vector<int> bodies;
-  for (int i = closure.ends[end].body; i != closure.carrier; i = frames_.body(i).parent) bodies.push_back(i);
-  std::reverse(bodies.begin(), bodies.end());
+  const std::vector<int> bodies = flatdyn::way_to(mechanism_, closure.ends[end].body, closure.carrier);
   std::vector<Joint> way;
   std::vector<Vec3> origins;
   Mat3 R = transpose(closure.axes);

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/facts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "emit/writer.hpp"
+#include "symbolic/coupled_text.hpp"
+#include "symbolic/number_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+std::string merged_text(const Mechanism& mechanism) {
+  return fmt::format(" Links without a joint of their own, part of those that carry them: {}.",
+                     fmt::join(mechanism.merged, ", "));
+}
+
+std::string coupled_text(const std::vector<std::string>& joints) {
+  return fmt::format(" Coupled joints, rad or m: {}; q, qd, qdd and tau are those of the joints above.",
+                     fmt::join(joints, ", "));
+}
+
+std::string loop_text(const Mechanism& mechanism) {
+  std::vector<std::string> dependent;
+  for (const LoopClosure& loop : mechanism.loops) {
+    for (const std::string& joint : dependent_joint_names(mechanism, loop)) dependent.push_back(joint);
+  }
+  return fmt::format(
+      " Closed loops make {} follow from the other joints: q has the positions of all of them, qd, qdd and tau are "
+      "those of the others. Functions hold where q closes the loops. Names with lk belong to loop k: R_lk, p_lk "
+      "and r_lk to the way from its carrier to its two ends, Phi_lk to its closure's derivative by q, inv_lk is the "
+      "reciprocal of the determinant that its joints are found with, and regular_lk is positive unless the loop is "
+      "singular. A_i_j is how joint i moves with the joint of qd[j - 1], drift how it accelerates if that one does "
+      "not.",
+      fmt::join(dependent, ", "));
+}
+
+}  // namespace
+
+std::string facts_of(const Mechanism& mechanism, const std::string& scene) {
+  std::string text =
+      fmt::format("Gravity is {} m/s^2 in the base frame.", NumberText(mechanism, 17)(mechanism.gravity));
+  if (!mechanism.tip.link.empty()) text += fmt::format(" The tip belongs to link \"{}\".", mechanism.tip.link);
+  if (!mechanism.merged.empty()) text += merged_text(mechanism);
+  const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
+  const std::vector<std::string> coupled = coupled_joint_texts(mechanism, by_index);
+  if (!coupled.empty()) text += coupled_text(coupled);
+  if (mechanism.has_loops()) text += loop_text(mechanism);
+  if (!scene.empty()) text += " " + scene;
+  return comment_text(text);
+}
+
+}  // namespace flatdyn
