@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "input/content_hash.hpp"
+#include "model/pivot_share.hpp"
 #include "passes/draft.hpp"
 #include "plan.hpp"
 #include "scene/specialise.hpp"
@@ -58,6 +59,17 @@ void search_choices(const Model& model, const SearchLimit& limit, std::vector<Pl
   if (!limit.seconds) return;
   findings.note({model.robot.file, 0}, fmt::format("the search has tried {} candidates per function", candidates),
                 fmt::format("--search {} makes the same again", candidates));
+}
+
+// Where rounding leaves nothing of a pivot, what divides by it can only say so.
+void note_lost_pivots(const Model& model, const std::vector<Plan>& plans, Diagnostics& findings) {
+  constexpr double kLost = 0x1p-47;  // of a double, where kLeastShare of it is lost
+  const bool divides =
+      std::any_of(plans.begin(), plans.end(), [](const Plan& plan) { return !plan.made.function.scales.empty(); });
+  if (!divides || smallest_pivot_share(derived_from(model)) >= kLost) return;
+  findings.note({model.robot.file, 0},
+                "B(q) is singular to the last place of a double at some positions: forward dynamics return false there",
+                "give the links between its joints their inertia");
 }
 
 std::vector<std::string> names_of_functions(bool on_request, const Mechanism& mechanism) {
@@ -175,6 +187,7 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
     }
   }
+  note_lost_pivots(model, plans, findings);
   if (options.warnings_are_errors && findings.has_warnings()) throw BadInput(ExitCode::input, findings);
   if (options.search) {
     progress.step("searching for better choices");
@@ -223,7 +236,11 @@ OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& 
   progress.step("deriving functions together");
   OptimisedFusion result;
   std::optional<int> least;
-  cheapest_choices(derived_from(model), [&](const Choices& choices) {
+  const bool guards_pivots = std::any_of(functions.begin(), functions.end(), [&model](const std::string& name) {
+    return may_lose_pivots(derived_from(model), name);
+  });
+  cheapest_choices(derived_from(model), [&](Choices choices) {
+    choices.guards_pivots = guards_pivots;
     Fusion made = fused_from(model, functions, choices);
     const int operations = cost(made.function);
     if (!least || operations < *least) {

@@ -74,7 +74,7 @@ Plan planned(const Model& model, const std::string& name, Progress& progress) {
                 }};
   }
   refine(mechanism, *best);
-  if (!closed) return *best;
+  if (!closed || !best->made.function.scales.empty()) return *best;
   OptimisedFunction made = as_needed(model, *closed, 0);
   if (cost(made.function) >= cost(best->made.function)) return *best;
   return {std::move(made), candidates.front().choices, true,

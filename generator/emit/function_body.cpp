@@ -115,7 +115,7 @@ class BodyWriter {
   std::string shared_by_parts(int kept) const {
     std::vector<std::string> items;
     if (kept > 0) items.push_back(dialect_.array(kKept, static_cast<std::size_t>(kept)));
-    if (const std::vector<NodeId> pivots = pivots_to_check(); !pivots.empty()) {
+    if (const std::vector<Checked> pivots = pivots_to_check(); !pivots.empty()) {
       items.push_back(dialect_.array(kPivots, pivots.size()));
     }
     if (returns_value(function_)) items.push_back(dialect_.number_definition(kResult));
@@ -146,11 +146,16 @@ class BodyWriter {
 
   std::vector<Step> pivot_steps() const {
     std::vector<Step> steps;
-    for (const NodeId id : pivots_to_check()) {
+    for (const Checked& pivot : pivots_to_check()) {
+      std::vector<NodeId> variables = variables_used(pivot.value);
+      if (pivot.scale) {
+        const std::vector<NodeId> more = variables_used(*pivot.scale);
+        variables.insert(variables.end(), more.begin(), more.end());
+      }
       steps.push_back(
-          {code_line(fmt::format("{}[{}] = {};", kPivots, steps.size(), printer_.use(id)), kStatementIndent),
+          {code_line(fmt::format("{}[{}] = {};", kPivots, steps.size(), checked_text(pivot)), kStatementIndent),
            {},
-           variables_used(id),
+           variables,
            {kPivots}});
     }
     return steps;
@@ -392,21 +397,40 @@ class BodyWriter {
     if (function_.positive.empty()) return "";
     const std::string zero = dialect_.literal(0);
     std::string text;
-    for (const NodeId id : pivots_to_check()) {
+    for (const Checked& pivot : pivots_to_check()) {
       text += code_line(
           fmt::format("{}{} > {};", text.empty() ? dialect_.conditions_begin() : dialect_.conditions_continue(),
-                      printer_.use(id), zero),
+                      checked_text(pivot), zero),
           kStatementIndent);
     }
     return text + code_line("return " + (text.empty() ? dialect_.always() : "positive") + ";", kStatementIndent);
   }
 
-  // Constants are known to be positive.
-  std::vector<NodeId> pivots_to_check() const {
-    std::vector<NodeId> pivots = function_.positive;
-    std::erase_if(pivots,
-                  [this](NodeId id) { return function_.graph.is_constant(id) && function_.graph[id].value > 0; });
+  // What must be positive; where it has a scale, beside that.
+  struct Checked {
+    NodeId value = 0;
+    std::optional<NodeId> scale;
+  };
+
+  std::vector<Checked> pivots_to_check() const {
+    std::vector<Checked> pivots;
+    for (std::size_t k = 0; k < function_.positive.size(); ++k) {
+      if (always_holds(function_, k)) continue;
+      pivots.push_back({function_.positive[k], {}});
+      if (k < function_.scales.size()) pivots.back().scale = function_.scales[k];
+    }
     return pivots;
+  }
+
+  // "D_1", or "b_1_1 + Scalar(0.015625) * D_1 - b_1_1": from left to right, so that what is lost beside b_1_1 leaves 0.
+  std::string checked_text(const Checked& pivot) const {
+    const std::string value = printer_.use(pivot.value);
+    if (!pivot.scale) return value;
+    const auto unsigned_text = [](const std::string& text) { return text[0] == '-' ? text.substr(1) : text; };
+    const std::string scale = printer_.use(*pivot.scale);
+    const bool is_negative = value[0] == '-', is_below = scale[0] == '-';
+    return fmt::format("{} {} {} * {} {} {}", scale, is_negative ? '-' : '+', dialect_.literal(kLeastShare),
+                       unsigned_text(value), is_below ? '+' : '-', unsigned_text(scale));
   }
 
   const Function& function_;

@@ -254,10 +254,11 @@ class FunctionWriter {
                                                           : " or of J B^-1 J^T";
     const bool asks_loops = function_.loop_conditions > 0;
     const bool asks_pivots = function_.positive.size() > static_cast<std::size_t>(function_.loop_conditions);
+    const char* const lost = function_.scales.empty() ? "not positive" : "not positive, lost in rounding,";
     return fmt::format("false if the result means nothing, because {}{}{}",
                        asks_loops ? "a closed loop is within 1e-6 of being singular" : "",
                        asks_loops && asks_pivots ? ", or " : "",
-                       asks_pivots ? fmt::format("a pivot of B{} is not positive or not a number", also) : "");
+                       asks_pivots ? fmt::format("a pivot of B{} is {} or not a number", also, lost) : "");
   }
 
   const Function& function_;

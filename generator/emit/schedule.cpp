@@ -51,6 +51,7 @@ class Scheduler {
     order_trigonometry();
     order_outputs();
     for (NodeId id : function_.positive) visit(id);
+    for (NodeId id : function_.scales) visit(id);
     return std::move(schedule_);
   }
 
@@ -64,6 +65,11 @@ class Scheduler {
   void count_uses() {
     for (const auto& [id, targets] : stores_) ++at(uses_, id);
     for (NodeId id : function_.positive) ++at(uses_, id);
+    // Written twice, and its pivot within a sum: both have names.
+    for (std::size_t k = 0; k < function_.scales.size(); ++k) {
+      at(uses_, function_.scales[k]) += 2;
+      ++at(uses_, function_.positive[k]);
+    }
     for (NodeId id = graph_.size() - 1; id >= 0; --id) {
       if (!at(alive_, id)) continue;
       if (is_trigonometric(graph_[id])) continue;  // its angle is written where it is asked for

@@ -47,14 +47,23 @@ struct Function {
   // Values that must all be positive for the result to mean anything (pivots of B, loops); then the function returns
   // bool.
   std::vector<NodeId> positive;
+  // Of the first ones of these: what a pivot is the rest of (b_kk), where rounding may leave nothing of the rest. It
+  // counts as positive only if kLeastShare of it is not lost beside that in the scalar's arithmetic.
+  std::vector<NodeId> scales{};
   int loop_conditions = 0;  // the last ones of these: closed loops that must not be singular
 };
 
-// Output entries and conditions, in order: what keeps a node alive.
+// A pivot below some 2/kLeastShare units of the last place of what it is the rest of is rounding error for the most.
+inline const Rational kLeastShare{1, 64};
+
+// Output entries, conditions and scales, in order: what keeps a node alive.
 std::vector<NodeId> roots(const Function& function);
 
 // The same outputs and conditions in another graph, where node k of the function's is image[k].
 Function with_graph(const Function& function, Graph graph, const std::vector<NodeId>& image);
+
+// Whether condition k is known to hold without being computed: a positive constant, in float, too.
+bool always_holds(const Function& function, std::size_t k);
 
 // Whether every entry of every output is computed.
 bool is_whole(const Function& function);

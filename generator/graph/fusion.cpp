@@ -35,14 +35,15 @@ Fusion fused(const std::vector<Function>& functions) {
       output.entries = images(output.entries, image);
       whole.outputs.push_back(std::move(output));
     }
-    const std::vector<NodeId> conditions = images(function.positive, image);
+    const std::vector<NodeId> conditions = images(function.positive, image), scales = images(function.scales, image);
     whole.positive.insert(whole.positive.end(), conditions.begin(), conditions.end());
+    whole.scales.insert(whole.scales.end(), scales.begin(), scales.end());
     inputs.insert(function.inputs.begin(), function.inputs.end());
     whole.base_parameters = std::max(whole.base_parameters, function.base_parameters);
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
     fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
-                            function.task, function.outputs.size(), function.positive.size(),
+                            function.task, function.outputs.size(), function.positive.size(), function.scales.size(),
                             function.loop_conditions});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
@@ -50,10 +51,11 @@ Fusion fused(const std::vector<Function>& functions) {
 }
 
 Function function_of(const Fusion& fusion, std::size_t k) {
-  std::size_t output = 0, condition = 0;
+  std::size_t output = 0, condition = 0, scale = 0;
   for (std::size_t before = 0; before < k; ++before) {
     output += fusion.parts[before].outputs;
     condition += fusion.parts[before].conditions;
+    scale += fusion.parts[before].scales;
   }
   const FusedFunction& part = fusion.parts[k];
   const auto slice = [](const auto& all, std::size_t first, std::size_t count) {
@@ -70,6 +72,7 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .graph = fusion.function.graph,
           .outputs = slice(fusion.function.outputs, output, part.outputs),
           .positive = slice(fusion.function.positive, condition, part.conditions),
+          .scales = slice(fusion.function.scales, scale, part.scales),
           .loop_conditions = part.loop_conditions};
 }
 

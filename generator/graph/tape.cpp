@@ -11,9 +11,10 @@ namespace flatdyn {
 
 // Writes each node's instructions after those of its operands. A sum starts with a term that needs no multiplication,
 // if it has one, and goes on by one instruction per term.
+template <class S>
 class TapeWriter {
  public:
-  TapeWriter(const Function& function, Tape& tape) : graph_(function.graph), tape_(tape) {
+  TapeWriter(const Function& function, TapeOf<S>& tape) : graph_(function.graph), tape_(tape) {
     const std::vector<NodeId> wanted = roots(function);
     const std::vector<bool> alive = reachable_from(graph_, wanted);
     cells_of_.resize(static_cast<std::size_t>(graph_.size()));
@@ -23,22 +24,22 @@ class TapeWriter {
     for (const Output& output : function.outputs) {
       for (const NodeId entry : output.entries) tape_.results_.push_back(cell_of(entry));
     }
-    for (const NodeId pivot : function.positive) tape_.positive_.push_back(cell_of(pivot));
+    for (std::size_t k = 0; k < function.positive.size(); ++k) tape_.positive_.push_back(condition(function, k));
   }
 
  private:
-  using Code = Tape::Code;
+  using Code = typename TapeOf<S>::Code;
 
   std::uint32_t cell_of(NodeId id) const { return cells_of_[static_cast<std::size_t>(id)]; }
 
-  std::uint32_t new_cell(double value = 0) {
+  std::uint32_t new_cell(S value = 0) {
     tape_.cells_.push_back(value);
     return static_cast<std::uint32_t>(tape_.cells_.size() - 1);
   }
 
   std::uint32_t constant(const Rational& value) {
     const auto [at, is_new] = constants_.try_emplace(value, 0);
-    if (is_new) at->second = new_cell(to_real<double>(value));
+    if (is_new) at->second = new_cell(to_real<S>(value));
     return at->second;
   }
 
@@ -73,6 +74,14 @@ class TapeWriter {
     return 0;  // no other op
   }
 
+  // (scale + kLeastShare · pivot) - scale, or the value itself.
+  std::uint32_t condition(const Function& function, std::size_t k) {
+    const std::uint32_t value = cell_of(function.positive[k]);
+    if (k >= function.scales.size()) return value;
+    const std::uint32_t scale = cell_of(function.scales[k]);
+    return add(Code::subtract, add(Code::add_multiple, scale, constant(kLeastShare), value), scale);
+  }
+
   std::uint32_t sum(const Node& node) {
     std::vector<Term> terms = node.terms;
     const auto plain = std::find_if(terms.begin(), terms.end(), [](const Term& t) { return t.coefficient == 1; });
@@ -104,16 +113,20 @@ class TapeWriter {
   }
 
   const Graph& graph_;
-  Tape& tape_;
+  TapeOf<S>& tape_;
   std::vector<std::uint32_t> cells_of_;          // of each node
   std::map<Rational, std::uint32_t> constants_;  // each once
 };
 
-Tape::Tape(const Function& function) { TapeWriter(function, *this); }
+template <class S>
+TapeOf<S>::TapeOf(const Function& function) {
+  TapeWriter<S>(function, *this);
+}
 
-bool Tape::run(const TapeInputs& given, std::span<double> results) {
+template <class S>
+bool TapeOf<S>::run(const TapeInputsOf<S>& given, std::span<S> results) {
   for (const Load& load : loads_) cells_[load.to] = given[load.from.kind][static_cast<std::size_t>(load.from.index)];
-  double* const x = cells_.data();
+  S* const x = cells_.data();
   for (const auto& [code, to, a, b, c] : code_) {
     switch (code) {
       case Code::add:
@@ -138,7 +151,7 @@ bool Tape::run(const TapeInputs& given, std::span<double> results) {
         x[to] = std::cos(x[a]);
         break;
       case Code::sign:
-        x[to] = static_cast<double>((x[a] > 0) - (x[a] < 0));
+        x[to] = static_cast<S>((x[a] > 0) - (x[a] < 0));
         break;
       case Code::sqrt:
         x[to] = std::sqrt(x[a]);
@@ -151,5 +164,8 @@ bool Tape::run(const TapeInputs& given, std::span<double> results) {
   }
   return true;
 }
+
+template class TapeOf<double>;
+template class TapeOf<long double>;
 
 }  // namespace flatdyn

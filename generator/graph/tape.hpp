@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A Function as a list of instructions over doubles: for where the tool itself calls one thousands of times, without a
-// compiler at hand. About the time of the emitted code's unoptimised build; same formulas, no promise of the same bits.
+// A Function as a list of instructions over doubles or long doubles: for where the tool itself calls one thousands of
+// times, without a compiler at hand. About the time of the emitted code's unoptimised build; same formulas, no promise
+// of the same bits.
 #pragma once
 
 #include <array>
@@ -15,18 +16,20 @@ namespace flatdyn {
 inline constexpr std::size_t kInputKinds = static_cast<std::size_t>(InputKind::stored) + 1;
 
 // The numbers that a function is given, by kind. What it does not read may be empty.
-class TapeInputs {
+template <class S>
+class TapeInputsOf {
  public:
-  std::span<const double>& operator[](InputKind kind) { return values_[static_cast<std::size_t>(kind)]; }
-  std::span<const double> operator[](InputKind kind) const { return values_[static_cast<std::size_t>(kind)]; }
+  std::span<const S>& operator[](InputKind kind) { return values_[static_cast<std::size_t>(kind)]; }
+  std::span<const S> operator[](InputKind kind) const { return values_[static_cast<std::size_t>(kind)]; }
 
  private:
-  std::array<std::span<const double>, kInputKinds> values_;
+  std::array<std::span<const S>, kInputKinds> values_;
 };
 
-class Tape {
+template <class S>
+class TapeOf {
  public:
-  explicit Tape(const Function& function);
+  explicit TapeOf(const Function& function);
 
   // Entries of all outputs, one output after the other.
   std::size_t results() const { return results_.size(); }
@@ -34,7 +37,7 @@ class Tape {
 
   // False if a value that must be positive is not (B singular); then the results mean nothing. Not from two threads at
   // once: the cells are the tape's own.
-  bool run(const TapeInputs& given, std::span<double> results);
+  bool run(const TapeInputsOf<S>& given, std::span<S> results);
 
  private:
   enum class Code : std::uint8_t { add, subtract, multiply, add_multiple, divide, sin, cos, sign, sqrt };
@@ -46,12 +49,19 @@ class Tape {
     Input from;
     std::uint32_t to;
   };
+  template <class T>
   friend class TapeWriter;
 
   std::vector<Load> loads_;
   std::vector<Instruction> code_;
   std::vector<std::uint32_t> results_, positive_;
-  std::vector<double> cells_;  // constants first, already there
+  std::vector<S> cells_;  // constants first, already there
 };
+
+extern template class TapeOf<double>;
+extern template class TapeOf<long double>;
+
+using TapeInputs = TapeInputsOf<double>;
+using Tape = TapeOf<double>;
 
 }  // namespace flatdyn

@@ -27,9 +27,12 @@ StressJudge::StressJudge(const Function& function, Expected expected, const std:
 
 std::optional<StressTruth<long double>> StressJudge::truth(const State& given) {
   if (!expected_.is_regular(given)) return std::nullopt;
-  std::optional<std::vector<long double>> values = graph_(widened<long double>(given));
-  if (!values) return std::nullopt;
-  return StressTruth<long double>{std::move(*values), expected_.scale(given)};
+  const StateOf<long double> wide = widened<long double>(given);
+  TapeInputsOf<long double> inputs;
+  for (const InputKind kind : kStateKinds) inputs[kind] = wide.of(kind);
+  std::vector<long double> values(graph_.results());
+  if (!graph_.run(inputs, values)) return std::nullopt;
+  return StressTruth<long double>{std::move(values), expected_.scale(given)};
 }
 
 StressTruth<Real50> StressJudge::exact_truth(const State& given) const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/tape.hpp"
 #include "verify/expected.hpp"
 #include "verify/values.hpp"
 
@@ -51,7 +52,7 @@ class StressJudge {
   bool is_float_;
   double epsilon_, underflow_;
   Expected expected_;
-  GraphEvaluator<long double> graph_;
+  TapeOf<long double> graph_;
 };
 
 extern template StressError StressJudge::error(const std::vector<double>&, const StressTruth<long double>&) const;

@@ -22,6 +22,7 @@ struct Choices {
   std::vector<JointChoice> joints;  // one for each
   Number length_unit = 1;           // m; rational
   unsigned order = 0;               // in which the passes find what they may factor; 0: as derived
+  bool guards_pivots = false;       // no choice: whether the robot's may be lost in rounding (Function::scales)
 };
 
 // The mechanism in these frames, and nothing else changed.

@@ -57,12 +57,12 @@ Function acceleration_derivatives_function(Workbench& bench) {
   const TorqueDerivatives tau = derivatives_at_coordinates(bench, motion);
   const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
   const Rows dtau = B.inverse("a");
-  const std::vector<NodeId> pivots = bench.nodes(B.pivots());
+  Conditions conditions = conditions_of(bench, B);
   return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
                   {derivative_output(bench, "dqdd_dq", dq, "row i, column k: of qdd[i] by q[k]"),
                    derivative_output(bench, "dqdd_dqd", dqd, "row i, column k: of qdd[i] by qd[k]"),
                    derivative_output(bench, "dqdd_dtau", dtau, "the inverse of B")},
-                  pivots);
+                  std::move(conditions));
 }
 
 }  // namespace flatdyn

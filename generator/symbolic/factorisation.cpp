@@ -39,6 +39,7 @@ Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, s
 
 void Factorisation::factorise(const std::function<void(std::size_t)>& fail_as_zero) {
   Derivation& d = derivation_;
+  for (std::size_t k = 0; k < L_.size(); ++k) diagonal_.push_back(L_[k][k]);
   for (std::size_t k = L_.size(); k-- > 0;) {
     const std::string row = label(static_cast<int>(k));
     if (vanishes(L_[k][k])) fail_as_zero(k);

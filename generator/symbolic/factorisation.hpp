@@ -36,6 +36,8 @@ class Factorisation {
   // D: all positive if and only if B is positive definite.
   const std::vector<Number>& pivots() const { return pivots_; }
   const std::vector<Number>& inverse_pivots() const { return inverse_; }
+  // The matrix's own, of which the pivots are what is left.
+  const std::vector<Number>& diagonal() const { return diagonal_; }
 
  private:
   int parent(std::size_t i) const { return parents_[i]; }
@@ -45,7 +47,7 @@ class Factorisation {
   std::vector<int> parents_;
   std::string prefix_;
   std::vector<std::vector<Number>> L_;  // below the diagonal
-  std::vector<Number> pivots_, inverse_;
+  std::vector<Number> diagonal_, pivots_, inverse_;
 };
 
 }  // namespace flatdyn

@@ -9,6 +9,7 @@
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/nearest.hpp"
 #include "graph/count.hpp"
+#include "model/pivot_share.hpp"
 #include "symbolic/functions.hpp"
 
 namespace flatdyn {
@@ -83,6 +84,12 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
   return result;
 }
 
+bool may_lose_pivots(const Mechanism& mechanism, const std::string& name) {
+  // In float, some 2^-17 is lost beside 1; well before that results are poor.
+  constexpr double kLeast = 0x1p-14;
+  return parsed(mechanism, name).entry->divides_by_pivots() && smallest_pivot_share(mechanism) < kLeast;
+}
+
 bool has_choices(const Mechanism& mechanism, const std::string& name) {
   const Request request = parsed(mechanism, name);
   const FunctionKind kind = request.entry->kind;
@@ -93,10 +100,12 @@ namespace {
 
 Choices plain_choices(const Mechanism& mechanism) { return uniform_choices(mechanism, Grouping::i_yy); }
 
-std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, const std::string& name, Way way) {
+std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, const std::string& name, Way way,
+                                                bool guards_pivots) {
   std::optional<Formulation> best;
   int fewest = 0;
-  const auto consider = [&](const Choices& choices) {
+  const auto consider = [&](Choices choices) {
+    choices.guards_pivots = guards_pivots;
     std::optional<Function> made = formulation(mechanism, name, way, choices);
     if (!made) return 0;  // nor from any other choices
     const int operations = count_operations(*made).arithmetic();
@@ -118,8 +127,9 @@ std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, cons
 
 std::vector<Formulation> formulations(const Mechanism& mechanism, const std::string& name) {
   std::vector<Formulation> result;
+  const bool guards_pivots = may_lose_pivots(mechanism, name);
   for (Way way = 0; way < kWays; ++way) {
-    std::optional<Formulation> made = cheapest_formulation(mechanism, name, way);
+    std::optional<Formulation> made = cheapest_formulation(mechanism, name, way, guards_pivots);
     if (made) result.push_back(std::move(*made));
   }
   return result;

@@ -24,6 +24,9 @@ inline constexpr Way kWays = 3;  // no function has more
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, Way way,
                                     const Choices& choices);
 
+// Whether the function divides by pivots of B of which, for this robot, rounding may leave nothing.
+bool may_lose_pivots(const Mechanism& mechanism, const std::string& name);
+
 // Whether what it costs depends on choices.
 bool has_choices(const Mechanism& mechanism, const std::string& name);
 

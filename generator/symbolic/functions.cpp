@@ -24,6 +24,7 @@ Function derived(const Mechanism& mechanism, const Choices& choices,
                  const std::function<Function(Workbench&)>& derive) {
   const Mechanism described = chosen(mechanism, choices);
   Workbench bench(described, axes_of(choices));
+  bench.guards_pivots = choices.guards_pivots;
   return derive(bench);
 }
 
@@ -153,27 +154,28 @@ Function bias(const Mechanism& mechanism, const Choices& choices) {
   });
 }
 
-Function finished_accelerations(Workbench& bench, const std::vector<Number>& qdd, const std::vector<Number>& pivots) {
-  const std::vector<NodeId> entries = bench.nodes(qdd), positive = bench.nodes(pivots);
+Function finished_accelerations(Workbench& bench, const std::vector<Number>& qdd, Conditions conditions) {
+  const std::vector<NodeId> entries = bench.nodes(qdd);
   return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
                   {vector_output("qdd", entries, "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)")},
-                  positive);
+                  std::move(conditions));
 }
 
 Function forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
   return derived(mechanism, choices, [](Workbench& bench) {
     const Factorisation B(bench.frames, bench.inertia());
-    return finished_accelerations(bench, accelerations(bench, B), B.pivots());
+    return finished_accelerations(bench, accelerations(bench, B), conditions_of(bench, B));
   });
 }
 
+// Has no b_kk, beside which a pivot could be seen to be lost.
 std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& mechanism, const Choices& choices) {
-  if (!has_articulated_form(mechanism)) return std::nullopt;
+  if (!has_articulated_form(mechanism) || choices.guards_pivots) return std::nullopt;
   return derived(mechanism, choices, [](Workbench& bench) {
     const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_drift(), bench.mechanism.gravity, true};
     const std::vector<Number> tau = bench.all(InputKind::tau);
     const ArticulatedSolution solution = articulated_accelerations(bench.frames, motion, tau);
-    return finished_accelerations(bench, solution.qdd, solution.pivots);
+    return finished_accelerations(bench, solution.qdd, {bench.nodes(solution.pivots), {}});
   });
 }
 
@@ -185,7 +187,7 @@ std::optional<Function> forward_dynamics_by_composite_bodies(const Mechanism& me
     const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_drift(), bench.mechanism.gravity, true};
     const std::vector<Number> bias =
         bench.at_coordinates(composite_bias_torques(bench.frames, motion, composites(bench.frames)));
-    return finished_accelerations(bench, accelerations(bench, B, bias), B.pivots());
+    return finished_accelerations(bench, accelerations(bench, B, bias), conditions_of(bench, B));
   });
 }
 

@@ -36,6 +36,10 @@ struct FunctionEntry {
   bool is_on_request() const {
     return kind != FunctionKind::dynamics && kind != FunctionKind::kinematics && kind != FunctionKind::loops;
   }
+  // Whether it is found with B = Lᵀ D L, or by articulated bodies.
+  bool divides_by_pivots() const {
+    return kind == FunctionKind::operational || std::string(name).rfind("forward_dynamics", 0) == 0;
+  }
   // Whether the robot has what the function is about.
   bool is_of(const Mechanism& mechanism) const { return kind != FunctionKind::loops || mechanism.has_loops(); }
 };

@@ -79,9 +79,10 @@ class OperationalSpace {
   }
 
   Function finished(std::vector<InputKind> inputs, std::vector<Output> outputs) const {
-    std::vector<NodeId> positive = bench_.nodes(B_.pivots()), more = bench_.nodes(factors_.pivots());
-    positive.insert(positive.end(), more.begin(), more.end());
-    Function function = flatdyn::finished(bench_, std::move(inputs), std::move(outputs), std::move(positive));
+    Conditions conditions = conditions_of(bench_, B_);
+    const std::vector<NodeId> more = bench_.nodes(factors_.pivots());
+    conditions.positive.insert(conditions.positive.end(), more.begin(), more.end());
+    Function function = flatdyn::finished(bench_, std::move(inputs), std::move(outputs), std::move(conditions));
     function.task = task_;
     return function;
   }

@@ -58,18 +58,25 @@ std::vector<NodeId> loop_conditions(const Mechanism& mechanism, Derivation& deri
 
 }  // namespace
 
+Conditions conditions_of(Workbench& bench, const Factorisation& B) {
+  Conditions conditions{bench.nodes(B.pivots()), {}};
+  if (bench.guards_pivots) conditions.scales = bench.nodes(B.diagonal());
+  return conditions;
+}
+
 Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<InputKind> inputs,
-                  std::vector<Output> outputs, std::vector<NodeId> positive) {
+                  std::vector<Output> outputs, Conditions conditions) {
   Function function;
   if (mechanism.has_loops()) {
-    const std::vector<NodeId> conditions = loop_conditions(mechanism, derivation, outputs);
-    function.loop_conditions = static_cast<int>(conditions.size());
-    positive.insert(positive.end(), conditions.begin(), conditions.end());
+    const std::vector<NodeId> loops = loop_conditions(mechanism, derivation, outputs);
+    function.loop_conditions = static_cast<int>(loops.size());
+    conditions.positive.insert(conditions.positive.end(), loops.begin(), loops.end());
   }
   function.inputs = std::move(inputs);
   function.graph = std::move(derivation.graph());
   function.outputs = std::move(outputs);
-  function.positive = std::move(positive);
+  function.positive = std::move(conditions.positive);
+  function.scales = std::move(conditions.scales);
   return function;
 }
 

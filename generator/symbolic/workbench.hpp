@@ -7,6 +7,7 @@
 
 #include "symbolic/composite.hpp"
 #include "symbolic/coordinates.hpp"
+#include "symbolic/factorisation.hpp"
 #include "symbolic/newton_euler.hpp"
 
 namespace flatdyn {
@@ -37,7 +38,14 @@ struct Workbench {
   const Mechanism& mechanism;
   Derivation derivation;
   Frames frames;
+  bool guards_pivots = false;  // of Choices
 };
+
+// The pivots of a factorisation; with their scales where they are guarded.
+struct Conditions {
+  std::vector<NodeId> positive, scales;
+};
+Conditions conditions_of(Workbench& bench, const Factorisation& B);
 
 Output vector_output(const std::string& name, std::vector<NodeId> entries, const std::string& meaning);
 Output matrix_output(const std::string& name, int rows, int cols, std::vector<NodeId> entries,
@@ -46,10 +54,10 @@ Output scalar_output(const std::string& name, NodeId entry, const std::string& m
 
 // Takes the graph out of the derivation. Where loops are closed, those that count must not be singular.
 Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<InputKind> inputs,
-                  std::vector<Output> outputs, std::vector<NodeId> positive = {});
+                  std::vector<Output> outputs, Conditions conditions = {});
 inline Function finished(Workbench& bench, std::vector<InputKind> inputs, std::vector<Output> outputs,
-                         std::vector<NodeId> positive = {}) {
-  return finished(bench.mechanism, bench.derivation, std::move(inputs), std::move(outputs), std::move(positive));
+                         Conditions conditions = {}) {
+  return finished(bench.mechanism, bench.derivation, std::move(inputs), std::move(outputs), std::move(conditions));
 }
 
 }  // namespace flatdyn

@@ -156,8 +156,13 @@ Function as_printed(const Function& function, const std::string& scalar) {
     image.push_back(graph.copy(node, image));
   }
   Function result = with_graph(function, std::move(graph), image);
-  std::erase_if(result.positive,
-                [&result](NodeId id) { return result.graph.is_constant(id) && result.graph[id].value > 0; });
+  result.positive.clear();
+  result.scales.clear();
+  for (std::size_t k = 0; k < function.positive.size(); ++k) {
+    if (always_holds(function, k)) continue;
+    const NodeId value = image[static_cast<std::size_t>(function.positive[k])];
+    result.positive.push_back(k < function.scales.size() ? result.graph.scaled(kLeastShare, value) : value);
+  }
   return result;
 }
 

@@ -73,7 +73,7 @@ class EmittedText {
 };
 
 // The function with every constant as it is printed: the nearest double, in "float" that rounded once more. Without
-// what is not written, and without conditions that always hold.
+// what is not written, without conditions that always hold, and without scales, which cancel where they are written.
 Function as_printed(const Function& function, const std::string& scalar = "double");
 
 }  // namespace flatdyn

@@ -162,6 +162,9 @@ ExactResult prove_equal(const Function& a, const Function& b, const ExactOptions
     for (std::size_t e = 0; e < a.positive.size(); ++e) {
       if (differ(a.positive[e], b.positive[e])) mismatches.emplace(a.outputs.size(), static_cast<int>(e));
     }
+    for (std::size_t e = 0; e < a.scales.size(); ++e) {
+      if (differ(a.scales[e], b.scales[e])) mismatches.emplace(a.outputs.size(), static_cast<int>(e));
+    }
   };
   const std::set<MismatchKey> mismatches = at_all_points(options, compare);
   const FunctionDegrees in_a = function_degrees(a), in_b = function_degrees(b);

@@ -124,6 +124,7 @@ Function graph_of(const StraightLine& lines, const Function& like) {
     }
   }
   result.positive.clear();
+  result.scales.clear();  // they cancel
   for (const int condition : lines.positive) result.positive.push_back(nodes[static_cast<std::size_t>(condition)]);
   return result;
 }

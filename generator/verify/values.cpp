@@ -266,7 +266,6 @@ std::vector<double> magnitudes(const Function& function, const reference::Robot<
 }
 
 template class GraphEvaluator<double>;
-template class GraphEvaluator<long double>;
 template class GraphEvaluator<Real50>;
 template std::vector<float> reference_values(const Function&, const reference::Robot<float>&, const StateOf<float>&);
 template std::vector<double> reference_values(const Function&, const reference::Robot<double>&, const StateOf<double>&);

@@ -23,11 +23,12 @@ struct VerifyOptions {
 // Scaled errors: abs(x - exact) / (ε · magnitude), flatdyn/reference/magnitude.hpp.
 struct FunctionReport {
   std::string function;
-  bool proven = false;     // equal to the Lagrangian at random points of prime fields
-  double graph_error = 0;  // graph against reference, both in 50 digits, relative to the magnitude
-  ErrorSummary generated;  // compiled text in double, random states
-  ErrorSummary at_edges;   // the same at edge states, divided by 1 + the sum of all angles
-  ErrorSummary reference;  // the reference itself in double
+  bool proven = false;      // equal to the Lagrangian at random points of prime fields
+  double graph_error = 0;   // graph against reference, both in 50 digits, relative to the magnitude
+  ErrorSummary generated;   // compiled text in double, random states
+  ErrorSummary at_edges;    // the same at edge states, divided by 1 + the sum of all angles
+  ErrorSummary reference;   // the reference itself in double
+  std::size_t refused = 0;  // states at which the code says that a pivot is lost in rounding; they count nowhere else
   bool passed = false;
 };
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// B singular to the last place: a link of next to no mass between two joints about the same axis. What is left of a
+// pivot is rounding error then, and functions that divide by it say so.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "emit/emit.hpp"
+#include "model/pivot_share.hpp"
+#include "support/written_model.hpp"
+#include "verify/proof.hpp"
+#include "verify/verify.hpp"
+
+namespace flatdyn {
+namespace {
+
+Model arm_with_link_of_mass(const std::string& mass) {
+  return testing::model_of_toml(fmt::format(R"(
+[[link]]
+mass = 2
+inertia_about = "com"
+com = [0.3, 0, 0.1]
+inertia = {{ xx = 0.1, yy = 0.2, zz = 0.2 }}
+[[link]]
+xyz = [0.5, 0, 0]
+rpy = [1, 0, 0]
+mass = {0}
+inertia_about = "com"
+com = [0.1, 0, 0]
+inertia = {{ xx = {0}, yy = {0}, zz = {0} }}
+[[link]]
+mass = 1
+inertia_about = "com"
+com = [0.4, 0.1, 0.2]
+inertia = {{ xx = 0.02, yy = 0.03, zz = 0.04 }}
+)",
+                                            mass));
+}
+
+std::vector<OptimisedFunction> that_divide_by_pivots(const Model& model) {
+  PipelineOptions options;
+  options.functions = {"forward_dynamics", "forward_dynamics_derivatives", "operational_inertia"};
+  Progress quiet(true);
+  Diagnostics none;
+  return make_functions(model, options, quiet, none);
+}
+
+TEST(LostPivots, AreASmallShareOfTheDiagonal) {
+  EXPECT_GT(smallest_pivot_share(arm_with_link_of_mass("1").mechanism), 1e-3);
+  const double share = smallest_pivot_share(arm_with_link_of_mass("1e-9").mechanism);
+  EXPECT_LT(share, 1e-7);
+  EXPECT_GT(share, 1e-11);
+  EXPECT_LT(smallest_pivot_share(arm_with_link_of_mass("1e-30").mechanism), 1e-15);
+}
+
+TEST(LostPivots, AreCheckedOnlyWhereTheyMayBeLost) {
+  for (const OptimisedFunction& made : that_divide_by_pivots(arm_with_link_of_mass("1"))) {
+    EXPECT_TRUE(made.function.scales.empty()) << made.function.name;
+  }
+  for (const OptimisedFunction& made : that_divide_by_pivots(arm_with_link_of_mass("1e-30"))) {
+    EXPECT_EQ(made.function.scales.size(), 3U) << made.function.name;
+  }
+}
+
+TEST(LostPivots, AreTold) {
+  for (const auto& [mass, notes] : {std::pair("1", 0U), std::pair("1e-9", 0U), std::pair("1e-30", 1U)}) {
+    PipelineOptions options;
+    options.functions = {"forward_dynamics"};
+    Progress quiet(true);
+    Diagnostics found;
+    make_functions(arm_with_link_of_mass(mass), options, quiet, found);
+    EXPECT_EQ(found.all().size(), notes) << mass;
+  }
+}
+
+TEST(LostPivots, AreNoErrorsOfTheCode) {
+  const Model model = arm_with_link_of_mass("1e-30");
+  Progress quiet(true);
+  VerifyOptions options;
+  options.states = 10;
+  const VerifyReport report =
+      verify(model.robot, model.mechanism, functions_of(that_divide_by_pivots(model)), options, quiet);
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  EXPECT_GT(report.functions.front().refused, 10U);
+  EXPECT_THAT(to_text(report), ::testing::HasSubstr("singular to the last place"));
+}
+
+// The check is in the text, in every language and form, and is read back.
+TEST(LostPivots, AreCheckedInEveryForm) {
+  const Model model = arm_with_link_of_mass("1e-12");
+  const std::vector<OptimisedFunction> made = that_divide_by_pivots(model);
+  const std::vector<Function> functions = functions_of(made);
+  EmitOptions options;
+  const std::string header = emit_cpp(model.mechanism, functions, options);
+  EXPECT_THAT(header, ::testing::HasSubstr("Scalar(0.015625) * "));
+  EXPECT_THAT(header, ::testing::HasSubstr("lost in rounding"));
+  prove_text(header, made, std::nullopt);
+  options.most_lines = 60;
+  prove_text(emit_cpp(model.mechanism, functions, options), made, std::nullopt);
+  prove_text(EmittedText::of_javascript(emit_javascript(model.mechanism, functions, options)), made, std::nullopt);
+  for (const char* scalar : {"double", "float"}) {
+    options.scalar = scalar;
+    options.language = Language::c;
+    const HeaderAndSource c = emit_c(model.mechanism, functions, options);
+    prove_text(EmittedText(c.header, c.source, scalar), made, std::nullopt);
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn
