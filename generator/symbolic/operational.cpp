@@ -79,9 +79,11 @@ class OperationalSpace {
   }
 
   Function finished(std::vector<InputKind> inputs, std::vector<Output> outputs) const {
-    Conditions conditions = conditions_of(bench_, B_);
-    const std::vector<NodeId> more = bench_.nodes(factors_.pivots());
-    conditions.positive.insert(conditions.positive.end(), more.begin(), more.end());
+    // Every arm has poses in which J B⁻¹ Jᵀ is singular: its pivots are guarded always, and so come first.
+    Conditions conditions{bench_.nodes(factors_.pivots()), bench_.nodes(factors_.diagonal())};
+    const Conditions of_B = conditions_of(bench_, B_);
+    conditions.positive.insert(conditions.positive.end(), of_B.positive.begin(), of_B.positive.end());
+    conditions.scales.insert(conditions.scales.end(), of_B.scales.begin(), of_B.scales.end());
     Function function = flatdyn::finished(bench_, std::move(inputs), std::move(outputs), std::move(conditions));
     function.task = task_;
     return function;

@@ -172,7 +172,8 @@ Singularity singularity_of(const Mechanism& mechanism, const Function& function)
             "leave such positions out, or let other joints be the dependent ones"};
   }
   if (!function.task.empty()) return {"the tip's task is singular here", "leave such positions out"};
-  return {"the inertia matrix is not positive definite here", "joints that move no mass need an armature"};
+  return {"the inertia matrix is not positive definite here, to these digits",
+          "joints that move no mass need an armature; --digits 40 has more to tell with"};
 }
 
 template <class S>
