@@ -53,8 +53,11 @@ void search_choices(const Model& model, const SearchLimit& limit, std::vector<Pl
   for (std::size_t k = 0; k < plans.size(); ++k) {
     Plan& plan = plans[k];
     const OperationCount before = count_operations(plan.made.function);
-    plan.made = plan.remake(searches[k].best());
-    plan.made.search = SearchRecord{candidates, before, plan.is_closed_form, searches[k].best()};
+    Plan found = plan;
+    found.choices = searches[k].best();
+    found.made = plan.remake(found.choices);
+    if (!loses_digits(model, found)) plan = std::move(found);
+    plan.made.search = SearchRecord{candidates, before, plan.is_closed_form, plan.choices};
   }
   if (!limit.seconds) return;
   findings.note({model.robot.file, 0}, fmt::format("the search has tried {} candidates per function", candidates),
@@ -68,7 +71,8 @@ void note_lost_pivots(const Model& model, const std::vector<Plan>& plans, Diagno
       std::any_of(plans.begin(), plans.end(), [](const Plan& plan) { return !plan.made.function.scales.empty(); });
   if (!divides || smallest_pivot_share(derived_from(model)) >= kLost) return;
   findings.note({model.robot.file, 0},
-                "B(q) is singular to the last place of a double at some positions: forward dynamics return false there",
+                "B(q) is singular to the last place of a double at some positions: what divides by its pivots, such as "
+                "forward dynamics, returns false there",
                 "give the links between its joints their inertia");
 }
 

@@ -9,6 +9,7 @@
 #include "passes/draft.hpp"
 #include "passes/reorder.hpp"
 #include "scene/specialise.hpp"
+#include "stress/rounding_loss.hpp"
 #include "symbolic/closed_functions.hpp"
 #include "symbolic/formulations.hpp"
 
@@ -38,6 +39,44 @@ OptimisedFunction as_needed(const Model& model, const Function& derived, unsigne
   return optimised(needed, order);
 }
 
+// More than this times what the reference loses, at some states; searched ones lose up to twice as much.
+constexpr double kMostLoss = 2;
+
+// Of functions that are what they are for every scene: of others there is no reference.
+bool may_lose_digits(const Model& model, const Plan& plan) {
+  const Function& made = plan.made.function;
+  return !plan.is_closed_form && !model.abbreviation && !model.mechanism.has_loops() && is_whole(made) &&
+         !made.at_rest && has_choices(model.mechanism, made.name);
+}
+
+// From choices of one formulation.
+std::function<OptimisedFunction(const Choices&)> maker(const Model& model, const std::string& name, Way way) {
+  return [&model, name, way](const Choices& choices) {
+    return as_needed(model, *formulation(derived_from(model), name, way, choices), choices.order);
+  };
+}
+
+// Masses that balance first moments may cost digits, far from where they are or beside far lighter links; articulated
+// bodies may, too. Then it is the cheapest of what has neither, in any formulation, that does not; or what loses least.
+void keep_digits(const Model& model, const std::string& name, Plan& plan) {
+  if (!may_lose_digits(model, plan)) return;
+  const RoundingCheck check(model.robot, model.mechanism);
+  double least = check.loss(plan.made.function);
+  if (least <= kMostLoss) return;
+  const Choices cheapest = plan.choices;
+  for (const Choices& choices : plain_variants(model.mechanism, cheapest)) {
+    for (Way way = 0; way < kWays; ++way) {
+      if (!formulation(derived_from(model), name, way, choices)) continue;
+      Plan other{maker(model, name, way)(choices), choices, false, maker(model, name, way)};
+      const double loss = check.loss(other.made.function);
+      const bool is_fine = loss <= kMostLoss, was_fine = least <= kMostLoss;
+      if (was_fine ? !is_fine || cost(other.made.function) >= cost(plan.made.function) : loss >= least) continue;
+      plan = std::move(other);
+      least = loss;
+    }
+  }
+}
+
 void keep_cheaper(Plan& plan, const Choices& choices) {
   OptimisedFunction made = plan.remake(choices);
   if (cost(made.function) >= cost(plan.made.function)) return;
@@ -54,11 +93,9 @@ void refine(const Mechanism& mechanism, Plan& plan) {
   for (const Choices& other : with_other_length_units(mechanism, plan.choices)) keep_cheaper(plan, other);
 }
 
-}  // namespace
-
-// In the formulation, recursive or the closed form, that costs least once what the scene does not need is taken out and
-// the passes are through with it.
-Plan planned(const Model& model, const std::string& name, Progress& progress) {
+// From the choices that cost least, in the formulation, recursive or the closed form, that costs least once what the
+// scene does not need is taken out and the passes are through with it.
+Plan cheapest_plan(const Model& model, const std::string& name, Progress& progress) {
   const Mechanism& mechanism = derived_from(model);
   progress.step("deriving " + name);
   const std::vector<Formulation> candidates = within_reach(formulations(mechanism, name));
@@ -68,10 +105,7 @@ Plan planned(const Model& model, const std::string& name, Progress& progress) {
   for (const Formulation& candidate : candidates) {
     OptimisedFunction made = as_needed(model, candidate.function, 0);
     if (best && cost(made.function) >= cost(best->made.function)) continue;
-    best = Plan{std::move(made), candidate.choices, false,
-                [&model, &mechanism, name, way = candidate.way](const Choices& choices) {
-                  return as_needed(model, *formulation(mechanism, name, way, choices), choices.order);
-                }};
+    best = Plan{std::move(made), candidate.choices, false, maker(model, name, candidate.way)};
   }
   refine(mechanism, *best);
   if (!closed || !best->made.function.scales.empty()) return *best;
@@ -79,6 +113,19 @@ Plan planned(const Model& model, const std::string& name, Progress& progress) {
   if (cost(made.function) >= cost(best->made.function)) return *best;
   return {std::move(made), candidates.front().choices, true,
           [&model, closed](const Choices& choices) { return as_needed(model, *closed, choices.order); }};
+}
+
+}  // namespace
+
+Plan planned(const Model& model, const std::string& name, Progress& progress) {
+  Plan plan = cheapest_plan(model, name, progress);
+  keep_digits(model, name, plan);
+  return plan;
+}
+
+bool loses_digits(const Model& model, const Plan& plan) {
+  return may_lose_digits(model, plan) &&
+         RoundingCheck(model.robot, model.mechanism).loss(plan.made.function) > kMostLoss;
 }
 
 }  // namespace flatdyn

@@ -19,4 +19,8 @@ struct Plan {
 // Throws BadInput where the scene asks of the function what it has not. The model must outlive the plan.
 Plan planned(const Model& model, const std::string& name, Progress& progress);
 
+// Whether the function as made loses much more to rounding than the recursive reference; a plan as above does not,
+// where that can be had.
+bool loses_digits(const Model& model, const Plan& plan);
+
 }  // namespace flatdyn

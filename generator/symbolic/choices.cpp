@@ -122,6 +122,16 @@ std::vector<Number> possible_length_units(const Mechanism& mechanism) {
   return units;
 }
 
+std::vector<Choices> plain_variants(const Mechanism& mechanism, const Choices& choices) {
+  std::vector<Choices> variants;
+  for (const Grouping grouping : kGroupings) {
+    variants.push_back(choices);
+    const Choices plain = uniform_choices(mechanism, grouping);
+    for (std::size_t k = 0; k < plain.joints.size(); ++k) variants.back().joints[k].grouping = plain.joints[k].grouping;
+  }
+  return variants;
+}
+
 std::vector<Choices> with_other_length_units(const Mechanism& mechanism, const Choices& choices) {
   constexpr std::size_t kUsual = 3;
   std::vector<Number> units = possible_length_units(mechanism);

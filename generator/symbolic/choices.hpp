@@ -50,6 +50,9 @@ std::vector<Number> possible_rises(const Mechanism& mechanism, int i);
 // Empty if a joint is prismatic: lengths are not free.
 std::vector<Number> possible_length_units(const Mechanism& mechanism);
 
+// In the same length unit and frames, with one grouping for all joints and no mass kept back to balance a moment.
+std::vector<Choices> plain_variants(const Mechanism& mechanism, const Choices& choices);
+
 // In the first of these, and in 1 m, where the choices are not.
 std::vector<Choices> with_other_length_units(const Mechanism& mechanism, const Choices& choices);
 

@@ -44,16 +44,37 @@ InertialParameters negative(const InertialParameters& a) {
 
 std::size_t entry_of(Balance balance) { return balance == Balance::x ? 0 : 1; }
 
+// Of every body with all that it carries.
+std::vector<Number> carried_masses(const Mechanism& mechanism) {
+  std::vector<Number> masses;
+  for (const Body& body : mechanism.bodies) masses.push_back(body.inertia.mass);
+  for (std::size_t i = masses.size(); i-- > 0;) {
+    const int parent = mechanism.bodies[i].parent;
+    if (parent >= 0) masses[static_cast<std::size_t>(parent)] += masses[i];
+  }
+  return masses;
+}
+
+// What the link is given the negative of has to cancel again in every torque: of a mass far above those that move, the
+// rounding errors would stay.
+bool is_too_heavy(const Number& mass, const Number& carried) {
+  constexpr int kMost = 2;
+  if (!is_rational(mass) || !is_rational(carried)) return false;
+  return GiNaC::ex_to<GiNaC::numeric>(GiNaC::abs(mass) - kMost * carried).is_positive();
+}
+
 // The mass that cancels an entry of the parent's first moment, as it stands with `part` moved there; nothing if none
-// does.
+// does. `carried`: by the joint.
 std::optional<Number> balancing_mass(const Body& body, const Body& parent, const InertialParameters& part,
-                                     Balance balance) {
+                                     Balance balance, const Number& carried) {
   if (balance == Balance::no || body.prismatic || !is_lever(body.p, balance)) return std::nullopt;
   const std::size_t entry = entry_of(balance);
   const Number& arm = body.p[entry];
   if (!is_rational(arm)) return std::nullopt;
   const Vec3 moved = constant_rotation(body) * part.first_moment;
-  return (-(parent.inertia.first_moment[entry] + moved[entry]) / arm).expand();
+  const Number mass = (-(parent.inertia.first_moment[entry] + moved[entry]) / arm).expand();
+  if (is_too_heavy(mass, carried)) return std::nullopt;
+  return mass;
 }
 
 }  // namespace
@@ -73,6 +94,7 @@ bool is_lever(const Vec3& p, Balance balance) {
 
 Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>& groupings) {
   Mechanism result = mechanism;
+  const std::vector<Number> carried = carried_masses(mechanism);
   for (int i = result.size() - 1; i >= 0; --i) {
     const JointGrouping& chosen = groupings[static_cast<std::size_t>(i)];
     if (chosen.grouping == Grouping::none) continue;
@@ -80,7 +102,8 @@ Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>
     InertialParameters part = movable(body, chosen.grouping);
     if (body.parent >= 0) {
       const Body& parent = result.bodies[static_cast<std::size_t>(body.parent)];
-      part.mass = balancing_mass(body, parent, part, chosen.balance).value_or(part.mass);
+      const Number& with_all = carried[static_cast<std::size_t>(i)];
+      part.mass = balancing_mass(body, parent, part, chosen.balance, with_all).value_or(part.mass);
     }
     body.inertia = body.inertia + negative(part);
     InertialParameters& parent =
