@@ -174,8 +174,8 @@ std::string to_text(const VerifyReport& report) {
       "edge: the largest at edge states, angles up to a thousand turns, divided by 1 + the sum of all angles\n\n";
   for (const FunctionReport& f : report.functions) {
     if (f.refused == 0) continue;
-    text += fmt::format("{} returns false at {} of the states, where a pivot is lost in rounding\n",
-                        f.function, f.refused);
+    text +=
+        fmt::format("{} returns false at {} of the states, where a pivot is lost in rounding\n", f.function, f.refused);
   }
   for (const Property& p : report.properties)
     text += fmt::format("{}: {} ({})\n", p.passed ? "ok" : "FAILED", p.name, p.measured);
