@@ -56,8 +56,8 @@ std::function<OptimisedFunction(const Choices&)> maker(const Model& model, const
   };
 }
 
-// Masses that balance first moments may cost digits, far from where they are or beside far lighter links; articulated
-// bodies may, too. Then it is the cheapest of what has neither, in any formulation, that does not; or what loses least.
+// Masses that balance first moments may cost digits, far from where they are or beside far lighter links. Then it is
+// the cheapest without such masses, in any formulation, that does not; or what loses least.
 void keep_digits(const Model& model, const std::string& name, Plan& plan) {
   if (!may_lose_digits(model, plan)) return;
   const RoundingCheck check(model.robot, model.mechanism);
@@ -66,8 +66,9 @@ void keep_digits(const Model& model, const std::string& name, Plan& plan) {
   const Choices cheapest = plan.choices;
   for (const Choices& choices : plain_variants(model.mechanism, cheapest)) {
     for (Way way = 0; way < kWays; ++way) {
-      if (!formulation(derived_from(model), name, way, choices)) continue;
-      Plan other{maker(model, name, way)(choices), choices, false, maker(model, name, way)};
+      const std::optional<Function> derived = formulation(derived_from(model), name, way, choices);
+      if (!derived) continue;
+      Plan other{as_needed(model, *derived, choices.order), choices, false, maker(model, name, way)};
       const double loss = check.loss(other.made.function);
       const bool is_fine = loss <= kMostLoss, was_fine = least <= kMostLoss;
       if (was_fine ? !is_fine || cost(other.made.function) >= cost(plan.made.function) : loss >= least) continue;

@@ -53,7 +53,7 @@ struct Function {
   int loop_conditions = 0;  // the last ones of these: closed loops that must not be singular
 };
 
-// A pivot below some 2/kLeastShare units of the last place of what it is the rest of is rounding error for the most.
+// A pivot below 1/(2 kLeastShare) units of the last place of what it is the rest of is rounding error for the most.
 inline const Rational kLeastShare{1, 64};
 
 // Output entries, conditions and scales, in order: what keeps a node alive.

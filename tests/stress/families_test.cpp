@@ -37,10 +37,10 @@ TEST_P(Families, LoseNoMoreThanTheReference) {
 INSTANTIATE_TEST_SUITE_P(Hard, Families,
                          ::testing::Values("inertia_ratios", "gear_ratios", "far_centres", "near_parallel", "trees"));
 
-// Where masses that balance first moments of the parent, or articulated bodies, would lose up to a million times what
-// the reference does: they cost least there, and are not taken.
+// Where masses that balance first moments of the parent lost 6 to 20 times what the reference does: they cost least
+// there, and are not taken.
 struct HardCase {
-  const char *family, *function;
+  const char* family;
   int joints;
   unsigned seed;
 };
@@ -48,20 +48,15 @@ struct HardCase {
 class HardCases : public ::testing::TestWithParam<HardCase> {};
 
 TEST_P(HardCases, LoseNoMoreThanTheReference) {
-  const HardCase& hard = GetParam();
-  const FamilyReport report = report_of(hard.family, 1, {hard.function}, hard.joints, hard.seed);
-  EXPECT_EQ(report.rows.size() % 2, 0U);
+  const FamilyReport report = report_of(GetParam().family, 1, {"inverse_dynamics"}, GetParam().joints, GetParam().seed);
   EXPECT_FALSE(report.rows.empty());
   EXPECT_TRUE(report.passed()) << family_text(report);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hard, HardCases,
-                         ::testing::Values(HardCase{"light_links", "inverse_dynamics", 4, 5},
-                                           HardCase{"gear_ratios", "inverse_dynamics", 4, 5},
-                                           HardCase{"far_centres", "inverse_dynamics", 4, 5},
-                                           HardCase{"inertia_ratios", "inverse_dynamics", 5, 41},
-                                           HardCase{"near_parallel", "forward_dynamics", 5, 2}),
-                         [](const auto& hard) { return std::string(hard.param.family) + "_" + hard.param.function; });
+                         ::testing::Values(HardCase{"light_links", 4, 5}, HardCase{"gear_ratios", 4, 5},
+                                           HardCase{"far_centres", 4, 5}, HardCase{"inertia_ratios", 5, 41}),
+                         [](const auto& hard) { return std::string(hard.param.family); });
 
 // Where B is singular to the last place of the scalar, forward dynamics say so, at every state.
 TEST(LightLinks, AreComputedOrSaidToBeLost) {
