@@ -9,9 +9,9 @@
 #include "passes/draft.hpp"
 #include "passes/reorder.hpp"
 #include "scene/specialise.hpp"
-#include "stress/rounding_loss.hpp"
 #include "symbolic/closed_functions.hpp"
 #include "symbolic/formulations.hpp"
+#include "verify/rounding_loss.hpp"
 
 namespace flatdyn {
 namespace {

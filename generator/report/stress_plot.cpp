@@ -19,7 +19,7 @@ Series unit_line(const std::vector<Series>& clouds) {
   return {"one unit of the terms", {1, largest}, {1, largest}, SeriesKind::guide};
 }
 
-bool has_place(const StressError& point) {
+bool has_place(const RoundingError& point) {
   return std::isfinite(point.condition) && std::isfinite(point.relative) && point.relative > 0;
 }
 
@@ -33,7 +33,7 @@ Panel condition_panel(const StressReport& report, const std::string& scalar) {
   for (const StressRow& row : report.rows) {
     if (row.scalar != scalar) continue;
     Series series{row.function, {}, {}};
-    for (const StressError& point : row.points) {
+    for (const RoundingError& point : row.points) {
       if (!has_place(point)) continue;
       series.x.push_back(point.condition);
       series.y.push_back(point.relative);

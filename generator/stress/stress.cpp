@@ -9,9 +9,9 @@
 #include "bench/calls.hpp"
 #include "diagnostics/nearest.hpp"
 #include "model/angles.hpp"
-#include "stress/extreme_states.hpp"
 #include "stress/program.hpp"
 #include "stress/worst_state.hpp"
+#include "verify/extreme_states.hpp"
 
 namespace flatdyn {
 namespace {
@@ -71,7 +71,7 @@ class Suspects {
 // One function in one scalar.
 class StressRun {
  public:
-  StressRun(const Function& function, StressJudge judge, std::vector<StressCall> calls, const StressOptions& options)
+  StressRun(const Function& function, RoundingJudge judge, std::vector<StressCall> calls, const StressOptions& options)
       : judge_(std::move(judge)), calls_(std::move(calls)), options_(options), entries_(entry_count(function)) {
     row_.function = function.name;
     row_.inputs = function.inputs;
@@ -81,7 +81,7 @@ class StressRun {
 
   void random(const std::vector<State>& states) {
     for (const State& state : states) {
-      const std::optional<StressError> error = at(state);
+      const std::optional<RoundingError> error = at(state);
       ++row_.states;
       if (!error) continue;
       scaled_.push_back(static_cast<float>(error->scaled));
@@ -92,7 +92,7 @@ class StressRun {
 
   void edges(const std::vector<State>& states) {
     for (const State& state : states) {
-      const std::optional<StressError> error = at(state);
+      const std::optional<RoundingError> error = at(state);
       if (!error) continue;
       row_.edge = std::max(row_.edge, error->scaled);
       edges_.add(state, error->scaled);
@@ -103,7 +103,7 @@ class StressRun {
     row_.scalar = scalar;
     if (!scaled_.empty()) row_.random = summary({scaled_.begin(), scaled_.end()});
     const auto scaled_error_at = [this](const State& state) {
-      const std::optional<StressError> error = worst_variant(state).error;
+      const std::optional<RoundingError> error = worst_variant(state).error;
       return error ? error->scaled : 0.0;
     };
     const SearchedState searched = worst_state(scaled_error_at, pool, options_.evaluations, options_.seed);
@@ -116,19 +116,19 @@ class StressRun {
 
  private:
   struct Judged {
-    std::optional<StressError> error;  // nothing: the function does not hold here, or all variants say so
+    std::optional<RoundingError> error;  // nothing: the function does not hold here, or all variants say so
     std::size_t variant = 0;
     std::vector<double> by_variant;
   };
 
   template <class Wide>
-  Judged judged(const State& given, const StressTruth<Wide>& truth) {
+  Judged judged(const State& given, const EntryTruth<Wide>& truth) {
     Judged result;
     std::vector<double> out(entries_);
     for (std::size_t v = 0; v < calls_.size(); ++v) {
       result.by_variant.push_back(0);
       if (!evaluate(calls_[v], given, out)) continue;
-      const StressError error = judge_.error(out, truth);
+      const RoundingError error = judge_.error(out, truth);
       result.by_variant.back() = error.scaled;
       if (result.error && error.scaled <= result.error->scaled) continue;
       result.error = error;
@@ -143,7 +143,7 @@ class StressRun {
     return truth ? judged(given, *truth) : Judged{};
   }
 
-  std::optional<StressError> at(const State& state) {
+  std::optional<RoundingError> at(const State& state) {
     ++row_.tried;
     const Judged found = worst_variant(state);
     if (!found.error) {
@@ -188,14 +188,14 @@ class StressRun {
 
   template <class Wide>
   void compare_with_reference(StressFinding& finding, const StressCall& call, const State& given,
-                              const StressTruth<Wide>& truth) const {
+                              const EntryTruth<Wide>& truth) const {
     std::vector<double> out(entries_);
     if (!evaluate(call, given, out)) return;
     finding.near = std::max(finding.near, judge_.error(out, truth).scaled);
     finding.reference = std::max(finding.reference, judge_.error(judge_.reference(given), truth).scaled);
   }
 
-  StressJudge judge_;
+  RoundingJudge judge_;
   std::vector<StressCall> calls_;
   StressOptions options_;
   std::size_t entries_;
@@ -255,7 +255,7 @@ StressRow row_of(const Function& function, const StressProgram& program, std::si
   options.evaluations = affordable(function, mechanism, options.evaluations);
   options.bound *= largest_turn(mechanism);
   options.edges = affordable(function, mechanism, options.edges);
-  StressRun run(function, StressJudge(function, expected.of(function), scalar), program.calls(k, scalar), options);
+  StressRun run(function, RoundingJudge(function, expected.of(function), scalar), program.calls(k, scalar), options);
   int left = affordable(function, mechanism, options.states);
   std::vector<State> pool = source.random(std::min(left, kChunk), 0);
   for (int chunk = 0; left > 0; left -= kChunk, ++chunk) {

@@ -12,7 +12,7 @@
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
 #include "model/states.hpp"
-#include "stress/judge.hpp"
+#include "verify/judge.hpp"
 
 namespace flatdyn {
 
@@ -31,7 +31,7 @@ struct StressFinding {
   std::string where;    // "random", "edge", "searched"
   std::string variant;  // the worst one
   State state;
-  StressError error;     // in 50 digits
+  RoundingError error;   // in 50 digits
   double near = 0;       // scaled error of that variant, at the state or next to it: the largest
   double reference = 0;  // that of the reference, alike
   double ratio = 0;      // near over reference, which counts as one unit at least: less is luck
@@ -48,7 +48,7 @@ struct StressRow {
   std::size_t states = 0;                                // random ones
   std::size_t tried = 0, refused = 0;                    // with edges; the function does not hold there, or says so
   std::vector<std::pair<std::string, double>> variants;  // name, largest at random and edge states
-  std::vector<StressError> points;                       // a sample of all states
+  std::vector<RoundingError> points;                     // a sample of all states
   std::vector<std::size_t> histogram;                    // of scaled errors at random states, kStressBins
   bool passed = false;
 };

@@ -15,7 +15,7 @@ namespace flatdyn {
 
 // Of the entry with the largest scaled error. Its condition is the size of its terms over its own size: with it,
 // rounding errors of the terms, which nobody can avoid, become relative errors of the entry.
-struct StressError {
+struct RoundingError {
   double scaled = 0;  // in units of the last place of the scalar, of the terms' size; infinite where it should be zero
   double condition = 1;  // infinite where the entry is zero, and not its terms
   double relative = 0;   // error over the entry, in units of the last place of the scalar
@@ -23,28 +23,28 @@ struct StressError {
 
 // What an entry has to be, and the sum of the absolute values of its terms.
 template <class Wide>
-struct StressTruth {
+struct EntryTruth {
   std::vector<Wide> values;
   std::vector<double> scale;
 };
 
-class StressJudge {
+class RoundingJudge {
  public:
   // Both must outlive it. `scalar`: "float" or "double".
-  StressJudge(const Function& function, Expected expected, const std::string& scalar);
+  RoundingJudge(const Function& function, Expected expected, const std::string& scalar);
 
   // The state as this scalar holds it.
   State given(const State& state) const { return is_float_ ? in_float(state) : state; }
   // From the function's own graph in long double, which is enough to see errors of the scalars; fast.
   // Nothing where the function does not hold.
-  std::optional<StressTruth<long double>> truth(const State& given);
+  std::optional<EntryTruth<long double>> truth(const State& given);
   // From the recursive reference in 50 digits.
-  StressTruth<Real50> exact_truth(const State& given) const;
+  EntryTruth<Real50> exact_truth(const State& given) const;
   // What the recursive reference comes to in this scalar.
   std::vector<double> reference(const State& given) const;
 
   template <class Wide>
-  StressError error(const std::vector<double>& values, const StressTruth<Wide>& truth) const;
+  RoundingError error(const std::vector<double>& values, const EntryTruth<Wide>& truth) const;
 
   double epsilon() const { return epsilon_; }
 
@@ -55,7 +55,7 @@ class StressJudge {
   TapeOf<long double> graph_;
 };
 
-extern template StressError StressJudge::error(const std::vector<double>&, const StressTruth<long double>&) const;
-extern template StressError StressJudge::error(const std::vector<double>&, const StressTruth<Real50>&) const;
+extern template RoundingError RoundingJudge::error(const std::vector<double>&, const EntryTruth<long double>&) const;
+extern template RoundingError RoundingJudge::error(const std::vector<double>&, const EntryTruth<Real50>&) const;
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "stress/judge.hpp"
+#include "verify/judge.hpp"
 
 #include <cmath>
 #include <limits>
@@ -18,35 +18,35 @@ double as_double(const Real50& x) { return x.convert_to<double>(); }
 
 }  // namespace
 
-StressJudge::StressJudge(const Function& function, Expected expected, const std::string& scalar)
+RoundingJudge::RoundingJudge(const Function& function, Expected expected, const std::string& scalar)
     : is_float_(scalar == "float"),
       epsilon_(is_float_ ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon()),
       underflow_(kUnderflow * (is_float_ ? std::numeric_limits<float>::min() : std::numeric_limits<double>::min())),
       expected_(std::move(expected)),
       graph_(function) {}
 
-std::optional<StressTruth<long double>> StressJudge::truth(const State& given) {
+std::optional<EntryTruth<long double>> RoundingJudge::truth(const State& given) {
   if (!expected_.is_regular(given)) return std::nullopt;
   const StateOf<long double> wide = widened<long double>(given);
   TapeInputsOf<long double> inputs;
   for (const InputKind kind : kStateKinds) inputs[kind] = wide.of(kind);
   std::vector<long double> values(graph_.results());
   if (!graph_.run(inputs, values)) return std::nullopt;
-  return StressTruth<long double>{std::move(values), expected_.scale(given)};
+  return EntryTruth<long double>{std::move(values), expected_.scale(given)};
 }
 
-StressTruth<Real50> StressJudge::exact_truth(const State& given) const {
+EntryTruth<Real50> RoundingJudge::exact_truth(const State& given) const {
   return {expected_.exact(given), expected_.scale(given)};
 }
 
-std::vector<double> StressJudge::reference(const State& given) const {
+std::vector<double> RoundingJudge::reference(const State& given) const {
   return is_float_ ? expected_.in_float(given) : expected_.rounded(given);
 }
 
 template <class Wide>
-StressError StressJudge::error(const std::vector<double>& values, const StressTruth<Wide>& truth) const {
+RoundingError RoundingJudge::error(const std::vector<double>& values, const EntryTruth<Wide>& truth) const {
   using std::abs;
-  StressError worst;
+  RoundingError worst;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double size = as_double(Wide(abs(truth.values[k])));
     const double found = std::isfinite(values[k]) ? as_double(Wide(abs(Wide(values[k]) - truth.values[k]))) : kInfinity;
@@ -60,7 +60,7 @@ StressError StressJudge::error(const std::vector<double>& values, const StressTr
   return worst;
 }
 
-template StressError StressJudge::error(const std::vector<double>&, const StressTruth<long double>&) const;
-template StressError StressJudge::error(const std::vector<double>&, const StressTruth<Real50>&) const;
+template RoundingError RoundingJudge::error(const std::vector<double>&, const EntryTruth<long double>&) const;
+template RoundingError RoundingJudge::error(const std::vector<double>&, const EntryTruth<Real50>&) const;
 
 }  // namespace flatdyn

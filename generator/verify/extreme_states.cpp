@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "stress/extreme_states.hpp"
+#include "verify/extreme_states.hpp"
 
 #include <random>
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "stress/rounding_loss.hpp"
+#include "verify/rounding_loss.hpp"
 
 #include <algorithm>
 
 #include "graph/tape.hpp"
-#include "stress/extreme_states.hpp"
-#include "stress/judge.hpp"
+#include "verify/extreme_states.hpp"
+#include "verify/judge.hpp"
 
 namespace flatdyn {
 namespace {
 
-constexpr int kRandom = 40, kExtreme = 30;
+constexpr int kRandom = 100, kExtreme = 200;
 constexpr std::size_t kDear = 8;  // states, where one costs many recursions
 constexpr unsigned kSeed = 1;
 
-double loss_at(const Function& function, StressJudge& judge, const std::vector<State>& states) {
+double loss_at(const Function& function, RoundingJudge& judge, const std::vector<State>& states) {
   Tape tape(function);
   std::vector<double> values(tape.results());
   double worst = 0, reference = 1;
@@ -39,7 +39,7 @@ RoundingCheck::RoundingCheck(const Robot& robot, const Mechanism& mechanism)
       extreme_(with_parameters(extreme_states(mechanism, kExtreme, kSeed), expected_.symbols())) {}
 
 double RoundingCheck::loss(const Function& function) const {
-  StressJudge judge(function, expected_.of(function), "double");
+  RoundingJudge judge(function, expected_.of(function), "double");
   return std::max(loss_at(function, judge, random_), loss_at(function, judge, extreme_));
 }
 
