@@ -103,9 +103,9 @@ void draw_base_parameters(std::vector<State>& states, int count, unsigned seed) 
 }
 
 std::vector<State> with_parameters(std::vector<State> states, const std::vector<Number>& values) {
-  for (State& state : states) {
-    for (const Number& value : values) state.parameters.push_back(nearest_double(value));
-  }
+  std::vector<double> rounded;
+  for (const Number& value : values) rounded.push_back(nearest_double(value));
+  for (State& state : states) state.parameters.insert(state.parameters.end(), rounded.begin(), rounded.end());
   return states;
 }
 
