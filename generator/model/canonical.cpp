@@ -213,7 +213,8 @@ class Placer {
     const Number across = (u[0] * u[0] + u[1] * u[1]).expand();
     if (vanishes(across) || is_prismatic(child)) return nearest_to_parent(i);
     const Vec3& p = tree_.raw_[child].p;
-    return (p[2] - u[2] * (p[0] * u[0] + p[1] * u[1]) / across).expand();
+    const Number foot = (p[2] - u[2] * (p[0] * u[0] + p[1] * u[1]) / across).expand();
+    return is_far(foot, p) ? nearest_to_parent(i) : foot;
   }
 
   // Along the axis of body i: where its parent's frame needs the fewest numbers to reach it.
@@ -221,9 +222,18 @@ class Placer {
     const Mat3& R = tree_.raw_[i].R;
     const Vec3 u = {R[0][2], R[1][2], R[2][2]};
     const Vec3 d = raw_displacement(i);
+    const Number nearest = (-dot(d, u)).expand();
     const Number across = (u[0] * u[0] + u[1] * u[1]).expand();
-    if (vanishes(across)) return (-d[2] * u[2]).expand();
-    return (-(d[0] * u[0] + d[1] * u[1]) / across).expand();
+    if (vanishes(across)) return nearest;
+    const Number foot = (-(d[0] * u[0] + d[1] * u[1]) / across).expand();
+    return is_far(foot, d) ? nearest : foot;
+  }
+
+  // Axes that are nearly parallel have their common normal far away, and moments about an origin there lose digits.
+  static bool is_far(const Number& foot, const Vec3& between) {
+    constexpr int kFar = 30;
+    const Number excess = foot * foot - kFar * kFar * dot(between, between);
+    return !has_symbols(excess) && nearest_double(excess) > 0;
   }
 
   const RawTree& tree_;

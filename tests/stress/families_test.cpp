@@ -37,8 +37,8 @@ TEST_P(Families, LoseNoMoreThanTheReference) {
 INSTANTIATE_TEST_SUITE_P(Hard, Families,
                          ::testing::Values("inertia_ratios", "gear_ratios", "far_centres", "near_parallel", "trees"));
 
-// Where masses that balance first moments of the parent lost 6 to 20 times what the reference does: they cost least
-// there, and are not taken.
+// Where masses that balance first moments of the parent, which cost least, lost 6 to 20 times what the reference does;
+// or, of nearly parallel axes, moments about the common normal's feet, a thousand metres away, 5 times.
 struct HardCase {
   const char* family;
   int joints;
@@ -55,7 +55,8 @@ TEST_P(HardCases, LoseNoMoreThanTheReference) {
 
 INSTANTIATE_TEST_SUITE_P(Hard, HardCases,
                          ::testing::Values(HardCase{"light_links", 4, 5}, HardCase{"gear_ratios", 4, 5},
-                                           HardCase{"far_centres", 4, 5}, HardCase{"inertia_ratios", 5, 41}),
+                                           HardCase{"far_centres", 4, 5}, HardCase{"inertia_ratios", 5, 41},
+                                           HardCase{"near_parallel", 5, 41}),
                          [](const auto& hard) { return std::string(hard.param.family); });
 
 // Where B is singular to the last place of the scalar, forward dynamics say so, at every state.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "model/rational_rotation.hpp"
 #include "support/robots.hpp"
 
@@ -100,6 +102,18 @@ TEST_P(RandomTree, LinksStayWhereTheyAreWritten) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomTree, ::testing::Range(1u, 13u));
+
+// The common normal of axes that are 1e-6 rad from parallel is a million times as far away as the axes are apart.
+TEST(NearlyParallelAxes, HaveFramesThatAreNear) {
+  Robot robot = random_tree(1, 5);
+  for (Joint& joint : robot.joints) {
+    joint.axis = {0, 0, 1};
+    for (Displacement& each : joint.origin.displacements) each.angle = each.angle / 1000000;
+  }
+  for (const Body& body : make_mechanism(robot).bodies) {
+    for (const Number& entry : body.p) EXPECT_LT(std::abs(nearest_double(entry)), 30) << body.joint;
+  }
+}
 
 Robot planar_chain() {
   Robot robot;
