@@ -4,38 +4,35 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
+#include "verify/judge.hpp"
 
 namespace flatdyn {
 namespace {
 
-// A function's values in 50 digits, and the size of their terms, state by state.
-struct Truth {
-  std::vector<std::vector<Real50>> values;
-  std::vector<std::vector<double>> scales;
-};
-
-Truth truth_of(const BenchSubject& subject, const Expected& expected, const std::string& scalar, std::size_t count) {
-  Truth truth;
+// In 50 digits, state by state.
+std::vector<EntryTruth<Real50>> truths_of(const BenchSubject& subject, const Expected& expected,
+                                          const std::string& scalar, std::size_t count) {
+  std::vector<EntryTruth<Real50>> truths;
   for (std::size_t k = 0; k < count; ++k) {
     // What a function in float is given: its error is that of its own arithmetic.
     const State state = scalar == "float" ? in_float(subject.states[k]) : subject.states[k];
-    truth.values.push_back(expected.exact(state));
-    truth.scales.push_back(expected.scale(state));
+    truths.push_back({expected.exact(state), expected.scale(state)});
   }
-  return truth;
+  return truths;
 }
 
-BenchErrors errors_against(const Truth& truth, const std::vector<double>& values, std::size_t entries) {
+BenchErrors errors_against(const std::vector<EntryTruth<Real50>>& truths, const std::vector<double>& values,
+                           std::size_t entries) {
   std::vector<double> scaled, absolute;
-  for (std::size_t k = 0; k < truth.values.size(); ++k) {
+  for (std::size_t k = 0; k < truths.size(); ++k) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(k * entries);
     const std::vector<double> x(first, first + static_cast<std::ptrdiff_t>(entries));
-    scaled.push_back(scaled_error(x, truth.values[k], truth.scales[k]));
+    scaled.push_back(scaled_error(x, truths[k].values, truths[k].scale));
     double worst = 0;
-    for (std::size_t i = 0; i < entries; ++i) worst = std::max(worst, absolute_error(x[i], truth.values[k][i]));
+    for (std::size_t i = 0; i < entries; ++i) worst = std::max(worst, absolute_error(x[i], truths[k].values[i]));
     absolute.push_back(worst);
   }
-  return {summary(scaled), summary(absolute), truth.values.size()};
+  return {summary(scaled), summary(absolute), truths.size()};
 }
 
 }  // namespace
@@ -50,10 +47,10 @@ std::vector<BenchErrors> bench_errors(const BenchSubject& subject, const Expecte
     const Expected values_expected = expected.of(function);
     const std::size_t count = affordable_states(function, joints, wanted);
     for (const std::string scalar : {"double", "float"}) {
-      const Truth truth = truth_of(subject, values_expected, scalar, count);
+      const std::vector<EntryTruth<Real50>> truths = truths_of(subject, values_expected, scalar, count);
       for (std::size_t k = 0; k < cases.size(); ++k) {
         if (cases[k].function != f || cases[k].scalar != scalar) continue;
-        errors[k] = errors_against(truth, values[k], entry_count(function));
+        errors[k] = errors_against(truths, values[k], entry_count(function));
       }
     }
   }
