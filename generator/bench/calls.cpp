@@ -122,7 +122,7 @@ BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, c
   if (variant.trigonometry == Trigonometry::given) {
     for (const char* name : {"s", "c"}) {
       parameters.push_back(fmt::format("auto {}", name));
-      columns.push_back(in_column(mechanism.size(), name));
+      columns.push_back(in_column(mechanism.position_count(), name));
     }
   }
   std::size_t offset = 0;

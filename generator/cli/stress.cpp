@@ -81,7 +81,6 @@ ExitCode run_robot(const StressArguments& arguments) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   const Model model = read_model(arguments.robot, options);
-  refuse_loops(model, "stress");
   print_diagnostics(model.diagnostics, arguments.quiet);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty() || model.abbreviation) {
     throw Failure(ExitCode::unsupported, "stress compares whole functions in motion",

@@ -87,7 +87,7 @@ StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Funct
     }
   }
   data page;
-  page["joints"] = std::to_string(mechanism.size());
+  page["positions"] = std::to_string(mechanism.position_count());
   page["arguments"] = argument_rows(like);
   page["calls"] = data(rows);
   page["headers"] = list_of(has_xsimd_ ? std::vector<std::string>{"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"}

@@ -207,13 +207,16 @@ class StressRun {
 // A robot's states, its free symbols' values and base parameters with them.
 class StressStates {
  public:
-  StressStates(const Mechanism& mechanism, const SymbolValues& symbols, int base_parameters, unsigned seed)
-      : mechanism_(mechanism), symbols_(symbols), base_parameters_(base_parameters), seed_(seed) {}
+  StressStates(const Mechanism& mechanism, const ExpectedValues& expected, int base_parameters, unsigned seed)
+      : mechanism_(mechanism), expected_(expected), base_parameters_(base_parameters), seed_(seed) {}
 
+  // With closed loops; fewer, where some are near singular ones. If that are all, loops are left open.
   std::vector<State> random(int count, int chunk) const {
-    return completed(random_states(mechanism_, count, seed_ + static_cast<unsigned>(chunk)));
+    const std::vector<State> drawn = random_states(mechanism_, count, seed_ + static_cast<unsigned>(chunk));
+    std::vector<State> closed = expected_.with_closed_loops(drawn);
+    return completed(closed.empty() ? drawn : std::move(closed));
   }
-  // Those of `verify` come along.
+  // Those of `verify` come along. Loops are open there: functions have values all the same.
   std::vector<State> edges(int count) const {
     std::vector<State> states = edge_states(mechanism_);
     const std::vector<State> more = extreme_states(mechanism_, count, seed_);
@@ -223,13 +226,13 @@ class StressStates {
 
  private:
   std::vector<State> completed(std::vector<State> states) const {
-    states = with_parameters(std::move(states), symbols_);
+    states = with_parameters(std::move(states), expected_.symbols());
     draw_base_parameters(states, base_parameters_, seed_);
     return states;
   }
 
   const Mechanism& mechanism_;
-  const SymbolValues& symbols_;
+  const ExpectedValues& expected_;
   int base_parameters_;
   unsigned seed_;
 };
@@ -291,7 +294,7 @@ StressReport stress(const Robot& robot, const Mechanism& mechanism, const std::v
                     const StressOptions& options, Progress& progress) {
   check_variants(options.variants);
   const ExpectedValues expected(robot, mechanism, options.seed);
-  const StressStates source(mechanism, expected.symbols(), base_parameters_of(functions), options.seed);
+  const StressStates source(mechanism, expected, base_parameters_of(functions), options.seed);
   progress.step("compiling all variants of " + mechanism.name);
   const StressProgram program(mechanism, functions, source.random(1, 0).front(), options.variants);
   StressReport report{mechanism.name, options, {}, {}, {}};

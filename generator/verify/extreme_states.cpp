@@ -29,7 +29,7 @@ class Choice {
 State uniform_state(const Mechanism& mechanism, double q, double rate) {
   const auto n = static_cast<std::size_t>(mechanism.size());
   State state;
-  state.q.assign(n, q);
+  state.q.assign(static_cast<std::size_t>(mechanism.position_count()), q);
   for (std::vector<double>* rates : {&state.qd, &state.qdd, &state.tau, &state.qd_r, &state.qdd_r}) {
     rates->assign(n, rate);
   }
@@ -45,8 +45,8 @@ std::vector<State> extreme_states(const Mechanism& mechanism, int count, unsigne
   Choice choice(seed);
   while (states.size() < static_cast<std::size_t>(count)) {
     State state = uniform_state(mechanism, 0, 0);
-    for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
-      state.q[i] = choice(mechanism.joints()[i].prismatic ? kSlides : kAngles);
+    for (std::size_t i = 0; i < state.q.size(); ++i) {
+      state.q[i] = choice(mechanism.joint_at(static_cast<int>(i)).prismatic ? kSlides : kAngles);
     }
     for (std::vector<double>* rates : {&state.qd, &state.qdd, &state.tau, &state.h_e, &state.qd_r, &state.qdd_r}) {
       for (double& rate : *rates) rate = choice(kRates);

@@ -48,6 +48,19 @@ TEST_F(ClosedLoops, RatesOfAllJointsAreRefused) {
   EXPECT_THAT(outcome.err, HasSubstr("qd_theta_1"));
 }
 
+// The worst states that are found can be looked at.
+TEST_F(ClosedLoops, LoseNoMoreThanTheReference) {
+  const Outcome stressed = run_flatdyn(fmt::format(
+      "stress robots/slider_crank.toml -q --functions inverse_dynamics,forward_dynamics,loop_step --states 100 "
+      "--edges 50 --evaluations 100 -o {}",
+      scratch.path("found")));
+  ASSERT_EQ(stressed.code, 0) << stressed.err;
+  EXPECT_THAT(stressed.out, HasSubstr("loop_step"));
+  const Outcome worst = run_flatdyn("eval robots/slider_crank.toml -q --function inverse_dynamics --states " +
+                                    scratch.path("found/worst_inverse_dynamics_double.csv"));
+  EXPECT_EQ(worst.code, 0) << worst.err;
+}
+
 // What was simulated is read as a trajectory, and needs the torques that it was made with.
 TEST_F(ClosedLoops, MoveAndNeedTheTorquesThatMovedThem) {
   scratch.write("push.toml", "duration = 0.2\nrate = 100\n[start]\nq = [0.5]\n[torque]\nconstant = [0.05]\n");

@@ -59,7 +59,7 @@ TEST(ExitCodes, ClosedLoopsAreRefusedWhereTheyAreNotSupported) {
   const Scratch scratch;
   const std::string robot = "robots/slider_crank.toml", out = scratch.path("out");
   for (const std::string& command :
-       {"derive " + robot, "stress " + robot, "certify " + robot, "report " + robot + " -o " + out,
+       {"derive " + robot, "certify " + robot, "report " + robot + " -o " + out,
         "excite " + robot + " -o " + out, "bench " + robot,
         "generate " + robot + " -o " + out + " --functions inverse_dynamics_derivatives"}) {
     const Outcome outcome = run_flatdyn(command);
