@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <xsimd/xsimd.hpp>
 
 namespace flatdyn {
@@ -14,52 +15,53 @@ inline constexpr double kReducedAngles = 1e5;
 
 namespace detail {
 
-// The integer next to x, for |x| below 2^51: there is no room for a fraction beside 1.5 2^52.
-template <class Batch>
-inline Batch nearest_integer(const Batch& x) noexcept {
-  const Batch large(0x1.8p+52);
-  return (x + large) - large;
-}
+#ifdef __FMA__
+inline __m128 fused(__m128 a, __m128 b, __m128 c) noexcept { return _mm_fmadd_ps(a, b, c); }
+inline __m128d fused(__m128d a, __m128d b, __m128d c) noexcept { return _mm_fmadd_pd(a, b, c); }
+inline __m256 fused(__m256 a, __m256 b, __m256 c) noexcept { return _mm256_fmadd_ps(a, b, c); }
+inline __m256d fused(__m256d a, __m256d b, __m256d c) noexcept { return _mm256_fmadd_pd(a, b, c); }
+#ifdef __AVX512F__
+inline __m512 fused(__m512 a, __m512 b, __m512 c) noexcept { return _mm512_fmadd_ps(a, b, c); }
+inline __m512d fused(__m512d a, __m512d b, __m512d c) noexcept { return _mm512_fmadd_pd(a, b, c); }
+#endif
+#endif
 
-// x = n π/2 + r + rest, |r| <= π/4 but for a rounding, rest the part of r that its 53 bits have no room for.
+// a b + c and c - a b: with one rounding where the machine has such instructions, with two elsewhere. Written out, as
+// the compiler must not contract anything in generated code, and xsimd 8 has them for some registers only.
 template <class Batch>
-struct Reduced {
-  Batch n, r, rest;
-};
-
-// π/2 in three parts, of which the first two have 33 bits: with an n below 2^20 their products are exact (Cody and
-// Waite; the split and its two steps as in fdlibm's e_rem_pio2.c).
-template <class Batch>
-inline Reduced<Batch> reduced(const Batch& x) noexcept {
-  const Batch n = nearest_integer(x * Batch(0x1.45f306dc9c883p-1));
-  const Batch above = x - n * Batch(0x1.921fb544p+0);
-  const Batch product = n * Batch(0x1.0b4611a6p-34);
-  const Batch head = above - product;
-  const Batch tail = n * Batch(0x1.3198a2e037073p-69) - ((above - head) - product);
-  const Batch r = head - tail;
-  return {n, r, (head - r) - tail};
-}
-
-// Minimax polynomials of sin and cos on [-π/4, π/4], errors below 2^-57 (coefficients of fdlibm's k_sin.c and k_cos.c).
-template <class Batch>
-inline Batch sine_near_zero(const Batch& r, const Batch& rest) noexcept {
-  const Batch z = r * r, cube = z * r;
-  const Batch p = Batch(8.33333333332248946124e-03) +
-                  z * (Batch(-1.98412698298579493134e-04) +
-                       z * (Batch(2.75573137070700676789e-06) +
-                            z * (Batch(-2.50507602534068634195e-08) + z * Batch(1.58969099521155010221e-10))));
-  return r - ((z * (Batch(0.5) * rest - cube * p) - rest) + cube * Batch(1.66666666666666324348e-01));
+inline Batch multiply_add(const Batch& a, const Batch& b, const Batch& c) noexcept {
+#ifdef __FMA__
+  return Batch(fused(a, b, c));
+#else
+  return xsimd::fma(a, b, c);
+#endif
 }
 
 template <class Batch>
-inline Batch cosine_near_zero(const Batch& r, const Batch& rest) noexcept {
-  const Batch z = r * r, half = Batch(0.5) * z, leading = Batch(1.0) - half;
-  const Batch p = Batch(4.16666666666666019037e-02) +
-                  z * (Batch(-1.38888888888741095749e-03) +
-                       z * (Batch(2.48015872894767294178e-05) +
-                            z * (Batch(-2.75573143513906633035e-07) +
-                                 z * (Batch(2.08757232129817482790e-09) + z * Batch(-1.13596475577881948265e-11)))));
-  return leading + (((Batch(1.0) - leading) - half) + (z * (z * p) - r * rest));
+inline Batch subtract_product(const Batch& c, const Batch& a, const Batch& b) noexcept {
+#ifdef __FMA__
+  return Batch(fused(-static_cast<typename Batch::register_type>(a), b, c));
+#else
+  return xsimd::fnma(a, b, c);
+#endif
+}
+
+// c_0 + z (c_1 + z (…))
+template <class Batch, class T>
+inline Batch polynomial(const Batch&, T c) noexcept {
+  return Batch(c);
+}
+template <class Batch, class T, class... Higher>
+inline Batch polynomial(const Batch& z, T c, Higher... higher) noexcept {
+  return multiply_add(z, polynomial(z, higher...), Batch(c));
+}
+
+// a b rounded to an integer, for |a b| below a quarter of 1 / ε: there is no room for a fraction beside 1.5 / ε.
+template <class Batch>
+inline Batch nearest_integer(const Batch& a, const Batch& b) noexcept {
+  using T = typename Batch::value_type;
+  const Batch large(T(1.5) / std::numeric_limits<T>::epsilon());
+  return multiply_add(a, b, large) - large;
 }
 
 template <class Batch>
@@ -67,64 +69,116 @@ struct SineAndCosine {
   Batch sine, cosine;
 };
 
+// Of n π/2 + r, from those of r.
 template <class Batch>
-inline SineAndCosine<Batch> sine_and_cosine(const Batch& x) noexcept {
-  const Reduced<Batch> a = reduced(x);
-  const Batch s = sine_near_zero(a.r, a.rest), c = cosine_near_zero(a.r, a.rest);
-  const Batch quadrant = a.n - Batch(4.0) * nearest_integer(Batch(0.25) * a.n);  // -2 … 2
-  const auto swapped = quadrant * quadrant == Batch(1.0);
+inline SineAndCosine<Batch> in_quadrant(const Batch& n, const Batch& s, const Batch& c) noexcept {
+  using T = typename Batch::value_type;
+  const Batch half(T(0.5)), one(T(1));
+  const Batch quadrant = subtract_product(n, Batch(T(4)), nearest_integer(n, Batch(T(0.25))));  // -2 … 2
+  const auto swapped = xsimd::abs(quadrant) == one;
+  const auto sine_flips = xsimd::abs(quadrant - half) > one, cosine_flips = xsimd::abs(quadrant + half) > one;
   const Batch sine = xsimd::select(swapped, c, s), cosine = xsimd::select(swapped, s, c);
-  const auto sine_flips = (quadrant < Batch(-0.5)) | (quadrant > Batch(1.5));
-  const auto cosine_flips = (quadrant < Batch(-1.5)) | (quadrant > Batch(0.5));
   return {xsimd::select(sine_flips, -sine, sine), xsimd::select(cosine_flips, -cosine, cosine)};
+}
+
+// x = n π/2 + r - excess, |r| <= π/4 but for a rounding, excess what its 53 bits have no room for.
+template <class Batch>
+struct Reduced {
+  Batch n, r, excess;
+};
+
+// π/2 in three parts, of which the first two have 33 bits: with an n below 2^20 their products are exact (Cody and
+// Waite; the split and its two steps as in fdlibm's e_rem_pio2.c).
+template <class Batch>
+inline Reduced<Batch> reduced(const Batch& x) noexcept {
+  const Batch n = nearest_integer(x, Batch(0x1.45f306dc9c883p-1));
+  const Batch above = subtract_product(x, n, Batch(0x1.921fb544p+0));
+  const Batch product = n * Batch(0x1.0b4611a6p-34);
+  const Batch head = above - product;
+  const Batch tail = multiply_add(n, Batch(0x1.3198a2e037073p-69), product - (above - head));
+  const Batch r = head - tail;
+  return {n, r, tail - (head - r)};
+}
+
+// Minimax polynomials of sin and cos on [-π/4, π/4], errors below 2^-57 (coefficients of fdlibm's k_sin.c and k_cos.c).
+template <class Batch>
+inline Batch sine_near_zero(const Batch& r, const Batch& excess) noexcept {
+  const Batch z = r * r, cube = z * r;
+  const Batch p = polynomial(z, 8.33333333332248946124e-03, -1.98412698298579493134e-04, 2.75573137070700676789e-06,
+                             -2.50507602534068634195e-08, 1.58969099521155010221e-10);
+  const Batch q = subtract_product(excess, z, multiply_add(cube, p, Batch(0.5) * excess));
+  return r - multiply_add(cube, Batch(1.66666666666666324348e-01), q);
+}
+
+template <class Batch>
+inline Batch cosine_near_zero(const Batch& r, const Batch& excess) noexcept {
+  const Batch z = r * r, half = Batch(0.5) * z, leading = Batch(1.0) - half;
+  const Batch p = polynomial(z, 4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05,
+                             -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11);
+  return leading + (((Batch(1.0) - leading) - half) + multiply_add(r, excess, z * (z * p)));
+}
+
+template <class A>
+inline SineAndCosine<xsimd::batch<double, A>> sine_and_cosine(const xsimd::batch<double, A>& x) noexcept {
+  const auto a = reduced(x);
+  return in_quadrant(a.n, sine_near_zero(a.r, a.excess), cosine_near_zero(a.r, a.excess));
+}
+
+// In float π/2 in three parts, too; n times a part has one rounding only together with the difference. (Coefficients of
+// Cephes' sinf.c and cosf.c.)
+template <class A>
+inline SineAndCosine<xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<float, A>& x) noexcept {
+#ifdef __FMA__
+  using Batch = xsimd::batch<float, A>;
+  const Batch n = nearest_integer(x, Batch(0x1.45f306p-1F));
+  const Batch above = subtract_product(x, n, Batch(0x1.921fb6p+0F));
+  const Batch r = subtract_product(subtract_product(above, n, Batch(-0x1.777a5cp-25F)), n, Batch(-0x1.ee59dap-50F));
+  const Batch z = r * r;
+  const Batch s = polynomial(z, -1.6666654611e-1F, 8.3321608736e-3F, -1.9515295891e-4F);
+  const Batch c = polynomial(z, 4.166664568298827e-2F, -1.388731625493765e-3F, 2.443315711809948e-5F);
+  return in_quadrant(n, multiply_add(z * r, s, r),
+                     multiply_add(z * z, c, subtract_product(Batch(1.0F), Batch(0.5F), z)));
+#else
+  const auto both = xsimd::sincos(x);
+  return {both.first, both.second};
+#endif
+}
+
+// Where x is too large, or no number.
+template <class Batch>
+inline auto is_large(const Batch& x) noexcept {
+  return !(xsimd::abs(x) <= Batch(static_cast<typename Batch::value_type>(kReducedAngles)));
 }
 
 // `value`, but where x is too large the function of <cmath>.
 template <class Batch, class Function>
 inline Batch or_library(const Batch& x, const Batch& value, Function function) noexcept {
-  const auto large = !(xsimd::abs(x) <= Batch(kReducedAngles));
+  const auto large = is_large(x);
   if (!xsimd::any(large)) return value;
-  alignas(64) double lanes[Batch::size];
+  alignas(64) typename Batch::value_type lanes[Batch::size];
   x.store_aligned(lanes);
-  for (double& lane : lanes) lane = function(lane);
+  for (auto& lane : lanes) lane = function(lane);
   return xsimd::select(large, Batch::load_aligned(lanes), value);
 }
 
 }  // namespace detail
 
-// To 1 ulp; NaN of what is not finite.
-template <class A>
-inline detail::SineAndCosine<xsimd::batch<double, A>> sin_cos(const xsimd::batch<double, A>& x) noexcept {
+// In double to 1 ulp, in float to 2; NaN of what is not finite.
+template <class T, class A>
+inline xsimd::batch<T, A> sine(const xsimd::batch<T, A>& x) noexcept {
+  return detail::or_library(x, detail::sine_and_cosine(x).sine, [](T a) { return std::sin(a); });
+}
+
+template <class T, class A>
+inline xsimd::batch<T, A> cosine(const xsimd::batch<T, A>& x) noexcept {
+  return detail::or_library(x, detail::sine_and_cosine(x).cosine, [](T a) { return std::cos(a); });
+}
+
+template <class T, class A>
+inline detail::SineAndCosine<xsimd::batch<T, A>> sin_cos(const xsimd::batch<T, A>& x) noexcept {
   const auto both = detail::sine_and_cosine(x);
-  return {detail::or_library(x, both.sine, [](double a) { return std::sin(a); }),
-          detail::or_library(x, both.cosine, [](double a) { return std::cos(a); })};
-}
-
-template <class A>
-inline xsimd::batch<double, A> sin(const xsimd::batch<double, A>& x) noexcept {
-  return detail::or_library(x, detail::sine_and_cosine(x).sine, [](double a) { return std::sin(a); });
-}
-
-template <class A>
-inline xsimd::batch<double, A> cos(const xsimd::batch<double, A>& x) noexcept {
-  return detail::or_library(x, detail::sine_and_cosine(x).cosine, [](double a) { return std::cos(a); });
-}
-
-// In float, xsimd's own.
-template <class A>
-inline detail::SineAndCosine<xsimd::batch<float, A>> sin_cos(const xsimd::batch<float, A>& x) noexcept {
-  const auto both = xsimd::sincos(x);
-  return {both.first, both.second};
-}
-
-template <class A>
-inline xsimd::batch<float, A> sin(const xsimd::batch<float, A>& x) noexcept {
-  return xsimd::sin(x);
-}
-
-template <class A>
-inline xsimd::batch<float, A> cos(const xsimd::batch<float, A>& x) noexcept {
-  return xsimd::cos(x);
+  return {detail::or_library(x, both.sine, [](T a) { return std::sin(a); }),
+          detail::or_library(x, both.cosine, [](T a) { return std::cos(a); })};
 }
 
 }  // namespace flatdyn
