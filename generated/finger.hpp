@@ -235,41 +235,39 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   tau[0] = Scalar(5e-06) * t10 - Scalar(0.00084) * t9 + t13 + t3 * t12;
   const Scalar t14 = qd_1 * qd_1;
   const Scalar t15 = t2 * t14;
+  const Scalar t16 = t14 - t2 * t15 + omega_4_z * omega_4_z;
+  const Scalar t17 = omega_3_z * omega_3_z;
   const Scalar domega_3_z = qdd_2 + qdd_3;
+  const Scalar t18 = t1 * domega_3_z;
+  const Scalar t19 = s_2_3 * t17 + t18;
+  const Scalar t20 = qd_2 * qd_2;
+  const Scalar t21 = c_2 * qdd_2;
+  const Scalar t22 = Scalar(0.045) * (s_2 * t20 - t21) - Scalar(9.81);
+  const Scalar t23 = Scalar(0.025) * t19 + t22;
+  const Scalar t24 = s_2_3 * domega_3_z - t1 * (t14 + t17);
+  const Scalar t25 = Scalar(0.045) * s_2 * qdd_2 + (t20 + t14) * t6;
+  const Scalar t26 = Scalar(0.025) * t24 + t25;
+  const Scalar t27 = t3 * t26 + t2 * t23;
+  const Scalar t28 = s_1 * h_e_3 - c_1 * h_e_1;
+  const Scalar t29 = Scalar(0.00009) * t16 - Scalar(0.009) * t27 + t2 * h_e_2 - t3 * t28;
   const Scalar U_4_yx = Scalar(0.6666666666666666) * qdd_3 + t3 * t15 + domega_3_z;
-  const Scalar t16 = omega_3_z * omega_3_z;
-  const Scalar t17 = s_2_3 * domega_3_z - t1 * (t14 + t16);
-  const Scalar t18 = qd_2 * qd_2;
-  const Scalar t19 = Scalar(0.045) * s_2 * qdd_2 + (t18 + t14) * t6;
-  const Scalar t20 = Scalar(0.025) * t17 + t19;
-  const Scalar t21 = t1 * domega_3_z;
-  const Scalar t22 = s_2_3 * t16 + t21;
-  const Scalar t23 = c_2 * qdd_2;
-  const Scalar t24 = Scalar(0.045) * (s_2 * t18 - t23) - Scalar(9.81);
-  const Scalar t25 = Scalar(0.025) * t22 + t24;
-  const Scalar t26 = t2 * t20 - t3 * t25;
-  const Scalar t27 = s_1 * h_e_3 - c_1 * h_e_1;
-  const Scalar t28 = t2 * t27 + t3 * h_e_2;
-  const Scalar t29 = Scalar(0.009) * t26 - Scalar(0.00009) * U_4_yx + t28;
-  const Scalar t30 = t14 - t2 * t15 + omega_4_z * omega_4_z;
-  const Scalar t31 = t3 * t20 + t2 * t25;
-  const Scalar t32 = Scalar(0.00009) * t30 - Scalar(0.009) * t31 + t2 * h_e_2 - t3 * t27;
-  const Scalar t33 = t2 * t29 - t3 * t32;
-  const Scalar f_u_4_t_y = t2 * t32 + t3 * t29;
-  const Scalar t34 = s_2_3 * t33 - t1 * f_u_4_t_y;
-  const Scalar t35 = Scalar(0.00009) * t26 - Scalar(1.2e-06) * U_4_yx + Scalar(0.02) * t28 -
+  const Scalar t30 = t2 * t26 - t3 * t23;
+  const Scalar t31 = t2 * t28 + t3 * h_e_2;
+  const Scalar t32 = Scalar(0.009) * t30 - Scalar(0.00009) * U_4_yx + t31;
+  const Scalar t33 = s_4 * t29 + c_4 * t32;
+  const Scalar t34 = Scalar(0.00009) * t30 - Scalar(1.2e-06) * U_4_yx + Scalar(0.02) * t31 -
       s_1 * h_e_4 - c_1 * h_e_6;
-  const Scalar t36 = Scalar(-2.5e-06) * t1;
-  const Scalar t37 = domega_3_z * (t1 * t36 + Scalar(2.5e-06));
-  const Scalar t38 = s_2_3 * t19 + t1 * t24;
-  const Scalar t39 = t36 * (t21 - s_2_3 * t14);
-  const Scalar t40 = t39 - t37 - Scalar(0.00015) * t38 - Scalar(0.025) * t34 + t35;
-  tau[2] = Scalar(-0.6666666666666666) * t35 - t40;
-  const Scalar t41 = c_2 * ((Scalar(0.00015) * t22 - f_u_4_t_y) - Scalar(0.21582));
-  const Scalar t42 = s_2 * (Scalar(0.00015) * t17 + t33) - t41;
-  const Scalar t43 = Scalar(0.0000378) * c_2;
-  const Scalar t44 = qdd_2 * (c_2 * t43 - Scalar(0.0000378));
-  tau[1] = t43 * (t23 + s_2 * t14) - t44 + Scalar(0.045) * t42 - t40;
+  const Scalar t35 = Scalar(-2.5e-06) * t1;
+  const Scalar t36 = domega_3_z * (t1 * t35 + Scalar(2.5e-06));
+  const Scalar t37 = s_2_3 * t25 + t1 * t22;
+  const Scalar t38 = t35 * (t18 - s_2_3 * t14);
+  const Scalar t39 = t38 - t36 - Scalar(0.00015) * t37 + Scalar(0.025) * t33 + t34;
+  tau[2] = Scalar(-0.6666666666666666) * t34 - t39;
+  const Scalar t40 = c_2 * ((Scalar(0.00015) * t19 - t2 * t29 - t3 * t32) - Scalar(0.21582));
+  const Scalar t41 = s_2 * (Scalar(0.00015) * t24 + t2 * t32 - t3 * t29) - t40;
+  const Scalar t42 = Scalar(0.0000378) * c_2;
+  const Scalar t43 = qdd_2 * (c_2 * t42 - Scalar(0.0000378));
+  tau[1] = t42 * (t21 + s_2 * t14) - t43 + Scalar(0.045) * t41 - t39;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -282,7 +280,7 @@ inline constexpr bool inertia_matrix_nonzero[9] = {
 //   q[3]  in   joint positions, rad or m
 //   B[9]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //              3 x 3, row by row: entry (i, j) is B[3 * i + j]
-// Reads q[1..2]. Operations: 25 mul, 27 add, 6 sin/cos. Always zero: 4 of the 9 entries of B.
+// Reads q[1..2]. Operations: 30 mul, 18 add, 6 sin/cos. Always zero: 4 of the 9 entries of B.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
@@ -290,28 +288,20 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   sin_cos(angle, Joints<1, 2, 3>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3];
-  const Scalar t1 = Scalar(4.5e-06) * c_4;
-  const Scalar Ic_3_zz = t1 + Scalar(9.325e-06);
-  const Scalar mu_4_3_z = c_4 + Scalar(0.5333333333333333);
-  B[8] = Scalar(5.333333333333333e-07) + Scalar(3e-06) * mu_4_3_z + Ic_3_zz;
-  const Scalar hc_3_x = Scalar(4.05e-06) * c_4 + Scalar(0.000016875);
-  const Scalar t2 = s_3 * s_4;
-  const Scalar t3 = c_3 * hc_3_x - Scalar(4.05e-06) * t2;
-  B[5] = B[7] = Scalar(1.5e-06) * mu_4_3_z - Scalar(2.7e-06) * (t2 - c_3 * c_4) + Ic_3_zz + t3;
-  const Scalar t4 = Scalar(2.0) * t3 + Scalar(0.000056025);
-  B[4] = Ic_3_zz + t4;
-  const Scalar t5 = Scalar(1.2e-06) * c_4 * c_4;
-  const Scalar t6 = t5 - Scalar(1.2e-06);
-  const Scalar Ic_3_yy = t5 + t1 + Scalar(8.125e-06);
-  const Scalar t7 = c_4 + Scalar(1.875);
-  const Scalar t8 = c_3 * (t6 + Ic_3_yy) - Scalar(2.4e-06) * t7 * t2;
-  const Scalar t9 = c_3 * t8;
-  const Scalar Iu_3_t_xx = Ic_3_yy - t9;
-  const Scalar Iu_2_t_d = t6 - t9 + Iu_3_t_xx - t4;
-  const Scalar t10 = Scalar(4.05e-06) * s_4 * (c_3 + Scalar(0.2962962962962963) * t7) +
-      s_3 * (t8 + hc_3_x);
-  const Scalar Iu_2_t_g = Scalar(2.0) * s_2 * t10 + c_2 * Iu_2_t_d;
-  B[0] = Iu_3_t_xx - c_2 * Iu_2_t_g;
+  B[8] = Scalar(7.5e-06) * c_4 + Scalar(0.000011458333333333333);
+  const Scalar t1 = c_2 * c_3 - s_2 * s_3;
+  const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar t2 = c_4 * t1 - s_4 * s_2_3;
+  const Scalar t3 = c_2 * (Scalar(4.05e-06) * t2 + Scalar(0.000016875) * t1);
+  const Scalar t4 = t1 * (Scalar(0.5538461538461539) * t2 + t1);
+  B[0] = Scalar(1.2e-06) * t2 * t2 + Scalar(8.125e-06) * t4 + Scalar(0.000056025) * c_2 * c_2 +
+      Scalar(2.0) * t3;
+  const Scalar t5 = c_4 * s_2_3 + s_4 * t1;
+  const Scalar hc_3_y = Scalar(4.05e-06) * t5 + Scalar(0.000016875) * s_2_3;
+  const Scalar t6 = t3 + s_2 * hc_3_y;
+  B[4] = Scalar(4.5e-06) * c_4 + Scalar(2.0) * t6 + Scalar(0.00006535);
+  const Scalar t7 = c_2 * t2 + s_2 * t5;
+  B[5] = B[7] = Scalar(2.7e-06) * t7 + Scalar(6e-06) * c_4 + t6 + Scalar(0.000010125);
   B[1] = B[2] = B[3] = B[6] = Scalar(0.0);
 }
 
@@ -503,7 +493,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[3]  in   joint torques or forces, N m or N
 //   qdd[3]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..2], qd[0..2], tau[0..2]. Operations: 89 mul, 62 add, 3 div, 6 sin/cos.
+// Reads q[1..2], qd[0..2], tau[0..2]. Operations: 84 mul, 56 add, 3 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -514,56 +504,55 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   sin_cos(angle, Joints<1, 2, 3>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3];
-  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t2 = s_4 * s_2_3 + c_4 * t1;
-  const Scalar t3 = s_4 * t1 - c_4 * s_2_3;
-  const Scalar t4 = t1 * t2 - s_2_3 * t3;
-  const Scalar Ic_3_zz = Scalar(4.5e-06) * t4 + Scalar(3.7e-06) +
-      Scalar(5.625e-06) * (s_2_3 * s_2_3 + t1 * t1);
-  const Scalar t5 = t4 + Scalar(0.5333333333333333);
-  const Scalar b_3_3q = Scalar(5.333333333333333e-07) + Scalar(3e-06) * t5 + Ic_3_zz;
+  const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar t1 = c_2 * c_3 - s_2 * s_3;
+  const Scalar t2 = c_4 * s_2_3 + s_4 * t1;
+  const Scalar hc_3_y = Scalar(4.05e-06) * t2 + Scalar(0.000016875) * s_2_3;
+  const Scalar t3 = Scalar(-2.7e-06) * t2;
+  const Scalar t4 = hc_3_y - t3;
+  const Scalar t5 = c_4 * t1 - s_4 * s_2_3;
+  const Scalar t6 = Scalar(4.05e-06) * t5 + Scalar(0.000016875) * t1;
+  const Scalar t7 = Scalar(-2.7e-06) * t5;
+  const Scalar b_3_2h = Scalar(6e-06) * c_4 + s_2 * t4 + c_2 * (t6 - t7) + Scalar(0.000010125);
+  const Scalar b_3_3q = Scalar(7.5e-06) * c_4 + Scalar(0.000011458333333333333);
   const Scalar d_3 = Scalar(1.0) / b_3_3q;
-  const Scalar t6 = Scalar(4.05e-06) * t2 + Scalar(0.000016875) * t1;
-  const Scalar t7 = c_2 * (Scalar(2.7e-06) * t2 + t6);
-  const Scalar hc_3_y = Scalar(0.000016875) * s_2_3 - Scalar(4.05e-06) * t3;
-  const Scalar t8 = Scalar(2.7e-06) * t3 - hc_3_y;
-  const Scalar b_3_2h = Scalar(1.5e-06) * t5 + Ic_3_zz - t7 - s_2 * t8;
-  const Scalar t9 = b_3_2h * d_3;
-  const Scalar t10 = Scalar(2.0) * c_2 * t6 - Scalar(0.000056025);
-  const Scalar b_3_2_2 = Ic_3_zz - b_3_2h * t9 + Scalar(2.0) * s_2 * hc_3_y - t10;
+  const Scalar t8 = b_3_2h * d_3;
+  const Scalar t9 = c_2 * t6 + s_2 * hc_3_y;
+  const Scalar b_3_2_2 = Scalar(4.5e-06) * c_4 + Scalar(2.0) * t9 - b_3_2h * t8 +
+      Scalar(0.00006535);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t11 = s_2_3 * t2;
-  const Scalar t12 = t1 * t3;
-  const Scalar t13 = t2 * t3;
-  const Scalar t14 = Scalar(-8.125e-06) * t1;
-  const Scalar t15 = Scalar(2.25e-06) * (t11 - t12) - Scalar(1.2e-06) * t13 - s_2_3 * t14;
-  const Scalar t16 = Scalar(8e-07) * t13 - t15;
-  const Scalar t17 = qd_1 * qd_1;
+  const Scalar t10 = t1 * t2;
+  const Scalar t11 = s_2_3 * t5;
+  const Scalar t12 = Scalar(-1.2e-06) * t5;
+  const Scalar t13 = Scalar(-8.125e-06) * t1;
+  const Scalar t14 = Scalar(2.25e-06) * (t10 + t11) - t2 * t12 - s_2_3 * t13;
+  const Scalar t15 = Scalar(8e-07) * t5 * t2 + t14;
+  const Scalar t16 = qd_1 * qd_1;
+  const Scalar t17 = Scalar(2.0) * qd_2;
+  const Scalar beta_4_f = t17 + Scalar(2.6666666666666665) * qd_3;
+  const Scalar t18 = Scalar(1.5e-06) * qd_3 * beta_4_f * (t10 - t11);
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar beta_4_f = Scalar(1.8e-06) * qd_3 + Scalar(5.4e-06) * omega_3_z;
-  const Scalar t18 = Scalar(0.5555555555555556) * qd_3 * beta_4_f * (t11 + t12);
   const Scalar t19 = omega_3_z * omega_3_z;
   const Scalar t20 = qd_2 * qd_2;
-  const Scalar t21 = c_2 * (t20 + t17);
-  const Scalar t22 = t3 * (Scalar(0.5555555555555556) * t1 * (t17 + t19) - t21);
-  const Scalar t23 = s_2 * t20 - Scalar(218.0);
-  const Scalar t24 = t22 + t2 * (Scalar(0.5555555555555556) * s_2_3 * t19 + t23);
-  const Scalar y_3 = t18 - t17 * t16 - hc_3_y * t21 - Scalar(2.7e-06) * t24 - t6 * t23 + tau_3;
-  const Scalar beta_3_f = qd_3 + Scalar(2.0) * qd_2;
-  const Scalar t25 = c_2 * (qd_3 * (hc_3_y * beta_3_f - t3 * beta_4_f) - Scalar(0.01368495));
-  const Scalar t26 = Scalar(0.000056025) * s_2;
-  const Scalar t27 = t15 + s_2 * t6 - c_2 * (hc_3_y + t26);
-  const Scalar t28 = s_2 * qd_3 * (t2 * beta_4_f + t6 * beta_3_f);
-  const Scalar t29 = t18 + t28 + t27 * t17 + Scalar(218.0) * t6 + t25 + tau_2 - t9 * y_3;
-  const Scalar qdd_2 = d_2 * t29;
-  qdd[1] = qdd_2;
-  const Scalar t30 = t27 * qd_2 - qd_3 * ((Scalar(1.5e-06) * t12 + t16) - c_2 * t8);
-  const Scalar y_1 = tau_1 - Scalar(2.0) * qd_1 * t30;
-  const Scalar t31 = t2 * (Scalar(0.26666666666666666) * t2 + t1);
-  const Scalar t32 = t1 * t14 - Scalar(4.5e-06) * t31 + s_2 * t26 + t10;
+  const Scalar t21 = s_2 * t20 - Scalar(218.0);
+  const Scalar t22 = c_2 * (t16 + t20);
+  const Scalar t23 = t2 * (Scalar(0.5555555555555556) * t1 * (t16 + t19) + t22);
+  const Scalar t24 = t5 * (Scalar(0.5555555555555556) * s_2_3 * t19 + t21) - t23;
+  const Scalar y_3 = t18 - t16 * t15 - hc_3_y * t22 + Scalar(2.7e-06) * t24 + t6 * t21 + tau_3;
+  const Scalar beta_3_f = qd_3 + t17;
+  const Scalar t25 = c_2 * (qd_3 * (t3 * beta_4_f - hc_3_y * beta_3_f) + Scalar(0.01368495));
+  const Scalar t26 = t14 + s_2 * t6 + c_2 * (hc_3_y + Scalar(0.000056025) * s_2);
+  const Scalar t27 = s_2 * qd_3 * (t7 * beta_4_f - t6 * beta_3_f);
+  const Scalar t28 = -t18 - t27 + t26 * t16 + Scalar(218.0) * t6 + t25 - tau_2 + t8 * y_3;
+  const Scalar t29 = d_2 * t28;
+  qdd[1] = -t29;
+  const Scalar t30 = qd_3 * (Scalar(1.5e-06) * t10 + t15 + c_2 * t4) + t26 * qd_2;
+  const Scalar y_1 = Scalar(2.0) * qd_1 * t30 + tau_1;
+  const Scalar t31 = t13 * (Scalar(0.5538461538461539) * t5 + t1);
+  const Scalar t32 = t5 * t12 + t31 -
+      Scalar(0.000056025) * c_2 * (Scalar(35698.348951361) * t6 + c_2);
   qdd[0] = -(Scalar(1.0) / t32) * y_1;
-  qdd[2] = d_3 * (y_3 - b_3_2h * qdd_2);
+  qdd[2] = d_3 * (b_3_2h * t29 + y_3);
   bool positive = -t32 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_3_3q > Scalar(0.0);
@@ -721,7 +710,7 @@ inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 //   q[3]   in   joint positions, rad or m
 //   qd[3]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Reads q[0..2], qd[0..2]. Operations: 75 mul, 36 add, 8 sin/cos.
+// Reads q[0..2], qd[0..2]. Operations: 76 mul, 36 add, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
@@ -736,30 +725,30 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   const Scalar t3 = c_2 * c_3;
   const Scalar t4 = s_2 * s_3 - t3;
   const Scalar t5 = s_4 * t2 + c_4 * t4;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar omega_4_z = Scalar(0.6666666666666666) * qd_3 + omega_3_z;
-  const Scalar t6 = qd_1 * omega_4_z;
-  const Scalar t7 = t5 * t6;
-  const Scalar t8 = s_4 * t4 - c_4 * t2;
-  const Scalar t9 = t8 * t6;
-  const Scalar t10 = s_4 * t7 - c_4 * t9;
-  const Scalar t11 = s_4 * t9 + c_4 * t7;
-  const Scalar domega_e_3_t_x = s_3 * t10 - c_3 * t11;
-  const Scalar t12 = s_3 * t11 + c_3 * t10;
+  const Scalar t6 = s_4 * t4 - c_4 * t2;
+  const Scalar t7 = s_4 * t5 - c_4 * t6;
+  const Scalar omega_4_z = qd_2 + Scalar(1.6666666666666667) * qd_3;
+  const Scalar t8 = qd_1 * omega_4_z;
+  const Scalar t9 = s_3 * t8;
+  const Scalar t10 = s_4 * t6 + c_4 * t5;
+  const Scalar t11 = c_3 * t8;
+  const Scalar domega_e_3_t_x = t7 * t9 - t10 * t11;
+  const Scalar t12 = t10 * t9 + t7 * t11;
   a[4] = s_2 * domega_e_3_t_x - c_2 * t12;
   const Scalar domega_e_2_t_x = s_2 * t12 + c_2 * domega_e_3_t_x;
   a[3] = c_1 * domega_e_2_t_x;
   a[5] = -s_1 * domega_e_2_t_x;
   const Scalar t13 = qd_1 * qd_1;
-  const Scalar t14 = t13 * t8;
-  const Scalar t15 = t13 - t8 * t14 + omega_4_z * omega_4_z;
+  const Scalar t14 = t13 * t6;
+  const Scalar t15 = t13 - t6 * t14 + omega_4_z * omega_4_z;
   const Scalar t16 = s_2 * t13;
   const Scalar t17 = qd_2 * qd_2 - s_2 * t16 + t13;
   const Scalar t18 = t13 * t2;
   const Scalar ddp_o_4_y = Scalar(0.045) * (t16 * t3 + s_3 * t17) - Scalar(0.025) * t4 * t18;
+  const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t19 = t13 - t2 * t18 + omega_3_z * omega_3_z;
   const Scalar t20 = Scalar(0.025) * t19 - Scalar(0.045) * (t16 * t1 - c_3 * t17);
-  const Scalar t21 = Scalar(0.02) * t15 - s_4 * ddp_o_4_y + c_4 * t20;
+  const Scalar t21 = c_4 * t20 - s_4 * ddp_o_4_y + Scalar(0.02) * t15;
   const Scalar ddp_e_y = Scalar(0.02) * t5 * t14 + s_4 * t20 + c_4 * ddp_o_4_y;
   const Scalar t22 = s_4 * t21 - c_4 * ddp_e_y;
   const Scalar t23 = s_4 * ddp_e_y + c_4 * t21;
@@ -767,8 +756,9 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   const Scalar t25 = s_3 * t23 + c_3 * t22;
   a[1] = s_2 * t24 - c_2 * t25;
   const Scalar t26 = s_2 * t25 + c_2 * t24;
-  const Scalar t27 = qd_1 * (t2 * omega_3_z + Scalar(1.8) * s_2 * qd_2);
-  const Scalar t28 = Scalar(0.04) * t9 - Scalar(0.05) * t27;
+  const Scalar t27 = Scalar(0.4444444444444444) * t6 * omega_4_z -
+      Scalar(0.5555555555555556) * t2 * omega_3_z - s_2 * qd_2;
+  const Scalar t28 = t27 * Scalar(0.09) * qd_1;
   a[0] = c_1 * t26 - s_1 * t28;
   a[2] = -s_1 * t26 - c_1 * t28;
 }

@@ -121,7 +121,7 @@ struct GivenSinCos {
 //   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..3], qd[0..1], qdd[0..1]. Operations: 69 mul, 47 add, 1 div, 8 sin/cos.
+// Reads q[0..3], qd[0..1], qdd[0..1]. Operations: 69 mul, 43 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
@@ -134,41 +134,39 @@ inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t1 = c_2 + Scalar(1.0);
   const Scalar p_l1ae_y = c_1 * s_2 + s_1 * t1;
   const Scalar J_l1a2_x = s_1 - p_l1ae_y;
-  const Scalar p_l1b4_x = c_3 + Scalar(1.3111111111111111);
-  const Scalar p_l1be_x = c_3 * c_4 - s_3 * s_4 + p_l1b4_x;
-  const Scalar t2 = p_l1b4_x - p_l1be_x;
+  const Scalar t2 = s_3 * s_4 - c_3 * c_4;
   const Scalar t3 = s_1 * s_2 - c_1 * t1;
   const Scalar Phi_l12_2 = c_1 + t3;
-  const Scalar p_l1be_y = s_3 * c_4 + c_3 * s_4 + s_3;
-  const Scalar J_l1b4_x = s_3 - p_l1be_y;
-  const Scalar t4 = J_l1a2_x * t2 - Phi_l12_2 * J_l1b4_x;
-  const Scalar t5 = Scalar(1.0) / t4;
-  const Scalar J_l1b3_y = p_l1be_x - Scalar(1.3111111111111111);
-  const Scalar t6 = t5 * (J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y) + Scalar(1.0);
-  const Scalar t7 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
-  const Scalar t8 = t5 * t7;
-  const Scalar omega_l4_z = qd_1 * t8 + qd_2 * t6;
-  const Scalar t9 = omega_l4_z * omega_l4_z;
-  const Scalar t10 = t5 * (t3 * J_l1b4_x + p_l1ae_y * t2) + Scalar(1.0);
-  const Scalar t11 = J_l1b3_y * J_l1b4_x - p_l1be_y * t2;
-  const Scalar t12 = t5 * t11;
-  const Scalar omega_l2_z = qd_2 * t12 + qd_1 * t10;
-  const Scalar t13 = omega_l2_z * omega_l2_z;
-  const Scalar t14 = qd_2 * qd_2;
-  const Scalar t15 = qd_1 * qd_1;
-  const Scalar driftr1_2 = s_1 * t15 - s_3 * t14 + J_l1b4_x * t9 - J_l1a2_x * t13;
-  const Scalar driftr1_1 = c_1 * t15 - c_3 * t14 - Phi_l12_2 * t13 + t2 * t9;
-  const Scalar drift_2n = J_l1b4_x * driftr1_2 + t2 * driftr1_1;
-  const Scalar t16 = qdd_1 * t10 + t5 * (t11 * qdd_2 + drift_2n);
-  const Scalar t17 = s_2 * t13 - c_2 * t16;
-  const Scalar drift_4n = J_l1a2_x * driftr1_2 + Phi_l12_2 * driftr1_1;
-  const Scalar t18 = qdd_2 * t6 + t5 * (t7 * qdd_1 + drift_4n);
-  const Scalar t19 = Scalar(0.00018225) * (s_4 * t14 + c_4 * qdd_2) + Scalar(0.0001215) * t18;
-  const Scalar t20 = Scalar(0.00058725) * (s_2 * t15 + c_2 * qdd_1) + Scalar(0.0005265) * t16;
-  tau[0] = t8 * t19 + Scalar(0.000891) * qdd_1 - Scalar(0.00058725) * t17 + t10 * t20;
-  const Scalar t21 = s_4 * t9 - c_4 * t18;
-  tau[1] = Scalar(0.000486) * qdd_2 - Scalar(0.00018225) * t21 + t6 * t19 + t12 * t20;
-  const Scalar regular_l1 = t4 * t4 - Scalar(1e-12);
+  const Scalar t4 = s_3 * c_4 + c_3 * s_4;
+  const Scalar t5 = J_l1a2_x * t2 + Phi_l12_2 * t4;
+  const Scalar t6 = Scalar(1.0) / t5;
+  const Scalar J_l1b3_y = c_3 - t2;
+  const Scalar p_l1be_y = s_3 + t4;
+  const Scalar t7 = t6 * (J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y) + Scalar(1.0);
+  const Scalar t8 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
+  const Scalar t9 = t6 * t8;
+  const Scalar t10 = qd_1 * t9 + qd_2 * t7;
+  const Scalar t11 = t10 * t10;
+  const Scalar t12 = t6 * (p_l1ae_y * t2 - t3 * t4) + Scalar(1.0);
+  const Scalar t13 = t4 * J_l1b3_y + t2 * p_l1be_y;
+  const Scalar t14 = t6 * t13;
+  const Scalar t15 = qd_2 * t14 - qd_1 * t12;
+  const Scalar t16 = t15 * t15;
+  const Scalar t17 = qd_2 * qd_2;
+  const Scalar t18 = qd_1 * qd_1;
+  const Scalar t19 = s_3 * t17 - s_1 * t18 + t4 * t11 + J_l1a2_x * t16;
+  const Scalar driftr1_1 = c_1 * t18 - c_3 * t17 + t2 * t11 - Phi_l12_2 * t16;
+  const Scalar t20 = t6 * (t4 * t19 - t13 * qdd_2 + t2 * driftr1_1);
+  const Scalar t21 = qdd_1 * t12 + t20;
+  const Scalar t22 = s_2 * t16 - c_2 * t21;
+  const Scalar t23 = t6 * (J_l1a2_x * t19 - t8 * qdd_1 - Phi_l12_2 * driftr1_1);
+  const Scalar t24 = qdd_2 * t7 - t23;
+  const Scalar t25 = Scalar(0.00018225) * (s_4 * t17 + c_4 * qdd_2) + Scalar(0.0001215) * t24;
+  const Scalar t26 = Scalar(0.00058725) * (s_2 * t18 + c_2 * qdd_1) + Scalar(0.0005265) * t21;
+  tau[0] = Scalar(0.000891) * qdd_1 + t9 * t25 - Scalar(0.00058725) * t22 + t12 * t26;
+  const Scalar t27 = s_4 * t11 - c_4 * t24;
+  tau[1] = Scalar(0.000486) * qdd_2 - Scalar(0.00018225) * t27 + t7 * t25 - t14 * t26;
+  const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
@@ -257,7 +255,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 //              2 x 2, row by row: entry (i, j) is B[2 * i + j]
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..3]. Operations: 38 mul, 32 add, 1 div, 8 sin/cos.
+// Reads q[0..3]. Operations: 38 mul, 28 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
   Scalar sine[position_count], cosine[position_count];
@@ -267,32 +265,30 @@ inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   const Scalar t1 = c_2 + Scalar(1.0);
   const Scalar p_l1ae_y = c_1 * s_2 + s_1 * t1;
   const Scalar J_l1a2_x = s_1 - p_l1ae_y;
-  const Scalar p_l1b4_x = c_3 + Scalar(1.3111111111111111);
-  const Scalar p_l1be_x = c_3 * c_4 - s_3 * s_4 + p_l1b4_x;
-  const Scalar t2 = p_l1b4_x - p_l1be_x;
+  const Scalar t2 = s_3 * s_4 - c_3 * c_4;
   const Scalar t3 = s_1 * s_2 - c_1 * t1;
   const Scalar Phi_l12_2 = c_1 + t3;
-  const Scalar p_l1be_y = s_3 * c_4 + c_3 * s_4 + s_3;
-  const Scalar J_l1b4_x = s_3 - p_l1be_y;
-  const Scalar t4 = J_l1a2_x * t2 - Phi_l12_2 * J_l1b4_x;
-  const Scalar t5 = Scalar(1.0) / t4;
-  const Scalar t6 = Scalar(-0.0005265) * t5;
-  const Scalar t7 = t3 * J_l1b4_x + p_l1ae_y * t2;
+  const Scalar t4 = s_3 * c_4 + c_3 * s_4;
+  const Scalar t5 = J_l1a2_x * t2 + Phi_l12_2 * t4;
+  const Scalar t6 = Scalar(1.0) / t5;
+  const Scalar t7 = Scalar(0.0005265) * t6;
+  const Scalar t8 = p_l1ae_y * t2 - t3 * t4;
   const Scalar mu_2_1_z = Scalar(0.00058725) * c_2 + Scalar(0.0005265);
-  const Scalar b_1_2h = mu_2_1_z - t7 * t6;
-  const Scalar J_l1b3_y = p_l1be_x - Scalar(1.3111111111111111);
-  const Scalar t8 = J_l1b3_y * J_l1b4_x - p_l1be_y * t2;
-  const Scalar t9 = Scalar(-0.0001215) * t5;
-  const Scalar t10 = J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y;
+  const Scalar b_1_2h = t8 * t7 + mu_2_1_z;
+  const Scalar J_l1b3_y = c_3 - t2;
+  const Scalar p_l1be_y = s_3 + t4;
+  const Scalar t9 = t4 * J_l1b3_y + t2 * p_l1be_y;
+  const Scalar t10 = Scalar(0.0001215) * t6;
+  const Scalar t11 = J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y;
   const Scalar mu_4_3_z = Scalar(0.0001215) + Scalar(0.00018225) * c_4;
-  const Scalar b_2_4h = mu_4_3_z - t10 * t9;
-  const Scalar t11 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
-  B[1] = B[2] = t5 * (t11 * b_2_4h + t8 * b_1_2h);
-  const Scalar t12 = t5 * (t11 * t11 * t9 - t7 * (mu_2_1_z + b_1_2h));
-  B[0] = Scalar(0.0011745) * c_2 - t12 + Scalar(0.0014175);
-  const Scalar t13 = t5 * (t8 * t8 * t6 - t10 * (mu_4_3_z + b_2_4h));
-  B[3] = Scalar(0.0003645) * c_4 - t13 + Scalar(0.0006075);
-  const Scalar regular_l1 = t4 * t4 - Scalar(1e-12);
+  const Scalar b_2_4h = mu_4_3_z + t11 * t10;
+  const Scalar t12 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
+  B[1] = B[2] = -t6 * (t9 * b_1_2h - t12 * b_2_4h);
+  const Scalar t13 = t6 * (t12 * t12 * t10 + t8 * (mu_2_1_z + b_1_2h));
+  B[0] = Scalar(0.0011745) * c_2 + t13 + Scalar(0.0014175);
+  const Scalar t14 = t6 * (t9 * t9 * t7 + t11 * (mu_4_3_z + b_2_4h));
+  B[3] = Scalar(0.0003645) * c_4 + t14 + Scalar(0.0006075);
+  const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
@@ -395,7 +391,7 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 //               2 x 2, row by row: entry (i, j) is C[2 * i + j]
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..3], qd[0..1]. Operations: 103 mul, 57 add, 1 div, 8 sin/cos.
+// Reads q[0..3], qd[0..1]. Operations: 105 mul, 53 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
@@ -407,65 +403,60 @@ inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t1 = c_2 + Scalar(1.0);
   const Scalar p_l1ae_y = c_1 * s_2 + s_1 * t1;
   const Scalar J_l1a2_x = s_1 - p_l1ae_y;
-  const Scalar p_l1b4_x = c_3 + Scalar(1.3111111111111111);
-  const Scalar p_l1be_x = c_3 * c_4 - s_3 * s_4 + p_l1b4_x;
-  const Scalar t2 = p_l1b4_x - p_l1be_x;
+  const Scalar t2 = s_3 * s_4 - c_3 * c_4;
   const Scalar t3 = s_1 * s_2 - c_1 * t1;
   const Scalar Phi_l12_2 = c_1 + t3;
-  const Scalar p_l1be_y = s_3 * c_4 + c_3 * s_4 + s_3;
-  const Scalar J_l1b4_x = s_3 - p_l1be_y;
-  const Scalar t4 = J_l1a2_x * t2 - Phi_l12_2 * J_l1b4_x;
-  const Scalar t5 = Scalar(1.0) / t4;
-  const Scalar J_l1b3_y = p_l1be_x - Scalar(1.3111111111111111);
-  const Scalar t6 = J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y;
-  const Scalar omega_l4_z = t5 * t6 + Scalar(1.0);
-  const Scalar t7 = J_l1b4_x * omega_l4_z;
-  const Scalar t8 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
-  const Scalar t9 = t3 * J_l1b4_x + p_l1ae_y * t2;
-  const Scalar omega_l2_z = t5 * t9 + Scalar(1.0);
-  const Scalar t10 = J_l1b3_y * J_l1b4_x - p_l1be_y * t2;
-  const Scalar t11 = t10 * omega_l2_z;
-  const Scalar t12 = t5 * (t8 * t7 - J_l1a2_x * t11);
-  const Scalar t13 = t2 * omega_l4_z;
-  const Scalar t14 = t5 * (t8 * t13 - Phi_l12_2 * t11);
-  const Scalar t15 = J_l1a2_x * t12 + Phi_l12_2 * t14;
-  const Scalar t16 = t5 * t8;
-  const Scalar t17 = Scalar(0.0001215) * t16;
-  const Scalar t18 = J_l1b4_x * t12 + t2 * t14;
+  const Scalar t4 = s_3 * c_4 + c_3 * s_4;
+  const Scalar t5 = J_l1a2_x * t2 + Phi_l12_2 * t4;
+  const Scalar t6 = Scalar(1.0) / t5;
+  const Scalar J_l1b3_y = c_3 - t2;
+  const Scalar p_l1be_y = s_3 + t4;
+  const Scalar t7 = J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y;
+  const Scalar t8 = t6 * t7 + Scalar(1.0);
+  const Scalar t9 = t4 * t8;
+  const Scalar t10 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
+  const Scalar t11 = p_l1ae_y * t2 - t3 * t4;
+  const Scalar omega_l2_z = t6 * t11 + Scalar(1.0);
+  const Scalar t12 = t4 * J_l1b3_y + t2 * p_l1be_y;
+  const Scalar t13 = t12 * omega_l2_z;
+  const Scalar t14 = t10 * t9 - J_l1a2_x * t13;
+  const Scalar t15 = t2 * t8;
+  const Scalar t16 = Phi_l12_2 * t13 + t10 * t15;
+  const Scalar t17 = J_l1a2_x * t14 - Phi_l12_2 * t16;
+  const Scalar t18 = t6 * t10;
+  const Scalar t19 = Scalar(-0.0001215) * t18;
+  const Scalar t20 = t4 * t14 + t2 * t16;
   const Scalar b_1_2h = Scalar(0.00058725) * c_2 + Scalar(0.0005265) * omega_l2_z;
-  const Scalar t19 = Scalar(0.00058725) * s_2;
-  const Scalar t20 = (t17 * t15 + b_1_2h * t18) - t19 * t11;
-  const Scalar t21 = qd_2 * t5;
-  const Scalar t22 = omega_l2_z * omega_l2_z;
-  const Scalar t23 = t16 * t16;
-  const Scalar H_1_1r1_2 = J_l1b4_x * t23 + s_1 - J_l1a2_x * t22;
-  const Scalar H_1_1r1_1 = c_1 + t2 * t23 - Phi_l12_2 * t22;
+  const Scalar t21 = Scalar(0.00058725) * s_2;
+  const Scalar t22 = t21 * t13 + t6 * (t19 * t17 + b_1_2h * t20);
+  const Scalar t23 = omega_l2_z * omega_l2_z;
+  const Scalar t24 = t18 * t18;
+  const Scalar H_1_1r1_2 = s_1 - t4 * t24 - J_l1a2_x * t23;
+  const Scalar H_1_1r1_1 = c_1 + t2 * t24 - Phi_l12_2 * t23;
   const Scalar H_1_1_4n = J_l1a2_x * H_1_1r1_2 + Phi_l12_2 * H_1_1r1_1;
-  const Scalar H_1_1_2n = J_l1b4_x * H_1_1r1_2 + t2 * H_1_1r1_1;
-  const Scalar t24 = qd_1 * t5;
-  const Scalar t25 = ((H_1_1_4n * t17 + b_1_2h * H_1_1_2n) - t9 * omega_l2_z * t19) * t24;
-  C[0] = t20 * t21 + t25;
-  const Scalar t26 = t5 * t10;
-  const Scalar t27 = t26 * t26;
-  const Scalar t28 = s_3 + J_l1a2_x * t27 - omega_l4_z * t7;
-  const Scalar t29 = c_3 + Phi_l12_2 * t27 - omega_l4_z * t13;
-  const Scalar t30 = J_l1a2_x * t28 + Phi_l12_2 * t29;
-  const Scalar t31 = t5 * (t8 * t30 + Scalar(4.833333333333333) * s_2 * t10 * t10);
-  const Scalar t32 = s_4 * t8;
-  const Scalar t33 = J_l1b4_x * t28 + t2 * t29;
-  const Scalar t34 = (Scalar(0.00018225) * (t32 - Scalar(0.6666666666666666) * t31) -
-      b_1_2h * t33) * t21;
-  C[1] = t20 * t24 + t34;
-  const Scalar t35 = t5 * (t10 * H_1_1_2n - Scalar(0.34615384615384615) * t8 * t32);
-  const Scalar b_2_4h = Scalar(0.00018225) * c_4 + Scalar(0.0001215) * omega_l4_z;
-  const Scalar t36 = (t10 * t19 + (b_2_4h * H_1_1_4n + Scalar(0.0005265) * t35)) * t24;
-  const Scalar t37 = Scalar(0.0005265) * t26;
-  const Scalar t38 = Scalar(0.00018225) * omega_l4_z;
-  const Scalar t39 = (b_2_4h * t15 + t18 * t37) - t32 * t38;
-  C[2] = t39 * t21 + t36;
-  const Scalar t40 = (s_4 * t6 * t38 + (b_2_4h * t30 + t37 * t33)) * t21;
-  C[3] = t39 * t24 - t40;
-  const Scalar regular_l1 = t4 * t4 - Scalar(1e-12);
+  const Scalar t25 = t4 * H_1_1r1_2 - t2 * H_1_1r1_1;
+  const Scalar t26 = qd_1 * (H_1_1_4n * t19 + t11 * omega_l2_z * t21 + b_1_2h * t25);
+  C[0] = t6 * (qd_2 * t22 - t26);
+  const Scalar t27 = t6 * t12;
+  const Scalar t28 = t27 * t27;
+  const Scalar t29 = s_3 + J_l1a2_x * t28 + t8 * t9;
+  const Scalar t30 = c_3 + Phi_l12_2 * t28 - t8 * t15;
+  const Scalar t31 = J_l1a2_x * t29 + Phi_l12_2 * t30;
+  const Scalar t32 = t6 * (Scalar(4.833333333333333) * s_2 * t12 * t12 + t10 * t31);
+  const Scalar t33 = t4 * t29 - t2 * t30;
+  const Scalar t34 = s_4 * t10;
+  const Scalar t35 = qd_2 * (Scalar(0.00018225) * t34 - Scalar(0.0001215) * t32 + b_1_2h * t33);
+  C[1] = t6 * (t35 + qd_1 * t22);
+  const Scalar b_2_4h = Scalar(0.00018225) * c_4 + Scalar(0.0001215) * t8;
+  const Scalar t36 = Scalar(-0.0005265) * t27;
+  const Scalar t37 = Scalar(-0.00018225) * t8;
+  const Scalar t38 = t34 * t37 - t6 * (b_2_4h * t17 - t20 * t36);
+  const Scalar t39 = t6 * (t12 * t25 - Scalar(0.34615384615384615) * t10 * t34);
+  const Scalar t40 = qd_1 * (b_2_4h * H_1_1_4n - t12 * t21 + Scalar(0.0005265) * t39);
+  C[2] = t6 * (qd_2 * t38 + t40);
+  const Scalar t41 = qd_2 * (b_2_4h * t31 - s_4 * t7 * t37 - t36 * t33);
+  C[3] = -t6 * (t41 - qd_1 * t38);
+  const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
@@ -486,7 +477,7 @@ inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..3], qd[0..1]. Operations: 63 mul, 39 add, 1 div, 8 sin/cos.
+// Reads q[0..3], qd[0..1]. Operations: 63 mul, 35 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
@@ -498,39 +489,37 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar t1 = c_2 + Scalar(1.0);
   const Scalar p_l1ae_y = c_1 * s_2 + s_1 * t1;
   const Scalar J_l1a2_x = s_1 - p_l1ae_y;
-  const Scalar p_l1b4_x = c_3 + Scalar(1.3111111111111111);
-  const Scalar p_l1be_x = c_3 * c_4 - s_3 * s_4 + p_l1b4_x;
-  const Scalar t2 = p_l1b4_x - p_l1be_x;
+  const Scalar t2 = s_3 * s_4 - c_3 * c_4;
   const Scalar t3 = s_1 * s_2 - c_1 * t1;
   const Scalar Phi_l12_2 = c_1 + t3;
-  const Scalar p_l1be_y = s_3 * c_4 + c_3 * s_4 + s_3;
-  const Scalar J_l1b4_x = s_3 - p_l1be_y;
-  const Scalar t4 = J_l1a2_x * t2 - Phi_l12_2 * J_l1b4_x;
-  const Scalar t5 = Scalar(1.0) / t4;
-  const Scalar J_l1b3_y = p_l1be_x - Scalar(1.3111111111111111);
-  const Scalar t6 = t5 * (J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y) + Scalar(1.0);
-  const Scalar t7 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
-  const Scalar omega_l4_z = qd_1 * t5 * t7 + qd_2 * t6;
-  const Scalar t8 = omega_l4_z * omega_l4_z;
-  const Scalar t9 = t5 * (t3 * J_l1b4_x + p_l1ae_y * t2) + Scalar(1.0);
-  const Scalar t10 = J_l1b3_y * J_l1b4_x - p_l1be_y * t2;
-  const Scalar omega_l2_z = qd_2 * t5 * t10 + qd_1 * t9;
-  const Scalar t11 = omega_l2_z * omega_l2_z;
-  const Scalar t12 = qd_2 * qd_2;
-  const Scalar t13 = qd_1 * qd_1;
-  const Scalar driftr1_2 = s_1 * t13 - s_3 * t12 + J_l1b4_x * t8 - J_l1a2_x * t11;
-  const Scalar driftr1_1 = c_1 * t13 - c_3 * t12 - Phi_l12_2 * t11 + t2 * t8;
-  const Scalar drift_4n = J_l1a2_x * driftr1_2 + Phi_l12_2 * driftr1_1;
-  const Scalar t14 = Scalar(0.00018225) * s_4;
-  const Scalar t15 = t12 * t14 + Scalar(0.0001215) * t5 * drift_4n;
-  const Scalar drift_2n = J_l1b4_x * driftr1_2 + t2 * driftr1_1;
-  const Scalar t16 = t5 * (t7 * t15 + Scalar(0.00058725) * c_2 * drift_2n);
-  const Scalar t17 = Scalar(0.00058725) * s_2;
-  const Scalar t18 = t13 * t17 + Scalar(0.0005265) * t5 * drift_2n;
-  n[0] = t9 * t18 - t11 * t17 + t16;
-  const Scalar t19 = t5 * (Scalar(0.00018225) * c_4 * drift_4n + t10 * t18);
-  n[1] = t6 * t15 - t8 * t14 + t19;
-  const Scalar regular_l1 = t4 * t4 - Scalar(1e-12);
+  const Scalar t4 = s_3 * c_4 + c_3 * s_4;
+  const Scalar t5 = J_l1a2_x * t2 + Phi_l12_2 * t4;
+  const Scalar t6 = Scalar(1.0) / t5;
+  const Scalar J_l1b3_y = c_3 - t2;
+  const Scalar p_l1be_y = s_3 + t4;
+  const Scalar t7 = t6 * (J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y) + Scalar(1.0);
+  const Scalar t8 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
+  const Scalar t9 = qd_1 * t6 * t8 + qd_2 * t7;
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = t6 * (p_l1ae_y * t2 - t3 * t4) + Scalar(1.0);
+  const Scalar t12 = t4 * J_l1b3_y + t2 * p_l1be_y;
+  const Scalar t13 = qd_2 * t6 * t12 - qd_1 * t11;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = qd_2 * qd_2;
+  const Scalar t16 = qd_1 * qd_1;
+  const Scalar t17 = s_3 * t15 - s_1 * t16 + t4 * t10 + J_l1a2_x * t14;
+  const Scalar driftr1_1 = c_1 * t16 - c_3 * t15 + t2 * t10 - Phi_l12_2 * t14;
+  const Scalar t18 = J_l1a2_x * t17 - Phi_l12_2 * driftr1_1;
+  const Scalar t19 = Scalar(0.00018225) * s_4;
+  const Scalar t20 = t15 * t19 - Scalar(0.0001215) * t6 * t18;
+  const Scalar t21 = t4 * t17 + t2 * driftr1_1;
+  const Scalar t22 = t6 * (t8 * t20 + Scalar(0.00058725) * c_2 * t21);
+  const Scalar t23 = Scalar(0.00058725) * s_2;
+  const Scalar t24 = t16 * t23 + Scalar(0.0005265) * t6 * t21;
+  n[0] = t11 * t24 - t14 * t23 + t22;
+  const Scalar t25 = t6 * (Scalar(0.00018225) * c_4 * t18 + t12 * t24);
+  n[1] = t7 * t20 - t10 * t19 - t25;
+  const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
@@ -542,7 +531,7 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular, or a pivot of B is not positive or not a number.
-// Reads q[0..3], qd[0..1], tau[0..1]. Operations: 84 mul, 57 add, 3 div, 8 sin/cos.
+// Reads q[0..3], qd[0..1], tau[0..1]. Operations: 85 mul, 53 add, 3 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -555,60 +544,58 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t1 = c_2 + Scalar(1.0);
   const Scalar p_l1ae_y = c_1 * s_2 + s_1 * t1;
   const Scalar J_l1a2_x = s_1 - p_l1ae_y;
-  const Scalar p_l1b4_x = c_3 + Scalar(1.3111111111111111);
-  const Scalar p_l1be_x = c_3 * c_4 - s_3 * s_4 + p_l1b4_x;
-  const Scalar t2 = p_l1b4_x - p_l1be_x;
+  const Scalar t2 = s_3 * s_4 - c_3 * c_4;
   const Scalar t3 = s_1 * s_2 - c_1 * t1;
   const Scalar Phi_l12_2 = c_1 + t3;
-  const Scalar p_l1be_y = s_3 * c_4 + c_3 * s_4 + s_3;
-  const Scalar J_l1b4_x = s_3 - p_l1be_y;
-  const Scalar t4 = J_l1a2_x * t2 - Phi_l12_2 * J_l1b4_x;
-  const Scalar t5 = Scalar(1.0) / t4;
-  const Scalar J_l1b3_y = p_l1be_x - Scalar(1.3111111111111111);
-  const Scalar t6 = J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y;
-  const Scalar t7 = t5 * t6 + Scalar(1.0);
-  const Scalar t8 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
-  const Scalar omega_l4_z = t5 * t8 * qd_1 + qd_2 * t7;
-  const Scalar t9 = omega_l4_z * omega_l4_z;
-  const Scalar t10 = t3 * J_l1b4_x + p_l1ae_y * t2;
-  const Scalar t11 = t5 * t10 + Scalar(1.0);
-  const Scalar t12 = J_l1b3_y * J_l1b4_x - p_l1be_y * t2;
-  const Scalar omega_l2_z = t5 * t12 * qd_2 + qd_1 * t11;
-  const Scalar t13 = omega_l2_z * omega_l2_z;
-  const Scalar t14 = qd_2 * qd_2;
-  const Scalar t15 = qd_1 * qd_1;
-  const Scalar driftr1_2 = s_1 * t15 - s_3 * t14 + J_l1b4_x * t9 - J_l1a2_x * t13;
-  const Scalar driftr1_1 = c_1 * t15 - c_3 * t14 - Phi_l12_2 * t13 + t2 * t9;
-  const Scalar drift_2n = J_l1b4_x * driftr1_2 + t2 * driftr1_1;
-  const Scalar t16 = Scalar(-0.0005265) * t5;
-  const Scalar t17 = Scalar(0.00058725) * s_2;
-  const Scalar t18 = t15 * t17 - t16 * drift_2n;
-  const Scalar drift_4n = J_l1a2_x * driftr1_2 + Phi_l12_2 * driftr1_1;
-  const Scalar t19 = Scalar(0.00018225) * c_4;
-  const Scalar t20 = t5 * (t19 * drift_4n + t12 * t18);
-  const Scalar t21 = Scalar(-0.0001215) * t5;
-  const Scalar t22 = Scalar(0.00018225) * s_4;
-  const Scalar t23 = t14 * t22 - t21 * drift_4n;
-  const Scalar t24 = t9 * t22 - t7 * t23 - t20 + tau_2;
-  const Scalar mu_4_3_z = Scalar(0.0001215) + t19;
-  const Scalar b_2_4h = mu_4_3_z - t6 * t21;
-  const Scalar t25 = t5 * (t12 * t12 * t16 - t6 * (mu_4_3_z + b_2_4h));
-  const Scalar b_2_2q = Scalar(0.0003645) * c_4 - t25 + Scalar(0.0006075);
+  const Scalar t4 = s_3 * c_4 + c_3 * s_4;
+  const Scalar t5 = J_l1a2_x * t2 + Phi_l12_2 * t4;
+  const Scalar t6 = Scalar(1.0) / t5;
+  const Scalar J_l1b3_y = c_3 - t2;
+  const Scalar p_l1be_y = s_3 + t4;
+  const Scalar t7 = J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y;
+  const Scalar t8 = t6 * t7 + Scalar(1.0);
+  const Scalar t9 = p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x;
+  const Scalar t10 = t6 * t9 * qd_1 + qd_2 * t8;
+  const Scalar t11 = t10 * t10;
+  const Scalar t12 = p_l1ae_y * t2 - t3 * t4;
+  const Scalar t13 = t6 * t12 + Scalar(1.0);
+  const Scalar t14 = t4 * J_l1b3_y + t2 * p_l1be_y;
+  const Scalar t15 = t6 * t14 * qd_2 - qd_1 * t13;
+  const Scalar t16 = t15 * t15;
+  const Scalar t17 = qd_2 * qd_2;
+  const Scalar t18 = qd_1 * qd_1;
+  const Scalar t19 = s_3 * t17 - s_1 * t18 + t4 * t11 + J_l1a2_x * t16;
+  const Scalar driftr1_1 = c_1 * t18 - c_3 * t17 + t2 * t11 - Phi_l12_2 * t16;
+  const Scalar t20 = t4 * t19 + t2 * driftr1_1;
+  const Scalar t21 = Scalar(0.0005265) * t6;
+  const Scalar t22 = Scalar(0.00058725) * s_2;
+  const Scalar t23 = t18 * t22 + t21 * t20;
+  const Scalar t24 = J_l1a2_x * t19 - Phi_l12_2 * driftr1_1;
+  const Scalar t25 = Scalar(0.00018225) * c_4;
+  const Scalar t26 = t6 * (t25 * t24 + t14 * t23);
+  const Scalar t27 = Scalar(0.0001215) * t6;
+  const Scalar t28 = Scalar(0.00018225) * s_4;
+  const Scalar t29 = t17 * t28 - t27 * t24;
+  const Scalar t30 = t11 * t28 - t8 * t29 + t26 + tau_2;
+  const Scalar mu_4_3_z = Scalar(0.0001215) + t25;
+  const Scalar b_2_4h = mu_4_3_z + t7 * t27;
+  const Scalar t31 = t6 * (t14 * t14 * t21 + t7 * (mu_4_3_z + b_2_4h));
+  const Scalar b_2_2q = Scalar(0.0003645) * c_4 + t31 + Scalar(0.0006075);
   const Scalar d_2 = Scalar(1.0) / b_2_2q;
-  const Scalar t26 = Scalar(0.00058725) * c_2;
-  const Scalar mu_2_1_z = t26 + Scalar(0.0005265);
-  const Scalar b_1_2h = mu_2_1_z - t10 * t16;
-  const Scalar t27 = t5 * (t8 * b_2_4h + t12 * b_1_2h);
-  const Scalar t28 = d_2 * t27;
-  const Scalar t29 = t5 * (t8 * t23 + t26 * drift_2n);
-  const Scalar t30 = t13 * t17 - t11 * t18 - t29 + tau_1 - t28 * t24;
-  const Scalar t31 = t5 * (t8 * t8 * t21 - t10 * (mu_2_1_z + b_1_2h));
-  const Scalar b_2_1_1 = Scalar(0.0011745) * c_2 - t27 * t28 - t31 + Scalar(0.0014175);
+  const Scalar t32 = Scalar(0.00058725) * c_2;
+  const Scalar mu_2_1_z = t32 + Scalar(0.0005265);
+  const Scalar b_1_2h = t12 * t21 + mu_2_1_z;
+  const Scalar t33 = t14 * b_1_2h - t9 * b_2_4h;
+  const Scalar t34 = t33 * d_2;
+  const Scalar t35 = t6 * (t9 * t29 + t32 * t20 - t34 * t30);
+  const Scalar t36 = t6 * (Scalar(0.0001215) * t9 * t9 - t33 * t34);
+  const Scalar b_2_1_1 = Scalar(0.0011745) * c_2 + t6 * (t36 + t12 * (mu_2_1_z + b_1_2h)) +
+      Scalar(0.0014175);
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar qdd_1 = d_1 * t30;
+  const Scalar qdd_1 = d_1 * (t16 * t22 - t13 * t23 + tau_1 - t35);
   qdd[0] = qdd_1;
-  qdd[1] = d_2 * (t24 - t27 * qdd_1);
-  const Scalar regular_l1 = t4 * t4 - Scalar(1e-12);
+  qdd[1] = d_2 * (t6 * t33 * qdd_1 + t30);
+  const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_2_2q > Scalar(0.0);
   positive &= regular_l1 > Scalar(0.0);
@@ -621,7 +608,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 //   T[1]   out  kinetic energy, J
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..3], qd[0..1]. Operations: 38 mul, 28 add, 1 div, 8 sin/cos.
+// Reads q[0..3], qd[0..1]. Operations: 38 mul, 24 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
     const SinCos& sin_cos = {}) noexcept {
@@ -633,26 +620,24 @@ inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
   const Scalar t1 = c_2 + Scalar(1.0);
   const Scalar p_l1ae_y = c_1 * s_2 + s_1 * t1;
   const Scalar J_l1a2_x = s_1 - p_l1ae_y;
-  const Scalar p_l1b4_x = c_3 + Scalar(1.3111111111111111);
-  const Scalar p_l1be_x = c_3 * c_4 - s_3 * s_4 + p_l1b4_x;
-  const Scalar J_l1b3_y = p_l1be_x - Scalar(1.3111111111111111);
-  const Scalar t2 = s_1 * s_2 - c_1 * t1;
-  const Scalar Phi_l12_2 = c_1 + t2;
-  const Scalar p_l1be_y = s_3 * c_4 + c_3 * s_4 + s_3;
-  const Scalar t3 = qd_2 * (J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y);
-  const Scalar t4 = p_l1b4_x - p_l1be_x;
-  const Scalar J_l1b4_x = s_3 - p_l1be_y;
-  const Scalar t5 = J_l1a2_x * t4 - Phi_l12_2 * J_l1b4_x;
-  const Scalar t6 = Scalar(1.0) / t5;
-  const Scalar omega_4_z = qd_2 + t6 * (qd_1 * (p_l1ae_y * Phi_l12_2 + t2 * J_l1a2_x) + t3);
+  const Scalar t2 = s_3 * s_4 - c_3 * c_4;
+  const Scalar J_l1b3_y = c_3 - t2;
+  const Scalar t3 = s_1 * s_2 - c_1 * t1;
+  const Scalar Phi_l12_2 = c_1 + t3;
+  const Scalar t4 = s_3 * c_4 + c_3 * s_4;
+  const Scalar p_l1be_y = s_3 + t4;
+  const Scalar t5 = qd_2 * (J_l1a2_x * J_l1b3_y - Phi_l12_2 * p_l1be_y);
+  const Scalar t6 = J_l1a2_x * t2 + Phi_l12_2 * t4;
+  const Scalar t7 = Scalar(1.0) / t6;
+  const Scalar omega_4_z = qd_2 + t7 * (t5 + qd_1 * (p_l1ae_y * Phi_l12_2 + t3 * J_l1a2_x));
   const Scalar L_4_z = Scalar(0.0001215) * omega_4_z + Scalar(0.0003645) * c_4 * qd_2;
-  const Scalar t7 = qd_2 * (J_l1b3_y * J_l1b4_x - p_l1be_y * t4);
-  const Scalar omega_2_z = qd_1 + t6 * (qd_1 * (t2 * J_l1b4_x + p_l1ae_y * t4) + t7);
+  const Scalar t8 = qd_2 * (t4 * J_l1b3_y + t2 * p_l1be_y);
+  const Scalar omega_2_z = qd_1 - t7 * (t8 - qd_1 * (p_l1ae_y * t2 - t3 * t4));
   const Scalar L_2_z = Scalar(0.0005265) * omega_2_z + Scalar(0.0011745) * c_2 * qd_1;
   const Scalar T_2 = omega_4_z * L_4_z + Scalar(0.000486) * qd_2 * qd_2 +
       Scalar(0.000891) * qd_1 * qd_1 + omega_2_z * L_2_z;
   T[0] = Scalar(0.5) * T_2;
-  const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
+  const Scalar regular_l1 = t6 * t6 - Scalar(1e-12);
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
@@ -761,7 +746,7 @@ inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..3], qd[0..1]. Operations: 58 mul, 35 add, 1 div, 8 sin/cos. Always zero: a[2], a[3],
+// Reads q[0..3], qd[0..1]. Operations: 60 mul, 31 add, 1 div, 8 sin/cos. Always zero: a[2], a[3],
 // a[4].
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
@@ -771,47 +756,43 @@ inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3];
-  const Scalar t1 = Scalar(0.09) * c_3;
-  const Scalar p_l1b4_x = t1 + Scalar(0.118);
-  const Scalar p_l1be_x = Scalar(0.09) * (c_3 * c_4 - s_3 * s_4) + p_l1b4_x;
-  const Scalar t2 = p_l1b4_x - p_l1be_x;
-  const Scalar t3 = Scalar(0.09) * c_1;
-  const Scalar t4 = Scalar(0.09) * s_1;
-  const Scalar R_l1a21_x = s_2 * t3 + c_2 * t4;
-  const Scalar t5 = c_2 * t3 - s_2 * t4;
+  const Scalar t1 = Scalar(0.09) * c_1;
+  const Scalar t2 = Scalar(0.09) * s_1;
+  const Scalar t3 = c_2 * t1 - s_2 * t2;
+  const Scalar p_l1ae_x = t3 + t1;
+  const Scalar R_l1a21_x = s_2 * t1 + c_2 * t2;
+  const Scalar p_l1ae_y = R_l1a21_x + t2;
+  const Scalar t4 = qd_1 * (R_l1a21_x * p_l1ae_x - t3 * p_l1ae_y);
+  const Scalar t5 = Scalar(0.09) * c_3;
   const Scalar t6 = Scalar(0.09) * s_3;
-  const Scalar R_l1b41_x = s_4 * t1 + c_4 * t6;
-  const Scalar t7 = t5 * R_l1b41_x + R_l1a21_x * t2;
-  const Scalar t8 = Scalar(1.0) / t7;
-  const Scalar t9 = qd_1 * t8;
-  const Scalar p_l1ae_x = t5 + t3;
-  const Scalar p_l1ae_y = R_l1a21_x + t4;
-  const Scalar t10 = (p_l1ae_x * R_l1b41_x + p_l1ae_y * t2) * t9;
-  const Scalar t11 = qd_2 * t8;
+  const Scalar R_l1b41_x = s_4 * t5 + c_4 * t6;
   const Scalar p_l1be_y = R_l1b41_x + t6;
-  const Scalar J_l1b3_y = p_l1be_x - Scalar(0.118);
-  const Scalar omega_l2_z = qd_1 - t10 + (R_l1b41_x * J_l1b3_y + p_l1be_y * t2) * t11;
-  const Scalar t12 = omega_l2_z * omega_l2_z;
-  const Scalar t13 = (R_l1a21_x * p_l1ae_x - t5 * p_l1ae_y) * t9;
-  const Scalar omega_l4_z = qd_2 - t13 - (t5 * p_l1be_y - R_l1a21_x * J_l1b3_y) * t11;
-  const Scalar t14 = omega_l4_z * omega_l4_z;
-  const Scalar r_l1b3_x = p_l1b4_x - Scalar(0.118);
-  const Scalar t15 = qd_2 * qd_2;
-  const Scalar t16 = qd_1 * qd_1;
-  const Scalar driftr1_1 = t3 * t16 - r_l1b3_x * t15 + t5 * t12 + t2 * t14;
-  const Scalar t17 = t4 * t16 - t6 * t15 - R_l1b41_x * t14 + R_l1a21_x * t12;
-  const Scalar drift_2n = t2 * driftr1_1 - R_l1b41_x * t17;
-  const Scalar t18 = t8 * drift_2n;
-  a[5] = -t18;
-  const Scalar t19 = Scalar(0.09) * t16;
-  const Scalar t20 = Scalar(0.09) * t18 - s_2 * t19;
-  const Scalar t21 = c_2 * t19 + Scalar(0.09) * t12;
-  const Scalar t22 = c_2 * t21 - s_2 * t20;
-  const Scalar t23 = s_2 * t21 + c_2 * t20;
-  a[0] = s_1 * t23 - c_1 * t22;
-  a[1] = -c_1 * t23 - s_1 * t22;
+  const Scalar t7 = c_3 * c_4 - s_3 * s_4;
+  const Scalar t8 = Scalar(-0.09) * t7;
+  const Scalar J_l1b3_y = t5 - t8;
+  const Scalar t9 = t3 * R_l1b41_x + R_l1a21_x * t8;
+  const Scalar t10 = Scalar(1.0) / t9;
+  const Scalar omega_l4_z = qd_2 - t10 * (t4 + qd_2 * (t3 * p_l1be_y - R_l1a21_x * J_l1b3_y));
+  const Scalar t11 = omega_l4_z * omega_l4_z;
+  const Scalar t12 = qd_1 * qd_1;
+  const Scalar t13 = qd_2 * qd_2;
+  const Scalar t14 = c_1 * t12 - c_3 * t13 - t7 * t11;
+  const Scalar t15 = qd_1 * (p_l1ae_x * R_l1b41_x + p_l1ae_y * t8);
+  const Scalar omega_l2_z = qd_1 - t10 * (t15 - qd_2 * (p_l1be_y * t8 + R_l1b41_x * J_l1b3_y));
+  const Scalar t16 = omega_l2_z * omega_l2_z;
+  const Scalar t17 = s_1 * t12 - s_3 * t13;
+  const Scalar t18 = R_l1b41_x * (Scalar(0.09) * t17 + R_l1a21_x * t16 - R_l1b41_x * t11);
+  const Scalar t19 = t10 * (t8 * (Scalar(0.09) * t14 + t3 * t16) - t18);
+  a[5] = -t19;
+  const Scalar t20 = Scalar(0.09) * t12;
+  const Scalar t21 = Scalar(0.09) * t19 - s_2 * t20;
+  const Scalar t22 = c_2 * t20 + Scalar(0.09) * t16;
+  const Scalar t23 = c_2 * t22 - s_2 * t21;
+  const Scalar t24 = s_2 * t22 + c_2 * t21;
+  a[0] = s_1 * t24 - c_1 * t23;
+  a[1] = -c_1 * t24 - s_1 * t23;
   a[2] = a[3] = a[4] = Scalar(0.0);
-  const Scalar regular_l1 = t7 * t7 - Scalar(6.561e-17);
+  const Scalar regular_l1 = t9 * t9 - Scalar(6.561e-17);
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
@@ -843,28 +824,26 @@ inline constexpr bool loop_jacobian_nonzero[8] = {
 //   q[4]      in   joint positions, rad or m
 //   phi_q[8]  out  row i, column k: of phi[i] by q[k]
 //                  2 x 4, row by row: entry (i, j) is phi_q[4 * i + j]
-// Reads q[0..3]. Operations: 16 mul, 11 add, 8 sin/cos.
+// Reads q[0..3]. Operations: 16 mul, 8 add, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos = {}) noexcept {
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3];
-  const Scalar R_l1a21_x = c_1 * s_2 + s_1 * c_2;
+  const Scalar R_l1a21_x = s_1 * c_2 + c_1 * s_2;
   const Scalar phi_q_12 = Scalar(0.09) * R_l1a21_x;
   phi_q[1] = phi_q_12;
-  const Scalar t1 = c_1 * c_2 - s_1 * s_2;
-  phi_q[5] = Scalar(-0.09) * t1;
-  const Scalar R_l1b41_x = c_3 * s_4 + s_3 * c_4;
+  const Scalar t1 = s_1 * s_2 - c_1 * c_2;
+  phi_q[5] = Scalar(0.09) * t1;
+  const Scalar phi_q_24 = Scalar(-0.09) * (s_3 * s_4 - c_3 * c_4);
+  phi_q[7] = phi_q_24;
+  const Scalar R_l1b41_x = s_3 * c_4 + c_3 * s_4;
   phi_q[3] = Scalar(-0.09) * R_l1b41_x;
   phi_q[0] = phi_q_12 + Scalar(0.09) * s_1;
-  const Scalar p_l1be_y = s_3 + R_l1b41_x;
-  phi_q[2] = Scalar(-0.09) * p_l1be_y;
-  const Scalar p_l1b4_x = Scalar(0.09) * c_3 + Scalar(0.118);
-  const Scalar p_l1be_x = Scalar(0.09) * (c_3 * c_4 - s_3 * s_4) + p_l1b4_x;
-  phi_q[6] = p_l1be_x - Scalar(0.118);
-  phi_q[4] = Scalar(-0.09) * (c_1 + t1);
-  phi_q[7] = p_l1be_x - p_l1b4_x;
+  phi_q[2] = Scalar(-0.09) * (s_3 + R_l1b41_x);
+  phi_q[6] = phi_q_24 + Scalar(0.09) * c_3;
+  phi_q[4] = Scalar(-0.09) * (c_1 - t1);
 }
 
 // Newton's step of the dependent joints towards closed loops.
@@ -872,29 +851,27 @@ inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos 
 //   dq[4]  out  to be added to q, again and again; 0 for independent joints, which stay
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..3]. Operations: 23 mul, 16 add, 1 div, 8 sin/cos. Always zero: dq[0], dq[2].
+// Reads q[0..3]. Operations: 20 mul, 15 add, 1 div, 8 sin/cos. Always zero: dq[0], dq[2].
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3];
-  const Scalar p_l1b4_x = Scalar(0.09) * c_3 + Scalar(0.118);
-  const Scalar p_l1be_x = Scalar(0.09) * (c_3 * c_4 - s_3 * s_4) + p_l1b4_x;
-  const Scalar t1 = p_l1b4_x - p_l1be_x;
+  const Scalar t1 = c_1 * c_2 - s_1 * s_2;
+  const Scalar t2 = c_3 * c_4 - s_3 * s_4;
+  const Scalar t3 = Scalar(0.0081) * (c_3 - (c_1 + t1 - t2)) + Scalar(0.01062);
   const Scalar R_l1a21_x = c_1 * s_2 + s_1 * c_2;
-  const Scalar t2 = Scalar(0.09) * R_l1a21_x;
   const Scalar R_l1b41_x = c_3 * s_4 + s_3 * c_4;
-  const Scalar t3 = Scalar(0.0081) * R_l1b41_x;
-  const Scalar t4 = c_1 * c_2 - s_1 * s_2;
-  const Scalar t5 = t4 * t3 + t1 * t2;
-  const Scalar t6 = Scalar(1.0) / t5;
-  const Scalar t7 = p_l1be_x - Scalar(0.09) * (c_1 + t4);
-  const Scalar t8 = s_1 - s_3 + R_l1a21_x - R_l1b41_x;
-  dq[1] = -t6 * (t8 * t3 + t1 * t7);
-  dq[3] = Scalar(0.09) * t6 * (t4 * t7 - t8 * t2);
+  const Scalar t4 = (R_l1a21_x - R_l1b41_x) + (s_1 - s_3);
+  const Scalar t5 = Scalar(0.0081) * R_l1b41_x;
+  const Scalar t6 = Scalar(0.0081) * R_l1a21_x;
+  const Scalar t7 = t1 * t5 - t2 * t6;
+  const Scalar t8 = Scalar(1.0) / t7;
+  dq[1] = t8 * (t2 * t3 - t4 * t5);
+  dq[3] = t8 * (t1 * t3 - t4 * t6);
   dq[0] = dq[2] = Scalar(0.0);
-  const Scalar regular_l1 = t5 * t5 - Scalar(6.561e-17);
+  const Scalar regular_l1 = t7 * t7 - Scalar(6.561e-17);
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
@@ -907,7 +884,7 @@ inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) n
 //   accelerations[4]  out  its derivative
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..3], qd[0..1], qdd[0..1]. Operations: 53 mul, 34 add, 1 div, 8 sin/cos.
+// Reads q[0..3], qd[0..1], qdd[0..1]. Operations: 54 mul, 30 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
     Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
@@ -930,36 +907,35 @@ inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Sc
   const Scalar R_l1b41_x = s_4 * t4 + c_4 * t5;
   const Scalar R_l1a21_x = s_2 * t1 + c_2 * t2;
   const Scalar p_l1ae_y = R_l1a21_x + t2;
-  const Scalar p_l1b4_x = t4 + Scalar(0.118);
-  const Scalar p_l1be_x = Scalar(0.09) * (c_3 * c_4 - s_3 * s_4) + p_l1b4_x;
-  const Scalar t6 = p_l1b4_x - p_l1be_x;
-  const Scalar t7 = p_l1ae_x * R_l1b41_x + p_l1ae_y * t6;
+  const Scalar t6 = c_3 * c_4 - s_3 * s_4;
+  const Scalar t7 = Scalar(-0.09) * t6;
+  const Scalar t8 = p_l1ae_x * R_l1b41_x + p_l1ae_y * t7;
   const Scalar p_l1be_y = R_l1b41_x + t5;
-  const Scalar J_l1b3_y = p_l1be_x - Scalar(0.118);
-  const Scalar t8 = R_l1b41_x * J_l1b3_y + p_l1be_y * t6;
-  const Scalar t9 = t3 * R_l1b41_x + R_l1a21_x * t6;
-  const Scalar t10 = Scalar(1.0) / t9;
-  const Scalar t11 = t10 * (t7 * qd_1 - t8 * qd_2);
-  rates[1] = -t11;
-  const Scalar t12 = R_l1a21_x * p_l1ae_x - t3 * p_l1ae_y;
-  const Scalar t13 = t3 * p_l1be_y - R_l1a21_x * J_l1b3_y;
-  const Scalar t14 = t10 * (t12 * qd_1 + t13 * qd_2);
-  rates[3] = -t14;
-  const Scalar omega_l2_z = qd_1 - t11;
-  const Scalar t15 = omega_l2_z * omega_l2_z;
-  const Scalar omega_l4_z = qd_2 - t14;
+  const Scalar J_l1b3_y = t4 - t7;
+  const Scalar t9 = p_l1be_y * t7 + R_l1b41_x * J_l1b3_y;
+  const Scalar t10 = t3 * R_l1b41_x + R_l1a21_x * t7;
+  const Scalar t11 = Scalar(1.0) / t10;
+  const Scalar t12 = t11 * (t8 * qd_1 - t9 * qd_2);
+  rates[1] = -t12;
+  const Scalar t13 = R_l1a21_x * p_l1ae_x - t3 * p_l1ae_y;
+  const Scalar t14 = t3 * p_l1be_y - R_l1a21_x * J_l1b3_y;
+  const Scalar t15 = t11 * (t13 * qd_1 + t14 * qd_2);
+  rates[3] = -t15;
+  const Scalar omega_l4_z = qd_2 - t15;
   const Scalar t16 = omega_l4_z * omega_l4_z;
-  const Scalar r_l1b3_x = p_l1b4_x - Scalar(0.118);
-  const Scalar t17 = qd_2 * qd_2;
-  const Scalar t18 = qd_1 * qd_1;
-  const Scalar driftr1_1 = t1 * t18 - r_l1b3_x * t17 + t3 * t15 + t6 * t16;
-  const Scalar t19 = s_1 * t18 - s_3 * t17;
-  const Scalar t20 = Scalar(0.09) * t19 - R_l1b41_x * t16 + R_l1a21_x * t15;
-  const Scalar t21 = ((R_l1a21_x * t20 + t3 * driftr1_1) - t12 * qdd_1) - t13 * qdd_2;
-  accelerations[3] = t10 * t21;
-  const Scalar drift_2n = t6 * driftr1_1 - R_l1b41_x * t20;
-  accelerations[1] = -t10 * ((t7 * qdd_1 + drift_2n) - t8 * qdd_2);
-  const Scalar regular_l1 = t9 * t9 - Scalar(6.561e-17);
+  const Scalar t17 = qd_1 * qd_1;
+  const Scalar t18 = qd_2 * qd_2;
+  const Scalar t19 = c_1 * t17 - c_3 * t18 - t6 * t16;
+  const Scalar omega_l2_z = qd_1 - t12;
+  const Scalar t20 = omega_l2_z * omega_l2_z;
+  const Scalar t21 = Scalar(0.09) * t19 + t3 * t20;
+  const Scalar t22 = s_1 * t17 - s_3 * t18;
+  const Scalar t23 = Scalar(0.09) * t22 + R_l1a21_x * t20 - R_l1b41_x * t16;
+  const Scalar t24 = -t13 * qdd_1 - t14 * qdd_2 + t3 * t21 + R_l1a21_x * t23;
+  accelerations[3] = t11 * t24;
+  const Scalar t25 = t8 * qdd_1 - t9 * qdd_2 + t7 * t21 - R_l1b41_x * t23;
+  accelerations[1] = -t11 * t25;
+  const Scalar regular_l1 = t10 * t10 - Scalar(6.561e-17);
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }

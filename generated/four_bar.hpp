@@ -208,8 +208,8 @@ inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // singular.
 // Reads q[0..2], qd[0], qdd[0], h_e[0..1], h_e[5], parameters.g, parameters.m_1, parameters.l_1,
 // parameters.I_1, parameters.a, parameters.m_2, parameters.l_2, parameters.h_2, parameters.I_2,
-// parameters.m_3, parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 86 mul,
-// 45 add, 1 div, 6 sin/cos.
+// parameters.m_3, parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 81 mul,
+// 46 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
@@ -225,51 +225,50 @@ inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   sin_cos(q, Joints<0, 1, 2>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2];
-  const Scalar R_l1a21_x = s_1 * c_2 + c_1 * s_2;
-  const Scalar t1 = s_1 * s_2 - c_1 * c_2;
-  const Scalar t2 = c_3 * R_l1a21_x + s_3 * t1;
-  const Scalar t3 = b * c;
-  const Scalar t4 = Scalar(1.0) / (t2 * t3);
-  const Scalar t5 = b * t4;
-  const Scalar t6 = b * R_l1a21_x;
-  const Scalar t7 = a * s_1;
-  const Scalar p_l1ae_y = t6 + t7;
-  const Scalar t8 = b * t1;
+  const Scalar s_1_2 = s_1 * c_2 + c_1 * s_2;
+  const Scalar t1 = b * s_1_2;
+  const Scalar t2 = c * c_3;
+  const Scalar t3 = s_1 * s_2 - c_1 * c_2;
+  const Scalar t4 = b * t3;
+  const Scalar t5 = c * s_3;
+  const Scalar t6 = t1 * t2 + t4 * t5;
+  const Scalar t7 = Scalar(1.0) / t6;
+  const Scalar t8 = a * s_1;
+  const Scalar p_l1ae_y = t1 + t8;
   const Scalar t9 = a * c_1;
-  const Scalar t10 = t8 - t9;
-  const Scalar t11 = t1 * p_l1ae_y - R_l1a21_x * t10;
-  const Scalar t12 = t11 * t5;
-  const Scalar t13 = t12 * c * t12;
-  const Scalar t14 = c * t4;
-  const Scalar t15 = (c_3 * p_l1ae_y + s_3 * t10) * t14 - Scalar(1.0);
-  const Scalar t16 = t15 * t15;
-  const Scalar t17 = qd_1 * qd_1;
-  const Scalar t18 = ((t9 - c_3 * t13) - t8 * t16) * t17;
-  const Scalar t19 = ((t7 - s_3 * t13) + t6 * t16) * t17;
-  const Scalar t20 = qdd_1 * t15 + t14 * (c_3 * t18 + s_3 * t19);
-  const Scalar t21 = t16 * t17;
-  const Scalar t22 = g * c_1;
-  const Scalar ddp_o_2_y = t22 + a * qdd_1;
-  const Scalar t23 = a * t17 - g * s_1;
-  const Scalar ddp_2_x = s_2 * ddp_o_2_y - c_2 * t23;
-  const Scalar t24 = m_2 * (ddp_2_x - l_2 * t21 + h_2 * t20);
-  const Scalar t25 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar ddp_2_y = s_2 * t23 + c_2 * ddp_o_2_y;
-  const Scalar t26 = s_2 * f_e1_x + c_2 * t25;
-  const Scalar t27 = c_2 * (t26 - m_2 * (ddp_2_y - h_2 * t21 - l_2 * t20));
-  const Scalar t28 = a * (s_2 * (s_2 * t25 - c_2 * f_e1_x - t24) + t27);
-  const Scalar I_2_zz = I_2 + m_2 * (l_2 * l_2 + h_2 * h_2);
-  const Scalar t29 = m_2 * (l_2 * ddp_2_y - h_2 * ddp_2_x);
-  const Scalar mu_2_z = h_e_6 - b * t26 + t29 - t20 * I_2_zz;
-  const Scalar t30 = m_3 * l_3;
-  const Scalar I_3_zz = I_3 + l_3 * t30;
-  const Scalar t31 = t5 * ((R_l1a21_x * t19 - t1 * t18) - t11 * qdd_1) * I_3_zz;
-  const Scalar t32 = t12 * (g * c_3 * t30 - t31);
-  const Scalar t33 = m_1 * l_1;
-  const Scalar I_1_zz = I_1 + l_1 * t33;
-  tau[0] = t22 * t33 + qdd_1 * I_1_zz - t28 + t32 - t15 * mu_2_z;
-  bool positive = t3 * t3 * (t2 * t2 - Scalar(1e-12)) > Scalar(0.0);
+  const Scalar t10 = t4 - t9;
+  const Scalar t11 = t7 * (p_l1ae_y * t2 + t10 * t5);
+  const Scalar omega_l2_z = qd_1 - qd_1 * t11;
+  const Scalar t12 = omega_l2_z * omega_l2_z;
+  const Scalar t13 = t7 * (t4 * p_l1ae_y - t10 * t1);
+  const Scalar t14 = qd_1 * qd_1;
+  const Scalar t15 = t13 * t13 * t14;
+  const Scalar t16 = t8 * t14;
+  const Scalar t17 = t5 * t15 - t16 - t1 * t12;
+  const Scalar t18 = t9 * t14;
+  const Scalar t19 = t2 * t15 - t18 + t4 * t12;
+  const Scalar t20 = m_3 * l_3;
+  const Scalar I_3_zz = I_3 + l_3 * t20;
+  const Scalar t21 = (qdd_1 * t13 + t7 * (t1 * t17 - t4 * t19)) * I_3_zz;
+  const Scalar t22 = t13 * (g * c_3 * t20 + t21);
+  const Scalar domega_2_z = qdd_1 - qdd_1 * t11 + t7 * (t2 * t19 + t5 * t17);
+  const Scalar t23 = m_2 * l_2;
+  const Scalar t24 = m_2 * h_2;
+  const Scalar I_2_zz = I_2 + l_2 * t23 + h_2 * t24;
+  const Scalar t25 = t18 + t8 * qdd_1;
+  const Scalar ddp_o_2_y = g - t16 + t9 * qdd_1;
+  const Scalar ddp_2_y = s_1_2 * t25 - t3 * ddp_o_2_y;
+  const Scalar t26 = s_1_2 * ddp_o_2_y + t3 * t25;
+  const Scalar t27 = s_1_2 * h_e_1 + t3 * h_e_2;
+  const Scalar mu_2_z = h_e_6 - b * t27 + ddp_2_y * t23 - t26 * t24 + domega_2_z * I_2_zz;
+  const Scalar t28 = t3 * h_e_1 - s_1_2 * h_e_2 - m_2 * t26 + t12 * t23 + domega_2_z * t24;
+  const Scalar t29 = t27 - m_2 * ddp_2_y + t12 * t24 - domega_2_z * t23;
+  const Scalar t30 = m_1 * l_1;
+  const Scalar I_1_zz = I_1 + l_1 * t30;
+  tau[0] = g * c_1 * t30 + I_1_zz * qdd_1 - a * s_2 * t28 - a * c_2 * t29 + mu_2_z + t22 -
+      t11 * mu_2_z;
+  const Scalar t31 = b * c;
+  bool positive = t6 * t6 - Scalar(1e-12) * t31 * t31 > Scalar(0.0);
   return positive;
 }
 

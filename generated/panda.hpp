@@ -134,7 +134,7 @@ struct GivenSinCos {
 //   qd[7]   in   joint velocities, rad/s or m/s
 //   qdd[7]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..6], qd[0..6], qdd[0..6]. Operations: 273 mul, 262 add, 12 sin/cos.
+// Reads q[1..6], qd[0..6], qdd[0..6]. Operations: 273 mul, 256 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
@@ -219,148 +219,150 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar Uz_o_3_y = t40 + t41;
   const Scalar ddp_3_a_z = Scalar(31.044303797468356) * c_2 - Uz_o_3_y;
   const Scalar t42 = Scalar(0.2610759493670886) * t39 + ddp_3_a_z;
-  const Scalar ddp_3_x = t16 - c_3 * t37;
   const Scalar t43 = t11 * t11;
   const Scalar t44 = omega_3_z * omega_3_z;
-  const Scalar t45 = Uz_o_3_y - t43 + t44;
-  const Scalar t46 = Scalar(0.2610759493670886) * t45 - ddp_3_x;
-  const Scalar t47 = s_4 * t42 - c_4 * t46;
-  const Scalar t48 = t18 * t18;
+  const Scalar t45 = t44 - t43;
+  const Scalar t46 = Uz_o_3_y + t45;
+  const Scalar ddp_3_x = t16 - c_3 * t37;
+  const Scalar t47 = Scalar(0.2610759493670886) * t46 - ddp_3_x;
+  const Scalar t48 = s_4 * t42 - c_4 * t47;
+  const Scalar t49 = t18 * t18;
+  const Scalar t50 = omega_4_z * omega_4_z;
+  const Scalar t51 = t50 - t49;
   const Scalar Uz_o_4_y = t43 + t44;
-  const Scalar t49 = omega_4_z * omega_4_z;
-  const Scalar t50 = Uz_o_4_y + t49 - t48;
-  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t50 - Scalar(1.2151898734177216) * t20 +
-      t47;
+  const Scalar t52 = Uz_o_4_y + t51;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t52 - Scalar(1.2151898734177216) * t20 +
+      t48;
   const Scalar ddp_5_x = s_5 * t38 + c_5 * ddp_o_5_x;
-  const Scalar t51 = s_4 * t46 + c_4 * t42;
+  const Scalar t53 = s_4 * t47 + c_4 * t42;
   const Scalar U_4_yx = domega_4_z - t19;
-  const Scalar t52 = t49 + t48;
-  const Scalar t53 = Scalar(0.2610759493670886) * U_4_yx + Scalar(1.2151898734177216) * t52 - t51;
-  const Scalar ddp_o_7_y = Scalar(0.27848101265822783) * U_6_yx - s_6 * ddp_5_x - c_6 * t53;
+  const Scalar t54 = t50 + t49;
+  const Scalar t55 = Scalar(0.2610759493670886) * U_4_yx + Scalar(1.2151898734177216) * t54 - t53;
+  const Scalar ddp_o_7_y = Scalar(0.27848101265822783) * U_6_yx - s_6 * ddp_5_x - c_6 * t55;
   const Scalar f_u_7_a_y = mr_7_x * t35 - mr_7_y * t30 + Scalar(0.26308374115809) * ddp_o_7_y;
   const Scalar Uz_6_x = s_6 * Uz_o_6_z + c_6 * Uz_o_6_x;
-  const Scalar t54 = t33 * omega_6_z;
-  const Scalar domega_6_y = Uz_6_x - t54;
+  const Scalar t56 = t33 * omega_6_z;
+  const Scalar domega_6_y = Uz_6_x - t56;
   const Scalar domega_7_z = qdd_7 - domega_6_y;
-  const Scalar t55 = t54 - domega_7_z;
-  const Scalar t56 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
+  const Scalar t57 = t56 - domega_7_z;
+  const Scalar t58 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
   const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar I_7_xy = Scalar(0.000391391281684248) + s_7 * I_t7_g;
-  const Scalar t57 = c_7 * I_t7_g;
-  const Scalar t58 = t57 - Scalar(0.004552547872941088);
-  const Scalar t59 = s_6 * t53 - c_6 * ddp_5_x;
-  const Scalar t60 = omega_7_z * omega_7_z;
-  const Scalar t61 = omega_6_z * omega_6_z;
-  const Scalar t62 = t61 + t60;
-  const Scalar t63 = t33 * t33;
-  const Scalar Uz_o_7_y = t63 + t61;
-  const Scalar t64 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
-  const Scalar t65 = t25 * t25;
-  const Scalar t66 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t65 + t66;
-  const Scalar t67 = Uz_o_6_y - t63 + t61;
+  const Scalar t59 = c_7 * I_t7_g;
+  const Scalar t60 = t59 - Scalar(0.004552547872941088);
+  const Scalar t61 = s_6 * t55 - c_6 * ddp_5_x;
+  const Scalar t62 = omega_7_z * omega_7_z;
+  const Scalar t63 = omega_6_z * omega_6_z;
+  const Scalar t64 = t63 + t62;
+  const Scalar t65 = t33 * t33;
+  const Scalar Uz_o_7_y = t65 + t63;
+  const Scalar t66 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
+  const Scalar t67 = t63 - t65;
+  const Scalar t68 = t25 * t25;
+  const Scalar t69 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_y = t68 + t69;
+  const Scalar t70 = Uz_o_6_y + t67;
   const Scalar mu_6_z = Scalar(0.000093569097314605) * Uz_6_x - Scalar(0.000103758917218685) * t27 +
-      mr_7_x * ddp_o_7_y + Scalar(0.001119670733427555) * U_6_yx + t64 * (Uz_o_7_y - t62) +
-      t55 * t56 + t30 * I_7_xy - t35 * t58 - Scalar(0.014748570382675316) * (t67 - Uz_o_7_y) +
-      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.054922286959804) * t59 +
+      mr_7_x * ddp_o_7_y + Scalar(0.001119670733427555) * U_6_yx + t66 * (Uz_o_7_y - t64) +
+      t57 * t58 + t30 * I_7_xy - t35 * t60 - Scalar(0.014748570382675316) * (t70 - Uz_o_7_y) +
+      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.054922286959804) * t61 +
       Scalar(0.27848101265822783) * f_u_7_a_y;
   tau[5] = mu_6_z;
-  const Scalar t68 = t54 + domega_7_z;
-  const Scalar I_7_xx = t57 + Scalar(0.002131604094419858);
-  const Scalar t69 = t54 - domega_6_y;
+  const Scalar t71 = t56 + domega_7_z;
+  const Scalar I_7_xx = t59 + Scalar(0.002131604094419858);
+  const Scalar t72 = t56 - domega_6_y;
   const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t38;
-  const Scalar ddp_o_7_z = Scalar(0.27848101265822783) * t69 + ddp_6_a_z;
-  const Scalar t70 = Scalar(0.27848101265822783) * t67 + t59;
-  const Scalar t71 = t63 + t60;
-  const Scalar t72 = -mr_7_y * t70 - mr_7_x * ddp_o_7_z + I_7_xy * (t62 - t71) + t29 * t64 +
-      Uz_o_7_x * t56 + t55 * I_7_xx + t68 * t58;
-  tau[6] = -t72;
-  const Scalar F_7_y = mr_7_x * t68 - mr_7_y * t71 + Scalar(0.26308374115809) * ddp_o_7_z;
-  const Scalar mu_6_y = Scalar(0.000093569097314605) * Uz_o_7_x +
-      Scalar(0.000103758917218685) * (Uz_o_6_y - t67) - Scalar(0.001119670733427555) * t69 + t72 +
-      Scalar(0.014748570382675316) * t29 - Scalar(0.27848101265822783) * F_7_y;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t71;
+  const Scalar ddp_o_7_z = Scalar(0.27848101265822783) * t72 + ddp_6_a_z;
+  const Scalar t73 = Scalar(0.27848101265822783) * t70 + t61;
+  const Scalar t74 = t65 + t62;
+  const Scalar t75 = -mr_7_y * t73 - mr_7_x * ddp_o_7_z + I_7_xy * (t64 - t74) + t29 * t66 +
+      Uz_o_7_x * t58 + t57 * I_7_xx + t71 * t60;
+  tau[6] = -t75;
+  const Scalar F_7_y = mr_7_x * t71 - mr_7_y * t74 + Scalar(0.26308374115809) * ddp_o_7_z;
+  const Scalar t76 = Scalar(0.000103758917218685) * t67 - Scalar(0.000093569097314605) * Uz_o_7_x +
+      Scalar(0.001119670733427555) * t72 - t75 - Scalar(0.014748570382675316) * t29 +
+      Scalar(0.27848101265822783) * F_7_y;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t74;
   const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t73 = Scalar(0.000103758917218685) * U_6_yx -
-      Scalar(0.000093569097314605) * U_6_yy_zz + mr_7_y * ddp_o_7_y + t56 * U_7_yy_zz + t68 * t64 -
-      t35 * I_7_xy - t30 * I_7_xx + Scalar(0.014748570382675316) * t69 -
+  const Scalar t77 = Scalar(0.000103758917218685) * U_6_yx -
+      Scalar(0.000093569097314605) * U_6_yy_zz + mr_7_y * ddp_o_7_y + t58 * U_7_yy_zz + t71 * t66 -
+      t35 * I_7_xy - t30 * I_7_xx + Scalar(0.014748570382675316) * t72 -
       Scalar(0.028934422545659894) * t29 + Scalar(0.054922286959804) * ddp_6_a_z;
   const Scalar U_5_yx = t26 + domega_5_z;
-  const Scalar t74 = t52 - t65 + t66;
-  const Scalar t75 = Scalar(0.00216405205209813) * t31 - Scalar(0.001451156065026714) * U_5_yx -
-      Scalar(0.00151524447332703) * (t74 - Uz_o_6_y) - Scalar(0.004600245517563106) * t21 -
+  const Scalar t78 = t69 - t68;
+  const Scalar t79 = t54 + t78;
+  const Scalar t80 = Scalar(0.00216405205209813) * t31 - Scalar(0.001451156065026714) * U_5_yx -
+      Scalar(0.00151524447332703) * (t79 - Uz_o_6_y) - Scalar(0.004600245517563106) * t21 -
       Scalar(0.004630579482008) * ddp_6_a_z - Scalar(0.010045187828321245) * Uz_o_6_x +
-      Scalar(0.0214471195303) * ddp_5_x + s_6 * t73 - c_6 * mu_6_y;
-  tau[4] = -t75;
+      Scalar(0.0214471195303) * ddp_5_x + s_6 * t77 + c_6 * t76;
+  tau[4] = -t80;
   const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y + f_u_7_a_y;
-  const Scalar f_6_x = mr_7_y * t55 - mr_7_x * t62 + Scalar(0.054922286959804) * Uz_o_7_x -
-      Scalar(0.26308374115809) * t70;
-  const Scalar f_5_x = Scalar(0.004630579482008) * t74 - Scalar(0.0214471195303) * Uz_o_6_x -
+  const Scalar f_6_x = mr_7_y * t57 - mr_7_x * t64 + Scalar(0.054922286959804) * Uz_o_7_x -
+      Scalar(0.26308374115809) * t73;
+  const Scalar f_5_x = Scalar(0.004630579482008) * t79 - Scalar(0.0214471195303) * Uz_o_6_x -
       s_6 * f_6_y + c_6 * f_6_x + Scalar(0.4059881025443391) * ddp_5_x;
-  const Scalar t76 = Scalar(0.004630579482008) * U_5_yx + Scalar(0.0214471195303) * Uz_o_6_y -
+  const Scalar t81 = Scalar(0.004630579482008) * U_5_yx + Scalar(0.0214471195303) * Uz_o_6_y -
       Scalar(0.054922286959804) * t29 + Scalar(0.4059881025443391) * ddp_6_a_z + F_7_y;
-  const Scalar f_u_5_t_x = s_5 * t76 + c_5 * f_5_x;
-  const Scalar t77 = t32 - domega_r_6_z;
-  const Scalar U_5_yy_zz = t52 - Uz_o_6_y;
-  const Scalar t78 = Scalar(0.00151524447332703) * t77 - Scalar(0.00216405205209813) * U_5_yy_zz +
+  const Scalar f_u_5_t_x = s_5 * t81 + c_5 * f_5_x;
+  const Scalar t82 = t32 - domega_r_6_z;
+  const Scalar U_5_yy_zz = t54 - Uz_o_6_y;
+  const Scalar t83 = Scalar(0.00151524447332703) * t82 - Scalar(0.00216405205209813) * U_5_yy_zz +
       Scalar(0.004600245517563106) * U_5_yx + Scalar(0.010045187828321245) * Uz_o_6_z +
-      Scalar(0.0214471195303) * t53 + c_6 * t73 + s_6 * mu_6_y;
-  const Scalar f_5_z = Scalar(0.004630579482008) * t77 - Scalar(0.0214471195303) * Uz_o_6_z +
-      s_6 * f_6_x + c_6 * f_6_y - Scalar(0.4059881025443391) * t53;
-  const Scalar mu_5_y = Scalar(0.00216405205209813) * Uz_o_6_x +
-      Scalar(0.001451156065026714) * t77 + Scalar(0.00151524447332703) * Uz_o_6_z -
-      Scalar(0.004630579482008) * t53 + Scalar(0.004600245517563106) * (t52 - t74) - mu_6_z;
+      Scalar(0.0214471195303) * t55 + c_6 * t77 - s_6 * t76;
+  const Scalar f_5_z = Scalar(0.004630579482008) * t82 - Scalar(0.0214471195303) * Uz_o_6_z +
+      s_6 * f_6_x + c_6 * f_6_y - Scalar(0.4059881025443391) * t55;
+  const Scalar t84 = Scalar(-0.00216405205209813) * Uz_o_6_x - Scalar(0.001451156065026714) * t82 -
+      Scalar(0.00151524447332703) * Uz_o_6_z + Scalar(0.004600245517563106) * t78 +
+      Scalar(0.004630579482008) * t55 + mu_6_z;
   const Scalar tau_4 = Scalar(0.00164448757736927) * t22 + Scalar(0.0039053550262761) * t13 +
-      Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t50 - t52) +
-      Scalar(0.17709188611756838) * t47 + s_5 * t78 - c_5 * mu_5_y -
+      Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t52 - t54) +
+      Scalar(0.17709188611756838) * t48 + s_5 * t83 + c_5 * t84 -
       Scalar(0.29071723622709367) * t20 - Scalar(0.2610759493670886) * f_5_z -
       Scalar(1.2151898734177216) * f_u_5_t_x;
   tau[3] = tau_4;
-  const Scalar t79 = s_5 * f_5_x - c_5 * t76;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t52;
+  const Scalar t85 = s_5 * f_5_x - c_5 * t81;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t54;
   const Scalar mu_4_x = Scalar(0.0039053550262761) * U_4_yx -
       Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.04942675278013915) * t36 +
-      Scalar(0.17709188611756838) * ddp_o_4_y - s_5 * mu_5_y - c_5 * t78 -
-      Scalar(0.29071723622709367) * t15 - Scalar(1.2151898734177216) * t79;
-  const Scalar t80 = Scalar(0.00164448757736927) * t20 +
-      Scalar(0.0039053550262761) * (Uz_o_4_y - t50) + Scalar(0.0054157634981905) * t36 +
-      Scalar(0.04942675278013915) * t15 + t75 + Scalar(0.2610759493670886) * t79;
-  const Scalar t81 = Scalar(0.17709188611756838) * t15 + Scalar(0.23490692527912765) * ddp_o_4_y +
-      t79;
+      Scalar(0.17709188611756838) * ddp_o_4_y + s_5 * t84 - c_5 * t83 -
+      Scalar(0.29071723622709367) * t15 - Scalar(1.2151898734177216) * t85;
+  const Scalar t86 = Scalar(0.0039053550262761) * t51 - Scalar(0.00164448757736927) * t20 -
+      Scalar(0.0054157634981905) * t36 - Scalar(0.04942675278013915) * t15 - t80 -
+      Scalar(0.2610759493670886) * t85;
+  const Scalar t87 = Scalar(0.17709188611756838) * t15 + Scalar(0.23490692527912765) * ddp_o_4_y +
+      t85;
   const Scalar mu_u_3_a_y = Scalar(0.000013360662912304) * U_3_yx -
-      Scalar(0.000121912420950744) * (t45 - Uz_o_4_y) + Scalar(0.004377257121839584) * Uz_3_x +
+      Scalar(0.000121912420950744) * (t46 - Uz_o_4_y) + Scalar(0.004377257121839584) * Uz_3_x +
       Scalar(0.005487648106562256) * t6 + Scalar(0.008919761981448) * ddp_3_x -
-      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.2610759493670886) * t81 + c_4 * t80 -
+      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.2610759493670886) * t87 - c_4 * t86 -
       s_4 * mu_4_x;
   tau[2] = -mu_u_3_a_y;
-  const Scalar f_4_x = Scalar(0.17709188611756838) * t20 + Scalar(0.23490692527912765) * t47 +
+  const Scalar f_4_x = Scalar(0.17709188611756838) * t20 + Scalar(0.23490692527912765) * t48 +
       f_u_5_t_x;
-  const Scalar f_4_y = Scalar(0.17709188611756838) * t52 + Scalar(0.23490692527912765) * t51 +
+  const Scalar f_4_y = Scalar(0.17709188611756838) * t54 + Scalar(0.23490692527912765) * t53 +
       f_5_z;
   const Scalar f_u_4_t_y = s_4 * f_4_x + c_4 * f_4_y;
-  const Scalar t82 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t39 -
-      Scalar(0.005487648106562256) * (Uz_o_3_y - t45) + Scalar(0.013297019103287584) * Uz_o_4_x -
+  const Scalar t88 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t39 +
+      Scalar(0.005487648106562256) * t45 + Scalar(0.013297019103287584) * Uz_o_4_x -
       Scalar(0.15288324476823525) * ddp_3_x + Scalar(0.2610759493670886) * f_u_4_t_y + s_4 * f_4_y -
       c_4 * f_4_x + tau_4;
-  const Scalar t83 = Scalar(0.004377257121839584) * Uz_o_3_y - Scalar(0.000121912420950744) * t39 +
-      Scalar(0.005487648106562256) * U_3_yx - Scalar(0.013297019103287584) * Uz_o_4_y -
-      Scalar(0.008919761981448) * ddp_3_a_z - Scalar(0.022178148964878235) * t7 +
-      Scalar(0.15288324476823525) * ddp_3_y - s_4 * t80 + t81 - c_4 * mu_4_x;
-  const Scalar t84 = qd_1 * qd_1;
-  const Scalar t85 = t41 - t40 + t84;
+  const Scalar t89 = Scalar(0.000121912420950744) * t39 - Scalar(0.005487648106562256) * U_3_yx +
+      Scalar(0.27690780075318) * c_2 - Scalar(0.013297019103287584) * (Uz_o_3_y - Uz_o_4_y) +
+      Scalar(0.022178148964878235) * t7 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t86 - t87 +
+      c_4 * mu_4_x;
   const Scalar U_2_yx = t3 + qdd_2;
+  const Scalar t90 = qd_1 * qd_1;
   tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.0007689361029464) * t9 -
-      Scalar(0.01026110182100817) * t4 + Scalar(0.00398335888393552) * (t85 - Uz_o_3_y) -
-      Scalar(0.024699952517911183) * Uz_o_3_x + Scalar(0.023077882494931805) * U_2_yx - c_3 * t82 -
-      s_3 * t83;
-  const Scalar t86 = t8 + t10;
-  const Scalar U_2_yy_zz = t84 - Uz_o_3_y;
-  const Scalar mu_2_x = Scalar(0.0007689361029464) * U_2_yy_zz - Scalar(0.00398335888393552) * t86 +
-      Scalar(0.01026110182100817) * U_2_yx + Scalar(0.024699952517911183) * Uz_o_3_z + s_3 * t82 -
-      c_3 * t83;
+      Scalar(0.00796671776787104) * t40 + Scalar(0.00398335888393552) * t90 -
+      Scalar(0.01026110182100817) * t4 - Scalar(0.024699952517911183) * Uz_o_3_x +
+      Scalar(0.023077882494931805) * U_2_yx - c_3 * t88 + s_3 * t89;
+  const Scalar t91 = t8 + t10;
+  const Scalar mu_2_x = Scalar(-0.0007689361029464) * (Uz_o_3_y - t90) -
+      Scalar(0.00398335888393552) * t91 + Scalar(0.01026110182100817) * U_2_yx +
+      Scalar(0.024699952517911183) * Uz_o_3_z + s_3 * t88 + c_3 * t89;
   const Scalar mu_2_y = Scalar(0.0007689361029464) * Uz_o_3_x +
-      Scalar(0.00398335888393552) * Uz_o_3_z - Scalar(0.01026110182100817) * (t84 - t85) +
-      Scalar(0.023077882494931805) * t86 + mu_u_3_a_y;
+      Scalar(0.00398335888393552) * Uz_o_3_z + Scalar(0.01026110182100817) * (t41 - t40) +
+      Scalar(0.023077882494931805) * t91 + mu_u_3_a_y;
   tau[0] = Scalar(0.014259565994474374) * qdd_1 - c_2 * mu_2_y - s_2 * mu_2_x;
 }
 
@@ -370,7 +372,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[7]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[7]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..6], qd[0..6], qdd[0..6], h_e[0..5]. Operations: 352 mul, 305 add, 14 sin/cos.
+// Reads q[0..6], qd[0..6], qdd[0..6], h_e[0..5]. Operations: 353 mul, 298 add, 14 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
@@ -438,201 +440,205 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar Uz_o_3_y = t31 + t32;
   const Scalar ddp_3_a_z = Scalar(9.81) * c_2 - Scalar(0.316) * Uz_o_3_y;
   const Scalar t33 = Scalar(0.0825) * t30 + ddp_3_a_z;
-  const Scalar t34 = Scalar(9.81) * s_2 - Scalar(0.316) * Uz_o_3_x;
-  const Scalar ddp_3_x = Scalar(0.316) * t16 - c_3 * t34;
-  const Scalar t35 = t11 * t11;
-  const Scalar t36 = omega_3_z * omega_3_z;
-  const Scalar t37 = Uz_o_3_y - t35 + t36;
-  const Scalar t38 = Scalar(0.0825) * t37 - ddp_3_x;
-  const Scalar t39 = s_4 * t33 - c_4 * t38;
-  const Scalar t40 = t18 * t18;
-  const Scalar Uz_o_4_y = t35 + t36;
-  const Scalar t41 = omega_4_z * omega_4_z;
-  const Scalar t42 = Uz_o_4_y + t41 - t40;
-  const Scalar ddp_o_5_x = Scalar(0.0825) * t42 + t39 - Scalar(0.384) * t20;
-  const Scalar t43 = t23 + t24;
-  const Scalar ddp_3_y = Scalar(0.316) * t5 + s_3 * t34;
+  const Scalar t34 = t11 * t11;
+  const Scalar t35 = omega_3_z * omega_3_z;
+  const Scalar t36 = t35 - t34;
+  const Scalar t37 = Uz_o_3_y + t36;
+  const Scalar t38 = Scalar(9.81) * s_2 - Scalar(0.316) * Uz_o_3_x;
+  const Scalar ddp_3_x = Scalar(0.316) * t16 - c_3 * t38;
+  const Scalar t39 = Scalar(0.0825) * t37 - ddp_3_x;
+  const Scalar t40 = s_4 * t33 - c_4 * t39;
+  const Scalar t41 = t18 * t18;
+  const Scalar t42 = omega_4_z * omega_4_z;
+  const Scalar t43 = t42 - t41;
+  const Scalar Uz_o_4_y = t34 + t35;
+  const Scalar t44 = Uz_o_4_y + t43;
+  const Scalar ddp_o_5_x = Scalar(0.0825) * t44 + t40 - Scalar(0.384) * t20;
+  const Scalar t45 = t23 + t24;
+  const Scalar ddp_3_y = Scalar(0.316) * t5 + s_3 * t38;
   const Scalar U_3_yx = t12 + domega_3_z;
   const Scalar ddp_o_4_y = Scalar(0.0825) * U_3_yx + ddp_3_y;
-  const Scalar t44 = Scalar(0.0825) * t43 + ddp_o_4_y - Scalar(0.384) * t15;
-  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t44;
+  const Scalar t46 = Scalar(0.0825) * t45 + ddp_o_4_y - Scalar(0.384) * t15;
+  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t46;
   const Scalar ddp_o_7_z = Scalar(0.088) * t29 + ddp_6_a_z;
-  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * t44;
-  const Scalar t45 = s_4 * t38 + c_4 * t33;
+  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * t46;
+  const Scalar t47 = s_4 * t39 + c_4 * t33;
   const Scalar U_4_yx = domega_4_z - t19;
-  const Scalar t46 = t41 + t40;
-  const Scalar t47 = Scalar(0.0825) * U_4_yx + Scalar(0.384) * t46 - t45;
-  const Scalar t48 = s_6 * t47 - c_6 * ddp_5_x;
-  const Scalar t49 = t27 * t27;
-  const Scalar t50 = t25 * t25;
-  const Scalar t51 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t50 + t51;
+  const Scalar t48 = t42 + t41;
+  const Scalar t49 = Scalar(0.0825) * U_4_yx + Scalar(0.384) * t48 - t47;
+  const Scalar t50 = s_6 * t49 - c_6 * ddp_5_x;
+  const Scalar t51 = t27 * t27;
   const Scalar t52 = omega_6_z * omega_6_z;
-  const Scalar t53 = Uz_o_6_y - t49 + t52;
-  const Scalar t54 = Scalar(0.088) * t53 + t48;
-  const Scalar t55 = s_7 * ddp_o_7_z - c_7 * t54;
-  const Scalar ddp_7_y = s_7 * t54 + c_7 * ddp_o_7_z;
-  const Scalar t56 = s_6 * Uz_o_6_x - c_6 * Uz_o_6_z;
+  const Scalar t53 = t52 - t51;
+  const Scalar t54 = t25 * t25;
+  const Scalar t55 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_y = t54 + t55;
+  const Scalar t56 = Uz_o_6_y + t53;
+  const Scalar t57 = Scalar(0.088) * t56 + t50;
+  const Scalar t58 = s_7 * ddp_o_7_z - c_7 * t57;
+  const Scalar ddp_7_y = s_7 * t57 + c_7 * ddp_o_7_z;
+  const Scalar t59 = s_6 * Uz_o_6_x - c_6 * Uz_o_6_z;
   const Scalar omega_r_6_y = s_6 * t25 + c_6 * omega_5_z;
-  const Scalar t57 = t56 + Scalar(2.0) * omega_r_6_y * omega_6_z;
-  const Scalar t58 = c_5 * t20 + s_5 * t15;
-  const Scalar t59 = t25 * omega_5_z;
-  const Scalar domega_r_6_z = t58 - t59;
+  const Scalar t60 = t59 + Scalar(2.0) * omega_r_6_y * omega_6_z;
+  const Scalar t61 = c_5 * t20 + s_5 * t15;
+  const Scalar t62 = t25 * omega_5_z;
+  const Scalar domega_r_6_z = t61 - t62;
   const Scalar domega_6_z = qdd_6 + domega_r_6_z;
-  const Scalar t60 = t27 * omega_r_6_y;
-  const Scalar Uz_o_7_x = domega_6_z - t60;
-  const Scalar t61 = s_7 * t57 - c_7 * Uz_o_7_x;
-  const Scalar t62 = s_7 * Uz_o_7_x + c_7 * t57;
+  const Scalar t63 = t27 * omega_r_6_y;
+  const Scalar Uz_o_7_x = domega_6_z - t63;
+  const Scalar t64 = s_7 * t60 - c_7 * Uz_o_7_x;
+  const Scalar t65 = s_7 * Uz_o_7_x + c_7 * t60;
   const Scalar domega_7_z = qdd_7 - domega_6_y;
-  const Scalar t63 = s_7 * omega_6_z + c_7 * t27;
-  const Scalar t64 = s_7 * t27 - c_7 * omega_6_z;
-  const Scalar t65 = t63 * t64;
-  const Scalar t66 = t65 + domega_7_z;
-  const Scalar U_7_yx = domega_7_z - t65;
-  const Scalar t67 = t63 * t63;
-  const Scalar Uz_o_7_y = t49 + t52;
+  const Scalar t66 = s_7 * omega_6_z + c_7 * t27;
+  const Scalar t67 = s_7 * t27 - c_7 * omega_6_z;
+  const Scalar t68 = t66 * t67;
+  const Scalar t69 = t68 + domega_7_z;
+  const Scalar U_7_yx = domega_7_z - t68;
+  const Scalar t70 = t66 * t66;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t68 = omega_7_z * omega_7_z;
-  const Scalar t69 = Uz_o_7_y + t68 - t67;
-  const Scalar t70 = t68 + t67;
+  const Scalar t71 = omega_7_z * omega_7_z;
+  const Scalar t72 = t71 - t70;
+  const Scalar Uz_o_7_y = t51 + t52;
+  const Scalar t73 = Uz_o_7_y + t72;
+  const Scalar t74 = t71 + t70;
   const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
-  const Scalar t71 = s_2 * h_e_6 - c_2 * mu_e1_x;
-  const Scalar t72 = s_1 * h_e_4 - c_1 * h_e_5;
-  const Scalar t73 = s_3 * t72 + c_3 * t71;
+  const Scalar t75 = s_2 * h_e_6 - c_2 * mu_e1_x;
+  const Scalar t76 = s_1 * h_e_4 - c_1 * h_e_5;
+  const Scalar t77 = s_3 * t76 + c_3 * t75;
   const Scalar mu_e3_a_z = s_2 * mu_e1_x + c_2 * h_e_6;
-  const Scalar mu_e4_x = s_4 * mu_e3_a_z - c_4 * t73;
-  const Scalar mu_e3_y = s_3 * t71 - c_3 * t72;
+  const Scalar mu_e4_x = s_4 * mu_e3_a_z - c_4 * t77;
+  const Scalar mu_e3_y = s_3 * t75 - c_3 * t76;
   const Scalar mu_e5_x = s_5 * mu_e3_y + c_5 * mu_e4_x;
-  const Scalar mu_e4_y = s_4 * t73 + c_4 * mu_e3_a_z;
-  const Scalar tau_7 = Scalar(0.002573605371338203) * ddp_7_y - Scalar(0.002034439958661797) * t55 -
-      Scalar(0.000391391281684248) * (t69 - t70) + Scalar(0.0012555365982728983) * t61 -
-      Scalar(0.0009653051699191118) * t62 + Scalar(0.002131604094419858) * U_7_yx +
-      Scalar(0.004552547872941088) * t66 + s_6 * mu_e5_x - c_6 * mu_e4_y;
+  const Scalar mu_e4_y = s_4 * t77 + c_4 * mu_e3_a_z;
+  const Scalar tau_7 = Scalar(0.002573605371338203) * ddp_7_y - Scalar(0.002034439958661797) * t58 -
+      Scalar(0.000391391281684248) * (t73 - t74) + Scalar(0.0012555365982728983) * t64 -
+      Scalar(0.0009653051699191118) * t65 + Scalar(0.002131604094419858) * U_7_yx +
+      Scalar(0.004552547872941088) * t69 + s_6 * mu_e5_x - c_6 * mu_e4_y;
   tau[6] = tau_7;
-  const Scalar t74 = Scalar(2.0) * omega_7_z;
-  const Scalar t75 = t61 + t63 * t74;
-  const Scalar t76 = t62 - t64 * t74;
-  const Scalar U_6_yx = t60 + domega_6_z;
-  const Scalar ddp_o_7_y = Scalar(0.088) * U_6_yx - c_6 * t47 - s_6 * ddp_5_x;
+  const Scalar t78 = Scalar(2.0) * omega_7_z;
+  const Scalar t79 = t64 + t66 * t78;
+  const Scalar t80 = t65 - t67 * t78;
+  const Scalar U_6_yx = t63 + domega_6_z;
+  const Scalar ddp_o_7_y = Scalar(0.088) * U_6_yx - c_6 * t49 - s_6 * ddp_5_x;
   const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar t77 = s_2 * h_e_3 - c_2 * f_e1_x;
-  const Scalar t78 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar t79 = s_3 * t78 + c_3 * t77;
+  const Scalar t81 = s_2 * h_e_3 - c_2 * f_e1_x;
+  const Scalar t82 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar t83 = s_3 * t82 + c_3 * t81;
   const Scalar f_e3_a_z = s_2 * f_e1_x + c_2 * h_e_3;
-  const Scalar f_e4_x = s_4 * f_e3_a_z - c_4 * t79;
-  const Scalar f_e3_y = s_3 * t77 - c_3 * t78;
+  const Scalar f_e4_x = s_4 * f_e3_a_z - c_4 * t83;
+  const Scalar f_e3_y = s_3 * t81 - c_3 * t82;
   const Scalar f_e5_x = s_5 * f_e3_y + c_5 * f_e4_x;
-  const Scalar f_e4_y = s_4 * t79 + c_4 * f_e3_a_z;
+  const Scalar f_e4_y = s_4 * t83 + c_4 * f_e3_a_z;
   const Scalar f_e6_x = s_6 * f_e4_y + c_6 * f_e5_x;
-  const Scalar t80 = s_5 * f_e4_x - c_5 * f_e3_y;
-  const Scalar t81 = s_7 * f_e6_x - c_7 * t80;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t70;
+  const Scalar t84 = s_5 * f_e4_x - c_5 * f_e3_y;
+  const Scalar t85 = s_7 * f_e6_x - c_7 * t84;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t74;
   const Scalar mu_e6_x = s_6 * mu_e4_y + c_6 * mu_e5_x;
-  const Scalar t82 = s_5 * mu_e4_x - c_5 * mu_e3_y;
-  const Scalar mu_7_x = Scalar(-0.000391391281684248) * t75 -
+  const Scalar t86 = s_5 * mu_e4_x - c_5 * mu_e3_y;
+  const Scalar mu_7_x = Scalar(-0.000391391281684248) * t79 -
       Scalar(0.002034439958661797) * ddp_o_7_y - Scalar(0.0009653051699191118) * U_7_yx -
-      Scalar(0.0012555365982728983) * U_7_yy_zz + Scalar(0.004552547872941088) * t76 +
-      Scalar(0.2104) * t81 + s_7 * t82 + c_7 * mu_e6_x;
-  const Scalar f_e7_x = s_7 * t80 + c_7 * f_e6_x;
-  const Scalar mu_7_y = Scalar(0.000391391281684248) * t76 +
-      Scalar(0.002573605371338203) * ddp_o_7_y - Scalar(0.0012555365982728983) * t66 +
-      Scalar(0.0009653051699191118) * (Uz_o_7_y - t69) - Scalar(0.002131604094419858) * t75 +
-      Scalar(0.2104) * f_e7_x - s_7 * mu_e6_x + c_7 * t82;
-  const Scalar t83 = Scalar(0.002034439958661797) * t76 + Scalar(0.002573605371338203) * t75 +
+      Scalar(0.0012555365982728983) * U_7_yy_zz + Scalar(0.004552547872941088) * t80 +
+      Scalar(0.2104) * t85 + s_7 * t86 + c_7 * mu_e6_x;
+  const Scalar f_e7_x = s_7 * t84 + c_7 * f_e6_x;
+  const Scalar mu_7_y = Scalar(0.000391391281684248) * t80 - Scalar(0.0009653051699191118) * t72 +
+      Scalar(0.002573605371338203) * ddp_o_7_y - Scalar(0.0012555365982728983) * t69 -
+      Scalar(0.002131604094419858) * t79 + Scalar(0.2104) * f_e7_x - s_7 * mu_e6_x + c_7 * t86;
+  const Scalar t87 = Scalar(0.002034439958661797) * t80 + Scalar(0.002573605371338203) * t79 +
       s_6 * f_e5_x - c_6 * f_e4_y - Scalar(2.634631280625) * ddp_o_7_y;
-  const Scalar mu_6_z = Scalar(0.000093569097314605) * Uz_6_x - Scalar(0.000103758917218685) * t56 +
-      Scalar(0.001119670733427555) * U_6_yx - Scalar(0.014748570382675316) * (t53 - Uz_o_7_y) +
-      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.173804705569) * t48 - Scalar(0.088) * t83 +
+  const Scalar mu_6_z = Scalar(0.000093569097314605) * Uz_6_x - Scalar(0.000103758917218685) * t59 +
+      Scalar(0.001119670733427555) * U_6_yx - Scalar(0.014748570382675316) * (t56 - Uz_o_7_y) +
+      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.173804705569) * t50 - Scalar(0.088) * t87 +
       s_7 * mu_7_x + c_7 * mu_7_y;
   tau[5] = mu_6_z;
-  const Scalar f_7_x = Scalar(-0.002573605371338203) * t69 - Scalar(0.002034439958661797) * t66 +
-      f_e7_x + Scalar(2.634631280625) * t55;
-  const Scalar t84 = Scalar(0.002034439958661797) * t70 - Scalar(0.002573605371338203) * U_7_yx +
-      t81 - Scalar(2.634631280625) * ddp_7_y;
-  const Scalar t85 = s_7 * f_7_x - c_7 * t84;
-  const Scalar mu_6_y = Scalar(0.000093569097314605) * Uz_o_7_x +
-      Scalar(0.000103758917218685) * (Uz_o_6_y - t53) - Scalar(0.001119670733427555) * t29 +
-      Scalar(0.014748570382675316) * t57 - Scalar(0.088) * t85 - tau_7;
+  const Scalar f_7_x = Scalar(-0.002573605371338203) * t73 - Scalar(0.002034439958661797) * t69 +
+      f_e7_x + Scalar(2.634631280625) * t58;
+  const Scalar t88 = Scalar(0.002034439958661797) * t74 - Scalar(0.002573605371338203) * U_7_yx +
+      t85 - Scalar(2.634631280625) * ddp_7_y;
+  const Scalar t89 = s_7 * f_7_x - c_7 * t88;
+  const Scalar t90 = Scalar(0.000103758917218685) * t53 - Scalar(0.000093569097314605) * Uz_o_7_x +
+      Scalar(0.001119670733427555) * t29 - Scalar(0.014748570382675316) * t60 +
+      Scalar(0.088) * t89 + tau_7;
   const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t86 = Scalar(0.000103758917218685) * U_6_yx -
+  const Scalar t91 = Scalar(0.000103758917218685) * U_6_yx -
       Scalar(0.000093569097314605) * U_6_yy_zz + Scalar(0.014748570382675316) * t29 -
-      Scalar(0.028934422545659894) * t57 + Scalar(0.173804705569) * ddp_6_a_z + s_7 * mu_7_y -
+      Scalar(0.028934422545659894) * t60 + Scalar(0.173804705569) * ddp_6_a_z + s_7 * mu_7_y -
       c_7 * mu_7_x;
   const Scalar U_5_yx = t26 + domega_5_z;
-  const Scalar t87 = t46 - t50 + t51;
-  const Scalar t88 = Scalar(0.00216405205209813) * t58 - Scalar(0.001451156065026714) * U_5_yx -
-      Scalar(0.00151524447332703) * (t87 - Uz_o_6_y) - Scalar(0.004600245517563106) * t21 -
+  const Scalar t92 = t55 - t54;
+  const Scalar t93 = t48 + t92;
+  const Scalar t94 = Scalar(0.00216405205209813) * t61 - Scalar(0.001451156065026714) * U_5_yx -
+      Scalar(0.00151524447332703) * (t93 - Uz_o_6_y) - Scalar(0.004600245517563106) * t21 -
       Scalar(0.014653732538) * ddp_6_a_z - Scalar(0.010045187828321245) * Uz_o_6_x +
-      Scalar(0.067870631425) * ddp_5_x + s_6 * t86 - c_6 * mu_6_y;
-  tau[4] = -t88;
-  const Scalar f_6_x = Scalar(0.173804705569) * Uz_o_7_x + s_7 * t84 + c_7 * f_7_x;
-  const Scalar f_6_y = Scalar(0.173804705569) * Uz_o_7_y - t83;
-  const Scalar f_5_x = Scalar(0.014653732538) * t87 - Scalar(0.067870631425) * Uz_o_6_x -
+      Scalar(0.067870631425) * ddp_5_x + s_6 * t91 + c_6 * t90;
+  tau[4] = -t94;
+  const Scalar f_6_x = Scalar(0.173804705569) * Uz_o_7_x + s_7 * t88 + c_7 * f_7_x;
+  const Scalar f_6_y = Scalar(0.173804705569) * Uz_o_7_y - t87;
+  const Scalar f_5_x = Scalar(0.014653732538) * t93 - Scalar(0.067870631425) * Uz_o_6_x -
       s_6 * f_6_y + c_6 * f_6_x + Scalar(4.065735684829545) * ddp_5_x;
-  const Scalar t89 = Scalar(0.014653732538) * U_5_yx + Scalar(0.067870631425) * Uz_o_6_y -
-      Scalar(0.173804705569) * t57 + Scalar(4.065735684829545) * ddp_6_a_z + t85;
-  const Scalar f_u_5_t_x = s_5 * t89 + c_5 * f_5_x;
-  const Scalar t90 = t59 - domega_r_6_z;
-  const Scalar U_5_yy_zz = t46 - Uz_o_6_y;
-  const Scalar t91 = Scalar(0.00151524447332703) * t90 - Scalar(0.00216405205209813) * U_5_yy_zz +
+  const Scalar t95 = Scalar(0.014653732538) * U_5_yx + Scalar(0.067870631425) * Uz_o_6_y -
+      Scalar(0.173804705569) * t60 + Scalar(4.065735684829545) * ddp_6_a_z + t89;
+  const Scalar f_u_5_t_x = s_5 * t95 + c_5 * f_5_x;
+  const Scalar t96 = t62 - domega_r_6_z;
+  const Scalar U_5_yy_zz = t48 - Uz_o_6_y;
+  const Scalar t97 = Scalar(0.00151524447332703) * t96 - Scalar(0.00216405205209813) * U_5_yy_zz +
       Scalar(0.004600245517563106) * U_5_yx + Scalar(0.010045187828321245) * Uz_o_6_z +
-      Scalar(0.067870631425) * t47 + s_6 * mu_6_y + c_6 * t86;
-  const Scalar f_5_z = Scalar(0.014653732538) * t90 - Scalar(0.067870631425) * Uz_o_6_z +
-      s_6 * f_6_x + c_6 * f_6_y - Scalar(4.065735684829545) * t47;
-  const Scalar mu_5_y = Scalar(0.00216405205209813) * Uz_o_6_x +
-      Scalar(0.001451156065026714) * t90 + Scalar(0.00151524447332703) * Uz_o_6_z -
-      Scalar(0.014653732538) * t47 + Scalar(0.004600245517563106) * (t46 - t87) - mu_6_z;
+      Scalar(0.067870631425) * t49 - s_6 * t90 + c_6 * t91;
+  const Scalar f_5_z = Scalar(0.014653732538) * t96 - Scalar(0.067870631425) * Uz_o_6_z +
+      s_6 * f_6_x + c_6 * f_6_y - Scalar(4.065735684829545) * t49;
+  const Scalar t98 = Scalar(-0.00216405205209813) * Uz_o_6_x - Scalar(0.001451156065026714) * t96 -
+      Scalar(0.00151524447332703) * Uz_o_6_z + Scalar(0.004600245517563106) * t92 +
+      Scalar(0.014653732538) * t49 + mu_6_z;
   const Scalar tau_4 = Scalar(0.00164448757736927) * t22 + Scalar(0.0039053550262761) * t13 +
-      Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t42 - t46) +
-      Scalar(0.5604173611315455) * t39 - Scalar(0.29071723622709367) * t20 -
-      Scalar(0.0825) * f_5_z + s_5 * t91 - c_5 * mu_5_y - Scalar(0.384) * f_u_5_t_x;
+      Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t44 - t48) +
+      Scalar(0.5604173611315455) * t40 - Scalar(0.29071723622709367) * t20 -
+      Scalar(0.0825) * f_5_z + s_5 * t97 + c_5 * t98 - Scalar(0.384) * f_u_5_t_x;
   tau[3] = tau_4;
-  const Scalar t92 = s_5 * f_5_x - c_5 * t89;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t46;
+  const Scalar t99 = s_5 * f_5_x - c_5 * t95;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t48;
   const Scalar mu_4_x = Scalar(0.0039053550262761) * U_4_yx -
-      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.04942675278013915) * t43 +
-      Scalar(0.5604173611315455) * ddp_o_4_y - s_5 * mu_5_y - c_5 * t91 -
-      Scalar(0.29071723622709367) * t15 - Scalar(0.384) * t92;
-  const Scalar t93 = Scalar(0.00164448757736927) * t20 +
-      Scalar(0.0039053550262761) * (Uz_o_4_y - t42) + Scalar(0.0054157634981905) * t43 +
-      Scalar(0.04942675278013915) * t15 + Scalar(0.0825) * t92 + t88;
-  const Scalar t94 = Scalar(2.352456790569697) * ddp_o_4_y + Scalar(0.5604173611315455) * t15 + t92;
+      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.04942675278013915) * t45 +
+      Scalar(0.5604173611315455) * ddp_o_4_y + s_5 * t98 - c_5 * t97 -
+      Scalar(0.29071723622709367) * t15 - Scalar(0.384) * t99;
+  const Scalar t100 = Scalar(0.0039053550262761) * t43 - Scalar(0.00164448757736927) * t20 -
+      Scalar(0.0054157634981905) * t45 - Scalar(0.04942675278013915) * t15 - Scalar(0.0825) * t99 -
+      t94;
+  const Scalar t101 = Scalar(2.352456790569697) * ddp_o_4_y + Scalar(0.5604173611315455) * t15 +
+      t99;
   const Scalar mu_u_3_a_y = Scalar(0.000013360662912304) * U_3_yx -
       Scalar(0.000121912420950744) * (t37 - Uz_o_4_y) + Scalar(0.004377257121839584) * Uz_3_x +
       Scalar(0.005487648106562256) * t6 + Scalar(0.028227094878) * ddp_3_x -
-      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.0825) * t94 + c_4 * t93 - s_4 * mu_4_x;
+      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.0825) * t101 - c_4 * t100 - s_4 * mu_4_x;
   tau[2] = -mu_u_3_a_y;
-  const Scalar f_4_x = Scalar(0.5604173611315455) * t20 + Scalar(2.352456790569697) * t39 +
+  const Scalar f_4_x = Scalar(0.5604173611315455) * t20 + Scalar(2.352456790569697) * t40 +
       f_u_5_t_x;
-  const Scalar f_4_y = Scalar(0.5604173611315455) * t46 + Scalar(2.352456790569697) * t45 + f_5_z;
-  const Scalar t95 = Scalar(0.028227094878) * Uz_o_4_x - Scalar(1.531037141165631) * ddp_3_x +
+  const Scalar f_4_y = Scalar(0.5604173611315455) * t48 + Scalar(2.352456790569697) * t47 + f_5_z;
+  const Scalar t102 = Scalar(0.028227094878) * Uz_o_4_x - Scalar(1.531037141165631) * ddp_3_x +
       s_4 * f_4_y - c_4 * f_4_x;
-  const Scalar t96 = Scalar(0.028227094878) * Uz_o_4_y - Scalar(1.531037141165631) * ddp_3_y - t94;
-  const Scalar t97 = s_3 * t96 - c_3 * t95;
+  const Scalar t103 = Scalar(0.028227094878) * Uz_o_4_y - Scalar(1.531037141165631) * ddp_3_y -
+      t101;
+  const Scalar t104 = s_3 * t103 - c_3 * t102;
   const Scalar f_u_4_t_y = s_4 * f_4_x + c_4 * f_4_y;
-  const Scalar t98 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t30 +
-      Scalar(0.004377257121839584) * Uz_o_4_x - Scalar(0.005487648106562256) * (Uz_o_3_y - t37) +
+  const Scalar t105 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t30 +
+      Scalar(0.005487648106562256) * t36 + Scalar(0.004377257121839584) * Uz_o_4_x +
       Scalar(0.0825) * f_u_4_t_y + tau_4;
   const Scalar U_3_yy_zz = Uz_o_3_y - Uz_o_4_y;
-  const Scalar t99 = Scalar(0.005487648106562256) * U_3_yx - Scalar(0.000121912420950744) * t30 +
+  const Scalar t106 = Scalar(0.005487648106562256) * U_3_yx - Scalar(0.000121912420950744) * t30 +
       Scalar(0.004377257121839584) * U_3_yy_zz - Scalar(0.028227094878) * ddp_3_a_z -
-      Scalar(0.022178148964878235) * t7 - s_4 * t93 - c_4 * mu_4_x;
-  const Scalar t100 = qd_1 * qd_1;
-  const Scalar t101 = t32 - t31 + t100;
+      Scalar(0.022178148964878235) * t7 + s_4 * t100 - c_4 * mu_4_x;
   const Scalar U_2_yx = t3 + qdd_2;
+  const Scalar t107 = qd_1 * qd_1;
   tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.0007689361029464) * t9 -
-      Scalar(0.01026110182100817) * t4 + Scalar(0.00398335888393552) * (t101 - Uz_o_3_y) -
-      Scalar(0.024699952517911183) * Uz_o_3_x + Scalar(0.023077882494931805) * U_2_yx - s_3 * t99 +
-      Scalar(0.316) * t97 - c_3 * t98;
-  const Scalar t102 = s_3 * t95 + c_3 * t96;
-  const Scalar t103 = t8 + t10;
-  const Scalar U_2_yy_zz = t100 - Uz_o_3_y;
-  const Scalar mu_2_x = Scalar(0.0007689361029464) * U_2_yy_zz -
-      Scalar(0.00398335888393552) * t103 + Scalar(0.01026110182100817) * U_2_yx +
-      Scalar(0.024699952517911183) * Uz_o_3_z - c_3 * t99 + Scalar(0.316) * t102 + s_3 * t98;
+      Scalar(0.00796671776787104) * t31 + Scalar(0.00398335888393552) * t107 -
+      Scalar(0.01026110182100817) * t4 - Scalar(0.024699952517911183) * Uz_o_3_x +
+      Scalar(0.023077882494931805) * U_2_yx - s_3 * t106 + Scalar(0.316) * t104 - c_3 * t105;
+  const Scalar t108 = s_3 * t102 + c_3 * t103;
+  const Scalar t109 = t8 + t10;
+  const Scalar mu_2_x = Scalar(-0.0007689361029464) * (Uz_o_3_y - t107) -
+      Scalar(0.00398335888393552) * t109 + Scalar(0.01026110182100817) * U_2_yx +
+      Scalar(0.024699952517911183) * Uz_o_3_z - c_3 * t106 + Scalar(0.316) * t108 + s_3 * t105;
   const Scalar mu_2_y = Scalar(0.0007689361029464) * Uz_o_3_x +
-      Scalar(0.00398335888393552) * Uz_o_3_z - Scalar(0.01026110182100817) * (t100 - t101) +
-      Scalar(0.023077882494931805) * t103 + mu_u_3_a_y;
+      Scalar(0.00398335888393552) * Uz_o_3_z + Scalar(0.01026110182100817) * (t32 - t31) +
+      Scalar(0.023077882494931805) * t109 + mu_u_3_a_y;
   tau[0] = Scalar(0.014259565994474374) * qdd_1 - c_2 * mu_2_y - s_2 * mu_2_x;
 }
 
@@ -691,7 +697,7 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   const Scalar Ic_6_xy = Iu_7_a_xz + Scalar(0.014748570382675316);
   const Scalar t13 = Scalar(2.0) * s_6 * Ic_6_xy - c_6 * Iu_6_t_d;
   const Scalar t14 = c_6 * t13;
-  const Scalar Ic_5_zz = Iu_7_t_xx + t14 + Scalar(0.04498331431194894);
+  const Scalar Ic_5_zz = t1 + t14 + Scalar(0.04256237053342771);
   B[32] = Ic_5_zz;
   const Scalar Iu_6_a_xz = s_6 * Ic_6_yz + c_6 * t6;
   const Scalar hc_6_x = hu_7_t_x + Scalar(0.07326382665162);
@@ -712,7 +718,7 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   const Scalar t21 = t5 - t20;
   const Scalar mu_u_7_3_a_y = t20 - s_4 * mu_7_4_x + c_4 * t21;
   B[20] = B[44] = -mu_u_7_3_a_y;
-  const Scalar Ic_5_xz = Ic_6_xy - Scalar(0.004600245517563106) - s_6 * t13;
+  const Scalar Ic_5_xz = Iu_7_a_xz - s_6 * t13 + Scalar(0.01014832486511221);
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.004630579482008);
   const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0214471195303);
   const Scalar t22 = s_5 * hc_5_x - c_5 * f_5_5_x;
@@ -751,7 +757,7 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   const Scalar t38 = B_45 + t22 * (c_4 - Scalar(0.2610759493670886) * s_4);
   B[11] = B[29] = -c_3 * t38 - s_3 * t37;
   const Scalar t39 = Scalar(-0.2610759493670886) * t22;
-  const Scalar t40 = Ic_5_xy - Scalar(0.0039053550262761) - t39 - s_5 * t33;
+  const Scalar t40 = Iu_6_a_xz - Scalar(0.00542059949960313) - t39 - s_5 * t33;
   const Scalar t41 = B_45 - Scalar(0.00164448757736927);
   const Scalar Iu_4_a_xy = s_4 * t40 - c_4 * t41;
   B[17] = B[23] = -Iu_4_a_xy;
@@ -1469,9 +1475,8 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar mr_7_y = Scalar(0.0003214415134685639) * c_7 + Scalar(0.0004066296486714361) * s_7;
   const Scalar t15 = Scalar(2.0) * mr_7_y;
   const Scalar t16 = mr_7_x * t14 + omega_6_z * t15;
-  const Scalar t17 = t8 - Scalar(0.001210471889260615);
-  const Scalar C_67 = L_7_x - Scalar(0.27848101265822783) * t16 + t13 +
-      Scalar(2.0) * (t9 - t7 * t17);
+  const Scalar t17 = t9 - t7 * (t8 - Scalar(0.001210471889260615));
+  const Scalar C_67 = L_7_x - Scalar(0.27848101265822783) * t16 + t13 + Scalar(2.0) * t17;
   C[41] = C_67;
   const Scalar t18 = mr_7_y * omega_7_z;
   const Scalar t19 = Scalar(0.5569620253164557) * t18;
@@ -1527,7 +1532,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t55 = -t53 - t13 - t52 + Scalar(0.026294141005333654) * t7;
   const Scalar t56 = t54 + t55;
   const Scalar t57 = c_6 * t56 - s_6 * t51;
-  const Scalar t58 = t17 - t34 - Scalar(0.026294141005333654);
+  const Scalar t58 = t8 - t34 - Scalar(0.027504612894594268);
   const Scalar t59 = t5 * t58;
   const Scalar t60 = c_6 * t24 - s_6 * Ic_6_yz;
   C[39] = t57 + Scalar(2.0) * (t59 - omega_r_6_a_z * t60);
@@ -1595,7 +1600,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t103 = t102 + t101 + t95;
   const Scalar Iu_6_t_d = Ic_6_xx - Ic_6_yy;
   const Scalar t104 = c_6 * Iu_6_t_d - t45 * t43;
-  const Scalar t105 = t45 - Scalar(0.002300122758781553) + s_6 * t104;
+  const Scalar t105 = t11 + s_6 * t104 + Scalar(0.005074162432556105);
   const Scalar t106 = t79 - Scalar(0.001082026026049065);
   const Scalar t107 = t103 + Scalar(2.0) * (t5 * t106 + omega_r_6_a_z * t105);
   C[32] = -t107;
@@ -1668,7 +1673,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t152 = c_5 * kappa_5_5_y - t151 * t65 - s_5 * t150;
   const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
   const Scalar t153 = -s_5 * t106 - c_5 * t105 + Scalar(1.2151898734177216) * hu_5_t_x;
-  const Scalar Ic_5_zz = Ic_6_xx - t112 + Scalar(0.016509299631967757);
+  const Scalar Ic_5_zz = t8 - t112 + Scalar(0.021281185266713853);
   const Scalar t154 = Scalar(0.2610759493670886) * hu_5_t_x;
   const Scalar mu_5_4_y = Ic_5_zz - t154;
   C[31] = -t152 - Scalar(2.0) * (t6 * t153 - t4 * mu_5_4_y);
@@ -1707,7 +1712,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t176 = t151 * t129 + t175;
   const Scalar t177 = c_5 * t150 - hu_5_t_x * t65 + s_5 * kappa_5_5_y;
   const Scalar t178 = s_4 * t177 + c_4 * t176;
-  const Scalar t179 = s_4 * mu_5_4_y + c_4 * t153;
+  const Scalar t179 = c_4 * t153 + s_4 * mu_5_4_y;
   const Scalar t180 = c_5 * t106 - s_5 * t105;
   const Scalar t181 = Scalar(-0.2610759493670886) * t151;
   const Scalar t182 = t180 - t181 * (s_4 - Scalar(4.654545454545454));
@@ -1786,7 +1791,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t233 = c_4 * f_4_4_x - s_4 * hc_4_x;
   const Scalar t234 = s_4 * t231 - t233 * t129 + c_4 * t232;
   const Scalar t235 = c_4 * t208 - s_4 * t210;
-  const Scalar t236 = -t219 - t228 + Ic_5_xx - t220 + Scalar(0.374881683626407);
+  const Scalar t236 = Ic_5_xx - t228 - t219 - t220 + Scalar(0.374881683626407);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
   const Scalar t237 = Scalar(0.2610759493670886) * hu_4_t_x + t236;
   C[23] = t234 + Scalar(2.0) * (omega_r_3_y * t235 - t2 * t237);
@@ -1904,10 +1909,10 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t320 = Scalar(0.06740035307411071) * omega_3_z - t303 + c_4 * t218 + t302 + t315 +
       t316 - s_4 * t227;
   const Scalar t321 = qd_1 * (Scalar(0.00199167944196776) * c_2 + s_2 * t233);
-  const Scalar t322 = c_3 * P_3_y - t321 - s_3 * t288;
+  const Scalar t322 = t321 - c_3 * P_3_y + s_3 * t288;
   const Scalar t323 = Scalar(0.005130550910504085) * qd_2;
-  const Scalar dI_2_yz = t323 - c_3 * t277 + Scalar(0.5584211823766702) * t1 + t322 - s_3 * t271;
-  const Scalar t324 = c_3 * t278 - t323 + Scalar(0.5353432998817383) * t1 + t322 - s_3 * t272;
+  const Scalar dI_2_yz = t323 - c_3 * t277 + Scalar(0.5584211823766702) * t1 - t322 - s_3 * t271;
+  const Scalar t324 = c_3 * t278 - t323 + Scalar(0.5353432998817383) * t1 - t322 - s_3 * t272;
   const Scalar t325 = c_2 * (t286 * (c_2 * t318 + t285) + t324 - dI_2_yz);
   C[1] = t325 - s_2 * (t320 - t317 - t319 * t286);
   C[7] = s_2 * (t320 + t317) - c_2 * (t324 + dI_2_yz);
@@ -1966,7 +1971,7 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
 //   q[7]   in   joint positions, rad or m
 //   qd[7]  in   joint velocities, rad/s or m/s
 //   n[7]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..6], qd[0..6]. Operations: 267 mul, 245 add, 12 sin/cos.
+// Reads q[1..6], qd[0..6]. Operations: 267 mul, 239 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
@@ -2018,160 +2023,163 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar t32 = Scalar(0.2610759493670886) * t29 + ddp_3_a_z;
   const Scalar t33 = t9 * t9;
   const Scalar t34 = omega_3_z * omega_3_z;
-  const Scalar t35 = Uz_o_3_y - t33 + t34;
-  const Scalar t36 = t26 * t3 - c_3 * t22;
-  const Scalar t37 = Scalar(0.2610759493670886) * t35 - t36;
-  const Scalar t38 = s_4 * t32 - c_4 * t37;
-  const Scalar t39 = t13 * t13;
+  const Scalar t35 = t34 - t33;
+  const Scalar t36 = Uz_o_3_y + t35;
+  const Scalar t37 = t26 * t3 - c_3 * t22;
+  const Scalar t38 = Scalar(0.2610759493670886) * t36 - t37;
+  const Scalar t39 = s_4 * t32 - c_4 * t38;
+  const Scalar t40 = t13 * t13;
+  const Scalar t41 = omega_4_z * omega_4_z;
+  const Scalar t42 = t41 - t40;
   const Scalar Uz_o_4_y = t33 + t34;
-  const Scalar t40 = omega_4_z * omega_4_z;
-  const Scalar t41 = Uz_o_4_y + t40 - t39;
-  const Scalar t42 = t13 * t18;
-  const Scalar t43 = t28 + t42;
-  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t41 - Scalar(1.2151898734177216) * t43 +
-      t38;
+  const Scalar t43 = Uz_o_4_y + t42;
+  const Scalar t44 = t13 * t18;
+  const Scalar t45 = t28 + t44;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t43 - Scalar(1.2151898734177216) * t45 +
+      t39;
   const Scalar ddp_5_x = s_5 * t24 + c_5 * ddp_o_5_x;
-  const Scalar t44 = s_4 * t37 + c_4 * t32;
-  const Scalar t45 = t28 - t42;
-  const Scalar t46 = t40 + t39;
-  const Scalar t47 = Scalar(0.2610759493670886) * t45 + Scalar(1.2151898734177216) * t46 - t44;
-  const Scalar t48 = s_6 * t47 - c_6 * ddp_5_x;
-  const Scalar t49 = s_5 * omega_4_z - c_5 * t13;
+  const Scalar t46 = s_4 * t38 + c_4 * t32;
+  const Scalar t47 = t28 - t44;
+  const Scalar t48 = t41 + t40;
+  const Scalar t49 = Scalar(0.2610759493670886) * t47 + Scalar(1.2151898734177216) * t48 - t46;
+  const Scalar t50 = s_6 * t49 - c_6 * ddp_5_x;
+  const Scalar t51 = s_5 * omega_4_z - c_5 * t13;
   const Scalar omega_5_z = qd_5 - t18;
-  const Scalar t50 = s_6 * omega_5_z - c_6 * t49;
-  const Scalar t51 = t50 * t50;
-  const Scalar t52 = t49 * t49;
-  const Scalar t53 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t52 + t53;
+  const Scalar t52 = s_6 * omega_5_z - c_6 * t51;
+  const Scalar t53 = t52 * t52;
   const Scalar omega_r_6_a_z = s_5 * t13 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
   const Scalar t54 = omega_6_z * omega_6_z;
-  const Scalar t55 = Uz_o_6_y - t51 + t54;
-  const Scalar t56 = Scalar(0.27848101265822783) * t55 + t48;
+  const Scalar t55 = t54 - t53;
+  const Scalar t56 = t51 * t51;
+  const Scalar t57 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_y = t56 + t57;
+  const Scalar t58 = Uz_o_6_y + t55;
+  const Scalar t59 = Scalar(0.27848101265822783) * t58 + t50;
   const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
-  const Scalar t57 = s_5 * t43 + c_5 * t19;
-  const Scalar t58 = t57 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
-  const Scalar t59 = t49 * omega_r_6_a_z;
-  const Scalar t60 = t59 + t15;
-  const Scalar t61 = s_6 * t58 - c_6 * t60;
-  const Scalar t62 = Scalar(2.0) * omega_6_z;
-  const Scalar t63 = t61 - t50 * t62;
+  const Scalar t60 = s_5 * t45 + c_5 * t19;
+  const Scalar t61 = t60 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
+  const Scalar t62 = t51 * omega_r_6_a_z;
+  const Scalar t63 = t62 + t15;
+  const Scalar t64 = s_6 * t61 - c_6 * t63;
+  const Scalar t65 = Scalar(2.0) * omega_6_z;
+  const Scalar t66 = t64 - t52 * t65;
   const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t24;
-  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t63;
+  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t66;
   const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
-  const Scalar t64 = s_6 * t60 + c_6 * t58;
-  const Scalar omega_r_6_y = s_6 * t49 + c_6 * omega_5_z;
-  const Scalar t65 = t64 - omega_r_6_y * t62;
-  const Scalar t66 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
+  const Scalar t67 = s_6 * t63 + c_6 * t61;
+  const Scalar omega_r_6_y = s_6 * t51 + c_6 * omega_5_z;
+  const Scalar t68 = t67 - omega_r_6_y * t65;
+  const Scalar t69 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
   const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
-  const Scalar t67 = c_7 * I_t7_g;
-  const Scalar t68 = t67 - Scalar(0.004552547872941088);
+  const Scalar t70 = c_7 * I_t7_g;
+  const Scalar t71 = t70 - Scalar(0.004552547872941088);
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t69 = omega_7_z * omega_7_z;
-  const Scalar t70 = t54 + t69;
-  const Scalar t71 = t51 + t69;
+  const Scalar t72 = omega_7_z * omega_7_z;
+  const Scalar t73 = t54 + t72;
+  const Scalar t74 = t53 + t72;
   const Scalar I_7_xy = Scalar(0.000391391281684248) + s_7 * I_t7_g;
-  const Scalar I_7_xx = t67 + Scalar(0.002131604094419858);
-  const Scalar t72 = s_5 * t19 - c_5 * t43;
-  const Scalar t73 = t49 * omega_5_z;
-  const Scalar t74 = t73 + t72;
-  const Scalar t75 = t50 * omega_r_6_y;
-  const Scalar t76 = t75 + t74;
-  const Scalar t77 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
-  const Scalar t78 = -mr_7_y * t56 - mr_7_x * ddp_o_7_z + I_7_xy * (t70 - t71) - t65 * t66 -
-      t76 * t77 + t61 * I_7_xx - t63 * t68;
-  n[6] = -t78;
-  const Scalar t79 = t65 - t62 * omega_7_z;
-  const Scalar t80 = t74 - t75;
-  const Scalar t81 = Scalar(0.27848101265822783) * t80 + s_6 * ddp_5_x + c_6 * t47;
-  const Scalar t82 = t76 + Scalar(2.0) * t50 * omega_7_z;
-  const Scalar t83 = mr_7_x * t82 - mr_7_y * t79 + Scalar(0.26308374115809) * t81;
-  const Scalar Uz_o_7_y = t51 + t54;
-  const Scalar n_6 = Scalar(0.000103758917218685) * t64 - mr_7_x * t81 -
-      Scalar(0.001119670733427555) * t80 + t66 * (Uz_o_7_y - t70) +
-      t61 * (Scalar(0.000093569097314605) + t77) - t79 * I_7_xy + t82 * t68 -
-      Scalar(0.028934422545659894) * t76 - Scalar(0.014748570382675316) * (t55 - Uz_o_7_y) -
-      Scalar(0.054922286959804) * t48 - Scalar(0.27848101265822783) * t83;
+  const Scalar I_7_xx = t70 + Scalar(0.002131604094419858);
+  const Scalar t75 = s_5 * t19 - c_5 * t45;
+  const Scalar t76 = t51 * omega_5_z;
+  const Scalar t77 = t76 + t75;
+  const Scalar t78 = t52 * omega_r_6_y;
+  const Scalar t79 = t78 + t77;
+  const Scalar t80 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
+  const Scalar t81 = -mr_7_y * t59 - mr_7_x * ddp_o_7_z + I_7_xy * (t73 - t74) - t68 * t69 -
+      t79 * t80 + t64 * I_7_xx - t66 * t71;
+  n[6] = -t81;
+  const Scalar t82 = t68 - t65 * omega_7_z;
+  const Scalar t83 = t77 - t78;
+  const Scalar t84 = Scalar(0.27848101265822783) * t83 + s_6 * ddp_5_x + c_6 * t49;
+  const Scalar t85 = t79 + Scalar(2.0) * t52 * omega_7_z;
+  const Scalar t86 = mr_7_x * t85 - mr_7_y * t82 + Scalar(0.26308374115809) * t84;
+  const Scalar Uz_o_7_y = t53 + t54;
+  const Scalar n_6 = Scalar(0.000103758917218685) * t67 - mr_7_x * t84 -
+      Scalar(0.001119670733427555) * t83 + t69 * (Uz_o_7_y - t73) +
+      t64 * (Scalar(0.000093569097314605) + t80) - t82 * I_7_xy + t85 * t71 -
+      Scalar(0.028934422545659894) * t79 - Scalar(0.014748570382675316) * (t58 - Uz_o_7_y) -
+      Scalar(0.054922286959804) * t50 - Scalar(0.27848101265822783) * t86;
   n[5] = n_6;
-  const Scalar F_7_y = -mr_7_y * t71 - mr_7_x * t63 + Scalar(0.26308374115809) * ddp_o_7_z;
-  const Scalar t84 = Scalar(0.000093569097314605) * t76 -
-      Scalar(0.000103758917218685) * (Uz_o_6_y - t55) - Scalar(0.001119670733427555) * t63 - t78 +
-      Scalar(0.014748570382675316) * t65 + Scalar(0.27848101265822783) * F_7_y;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t71;
+  const Scalar F_7_y = -mr_7_y * t74 - mr_7_x * t66 + Scalar(0.26308374115809) * ddp_o_7_z;
+  const Scalar t87 = Scalar(0.000103758917218685) * t55 + Scalar(0.000093569097314605) * t79 -
+      Scalar(0.001119670733427555) * t66 - t81 + Scalar(0.014748570382675316) * t68 +
+      Scalar(0.27848101265822783) * F_7_y;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t74;
   const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t85 = Scalar(-0.000103758917218685) * t80 -
-      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t81 + t77 * U_7_yy_zz + t82 * I_7_xy +
-      t79 * I_7_xx - t63 * (t66 + Scalar(0.014748570382675316)) +
-      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t65;
-  const Scalar t86 = t46 - t52 + t53;
-  const Scalar t87 = t15 - t59;
-  const Scalar n_5 = Scalar(0.00216405205209813) * t72 - Scalar(0.001451156065026714) * t87 +
-      Scalar(0.00151524447332703) * (t86 - Uz_o_6_y) + Scalar(0.004600245517563106) * t57 -
-      Scalar(0.010045187828321245) * t60 + Scalar(0.004630579482008) * ddp_6_a_z -
-      Scalar(0.0214471195303) * ddp_5_x - s_6 * t85 - c_6 * t84;
+  const Scalar t88 = Scalar(-0.000103758917218685) * t83 -
+      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t84 + t80 * U_7_yy_zz + t85 * I_7_xy +
+      t82 * I_7_xx - t66 * (t69 + Scalar(0.014748570382675316)) +
+      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t68;
+  const Scalar t89 = t57 - t56;
+  const Scalar t90 = t48 + t89;
+  const Scalar t91 = t15 - t62;
+  const Scalar n_5 = Scalar(0.00216405205209813) * t75 - Scalar(0.001451156065026714) * t91 +
+      Scalar(0.00151524447332703) * (t90 - Uz_o_6_y) + Scalar(0.004600245517563106) * t60 -
+      Scalar(0.010045187828321245) * t63 + Scalar(0.004630579482008) * ddp_6_a_z -
+      Scalar(0.0214471195303) * ddp_5_x - s_6 * t88 - c_6 * t87;
   n[4] = n_5;
-  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t83;
-  const Scalar t88 = mr_7_x * t70 - mr_7_y * t61 + Scalar(0.054922286959804) * t76 +
-      Scalar(0.26308374115809) * t56;
-  const Scalar f_5_x = Scalar(0.004630579482008) * t86 + Scalar(0.0214471195303) * t60 -
-      s_6 * f_6_y - c_6 * t88 + Scalar(0.4059881025443391) * ddp_5_x;
-  const Scalar t89 = Scalar(0.004630579482008) * t87 - Scalar(0.0214471195303) * Uz_o_6_y -
-      Scalar(0.054922286959804) * t65 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
-  const Scalar t90 = s_5 * t89 - c_5 * f_5_x;
-  const Scalar t91 = t73 + t74;
-  const Scalar U_5_yy_zz = t46 - Uz_o_6_y;
-  const Scalar t92 = Scalar(0.004600245517563106) * t87 - Scalar(0.00151524447332703) * t91 +
-      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t58 -
-      Scalar(0.0214471195303) * t47 - c_6 * t85 + s_6 * t84;
-  const Scalar f_5_z = Scalar(0.004630579482008) * t91 - Scalar(0.0214471195303) * t58 - s_6 * t88 +
-      c_6 * f_6_y - Scalar(0.4059881025443391) * t47;
-  const Scalar t93 = Scalar(0.00216405205209813) * t60 - Scalar(0.001451156065026714) * t91 -
-      Scalar(0.00151524447332703) * t58 + Scalar(0.004630579482008) * t47 -
-      Scalar(0.004600245517563106) * (t46 - t86) + n_6;
+  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t86;
+  const Scalar t92 = mr_7_x * t73 - mr_7_y * t64 + Scalar(0.054922286959804) * t79 +
+      Scalar(0.26308374115809) * t59;
+  const Scalar f_5_x = Scalar(0.004630579482008) * t90 + Scalar(0.0214471195303) * t63 -
+      s_6 * f_6_y - c_6 * t92 + Scalar(0.4059881025443391) * ddp_5_x;
+  const Scalar t93 = Scalar(0.004630579482008) * t91 - Scalar(0.0214471195303) * Uz_o_6_y -
+      Scalar(0.054922286959804) * t68 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
+  const Scalar t94 = s_5 * t93 - c_5 * f_5_x;
+  const Scalar t95 = t76 + t77;
+  const Scalar U_5_yy_zz = t48 - Uz_o_6_y;
+  const Scalar t96 = Scalar(0.004600245517563106) * t91 - Scalar(0.00151524447332703) * t95 +
+      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t61 -
+      Scalar(0.0214471195303) * t49 - c_6 * t88 + s_6 * t87;
+  const Scalar f_5_z = Scalar(0.004630579482008) * t95 - Scalar(0.0214471195303) * t61 - s_6 * t92 +
+      c_6 * f_6_y - Scalar(0.4059881025443391) * t49;
+  const Scalar t97 = Scalar(0.00216405205209813) * t63 - Scalar(0.001451156065026714) * t95 -
+      Scalar(0.00151524447332703) * t61 + Scalar(0.004600245517563106) * t89 +
+      Scalar(0.004630579482008) * t49 + n_6;
   const Scalar mu_4_z = Scalar(0.00164448757736927) * t12 - Scalar(0.0039053550262761) * t17 +
-      Scalar(0.0054157634981905) * t45 + Scalar(0.04942675278013915) * (t41 - t46) - s_5 * t92 +
-      Scalar(0.17709188611756838) * t38 + c_5 * t93 - Scalar(0.29071723622709367) * t43 -
-      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t90;
+      Scalar(0.0054157634981905) * t47 + Scalar(0.04942675278013915) * (t43 - t48) - s_5 * t96 +
+      Scalar(0.17709188611756838) * t39 + c_5 * t97 - Scalar(0.29071723622709367) * t45 -
+      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t94;
   n[3] = mu_4_z;
-  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t89;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t46;
-  const Scalar t94 = Scalar(0.0039053550262761) * t45 - Scalar(0.00164448757736927) * U_4_yy_zz +
-      Scalar(0.04942675278013915) * t16 + c_5 * t92 + Scalar(0.17709188611756838) * t23 +
-      s_5 * t93 + Scalar(0.29071723622709367) * t19 - Scalar(1.2151898734177216) * f_u_5_t_y;
-  const Scalar t95 = Scalar(0.00164448757736927) * t43 +
-      Scalar(0.0039053550262761) * (Uz_o_4_y - t41) + Scalar(0.0054157634981905) * t16 -
-      Scalar(0.04942675278013915) * t19 - n_5 + Scalar(0.2610759493670886) * f_u_5_t_y;
-  const Scalar t96 = Scalar(0.17709188611756838) * t19 - Scalar(0.23490692527912765) * t23 -
+  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t93;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t48;
+  const Scalar t98 = Scalar(0.0039053550262761) * t47 - Scalar(0.00164448757736927) * U_4_yy_zz +
+      Scalar(0.04942675278013915) * t16 + c_5 * t96 + Scalar(0.17709188611756838) * t23 +
+      s_5 * t97 + Scalar(0.29071723622709367) * t19 - Scalar(1.2151898734177216) * f_u_5_t_y;
+  const Scalar t99 = Scalar(0.0039053550262761) * t42 - Scalar(0.00164448757736927) * t45 -
+      Scalar(0.0054157634981905) * t16 + Scalar(0.04942675278013915) * t19 + n_5 -
+      Scalar(0.2610759493670886) * f_u_5_t_y;
+  const Scalar t100 = Scalar(0.17709188611756838) * t19 - Scalar(0.23490692527912765) * t23 -
       f_u_5_t_y;
-  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t35 - Uz_o_4_y) -
+  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t36 - Uz_o_4_y) -
       Scalar(0.000013360662912304) * t20 + Scalar(0.004377257121839584) * t27 +
       Scalar(0.005487648106562256) * t6 - Scalar(0.022178148964878235) * U_3_xy -
-      Scalar(0.008919761981448) * t36 - c_4 * t95 - Scalar(0.2610759493670886) * t96 + s_4 * t94;
+      Scalar(0.008919761981448) * t37 + c_4 * t99 - Scalar(0.2610759493670886) * t100 + s_4 * t98;
   n[2] = mu_3_z;
-  const Scalar t97 = Scalar(0.17709188611756838) * t43 + Scalar(0.23490692527912765) * t38 - t90;
-  const Scalar f_4_y = Scalar(0.17709188611756838) * t46 + Scalar(0.23490692527912765) * t44 +
+  const Scalar t101 = Scalar(0.17709188611756838) * t45 + Scalar(0.23490692527912765) * t39 - t94;
+  const Scalar f_4_y = Scalar(0.17709188611756838) * t48 + Scalar(0.23490692527912765) * t46 +
       f_5_z;
-  const Scalar t98 = s_4 * t97 + c_4 * f_4_y;
-  const Scalar t99 = Scalar(0.000013360662912304) * t29 - Scalar(0.000121912420950744) * t7 +
-      Scalar(0.013297019103287584) * U_3_xy + Scalar(0.005487648106562256) * (Uz_o_3_y - t35) +
-      Scalar(0.15288324476823525) * t36 - Scalar(0.2610759493670886) * t98 - s_4 * f_4_y +
-      c_4 * t97 - mu_4_z;
-  const Scalar t100 = Scalar(0.004377257121839584) * Uz_o_3_y - Scalar(0.000121912420950744) * t29 +
-      Scalar(0.005487648106562256) * t20 - Scalar(0.013297019103287584) * Uz_o_4_y -
-      Scalar(0.008919761981448) * ddp_3_a_z - Scalar(0.022178148964878235) * t7 +
-      Scalar(0.15288324476823525) * ddp_3_y - s_4 * t95 - t96 - c_4 * t94;
-  const Scalar t101 = qd_1 * qd_1;
-  const Scalar t102 = t31 - t30 + t101;
-  n[1] = Scalar(0.01993386669246) * c_2 + Scalar(0.00398335888393552) * (t102 - Uz_o_3_y) +
-      Scalar(0.04777783501284299) * t21 + c_3 * t99 - s_3 * t100;
-  const Scalar U_2_yy_zz = t101 - Uz_o_3_y;
-  const Scalar t103 = qd_2 * t3;
-  const Scalar t104 = Scalar(0.00796671776787104) * t11 - Scalar(0.0007689361029464) * U_2_yy_zz -
-      Scalar(0.01026110182100817) * t21 - Scalar(0.04939990503582237) * t103 + s_3 * t99 +
-      c_3 * t100;
-  const Scalar t105 = Scalar(0.00796671776787104) * t103 - Scalar(0.0007689361029464) * t21 -
-      Scalar(0.01026110182100817) * (t101 - t102) + Scalar(0.04615576498986361) * t11 - mu_3_z;
-  n[0] = s_2 * t104 - c_2 * t105;
+  const Scalar t102 = s_4 * t101 + c_4 * f_4_y;
+  const Scalar t103 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t29 +
+      Scalar(0.005487648106562256) * t35 - Scalar(0.013297019103287584) * U_3_xy -
+      Scalar(0.15288324476823525) * t37 + Scalar(0.2610759493670886) * t102 + s_4 * f_4_y -
+      c_4 * t101 + mu_4_z;
+  const Scalar t104 = Scalar(0.000121912420950744) * t29 - Scalar(0.005487648106562256) * t20 +
+      Scalar(0.27690780075318) * c_2 - Scalar(0.013297019103287584) * (Uz_o_3_y - Uz_o_4_y) +
+      Scalar(0.022178148964878235) * t7 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t99 + t100 +
+      c_4 * t98;
+  const Scalar t105 = qd_1 * qd_1;
+  n[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.00796671776787104) * t30 +
+      Scalar(0.00398335888393552) * t105 + Scalar(0.04777783501284299) * t21 - c_3 * t103 +
+      s_3 * t104;
+  const Scalar t106 = qd_2 * t3;
+  const Scalar t107 = Scalar(0.0007689361029464) * (Uz_o_3_y - t105) +
+      Scalar(0.00796671776787104) * t11 - Scalar(0.01026110182100817) * t21 -
+      Scalar(0.04939990503582237) * t106 - s_3 * t103 - c_3 * t104;
+  const Scalar t108 = Scalar(0.00796671776787104) * t106 - Scalar(0.0007689361029464) * t21 +
+      Scalar(0.01026110182100817) * (t31 - t30) + Scalar(0.04615576498986361) * t11 - mu_3_z;
+  n[0] = s_2 * t107 - c_2 * t108;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -2180,7 +2188,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[7]  in   joint torques or forces, N m or N
 //   qdd[7]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..6], qd[0..6], tau[0..6]. Operations: 536 mul, 455 add, 6 div, 12 sin/cos.
+// Reads q[1..6], qd[0..6], tau[0..6]. Operations: 538 mul, 452 add, 6 div, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -2210,346 +2218,348 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t6 = t1 - t2 - Scalar(0.055009225789188536);
   const Scalar t7 = t6 + Scalar(0.04208100218189551);
   const Scalar Iu_5_t_d = Iu_6_t_xx + t7;
-  const Scalar Iu_7_t_xy = Scalar(0.000391391281684248) + s_7 * Iu_7_t_g;
+  const Scalar t8 = s_7 * Iu_7_t_g;
   const Scalar hu_7_t_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
-  const Scalar t8 = Scalar(0.000103758917218685) + Scalar(0.27848101265822783) * hu_7_t_y -
-      Iu_7_t_xy;
+  const Scalar t9 = Scalar(0.27848101265822783) * hu_7_t_y - Scalar(0.000287632364465563) - t8;
   const Scalar Iu_7_a_xy = Scalar(0.0012555365982728983) * c_7 +
       Scalar(0.0009653051699191118) * s_7;
   const Scalar Ic_6_yz = Scalar(0.000093569097314605) + Iu_7_a_xy;
-  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz + c_6 * t8;
+  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz + c_6 * t9;
   const Scalar Ic_5_xy = Iu_6_a_xz - Scalar(0.00151524447332703);
-  const Scalar t9 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
-  const Scalar t10 = c_5 * t9;
-  const Scalar t11 = t10 + t7;
+  const Scalar t10 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
+  const Scalar t11 = c_5 * t10;
+  const Scalar t12 = t11 + t7;
   const Scalar hc_6_x = hu_7_t_x + Scalar(0.07326382665162);
   const Scalar f_u_6_6_t_x = Scalar(0.054922286959804) * c_6 - s_6 * hc_6_x;
-  const Scalar t12 = Scalar(2.430379746835443) * f_u_6_6_t_x;
-  const Scalar t13 = t11 + t12;
+  const Scalar t13 = Scalar(2.430379746835443) * f_u_6_6_t_x;
+  const Scalar t14 = t12 + t13;
   const Scalar Iu_6_t_yy = Iu_7_t_xx + t5;
-  const Scalar Ic_5_zz = Iu_6_t_yy + Scalar(0.04498331431194894);
   const Scalar hu_6_t_x = Scalar(0.054922286959804) * s_6 + c_6 * hc_6_x;
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.004630579482008);
   const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0214471195303);
   const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar t14 = Scalar(0.5221518987341772) * hu_5_t_x;
-  const Scalar Ic_4_yy = Ic_5_zz - t14 - Scalar(0.6898040971210785);
+  const Scalar t15 = Scalar(0.5221518987341772) * hu_5_t_x;
+  const Scalar Ic_4_yy = Iu_6_t_yy - t15 - Scalar(0.6448207828091296);
   const Scalar Iu_6_t_xy = Ic_6_xy - s_6 * t4;
   const Scalar Ic_5_xz = Iu_6_t_xy - Scalar(0.004600245517563106);
-  const Scalar t15 = s_6 * t8 - c_6 * Ic_6_yz;
-  const Scalar t16 = t15 + Scalar(0.00216405205209813);
-  const Scalar t17 = s_5 * t16 - c_5 * Ic_5_xz;
-  const Scalar t18 = t17 + Scalar(1.2151898734177216) * hu_5_t_x;
-  const Scalar t19 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
-  const Scalar t20 = t19 + t18 - Scalar(0.16284087268546085);
-  const Scalar t21 = Scalar(2.0) * s_4 * t20 - c_4 * (t13 + Ic_4_yy);
-  const Scalar t22 = c_4 * t21;
-  const Scalar Iu_4_t_xx = t22 + Ic_4_yy;
-  const Scalar Iu_5_t_yy = Iu_6_t_xx + t10;
-  const Scalar t23 = Iu_5_t_yy - t14 - t12 + Scalar(0.7918443694347095);
+  const Scalar t16 = s_6 * t9 - c_6 * Ic_6_yz;
+  const Scalar t17 = t16 + Scalar(0.00216405205209813);
+  const Scalar t18 = s_5 * t17 - c_5 * Ic_5_xz;
+  const Scalar t19 = t18 + Scalar(1.2151898734177216) * hu_5_t_x;
+  const Scalar t20 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
+  const Scalar t21 = t20 + t19 - Scalar(0.16284087268546085);
+  const Scalar t22 = Scalar(2.0) * s_4 * t21 - c_4 * (t14 + Ic_4_yy);
+  const Scalar t23 = c_4 * t22;
+  const Scalar Iu_4_t_xx = t23 + Ic_4_yy;
+  const Scalar Iu_5_t_yy = Iu_6_t_xx + t11;
+  const Scalar t24 = Iu_5_t_yy - t15 - t13 + Scalar(0.7918443694347095);
   const Scalar hc_4_x = hu_5_t_x - Scalar(0.1746785667894);
   const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.635957442938548);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t24 = Scalar(0.5221518987341772) * hu_4_t_x;
-  const Scalar t25 = t24 + t23 - Scalar(0.7013999612162445);
-  const Scalar Iu_3_t_d = Iu_4_t_xx - t25;
-  const Scalar Iu_5_t_xy = Ic_5_xy - s_5 * t9;
-  const Scalar t26 = s_5 * hc_5_x - c_5 * f_5_5_x;
-  const Scalar t27 = Scalar(-0.2610759493670886) * t26;
-  const Scalar t28 = Scalar(-0.0039053550262761) - t27 + Iu_5_t_xy;
-  const Scalar t29 = c_5 * t16 + s_5 * Ic_5_xz;
-  const Scalar t30 = Scalar(1.2151898734177216) * t26 - t29;
-  const Scalar t31 = t30 - Scalar(0.00164448757736927);
-  const Scalar t32 = c_4 * t28 + s_4 * t31;
-  const Scalar t33 = t27 - Scalar(0.000121912420950744) + t32;
-  const Scalar t34 = Scalar(2.0) * s_3 * t33 - c_3 * Iu_3_t_d;
-  const Scalar t35 = c_3 * t34;
-  const Scalar t36 = t25 - t35;
-  const Scalar t37 = s_4 * hc_4_x - c_4 * f_4_4_x;
-  const Scalar t38 = Scalar(-2.0) * t37;
-  const Scalar t39 = t36 - t38;
-  const Scalar t40 = t13 + t22;
-  const Scalar t41 = t40 - t24 - Scalar(0.8246048032693);
-  const Scalar t42 = t20 - s_4 * t21;
-  const Scalar t43 = Scalar(0.005487648106562256) + Scalar(0.2610759493670886) * t37 + t42;
-  const Scalar Iu_4_a_xy = s_4 * t28 - c_4 * t31;
+  const Scalar t25 = Scalar(0.5221518987341772) * hu_4_t_x;
+  const Scalar t26 = t25 + t24 - Scalar(0.7013999612162445);
+  const Scalar Iu_3_t_d = Iu_4_t_xx - t26;
+  const Scalar Iu_5_t_xy = Ic_5_xy - s_5 * t10;
+  const Scalar t27 = s_5 * hc_5_x - c_5 * f_5_5_x;
+  const Scalar t28 = Scalar(-0.2610759493670886) * t27;
+  const Scalar t29 = Scalar(-0.0039053550262761) - t28 + Iu_5_t_xy;
+  const Scalar t30 = c_5 * t17 + s_5 * Ic_5_xz;
+  const Scalar t31 = Scalar(1.2151898734177216) * t27 - t30;
+  const Scalar t32 = t31 - Scalar(0.00164448757736927);
+  const Scalar t33 = c_4 * t29 + s_4 * t32;
+  const Scalar t34 = t28 - Scalar(0.000121912420950744) + t33;
+  const Scalar t35 = Scalar(2.0) * s_3 * t34 - c_3 * Iu_3_t_d;
+  const Scalar t36 = c_3 * t35;
+  const Scalar t37 = t26 - t36;
+  const Scalar t38 = s_4 * hc_4_x - c_4 * f_4_4_x;
+  const Scalar t39 = Scalar(-2.0) * t38;
+  const Scalar t40 = t37 - t39;
+  const Scalar t41 = t14 + t23;
+  const Scalar t42 = t41 - t25 - Scalar(0.8246048032693);
+  const Scalar t43 = t21 - s_4 * t22;
+  const Scalar t44 = Scalar(0.005487648106562256) + Scalar(0.2610759493670886) * t38 + t43;
+  const Scalar Iu_4_a_xy = s_4 * t29 - c_4 * t32;
   const Scalar Ic_3_yz = Iu_4_a_xy - Scalar(0.004377257121839584);
   const Scalar hc_3_x = Scalar(0.236007115319552) + hu_4_t_x;
-  const Scalar t44 = Scalar(0.008919761981448) + t26;
-  const Scalar t45 = s_3 * t44 - c_3 * hc_3_x;
-  const Scalar t46 = t45 - (s_3 * Ic_3_yz + c_3 * t43);
-  const Scalar t47 = Scalar(0.00398335888393552) + t46;
-  const Scalar t48 = Scalar(2.0) * s_2 * t47 + c_2 * (t41 + t39 + Scalar(1.7720865609797212));
-  const Scalar t49 = (t47 - s_2 * t48) * qd_1;
-  const Scalar Iu_3_t_yy = Iu_4_t_xx + t35;
-  const Scalar t50 = t36 - Iu_3_t_yy;
-  const Scalar t51 = s_2 * (t41 + t50);
-  const Scalar t52 = qd_1 * (t49 - qd_3 * t51);
-  const Scalar t53 = Scalar(2.0) * qd_2;
-  const Scalar t54 = s_3 * t43 - c_3 * Ic_3_yz;
+  const Scalar t45 = Scalar(0.008919761981448) + t27;
+  const Scalar t46 = s_3 * t45 - c_3 * hc_3_x;
+  const Scalar t47 = t46 - s_3 * Ic_3_yz - c_3 * t44;
+  const Scalar t48 = Scalar(0.00398335888393552) + t47;
+  const Scalar t49 = Scalar(2.0) * s_2 * t48 + c_2 * (t42 + t40 + Scalar(1.7720865609797212));
+  const Scalar t50 = (t48 - s_2 * t49) * qd_1;
+  const Scalar Iu_3_t_yy = Iu_4_t_xx + t36;
+  const Scalar t51 = t37 - Iu_3_t_yy;
+  const Scalar t52 = s_2 * (t42 + t51);
+  const Scalar t53 = qd_1 * (t50 - qd_3 * t52);
+  const Scalar t54 = s_3 * t44 - c_3 * Ic_3_yz;
   const Scalar t55 = s_2 * qd_1;
-  const Scalar t56 = qd_1 * (c_2 * (t54 * t55 - t46 * t53) + qd_2 * t51);
-  const Scalar Iu_4_d = t40 + Iu_4_t_xx;
-  const Scalar t57 = c_3 * t55;
-  const Scalar t58 = s_3 * qd_2 - t57;
-  const Scalar t59 = s_3 * t55;
-  const Scalar omega_r_3_y = t59 + c_3 * qd_2;
-  const Scalar t60 = Scalar(2.0) * omega_r_3_y;
-  const Scalar beta_4_f = qd_4 - t60;
-  const Scalar t61 = Scalar(2.0) * t42;
-  const Scalar t62 = c_2 * qd_1;
-  const Scalar omega_3_z = qd_3 + t62;
-  const Scalar t63 = qd_4 * ((t32 * beta_4_f + t58 * (t23 - Iu_4_d)) + omega_3_z * t61);
-  const Scalar t64 = Iu_5_t_yy + t11;
-  const Scalar Iu_5_y = Ic_5_zz - t64;
+  const Scalar t56 = Scalar(2.0) * qd_2;
+  const Scalar t57 = qd_1 * (qd_2 * t52 + c_2 * (t54 * t55 - t47 * t56));
+  const Scalar Iu_4_d = t41 + Iu_4_t_xx;
+  const Scalar t58 = c_3 * t55;
+  const Scalar t59 = s_3 * qd_2 - t58;
+  const Scalar t60 = Scalar(2.0) * t43;
+  const Scalar t61 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t61;
+  const Scalar t62 = s_3 * t55;
+  const Scalar omega_r_3_y = t62 + c_3 * qd_2;
+  const Scalar t63 = Scalar(2.0) * omega_r_3_y;
+  const Scalar beta_4_f = qd_4 - t63;
+  const Scalar t64 = qd_4 * (t33 * beta_4_f + t59 * (t24 - Iu_4_d) + omega_3_z * t60);
+  const Scalar t65 = c_4 * t59 + s_4 * omega_3_z;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t65 = s_4 * t58 - c_4 * omega_3_z;
-  const Scalar t66 = Scalar(-2.0) * t65;
-  const Scalar beta_5_f = qd_5 + t66;
-  const Scalar t67 = Scalar(2.0) * Iu_5_t_xy;
-  const Scalar t68 = c_4 * t58 + s_4 * omega_3_z;
-  const Scalar t69 = qd_5 * (t68 * t67 + (t29 * beta_5_f + omega_4_z * Iu_5_y));
-  const Scalar t70 = s_5 * omega_4_z - c_5 * t68;
-  const Scalar omega_5_z = qd_5 - t65;
-  const Scalar omega_r_6_y = s_6 * t70 + c_6 * omega_5_z;
-  const Scalar t71 = Scalar(2.0) * omega_r_6_y;
-  const Scalar beta_7_f = qd_7 - t71;
-  const Scalar omega_r_6_a_z = s_5 * t68 + c_5 * omega_4_z;
+  const Scalar t66 = s_5 * omega_4_z - c_5 * t65;
+  const Scalar t67 = s_4 * t59 - c_4 * omega_3_z;
+  const Scalar omega_5_z = qd_5 - t67;
+  const Scalar omega_r_6_y = s_6 * t66 + c_6 * omega_5_z;
+  const Scalar t68 = Scalar(2.0) * omega_r_6_y;
+  const Scalar beta_7_f = qd_7 - t68;
+  const Scalar t69 = hu_7_t_x * beta_7_f;
+  const Scalar t70 = s_6 * omega_5_z - c_6 * t66;
+  const Scalar omega_r_6_a_z = s_5 * t65 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t71 = hu_7_t_y * omega_6_z + hu_7_t_x * t70;
+  const Scalar t72 = Scalar(2.0) * omega_r_6_a_z;
+  const Scalar beta_6_f = qd_6 + t72;
+  const Scalar t73 = qd_6 * beta_6_f;
+  const Scalar t74 = hu_6_t_x * t73 - qd_7 * (t3 * t71 - c_6 * t69);
+  const Scalar t75 = qd_6 * (hu_6_t_x * t66 + f_u_6_6_t_x * omega_5_z);
+  const Scalar f_p_6_a_y = hu_7_t_y * qd_7 * beta_7_f + Scalar(2.0) * t75;
+  const Scalar t76 = Scalar(-2.0) * t67;
+  const Scalar beta_5_f = qd_5 + t76;
+  const Scalar t77 = qd_5 * beta_5_f;
+  const Scalar t78 = t27 * t77 + s_5 * t74 - c_5 * f_p_6_a_y;
+  const Scalar Iu_7_t_xy = Scalar(0.000391391281684248) + t8;
+  const Scalar t79 = Scalar(2.0) * Iu_7_t_xy;
   const Scalar Iu_7_d = t1 + Iu_7_t_xx;
   const Scalar Iu_7_y = Iu_7_d + Scalar(0.006684151967360946);
-  const Scalar t72 = s_6 * omega_5_z - c_6 * t70;
-  const Scalar t73 = Scalar(2.0) * Iu_7_t_xy;
-  const Scalar t74 = qd_7 * ((Iu_7_a_xy * beta_7_f + omega_6_z * Iu_7_y) - t72 * t73);
-  const Scalar t75 = qd_7 * beta_7_f;
-  const Scalar t76 = Scalar(0.27848101265822783) * t75;
-  const Scalar t77 = s_6 * hu_7_t_y;
+  const Scalar t80 = Iu_7_a_xy * beta_7_f - t70 * t79 + omega_6_z * Iu_7_y;
+  const Scalar t81 = Scalar(0.27848101265822783) * beta_7_f;
+  const Scalar t82 = s_6 * hu_7_t_y;
   const Scalar Iu_6_d = Iu_6_t_xx - Iu_6_t_yy;
-  const Scalar t78 = Scalar(2.0) * omega_r_6_a_z;
-  const Scalar beta_6_f = qd_6 + t78;
-  const Scalar t79 = Scalar(2.0) * Iu_6_t_xy;
-  const Scalar t80 = qd_6 * ((omega_5_z * (t6 - Iu_6_d) - t15 * beta_6_f) - t70 * t79);
-  const Scalar t81 = t77 * t76 - c_6 * t74 + t80;
-  const Scalar t82 = hu_7_t_x * t75;
-  const Scalar t83 = qd_7 * (hu_7_t_y * omega_6_z + hu_7_t_x * t72);
-  const Scalar t84 = qd_6 * beta_6_f;
-  const Scalar t85 = c_6 * t82 - t3 * t83 + hu_6_t_x * t84;
-  const Scalar f_p_6_a_y = hu_7_t_y * t75 +
-      Scalar(2.0) * qd_6 * (hu_6_t_x * t70 + f_u_6_6_t_x * omega_5_z);
-  const Scalar t86 = qd_5 * beta_5_f;
-  const Scalar t87 = t26 * t86 + s_5 * t85 - c_5 * f_p_6_a_y;
-  const Scalar t88 = qd_7 * (omega_6_z * t73 +
-      (t72 * (Iu_7_d - Scalar(0.006684151967360946)) - Iu_7_a_xz * beta_7_f));
-  const Scalar t89 = t88 - Scalar(0.5569620253164557) * t83;
-  const Scalar t90 = s_5 * t89 - c_5 * t81 - t69 + Scalar(1.2151898734177216) * t87;
-  const Scalar t91 = c_6 * hu_7_t_y;
-  const Scalar t92 = qd_6 * ((Iu_6_a_xz * beta_6_f + t70 * (Iu_6_d + t6)) - omega_5_z * t79);
-  const Scalar t93 = t91 * t76 + s_6 * t74 - t92;
-  const Scalar t94 = t93 + Scalar(0.2610759493670886) * t87;
-  const Scalar t95 = t87 + Scalar(2.0) * qd_4 * (t37 * omega_3_z + hu_4_t_x * t58);
-  const Scalar t96 = Scalar(0.2610759493670886) * t95 - c_4 * t94 - s_4 * t90 + t63;
-  const Scalar t97 = t33 - s_3 * t34;
-  const Scalar t98 = t55 * t55;
-  const Scalar t99 = qd_2 * qd_2;
-  const Scalar t100 = c_3 * t53;
-  const Scalar t101 = omega_3_z * t60 - t62 * (t59 + t100);
-  const Scalar t102 = t68 * omega_4_z;
-  const Scalar t103 = t58 * omega_r_3_y;
-  const Scalar t104 = qd_2 * t55;
-  const Scalar U_3_xy = t103 + t104;
-  const Scalar t105 = c_4 * U_3_xy + t102 + s_4 * t101;
-  const Scalar t106 = (t103 - t104) + (t102 + t105);
-  const Scalar t107 = c_4 * t101 - s_4 * U_3_xy + omega_4_z * t66;
-  const Scalar t108 = s_2 * (qd_1 * t62 + Scalar(31.044303797468356));
-  const Scalar t109 = Scalar(-0.2610759493670886) * t106 - t62 * t100 - s_3 * t108 +
-      Scalar(1.2151898734177216) * t107;
-  const Scalar t110 = t58 * omega_3_z;
-  const Scalar t111 = s_3 * t53;
-  const Scalar domega_r_4_z = t110 + t62 * (t57 - t111);
-  const Scalar Uz_o_3_y = t98 + t99;
-  const Scalar t112 = Scalar(0.2610759493670886) * (t110 + domega_r_4_z) - Uz_o_3_y +
-      Scalar(31.044303797468356) * c_2;
-  const Scalar t113 = t68 * t68;
-  const Scalar t114 = t58 * t58;
+  const Scalar t83 = Scalar(2.0) * Iu_6_t_xy;
+  const Scalar t84 = qd_6 * (-t16 * beta_6_f - t66 * t83 + omega_5_z * (t6 - Iu_6_d));
+  const Scalar t85 = qd_7 * (t82 * t81 - c_6 * t80) + t84;
+  const Scalar t86 = Iu_5_t_yy + t12;
+  const Scalar Ic_5_zz = Iu_6_t_yy + Scalar(0.04498331431194894);
+  const Scalar Iu_5_y = Ic_5_zz - t86;
+  const Scalar t87 = Scalar(2.0) * Iu_5_t_xy;
+  const Scalar t88 = qd_5 * (t30 * beta_5_f + t65 * t87 + omega_4_z * Iu_5_y);
+  const Scalar t89 = omega_6_z * t79 - Iu_7_a_xz * beta_7_f +
+      t70 * (Iu_7_d - Scalar(0.006684151967360946));
+  const Scalar t90 = qd_7 * (Scalar(0.5569620253164557) * t71 - t89);
+  const Scalar t91 = -s_5 * t90 - c_5 * t85 - t88 + Scalar(1.2151898734177216) * t78;
+  const Scalar t92 = c_6 * hu_7_t_y;
+  const Scalar t93 = qd_6 * (Iu_6_a_xz * beta_6_f + t66 * (Iu_6_d + t6) - omega_5_z * t83);
+  const Scalar t94 = t93 - qd_7 * (t92 * t81 + s_6 * t80);
+  const Scalar t95 = t94 - Scalar(0.2610759493670886) * t78;
+  const Scalar t96 = t78 + Scalar(2.0) * qd_4 * (t38 * omega_3_z + hu_4_t_x * t59);
+  const Scalar t97 = c_4 * t95 + Scalar(0.2610759493670886) * t96 - s_4 * t91 + t64;
+  const Scalar t98 = t34 - s_3 * t35;
+  const Scalar t99 = t55 * t55;
+  const Scalar t100 = qd_2 * qd_2;
+  const Scalar t101 = c_3 * t56;
+  const Scalar t102 = omega_3_z * t63 - t61 * (t62 + t101);
+  const Scalar t103 = t65 * omega_4_z;
+  const Scalar t104 = t59 * omega_r_3_y;
+  const Scalar t105 = qd_2 * t55;
+  const Scalar U_3_xy = t104 + t105;
+  const Scalar t106 = c_4 * U_3_xy + t103 + s_4 * t102;
+  const Scalar t107 = t104 - t105 + t103 + t106;
+  const Scalar t108 = c_4 * t102 - s_4 * U_3_xy + omega_4_z * t76;
+  const Scalar t109 = s_2 * (qd_1 * t61 + Scalar(31.044303797468356));
+  const Scalar t110 = Scalar(-0.2610759493670886) * t107 - t61 * t101 - s_3 * t109 +
+      Scalar(1.2151898734177216) * t108;
+  const Scalar t111 = t65 * t65;
+  const Scalar t112 = omega_4_z * omega_4_z;
+  const Scalar t113 = t112 - t111;
+  const Scalar t114 = t59 * t59;
   const Scalar t115 = omega_3_z * omega_3_z;
   const Scalar Uz_o_4_y = t114 + t115;
-  const Scalar t116 = omega_4_z * omega_4_z;
-  const Scalar t117 = Uz_o_4_y + t116 - t113;
-  const Scalar t118 = t68 * t65;
-  const Scalar t119 = domega_r_4_z + t118;
-  const Scalar t120 = Uz_o_3_y - t114 + t115;
-  const Scalar t121 = Scalar(0.2610759493670886) * t120 - t62 * t111 + c_3 * t108;
-  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t117 - c_4 * t121 -
-      Scalar(1.2151898734177216) * t119 + s_4 * t112;
-  const Scalar t122 = s_5 * t109 - c_5 * ddp_o_5_x;
-  const Scalar t123 = t70 * t70;
-  const Scalar t124 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t123 + t124;
-  const Scalar t125 = Uz_o_6_y - t72 * t72 + omega_6_z * omega_6_z;
-  const Scalar U_4_yx = domega_r_4_z - t118;
-  const Scalar t126 = Scalar(0.2610759493670886) * U_4_yx - s_4 * t121 +
-      Scalar(1.2151898734177216) * (t116 + t113) - c_4 * t112;
-  const Scalar t127 = hu_7_t_y * (Scalar(0.27848101265822783) * t125 + s_6 * t126 + c_6 * t122);
-  const Scalar Uz_o_6_z = s_5 * t119 + omega_5_z * t78 - c_5 * t107;
-  const Scalar t128 = t72 * omega_6_z;
-  const Scalar U_5_xy = t70 * omega_r_6_a_z + t105;
-  const Scalar domega_r_7_z = t128 - s_6 * Uz_o_6_z + c_6 * U_5_xy;
-  const Scalar t129 = hu_7_t_x * (Scalar(0.27848101265822783) * (t128 + domega_r_7_z) +
-      s_5 * ddp_o_5_x + c_5 * t109);
-  const Scalar t130 = Iu_7_a_xz * (-s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_6_z * t71);
-  const Scalar t131 = t70 * omega_5_z;
-  const Scalar t132 = t131 - c_5 * t119 - s_5 * t107;
-  const Scalar t133 = Iu_7_a_xy * (t72 * omega_r_6_y + t132);
-  const Scalar t134 = t127 + t129 - t128 * Iu_7_d + t133 - t130 + Iu_7_t_xy * (Uz_o_6_y - t125) +
+  const Scalar t116 = t59 * omega_3_z;
+  const Scalar t117 = s_3 * t56;
+  const Scalar domega_r_4_z = t116 + t61 * (t58 - t117);
+  const Scalar Uz_o_3_y = t99 + t100;
+  const Scalar t118 = Scalar(0.2610759493670886) * (t116 + domega_r_4_z) - Uz_o_3_y +
+      Scalar(31.044303797468356) * c_2;
+  const Scalar t119 = t115 - t114;
+  const Scalar t120 = Scalar(0.2610759493670886) * (Uz_o_3_y + t119) - t61 * t117 + c_3 * t109;
+  const Scalar t121 = t65 * t67;
+  const Scalar t122 = domega_r_4_z + t121;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * (Uz_o_4_y + t113) - c_4 * t120 -
+      Scalar(1.2151898734177216) * t122 + s_4 * t118;
+  const Scalar t123 = s_5 * t110 - c_5 * ddp_o_5_x;
+  const Scalar t124 = omega_6_z * omega_6_z - t70 * t70;
+  const Scalar t125 = t66 * t66;
+  const Scalar t126 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_y = t125 + t126;
+  const Scalar U_4_yx = domega_r_4_z - t121;
+  const Scalar t127 = Scalar(0.2610759493670886) * U_4_yx - s_4 * t120 +
+      Scalar(1.2151898734177216) * (t112 + t111) - c_4 * t118;
+  const Scalar t128 = hu_7_t_y * (Scalar(0.27848101265822783) * (Uz_o_6_y + t124) + s_6 * t127 +
+      c_6 * t123);
+  const Scalar Uz_o_6_z = s_5 * t122 + omega_5_z * t72 - c_5 * t108;
+  const Scalar t129 = t70 * omega_6_z;
+  const Scalar U_5_xy = t66 * omega_r_6_a_z + t106;
+  const Scalar domega_r_7_z = t129 - s_6 * Uz_o_6_z + c_6 * U_5_xy;
+  const Scalar t130 = hu_7_t_x * (Scalar(0.27848101265822783) * (t129 + domega_r_7_z) +
+      s_5 * ddp_o_5_x + c_5 * t110);
+  const Scalar t131 = Iu_7_a_xz * (-s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_6_z * t68);
+  const Scalar t132 = t66 * omega_5_z;
+  const Scalar t133 = t132 - c_5 * t122 - s_5 * t108;
+  const Scalar t134 = Iu_7_a_xy * (t70 * omega_r_6_y + t133);
+  const Scalar t135 = t128 + t130 - t129 * Iu_7_d + t134 - t131 - Iu_7_t_xy * t124 +
       Scalar(0.006684151967360946) * domega_r_7_z - tau_7;
-  const Scalar t135 = Scalar(149.60760989322966) * Iu_7_a_xy;
-  const Scalar t136 = t15 * U_5_xy + Iu_6_a_xz * Uz_o_6_z + t89 + t131 * Iu_6_d -
-      Iu_6_t_xy * (t124 - t123) + t135 * t134 + t6 * t132 - f_u_6_6_t_x * t122 - hu_6_t_x * t126 -
+  const Scalar t136 = Scalar(149.60760989322966) * Iu_7_a_xy;
+  const Scalar t137 = -t16 * U_5_xy - Iu_6_a_xz * Uz_o_6_z + t90 - t132 * Iu_6_d +
+      Iu_6_t_xy * (t126 - t125) - t136 * t135 - t6 * t133 + f_u_6_6_t_x * t123 + hu_6_t_x * t127 +
       tau_6;
-  const Scalar t137 = Scalar(0.27848101265822783) * hu_7_t_x + Scalar(0.006684151967360946);
-  const Scalar t138 = s_6 * Iu_7_a_xz + c_6 * t137;
-  const Scalar t139 = t138 * t135 + t15;
-  const Scalar t140 = Iu_7_a_xy * t135 + t6;
-  const Scalar t141 = Scalar(1.0) / t140;
-  const Scalar t142 = t139 * t141;
-  const Scalar t143 = Scalar(149.60760989322966) * t138;
-  const Scalar t144 = -t29 * t119 - t142 * t136 - t17 * t107 + t93 + Iu_5_t_xy * (Uz_o_4_y - t117) -
-      Ic_5_zz * t105 - t102 * t64 - t26 * ddp_o_5_x - hu_5_t_x * t109 + t143 * t134 - tau_5;
-  const Scalar t145 = t6 + Scalar(1.2151898734177216) * f_u_6_6_t_x;
-  const Scalar mu_u_6_4_a_y = Scalar(0.2610759493670886) * hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t145;
-  const Scalar t146 = s_6 * t137 - c_6 * Iu_7_a_xz;
-  const Scalar t147 = s_5 * hu_7_t_x - c_5 * t91;
-  const Scalar t148 = Scalar(1.2151898734177216) * t147 - Scalar(0.2610759493670886) * t77 +
-      c_5 * Iu_7_a_xy + s_5 * t146;
-  const Scalar t149 = t148 * t135 + mu_u_6_4_a_y;
-  const Scalar t150 = t149 * t142 - t148 * t143 + t30;
-  const Scalar b_6_5_5 = t139 * t142 - t138 * t143 + Ic_5_zz;
+  const Scalar t138 = Scalar(0.27848101265822783) * hu_7_t_x + Scalar(0.006684151967360946);
+  const Scalar t139 = s_6 * Iu_7_a_xz + c_6 * t138;
+  const Scalar t140 = t139 * t136 + t16;
+  const Scalar t141 = Iu_7_a_xy * t136 + t6;
+  const Scalar t142 = Scalar(1.0) / t141;
+  const Scalar t143 = t140 * t142;
+  const Scalar t144 = Scalar(149.60760989322966) * t139;
+  const Scalar t145 = t30 * t122 - t143 * t137 + t18 * t108 + t94 + Iu_5_t_xy * t113 +
+      Ic_5_zz * t106 + t103 * t86 + t27 * ddp_o_5_x + hu_5_t_x * t110 - t144 * t135 + tau_5;
+  const Scalar t146 = t6 + Scalar(1.2151898734177216) * f_u_6_6_t_x;
+  const Scalar mu_u_6_4_a_y = Scalar(0.2610759493670886) * hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t146;
+  const Scalar t147 = s_6 * t138 - c_6 * Iu_7_a_xz;
+  const Scalar t148 = s_5 * hu_7_t_x - c_5 * t92;
+  const Scalar t149 = Scalar(1.2151898734177216) * t148 - Scalar(0.2610759493670886) * t82 +
+      c_5 * Iu_7_a_xy + s_5 * t147;
+  const Scalar t150 = t149 * t136 + mu_u_6_4_a_y;
+  const Scalar t151 = t150 * t143 - t149 * t144 + t31;
+  const Scalar b_6_5_5 = t140 * t143 - t139 * t144 + Ic_5_zz;
   const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t151 = t150 * d_5;
-  const Scalar Iu_5_x = Ic_5_zz + t64;
-  const Scalar t152 = qd_5 * ((t17 * beta_5_f + t68 * Iu_5_x) + omega_4_z * t67);
-  const Scalar t153 = hu_5_t_x * t86 + s_5 * f_p_6_a_y + c_5 * t85;
-  const Scalar t154 = qd_5 * (t26 * omega_4_z - hu_5_t_x * t68);
-  const Scalar t155 = -s_6 * t82 - Scalar(2.0) * c_6 * t83 + f_u_6_6_t_x * t84 - Scalar(2.0) * t154;
-  const Scalar mu_4_z = c_5 * t89 - Scalar(0.2610759493670886) * t155 + s_5 * t81 + t152 +
+  const Scalar t152 = t151 * d_5;
+  const Scalar t153 = hu_5_t_x * t77 + s_5 * f_p_6_a_y + c_5 * t74;
+  const Scalar Iu_5_x = Ic_5_zz + t86;
+  const Scalar t154 = qd_5 * (t18 * beta_5_f + t65 * Iu_5_x + omega_4_z * t87);
+  const Scalar t155 = qd_7 * (s_6 * t69 + Scalar(2.0) * c_6 * t71);
+  const Scalar t156 = qd_5 * (t27 * omega_4_z - hu_5_t_x * t65);
+  const Scalar t157 = f_u_6_6_t_x * t73 - t155 - Scalar(2.0) * t156;
+  const Scalar mu_4_z = s_5 * t85 - c_5 * t90 - Scalar(0.2610759493670886) * t157 + t154 +
       Scalar(1.2151898734177216) * t153;
-  const Scalar t156 = t149 * t141;
-  const Scalar t157 = Scalar(-149.60760989322966) * t148;
-  const Scalar t158 = Iu_4_a_xy * U_3_xy - t32 * t101 + mu_4_z - t157 * t134 - tau_4 - t151 * t144 -
-      t156 * t136 - t110 * Iu_4_d - t42 * (Uz_o_3_y - t120) + t37 * t121 + hu_4_t_x * t112 +
-      t23 * domega_r_4_z;
-  const Scalar t159 = Scalar(0.2610759493670886) * hu_5_t_x;
-  const Scalar mu_5_4_y = Ic_5_zz - t159;
-  const Scalar mu_5_3_z = t159 - s_4 * t18 + c_4 * mu_5_4_y;
-  const Scalar t160 = c_5 * Iu_6_a_xz + s_5 * t145;
-  const Scalar t161 = s_5 * t19;
-  const Scalar t162 = t15 + t161;
-  const Scalar mu_6_3_z = t161 - c_4 * t162 - s_4 * t160;
-  const Scalar f_u_7_5_a_z = s_5 * t91 + c_5 * hu_7_t_x;
-  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t146;
-  const Scalar t163 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
-  const Scalar t164 = t138 - t163;
-  const Scalar mu_u_7_3_a_y = t163 - s_4 * mu_7_4_x + c_4 * t164;
-  const Scalar b_7_6_3 = mu_6_3_z - mu_u_7_3_a_y * t135;
-  const Scalar b_6_5_3 = -b_7_6_3 * t142 - mu_u_7_3_a_y * t143 + mu_5_3_z;
-  const Scalar t165 = Iu_4_a_xy - mu_u_7_3_a_y * t157 + b_7_6_3 * t156 + b_6_5_3 * t151;
-  const Scalar t166 = t148 * t157 - t150 * t151 + t149 * t156 + t23;
-  const Scalar t167 = Scalar(1.0) / t166;
-  const Scalar t168 = t165 * t167;
-  const Scalar t169 = b_6_5_3 * d_5;
-  const Scalar t170 = b_7_6_3 * t141;
-  const Scalar t171 = Scalar(149.60760989322966) * mu_u_7_3_a_y;
-  const Scalar t172 = c_3 * t44 + s_3 * hc_3_x;
-  const Scalar t173 = t97 * (t99 - t98) - t168 * t158 - t171 * t134 + t96 + tau_3 + t169 * t144 -
-      t170 * t136 - t172 * t108 - t56;
-  const Scalar t174 = t172 + t54;
-  const Scalar t175 = hu_5_t_x + (s_4 * mu_5_4_y + c_4 * t18);
-  const Scalar t176 = (s_4 * t27 + t30) + c_4 * t26;
-  const Scalar mu_u_7_4_t_x = s_4 * t164 + c_4 * mu_7_4_x;
-  const Scalar t177 = f_u_7_5_a_z + mu_u_7_4_t_x;
-  const Scalar t178 = t148 - Scalar(0.2610759493670886) * (s_4 * t147 - c_4 * t77);
-  const Scalar t179 = (s_4 * t77 + c_4 * t147) + t178;
-  const Scalar t180 = c_3 * t179 + s_3 * t177;
-  const Scalar t181 = (s_4 * t162 - c_4 * t160) - s_5 * f_u_6_6_t_x;
-  const Scalar t182 = c_5 * f_u_6_6_t_x;
-  const Scalar f_u_6_4_t_y = s_4 * t182 + c_4 * hu_6_t_x;
-  const Scalar mu_6_3_y = mu_u_6_4_a_y - Scalar(0.2610759493670886) * f_u_6_4_t_y;
-  const Scalar t183 = (s_4 * hu_6_t_x - c_4 * t182) - mu_6_3_y;
-  const Scalar b_7_6_2 = t180 * t135 + s_3 * t181 - c_3 * t183;
-  const Scalar t184 = b_7_6_2 * t142 - t180 * t143 + c_3 * t176 + s_3 * t175;
-  const Scalar t185 = t37 + (Scalar(0.2610759493670886) * hu_4_t_x + t23);
-  const Scalar t186 = -t180 * t157 - s_3 * t32 + t184 * t151 - b_7_6_2 * t156 - c_3 * t185;
-  const Scalar t187 = -t180 * t171 - t186 * t168 - t184 * t169 - b_7_6_2 * t170 + t174;
-  const Scalar t188 = mu_u_7_3_a_y * t171 + t165 * t168 - b_7_6_3 * t170 + b_6_5_3 * t169 + t41;
-  const Scalar t189 = Scalar(1.0) / t188;
-  const Scalar t190 = t187 * t189;
-  const Scalar t191 = qd_4 * (t58 * t61 + (Iu_4_a_xy * beta_4_f + omega_3_z * (t23 + Iu_4_d)));
-  const Scalar t192 = t95 - (s_4 * t94 - c_4 * t90 - t191);
-  const Scalar beta_3_f = qd_3 + Scalar(2.0) * t62;
-  const Scalar t193 = qd_3 * (t46 * beta_3_f + t97 * t53);
-  const Scalar t194 = t186 * t167;
-  const Scalar t195 = qd_4 * beta_4_f;
-  const Scalar t196 = mu_4_z - Scalar(0.2610759493670886) * (s_4 * t153 - c_4 * t155 + t37 * t195);
-  const Scalar t197 = t196 + (s_4 * t155 + c_4 * t153 + hu_4_t_x * t195);
-  const Scalar t198 = t184 * d_5;
-  const Scalar t199 = b_7_6_2 * t141;
-  const Scalar t200 = Scalar(149.60760989322966) * t180;
-  const Scalar hu_2_t_x = s_2 * (t37 + Scalar(1.056862013749792)) -
-      c_2 * (Scalar(0.000642110282856) + t45);
-  const Scalar y_3_2 = t200 * t134 + c_3 * t197 + tau_2 - t199 * t136 - s_3 * t192 - t193 +
-      Scalar(31.044303797468356) * hu_2_t_x - t190 * t173 + t194 * t158 - t198 * t144 - t52;
-  const Scalar t201 = b_7_6_2 * t199 - t180 * t200 - t184 * t198 + t187 * t190 - t38 - t186 * t194 +
-      Iu_3_t_yy + Scalar(1.8182423259695848);
-  const Scalar t202 = Scalar(1.0) / t201;
-  const Scalar t203 = s_2 * (s_3 * t176 - c_3 * t175);
-  const Scalar t204 = s_2 * (s_3 * t179 - c_3 * t177) - c_2 * mu_u_7_3_a_y;
-  const Scalar t205 = s_2 * (c_3 * t181 + s_3 * t183);
-  const Scalar b_7_6_1 = t204 * t135 - t205 + c_2 * mu_6_3_z;
-  const Scalar t206 = b_7_6_1 * t142 - t204 * t143 + t203 - c_2 * mu_5_3_z;
-  const Scalar t207 = s_2 * (c_3 * t32 - s_3 * t185);
-  const Scalar t208 = -t204 * t157 - c_2 * Iu_4_a_xy + t206 * t151 - b_7_6_1 * t156 + t207;
-  const Scalar t209 = t204 * t171 + t208 * t168 + b_7_6_1 * t170 + t206 * t169 - s_2 * t46 -
-      c_2 * t41;
-  const Scalar t210 = Scalar(0.01026110182100817) + t97;
-  const Scalar t211 = Scalar(0.0007689361029464) + t174;
-  const Scalar t212 = t204 * t200 + t206 * t198 - b_7_6_1 * t199 + t209 * t190 + t208 * t194 +
-      s_2 * t210 + c_2 * t211;
-  const Scalar t213 = t212 * t202;
-  const Scalar t214 = qd_2 * (Scalar(2.0) * t49 - (s_2 * t211 - c_2 * t210) * qd_2);
-  const Scalar t215 = t209 * t189;
-  const Scalar t216 = (qd_2 * (t41 - t50) - Scalar(2.0) * t97 * t55) - t174 * beta_3_f;
-  const Scalar t217 = s_2 * (s_3 * t197 + c_3 * t192 - qd_3 * t216);
-  const Scalar t218 = t208 * t167;
-  const Scalar t219 = t206 * d_5;
-  const Scalar t220 = b_7_6_1 * t141;
-  const Scalar t221 = Scalar(-149.60760989322966) * t204;
-  const Scalar t222 = tau_1 - t221 * t134 - t220 * t136 + c_2 * t96 + t213 * y_3_2 + t215 * t173 +
-      t218 * t158 - t219 * t144 + t217 + t214;
-  const Scalar t223 = t204 * t221 - t206 * t219 + b_7_6_1 * t220 - t212 * t213 - t208 * t218 +
-      t209 * t215 + t39 - c_2 * t48 + Scalar(1.8094240094691274);
-  const Scalar qdd_1 = (Scalar(1.0) / t223) * t222;
+  const Scalar t158 = t150 * t142;
+  const Scalar t159 = Scalar(-149.60760989322966) * t149;
+  const Scalar t160 = Iu_4_a_xy * U_3_xy - t33 * t102 + mu_4_z - t159 * t135 - t116 * Iu_4_d +
+      t43 * t119 - tau_4 + t152 * t145 + t158 * t137 + t38 * t120 + hu_4_t_x * t118 +
+      t24 * domega_r_4_z;
+  const Scalar t161 = Scalar(0.2610759493670886) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t161;
+  const Scalar mu_5_3_z = t161 - s_4 * t19 + c_4 * mu_5_4_y;
+  const Scalar t162 = c_5 * Iu_6_a_xz + s_5 * t146;
+  const Scalar t163 = s_5 * t20;
+  const Scalar t164 = t16 + t163;
+  const Scalar mu_6_3_z = t163 - c_4 * t164 - s_4 * t162;
+  const Scalar f_u_7_5_a_z = s_5 * t92 + c_5 * hu_7_t_x;
+  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t147;
+  const Scalar t165 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
+  const Scalar t166 = t139 - t165;
+  const Scalar mu_u_7_3_a_y = t165 - s_4 * mu_7_4_x + c_4 * t166;
+  const Scalar b_7_6_3 = mu_6_3_z - mu_u_7_3_a_y * t136;
+  const Scalar b_6_5_3 = -b_7_6_3 * t143 - mu_u_7_3_a_y * t144 + mu_5_3_z;
+  const Scalar t167 = Iu_4_a_xy - mu_u_7_3_a_y * t159 + b_7_6_3 * t158 + b_6_5_3 * t152;
+  const Scalar t168 = t149 * t159 - t151 * t152 + t150 * t158 + t24;
+  const Scalar t169 = Scalar(1.0) / t168;
+  const Scalar t170 = t167 * t169;
+  const Scalar t171 = b_6_5_3 * d_5;
+  const Scalar t172 = b_7_6_3 * t142;
+  const Scalar t173 = Scalar(149.60760989322966) * mu_u_7_3_a_y;
+  const Scalar t174 = c_3 * t45 + s_3 * hc_3_x;
+  const Scalar t175 = t98 * (t100 - t99) - t170 * t160 - t173 * t135 + t97 + tau_3 - t171 * t145 +
+      t172 * t137 - t174 * t109 - t57;
+  const Scalar t176 = t174 + t54;
+  const Scalar t177 = hu_5_t_x + s_4 * mu_5_4_y + c_4 * t19;
+  const Scalar t178 = t31 + t27 * (c_4 - Scalar(0.2610759493670886) * s_4);
+  const Scalar t179 = f_u_7_5_a_z + s_4 * t166 + c_4 * mu_7_4_x;
+  const Scalar t180 = s_4 * t148 - c_4 * t82;
+  const Scalar t181 = s_4 * t82 - Scalar(0.2610759493670886) * t180 + c_4 * t148 + t149;
+  const Scalar t182 = c_3 * t181 + s_3 * t179;
+  const Scalar t183 = s_4 * t164 - c_4 * t162 - s_5 * f_u_6_6_t_x;
+  const Scalar t184 = c_5 * f_u_6_6_t_x;
+  const Scalar f_u_6_4_t_y = s_4 * t184 + c_4 * hu_6_t_x;
+  const Scalar t185 = c_4 * t184 - Scalar(0.2610759493670886) * f_u_6_4_t_y - s_4 * hu_6_t_x +
+      mu_u_6_4_a_y;
+  const Scalar b_7_6_2 = t182 * t136 + s_3 * t183 + c_3 * t185;
+  const Scalar t186 = b_7_6_2 * t143 - t182 * t144 + c_3 * t178 + s_3 * t177;
+  const Scalar t187 = Scalar(0.2610759493670886) * hu_4_t_x + t38 + t24;
+  const Scalar t188 = -t182 * t159 - s_3 * t33 + t186 * t152 - b_7_6_2 * t158 - c_3 * t187;
+  const Scalar t189 = -t182 * t173 - t188 * t170 - t186 * t171 - b_7_6_2 * t172 + t176;
+  const Scalar t190 = mu_u_7_3_a_y * t173 + t167 * t170 - b_7_6_3 * t172 + b_6_5_3 * t171 + t42;
+  const Scalar t191 = Scalar(1.0) / t190;
+  const Scalar t192 = t189 * t191;
+  const Scalar beta_3_f = qd_3 + Scalar(2.0) * t61;
+  const Scalar t193 = qd_3 * (t98 * t56 + t47 * beta_3_f);
+  const Scalar t194 = qd_4 * (Iu_4_a_xy * beta_4_f + t59 * t60 + omega_3_z * (t24 + Iu_4_d));
+  const Scalar t195 = s_4 * t95 + c_4 * t91 + t96 + t194;
+  const Scalar t196 = t188 * t169;
+  const Scalar t197 = qd_4 * beta_4_f;
+  const Scalar t198 = s_4 * t153 - c_4 * t157 + t38 * t197;
+  const Scalar t199 = s_4 * t157 + c_4 * t153 + mu_4_z - Scalar(0.2610759493670886) * t198 +
+      hu_4_t_x * t197;
+  const Scalar t200 = t186 * d_5;
+  const Scalar t201 = b_7_6_2 * t142;
+  const Scalar t202 = Scalar(149.60760989322966) * t182;
+  const Scalar hu_2_t_x = s_2 * (t38 + Scalar(1.056862013749792)) -
+      c_2 * (Scalar(0.000642110282856) + t46);
+  const Scalar y_3_2 = t202 * t135 + c_3 * t199 + tau_2 - t192 * t175 + t201 * t137 - s_3 * t195 -
+      t193 + Scalar(31.044303797468356) * hu_2_t_x + t196 * t160 + t200 * t145 - t53;
+  const Scalar t203 = b_7_6_2 * t201 - t182 * t202 - t186 * t200 + t189 * t192 + Iu_3_t_yy - t39 -
+      t188 * t196 + Scalar(1.8182423259695848);
+  const Scalar t204 = Scalar(1.0) / t203;
+  const Scalar t205 = s_2 * (s_3 * t178 - c_3 * t177);
+  const Scalar t206 = s_2 * (s_3 * t181 - c_3 * t179) - c_2 * mu_u_7_3_a_y;
+  const Scalar t207 = s_2 * (c_3 * t183 - s_3 * t185);
+  const Scalar b_7_6_1 = t206 * t136 - t207 + c_2 * mu_6_3_z;
+  const Scalar t208 = b_7_6_1 * t143 - t206 * t144 + t205 - c_2 * mu_5_3_z;
+  const Scalar t209 = s_2 * (c_3 * t33 - s_3 * t187);
+  const Scalar t210 = -t206 * t159 - c_2 * Iu_4_a_xy + t208 * t152 - b_7_6_1 * t158 + t209;
+  const Scalar t211 = t206 * t173 + t210 * t170 + b_7_6_1 * t172 + t208 * t171 - s_2 * t47 -
+      c_2 * t42;
+  const Scalar t212 = Scalar(0.01026110182100817) + t98;
+  const Scalar t213 = Scalar(0.0007689361029464) + t176;
+  const Scalar t214 = t206 * t202 + t208 * t200 - b_7_6_1 * t201 + t211 * t192 + t210 * t196 +
+      s_2 * t212 + c_2 * t213;
+  const Scalar t215 = t214 * t204;
+  const Scalar t216 = qd_2 * (Scalar(2.0) * t50 - (s_2 * t213 - c_2 * t212) * qd_2);
+  const Scalar t217 = t211 * t191;
+  const Scalar t218 = Scalar(-2.0) * t98 * t55 - t176 * beta_3_f + qd_2 * (t42 - t51);
+  const Scalar t219 = s_2 * (s_3 * t199 + c_3 * t195 - qd_3 * t218);
+  const Scalar t220 = t210 * t169;
+  const Scalar t221 = t208 * d_5;
+  const Scalar t222 = b_7_6_1 * t142;
+  const Scalar t223 = Scalar(-149.60760989322966) * t206;
+  const Scalar t224 = tau_1 - t223 * t135 + t222 * t137 + c_2 * t97 + t215 * y_3_2 + t217 * t175 +
+      t220 * t160 + t221 * t145 + t219 + t216;
+  const Scalar t225 = t206 * t223 - t208 * t221 + b_7_6_1 * t222 - t214 * t215 - t210 * t220 +
+      t211 * t217 + t40 - c_2 * t49 + Scalar(1.8094240094691274);
+  const Scalar qdd_1 = (Scalar(1.0) / t225) * t224;
   qdd[0] = qdd_1;
-  const Scalar qdd_2 = t202 * (t212 * qdd_1 + y_3_2);
+  const Scalar qdd_2 = t204 * (t214 * qdd_1 + y_3_2);
   qdd[1] = qdd_2;
-  const Scalar t224 = t189 * (t173 - (t209 * qdd_1 - t187 * qdd_2));
-  qdd[2] = -t224;
-  const Scalar t225 = t167 * ((t208 * qdd_1 + t186 * qdd_2) + (t165 * t224 + t158));
-  qdd[3] = -t225;
-  const Scalar t226 = t144 - (t206 * qdd_1 + t184 * qdd_2);
-  const Scalar t227 = d_5 * (t226 - (b_6_5_3 * t224 + t150 * t225));
-  qdd[4] = -t227;
-  const Scalar t228 = (b_7_6_3 * t224 - t149 * t225) - (b_7_6_1 * qdd_1 + b_7_6_2 * qdd_2);
-  const Scalar t229 = t141 * (t228 - (t139 * t227 + t136));
-  qdd[5] = -t229;
-  const Scalar t230 = (t180 * qdd_2 + mu_u_7_3_a_y * t224) + (t148 * t225 + t138 * t227);
-  qdd[6] = Scalar(-149.60760989322966) * t230 -
-      Scalar(149.60760989322966) * (Iu_7_a_xy * t229 + (t204 * qdd_1 + t134));
-  bool positive = t223 > Scalar(0.0);
-  positive &= t201 > Scalar(0.0);
-  positive &= -t188 > Scalar(0.0);
-  positive &= t166 > Scalar(0.0);
+  const Scalar t226 = t191 * (t189 * qdd_2 - t211 * qdd_1 + t175);
+  qdd[2] = -t226;
+  const Scalar t227 = t169 * (t167 * t226 + t210 * qdd_1 + t160 + t188 * qdd_2);
+  qdd[3] = -t227;
+  const Scalar t228 = t208 * qdd_1 + t186 * qdd_2 + b_6_5_3 * t226 + t151 * t227 + t145;
+  const Scalar qdd_5 = d_5 * t228;
+  qdd[4] = qdd_5;
+  const Scalar t229 = t140 * qdd_5 + b_7_6_3 * t226 - b_7_6_1 * qdd_1 - b_7_6_2 * qdd_2 -
+      t150 * t227 + t137;
+  const Scalar t230 = t142 * t229;
+  qdd[5] = -t230;
+  const Scalar t231 = t182 * qdd_2 + t149 * t227 + mu_u_7_3_a_y * t226 - t139 * qdd_5;
+  qdd[6] = Scalar(-149.60760989322966) * t231 -
+      Scalar(149.60760989322966) * (t206 * qdd_1 + Iu_7_a_xy * t230 + t135);
+  bool positive = t225 > Scalar(0.0);
+  positive &= t203 > Scalar(0.0);
+  positive &= -t190 > Scalar(0.0);
+  positive &= t168 > Scalar(0.0);
   positive &= b_6_5_5 > Scalar(0.0);
-  positive &= -t140 > Scalar(0.0);
+  positive &= -t141 > Scalar(0.0);
   return positive;
 }
 
@@ -2784,83 +2794,83 @@ inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
   J[38] = -t1;
   const Scalar t2 = c_1 * c_2;
   const Scalar t3 = s_1 * c_3;
-  const Scalar z_4_x = t3 + s_3 * t2;
+  const Scalar z_4_x = s_3 * t2 + t3;
   J[24] = z_4_x;
-  const Scalar t4 = s_2 * c_3;
-  const Scalar R_42_y = c_2 * c_4 + s_4 * t4;
+  const Scalar t4 = s_1 * s_3;
+  const Scalar J_54 = c_2 * t4 - c_1 * c_3;
+  J[31] = J_54;
+  const Scalar t5 = s_2 * c_3;
+  const Scalar R_42_y = s_4 * t5 + c_2 * c_4;
   J[39] = R_42_y;
-  const Scalar t5 = s_1 * s_3;
-  const Scalar t6 = c_1 * c_3 - c_2 * t5;
-  J[31] = -t6;
-  const Scalar t7 = t5 - c_3 * t2;
-  const Scalar R_40_y = c_4 * z_3_x + s_4 * t7;
-  J[25] = R_40_y;
-  const Scalar R_31_x = c_1 * s_3 + c_2 * t3;
-  const Scalar R_41_y = c_4 * z_3_y - s_4 * R_31_x;
-  J[32] = R_41_y;
-  const Scalar t8 = c_2 * s_4 - c_4 * t4;
-  const Scalar R_52_y = c_5 * t1 - s_5 * t8;
+  const Scalar t6 = c_3 * t2 - t4;
+  const Scalar t7 = s_4 * t6 - c_4 * z_3_x;
+  J[25] = -t7;
+  const Scalar R_31_x = c_2 * t3 + c_1 * s_3;
+  const Scalar t8 = s_4 * R_31_x - c_4 * z_3_y;
+  J[32] = -t8;
+  const Scalar t9 = c_4 * t5 - c_2 * s_4;
+  const Scalar R_52_y = s_5 * t9 + c_5 * t1;
   J[40] = -R_52_y;
-  const Scalar t9 = c_4 * t7 - s_4 * z_3_x;
-  const Scalar z_6_x = c_5 * z_4_x - s_5 * t9;
+  const Scalar t10 = s_4 * z_3_x + c_4 * t6;
+  const Scalar z_6_x = s_5 * t10 + c_5 * z_4_x;
   J[26] = z_6_x;
-  const Scalar R_41_x = c_4 * R_31_x + s_4 * z_3_y;
-  const Scalar t10 = c_5 * t6 - s_5 * R_41_x;
-  J[33] = -t10;
-  const Scalar R_52_x = c_5 * t8 + s_5 * t1;
-  const Scalar t11 = c_6 * R_42_y - s_6 * R_52_x;
-  J[41] = -t11;
-  const Scalar t12 = c_5 * t9 + s_5 * z_4_x;
-  const Scalar R_60_y = c_6 * R_40_y + s_6 * t12;
-  J[27] = -R_60_y;
-  const Scalar t13 = c_5 * R_41_x + s_5 * t6;
-  const Scalar R_61_y = c_6 * R_41_y - s_6 * t13;
-  J[34] = -R_61_y;
+  const Scalar R_41_x = s_4 * z_3_y + c_4 * R_31_x;
+  const Scalar J_56 = s_5 * R_41_x + c_5 * J_54;
+  J[33] = J_56;
+  const Scalar R_52_x = s_5 * t1 - c_5 * t9;
+  const Scalar J_67 = s_6 * R_52_x - c_6 * R_42_y;
+  J[41] = J_67;
   const Scalar p_6u_t_x = Scalar(0.088) * c_6 + Scalar(0.2104) * s_6;
   const Scalar p_5_x = c_5 * p_6u_t_x - Scalar(0.0825);
-  const Scalar t14 = Scalar(0.2104) * c_6 - Scalar(0.088) * s_6 - Scalar(0.384);
-  const Scalar p_4_x = c_4 * p_5_x + Scalar(0.0825) + s_4 * t14;
-  const Scalar t15 = s_5 * p_6u_t_x;
-  const Scalar t16 = c_3 * p_4_x - s_3 * t15;
-  const Scalar t17 = c_4 * t14 - s_4 * p_5_x - Scalar(0.316);
-  const Scalar p_2u_t_x = c_2 * t16 - s_2 * t17;
-  const Scalar p_3u_t_y = c_3 * t15 + s_3 * p_4_x;
-  const Scalar p_1u_t_x = c_1 * p_2u_t_x - s_1 * p_3u_t_y;
-  J[7] = p_1u_t_x;
-  const Scalar t18 = s_2 * t16 + c_2 * t17;
-  J[1] = -c_1 * t18;
-  J[8] = -s_1 * t18;
-  const Scalar p_1u_t_y = c_1 * p_3u_t_y + s_1 * p_2u_t_x;
+  const Scalar t11 = Scalar(0.2104) * c_6 - Scalar(0.088) * s_6 - Scalar(0.384);
+  const Scalar p_4_x = c_4 * p_5_x + Scalar(0.0825) + s_4 * t11;
+  const Scalar t12 = s_5 * p_6u_t_x;
+  const Scalar t13 = s_3 * t12 - c_3 * p_4_x;
+  const Scalar t14 = s_4 * p_5_x - c_4 * t11 + Scalar(0.316);
+  const Scalar t15 = s_2 * t13 + c_2 * t14;
+  J[1] = c_1 * t15;
+  J[8] = s_1 * t15;
+  const Scalar t16 = s_5 * z_4_x - c_5 * t10;
+  const Scalar R_60_y = s_6 * t16 - c_6 * t7;
+  J[27] = -R_60_y;
+  const Scalar t17 = s_5 * J_54 - c_5 * R_41_x;
+  const Scalar R_61_y = s_6 * t17 - c_6 * t8;
+  J[34] = -R_61_y;
+  const Scalar p_2u_t_x = s_2 * t14 - c_2 * t13;
+  const Scalar p_3u_t_y = c_3 * t12 + s_3 * p_4_x;
+  const Scalar t18 = s_1 * p_3u_t_y - c_1 * p_2u_t_x;
+  J[7] = -t18;
+  const Scalar p_1u_t_y = s_1 * p_2u_t_x + c_1 * p_3u_t_y;
   J[0] = -p_1u_t_y;
-  J[15] = -c_1 * p_1u_t_x - s_1 * p_1u_t_y;
-  const Scalar t19 = p_1u_t_x - Scalar(0.316) * z_3_x;
-  const Scalar t20 = Scalar(0.316) * c_2 + t18;
-  J[9] = c_2 * t19 + z_3_x * t20;
+  J[15] = c_1 * t18 - s_1 * p_1u_t_y;
+  const Scalar t19 = Scalar(0.316) * z_3_x + t18;
+  const Scalar t20 = Scalar(0.316) * c_2 - t15;
+  J[9] = z_3_x * t20 - c_2 * t19;
   const Scalar r_3_y = p_1u_t_y - Scalar(0.316) * z_3_y;
-  J[2] = -c_2 * r_3_y - z_3_y * t20;
-  J[16] = s_2 * (c_1 * r_3_y - s_1 * t19);
+  J[2] = -z_3_y * t20 - c_2 * r_3_y;
+  J[16] = s_2 * (s_1 * t19 + c_1 * r_3_y);
   const Scalar r_4_y = r_3_y - Scalar(0.0825) * R_31_x;
-  const Scalar t21 = t20 - Scalar(0.0825) * t4;
-  J[3] = t6 * t21 + t1 * r_4_y;
-  const Scalar t22 = Scalar(0.0825) * t7 + t19;
-  J[10] = z_4_x * t21 - t1 * t22;
-  J[17] = z_4_x * r_4_y + t6 * t22;
-  const Scalar t23 = Scalar(-0.0825) * t9 - Scalar(0.384) * R_40_y + t22;
-  const Scalar t24 = Scalar(0.384) * R_42_y - Scalar(0.0825) * t8 + t21;
-  J[11] = R_42_y * t23 + R_40_y * t24;
-  const Scalar r_5_y = Scalar(0.0825) * R_41_x - Scalar(0.384) * R_41_y + r_4_y;
-  J[18] = R_40_y * r_5_y - R_41_y * t23;
-  J[5] = r_5_y * R_52_y + t24 * t10;
-  J[19] = t23 * t10 + r_5_y * z_6_x;
-  J[4] = -R_42_y * r_5_y - R_41_y * t24;
-  J[12] = t24 * z_6_x - t23 * R_52_y;
-  const Scalar r_7_y = r_5_y - Scalar(0.088) * (c_6 * t13 + s_6 * R_41_y);
-  const Scalar R_62_x = c_6 * R_52_x + s_6 * R_42_y;
+  const Scalar t21 = t20 - Scalar(0.0825) * t5;
+  J[3] = t1 * r_4_y - J_54 * t21;
+  const Scalar t22 = Scalar(0.0825) * t6 + t19;
+  J[10] = t1 * t22 + z_4_x * t21;
+  J[17] = J_54 * t22 + z_4_x * r_4_y;
+  const Scalar t23 = Scalar(-0.0825) * t10 - Scalar(0.384) * t7 + t22;
+  const Scalar t24 = Scalar(0.0825) * t9 + Scalar(0.384) * R_42_y + t21;
+  J[12] = t23 * R_52_y + t24 * z_6_x;
+  const Scalar r_5_y = Scalar(0.0825) * R_41_x + Scalar(0.384) * t8 + r_4_y;
+  J[19] = r_5_y * z_6_x + t23 * J_56;
+  J[4] = t8 * t24 - R_42_y * r_5_y;
+  J[11] = -R_42_y * t23 - t7 * t24;
+  J[18] = -t8 * t23 - t7 * r_5_y;
+  J[5] = r_5_y * R_52_y - t24 * J_56;
+  const Scalar r_7_y = Scalar(0.088) * (s_6 * t8 + c_6 * t17) + r_5_y;
+  const Scalar R_62_x = s_6 * R_42_y + c_6 * R_52_x;
   const Scalar t25 = Scalar(0.088) * R_62_x + t24;
-  J[6] = t11 * r_7_y + R_61_y * t25;
-  const Scalar t26 = Scalar(0.088) * (c_6 * t12 - s_6 * R_40_y) + t23;
-  J[13] = -t11 * t26 - R_60_y * t25;
-  J[20] = R_61_y * t26 - R_60_y * r_7_y;
+  J[6] = R_61_y * t25 - J_67 * r_7_y;
+  const Scalar t26 = t23 - Scalar(0.088) * (s_6 * t7 + c_6 * t16);
+  J[13] = -J_67 * t26 - R_60_y * t25;
+  J[20] = -R_61_y * t26 - R_60_y * r_7_y;
   J[35] = Scalar(1.0);
   J[14] = J[21] = J[28] = J[36] = Scalar(0.0);
 }

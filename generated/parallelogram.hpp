@@ -172,7 +172,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // Reads q[0..1], qd[0..1], qdd[0..1], h_e[0..1], h_e[5], parameters.g, parameters.m_l1,
 // parameters.l_1, parameters.I_l1, parameters.a_1, parameters.m_l2, parameters.l_2,
 // parameters.I_l2, parameters.a_1b, parameters.m_l3, parameters.l_3, parameters.I_l3,
-// parameters.m_l1b, parameters.l_1b, parameters.I_l1b. Operations: 58 mul, 37 add, 4 sin/cos.
+// parameters.m_l1b, parameters.l_1b, parameters.I_l1b. Operations: 62 mul, 39 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
@@ -198,18 +198,18 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   const Scalar t6 = a_1b * t4 + t5;
   const Scalar t7 = s_1 * t6 + c_1 * ddp_o_3_y;
   const Scalar t8 = s_1 * h_e_1 - c_1 * h_e_2 - m_l3 * (t7 - l_3 * qdd_1);
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   const Scalar t9 = m_l3 * (s_1 * ddp_o_3_y - c_1 * t6 + l_3 * t1);
   const Scalar t10 = s_1 * h_e_2 + c_1 * h_e_1 + t9;
-  const Scalar t11 = s_1 * t8 + c_1 * t10;
-  const Scalar f_u_3_t_y = s_1 * t10 - c_1 * t8;
-  const Scalar t12 = a_1b * (s_2 * t11 - c_2 * f_u_3_t_y);
-  const Scalar t13 = m_l2 * l_2;
-  const Scalar t14 = t13 * (s_2 * t5 + c_2 * ddp_o_2_y);
-  const Scalar t15 = m_l1b * l_1b;
-  const Scalar t16 = qdd_2 * (I_l2 + I_l1b + l_2 * t13 + l_1b * t15);
-  tau[1] = g * c_2 * t15 + t14 - t12 + t16;
-  const Scalar f_2_y = f_u_3_t_y - t3 * t13;
-  const Scalar t17 = a_1 * (s_1 * (t11 - t4 * t13) - c_1 * f_2_y);
+  const Scalar t11 = a_1b * ((s_1 * c_2 - c_1 * s_2) * t10 - c_m1_2 * t8);
+  const Scalar t12 = m_l2 * l_2;
+  const Scalar t13 = t12 * (s_2 * t5 + c_2 * ddp_o_2_y);
+  const Scalar t14 = m_l1b * l_1b;
+  const Scalar t15 = qdd_2 * (I_l2 + I_l1b + l_2 * t12 + l_1b * t14);
+  tau[1] = g * c_2 * t14 + t13 + t11 + t15;
+  const Scalar t16 = s_1 * (s_1 * t8 + c_1 * t10 - t4 * t12);
+  const Scalar f_2_y = s_1 * t10 - c_1 * t8 - t3 * t12;
+  const Scalar t17 = a_1 * (t16 - c_1 * f_2_y);
   const Scalar t18 = m_l3 * l_3;
   const Scalar t19 = a_1 * m_l2;
   const Scalar t20 = m_l1 * l_1;
@@ -366,7 +366,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // Reads q[0..1], qd[0..1], tau[0..1], parameters.g, parameters.m_l1, parameters.l_1,
 // parameters.I_l1, parameters.a_1, parameters.m_l2, parameters.l_2, parameters.I_l2,
 // parameters.a_1b, parameters.m_l3, parameters.l_3, parameters.I_l3, parameters.m_l1b,
-// parameters.l_1b, parameters.I_l1b. Operations: 61 mul, 37 add, 2 div, 4 sin/cos.
+// parameters.l_1b, parameters.I_l1b. Operations: 55 mul, 38 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
@@ -380,41 +380,42 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
-  const Scalar t1 = l_3 * c_m1_2;
-  const Scalar t2 = m_l2 * l_2;
-  const Scalar t3 = s_1 * c_2 - c_1 * s_2;
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar t2 = a_1b * m_l3;
+  const Scalar t3 = t1 + t2;
   const Scalar t4 = m_l3 * l_3;
-  const Scalar t5 = t3 * t3 * t4;
-  const Scalar t6 = a_1 * (t5 - c_m1_2 * (t2 + m_l3 * (a_1b - t1)));
-  const Scalar t7 = c_m1_2 * t4;
-  const Scalar t8 = a_1 * (t5 + c_m1_2 * t7);
-  const Scalar t9 = a_1b * t7 - t8 + t6;
-  const Scalar t10 = a_1b * m_l3;
-  const Scalar t11 = m_l1b * l_1b;
-  const Scalar b_2_2q = I_l2 + I_l1b + a_1b * t10 + l_2 * t2 + l_1b * t11;
+  const Scalar t5 = s_1 * t4 - s_2 * t3;
+  const Scalar t6 = c_1 * t4 - c_2 * t3;
+  const Scalar c_m1_2 = c_1 * c_2 + s_1 * s_2;
+  const Scalar t7 = a_1b * t4;
+  const Scalar t8 = a_1 * t4;
+  const Scalar t9 = (c_m1_2 * t7 - t8) + a_1 * (s_1 * t5 + c_1 * t6);
+  const Scalar t10 = m_l1b * l_1b;
+  const Scalar b_2_2q = I_l2 + I_l1b + l_2 * t1 + a_1b * t2 + l_1b * t10;
   const Scalar d_2 = Scalar(1.0) / b_2_2q;
-  const Scalar t12 = t9 * d_2;
-  const Scalar I_3_zz = I_l3 + l_3 * t4;
+  const Scalar t11 = t9 * d_2;
+  const Scalar t12 = a_1 * (m_l2 + m_l3);
   const Scalar t13 = m_l1 * l_1;
-  const Scalar t14 = a_1 * a_1 * (m_l2 + m_l3);
-  const Scalar b_2_1_1 = I_l1 + I_3_zz - Scalar(2.0) * t8 - t9 * t12 + l_1 * t13 + t14;
+  const Scalar b_2_1_1 = I_l1 + I_l3 + l_3 * t4 + l_1 * t13 - t9 * t11 + a_1 * t12 -
+      Scalar(2.0) * t8;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t15 = qd_1 * qd_1;
-  const Scalar t16 = a_1 * t15 - g * s_1;
-  const Scalar t17 = g * c_1;
-  const Scalar t18 = t3 * t16 - c_m1_2 * t17;
-  const Scalar t19 = t18 - l_3 * t3 * t15;
-  const Scalar t20 = t2 * t18 - g * c_2 * t11 + tau_2 + t10 * t19;
-  const Scalar t21 = qd_2 * qd_2;
-  const Scalar t22 = t3 * t17 + c_m1_2 * t16 + a_1b * t21;
-  const Scalar t23 = t3 * (t2 * t21 + m_l3 * (t22 - t1 * t15));
-  const Scalar t24 = a_1 * (t23 - m_l3 * c_m1_2 * t19);
-  const Scalar t25 = t4 * (t3 * t22 - c_m1_2 * t18);
-  const Scalar mr_1_x = t13 + a_1 * m_l2;
-  const Scalar qdd_1 = d_1 * (tau_1 - t17 * mr_1_x + t25 + t12 * t20 - t24);
+  const Scalar t14 = qd_1 * a_1 * qd_1;
+  const Scalar ddp_o_2_y = g - s_1 * t14;
+  const Scalar t15 = qd_2 * a_1b * qd_2;
+  const Scalar ddp_o_3_y = ddp_o_2_y - s_2 * t15;
+  const Scalar t16 = c_1 * t14;
+  const Scalar t17 = t4 * (c_1 * ddp_o_3_y + s_1 * (t16 + c_2 * t15));
+  const Scalar qd_3 = qd_1 - qd_2;
+  const Scalar beta_3_f = qd_1 + qd_2;
+  const Scalar t18 = (s_1 * c_2 - c_1 * s_2) * qd_3 * beta_3_f;
+  const Scalar t19 = t7 * t18;
+  const Scalar t20 = t6 * ddp_o_2_y + t5 * t16 - t19 - t17;
+  const Scalar t21 = tau_2 - g * c_2 * t10 + t20;
+  const Scalar t22 = g * (t6 - c_1 * (t13 + t12));
+  const Scalar t23 = t22 + tau_1 - t19 - t20 + t11 * t21 + a_1 * t3 * t18;
+  const Scalar qdd_1 = d_1 * t23;
   qdd[0] = qdd_1;
-  qdd[1] = d_2 * (t20 + t9 * qdd_1);
+  qdd[1] = d_2 * (t21 + t9 * qdd_1);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_2_2q > Scalar(0.0);
   return positive;

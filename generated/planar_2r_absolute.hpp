@@ -183,25 +183,25 @@ inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = qd_1 * qd_1;
-  const Scalar ddp_o_2_y = g - a_1 * (s_1 * t1 - c_1 * qdd_1);
-  const Scalar ddp_2_y = a_1 * s_2 * (s_1 * qdd_1 + c_1 * t1) + c_2 * ddp_o_2_y;
+  const Scalar t1 = s_2 * h_e_1 - c_2 * h_e_2;
   const Scalar t2 = m_l2 * l_2;
-  const Scalar t3 = s_2 * h_e_1 - c_2 * h_e_2;
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
+  const Scalar t3 = -s_2 * h_e_2 - c_2 * h_e_1 + qd_2 * qd_2 * t2;
+  const Scalar t4 = (s_1 * c_2 - c_1 * s_2) * t3;
+  const Scalar t5 = a_1 * (t4 - c_m1_2 * (t1 - qdd_2 * t2));
+  const Scalar t6 = a_1 * (m_l2 + m_m2);
+  const Scalar t7 = m_l1 * l_1;
+  const Scalar t8 = I_l1 + I_m2 + l_1 * t7 + a_1 * t6 + I_m1 * k_r1 * k_r1;
+  const Scalar t9 = k_r2 * (qdd_1 - qdd_2);
+  const Scalar t10 = I_m2 * k_r2 * (qdd_1 - t9);
+  const Scalar t11 = g * c_1 * (t7 + t6);
+  tau[0] = t11 - I_m2 * t9 + t5 - t10 + qdd_1 * t8;
+  const Scalar t12 = qd_1 * qd_1;
+  const Scalar ddp_o_2_y = g - a_1 * (s_1 * t12 - c_1 * qdd_1);
+  const Scalar ddp_2_y = a_1 * s_2 * (s_1 * qdd_1 + c_1 * t12) + c_2 * ddp_o_2_y;
   const Scalar I_2_zz = I_l2 + l_2 * t2;
-  const Scalar mu_2_z = h_e_6 - a_2 * t3 + ddp_2_y * t2 + qdd_2 * I_2_zz;
-  const Scalar t4 = k_r2 * (qdd_1 - qdd_2);
-  const Scalar t5 = I_m2 * k_r2 * (qdd_1 - t4);
-  tau[1] = mu_2_z + t5;
-  const Scalar t6 = t3 - qdd_2 * t2;
-  const Scalar t7 = -s_2 * h_e_2 - c_2 * h_e_1 + qd_2 * qd_2 * t2;
-  const Scalar f_u_2_t_x = s_2 * t6 - c_2 * t7;
-  const Scalar t8 = a_1 * (s_1 * f_u_2_t_x + c_1 * (s_2 * t7 + c_2 * t6));
-  const Scalar t9 = a_1 * (m_l2 + m_m2);
-  const Scalar t10 = m_l1 * l_1;
-  const Scalar t11 = I_l1 + I_m2 + l_1 * t10 + a_1 * t9 + I_m1 * k_r1 * k_r1;
-  const Scalar t12 = g * c_1 * (t10 + t9);
-  tau[0] = t12 - I_m2 * t4 - t8 - t5 + qdd_1 * t11;
+  const Scalar mu_2_z = h_e_6 - a_2 * t1 + ddp_2_y * t2 + qdd_2 * I_2_zz;
+  tau[1] = mu_2_z + t10;
 }
 
 // The entries of B in inertia_matrix that are not always zero.

@@ -128,7 +128,7 @@ struct GivenSinCos {
 //   qd[6]   in   joint velocities, rad/s or m/s
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..4], qd[0..5], qdd[0..5]. Operations: 167 mul, 138 add, 8 sin/cos.
+// Reads q[1..4], qd[0..5], qdd[0..5]. Operations: 166 mul, 137 add, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
@@ -226,31 +226,30 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
       Scalar(0.004704) * t4 + Scalar(0.065620624) * t17 + Scalar(0.04701250578971746) * f_4_z +
       Scalar(0.078120624) * domega_3_z - Scalar(0.138357356) * t21 +
       Scalar(1.0030106530801297) * f_u_4_t_x;
-  tau[2] = t40 + Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
-      Scalar(0.86242563124731) * qdd_3;
   const Scalar f_3_x = Scalar(0.138357356) * Uz_o_4_x + f_u_4_t_x - Scalar(1.405871712) * t21;
   const Scalar f_3_y = Scalar(0.138357356) * Uz_o_4_y - f_4_z + Scalar(1.405871712) * ddp_3_y;
-  const Scalar t41 = s_2_3 * f_3_y + t3 * f_3_x;
-  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t38;
-  const Scalar U_3_yy_zz = t12 - Uz_o_4_y;
-  const Scalar t42 = Scalar(0.000316274) * t6 + s_4 * t39 + c_4 * mu_4_x +
-      Scalar(0.004704) * U_3_yy_zz + Scalar(0.078120624) * t8 + Scalar(0.065620624) * t9 +
-      Scalar(0.138357356) * t13 - Scalar(1.0030106530801297) * f_u_4_t_y;
-  const Scalar t43 = c_2 * (Scalar(0.138357356) * t10 - f_u_4_t_y + Scalar(1.405871712) * t13);
-  const Scalar mu_3_y = Scalar(0.000316274) * t10 - mu_4_z + Scalar(0.0125) * t2 +
-      Scalar(0.004704) * Uz_o_4_x + Scalar(0.04701250578971746) * f_u_4_t_y;
   const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
   const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
-  const Scalar t44 = t11 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
-  const Scalar t45 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
-  const Scalar t46 = t18 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
-  const Scalar t47 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
-  tau[0] = t3 * mu_3_y + t46 + qdd_2 * t47 - s_2_3 * t42 + Scalar(0.3476146364057434) * t41 - t43 +
-      Scalar(25.9836065) * detail::sign(qd_1) + t44 - t45;
-  const Scalar f_u_3_t_y = s_2_3 * f_3_x - t3 * f_3_y;
-  tau[1] = qdd_1 * t47 - t12 * I_2_xy + t40 + Scalar(10.6197775) * detail::sign(qd_2) +
-      Scalar(9.496868641825) * qd_2 + c_2 * f_u_3_t_y + s_2 * (Scalar(1.024164) + t41) +
-      Scalar(4.863424598025) * qdd_2;
+  const Scalar t41 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
+  tau[1] = Scalar(1.024164) * s_2 - t12 * I_2_xy + qdd_1 * t41 + t40 +
+      Scalar(10.6197775) * detail::sign(qd_2) + Scalar(9.496868641825) * qd_2 + s_3 * f_3_x +
+      c_3 * f_3_y + Scalar(4.863424598025) * qdd_2;
+  tau[2] = t40 + Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
+      Scalar(0.86242563124731) * qdd_3;
+  const Scalar t42 = s_2_3 * f_3_y + t3 * f_3_x;
+  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t38;
+  const Scalar U_3_yy_zz = t12 - Uz_o_4_y;
+  const Scalar t43 = Scalar(0.000316274) * t6 + s_4 * t39 + c_4 * mu_4_x +
+      Scalar(0.004704) * U_3_yy_zz + Scalar(0.078120624) * t8 + Scalar(0.065620624) * t9 +
+      Scalar(0.138357356) * t13 - Scalar(1.0030106530801297) * f_u_4_t_y;
+  const Scalar t44 = c_2 * (Scalar(0.138357356) * t10 - f_u_4_t_y + Scalar(1.405871712) * t13);
+  const Scalar mu_3_y = Scalar(0.000316274) * t10 - mu_4_z + Scalar(0.0125) * t2 +
+      Scalar(0.004704) * Uz_o_4_x + Scalar(0.04701250578971746) * f_u_4_t_y;
+  const Scalar t45 = t11 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
+  const Scalar t46 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
+  const Scalar t47 = t18 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
+  tau[0] = t3 * mu_3_y + t47 + qdd_2 * t41 - s_2_3 * t43 + Scalar(0.3476146364057434) * t42 - t44 +
+      Scalar(25.9836065) * detail::sign(qd_1) + t45 - t46;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -259,7 +258,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[6]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[6]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 224 mul, 170 add, 12 sin/cos.
+// Reads q[0..5], qd[0..5], qdd[0..5], h_e[0..5]. Operations: 223 mul, 169 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
@@ -397,10 +396,10 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t57 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
   tau[0] = t56 + qdd_2 * t57 + t1 * mu_3_y + Scalar(0.1501) * t51 - t52 - s_2_3 * t53 +
       Scalar(25.9836065) * detail::sign(qd_1) + Scalar(2.0) * t54 - t55;
-  const Scalar f_u_3_t_y = s_2_3 * f_3_x - t1 * f_3_y;
-  const Scalar t58 = c_2 * f_u_3_t_y + s_2 * (Scalar(2.3718480778138025) + t51);
-  tau[1] = qdd_1 * t57 - t27 * I_2_xy + t50 + Scalar(10.6197775) * detail::sign(qd_2) +
-      Scalar(9.496868641825) * qd_2 + Scalar(0.4318) * t58 + Scalar(4.863424598025) * qdd_2;
+  const Scalar t58 = s_3 * f_3_x + c_3 * f_3_y;
+  tau[1] = Scalar(1.024164) * s_2 - t27 * I_2_xy + qdd_1 * t57 + t50 +
+      Scalar(10.6197775) * detail::sign(qd_2) + Scalar(9.496868641825) * qd_2 +
+      Scalar(0.4318) * t58 + Scalar(4.863424598025) * qdd_2;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -416,7 +415,7 @@ inline constexpr bool inertia_matrix_nonzero[36] = {
 //   q[6]   in   joint positions, rad or m
 //   B[36]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //               6 x 6, row by row: entry (i, j) is B[6 * i + j]
-// Reads q[1..4]. Operations: 70 mul, 57 add, 8 sin/cos. Always zero: 4 of the 36 entries of B.
+// Reads q[1..4]. Operations: 66 mul, 55 add, 8 sin/cos. Always zero: 4 of the 36 entries of B.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
   Scalar sine[joint_count], cosine[joint_count];
@@ -438,52 +437,44 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   const Scalar t8 = c_5 * t2;
   const Scalar mu_u_4_4_a_y = t8 - Scalar(0.00184216);
   B[21] = Scalar(0.2023536943736) - mu_u_4_4_a_y;
+  B[9] = B[19] = Scalar(-0.001243584) * s_3 * t1 - t4;
+  B[10] = B[25] = Scalar(0.001243584) * (s_3 * c_4 * c_5 + c_3 * s_5) - t7;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t9 = Scalar(0.001243584) * s_5;
+  const Scalar t9 = c_4 * s_5;
   const Scalar t10 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t11 = Scalar(0.001243584) * c_5;
-  const Scalar t12 = c_4 * t11;
-  const Scalar t13 = t10 * t12 + s_2_3 * t9;
-  const Scalar t14 = s_4 * s_2_3;
-  const Scalar t15 = s_4 * t11 * (Scalar(0.04701250578971746) * t10 + c_2);
-  B[4] = B[24] = Scalar(0.3476146364057434) * t13 + t15 + t14 * t5;
-  const Scalar t16 = c_4 * s_5;
-  B[5] = B[30] = Scalar(-0.00004) * s_2_3 * t16 - t10 * mu_u_6_5_a_z;
-  const Scalar mu_4_3_y = Scalar(0.000058464) * t16 + mu_u_4_4_a_y;
-  const Scalar t17 = t16 * t3;
-  const Scalar t18 = Scalar(0.001243584) * t16;
-  B[3] = B[18] = c_2 * t18 + s_2_3 * t17 - t10 * (Scalar(0.000432288) * t1 - mu_4_3_y);
-  B[9] = B[19] = Scalar(-0.001243584) * t1 * (s_2 * t10 + c_2 * s_2_3) - t4;
-  const Scalar f_u_5_3_t_y = s_2_3 * t12 - t10 * t9;
-  B[10] = B[25] = s_2 * t13 - t7 + c_2 * f_u_5_3_t_y;
+  B[5] = B[30] = Scalar(-0.00004) * s_2_3 * t9 - t10 * mu_u_6_5_a_z;
+  const Scalar t11 = t10 * (Scalar(0.000058464) * t9 - Scalar(0.000432288) * t1 + mu_u_4_4_a_y);
+  B[3] = B[18] = t9 * (Scalar(0.001243584) * c_2 + s_2_3 * t3) + t11;
+  const Scalar t12 = Scalar(0.000432288) * c_5;
+  const Scalar t13 = t12 * (c_4 * t10 +
+      Scalar(2.876748834110593) * s_4 * (Scalar(0.04701250578971746) * t10 + c_2));
+  B[4] = B[24] = t13 + s_2_3 * (Scalar(0.000432288) * s_5 + s_4 * t5);
   const Scalar Iu_5_t_xx = t8 - Scalar(0.00020216);
   const Scalar Iu_4_t_d = Iu_5_t_xx - Scalar(0.0001);
-  const Scalar t19 = c_4 * Iu_4_t_d;
-  const Scalar t20 = c_4 * t19;
-  const Scalar t21 = Scalar(0.000116928) * t16;
-  const Scalar t22 = Scalar(0.002494656) * c_5;
-  const Scalar Ic_3_zz = -t21 - t20 + Iu_5_t_xx + t22 + Scalar(0.313647409);
-  const Scalar hc_3_x = t18 - Scalar(0.010956925);
-  const Scalar f_3_3_x = t11 + Scalar(0.372123081);
-  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t10 * hc_3_x;
-  const Scalar t23 = s_2_3 * hc_3_x + t10 * f_3_3_x;
-  const Scalar t24 = c_2 * hu_3_t_x + s_2 * t23;
-  B[7] = Ic_3_zz + Scalar(2.0) * t24 + Scalar(6.502360360025);
+  const Scalar t14 = c_4 * Iu_4_t_d;
+  const Scalar t15 = c_4 * t14;
+  const Scalar t16 = Scalar(0.000116928) * t9;
+  const Scalar t17 = Scalar(0.002494656) * c_5;
+  const Scalar Ic_3_zz = -t16 - t15 + Iu_5_t_xx + t17 + Scalar(0.313647409);
+  const Scalar f_3_3_x = t12 + Scalar(0.1293554295);
+  const Scalar hc_3_x = Scalar(0.000432288) * t9 - Scalar(0.0038087875);
+  const Scalar t18 = c_3 * hc_3_x + s_3 * f_3_3_x;
+  B[7] = Ic_3_zz + Scalar(5.753497668221186) * t18 + Scalar(6.502360360025);
   B[14] = Ic_3_zz + Scalar(0.86242563124731);
-  B[8] = B[13] = Ic_3_zz + t24;
+  B[8] = B[13] = Ic_3_zz + Scalar(2.876748834110593) * t18;
   const Scalar Ic_3_yz = t4 + Scalar(0.004704);
-  const Scalar Iu_3_t_yz = (t6 + t19) * t14 - t10 * Ic_3_yz;
-  const Scalar B_13 = Scalar(0.3476146364057434) * t23 - Iu_3_t_yz;
+  const Scalar B_13 = s_2_3 * (hc_3_x - s_4 * (t6 + t14)) + t10 * (Ic_3_yz + f_3_3_x);
   B[2] = B[12] = B_13;
   B[1] = B[6] = Scalar(0.023751) * c_2 + B_13 +
       Scalar(0.001243584) * s_2 * (t1 + Scalar(555.1009815179352));
-  const Scalar Ic_3_xx = t20 + Scalar(0.0001) + t22;
-  const Scalar Iu_3_t_d = t21 + mu_u_4_4_a_y + Ic_3_xx + Scalar(0.300117184);
-  const Scalar t25 = Scalar(2.0) * s_2_3 *
-      (Scalar(0.000058464) * c_5 - t17 + Scalar(0.0106736385)) - t10 * Iu_3_t_d;
-  const Scalar t26 = c_2 * (Scalar(2.0) * hu_3_t_x +
-      (Scalar(1.601861202) * c_2 - Scalar(0.0141984) * s_2));
-  B[0] = Scalar(0.000864576) * t1 + Ic_3_xx + t10 * t25 + t26 + Scalar(2.99250185137411);
+  const Scalar Ic_3_xx = t15 + Scalar(0.0001) + t17;
+  const Scalar Iu_3_t_d = t16 + mu_u_4_4_a_y + Ic_3_xx + Scalar(0.300117184);
+  const Scalar t19 = s_2_3 * (Scalar(0.000058464) * c_5 - t9 * t3 + Scalar(0.0106736385));
+  const Scalar Iu_3_t_g = Scalar(2.0) * t19 - t10 * Iu_3_t_d;
+  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t10 * hc_3_x;
+  const Scalar t20 = c_2 * (Scalar(5.753497668221186) * hu_3_t_x - Scalar(0.0141984) * s_2 +
+      Scalar(1.601861202) * c_2);
+  B[0] = Scalar(0.000864576) * t1 + Ic_3_xx + t10 * Iu_3_t_g + t20 + Scalar(2.99250185137411);
   B[22] = B[27] = B[29] = B[34] = Scalar(0.0);
   B[28] = Scalar(0.181694287515);
   B[35] = Scalar(0.20586599086);
@@ -935,7 +926,7 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
 //   q[6]   in   joint positions, rad or m
 //   qd[6]  in   joint velocities, rad/s or m/s
 //   n[6]   out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[1..4], qd[0..5]. Operations: 147 mul, 111 add, 8 sin/cos.
+// Reads q[1..4], qd[0..5]. Operations: 146 mul, 110 add, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
@@ -1019,9 +1010,13 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar t48 = Scalar(0.000316274) * (t5 - Uz_o_4_y) - s_4 * mu_4_x + c_4 * t46 -
       Scalar(0.065620624) * t12 + Scalar(0.04701250578971746) * t47 + Scalar(0.138357356) * t10 -
       Scalar(1.0030106530801297) * t45;
-  n[2] = Scalar(6.36419655) * detail::sign(qd_3) - t48 + Scalar(3.9804259903722) * qd_3;
   const Scalar t49 = Scalar(-0.138357356) * t12 - t45 + Scalar(1.405871712) * t10;
   const Scalar f_3_y = Scalar(0.138357356) * Uz_o_4_y + t47 + Scalar(1.405871712) * t20;
+  const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
+  const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
+  n[1] = Scalar(1.024164) * s_2 - t4 * I_2_xy - t48 + Scalar(10.6197775) * detail::sign(qd_2) +
+      Scalar(9.496868641825) * qd_2 - s_3 * t49 + c_3 * f_3_y;
+  n[2] = Scalar(6.36419655) * detail::sign(qd_3) - t48 + Scalar(3.9804259903722) * qd_3;
   const Scalar t50 = s_2_3 * f_3_y - t8 * t49;
   const Scalar t51 = s_4 * t44 + c_4 * t43;
   const Scalar U_3_yy_zz = t4 - Uz_o_4_y;
@@ -1031,15 +1026,10 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar t52 = c_2 * (Scalar(0.276714712) * t15 + t51 + Scalar(1.405871712) * t17);
   const Scalar t53 = Scalar(0.000632548) * t15 + Scalar(0.004704) * t12 + mu_u_4_a_y +
       Scalar(0.0125) * t14 - Scalar(0.04701250578971746) * t51;
-  const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
-  const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
   const Scalar t54 = t16 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
   const Scalar t55 = t6 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
   n[0] = t8 * t53 + t55 - s_2_3 * mu_3_x + Scalar(0.3476146364057434) * t50 - t52 +
       Scalar(25.9836065) * detail::sign(qd_1) + t54;
-  const Scalar t56 = c_2 * (s_2_3 * t49 + t8 * f_3_y);
-  n[1] = -t4 * I_2_xy - t48 + Scalar(10.6197775) * detail::sign(qd_2) +
-      Scalar(9.496868641825) * qd_2 - t56 + s_2 * (Scalar(1.024164) + t50);
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -1048,7 +1038,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[6]  in   joint torques or forces, N m or N
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..4], qd[0..5], tau[0..5]. Operations: 278 mul, 214 add, 4 div, 8 sin/cos.
+// Reads q[1..4], qd[0..5], tau[0..5]. Operations: 275 mul, 211 add, 4 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1059,190 +1049,184 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
-  const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
   const Scalar t1 = s_2_3 * qd_1;
   const Scalar t2 = c_4 * t1;
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t3 = s_4 * omega_3_z;
-  const Scalar t4 = t2 - t3;
-  const Scalar t5 = c_2 * c_3 - s_2 * s_3;
+  const Scalar t4 = t3 - t2;
+  const Scalar t5 = s_2 * s_3 - c_2 * c_3;
   const Scalar t6 = t5 * qd_1;
-  const Scalar omega_4_z = qd_4 + t6;
-  const Scalar t7 = c_5 * t4 + s_5 * omega_4_z;
-  const Scalar omega_r_6_a_z = c_5 * omega_4_z - s_5 * t4;
-  const Scalar t8 = t4 * omega_4_z;
-  const Scalar t9 = t6 * (t2 - Scalar(2.0) * t3) - t8;
-  const Scalar U_5_xy = t7 * omega_r_6_a_z + t9;
-  const Scalar t10 = Scalar(0.000058464) * c_5;
-  const Scalar t11 = s_4 * t1;
-  const Scalar t12 = c_4 * omega_3_z;
-  const Scalar omega_r_4_y = t11 + t12;
-  const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar Uz_o_6_y = t7 * t7 + omega_5_z * omega_5_z;
-  const Scalar t13 = Scalar(0.000058464) * s_5;
-  const Scalar t14 = t10 * U_5_xy + t13 * Uz_o_6_y;
-  const Scalar t15 = omega_r_4_y * omega_4_z;
-  const Scalar t16 = t6 * (t11 + Scalar(2.0) * t12) - Scalar(2.0) * t15;
-  const Scalar t17 = t4 * omega_r_4_y;
-  const Scalar t18 = omega_3_z * t1;
-  const Scalar U_4_xy = t18 - t17;
-  const Scalar Uz_o_6_z = c_5 * t16 - s_5 * U_4_xy + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
-  const Scalar t19 = Scalar(0.000058464) * Uz_o_6_z;
-  const Scalar t20 = c_4 * t14 + s_4 * t19;
-  const Scalar t21 = t1 * t1;
-  const Scalar t22 = omega_3_z * omega_3_z;
-  const Scalar t23 = qd_1 * qd_1;
-  const Scalar t24 = t23 - t21 + t22;
-  const Scalar t25 = t1 * t6;
-  const Scalar t26 = Scalar(0.0005151125) * t24 - t20 - Scalar(0.0174944385) * t25;
-  const Scalar t27 = t10 * Uz_o_6_y - t13 * U_5_xy;
-  const Scalar Uz_o_4_y = t21 + t22;
-  const Scalar t28 = t27 - Scalar(0.0005151125) * t25 + Scalar(0.0174944385) * Uz_o_4_y;
-  const Scalar t29 = c_2 * ((s_2_3 * t26 + t5 * t28) - Scalar(1.7504983311023623));
-  const Scalar t30 = t5 * t26 - s_2_3 * t28;
-  const Scalar t31 = t29 - s_2 * (t30 - Scalar(0.04814851597962019));
+  const Scalar omega_4_z = qd_4 - t6;
+  const Scalar omega_r_6_a_z = s_5 * t4 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t32 = qd_2 * qd_2;
-  const Scalar t33 = Scalar(21.27093596059113) * c_2;
-  const Scalar t34 = (t23 + t32) * t33;
-  const Scalar t35 = Scalar(21.27093596059113) * s_2 * t32 + Scalar(483.2512315270936);
-  const Scalar t36 = t5 * t34 + s_2_3 * t35;
-  const Scalar t37 = t24 - Scalar(21.334975369458128) * t25 - t36;
-  const Scalar t38 = omega_3_z * t6;
-  const Scalar t39 = qd_1 * (qd_1 + Scalar(5.753497668221186) * s_2 * qd_2);
-  const Scalar t40 = Scalar(2.0) * t18 - Scalar(7.394088669950739) * t39 +
-      Scalar(42.669950738916256) * t38;
-  const Scalar t41 = c_4 * t40 - s_4 * t37;
-  const Scalar t42 = Scalar(0.00088432) * omega_5_z *
-      (omega_r_6_a_z - Scalar(0.04523249502442555) * omega_6_z) + Scalar(0.000058464) * t41;
-  const Scalar t43 = t7 * omega_5_z;
-  const Scalar domega_5_y = c_5 * U_4_xy + t43 + s_5 * t16;
-  const Scalar mu_5_y = Scalar(0.00064216) * t43 - Scalar(0.00020216) * domega_5_y;
-  const Scalar mu_4_x = Scalar(0.00238432) * t15 - s_5 * mu_5_y - c_5 * t42;
-  const Scalar t44 = c_5 * (c_4 * t37 + s_4 * t40);
-  const Scalar t45 = t5 * t35 - s_2_3 * t34;
-  const Scalar t46 = t44 + s_5 * (Scalar(21.334975369458128) * Uz_o_4_y - t25 - t45);
-  const Scalar t47 = t7 * (omega_r_6_a_z - Scalar(0.16518004625041294) * omega_6_z);
-  const Scalar t48 = Scalar(0.00024216) * t47 + Scalar(0.00064216) * t9 - Scalar(0.000058464) * t46;
-  const Scalar t49 = Scalar(0.00054216) * t9 + Scalar(0.00184216) * t8 - t48;
-  const Scalar t50 = t27 - c_4 * t49 - s_4 * mu_4_x + Scalar(21.334975369458128) * t20 -
-      Scalar(0.0005151125) * t45 - Scalar(0.0106736385) * (t24 - Uz_o_4_y) +
-      Scalar(0.300117184) * t25 + Scalar(0.0174944385) * t36;
-  const Scalar t51 = Scalar(0.2158232532732) * qd_6 - Scalar(0.00004) * domega_5_y +
+  const Scalar t7 = Scalar(0.00004) * omega_6_z;
+  const Scalar t8 = s_4 * t1;
+  const Scalar t9 = c_4 * omega_3_z;
+  const Scalar omega_r_4_y = t8 + t9;
+  const Scalar omega_5_z = qd_5 + omega_r_4_y;
+  const Scalar t10 = t1 * t1;
+  const Scalar t11 = omega_3_z * omega_3_z;
+  const Scalar t12 = qd_1 * qd_1;
+  const Scalar t13 = t12 - t10 + t11;
+  const Scalar t14 = qd_2 * qd_2;
+  const Scalar t15 = Scalar(2.876748834110593) * s_2 * t14 + Scalar(65.3564290473018);
+  const Scalar t16 = Scalar(2.876748834110593) * c_2;
+  const Scalar t17 = (t14 + t12) * t16;
+  const Scalar t18 = s_2_3 * t15 - t5 * t17;
+  const Scalar t19 = t1 * t6;
+  const Scalar t20 = Scalar(0.13524317121918722) * t13 + Scalar(2.8854097268487675) * t19 - t18;
+  const Scalar t21 = omega_3_z * t1;
+  const Scalar t22 = omega_3_z * t6;
+  const Scalar t23 = t12 + Scalar(5.753497668221186) * s_2 * qd_1 * qd_2;
+  const Scalar t24 = t23 - Scalar(0.27048634243837444) * t21 + Scalar(5.770819453697535) * t22;
+  const Scalar t25 = s_4 * t20 + c_4 * t24;
+  const Scalar t26 = omega_r_6_a_z * omega_5_z;
+  const Scalar t27 = omega_5_z * t7 - Scalar(0.00088432) * t26 + Scalar(0.000432288) * t25;
+  const Scalar t28 = s_5 * omega_4_z - c_5 * t4;
+  const Scalar t29 = t28 * omega_5_z;
+  const Scalar t30 = omega_r_4_y * omega_4_z;
+  const Scalar t31 = t6 * (t8 + Scalar(2.0) * t9) + Scalar(2.0) * t30;
+  const Scalar t32 = t4 * omega_r_4_y;
+  const Scalar U_4_xy = t32 + t21;
+  const Scalar domega_5_y = t29 + c_5 * U_4_xy - s_5 * t31;
+  const Scalar mu_5_y = Scalar(0.00064216) * t29 - Scalar(0.00020216) * domega_5_y;
+  const Scalar mu_4_x = Scalar(0.00238432) * t30 - s_5 * mu_5_y + c_5 * t27;
+  const Scalar t33 = Scalar(0.2158232532732) * qd_6 - Scalar(0.00004) * domega_5_y +
       Scalar(0.55443978) * detail::sign(qd_6) - tau_6;
-  const Scalar t52 = s_4 * s_5;
-  const Scalar t53 = Scalar(0.00019430115597482132) * t52;
-  const Scalar t54 = t53 * t51 + t50;
-  const Scalar mu_u_4_a_y = c_5 * mu_5_y - Scalar(0.00054216) * t17 + Scalar(0.00184216) * t18 -
-      s_5 * t42;
-  const Scalar t55 = Scalar(0.00019430115597482132) * c_5;
-  const Scalar t56 = -t55 * t51 - mu_u_4_a_y + Scalar(0.411645229697152) * qd_4 +
+  const Scalar t34 = s_4 * (mu_4_x - Scalar(0.00019430115597482132) * s_5 * t33);
+  const Scalar Uz_o_6_y = t28 * t28 + omega_5_z * omega_5_z;
+  const Scalar t35 = Scalar(0.000432288) * s_5;
+  const Scalar t36 = t28 * omega_r_6_a_z;
+  const Scalar t37 = t4 * omega_4_z;
+  const Scalar t38 = t37 + t6 * (Scalar(2.0) * t3 - t2);
+  const Scalar U_5_xy = t36 + t38;
+  const Scalar t39 = Scalar(0.000432288) * c_5;
+  const Scalar t40 = t35 * Uz_o_6_y + t39 * U_5_xy;
+  const Scalar Uz_o_6_z = Scalar(2.0) * t26 - s_5 * U_4_xy - c_5 * t31;
+  const Scalar t41 = Scalar(0.000432288) * Uz_o_6_z;
+  const Scalar t42 = c_4 * t40 + s_4 * t41;
+  const Scalar Uz_o_4_y = t10 + t11;
+  const Scalar t43 = s_2_3 * t17 + t5 * t15;
+  const Scalar t44 = s_5 * (Scalar(0.13524317121918722) * t19 +
+      Scalar(2.8854097268487675) * Uz_o_4_y + t43);
+  const Scalar t45 = t44 - c_5 * (s_4 * t24 - c_4 * t20);
+  const Scalar t46 = Scalar(0.00024216) * t36 - t28 * t7 + Scalar(0.00064216) * t38 -
+      Scalar(0.000432288) * t45;
+  const Scalar t47 = Scalar(0.00184216) * t37 - Scalar(0.00054216) * t38 + t46;
+  const Scalar t48 = t35 * U_5_xy - t39 * Uz_o_6_y;
+  const Scalar t49 = c_4 * t47 - Scalar(0.13524317121918722) * t48 - t34 +
+      Scalar(2.8854097268487675) * t42 + Scalar(0.0038087875) * t43 -
+      Scalar(0.0106736385) * (t13 - Uz_o_4_y) - Scalar(0.300117184) * t19 +
+      Scalar(0.1293554295) * t18;
+  const Scalar mu_u_4_a_y = Scalar(0.00054216) * t32 + c_5 * mu_5_y + Scalar(0.00184216) * t21 +
+      s_5 * t27;
+  const Scalar t50 = Scalar(0.00019430115597482132) * c_5;
+  const Scalar t51 = -t50 * t33 - mu_u_4_a_y + Scalar(0.411645229697152) * qd_4 +
       Scalar(1.06831142) * detail::sign(qd_4) - tau_4;
-  const Scalar t57 = Scalar(0.00020216) * c_5;
-  const Scalar t58 = t57 + Scalar(0.001247328);
-  const Scalar t59 = t58 * t52;
-  const Scalar t60 = Scalar(7.772046238992852e-09) * t52;
-  const Scalar t61 = c_5 * t60 + t59;
-  const Scalar t62 = Scalar(0.00020216777204623898) * c_5 * c_5 - Scalar(0.2041958543736);
-  const Scalar t63 = Scalar(1.0) / t62;
-  const Scalar t64 = t61 * t63;
-  const Scalar t65 = Scalar(0.85444524) * detail::sign(qd_5) - t48 +
+  const Scalar t52 = Scalar(0.00020216) * c_5;
+  const Scalar t53 = t52 + Scalar(0.001247328);
+  const Scalar t54 = s_4 * s_5;
+  const Scalar t55 = t53 * t54;
+  const Scalar t56 = Scalar(7.772046238992852e-09) * t54;
+  const Scalar t57 = c_5 * t56 + t55;
+  const Scalar t58 = Scalar(0.00020216777204623898) * c_5 * c_5 - Scalar(0.2041958543736);
+  const Scalar t59 = Scalar(1.0) / t58;
+  const Scalar t60 = t57 * t59;
+  const Scalar t61 = Scalar(0.85444524) * detail::sign(qd_5) - t46 +
       Scalar(0.4272830209354) * qd_5 - tau_5;
-  const Scalar t66 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
-  const Scalar t67 = t13 - c_4 * t66;
-  const Scalar t68 = Scalar(5.5037503582353615) * t67;
-  const Scalar t69 = t68 * t65 - t64 * t56 + Scalar(6.36419655) * detail::sign(qd_3) - t54 +
+  const Scalar t62 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
+  const Scalar t63 = Scalar(0.000058464) * s_5 - c_4 * t62;
+  const Scalar t64 = Scalar(5.5037503582353615) * t63;
+  const Scalar t65 = t64 * t61 - t60 * t51 + Scalar(6.36419655) * detail::sign(qd_3) - t49 +
       Scalar(3.9804259903722) * qd_3 - tau_3;
-  const Scalar t70 = c_5 * t57;
-  const Scalar Iu_5_t_xx = t70 - Scalar(0.00020216);
+  const Scalar t66 = c_5 * t52;
+  const Scalar Iu_5_t_xx = t66 - Scalar(0.00020216);
   const Scalar Iu_4_t_d = Iu_5_t_xx - Scalar(0.0001);
-  const Scalar t71 = c_4 * Iu_4_t_d;
-  const Scalar t72 = c_4 * t71;
-  const Scalar t73 = c_4 * s_5;
-  const Scalar t74 = Scalar(0.000116928) * t73;
-  const Scalar t75 = Scalar(0.002494656) * c_5;
-  const Scalar Ic_3_zz = -t74 - t72 + Iu_5_t_xx + t75 + Scalar(0.313647409);
-  const Scalar t76 = Ic_3_zz - t52 * t60;
-  const Scalar b_4_3_3 = t61 * t64 - t67 * t68 + t76 + Scalar(0.86242563124731);
+  const Scalar t67 = c_4 * Iu_4_t_d;
+  const Scalar t68 = c_4 * t67;
+  const Scalar t69 = c_4 * s_5;
+  const Scalar t70 = Scalar(0.000116928) * t69;
+  const Scalar t71 = Scalar(0.002494656) * c_5;
+  const Scalar t72 = -t54 * t56 - t70 - t68 + Iu_5_t_xx + t71 + Scalar(0.313647409);
+  const Scalar b_4_3_3 = t57 * t60 - t63 * t64 + t72 + Scalar(0.86242563124731);
   const Scalar d_3 = Scalar(1.0) / b_4_3_3;
-  const Scalar t77 = c_4 * c_5;
-  const Scalar f_u_5_3_t_y = s_5 * t5 + s_2_3 * t77;
-  const Scalar t78 = t5 * t77 - s_5 * s_2_3;
-  const Scalar t79 = t67 - Scalar(0.001243584) * (c_2 * f_u_5_3_t_y - s_2 * t78);
-  const Scalar t80 = Scalar(0.000058464) * t73;
-  const Scalar hc_3_x = t80 - Scalar(0.0005151125);
-  const Scalar f_3_3_x = t10 + Scalar(0.0174944385);
-  const Scalar t81 = t5 * f_3_3_x - s_2_3 * hc_3_x;
-  const Scalar hu_3_t_x = t5 * hc_3_x + s_2_3 * f_3_3_x;
-  const Scalar t82 = s_2 * t81 - c_2 * hu_3_t_x;
-  const Scalar t83 = Scalar(0.001243584) * t52 * (c_2 * s_2_3 - s_2 * t5) + t61;
-  const Scalar b_4_3_2 = t83 * t64 - t79 * t68 + t76 - Scalar(21.27093596059113) * t82;
-  const Scalar t84 = b_4_3_2 * d_3;
-  const Scalar t85 = t83 * t63;
-  const Scalar t86 = Scalar(5.5037503582353615) * t79;
-  const Scalar t87 = Scalar(1.601861202) * c_2 - Scalar(0.0141984) * s_2;
-  const Scalar t88 = Scalar(0.0070992) + s_2 * t87;
-  const Scalar t89 = t86 * t65 - t85 * t56 - t54 + t23 * t88 - t84 * t69 +
-      Scalar(10.6197775) * detail::sign(qd_2) - tau_2 + Scalar(9.496868641825) * qd_2 +
-      Scalar(21.27093596059113) * t31;
-  const Scalar b_3_2_2 = t83 * t85 - t79 * t86 - b_4_3_2 * t84 + t76 -
-      Scalar(42.54187192118226) * t82 + Scalar(6.502360360025);
+  const Scalar t73 = Scalar(0.001243584) * s_3 * t54 + t57;
+  const Scalar t74 = t63 - Scalar(0.001243584) * (s_3 * c_4 * c_5 + c_3 * s_5);
+  const Scalar f_3_3_x = t39 + Scalar(0.1293554295);
+  const Scalar hc_3_x = Scalar(0.000432288) * t69 - Scalar(0.0038087875);
+  const Scalar t75 = c_3 * hc_3_x + s_3 * f_3_3_x;
+  const Scalar b_4_3_2 = t73 * t60 - t74 * t64 + t72 + Scalar(2.876748834110593) * t75;
+  const Scalar t76 = b_4_3_2 * d_3;
+  const Scalar t77 = Scalar(0.0038087875) * t13 - t42 + Scalar(0.1293554295) * t19;
+  const Scalar t78 = Scalar(0.0038087875) * t19 - t48 + Scalar(0.1293554295) * Uz_o_4_y;
+  const Scalar t79 = s_3 * t77 + c_3 * t78;
+  const Scalar t80 = t73 * t59;
+  const Scalar t81 = Scalar(5.5037503582353615) * t74;
+  const Scalar t82 = Scalar(1.601861202) * c_2 - Scalar(0.0141984) * s_2;
+  const Scalar t83 = Scalar(0.0070992) + s_2 * t82;
+  const Scalar t84 = t80 * t51 - t81 * t61 - Scalar(1.024164) * s_2 + t49 -
+      Scalar(2.876748834110593) * t79 - t12 * t83 - Scalar(10.6197775) * detail::sign(qd_2) +
+      tau_2 + t76 * t65 + Scalar(37.2347379) * c_2 - Scalar(9.496868641825) * qd_2;
+  const Scalar Ic_3_xz = Scalar(0.000058464) * t54 + s_4 * t67;
+  const Scalar Ic_3_yz = t55 + Scalar(0.004704);
+  const Scalar t85 = Scalar(0.00004) * s_2_3 * t69 + Scalar(0.00004) * c_5 * t5;
+  const Scalar t86 = Scalar(0.00019430115597482132) * t54 * t85 + s_2_3 * (hc_3_x - Ic_3_xz) +
+      t5 * (Ic_3_yz + f_3_3_x);
+  const Scalar t87 = t39 * (c_4 * t5 +
+      Scalar(2.876748834110593) * s_4 * (Scalar(0.04701250578971746) * t5 + c_2));
+  const Scalar t88 = t87 + s_2_3 * (t35 + s_4 * t62);
+  const Scalar mu_u_4_4_a_y = t66 - Scalar(0.00184216);
+  const Scalar t89 = t5 * (Scalar(0.000058464) * t69 - Scalar(0.000432288) * t54 + mu_u_4_4_a_y);
+  const Scalar b_6_4_1 = t85 * t50 + t69 * (Scalar(0.001243584) * c_2 + s_2_3 * t53) + t89;
+  const Scalar t90 = t88 * t64 - b_6_4_1 * t60 + t86;
+  const Scalar b_3_2_1 = t88 * t81 - b_6_4_1 * t80 + Scalar(0.023751) * c_2 - t90 * t76 + t86 +
+      Scalar(0.001243584) * s_2 * (t54 + Scalar(555.1009815179352));
+  const Scalar b_3_2_2 = t73 * t80 - t74 * t81 - b_4_3_2 * t76 + t72 +
+      Scalar(5.753497668221186) * t75 + Scalar(6.502360360025);
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t90 = s_4 * s_2_3;
-  const Scalar Ic_3_yz = t59 + Scalar(0.004704);
-  const Scalar Iu_3_t_yz = (t13 + t71) * t90 + t5 * Ic_3_yz;
-  const Scalar t91 = Scalar(0.00004) * c_5 * t5 - Scalar(0.00004) * s_2_3 * t73;
-  const Scalar t92 = Iu_3_t_yz + (t91 * t53 + Scalar(7.394088669950739) * t81);
-  const Scalar mu_u_4_4_a_y = t70 - Scalar(0.00184216);
-  const Scalar mu_4_3_y = t80 + mu_u_4_4_a_y;
-  const Scalar t93 = t5 * (Scalar(0.000432288) * t52 - mu_4_3_y);
-  const Scalar t94 = t73 * t58;
-  const Scalar t95 = s_2_3 * t94 - t91 * t55 + Scalar(0.001243584) * c_2 * t73 + t93;
-  const Scalar t96 = s_4 * c_5 * (c_2 - Scalar(0.04701250578971746) * t5);
-  const Scalar t97 = Scalar(0.000432288) * t78 - Scalar(0.001243584) * t96 - t90 * t66;
-  const Scalar t98 = t97 * t68 + t95 * t64 + t92;
-  const Scalar b_3_2_1 = -t97 * t86 - t95 * t85 + Scalar(0.023751) * c_2 + t98 * t84 - t92 +
-      Scalar(0.001243584) * s_2 * (t52 + Scalar(555.1009815179352));
-  const Scalar t99 = b_3_2_1 * d_2;
-  const Scalar t100 = t98 * d_3;
-  const Scalar t101 = c_4 * t19 - s_4 * t14;
-  const Scalar U_3_yy_zz = t23 - Uz_o_4_y;
-  const Scalar t102 = s_4 * t49 - c_4 * mu_4_x + Scalar(21.334975369458128) * t101 -
-      Scalar(0.004704) * U_3_yy_zz + Scalar(0.021347277) * t18 - Scalar(0.1293554295) * t39 +
-      Scalar(0.613764593) * t38;
-  const Scalar t103 = t101 - Scalar(0.004704) * t25 + mu_u_4_a_y + Scalar(0.013530225) * t18 -
-      Scalar(0.0038087875) * t39 + Scalar(0.021347277) * t38;
-  const Scalar t104 = t33 * (t101 + Scalar(0.001030225) * t18 + Scalar(0.034988877) * t38);
-  const Scalar t105 = t95 * t63;
-  const Scalar t106 = Scalar(-5.5037503582353615) * t97;
-  const Scalar t107 = Scalar(-4.857528899370533) * t91;
-  const Scalar t108 = qd_1 * (qd_2 * t88 - Scalar(2.9009108839754));
-  const Scalar t109 = t32 * (Scalar(0.690314699) * c_2 - Scalar(0.023751) * s_2);
-  const Scalar t110 = t106 * t65 - t107 * t51 - t105 * t56 + t5 * t103 +
-      Scalar(7.394088669950739) * t30 - t100 * t69 + t99 * t89 - t109 - s_2_3 * t102 - t104 +
-      tau_1 - Scalar(25.9836065) * detail::sign(qd_1) + Scalar(2.0) * t108;
-  const Scalar Ic_3_xx = t72 + Scalar(0.0001) + t75;
-  const Scalar Iu_3_t_d = t74 + mu_u_4_4_a_y + Ic_3_xx + Scalar(0.300117184);
-  const Scalar Iu_3_t_g = Scalar(2.0) * s_2_3 * (t10 - t94 + Scalar(0.0106736385)) + t5 * Iu_3_t_d;
-  const Scalar t111 = c_2 * (Scalar(42.54187192118226) * hu_3_t_x + t87);
-  const Scalar b_2_1_1 = t91 * t107 + t97 * t106 + t95 * t105 + Scalar(0.000864576) * t52 +
-      Ic_3_xx - t98 * t100 - b_3_2_1 * t99 - t5 * Iu_3_t_g + t111 + Scalar(2.99250185137411);
+  const Scalar t91 = b_3_2_1 * d_2;
+  const Scalar t92 = t90 * d_3;
+  const Scalar t93 = s_4 * t40 - c_4 * t41;
+  const Scalar U_3_yy_zz = t12 - Uz_o_4_y;
+  const Scalar t94 = s_4 * t47 + c_4 * mu_4_x + Scalar(2.8854097268487675) * t93 +
+      Scalar(0.004704) * U_3_yy_zz - Scalar(0.021347277) * t21 - t78 + Scalar(0.1293554295) * t23 +
+      Scalar(0.613764593) * t22;
+  const Scalar t95 = Scalar(0.13524317121918722) * t93 - Scalar(0.004704) * t19 - mu_u_4_a_y -
+      Scalar(0.013530225) * t21 + Scalar(0.0038087875) * t23 + Scalar(0.021347277) * t22 - t77;
+  const Scalar t96 = b_6_4_1 * t59;
+  const Scalar t97 = t16 * (Scalar(0.007617575) * t21 - t93 - Scalar(0.258710859) * t22);
+  const Scalar t98 = Scalar(5.5037503582353615) * t88;
+  const Scalar t99 = Scalar(-4.857528899370533) * t85;
+  const Scalar t100 = qd_1 * (qd_2 * t83 - Scalar(2.9009108839754));
+  const Scalar t101 = t14 * (Scalar(0.690314699) * c_2 - Scalar(0.023751) * s_2);
+  const Scalar t102 = -t99 * t33 - t98 * t61 + t96 * t51 - t5 * t95 - t92 * t65 + t91 * t84 + t97 +
+      t101 - s_2_3 * t94 - tau_1 + Scalar(25.9836065) * detail::sign(qd_1) - Scalar(2.0) * t100;
+  const Scalar Ic_3_xx = t68 + Scalar(0.0001) + t71;
+  const Scalar Iu_3_t_d = t70 + mu_u_4_4_a_y + Ic_3_xx + Scalar(0.300117184);
+  const Scalar t103 = s_2_3 * (Scalar(0.000058464) * c_5 - t69 * t53 + Scalar(0.0106736385));
+  const Scalar Iu_3_t_g = Scalar(2.0) * t103 - t5 * Iu_3_t_d;
+  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t5 * hc_3_x;
+  const Scalar t104 = c_2 * (Scalar(5.753497668221186) * hu_3_t_x + t82);
+  const Scalar b_2_1_1 = t85 * t99 - t88 * t98 + b_6_4_1 * t96 + Scalar(0.000864576) * t54 +
+      Ic_3_xx - t90 * t92 - b_3_2_1 * t91 + t5 * Iu_3_t_g + t104 + Scalar(2.99250185137411);
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar qdd_1 = d_1 * t110;
-  qdd[0] = qdd_1;
-  const Scalar t112 = d_2 * (b_3_2_1 * qdd_1 + t89);
-  qdd[1] = -t112;
-  const Scalar t113 = d_3 * (t69 - (t98 * qdd_1 + b_4_3_2 * t112));
-  qdd[2] = -t113;
-  const Scalar qdd_4 = t63 * ((t83 * t112 + t95 * qdd_1) + (t61 * t113 + t56));
+  const Scalar t105 = d_1 * t102;
+  qdd[0] = -t105;
+  const Scalar qdd_2 = d_2 * (b_3_2_1 * t105 + t84);
+  qdd[1] = qdd_2;
+  const Scalar t106 = d_3 * (b_4_3_2 * qdd_2 - t90 * t105 + t65);
+  qdd[2] = -t106;
+  const Scalar qdd_4 = t59 * (t57 * t106 - t73 * qdd_2 - b_6_4_1 * t105 + t51);
   qdd[3] = qdd_4;
-  qdd[4] = Scalar(-5.5037503582353615) * ((t79 * t112 + t67 * t113) + (t65 - t97 * qdd_1));
-  const Scalar t114 = t52 * (t112 + t113) - c_5 * qdd_4;
-  qdd[5] = Scalar(0.00019430115597482132) * t114 - Scalar(4.857528899370533) * (t91 * qdd_1 + t51);
+  const Scalar t107 = t74 * qdd_2 - t63 * t106;
+  qdd[4] = Scalar(5.5037503582353615) * t107 - Scalar(5.5037503582353615) * (t61 - t88 * t105);
+  const Scalar t108 = t54 * (qdd_2 - t106) + c_5 * qdd_4;
+  qdd[5] = Scalar(-0.00019430115597482132) * t108 - Scalar(4.857528899370533) * (t85 * t105 + t33);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);
   positive &= b_4_3_3 > Scalar(0.0);
-  positive &= -t62 > Scalar(0.0);
+  positive &= -t58 > Scalar(0.0);
   return positive;
 }
 

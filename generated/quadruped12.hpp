@@ -309,7 +309,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[12]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]   in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[12]  out  joint torques, N m (forces, N, for prismatic joints)
-// Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 299 mul, 190 add, 24 sin/cos.
+// Reads q[0..11], qd[0..11], qdd[0..11], h_e[0..5]. Operations: 295 mul, 188 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
@@ -444,57 +444,55 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   tau[0] = -qdd_2 * I_2_yz - Scalar(0.001231440536717216) * t57 +
       Scalar(0.00023148988883634047) * (t49 - t4 * t56) + qd_2 * t58 +
       Scalar(0.08509272390476785) * c_1 + t59 + Scalar(0.1737624403145115) * s_1 * mr_2_x;
-  const Scalar t60 = qd_4 * t42;
-  const Scalar t61 = Scalar(2.6598149554338075) * c_5 * qdd_4 - t44 -
-      Scalar(4.6620543474247516) * t60 - Scalar(5.319629910867615) * s_5 * qd_4 * qd_5 +
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t60 = t19 * t21 + omega_12_z * omega_12_z;
+  const Scalar t61 = t19 * t27 + c_11_12 * h_e_1;
+  const Scalar t62 = c_12 * (Scalar(0.0038482516772413) * t23 + t28) -
+      s_12 * (Scalar(0.0038482516772413) * t60 + t61);
+  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
+  const Scalar t63 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
+      Scalar(0.0007940924716883453) * s_11;
+  const Scalar mr_11_y = c_11 + Scalar(8659.923823660012) * s_11;
+  tau[10] = t20 * t63 - qdd_10 * I_11_yz + Scalar(0.0022955781994879005) * qdd_11 +
+      Scalar(0.000020065123418265) * c_10 * mr_11_y + Scalar(0.16) * t62 + mu_12_z;
+  const Scalar t64 = qd_4 * t42;
+  const Scalar t65 = Scalar(2.6598149554338075) * c_5 * qdd_4 - t44 -
+      Scalar(4.6620543474247516) * t64 - Scalar(5.319629910867615) * s_5 * qd_4 * qd_5 +
       Scalar(163.07990445503535) * s_4;
-  const Scalar t62 = c_5 * (Scalar(0.5) * t10 * qdd_4 + t60);
+  const Scalar t66 = c_5 * (Scalar(0.5) * t10 * qdd_4 + t64);
   const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
-  const Scalar t63 = qd_5 * (qd_5 * I_5_xz + Scalar(2.0) * qd_4 * t47);
-  const Scalar t64 = qdd_4 * (Scalar(0.0005396092213171668) * c_5_6 * c_5_6 + s_5 * I_t5_g -
+  const Scalar t67 = qd_5 * (qd_5 * I_5_xz + Scalar(2.0) * qd_4 * t47);
+  const Scalar t68 = qdd_4 * (Scalar(0.0005396092213171668) * c_5_6 * c_5_6 + s_5 * I_t5_g -
       Scalar(0.0031799702681776175));
   const Scalar mr_5_x = c_5 - Scalar(0.00011547445686160344) * s_5;
-  const Scalar t65 = qdd_5 * I_5_yz + Scalar(0.001231440536717216) * t62 +
-      Scalar(0.00023148988883634047) * (t43 + t10 * t61) + t63 + Scalar(0.08509272390476785) * c_4 +
-      t64 - Scalar(0.1737624403145115) * s_4 * mr_5_x;
-  tau[3] = -t65;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t66 = t19 * t21 + omega_12_z * omega_12_z;
-  const Scalar U_12_yy_zz = t20 - t66;
-  const Scalar t67 = t19 * t27 + c_11_12 * h_e_1;
-  const Scalar t68 = Scalar(2.0) * qd_10;
-  const Scalar t69 = t19 * qdd_10 + c_11_12 * omega_12_z * t68;
-  const Scalar t70 = s_10 * h_e_5 - c_10 * h_e_6;
+  const Scalar t69 = qdd_5 * I_5_yz + Scalar(0.001231440536717216) * t66 +
+      Scalar(0.00023148988883634047) * (t43 + t10 * t65) + t67 + Scalar(0.08509272390476785) * c_4 +
+      t68 - Scalar(0.1737624403145115) * s_4 * mr_5_x;
+  tau[3] = -t69;
+  const Scalar U_12_yy_zz = t20 - t60;
+  const Scalar t70 = Scalar(2.0) * qd_10;
+  const Scalar t71 = t19 * qdd_10 + c_11_12 * omega_12_z * t70;
+  const Scalar t72 = s_10 * h_e_5 - c_10 * h_e_6;
   const Scalar f_e10_y = s_10 * h_e_3 + c_10 * h_e_2;
   const Scalar mu_12_x = Scalar(0.00023148988883634047) * U_12_yy_zz -
       Scalar(0.001231440536717216) * s_11 * qd_10 * qd_11 +
-      Scalar(0.000615720268358608) * c_11 * qdd_10 - Scalar(0.0005411142213171667) * t69 +
-      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t67 + Scalar(0.16) * f_e10_y -
-      t19 * h_e_4 + c_11_12 * t70;
-  const Scalar t71 = t19 * (t70 - Scalar(3.01e-06) * qd_10 * omega_12_z);
-  const Scalar t72 = c_11_12 * (Scalar(1.505e-06) * qdd_10 + h_e_4);
-  const Scalar mu_12_y = Scalar(0.00023148988883634047) * t23 + Scalar(0.05945) * t28 - t72 - t71;
-  const Scalar f_12_z = f_e10_y - Scalar(0.0038482516772413) * t69;
-  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
-  const Scalar t73 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+      Scalar(0.000615720268358608) * c_11 * qdd_10 - Scalar(0.0005411142213171667) * t71 +
+      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t61 + Scalar(0.16) * f_e10_y -
+      t19 * h_e_4 + c_11_12 * t72;
+  const Scalar t73 = t19 * (t72 - Scalar(3.01e-06) * qd_10 * omega_12_z);
+  const Scalar t74 = c_11_12 * (Scalar(1.505e-06) * qdd_10 + h_e_4);
+  const Scalar mu_12_y = Scalar(0.00023148988883634047) * t23 + Scalar(0.05945) * t28 - t74 - t73;
+  const Scalar f_12_z = f_e10_y - Scalar(0.0038482516772413) * t71;
   const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
       Scalar(6.823068516838894e-08) * s_11;
-  const Scalar t74 = qd_11 * (qd_11 * I_11_xz + t68 * t73);
-  const Scalar t75 = qdd_10 * (s_11 * I_t11_g - Scalar(0.0026388560468604506));
-  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
-      Scalar(0.0007940924716883453) * s_11;
+  const Scalar t75 = qd_11 * (qd_11 * I_11_xz + t70 * t63);
+  const Scalar t76 = qdd_10 * (s_11 * I_t11_g - Scalar(0.0026388560468604506));
   const Scalar mr_11_x = c_11 - Scalar(0.00011547445686160344) * s_11;
-  const Scalar t76 = qdd_11 * I_11_yz + t74 + t75 + Scalar(0.08509272390476785) * c_10 -
+  const Scalar t77 = qdd_11 * I_11_yz + t75 + t76 + Scalar(0.08509272390476785) * c_10 -
       Scalar(0.1737624403145115) * s_10 * mr_11_x - Scalar(0.16) * c_11 * f_12_z + t19 * mu_12_x +
       c_11_12 * mu_12_y;
-  tau[9] = -t76;
-  const Scalar t77 = Scalar(0.0038482516772413) * t66 + t67;
-  const Scalar t78 = Scalar(0.0038482516772413) * t23 + t28;
-  const Scalar t79 = s_11 * (t19 * t77 - c_11_12 * t78);
-  const Scalar t80 = t79 + c_11 * (t19 * t78 + c_11_12 * t77);
-  const Scalar mr_11_y = c_11 + Scalar(8659.923823660012) * s_11;
-  tau[10] = t20 * t73 - qdd_10 * I_11_yz + Scalar(0.0022955781994879005) * qdd_11 +
-      Scalar(0.000020065123418265) * c_10 * mr_11_y - Scalar(0.16) * t80 + mu_12_z;
+  tau[9] = -t77;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -516,7 +514,7 @@ inline constexpr bool inertia_matrix_nonzero[144] = {
 //   q[12]   in   joint positions, rad or m
 //   B[144]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //                12 x 12, row by row: entry (i, j) is B[12 * i + j]
-// Reads q[1..2], q[4..5], q[7..8], q[10..11]. Operations: 70 mul, 44 add, 16 sin/cos. Always zero:
+// Reads q[1..2], q[4..5], q[7..8], q[10..11]. Operations: 66 mul, 40 add, 16 sin/cos. Always zero:
 // 108 of the 144 entries of B.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
@@ -526,6 +524,14 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
       c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
+  B[130] = Scalar(0.001231440536717216) * c_12 + Scalar(0.002838197420805067);
+  B[91] = Scalar(0.001231440536717216) * c_9 + Scalar(0.002838197420805067);
+  B[52] = Scalar(0.001231440536717216) * c_6 + Scalar(0.002838197420805067);
+  B[13] = Scalar(0.001231440536717216) * c_3 + Scalar(0.002838197420805067);
+  B[14] = B[25] = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
+  B[53] = B[64] = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
+  B[92] = B[103] = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
+  B[131] = B[142] = Scalar(0.000615720268358608) * c_12 + Scalar(0.0005426192213171668);
   const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
   const Scalar mu_u_9_8_a_z = Scalar(0.00023148988883634047) * c_8_9;
   B[80] = B[102] = mu_u_9_8_a_z;
@@ -562,18 +568,6 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
       Scalar(0.0022644781431582876) * s_2);
   B[0] = Scalar(-0.0005396092213171668) * c_2_3 * c_2_3 - Scalar(0.001231440536717216) * t5 + t6 +
       Scalar(0.0031799702681776175);
-  const Scalar t7 = t1 - s_11 * c_11_12;
-  B[130] = Scalar(0.002838197420805067) - Scalar(0.001231440536717216) * t7;
-  const Scalar t8 = t2 - s_8 * c_8_9;
-  B[91] = Scalar(0.002838197420805067) - Scalar(0.001231440536717216) * t8;
-  const Scalar t9 = t4 - s_5 * c_5_6;
-  B[52] = Scalar(0.002838197420805067) - Scalar(0.001231440536717216) * t9;
-  const Scalar t10 = t5 - s_2 * c_2_3;
-  B[13] = Scalar(0.002838197420805067) - Scalar(0.001231440536717216) * t10;
-  B[14] = B[25] = Scalar(0.0005426192213171668) - Scalar(0.000615720268358608) * t10;
-  B[53] = B[64] = Scalar(0.0005426192213171668) - Scalar(0.000615720268358608) * t9;
-  B[92] = B[103] = Scalar(0.0005426192213171668) - Scalar(0.000615720268358608) * t8;
-  B[131] = B[142] = Scalar(0.0005426192213171668) - Scalar(0.000615720268358608) * t7;
   B[3] = B[4] = B[5] = B[6] = B[7] = B[8] = B[9] = B[10] = Scalar(0.0);
   B[11] = B[15] = B[16] = B[17] = B[18] = B[19] = B[20] = B[21] = Scalar(0.0);
   B[22] = B[23] = B[27] = B[28] = B[29] = B[30] = B[31] = B[32] = Scalar(0.0);
@@ -1163,7 +1157,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[12]  in   joint torques or forces, N m or N
 //   qdd[12]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[0..11], qd[0..11], tau[0..11]. Operations: 288 mul, 180 add, 8 div, 24 sin/cos.
+// Reads q[0..11], qd[0..11], tau[0..11]. Operations: 280 mul, 184 add, 8 div, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1179,194 +1173,200 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t2 = c_2 * t1;
   const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t3 = t2 - s_2 * c_2_3;
-  const Scalar t4 = Scalar(0.000615720268358608) * t3 - Scalar(0.0005426192213171668);
-  const Scalar t5 = Scalar(-1842.912968642313) * t4;
-  const Scalar t6 = Scalar(0.001231440536717216) * t3 - t4 * t5 - Scalar(0.002838197420805067);
-  const Scalar t7 = Scalar(1.0) / t6;
-  const Scalar t8 = Scalar(0.4266157182460592) * c_2_3;
-  const Scalar t9 = Scalar(6.823068516838894e-08) * c_2 -
-      (t4 + Scalar(0.0005426192213171668)) * t8 - Scalar(0.0007940924716883453) * s_2;
-  const Scalar t10 = t9 * t7;
-  const Scalar t11 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
-  const Scalar t12 = Scalar(0.0006383664465097825) * c_2_3 * c_2_3 - t9 * t10 +
-      Scalar(0.001231440536717216) * t2 - s_2 * t11 - Scalar(0.0031799702681776175);
-  const Scalar t13 = qd_2 * qd_2;
-  const Scalar t14 = qd_1 * qd_1;
-  const Scalar t15 = Scalar(61.3125) * c_1;
-  const Scalar t16 = c_2_3 * (Scalar(1.1410484551313946) * (c_2 * (t13 + t14) + t15) - t1 * t14);
-  const Scalar t17 = s_2 * t1;
-  const Scalar t18 = Scalar(0.000615720268358608) * t13 * t17 + Scalar(0.0005396092213171668) * t16;
-  const Scalar t19 = t18 - tau_3;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t20 = omega_3_z * omega_3_z;
-  const Scalar t21 = (t14 + t20) * t17 + c_2 * c_2_3 * t20;
-  const Scalar I_2_xy = c_2 * t11 - Scalar(1.609852873477455e-07);
-  const Scalar t22 = (Scalar(3.2725991304e-07) * c_2 - Scalar(0.002834045917464) * s_2) * t15;
-  const Scalar t23 = Scalar(-0.000615720268358608) * t21 - t14 * I_2_xy + t18 - t22 - tau_2 -
-      t5 * t19;
-  const Scalar t24 = t8 * (Scalar(0.0028865334399304945) * qd_1 * omega_3_z *
-      (c_2 - Scalar(0.8763869715636636) * t1) + t19);
-  const Scalar t25 = Scalar(2.0) * qd_1;
-  const Scalar t26 = qd_2 * (qd_2 *
-      (Scalar(6.823068516838894e-08) * s_2 + Scalar(0.0007940924716883453) * c_2) + t25 * I_2_xy);
-  const Scalar t27 = Scalar(61.3125) * s_1;
-  const Scalar t28 = t1 * (t20 - Scalar(2.6598149554338075) * (s_2 * qd_2 * t25 - t27));
-  const Scalar mr_2_x = Scalar(3.2725991304e-07) * s_2 + Scalar(0.002834045917464) * c_2;
-  const Scalar t29 = t26 - Scalar(0.00023148988883634047) * t28 +
-      Scalar(0.08509272390476785) * c_1 + mr_2_x * t27 - t10 * t23 - t24 - tau_1;
-  const Scalar qdd_1 = (Scalar(1.0) / t12) * t29;
+  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t2 = c_2_3 * t1;
+  const Scalar t3 = Scalar(-0.0005396092213171668) * t2;
+  const Scalar t4 = qd_1 * qd_1;
+  const Scalar t5 = Scalar(-0.000615720268358608) * t1;
+  const Scalar t6 = s_2 * t5;
+  const Scalar t7 = qd_2 * qd_2;
+  const Scalar t8 = Scalar(0.000615720268358608) * c_2_3;
+  const Scalar t9 = Scalar(61.3125) * c_1;
+  const Scalar t10 = t8 * (c_2 * (t7 + t4) + t9);
+  const Scalar t11 = t6 * t7 - t3 * t4 - t10 + tau_3;
+  const Scalar mu_3_2_z = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
+  const Scalar t12 = Scalar(1842.912968642313) * mu_3_2_z;
+  const Scalar t13 = c_2 * t8;
+  const Scalar t14 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
+  const Scalar Iu_2_a_yz = Scalar(1.609852873477455e-07) + t6 + t13 + t3 - c_2 * t14;
+  const Scalar hu_2_a_z = Scalar(3.2725991304e-07) * c_2 - t8 - Scalar(0.002834045917464) * s_2;
+  const Scalar t15 = Scalar(2.0) * qd_2;
+  const Scalar beta_3_f = qd_3 + t15;
+  const Scalar t16 = qd_3 * beta_3_f;
+  const Scalar y_3_2 = t13 * t16 - t6 * t16 - Iu_2_a_yz * t4 + hu_2_a_z * t9 + tau_2 - t12 * t11;
+  const Scalar t17 = Scalar(0.4266157182460592) * c_2_3;
+  const Scalar t18 = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.00023148988883634047) * c_2_3 +
+      mu_3_2_z * t17 - Scalar(0.0007940924716883453) * s_2;
+  const Scalar b_3_2_2 = Scalar(0.001231440536717216) * c_3 - mu_3_2_z * t12 +
+      Scalar(0.002838197420805067);
+  const Scalar d_2 = Scalar(1.0) / b_3_2_2;
+  const Scalar t19 = t18 * d_2;
+  const Scalar hc_2_x = Scalar(3.2725991304e-07) * s_2 + t5 + Scalar(0.002834045917464) * c_2;
+  const Scalar t20 = Scalar(-0.00023148988883634047) * t1;
+  const Scalar t21 = (Scalar(6.823068516838894e-08) * s_2 + t20 +
+      Scalar(0.0007940924716883453) * c_2) * t7;
+  const Scalar t22 = qd_1 * qd_3;
+  const Scalar t23 = Scalar(0.001231440536717216) * c_2;
+  const Scalar t24 = t20 * t16 + t21 - c_2_3 * t23 * t22 +
+      Scalar(0.0010792184426343335) * t2 * t22 - Iu_2_a_yz * qd_1 * t15 +
+      Scalar(0.08509272390476785) * c_1 + Scalar(61.3125) * s_1 * hc_2_x - t19 * y_3_2 + t17 * t11 -
+      tau_1;
+  const Scalar t25 = t18 * t19 + Scalar(0.0006383664465097825) * c_2_3 * c_2_3 + t1 * t23 -
+      s_2 * t14 - Scalar(0.0031799702681776175);
+  const Scalar qdd_1 = (Scalar(1.0) / t25) * t24;
   qdd[0] = qdd_1;
-  const Scalar t30 = s_8 * s_9 - c_8 * c_9;
-  const Scalar t31 = c_8 * t30;
   const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
-  const Scalar t32 = t31 - s_8 * c_8_9;
-  const Scalar t33 = Scalar(0.000615720268358608) * t32 - Scalar(0.0005426192213171668);
-  const Scalar t34 = Scalar(-1842.912968642313) * t33;
-  const Scalar t35 = Scalar(0.001231440536717216) * t32 - t33 * t34 - Scalar(0.002838197420805067);
-  const Scalar t36 = Scalar(1.0) / t35;
-  const Scalar t37 = Scalar(0.4266157182460592) * c_8_9;
-  const Scalar t38 = Scalar(6.823068516838894e-08) * c_8 -
-      (t33 + Scalar(0.0005426192213171668)) * t37 - Scalar(0.0007940924716883453) * s_8;
-  const Scalar t39 = t38 * t36;
-  const Scalar t40 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
-  const Scalar t41 = Scalar(0.0006383664465097825) * c_8_9 * c_8_9 - t38 * t39 +
-      Scalar(0.001231440536717216) * t31 - s_8 * t40 - Scalar(0.0031799702681776175);
-  const Scalar t42 = qd_8 * qd_8;
-  const Scalar t43 = qd_7 * qd_7;
-  const Scalar t44 = Scalar(61.3125) * c_7;
-  const Scalar t45 = c_8_9 * (Scalar(1.1410484551313946) * (c_8 * (t42 + t43) + t44) - t30 * t43);
-  const Scalar t46 = s_8 * t30;
-  const Scalar t47 = Scalar(0.000615720268358608) * t42 * t46 + Scalar(0.0005396092213171668) * t45;
-  const Scalar t48 = t47 - tau_9;
-  const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t49 = omega_9_z * omega_9_z;
-  const Scalar t50 = (t43 + t49) * t46 + c_8 * c_8_9 * t49;
-  const Scalar I_8_xy = c_8 * t40 - Scalar(1.609852873477455e-07);
-  const Scalar t51 = (Scalar(3.2725991304e-07) * c_8 - Scalar(0.002834045917464) * s_8) * t44;
-  const Scalar t52 = Scalar(-0.000615720268358608) * t50 - t43 * I_8_xy + t47 - t51 - tau_8 -
-      t34 * t48;
-  const Scalar t53 = t37 * (Scalar(0.0028865334399304945) * qd_7 * omega_9_z *
-      (c_8 - Scalar(0.8763869715636636) * t30) + t48);
-  const Scalar t54 = Scalar(2.0) * qd_7;
-  const Scalar t55 = qd_8 * (qd_8 *
-      (Scalar(6.823068516838894e-08) * s_8 + Scalar(0.0007940924716883453) * c_8) + t54 * I_8_xy);
-  const Scalar t56 = Scalar(61.3125) * s_7;
-  const Scalar t57 = t30 * (t49 - Scalar(2.6598149554338075) * (s_8 * qd_8 * t54 - t56));
-  const Scalar mr_8_x = Scalar(3.2725991304e-07) * s_8 + Scalar(0.002834045917464) * c_8;
-  const Scalar t58 = t55 - Scalar(0.00023148988883634047) * t57 +
-      Scalar(0.08509272390476785) * c_7 + mr_8_x * t56 - t39 * t52 - t53 - tau_7;
-  const Scalar qdd_7 = (Scalar(1.0) / t41) * t58;
+  const Scalar t26 = s_8 * s_9 - c_8 * c_9;
+  const Scalar t27 = c_8_9 * t26;
+  const Scalar t28 = Scalar(-0.0005396092213171668) * t27;
+  const Scalar t29 = qd_7 * qd_7;
+  const Scalar t30 = Scalar(-0.000615720268358608) * t26;
+  const Scalar t31 = s_8 * t30;
+  const Scalar t32 = qd_8 * qd_8;
+  const Scalar t33 = Scalar(0.000615720268358608) * c_8_9;
+  const Scalar t34 = Scalar(61.3125) * c_7;
+  const Scalar t35 = t33 * (c_8 * (t32 + t29) + t34);
+  const Scalar t36 = t31 * t32 - t28 * t29 - t35 + tau_9;
+  const Scalar mu_9_8_z = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
+  const Scalar t37 = Scalar(1842.912968642313) * mu_9_8_z;
+  const Scalar t38 = c_8 * t33;
+  const Scalar t39 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
+  const Scalar Iu_8_a_yz = Scalar(1.609852873477455e-07) + t31 + t38 + t28 - c_8 * t39;
+  const Scalar hu_8_a_z = Scalar(3.2725991304e-07) * c_8 - t33 - Scalar(0.002834045917464) * s_8;
+  const Scalar t40 = Scalar(2.0) * qd_8;
+  const Scalar beta_9_f = qd_9 + t40;
+  const Scalar t41 = qd_9 * beta_9_f;
+  const Scalar y_9_8 = t38 * t41 - t31 * t41 - Iu_8_a_yz * t29 + hu_8_a_z * t34 + tau_8 - t37 * t36;
+  const Scalar t42 = Scalar(0.4266157182460592) * c_8_9;
+  const Scalar t43 = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.00023148988883634047) * c_8_9 +
+      mu_9_8_z * t42 - Scalar(0.0007940924716883453) * s_8;
+  const Scalar b_9_8_8 = Scalar(0.001231440536717216) * c_9 - mu_9_8_z * t37 +
+      Scalar(0.002838197420805067);
+  const Scalar d_8 = Scalar(1.0) / b_9_8_8;
+  const Scalar t44 = t43 * d_8;
+  const Scalar hc_8_x = Scalar(3.2725991304e-07) * s_8 + t30 + Scalar(0.002834045917464) * c_8;
+  const Scalar t45 = Scalar(-0.00023148988883634047) * t26;
+  const Scalar t46 = (Scalar(6.823068516838894e-08) * s_8 + t45 +
+      Scalar(0.0007940924716883453) * c_8) * t32;
+  const Scalar t47 = qd_7 * qd_9;
+  const Scalar t48 = Scalar(0.001231440536717216) * c_8;
+  const Scalar t49 = t45 * t41 + t46 - c_8_9 * t48 * t47 +
+      Scalar(0.0010792184426343335) * t27 * t47 - Iu_8_a_yz * qd_7 * t40 +
+      Scalar(0.08509272390476785) * c_7 + Scalar(61.3125) * s_7 * hc_8_x - t44 * y_9_8 + t42 * t36 -
+      tau_7;
+  const Scalar t50 = t43 * t44 + Scalar(0.0006383664465097825) * c_8_9 * c_8_9 + t26 * t48 -
+      s_8 * t39 - Scalar(0.0031799702681776175);
+  const Scalar qdd_7 = (Scalar(1.0) / t50) * t49;
   qdd[6] = qdd_7;
-  const Scalar t59 = s_5 * s_6 - c_5 * c_6;
-  const Scalar t60 = c_5 * t59;
   const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
-  const Scalar t61 = t60 - s_5 * c_5_6;
-  const Scalar t62 = Scalar(0.000615720268358608) * t61 - Scalar(0.0005426192213171668);
-  const Scalar t63 = Scalar(-1842.912968642313) * t62;
-  const Scalar t64 = Scalar(0.001231440536717216) * t61 - t62 * t63 - Scalar(0.002838197420805067);
-  const Scalar t65 = Scalar(1.0) / t64;
-  const Scalar t66 = Scalar(0.4266157182460592) * c_5_6;
-  const Scalar t67 = Scalar(6.823068516838894e-08) * c_5 +
-      (t62 + Scalar(0.0005426192213171668)) * t66 + Scalar(0.0007940924716883453) * s_5;
-  const Scalar t68 = t67 * t65;
+  const Scalar t51 = s_5 * s_6 - c_5 * c_6;
+  const Scalar t52 = c_5_6 * t51;
+  const Scalar t53 = Scalar(-0.0005396092213171668) * t52;
+  const Scalar t54 = qd_4 * qd_4;
+  const Scalar t55 = Scalar(-0.000615720268358608) * t51;
+  const Scalar t56 = s_5 * t55;
+  const Scalar t57 = qd_5 * qd_5;
+  const Scalar t58 = Scalar(0.000615720268358608) * c_5_6;
+  const Scalar t59 = Scalar(61.3125) * c_4;
+  const Scalar t60 = t58 * (c_5 * (t57 + t54) + t59);
+  const Scalar t61 = t56 * t57 - t53 * t54 - t60 + tau_6;
+  const Scalar mu_6_5_z = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
+  const Scalar t62 = Scalar(1842.912968642313) * mu_6_5_z;
+  const Scalar t63 = c_5 * t58;
   const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
-  const Scalar t69 = Scalar(0.0006383664465097825) * c_5_6 * c_5_6 - t67 * t68 +
-      Scalar(0.001231440536717216) * t60 + s_5 * I_t5_g - Scalar(0.0031799702681776175);
-  const Scalar t70 = qd_5 * qd_5;
-  const Scalar t71 = qd_4 * qd_4;
-  const Scalar t72 = Scalar(61.3125) * c_4;
-  const Scalar t73 = c_5_6 * (Scalar(1.1410484551313946) * (c_5 * (t70 + t71) + t72) - t59 * t71);
-  const Scalar t74 = s_5 * t59;
-  const Scalar t75 = Scalar(0.000615720268358608) * t70 * t74 + Scalar(0.0005396092213171668) * t73;
-  const Scalar t76 = t75 - tau_6;
-  const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t77 = omega_6_z * omega_6_z;
-  const Scalar t78 = (t71 + t77) * t74 + c_5 * c_5_6 * t77;
-  const Scalar t79 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
-  const Scalar mr_5_y = Scalar(3.2725991304e-07) * c_5 + Scalar(0.002834045917464) * s_5;
-  const Scalar t80 = t71 * t79 - Scalar(0.000615720268358608) * t78 + t75 + mr_5_y * t72 - tau_5 -
-      t63 * t76;
-  const Scalar t81 = t66 * (t76 - Scalar(0.0028865334399304945) * qd_4 * omega_6_z *
-      (c_5 - Scalar(0.8763869715636636) * t59));
-  const Scalar t82 = Scalar(2.0) * qd_4;
-  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
-  const Scalar t83 = qd_5 * (qd_5 * I_5_xz + t82 * t79);
-  const Scalar t84 = Scalar(61.3125) * s_4;
-  const Scalar t85 = t59 * (t77 + Scalar(2.6598149554338075) * (s_5 * qd_5 * t82 - t84));
-  const Scalar mr_5_x = Scalar(0.002834045917464) * c_5 - Scalar(3.2725991304e-07) * s_5;
-  const Scalar y_5_4 = t83 - Scalar(0.00023148988883634047) * t85 +
-      Scalar(0.08509272390476785) * c_4 - mr_5_x * t84 + t68 * t80 - t81 + tau_4;
-  const Scalar t86 = (Scalar(1.0) / t69) * y_5_4;
-  qdd[3] = -t86;
-  const Scalar t87 = s_11 * s_12 - c_11 * c_12;
-  const Scalar t88 = c_11 * t87;
+  const Scalar Iu_5_a_yz = t56 - Scalar(1.609852873477455e-07) + t63 + t53 + c_5 * I_t5_g;
+  const Scalar hc_5_y = Scalar(3.2725991304e-07) * c_5 + t58 + Scalar(0.002834045917464) * s_5;
+  const Scalar t64 = Scalar(2.0) * qd_5;
+  const Scalar beta_6_f = qd_6 + t64;
+  const Scalar t65 = qd_6 * beta_6_f;
+  const Scalar y_6_5 = t63 * t65 - t56 * t65 - Iu_5_a_yz * t54 - hc_5_y * t59 + tau_5 - t62 * t61;
+  const Scalar t66 = Scalar(0.4266157182460592) * c_5_6;
+  const Scalar t67 = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.00023148988883634047) * c_5_6 -
+      mu_6_5_z * t66 + Scalar(0.0007940924716883453) * s_5;
+  const Scalar b_6_5_5 = Scalar(0.001231440536717216) * c_6 - mu_6_5_z * t62 +
+      Scalar(0.002838197420805067);
+  const Scalar d_5 = Scalar(1.0) / b_6_5_5;
+  const Scalar t68 = t67 * d_5;
+  const Scalar hc_5_x = t55 - Scalar(3.2725991304e-07) * s_5 + Scalar(0.002834045917464) * c_5;
+  const Scalar t69 = Scalar(-0.00023148988883634047) * t51;
+  const Scalar Ic_5_xz = t69 - Scalar(6.823068516838894e-08) * s_5 +
+      Scalar(0.0007940924716883453) * c_5;
+  const Scalar t70 = qd_4 * qd_6;
+  const Scalar t71 = Scalar(0.001231440536717216) * c_5;
+  const Scalar y_5_4 = t69 * t65 + Ic_5_xz * t57 + c_5_6 * t71 * t70 -
+      Scalar(0.0010792184426343335) * t52 * t70 + Iu_5_a_yz * qd_4 * t64 +
+      Scalar(0.08509272390476785) * c_4 - Scalar(61.3125) * s_4 * hc_5_x + t68 * y_6_5 + t66 * t61 +
+      tau_4;
+  const Scalar t72 = t67 * t68 + Scalar(0.0006383664465097825) * c_5_6 * c_5_6 + t51 * t71 +
+      s_5 * I_t5_g - Scalar(0.0031799702681776175);
+  const Scalar t73 = (Scalar(1.0) / t72) * y_5_4;
+  qdd[3] = -t73;
   const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
-  const Scalar t89 = t88 - s_11 * c_11_12;
-  const Scalar t90 = Scalar(0.000615720268358608) * t89 - Scalar(0.0005426192213171668);
-  const Scalar t91 = Scalar(-1842.912968642313) * t90;
-  const Scalar t92 = Scalar(0.001231440536717216) * t89 - t90 * t91 - Scalar(0.002838197420805067);
-  const Scalar t93 = Scalar(1.0) / t92;
-  const Scalar t94 = Scalar(0.4266157182460592) * c_11_12;
-  const Scalar t95 = Scalar(6.823068516838894e-08) * c_11 +
-      (t90 + Scalar(0.0005426192213171668)) * t94 + Scalar(0.0007940924716883453) * s_11;
-  const Scalar t96 = t95 * t93;
+  const Scalar t74 = s_11 * s_12 - c_11 * c_12;
+  const Scalar t75 = c_11_12 * t74;
+  const Scalar t76 = Scalar(-0.0005396092213171668) * t75;
+  const Scalar t77 = qd_10 * qd_10;
+  const Scalar t78 = Scalar(-0.000615720268358608) * t74;
+  const Scalar t79 = s_11 * t78;
+  const Scalar t80 = qd_11 * qd_11;
+  const Scalar t81 = Scalar(0.000615720268358608) * c_11_12;
+  const Scalar t82 = Scalar(61.3125) * c_10;
+  const Scalar t83 = t81 * (c_11 * (t80 + t77) + t82);
+  const Scalar t84 = t79 * t80 - t76 * t77 - t83 + tau_12;
+  const Scalar mu_12_11_z = Scalar(0.000615720268358608) * c_12 + Scalar(0.0005426192213171668);
+  const Scalar t85 = Scalar(1842.912968642313) * mu_12_11_z;
+  const Scalar t86 = c_11 * t81;
   const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
-  const Scalar t97 = Scalar(0.0006383664465097825) * c_11_12 * c_11_12 - t95 * t96 +
-      Scalar(0.001231440536717216) * t88 + s_11 * I_t11_g - Scalar(0.0031799702681776175);
-  const Scalar t98 = qd_11 * qd_11;
-  const Scalar t99 = qd_10 * qd_10;
-  const Scalar t100 = Scalar(61.3125) * c_10;
-  const Scalar t101 = c_11_12 * (Scalar(1.1410484551313946) * (c_11 * (t98 + t99) + t100) -
-      t87 * t99);
-  const Scalar t102 = s_11 * t87;
-  const Scalar t103 = Scalar(0.000615720268358608) * t98 * t102 +
-      Scalar(0.0005396092213171668) * t101;
-  const Scalar t104 = t103 - tau_12;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t105 = omega_12_z * omega_12_z;
-  const Scalar t106 = (t99 + t105) * t102 + c_11 * c_11_12 * t105;
-  const Scalar t107 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
-  const Scalar mr_11_y = Scalar(3.2725991304e-07) * c_11 + Scalar(0.002834045917464) * s_11;
-  const Scalar t108 = t99 * t107 - Scalar(0.000615720268358608) * t106 + t103 + mr_11_y * t100 -
-      tau_11 - t91 * t104;
-  const Scalar t109 = t94 * (t104 -
-      Scalar(0.0028865334399304945) * qd_10 * omega_12_z *
-      (c_11 - Scalar(0.8763869715636636) * t87));
-  const Scalar t110 = Scalar(2.0) * qd_10;
-  const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
-      Scalar(6.823068516838894e-08) * s_11;
-  const Scalar t111 = qd_11 * (qd_11 * I_11_xz + t110 * t107);
-  const Scalar t112 = Scalar(61.3125) * s_10;
-  const Scalar t113 = t87 * (t105 + Scalar(2.6598149554338075) * (s_11 * qd_11 * t110 - t112));
-  const Scalar mr_11_x = Scalar(0.002834045917464) * c_11 - Scalar(3.2725991304e-07) * s_11;
-  const Scalar y_11_10 = t111 - Scalar(0.00023148988883634047) * t113 +
-      Scalar(0.08509272390476785) * c_10 - mr_11_x * t112 + t96 * t108 - t109 + tau_10;
-  const Scalar t114 = (Scalar(1.0) / t97) * y_11_10;
-  qdd[9] = -t114;
-  const Scalar qdd_2 = t7 * (t23 - t9 * qdd_1);
+  const Scalar Iu_11_a_yz = t79 - Scalar(1.609852873477455e-07) + t86 + t76 + c_11 * I_t11_g;
+  const Scalar hc_11_y = Scalar(3.2725991304e-07) * c_11 + t81 + Scalar(0.002834045917464) * s_11;
+  const Scalar t87 = Scalar(2.0) * qd_11;
+  const Scalar beta_12_f = qd_12 + t87;
+  const Scalar t88 = qd_12 * beta_12_f;
+  const Scalar y_12_11 = t86 * t88 - t79 * t88 - Iu_11_a_yz * t77 - hc_11_y * t82 + tau_11 -
+      t85 * t84;
+  const Scalar t89 = Scalar(0.4266157182460592) * c_11_12;
+  const Scalar t90 = Scalar(6.823068516838894e-08) * c_11 +
+      Scalar(0.00023148988883634047) * c_11_12 - mu_12_11_z * t89 +
+      Scalar(0.0007940924716883453) * s_11;
+  const Scalar b_12_11_11 = Scalar(0.001231440536717216) * c_12 - mu_12_11_z * t85 +
+      Scalar(0.002838197420805067);
+  const Scalar d_11 = Scalar(1.0) / b_12_11_11;
+  const Scalar t91 = t90 * d_11;
+  const Scalar hc_11_x = t78 - Scalar(3.2725991304e-07) * s_11 + Scalar(0.002834045917464) * c_11;
+  const Scalar t92 = Scalar(-0.00023148988883634047) * t74;
+  const Scalar Ic_11_xz = t92 - Scalar(6.823068516838894e-08) * s_11 +
+      Scalar(0.0007940924716883453) * c_11;
+  const Scalar t93 = qd_10 * qd_12;
+  const Scalar t94 = Scalar(0.001231440536717216) * c_11;
+  const Scalar y_11_10 = t92 * t88 + Ic_11_xz * t80 + c_11_12 * t94 * t93 -
+      Scalar(0.0010792184426343335) * t75 * t93 + Iu_11_a_yz * qd_10 * t87 +
+      Scalar(0.08509272390476785) * c_10 - Scalar(61.3125) * s_10 * hc_11_x + t91 * y_12_11 +
+      t89 * t84 + tau_10;
+  const Scalar t95 = t90 * t91 + Scalar(0.0006383664465097825) * c_11_12 * c_11_12 + t74 * t94 +
+      s_11 * I_t11_g - Scalar(0.0031799702681776175);
+  const Scalar t96 = (Scalar(1.0) / t95) * y_11_10;
+  qdd[9] = -t96;
+  const Scalar qdd_2 = t19 * qdd_1 + d_2 * y_3_2;
   qdd[1] = qdd_2;
-  const Scalar qdd_5 = t65 * (t67 * t86 + t80);
-  qdd[4] = qdd_5;
-  const Scalar qdd_8 = t36 * (t52 - t38 * qdd_7);
+  const Scalar qdd_8 = t44 * qdd_7 + d_8 * y_9_8;
   qdd[7] = qdd_8;
-  const Scalar qdd_11 = t93 * (t95 * t114 + t108);
-  qdd[10] = qdd_11;
-  qdd[2] = -t8 * qdd_1 - Scalar(1842.912968642313) * (t19 - t4 * qdd_2);
-  qdd[5] = -t66 * t86 - Scalar(1842.912968642313) * (t76 - t62 * qdd_5);
-  qdd[8] = -t37 * qdd_7 - Scalar(1842.912968642313) * (t48 - t33 * qdd_8);
-  qdd[11] = -t94 * t114 - Scalar(1842.912968642313) * (t104 - t90 * qdd_11);
-  bool positive = -t12 > Scalar(0.0);
-  positive &= -t6 > Scalar(0.0);
-  positive &= -t69 > Scalar(0.0);
-  positive &= -t64 > Scalar(0.0);
-  positive &= -t41 > Scalar(0.0);
-  positive &= -t35 > Scalar(0.0);
-  positive &= -t97 > Scalar(0.0);
-  positive &= -t92 > Scalar(0.0);
+  const Scalar t97 = t68 * t73 - d_5 * y_6_5;
+  qdd[4] = -t97;
+  const Scalar t98 = t91 * t96 - d_11 * y_12_11;
+  qdd[10] = -t98;
+  qdd[2] = -t17 * qdd_1 - t12 * qdd_2 + Scalar(1842.912968642313) * t11;
+  qdd[5] = t62 * t97 - t66 * t73 + Scalar(1842.912968642313) * t61;
+  qdd[8] = -t42 * qdd_7 - t37 * qdd_8 + Scalar(1842.912968642313) * t36;
+  qdd[11] = t85 * t98 - t89 * t96 + Scalar(1842.912968642313) * t84;
+  bool positive = -t25 > Scalar(0.0);
+  positive &= b_3_2_2 > Scalar(0.0);
+  positive &= -t72 > Scalar(0.0);
+  positive &= b_6_5_5 > Scalar(0.0);
+  positive &= -t50 > Scalar(0.0);
+  positive &= b_9_8_8 > Scalar(0.0);
+  positive &= -t95 > Scalar(0.0);
+  positive &= b_12_11_11 > Scalar(0.0);
   return positive;
 }
 

@@ -208,34 +208,33 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar tau_4 = Scalar(0.000035853228) * t23 - Scalar(0.0017106935695699) * t13 - c_5 * t27 +
       Scalar(0.0039048935695699) * domega_4_z + s_5 * t34 + Scalar(0.22270588235294117) * t31;
   tau[3] = tau_4;
-  const Scalar t35 = s_5 * t30 + c_5 * t29;
-  const Scalar t36 = t35 + Scalar(0.4462748022139784) * t10;
-  const Scalar t37 = t18 - t1 * (t14 + Scalar(19.425495399093375) * t36);
-  const Scalar t38 = Scalar(0.4462748022139784) * t20 - t31;
+  const Scalar t35 = Scalar(0.4462748022139784) * t20 - t31;
   const Scalar U_5_zy = s_5 * Uz_o_5_x - c_5 * t6 + Scalar(2.0) * t32;
-  const Scalar t39 = Scalar(0.28794534274300054) * ddp_o_5_y - Scalar(0.0149450629075) * U_5_zy +
+  const Scalar t36 = Scalar(0.28794534274300054) * ddp_o_5_y - Scalar(0.0149450629075) * U_5_zy +
       Scalar(0.4462748022139784) * t33;
-  const Scalar f_u_4_t_x = t5 * t39 + t2 * t38;
+  const Scalar t37 = s_4 * t35 - c_4 * t36;
+  const Scalar t38 = s_2_3 * (qdd_1 - Scalar(1.211162571801966) * t1 * t9);
+  const Scalar t39 = Scalar(0.047511847575) * t38 + Scalar(0.0534495715) * domega_3_z - tau_4 -
+      Scalar(0.9229411764705883) * t37;
+  tau[2] = -t39;
+  const Scalar t40 = s_5 * t30 + c_5 * t29;
+  const Scalar t41 = t40 + Scalar(0.4462748022139784) * t10;
+  const Scalar t42 = t18 - t1 * (t14 + Scalar(19.425495399093375) * t41);
+  const Scalar f_u_4_t_x = t5 * t36 + t2 * t35;
   const Scalar U_4_yy_zz = t9 - Uz_o_5_y;
-  const Scalar t40 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0056155871391398) * t4 -
-      s_5 * t27 - c_5 * t34 - Scalar(0.22270588235294117) * t35;
-  const Scalar t41 = c_2 * (Scalar(0.16073527663193116) * t15 - Scalar(0.658714134193021) * t8 -
-      t36);
-  const Scalar t42 = t2 * (Scalar(-0.000035853228) * Uz_o_5_x -
+  const Scalar t43 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0056155871391398) * t4 -
+      s_5 * t27 - c_5 * t34 - Scalar(0.22270588235294117) * t40;
+  const Scalar t44 = c_2 * (Scalar(0.16073527663193116) * t15 - Scalar(0.658714134193021) * t8 -
+      t41);
+  const Scalar t45 = t2 * (Scalar(-0.000035853228) * Uz_o_5_x -
       Scalar(0.0017106935695699) * domega_4_y + Scalar(0.0039048935695699) * t22 - mu_5_z);
-  tau[0] = -t42 - Scalar(0.115089143) * t1 * t7 + Scalar(0.1252186854919588) * qdd_1 +
-      Scalar(0.16073527663193116) * t19 + t5 * t40 + Scalar(0.25682352941176473) * f_u_4_t_x -
-      Scalar(0.047511847575) * t37 + t41;
-  const Scalar t43 = t5 * t38 - t2 * t39;
-  const Scalar t44 = s_2_3 * f_u_4_t_x + t1 * t43;
-  const Scalar t45 = s_2_3 * (qdd_1 - Scalar(1.211162571801966) * t1 * t9);
-  const Scalar t46 = Scalar(0.047511847575) * t45 + Scalar(0.0534495715) * domega_3_z - tau_4 -
-      Scalar(0.9229411764705883) * t44;
-  tau[2] = -t46;
-  const Scalar t47 = c_2 * (t43 + Scalar(0.918932105043021) * t16);
-  const Scalar t48 = Scalar(0.16073527663193116) * qdd_1 - Scalar(0.26021797085) * c_2 * t9 +
+  tau[0] = -t45 - Scalar(0.115089143) * t1 * t7 + Scalar(0.1252186854919588) * qdd_1 +
+      Scalar(0.16073527663193116) * t19 + t5 * t43 + Scalar(0.25682352941176473) * f_u_4_t_x -
+      Scalar(0.047511847575) * t42 + t44;
+  const Scalar t46 = Scalar(0.16073527663193116) * qdd_1 - Scalar(0.26021797085) * c_2 * t9 +
       Scalar(0.918932105043021) * ddp_o_3_x + f_u_4_t_x;
-  tau[1] = s_2 * t48 - Scalar(0.24511057085) * qdd_2 - t46 - t47;
+  const Scalar t47 = c_2 * (t5 * t35 - t2 * t36 + Scalar(0.918932105043021) * t16);
+  tau[1] = s_2 * t46 - Scalar(0.24511057085) * qdd_2 - t39 - t47;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -346,35 +345,35 @@ inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar tau_4 = Scalar(0.000035853228) * t33 - Scalar(0.0017106935695699) * t8 +
       Scalar(0.0039048935695699) * domega_4_z + Scalar(0.09465) * t40 + s_5 * mu_5_x - c_5 * t43;
   tau[3] = tau_4;
-  const Scalar t44 = s_5 * t36 + c_5 * t39;
-  const Scalar t45 = Scalar(2.4707255485895) * t23 + t44;
-  const Scalar t46 = t30 + c_2 * (t26 -
-      Scalar(2.6440990982534) * (Scalar(5.087513384321224) * t21 + t45));
-  const Scalar t47 = t29 - t1 * (t25 + Scalar(8.255835544614685) * t45);
-  const Scalar t48 = Scalar(2.4707255485895) * t31 - t40;
+  const Scalar t44 = Scalar(2.4707255485895) * t31 - t40;
   const Scalar U_5_zy = s_5 * Uz_o_5_x - c_5 * t6 + Scalar(2.0) * t41;
-  const Scalar t49 = s_6 * f_e6_x - Scalar(0.0351648539) * U_5_zy - c_6 * t14 +
+  const Scalar t45 = s_6 * f_e6_x - Scalar(0.0351648539) * U_5_zy - c_6 * t14 +
       Scalar(2.4707255485895) * t42 + Scalar(1.5941610670892763) * ddp_o_5_y;
-  const Scalar f_u_4_t_x = t5 * t49 + t2 * t48;
+  const Scalar t46 = s_4 * t44 - c_4 * t45;
+  const Scalar t47 = s_2_3 * (qdd_1 - Scalar(1.211162571801966) * t1 * t22);
+  const Scalar t48 = Scalar(0.047511847575) * t47 + Scalar(0.0534495715) * domega_3_z - tau_4 -
+      Scalar(0.39225) * t46;
+  tau[2] = -t48;
+  const Scalar t49 = s_5 * t36 + c_5 * t39;
+  const Scalar t50 = Scalar(2.4707255485895) * t23 + t49;
+  const Scalar t51 = t30 + c_2 * (t26 -
+      Scalar(2.6440990982534) * (Scalar(5.087513384321224) * t21 + t50));
+  const Scalar t52 = t29 - t1 * (t25 + Scalar(8.255835544614685) * t50);
+  const Scalar f_u_4_t_x = t5 * t45 + t2 * t44;
   const Scalar U_4_yy_zz = t22 - Uz_o_5_y;
-  const Scalar t50 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0056155871391398) * t4 -
-      Scalar(0.09465) * t44 - s_5 * t43 - c_5 * mu_5_x;
-  const Scalar t51 = t2 * (Scalar(-0.000035853228) * Uz_o_5_x -
+  const Scalar t53 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0056155871391398) * t4 -
+      Scalar(0.09465) * t49 - s_5 * t43 - c_5 * mu_5_x;
+  const Scalar t54 = t2 * (Scalar(-0.000035853228) * Uz_o_5_x -
       Scalar(0.0017106935695699) * domega_4_y + Scalar(0.0039048935695699) * t32 - mu_5_z);
   tau[0] = Scalar(0.1252186854919588) * qdd_1 - Scalar(0.115089143) * t1 * t19 +
-      Scalar(0.10915) * f_u_4_t_x + Scalar(0.6122775784705883) * c_2 * t21 + t5 * t50 - t51 +
-      Scalar(0.16073527663193116) * t46 - Scalar(0.047511847575) * t47;
-  const Scalar t52 = t5 * t48 - t2 * t49;
-  const Scalar t53 = s_2_3 * f_u_4_t_x + t1 * t52;
-  const Scalar t54 = s_2_3 * (qdd_1 - Scalar(1.211162571801966) * t1 * t22);
-  const Scalar t55 = Scalar(0.047511847575) * t54 + Scalar(0.0534495715) * domega_3_z - tau_4 -
-      Scalar(0.39225) * t53;
-  tau[2] = -t55;
+      Scalar(0.10915) * f_u_4_t_x + Scalar(0.6122775784705883) * c_2 * t21 + t5 * t53 - t54 +
+      Scalar(0.16073527663193116) * t51 - Scalar(0.047511847575) * t52;
   const Scalar f_3_x = Scalar(5.087513384321224) * ddp_o_3_x + f_u_4_t_x;
-  const Scalar t56 = s_2 * f_3_x - c_2 * (t52 + Scalar(5.087513384321224) * t27);
-  const Scalar t57 = s_2 * (qdd_1 - Scalar(1.6189225931148576) * c_2 * t22);
-  tau[1] = Scalar(0.16073527663193116) * t57 - Scalar(0.24511057085) * qdd_2 - t55 +
-      Scalar(0.425) * t56;
+  const Scalar t55 = c_2 * (t5 * t44 - t2 * t45 + Scalar(5.087513384321224) * t27);
+  const Scalar t56 = s_2 * (qdd_1 - Scalar(1.6189225931148576) * c_2 * t22);
+  const Scalar t57 = Scalar(0.24511057085) * qdd_2 - Scalar(0.16073527663193116) * t56 + t48 -
+      Scalar(0.425) * (s_2 * f_3_x - t55);
+  tau[1] = -t57;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -390,7 +389,7 @@ inline constexpr bool inertia_matrix_nonzero[36] = {
 //   q[6]   in   joint positions, rad or m
 //   B[36]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //               6 x 6, row by row: entry (i, j) is B[6 * i + j]
-// Reads q[1..4]. Operations: 62 mul, 44 add, 8 sin/cos. Always zero: 2 of the 36 entries of B.
+// Reads q[1..4]. Operations: 60 mul, 43 add, 8 sin/cos. Always zero: 2 of the 36 entries of B.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
   Scalar sine[joint_count], cosine[joint_count];
@@ -399,49 +398,47 @@ inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   B[22] = B[27] = Scalar(-0.003292500193635) * c_5;
   B[11] = B[17] = B[23] = B[31] = B[32] = B[33] = Scalar(0.0001321171875) * c_5;
+  const Scalar B_35 = Scalar(0.013793413942275) * c_5 * (s_4 - Scalar(0.23870089068696182));
+  B[16] = B[26] = B_35;
   const Scalar t1 = Scalar(0.0015110828546699) * c_5;
   const Scalar t2 = c_5 * t1;
   const Scalar t3 = t2 - Scalar(0.0181863807738199);
   B[21] = -t3;
-  const Scalar t4 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t4 = s_4 - Scalar(0.23305369910246615) * c_4 * s_5;
+  const Scalar t5 = t3 + Scalar(0.1183711221525) * t4 - Scalar(0.57197413724375);
+  B[14] = -t5;
+  const Scalar t6 = t3 + Scalar(0.05918556107625) * t4;
+  B[15] = B[20] = -t6;
+  const Scalar t7 = s_2 * s_3 - c_2 * c_3;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t5 = s_4 * t4 - c_4 * s_2_3;
-  const Scalar t6 = s_5 * t5;
-  B[5] = B[30] = Scalar(0.0001321171875) * t6;
-  const Scalar t7 = s_4 * s_2_3 + c_4 * t4;
-  const Scalar t8 = s_5 * (Scalar(1.0834926704907584) * c_2 - t4);
-  B[4] = B[24] = Scalar(0.003838243803185) * t7 * (c_5 + Scalar(0.9997801700313045)) -
-      Scalar(0.003292500193635) * t6 - Scalar(0.013793413942275) * t8;
+  const Scalar t8 = s_4 * t7 - c_4 * s_2_3;
+  const Scalar t9 = s_5 * t8;
+  B[5] = B[30] = Scalar(0.0001321171875) * t9;
+  const Scalar t10 = s_4 * s_2_3 + c_4 * t7;
+  const Scalar t11 = s_5 * (Scalar(1.0834926704907584) * c_2 - t7);
+  B[4] = B[24] = Scalar(0.003838243803185) * t10 * (c_5 + Scalar(0.9997801700313045)) -
+      Scalar(0.003292500193635) * t9 - Scalar(0.013793413942275) * t11;
+  B[10] = B[25] = B_35 + Scalar(0.0149450629075) * c_5 * (s_2 * t10 - c_2 * t8);
   const Scalar Ic_4_yz = Scalar(0.003292500193635) * c_5 - Scalar(0.000035853228);
-  const Scalar t9 = Scalar(0.0149450629075) * t6 + Scalar(0.064127121625) * t7;
-  const Scalar t10 = (t1 * t6 + t7 * Ic_4_yz) + Scalar(0.25682352941176473) * t9;
-  B[3] = B[18] = -t10;
-  const Scalar t11 = Scalar(0.064127121625) * t5 - Scalar(0.0149450629075) * s_5 * t7;
-  const Scalar t12 = c_2 * (Scalar(0.677642004375) * t4 - t11);
-  const Scalar t13 = t4 * t11;
+  const Scalar t12 = Scalar(0.0149450629075) * t9 + Scalar(0.064127121625) * t10;
+  const Scalar t13 = (t1 * t9 + t10 * Ic_4_yz) + Scalar(0.25682352941176473) * t12;
+  B[3] = B[18] = -t13;
+  const Scalar t14 = Scalar(0.064127121625) * t8 - Scalar(0.0149450629075) * s_5 * t10;
+  const Scalar t15 = c_2 * (Scalar(0.677642004375) * t7 - t14);
+  const Scalar t16 = t7 * (t7 - Scalar(3.2504845342625623) * t14);
   const Scalar Iu_5_t_xx = t2 - Scalar(0.0015110828546699);
   const Scalar Iu_4_t_d = Iu_5_t_xx + Scalar(0.01215478073165);
-  const Scalar t14 = t7 * (Scalar(0.00658500038727) * t6 + t7 * Iu_4_t_d);
-  B[0] = Iu_5_t_xx + Scalar(0.00767648760637) * c_5 - t14 - Scalar(1.8458823529411765) * t13 +
-      Scalar(0.1879281038293699) + Scalar(0.56787913724375) * t4 * t4 - Scalar(2.0) * t12 +
-      Scalar(1.39293427915) * c_2 * c_2;
-  const Scalar B_35 = Scalar(0.013793413942275) * c_5 *
-      ((s_2_3 * t7 + t4 * t5) - Scalar(0.23870089068696182));
-  B[16] = B[26] = B_35;
-  const Scalar t15 = t10 - Scalar(0.013793413942275) * s_2_3 * (c_5 + Scalar(9.172679381315092));
-  B[2] = B[12] = -t15;
-  const Scalar t16 = t13 + s_2_3 * t9;
-  const Scalar t17 = t3 + Scalar(1.8458823529411765) * t16 - Scalar(0.57197413724375);
-  B[14] = -t17;
-  const Scalar t18 = t3 + Scalar(0.9229411764705883) * t16;
-  B[15] = B[20] = -t18;
-  B[10] = B[25] = B_35 + Scalar(0.0149450629075) * c_5 * (s_2 * t7 - c_2 * t5);
-  B[1] = B[6] = Scalar(0.0149450629075) * s_2 * (c_5 + Scalar(23.37228607112171)) - t15;
-  const Scalar f_3_3_x = Scalar(0.677642004375) * s_2_3 - t9;
-  const Scalar t19 = t12 - s_2 * f_3_3_x;
-  B[7] = -t17 - Scalar(2.0) * t19 + Scalar(1.40804167915);
-  B[8] = B[13] = -t19 - t17;
-  B[9] = B[19] = c_2 * t11 - s_2 * t9 - t18;
+  const Scalar t17 = t10 * (Scalar(0.00658500038727) * t9 + t10 * Iu_4_t_d);
+  B[0] = Iu_5_t_xx + Scalar(0.00767648760637) * c_5 - t17 + Scalar(0.1879281038293699) +
+      Scalar(0.56787913724375) * t16 - Scalar(2.0) * t15 + Scalar(1.39293427915) * c_2 * c_2;
+  B[9] = B[19] = c_2 * t14 - s_2 * t12 - t6;
+  const Scalar t18 = t13 - Scalar(0.013793413942275) * s_2_3 * (c_5 + Scalar(9.172679381315092));
+  B[2] = B[12] = -t18;
+  B[1] = B[6] = Scalar(0.0149450629075) * s_2 * (c_5 + Scalar(23.37228607112171)) - t18;
+  const Scalar f_3_3_x = Scalar(0.677642004375) * s_2_3 - t12;
+  const Scalar t19 = t15 - s_2 * f_3_3_x;
+  B[7] = -t5 - Scalar(2.0) * t19 + Scalar(1.40804167915);
+  B[8] = B[13] = -t19 - t5;
   B[29] = B[34] = Scalar(0.0);
   B[35] = Scalar(0.0001321171875);
   B[28] = Scalar(0.0038374000421699);
@@ -864,27 +861,26 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar U_5_zy = t36 + domega_5_x;
   const Scalar t42 = Scalar(0.0149450629075) * U_5_zy - Scalar(0.28794534274300054) * ddp_o_5_y +
       Scalar(0.4462748022139784) * t37;
-  const Scalar t43 = t2 * t42 - t6 * t41;
-  const Scalar t44 = s_5 * t34 - c_5 * t32;
-  const Scalar t45 = Scalar(0.4462748022139784) * t23 - t44;
-  const Scalar t46 = t1 * (t13 - Scalar(2.422325143603932) * t21 +
-      Scalar(19.425495399093375) * t45);
-  const Scalar t47 = c_2 * (Scalar(0.16073527663193116) * t12 - Scalar(1.317428268386042) * t22 -
-      t45);
+  const Scalar t43 = s_4 * t41 + c_4 * t42;
+  const Scalar t44 = t40 - Scalar(0.0575445715) * t1 * s_2_3 * t14 -
+      Scalar(0.9229411764705883) * t43;
+  n[2] = -t44;
+  const Scalar t45 = t2 * t42 - t6 * t41;
+  const Scalar t46 = s_5 * t34 - c_5 * t32;
+  const Scalar t47 = Scalar(0.4462748022139784) * t23 - t46;
+  const Scalar t48 = t1 * (t13 - Scalar(2.422325143603932) * t21 +
+      Scalar(19.425495399093375) * t47);
+  const Scalar t49 = c_2 * (Scalar(0.16073527663193116) * t12 - Scalar(1.317428268386042) * t22 -
+      t47);
   const Scalar U_4_yy_zz = t14 - Uz_o_5_y;
-  const Scalar t48 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0023291870548) * t20 -
-      s_5 * t39 - c_5 * t38 + Scalar(0.22270588235294117) * t44;
-  const Scalar t49 = t6 * (Scalar(0.000035853228) * t18 + Scalar(0.0021942) * t30 - mu_5_z);
-  n[0] = t2 * t48 - t49 - Scalar(0.25682352941176473) * t43 + Scalar(0.047511847575) * t46 + t47;
-  const Scalar f_u_4_t_y = t2 * t41 + t6 * t42;
-  const Scalar t50 = s_2_3 * t43 - t1 * f_u_4_t_y;
-  const Scalar t51 = t40 - Scalar(0.0575445715) * t1 * s_2_3 * t14 +
-      Scalar(0.9229411764705883) * t50;
-  n[2] = -t51;
-  const Scalar f_3_y = f_u_4_t_y + Scalar(0.918932105043021) * ddp_o_3_y;
-  const Scalar t52 = s_2 * (t43 + Scalar(0.26021797085) * c_2 *
+  const Scalar t50 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0023291870548) * t20 -
+      s_5 * t39 - c_5 * t38 + Scalar(0.22270588235294117) * t46;
+  const Scalar t51 = t6 * (Scalar(0.000035853228) * t18 + Scalar(0.0021942) * t30 - mu_5_z);
+  n[0] = t2 * t50 - t51 - Scalar(0.25682352941176473) * t45 + Scalar(0.047511847575) * t48 + t49;
+  const Scalar t52 = s_2 * (t45 + Scalar(0.26021797085) * c_2 *
       (t14 - Scalar(3.531393708287465) * t15));
-  n[1] = -t51 - t52 - c_2 * f_3_y;
+  const Scalar f_3_y = t2 * t41 + t6 * t42 + Scalar(0.918932105043021) * ddp_o_3_y;
+  n[1] = -t44 - t52 - c_2 * f_3_y;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -893,7 +889,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[6]  in   joint torques or forces, N m or N
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..4], qd[0..5], tau[0..5]. Operations: 238 mul, 173 add, 4 div, 8 sin/cos.
+// Reads q[1..4], qd[0..5], tau[0..5]. Operations: 236 mul, 167 add, 4 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -904,170 +900,163 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
-  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
-  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t2 = s_4 * t1 - c_4 * s_2_3;
-  const Scalar t3 = t2 * qd_1;
-  const Scalar t4 = c_5 * t3;
+  const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
   const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t1 = s_2_3 * omega_3_z;
+  const Scalar t2 = qd_2 * qd_2;
+  const Scalar ddp_o_3_y = s_2 * t2 + Scalar(23.08235294117647);
+  const Scalar ddp_o_4_y = Scalar(0.9229411764705883) * omega_3_z * t1 + ddp_o_3_y;
+  const Scalar t3 = c_2 * c_3 - s_2 * s_3;
+  const Scalar t4 = c_4 * s_2_3 + s_4 * t3;
+  const Scalar t5 = c_4 * t3 - s_4 * s_2_3;
+  const Scalar t6 = omega_3_z * omega_3_z;
+  const Scalar t7 = qd_1 * qd_1;
+  const Scalar t8 = c_2 * (t7 + t2);
+  const Scalar t9 = t8 + Scalar(0.9229411764705883) * t3 * (t7 + t6);
+  const Scalar t10 = t5 * t9 + t4 * ddp_o_4_y;
+  const Scalar t11 = t4 * qd_1;
+  const Scalar t12 = t5 * qd_1;
+  const Scalar t13 = t11 * t12;
+  const Scalar t14 = t10 - Scalar(0.22270588235294117) * t13;
   const Scalar omega_4_z = qd_4 + omega_3_z;
-  const Scalar t5 = s_5 * omega_4_z;
-  const Scalar omega_r_5_x = t5 - t4;
-  const Scalar t6 = s_4 * s_2_3 + c_4 * t1;
-  const Scalar t7 = t6 * qd_1;
-  const Scalar omega_5_z = qd_5 + t7;
-  const Scalar t8 = omega_5_z * omega_5_z + omega_r_5_x * omega_r_5_x;
-  const Scalar t9 = Scalar(0.0149450629075) * s_5;
-  const Scalar t10 = s_5 * t3;
-  const Scalar t11 = c_5 * omega_4_z;
-  const Scalar omega_r_5_y = t10 + t11;
-  const Scalar t12 = omega_r_5_x * omega_r_5_y;
-  const Scalar t13 = omega_4_z * t3;
-  const Scalar t14 = t12 + t13;
-  const Scalar t15 = Scalar(0.0149450629075) * c_5;
-  const Scalar t16 = t9 * t8 + t14 * t15;
-  const Scalar t17 = t3 * t7;
-  const Scalar t18 = Scalar(0.064127121625) * t17 - t16;
-  const Scalar t19 = omega_r_5_y * omega_5_z;
-  const Scalar t20 = t7 * (t10 + Scalar(2.0) * t11);
-  const Scalar Uz_o_5_y = t3 * t3 + omega_4_z * omega_4_z;
-  const Scalar f_4_y = Scalar(0.0149450629075) * t20 - Scalar(0.029890125815) * t19 +
-      Scalar(0.064127121625) * Uz_o_5_y;
-  const Scalar t21 = t6 * t18 + t2 * f_4_y;
-  const Scalar t22 = qd_2 * qd_2;
-  const Scalar t23 = qd_1 * qd_1;
-  const Scalar t24 = c_2 * (t22 + t23);
-  const Scalar t25 = s_2 * qd_2;
-  const Scalar ddp_o_3_y = qd_2 * t25 + Scalar(23.08235294117647);
-  const Scalar t26 = s_2_3 * (Scalar(1.3619893255020865) * t21 + t24) + t1 * ddp_o_3_y;
-  const Scalar f_u_4_t_y = t2 * t18 - t6 * f_4_y;
-  const Scalar t27 = Scalar(-0.9229411764705883) * t1;
-  const Scalar U_5_yy_zz = Uz_o_5_y - t8;
+  const Scalar t15 = omega_4_z * t12;
+  const Scalar t16 = qd_1 * t1;
+  const Scalar t17 = qd_1 * s_2 * qd_2;
+  const Scalar t18 = Scalar(0.25682352941176473) * t7 + Scalar(2.0) * t17 +
+      Scalar(1.8458823529411765) * t16;
+  const Scalar t19 = Scalar(0.44541176470588234) * t15 + t18;
+  const Scalar t20 = c_5 * t14 - s_5 * t19;
+  const Scalar t21 = c_5 * t11;
+  const Scalar t22 = s_5 * omega_4_z;
+  const Scalar omega_r_5_x = t21 + t22;
+  const Scalar t23 = s_5 * t11;
+  const Scalar t24 = c_5 * omega_4_z;
+  const Scalar omega_r_5_y = t24 - t23;
+  const Scalar t25 = omega_r_5_x * omega_r_5_y;
+  const Scalar t26 = omega_4_z * t11;
+  const Scalar t27 = t26 - t25;
+  const Scalar t28 = Scalar(0.0149450629075) * t27 - Scalar(0.28794534274300054) * t20;
+  const Scalar omega_5_z = qd_5 - t12;
+  const Scalar t29 = omega_r_5_x * omega_r_5_x + omega_5_z * omega_5_z;
+  const Scalar t30 = Scalar(0.0149450629075) * t29 +
+      Scalar(0.28794534274300054) * (c_5 * t19 + s_5 * t14);
+  const Scalar t31 = c_5 * t28 - s_5 * t30;
+  const Scalar t32 = Scalar(0.4462748022139784) * t10 - t31;
+  const Scalar t33 = omega_r_5_y * omega_5_z;
+  const Scalar t34 = t12 * (t24 - Scalar(0.5) * t23) + t33;
+  const Scalar Uz_o_5_y = t11 * t11 + omega_4_z * omega_4_z;
+  const Scalar t35 = t5 * ddp_o_4_y - t4 * t9;
+  const Scalar t36 = Scalar(0.064127121625) * Uz_o_5_y - Scalar(0.029890125815) * t34 +
+      Scalar(0.734220144956979) * t35;
+  const Scalar t37 = s_4 * t32 + c_4 * t36;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t28 = Scalar(0.0001321171875) * omega_6_z;
-  const Scalar t29 = omega_3_z * omega_3_z;
-  const Scalar t30 = t23 + t29;
-  const Scalar t31 = t30 * t27 + t24;
-  const Scalar t32 = s_2_3 * omega_3_z;
-  const Scalar t33 = omega_3_z * t32;
-  const Scalar ddp_o_4_y = Scalar(0.9229411764705883) * t33 + ddp_o_3_y;
-  const Scalar ddp_o_5_y = Scalar(0.22270588235294117) * Uz_o_5_y + t2 * t31 - t6 * ddp_o_4_y;
-  const Scalar t34 = omega_5_z * t28 - Scalar(0.000035853228) * U_5_yy_zz -
-      Scalar(0.0054806000843398) * t19 + Scalar(0.0149450629075) * ddp_o_5_y;
-  const Scalar t35 = omega_r_5_x * omega_5_z;
-  const Scalar t36 = (Scalar(2.0) * t5 - t4) * t7;
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = Scalar(0.0001321171875) * t37 + tau_6;
-  const Scalar t39 = (Scalar(0.000035853228) * t14 + Scalar(0.0038374000421699) * t35 -
-      Scalar(0.0015110828546699) * t37) - t38;
-  const Scalar t40 = t6 * t31 + t2 * ddp_o_4_y;
-  const Scalar t41 = Scalar(0.0159921807738199) * t17 - Scalar(0.22270588235294117) * t16 +
-      s_5 * t34 + Scalar(0.064127121625) * t40 + c_5 * t39;
-  const Scalar t42 = -t27 * (f_u_4_t_y - Scalar(0.6152928829282186) * s_2_3 * t23) - t41 +
-      Scalar(0.677642004375) * t26;
-  const Scalar t43 = omega_4_z * t7;
-  const Scalar t44 = qd_1 * t32;
-  const Scalar t45 = qd_1 * t25;
-  const Scalar t46 = Scalar(0.25682352941176473) * t23 + Scalar(2.0) * t45 +
-      Scalar(1.8458823529411765) * t44;
-  const Scalar t47 = s_5 * (t46 - Scalar(0.44541176470588234) * t43) +
-      c_5 * (Scalar(0.22270588235294117) * t17 + t40);
-  const Scalar t48 = Scalar(0.000035853228) * t36 + omega_r_5_x * t28 -
-      Scalar(0.0016432000421699) * t12 - Scalar(0.0038374000421699) * t13 +
-      Scalar(0.0149450629075) * t47;
-  const Scalar t49 = t48 - tau_5;
-  const Scalar t50 = Scalar(0.8580028554367816) * c_5;
-  const Scalar t51 = t41 - t50 * t49 + tau_4;
-  const Scalar t52 = Scalar(0.064127121625) * t2 - t6 * t9;
-  const Scalar t53 = t1 * t52;
-  const Scalar t54 = s_5 * t2;
-  const Scalar t55 = Scalar(0.0149450629075) * t54 + Scalar(0.064127121625) * t6;
-  const Scalar t56 = t53 + s_2_3 * t55;
-  const Scalar t57 = c_5 * c_5;
-  const Scalar t58 = Scalar(0.0015110828546699) * t57;
-  const Scalar t59 = t58 - Scalar(0.0181863807738199);
-  const Scalar t60 = Scalar(0.0001321171875) * t57 + t59 + Scalar(0.9229411764705883) * t56;
-  const Scalar t61 = s_2_3 * t6 - Scalar(0.23870089068696182) + t1 * t2;
-  const Scalar t62 = t57 * t61;
-  const Scalar t63 = t60 - Scalar(0.011834788548693463) * t62;
-  const Scalar t64 = Scalar(0.002957091755164986) * t57 + t59;
-  const Scalar t65 = Scalar(1.0) / t64;
-  const Scalar t66 = t63 * t65;
-  const Scalar t67 = Scalar(3.594468596105858) * c_5 * t61;
-  const Scalar y_4_3 = tau_3 - t42 + t67 * t49 - t66 * t51;
-  const Scalar t68 = Scalar(0.0016432000421699) * t57 + Scalar(1.8458823529411765) * t56 -
-      Scalar(0.5901605180175699);
-  const Scalar t69 = Scalar(0.04957999324859619) * t61 * t62 - t63 * t66 + t68;
-  const Scalar t70 = Scalar(1.0) / t69;
-  const Scalar t71 = Scalar(0.9229411764705883) * t61;
-  const Scalar t72 = s_2 * t6 - c_2 * t2 + t71;
-  const Scalar t73 = t57 * t72;
-  const Scalar t74 = s_2 * t55 - Scalar(0.012822906649317328) * t73 - c_2 * t52 + t60;
-  const Scalar t75 = Scalar(-0.677642004375) * t1;
-  const Scalar t76 = c_2 * (t52 + t75);
-  const Scalar t77 = t76 + s_2 * (Scalar(0.677642004375) * s_2_3 - t55);
-  const Scalar t78 = Scalar(0.053719559287835256) * t72 * t62 - t74 * t66 - t77 + t68;
-  const Scalar t79 = t78 * t70;
-  const Scalar t80 = c_2 * (f_u_4_t_y + Scalar(0.677642004375) * t33 + Scalar(38.1586437));
-  const Scalar t81 = Scalar(1.39293427915) * c_2;
-  const Scalar t82 = s_2 * (t21 + t81 * t23 + t75 * t30);
-  const Scalar t83 = t74 * t65;
-  const Scalar t84 = Scalar(3.8945803781899033) * c_5 * t72;
-  const Scalar y_3_2 = tau_2 - t42 - t82 + t84 * t49 + t80 - t79 * y_4_3 - t83 * t51;
-  const Scalar t85 = Scalar(0.058204748750363244) * t72 * t73 - t74 * t83 + t68 -
-      Scalar(2.0) * t77 - t78 * t79 - Scalar(1.40804167915);
-  const Scalar t86 = Scalar(1.0) / t85;
+  const Scalar t38 = Scalar(0.0001321171875) * omega_6_z;
+  const Scalar t39 = Scalar(0.000035853228) * t29 + omega_5_z * t38 +
+      Scalar(0.003292500193635) * Uz_o_5_y - Scalar(0.0054806000843398) * t33 +
+      Scalar(0.0149450629075) * t35;
+  const Scalar t40 = omega_r_5_x * omega_5_z;
+  const Scalar t41 = (t21 + Scalar(2.0) * t22) * t12;
+  const Scalar t42 = Scalar(0.0001321171875) * (t40 + t41) + tau_6;
+  const Scalar t43 = Scalar(-0.000035853228) * t27 - Scalar(0.0015110828546699) * t41 +
+      Scalar(0.0023263171875) * t40 - t42;
+  const Scalar t44 = Scalar(0.0017106935695699) * t13 + s_5 * t39 +
+      Scalar(0.22270588235294117) * t31 + c_5 * t43;
+  const Scalar t45 = Scalar(0.0575445715) * t3 * s_2_3 * t7 + t44 +
+      Scalar(0.9229411764705883) * t37;
+  const Scalar t46 = Scalar(0.000035853228) * t41 - omega_r_5_x * t38 +
+      Scalar(0.0016432000421699) * t25 - Scalar(0.0038374000421699) * t26 +
+      Scalar(0.0149450629075) * t20;
+  const Scalar t47 = t46 + tau_5;
+  const Scalar t48 = Scalar(0.8580028554367816) * c_5;
+  const Scalar y_5_4 = t44 + t48 * t47 + tau_4;
+  const Scalar t49 = s_4 - Scalar(0.23305369910246615) * c_4 * s_5;
+  const Scalar t50 = c_5 * c_5;
+  const Scalar t51 = Scalar(0.0016432000421699) * t50;
+  const Scalar t52 = t51 - Scalar(0.0181863807738199) + Scalar(0.05918556107625) * t49;
+  const Scalar t53 = s_4 - Scalar(0.23870089068696182);
+  const Scalar t54 = t50 * t53;
+  const Scalar t55 = t52 - Scalar(0.011834788548693463) * t54;
+  const Scalar t56 = Scalar(0.004468174609834886) * t50 - Scalar(0.0181863807738199);
+  const Scalar t57 = Scalar(1.0) / t56;
+  const Scalar t58 = t55 * t57;
+  const Scalar t59 = Scalar(3.594468596105858) * c_5 * t53;
+  const Scalar t60 = tau_3 + t45 - t59 * t47 - t58 * y_5_4;
+  const Scalar t61 = s_5 * t4;
+  const Scalar t62 = Scalar(0.0149450629075) * t61 + Scalar(0.064127121625) * t5;
+  const Scalar f_3_3_x = t62 + Scalar(0.677642004375) * s_2_3;
+  const Scalar t63 = Scalar(0.064127121625) * t4 - Scalar(0.0149450629075) * s_5 * t5;
+  const Scalar t64 = c_2 * (Scalar(0.677642004375) * t3 - t63);
+  const Scalar t65 = s_2 * f_3_3_x + t64;
+  const Scalar t66 = Scalar(0.9229411764705883) * t53;
+  const Scalar t67 = c_2 * t4 - s_2 * t5 + t66;
+  const Scalar t68 = t50 * t67;
+  const Scalar t69 = c_2 * t63 - Scalar(0.012822906649317328) * t68 - s_2 * t62 + t52;
+  const Scalar t70 = t51 + Scalar(0.1183711221525) * t49 - Scalar(0.5901605180175699);
+  const Scalar t71 = Scalar(0.053719559287835256) * t67 * t54 - t69 * t58 - t65 + t70;
+  const Scalar t72 = Scalar(0.04957999324859619) * t53 * t54 - t55 * t58 + t70;
+  const Scalar t73 = Scalar(1.0) / t72;
+  const Scalar t74 = t71 * t73;
+  const Scalar t75 = t5 * t32 - t4 * t36;
+  const Scalar f_3_x = Scalar(0.918932105043021) * t8 + t75;
+  const Scalar t76 = Scalar(0.26021797085) * s_2 * t7 + t4 * t32 + t5 * t36 +
+      Scalar(0.918932105043021) * ddp_o_3_y;
+  const Scalar t77 = t69 * t57;
+  const Scalar t78 = Scalar(3.8945803781899033) * c_5 * t67;
+  const Scalar t79 = tau_2 + t45 - s_2 * f_3_x - t78 * t47 + c_2 * t76 - t77 * y_5_4 - t74 * t60;
+  const Scalar t80 = Scalar(0.058204748750363244) * t67 * t68 - t69 * t77 + t70 -
+      Scalar(2.0) * t65 - t71 * t74 - Scalar(1.40804167915);
+  const Scalar t81 = Scalar(1.0) / t80;
   const Scalar Ic_4_yz = Scalar(0.003292500193635) * c_5 - Scalar(0.000035853228);
-  const Scalar t87 = Scalar(0.0016432000421699) * c_5 * t54 + t6 * Ic_4_yz +
-      Scalar(0.25682352941176473) * t55;
-  const Scalar t88 = s_5 * (Scalar(1.0834926704907584) * c_2 - t1);
-  const Scalar t89 = Scalar(0.003292500193635) * t54 -
-      Scalar(0.003838243803185) * t6 * (c_5 + Scalar(0.9997801700313045)) +
-      Scalar(0.013793413942275) * t88;
-  const Scalar t90 = t89 * t50 + t87;
-  const Scalar t91 = t87 - Scalar(0.013793413942275) * s_2_3 * (c_5 + Scalar(9.172679381315092));
-  const Scalar t92 = -t89 * t67 - t90 * t66 + t91;
-  const Scalar t93 = -t89 * t84 - t90 * t83 + t91 - t92 * t79 -
-      Scalar(0.0149450629075) * s_2 * (c_5 + Scalar(23.37228607112171));
-  const Scalar t94 = t93 * t86;
-  const Scalar t95 = t92 * t70;
-  const Scalar t96 = t90 * t65;
-  const Scalar t97 = t9 * t14 - t8 * t15;
-  const Scalar t98 = t97 + Scalar(0.12825424325) * t43;
-  const Scalar t99 = c_2 * (t98 + Scalar(0.349300285625) * t22 - Scalar(1.35528400875) * t44 -
-      Scalar(2.7858685583) * t45);
-  const Scalar U_4_yy_zz = t23 - Uz_o_5_y;
-  const Scalar t100 = Scalar(-0.000035853228) * U_4_yy_zz - Scalar(0.22270588235294117) * t97 -
-      c_5 * t34 - Scalar(0.0341785615476398) * t43 + Scalar(0.064127121625) * t46 + s_5 * t39;
-  const Scalar t101 = t1 * (Scalar(7.294676536156717) * t98 + t29 -
-      Scalar(8.976725111921397) * t44 - Scalar(10.711796927582515) * t45);
-  const Scalar t102 = Scalar(-260.5931070544678) * t89;
-  const Scalar t103 = t6 * (Scalar(0.000035853228) * t17 + Scalar(0.0021942) * t13 - t48);
-  const Scalar t104 = Scalar(0.25682352941176473) * t21 - t103 + t95 * y_4_3 - t2 * t100 - tau_1 +
-      t94 * y_3_2 + t96 * t51 + t99 - Scalar(0.12652256366625) * t101 - t102 * t49;
-  const Scalar Iu_5_t_xx = t58 - Scalar(0.0015110828546699);
-  const Scalar Iu_4_t_d = Iu_5_t_xx + Scalar(0.01215478073165);
-  const Scalar t105 = t6 * (Scalar(0.00658500038727) * t54 + t6 * Iu_4_t_d);
-  const Scalar b_2_1_1 = Iu_5_t_xx - Scalar(0.0001321171875) * t54 * t54 +
-      Scalar(0.00767648760637) * c_5 - t105 + t92 * t95 + t90 * t96 + t89 * t102 -
-      Scalar(1.8458823529411765) * t53 + t93 * t94 + Scalar(0.1879281038293699) +
-      Scalar(0.56787913724375) * t1 * t1 + Scalar(2.0) * t76 + c_2 * t81;
+  const Scalar t82 = Scalar(0.0016432000421699) * c_5 * t61 + t5 * Ic_4_yz +
+      Scalar(0.25682352941176473) * t62;
+  const Scalar t83 = s_5 * (Scalar(1.0834926704907584) * c_2 + t3);
+  const Scalar t84 = Scalar(0.003292500193635) * t61 -
+      Scalar(0.003838243803185) * t5 * (c_5 + Scalar(0.9997801700313045)) -
+      Scalar(0.013793413942275) * t83;
+  const Scalar t85 = t84 * t48 + t82;
+  const Scalar t86 = t82 + Scalar(0.013793413942275) * s_2_3 * (c_5 + Scalar(9.172679381315092));
+  const Scalar t87 = -t84 * t59 - t85 * t58 + t86;
+  const Scalar t88 = Scalar(0.0149450629075) * c_5;
+  const Scalar t89 = -t84 * t78 - t85 * t77 + t86 - t87 * t74 +
+      s_2 * (t88 + Scalar(0.349300285625));
+  const Scalar t90 = t89 * t81;
+  const Scalar t91 = t87 * t73;
+  const Scalar t92 = t85 * t57;
+  const Scalar t93 = c_5 * t30 + s_5 * t28;
+  const Scalar t94 = t93 + Scalar(0.4462748022139784) * t18;
+  const Scalar t95 = t3 * (t6 - Scalar(2.422325143603932) * t16 + Scalar(19.425495399093375) * t94);
+  const Scalar t96 = c_2 * (Scalar(0.16073527663193116) * t2 - Scalar(1.317428268386042) * t17 -
+      t94);
+  const Scalar U_4_yy_zz = t7 - Uz_o_5_y;
+  const Scalar t97 = Scalar(0.0056155871391398) * t15 - Scalar(0.000035853228) * U_4_yy_zz -
+      c_5 * t39 + Scalar(0.22270588235294117) * t93 + s_5 * t43;
+  const Scalar t98 = t5 * (Scalar(0.0021942) * t26 - Scalar(0.000035853228) * t13 - t46);
+  const Scalar t99 = Scalar(-260.5931070544678) * t84;
+  const Scalar t100 = Scalar(0.25682352941176473) * t75 - t98 - t91 * t60 -
+      Scalar(0.047511847575) * t95 + t4 * t97 - tau_1 - t92 * y_5_4 - t90 * t79 + t96 - t99 * t47;
+  const Scalar t101 = t3 * (t3 - Scalar(3.2504845342625623) * t63);
+  const Scalar Ic_4_xx = Scalar(0.0015110828546699) * t50 + Scalar(0.0127704043495801);
+  const Scalar Iu_4_t_d = Ic_4_xx - Scalar(0.0021267064726);
+  const Scalar t102 = t5 * (Scalar(0.00658500038727) * t61 + t5 * Iu_4_t_d);
+  const Scalar b_2_1_1 = Scalar(0.00767648760637) * c_5 - Scalar(0.0001321171875) * t61 * t61 -
+      t102 + Ic_4_xx + t85 * t92 + t87 * t91 + t84 * t99 + t89 * t90 + Scalar(0.1736466166251199) +
+      Scalar(0.56787913724375) * t101 + Scalar(2.0) * t64 + Scalar(1.39293427915) * c_2 * c_2;
   const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t106 = d_1 * t104;
-  qdd[0] = -t106;
-  const Scalar t107 = t86 * (y_3_2 - t93 * t106);
-  qdd[1] = -t107;
-  const Scalar t108 = t70 * (-t92 * t106 - t78 * t107 + y_4_3);
-  qdd[2] = -t108;
-  const Scalar t109 = t65 * (-t90 * t106 - t63 * t108 - t74 * t107 + t51);
-  qdd[3] = -t109;
-  qdd[5] = t54 * t106 + c_5 * (t107 + t108) + c_5 * t109 + Scalar(7569.03790432263) * t38;
-  const Scalar t110 = t89 * t106 - t15 * (t72 * t107 + t71 * t108) + t49;
-  qdd[4] = -t50 * t109 - Scalar(260.5931070544678) * t110;
+  const Scalar t103 = d_1 * t100;
+  qdd[0] = -t103;
+  const Scalar t104 = t81 * (t89 * t103 + t79);
+  qdd[1] = -t104;
+  const Scalar t105 = t73 * (t87 * t103 - t71 * t104 + t60);
+  qdd[2] = -t105;
+  const Scalar t106 = t57 * (t85 * t103 - t69 * t104 - t55 * t105 + y_5_4);
+  qdd[3] = -t106;
+  const Scalar t107 = t84 * t103 + t88 * (t67 * t104 + t66 * t105) + t47;
+  qdd[4] = Scalar(260.5931070544678) * t107 - t48 * t106;
+  qdd[5] = c_5 * (t104 + t105) - t61 * t103 + c_5 * t106 + Scalar(7569.03790432263) * t42;
   bool positive = b_2_1_1 > Scalar(0.0);
-  positive &= -t85 > Scalar(0.0);
-  positive &= -t69 > Scalar(0.0);
-  positive &= -t64 > Scalar(0.0);
+  positive &= -t80 > Scalar(0.0);
+  positive &= -t72 > Scalar(0.0);
+  positive &= -t56 > Scalar(0.0);
   return positive;
 }
 

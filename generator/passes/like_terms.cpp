@@ -35,7 +35,7 @@ Node merged(const Node& outer, std::size_t k, const Node& inner) {
 }
 
 // Merges what pays into the node; operands are done already, as ids are a topological order.
-void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses) {
+void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses, Merging merging) {
   for (std::size_t k = 0; k < draft.at(id).terms.size();) {
     const NodeId operand = draft.at(id).terms[k].node;
     const Node& inner = draft.at(operand);
@@ -48,7 +48,8 @@ void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses) {
     const bool only_use = uses[static_cast<std::size_t>(operand)] == 1;
     const int before = sum_cost(outer.terms, outer.value) + (only_use ? sum_cost(inner.terms, inner.value) : 0);
     const int after = sum_cost(candidate.terms, candidate.value);
-    if (only_use ? after > before : after >= before) {
+    const bool may_be_equal = only_use || merging == Merging::where_it_costs_nothing;
+    if (may_be_equal ? after > before : after >= before) {
       ++k;
       continue;
     }
@@ -61,12 +62,12 @@ void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses) {
 
 }  // namespace
 
-Function with_merged_sums(const Function& function) {
+Function with_merged_sums(const Function& function, Merging merging) {
   const Function flat = unfolded(function);
   Draft draft(flat);
   std::vector<int> uses = draft.use_counts();
   for (NodeId id = 0; id < flat.graph.size(); ++id) {
-    if (draft.at(id).op == Op::sum) merge_operands(draft, id, uses);
+    if (draft.at(id).op == Op::sum) merge_operands(draft, id, uses, merging);
   }
   return unfolded(draft.finish());
 }

@@ -296,6 +296,7 @@ Function with_shared_sums(const Function& function) {
   for (int round = 0; round < kRounds; ++round) {
     const int cost_before = cost(best);
     best = cheaper(best, shared_once(with_merged_sums(best)));
+    best = cheaper(best, shared_once(with_merged_sums(best, Merging::where_it_costs_nothing)));
     if (!is_worth_repeating(cost_before, cost(best))) break;
   }
   return best;

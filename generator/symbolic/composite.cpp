@@ -12,6 +12,11 @@ int parent_of(Frames& frames, int i) { return frames.body(i).parent; }
 // that of its parent, h the first moment about the old pole.
 Mat3 moved_pole(const Number& m, const Vec3& h, const Vec3& p) { return inertia_between(p, h + (m / 2) * p); }
 
+// The same about the axis alone, to which that of body i is parallel, with h and p in axes of frame i.
+Number moved_axis(const Body& body, const Number& m, const Vec3& h, const Vec3& p) {
+  return 2 * (p[0] * h[0] + p[1] * h[1]) + m * (body.p[0] * body.p[0] + body.p[1] * body.p[1]);
+}
+
 InertialParameters composite_in_parent(Frames& frames, int i, const InertialParameters& composite) {
   Derivation& d = frames.derivation();
   const std::string n = label(i);
@@ -25,7 +30,10 @@ InertialParameters composite_in_parent(Frames& frames, int i, const InertialPara
   const Vec3 h = frames.up(i, slid.first_moment, "hu_" + n);
   const Mat3 I = frames.up(i, slid.inertia, "Iu_" + n);
   const Vec3& p = frames.p(i);
-  return {composite.mass, h + composite.mass * p, I + moved_pole(composite.mass, h, p)};
+  Mat3 moved = moved_pole(composite.mass, h, p);
+  if (const auto& own = frames.p_in_own_axes(i))
+    moved[2][2] = moved_axis(frames.body(i), composite.mass, slid.first_moment, *own);
+  return {composite.mass, h + composite.mass * p, I + moved};
 }
 
 // Calls visit(k, wrench) for i and every body k between it and the base, with the unit wrench of i in frame k.

@@ -61,6 +61,7 @@ Frames::Frames(const Mechanism& mechanism, Derivation& derivation, const std::ve
     turns_.push_back(turn_by_joint(i));
     slide_.push_back(body.prismatic ? joint_position(mechanism, derivation, i) : Number(0));
     p_.push_back(derivation.named(body.p, "p_" + label(i)));
+    p_in_own_axes_.emplace_back();
     inertia_.push_back(body.inertia);
     rotor_axis_.push_back(body.rotor ? derivation.named(body.rotor->axis, "z_m" + label(i)) : zero_vector());
   }
@@ -99,6 +100,7 @@ void Frames::hold(int i) {
   body.inertia =
       turned_tensor_z(derivation_, held.gamma, derivation_.named_symmetric(body.inertia, "I_" + n), "I_t" + n);
   turns_[k].gamma = {};
+  p_in_own_axes_[k].reset();
   for (int other = 0; other < mechanism_.body_count(); ++other) {
     const Body& each = mechanism_.bodies[static_cast<std::size_t>(other)];
     if (each.parent == i) hand_on(held, other);
@@ -113,6 +115,8 @@ void Frames::hold(int i) {
 void Frames::hand_on(const Turn& held, int child) {
   const auto k = static_cast<std::size_t>(child);
   Turn& turn = turns_[k];
+  const Vec3 in_own_axes = turn_z(back(turn.gamma), turn_x(back(turn.alpha), turn_z(back(turn.beta), p_[k])));
+  p_in_own_axes_[k] = derivation_.named(in_own_axes, "p_own_" + label(child));
   p_[k] = derivation_.named(turn_z(held.gamma, p_[k]), "p_" + label(child));
   if (mechanism_.is_coupled()) return hand_on_multiples(held, child);
   const std::string before = held.angles + "_b" + label(child);

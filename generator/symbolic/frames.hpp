@@ -2,6 +2,8 @@
 // The moving frames of a mechanism inside one derivation: sines and cosines, and vectors carried from frame to frame.
 #pragma once
 
+#include <optional>
+
 #include "model/mechanism.hpp"
 #include "symbolic/derivation.hpp"
 
@@ -40,6 +42,9 @@ class Frames {
   // Displacement of frame i's origin at q_i = 0, in the parent's frame; the slide comes on top, along z of frame i.
   // Numbers if the parent's frame turns with it.
   const Vec3& p(int i) const { return p_[static_cast<std::size_t>(i)]; }
+  // The same in axes of frame i, if these are turned against the parent's still ones by more than the joint's angle:
+  // then they are known by that angle alone. Else nothing.
+  const std::optional<Vec3>& p_in_own_axes(int i) const { return p_in_own_axes_[static_cast<std::size_t>(i)]; }
   // z of frame i in the parent's frame: constant.
   Vec3 axis_in_parent(int i) const;
 
@@ -74,6 +79,7 @@ class Frames {
   std::vector<Turn> turns_;
   std::vector<Number> slide_;
   std::vector<Vec3> p_;
+  std::vector<std::optional<Vec3>> p_in_own_axes_;
   std::vector<InertialParameters> inertia_;
   std::vector<Vec3> rotor_axis_;
 };

@@ -142,7 +142,10 @@ Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string&
   const Vec3 mu = d.named(wrench.mu + Vec3{-q * wrench.f[1], q * wrench.f[0], 0}, "mu_s_" + name);
   const Vec3 f = frames.up(i, wrench.f, "f_u_" + name);
   const Vec3 turned = frames.up(i, mu, "mu_u_" + name);
-  return {f, turned + cross(frames.p(i), f)};
+  Vec3 levered = cross(frames.p(i), f);
+  // About axes that are parallel f need not be turned.
+  if (const auto& p = frames.p_in_own_axes(i)) levered[2] = frames.axis_in_parent(i)[2] * cross(*p, wrench.f)[2];
+  return {f, turned + levered};
 }
 
 Vec3 rotor_momentum(Frames& frames, int i) {
