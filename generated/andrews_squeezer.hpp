@@ -36,7 +36,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_ANDREWS_SQUEEZER_HPP
 #define FLATDYN_ANDREWS_SQUEEZER_HPP
@@ -758,7 +759,7 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   qdd[1]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular, or a pivot of B is not positive or not a number.
-// Reads q[0..6], qd[0], tau[0]. Operations: 160 mul, 87 add, 4 div, 14 sin/cos.
+// Reads q[0..6], qd[0], tau[0]. Operations: 159 mul, 87 add, 4 div, 14 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -864,7 +865,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t82 = t7 * (t18 * t73 -
       t12 * (t81 + Scalar(9.237125e-07) * t13 - Scalar(1.847425e-06)));
   const Scalar t83 = t81 - Scalar(3.3331693e-06) + t82 - t77 + t80;
-  qdd[0] = -(Scalar(1.0) / t83) * t75;
+  qdd[0] = -t75 / t83;
   const Scalar regular_l1 = t6 * t6 - Scalar(3.7515625e-13);
   const Scalar regular_l2 = t36 * t36 - Scalar(6.25e-13);
   const Scalar regular_l3 = t57 * t57 - Scalar(6.25e-13);
@@ -998,7 +999,7 @@ inline constexpr bool jacobian_nonzero[6] = {
 //              6 x 1, row by row: entry (i, j) is J[1 * i + j]
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..2]. Operations: 22 mul, 9 add, 1 div, 6 sin/cos. Always zero: 3 of the 6 entries of J.
+// Reads q[0..2]. Operations: 21 mul, 9 add, 1 div, 6 sin/cos. Always zero: 3 of the 6 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
   Scalar sine[position_count], cosine[position_count];
@@ -1012,7 +1013,7 @@ inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
   const Scalar t3 = Scalar(-0.028) * t2;
   const Scalar p_l1ae_x = Scalar(0.007) * c_1 - t3;
   const Scalar t4 = Scalar(0.00098) * s_3 * R_l1a21_x - Scalar(0.00098) * c_3 * t2;
-  const Scalar t5 = (Scalar(1.0) / t4) * (t3 * p_l1ae_y - p_l1ae_x * t1);
+  const Scalar t5 = (t3 * p_l1ae_y - p_l1ae_x * t1) / t4;
   J[5] = -t5;
   const Scalar J_P3_x = Scalar(0.018) * c_3 - Scalar(0.02) * s_3;
   J[0] = -J_P3_x * t5;

@@ -26,7 +26,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_CARTESIAN_2_HPP
 #define FLATDYN_CARTESIAN_2_HPP
@@ -223,7 +224,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* /* q */,
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads tau[0..1], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
-// parameters.m_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 7 mul, 5 add, 2
+// parameters.m_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 5 mul, 5 add, 2
 // div.
 template <class Scalar>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* /* q */,
@@ -234,13 +235,11 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
   const Scalar b_2_2 = m_l2 + I_m2 * k_r2 * k_r2;
-  const Scalar d_2 = Scalar(1.0) / b_2_2;
-  qdd[1] = d_2 * tau_2;
+  qdd[1] = tau_2 / b_2_2;
   const Scalar m_1 = m_l1 + m_m2;
   const Scalar mc_1 = m_l2 + m_1;
   const Scalar b_1_1 = mc_1 + I_m1 * k_r1 * k_r1;
-  const Scalar d_1 = Scalar(1.0) / b_1_1;
-  qdd[0] = d_1 * (tau_1 - g * mc_1);
+  qdd[0] = (tau_1 - g * mc_1) / b_1_1;
   bool positive = b_1_1 > Scalar(0.0);
   positive &= b_2_2 > Scalar(0.0);
   return positive;

@@ -8,7 +8,7 @@
 // its angular velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity,
 // f_i and mu_i the force and moment that it gets from the link before, hc_i and hu_i the first
 // moment of all that its joint carries (in gravity() times the size of gravity); t1, t2, ... are
-// parts of sums.
+// parts of sums. A distance between joints may be the unit of length here, though not of arguments.
 
 #include "example_7_2_pair.hpp"
 
@@ -63,8 +63,7 @@ bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scal
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t5 = t4 * t3 - tau_1 - t2 - omega_2_z * omega_2_z * t1 + Scalar(784.8) * c_1;
   const Scalar b_2_1_1 = Scalar(50.0) * c_2 - mu_2_1_z * t4 + Scalar(200.01);
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t6 = d_1 * t5;
+  const Scalar t6 = t5 / b_2_1_1;
   qdd[0] = -t6;
   qdd[1] = t4 * t6 + Scalar(0.00816326530612245) * t3;
   bool positive = b_2_1_1 > Scalar(0.0);

@@ -92,7 +92,7 @@ void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept;
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[0..1], qd[0..1], tau[0..1]. Operations: 17 mul, 12 add, 1 div, 4 sin/cos.
+// Reads q[0..1], qd[0..1], tau[0..1]. Operations: 16 mul, 12 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept;

@@ -27,7 +27,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_FINGER_HPP
 #define FLATDYN_FINGER_HPP
@@ -493,7 +494,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[3]  in   joint torques or forces, N m or N
 //   qdd[3]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..2], qd[0..2], tau[0..2]. Operations: 84 mul, 56 add, 3 div, 6 sin/cos.
+// Reads q[1..2], qd[0..2], tau[0..2]. Operations: 82 mul, 56 add, 3 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -507,51 +508,50 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
   const Scalar t1 = c_2 * c_3 - s_2 * s_3;
   const Scalar t2 = c_4 * s_2_3 + s_4 * t1;
+  const Scalar t3 = t1 * t2;
+  const Scalar t4 = c_4 * t1 - s_4 * s_2_3;
+  const Scalar t5 = s_2_3 * t4;
+  const Scalar t6 = Scalar(-1.2e-06) * t4;
+  const Scalar t7 = Scalar(-8.125e-06) * t1;
+  const Scalar t8 = Scalar(2.25e-06) * (t3 + t5) - t2 * t6 - s_2_3 * t7;
+  const Scalar t9 = Scalar(8e-07) * t4 * t2 + t8;
+  const Scalar t10 = qd_1 * qd_1;
+  const Scalar t11 = Scalar(2.0) * qd_2;
+  const Scalar beta_4_f = t11 + Scalar(2.6666666666666665) * qd_3;
+  const Scalar t12 = Scalar(1.5e-06) * qd_3 * beta_4_f * (t3 - t5);
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t13 = omega_3_z * omega_3_z;
+  const Scalar t14 = qd_2 * qd_2;
+  const Scalar t15 = s_2 * t14 - Scalar(218.0);
+  const Scalar t16 = c_2 * (t10 + t14);
+  const Scalar t17 = t2 * (Scalar(0.5555555555555556) * t1 * (t10 + t13) + t16);
+  const Scalar t18 = t4 * (Scalar(0.5555555555555556) * s_2_3 * t13 + t15) - t17;
+  const Scalar t19 = Scalar(4.05e-06) * t4 + Scalar(0.000016875) * t1;
   const Scalar hc_3_y = Scalar(4.05e-06) * t2 + Scalar(0.000016875) * s_2_3;
-  const Scalar t3 = Scalar(-2.7e-06) * t2;
-  const Scalar t4 = hc_3_y - t3;
-  const Scalar t5 = c_4 * t1 - s_4 * s_2_3;
-  const Scalar t6 = Scalar(4.05e-06) * t5 + Scalar(0.000016875) * t1;
-  const Scalar t7 = Scalar(-2.7e-06) * t5;
-  const Scalar b_3_2h = Scalar(6e-06) * c_4 + s_2 * t4 + c_2 * (t6 - t7) + Scalar(0.000010125);
+  const Scalar y_3 = t12 - t10 * t9 - hc_3_y * t16 + Scalar(2.7e-06) * t18 + t19 * t15 + tau_3;
+  const Scalar t20 = Scalar(-2.7e-06) * t2;
+  const Scalar t21 = hc_3_y - t20;
+  const Scalar t22 = Scalar(-2.7e-06) * t4;
+  const Scalar b_3_2h = Scalar(6e-06) * c_4 + s_2 * t21 + c_2 * (t19 - t22) + Scalar(0.000010125);
   const Scalar b_3_3q = Scalar(7.5e-06) * c_4 + Scalar(0.000011458333333333333);
   const Scalar d_3 = Scalar(1.0) / b_3_3q;
-  const Scalar t8 = b_3_2h * d_3;
-  const Scalar t9 = c_2 * t6 + s_2 * hc_3_y;
-  const Scalar b_3_2_2 = Scalar(4.5e-06) * c_4 + Scalar(2.0) * t9 - b_3_2h * t8 +
+  const Scalar t23 = b_3_2h * d_3;
+  const Scalar beta_3_f = qd_3 + t11;
+  const Scalar t24 = c_2 * (qd_3 * (t20 * beta_4_f - hc_3_y * beta_3_f) + Scalar(0.01368495));
+  const Scalar t25 = t8 + s_2 * t19 + c_2 * (hc_3_y + Scalar(0.000056025) * s_2);
+  const Scalar t26 = s_2 * qd_3 * (t22 * beta_4_f - t19 * beta_3_f);
+  const Scalar t27 = -t12 - t26 + t25 * t10 + Scalar(218.0) * t19 + t24 - tau_2 + t23 * y_3;
+  const Scalar t28 = c_2 * t19 + s_2 * hc_3_y;
+  const Scalar b_3_2_2 = Scalar(4.5e-06) * c_4 + Scalar(2.0) * t28 - b_3_2h * t23 +
       Scalar(0.00006535);
-  const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t10 = t1 * t2;
-  const Scalar t11 = s_2_3 * t5;
-  const Scalar t12 = Scalar(-1.2e-06) * t5;
-  const Scalar t13 = Scalar(-8.125e-06) * t1;
-  const Scalar t14 = Scalar(2.25e-06) * (t10 + t11) - t2 * t12 - s_2_3 * t13;
-  const Scalar t15 = Scalar(8e-07) * t5 * t2 + t14;
-  const Scalar t16 = qd_1 * qd_1;
-  const Scalar t17 = Scalar(2.0) * qd_2;
-  const Scalar beta_4_f = t17 + Scalar(2.6666666666666665) * qd_3;
-  const Scalar t18 = Scalar(1.5e-06) * qd_3 * beta_4_f * (t10 - t11);
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t19 = omega_3_z * omega_3_z;
-  const Scalar t20 = qd_2 * qd_2;
-  const Scalar t21 = s_2 * t20 - Scalar(218.0);
-  const Scalar t22 = c_2 * (t16 + t20);
-  const Scalar t23 = t2 * (Scalar(0.5555555555555556) * t1 * (t16 + t19) + t22);
-  const Scalar t24 = t5 * (Scalar(0.5555555555555556) * s_2_3 * t19 + t21) - t23;
-  const Scalar y_3 = t18 - t16 * t15 - hc_3_y * t22 + Scalar(2.7e-06) * t24 + t6 * t21 + tau_3;
-  const Scalar beta_3_f = qd_3 + t17;
-  const Scalar t25 = c_2 * (qd_3 * (t3 * beta_4_f - hc_3_y * beta_3_f) + Scalar(0.01368495));
-  const Scalar t26 = t14 + s_2 * t6 + c_2 * (hc_3_y + Scalar(0.000056025) * s_2);
-  const Scalar t27 = s_2 * qd_3 * (t7 * beta_4_f - t6 * beta_3_f);
-  const Scalar t28 = -t18 - t27 + t26 * t16 + Scalar(218.0) * t6 + t25 - tau_2 + t8 * y_3;
-  const Scalar t29 = d_2 * t28;
+  const Scalar t29 = t27 / b_3_2_2;
   qdd[1] = -t29;
-  const Scalar t30 = qd_3 * (Scalar(1.5e-06) * t10 + t15 + c_2 * t4) + t26 * qd_2;
+  const Scalar t30 = qd_3 * (Scalar(1.5e-06) * t3 + t9 + c_2 * t21) + t25 * qd_2;
   const Scalar y_1 = Scalar(2.0) * qd_1 * t30 + tau_1;
-  const Scalar t31 = t13 * (Scalar(0.5538461538461539) * t5 + t1);
-  const Scalar t32 = t5 * t12 + t31 -
-      Scalar(0.000056025) * c_2 * (Scalar(35698.348951361) * t6 + c_2);
-  qdd[0] = -(Scalar(1.0) / t32) * y_1;
+  const Scalar t31 = t7 * (Scalar(0.5538461538461539) * t4 + t1);
+  const Scalar t32 = t4 * t6 + t31 -
+      Scalar(0.000056025) * c_2 * (Scalar(35698.348951361) * t19 + c_2);
+  qdd[0] = -y_1 / t32;
   qdd[2] = d_3 * (b_3_2h * t29 + y_3);
   bool positive = -t32 > Scalar(0.0);
   positive &= b_3_2_2 > Scalar(0.0);

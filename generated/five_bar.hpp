@@ -33,7 +33,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_FIVE_BAR_HPP
 #define FLATDYN_FIVE_BAR_HPP
@@ -531,7 +532,7 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular, or a pivot of B is not positive or not a number.
-// Reads q[0..3], qd[0..1], tau[0..1]. Operations: 85 mul, 53 add, 3 div, 8 sin/cos.
+// Reads q[0..3], qd[0..1], tau[0..1]. Operations: 84 mul, 53 add, 3 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -591,8 +592,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t36 = t6 * (Scalar(0.0001215) * t9 * t9 - t33 * t34);
   const Scalar b_2_1_1 = Scalar(0.0011745) * c_2 + t6 * (t36 + t12 * (mu_2_1_z + b_1_2h)) +
       Scalar(0.0014175);
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar qdd_1 = d_1 * (t16 * t22 - t13 * t23 + tau_1 - t35);
+  const Scalar qdd_1 = (t16 * t22 - t13 * t23 + tau_1 - t35) / b_2_1_1;
   qdd[0] = qdd_1;
   qdd[1] = d_2 * (t6 * t33 * qdd_1 + t30);
   const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);

@@ -33,7 +33,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_FOUR_BAR_HPP
 #define FLATDYN_FOUR_BAR_HPP
@@ -440,7 +441,7 @@ inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
 // singular.
 // Reads q[0..2], parameters.g, parameters.m_1, parameters.l_1, parameters.a, parameters.m_2,
 // parameters.l_2, parameters.h_2, parameters.m_3, parameters.l_3, parameters.b, parameters.c.
-// Operations: 33 mul, 13 add, 1 div, 6 sin/cos.
+// Operations: 32 mul, 13 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
     const SinCos& sin_cos = {}) noexcept {
@@ -457,12 +458,11 @@ inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
   const Scalar p_l1ae_x = a * c_1 - b * t1;
   const Scalar t2 = m_2 * (h_2 * s_1_2 + l_2 * t1);
   const Scalar t3 = m_3 * l_3 * b * c_3 * (t1 * p_l1ae_y + s_1_2 * p_l1ae_x);
-  const Scalar t4 = c * t2 * (c_3 * p_l1ae_y - s_3 * p_l1ae_x) + t3;
-  const Scalar t5 = b * c;
-  const Scalar t6 = (c_3 * s_1_2 + s_3 * t1) * t5;
-  const Scalar t7 = c_1 * (a * m_2 + m_1 * l_1) - t2;
-  g[0] = g_2 * (t7 + (Scalar(1.0) / t6) * t4);
-  bool positive = t6 * t6 - Scalar(1e-12) * t5 * t5 > Scalar(0.0);
+  const Scalar t4 = b * c;
+  const Scalar t5 = (c_3 * s_1_2 + s_3 * t1) * t4;
+  const Scalar t6 = (c * t2 * (c_3 * p_l1ae_y - s_3 * p_l1ae_x) + t3) / t5;
+  g[0] = g_2 * ((c_1 * (a * m_2 + m_1 * l_1) - t2) + t6);
+  bool positive = t5 * t5 - Scalar(1e-12) * t4 * t4 > Scalar(0.0);
   return positive;
 }
 
@@ -533,7 +533,7 @@ inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // singular, or a pivot of B is not positive or not a number.
 // Reads q[0..2], qd[0], tau[0], parameters.g, parameters.m_1, parameters.l_1, parameters.I_1,
 // parameters.a, parameters.m_2, parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3,
-// parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 76 mul, 40 add, 2 div, 6
+// parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 75 mul, 40 add, 2 div, 6
 // sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
@@ -587,8 +587,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar b_1_2h = mu_2_1_z - I_2_zz * t8;
   const Scalar b_1_1q = I_1 + I_2_zz - Scalar(2.0) * t27 + a * a * m_2 + l_1 * t25 + I_3_zz * t11 -
       mu_2_1_z * t8 - t8 * b_1_2h;
-  const Scalar d_1 = Scalar(1.0) / b_1_1q;
-  qdd[0] = -d_1 * t26;
+  qdd[0] = -t26 / b_1_1q;
   const Scalar t28 = b * c;
   bool positive = b_1_1q > Scalar(0.0);
   positive &= t5 * t5 - Scalar(1e-12) * t28 * t28 > Scalar(0.0);
@@ -705,7 +704,7 @@ inline constexpr bool jacobian_nonzero[6] = {
 //              6 x 1, row by row: entry (i, j) is J[1 * i + j]
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular.
-// Reads q[0..2], parameters.a, parameters.b, parameters.c. Operations: 27 mul, 15 add, 1 div, 6
+// Reads q[0..2], parameters.a, parameters.b, parameters.c. Operations: 26 mul, 15 add, 1 div, 6
 // sin/cos. Always zero: 3 of the 6 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
@@ -716,24 +715,24 @@ inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2];
   const Scalar R_21_x = s_1 * c_2 + c_1 * s_2;
-  const Scalar t1 = s_1 * s_2 - c_1 * c_2;
-  const Scalar t2 = b * c;
-  const Scalar t3 = (c_3 * R_21_x + s_3 * t1) * t2;
-  const Scalar t4 = a * s_1;
-  const Scalar p_l1ae_y = t4 + b * R_21_x;
-  const Scalar t5 = a * c_1;
-  const Scalar p_l1ae_x = t5 - b * t1;
-  const Scalar t6 = (c_3 * p_l1ae_y - s_3 * p_l1ae_x) * c * (Scalar(1.0) / t3);
+  const Scalar t1 = a * s_1;
+  const Scalar p_l1ae_y = t1 + b * R_21_x;
+  const Scalar t2 = s_1 * s_2 - c_1 * c_2;
+  const Scalar t3 = a * c_1;
+  const Scalar p_l1ae_x = t3 - b * t2;
+  const Scalar t4 = b * c;
+  const Scalar t5 = (c_3 * R_21_x + s_3 * t2) * t4;
+  const Scalar t6 = (c_3 * p_l1ae_y - s_3 * p_l1ae_x) * (c / t5);
   J[5] = Scalar(1.0) - t6;
   const Scalar p_2_x = b * c_2 + a;
   const Scalar t7 = b * s_2;
   const Scalar p_1u_t_y = c_1 * t7 + s_1 * p_2_x;
-  const Scalar r_2_y = p_1u_t_y - t4;
+  const Scalar r_2_y = p_1u_t_y - t1;
   J[0] = r_2_y * t6 - p_1u_t_y;
   const Scalar t8 = s_1 * t7 - c_1 * p_2_x;
-  J[1] = (t8 + t5) * t6 - t8;
+  J[1] = (t8 + t3) * t6 - t8;
   J[2] = J[3] = J[4] = Scalar(0.0);
-  bool positive = t3 * t3 - Scalar(1e-12) * t2 * t2 > Scalar(0.0);
+  bool positive = t5 * t5 - Scalar(1e-12) * t4 * t4 > Scalar(0.0);
   return positive;
 }
 

@@ -59,7 +59,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_HUMANOID32_HPP
 #define FLATDYN_HUMANOID32_HPP
@@ -2690,7 +2691,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[32]  in   joint torques or forces, N m or N
 //   qdd[32]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[0..11], q[13..31], qd[0..31], tau[0..31]. Operations: 2857 mul, 2241 add, 27 div, 62
+// Reads q[0..11], q[13..31], qd[0..31], tau[0..31]. Operations: 2854 mul, 2241 add, 27 div, 62
 // sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
@@ -2962,7 +2963,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_2 * (t135 - Scalar(0.05890959383753168) - t164));
   const Scalar t166 = mu_u_6_2_t_y * t150 + t144 * t162 + Scalar(0.05498959383753168) -
       t146 * t147 + t156 * t159 - t151 * t161 + t165 + t164;
-  const Scalar t167 = (Scalar(1.0) / t166) * t163;
+  const Scalar t167 = t163 / t166;
   qdd[0] = -t167;
   const Scalar t168 = c_8 * qd_7;
   const Scalar t169 = s_9 * t168;
@@ -3204,7 +3205,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       s_8 * (t302 - Scalar(0.05890959383753168) - t331));
   const Scalar t333 = mu_u_12_8_t_y * t317 + t311 * t329 + Scalar(0.05498959383753168) -
       t313 * t314 + t323 * t326 - t318 * t328 + t332 + t331;
-  const Scalar t334 = (Scalar(1.0) / t333) * t330;
+  const Scalar t334 = t330 / t333;
   qdd[6] = -t334;
   const Scalar qdd_2 = d_2 * (y_3_2 - t156 * t167);
   qdd[1] = qdd_2;
@@ -4392,7 +4393,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       t829 * t949 + t825 * t964 + t832 * t1056 - t830 * t1060 - t826 * t1075 + t836 * t1141 -
       t834 * y_17_16 + t827 * t959 - t821 * t978 - t828 * t1070 + t822 * t1088 - t1151 -
       s_14 * mu_14_y - t823 * t973 + t824 * t1084 + t820 * t1142 - t819 * y_15_14;
-  const Scalar t1154 = (Scalar(1.0) / t837) * t1153;
+  const Scalar t1154 = t1153 / t837;
   qdd[12] = -t1154;
   const Scalar t1155 = t818 * (y_15_14 - t815 * t1154);
   qdd[13] = -t1155;

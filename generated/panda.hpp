@@ -32,7 +32,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_PANDA_HPP
 #define FLATDYN_PANDA_HPP
@@ -2188,7 +2189,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[7]  in   joint torques or forces, N m or N
 //   qdd[7]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..6], qd[0..6], tau[0..6]. Operations: 538 mul, 452 add, 6 div, 12 sin/cos.
+// Reads q[1..6], qd[0..6], tau[0..6]. Operations: 537 mul, 452 add, 6 div, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -2536,7 +2537,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       t220 * t160 + t221 * t145 + t219 + t216;
   const Scalar t225 = t206 * t223 - t208 * t221 + b_7_6_1 * t222 - t214 * t215 - t210 * t220 +
       t211 * t217 + t40 - c_2 * t49 + Scalar(1.8094240094691274);
-  const Scalar qdd_1 = (Scalar(1.0) / t225) * t224;
+  const Scalar qdd_1 = t224 / t225;
   qdd[0] = qdd_1;
   const Scalar qdd_2 = t204 * (t214 * qdd_1 + y_3_2);
   qdd[1] = qdd_2;

@@ -28,7 +28,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_PARALLELOGRAM_HPP
 #define FLATDYN_PARALLELOGRAM_HPP
@@ -366,7 +367,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // Reads q[0..1], qd[0..1], tau[0..1], parameters.g, parameters.m_l1, parameters.l_1,
 // parameters.I_l1, parameters.a_1, parameters.m_l2, parameters.l_2, parameters.I_l2,
 // parameters.a_1b, parameters.m_l3, parameters.l_3, parameters.I_l3, parameters.m_l1b,
-// parameters.l_1b, parameters.I_l1b. Operations: 55 mul, 38 add, 2 div, 4 sin/cos.
+// parameters.l_1b, parameters.I_l1b. Operations: 54 mul, 38 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
@@ -380,42 +381,41 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = m_l2 * l_2;
-  const Scalar t2 = a_1b * m_l3;
-  const Scalar t3 = t1 + t2;
+  const Scalar t1 = qd_1 * a_1 * qd_1;
+  const Scalar ddp_o_2_y = g - s_1 * t1;
+  const Scalar t2 = qd_2 * a_1b * qd_2;
+  const Scalar ddp_o_3_y = ddp_o_2_y - s_2 * t2;
+  const Scalar t3 = c_1 * t1;
   const Scalar t4 = m_l3 * l_3;
-  const Scalar t5 = s_1 * t4 - s_2 * t3;
-  const Scalar t6 = c_1 * t4 - c_2 * t3;
-  const Scalar c_m1_2 = c_1 * c_2 + s_1 * s_2;
-  const Scalar t7 = a_1b * t4;
-  const Scalar t8 = a_1 * t4;
-  const Scalar t9 = (c_m1_2 * t7 - t8) + a_1 * (s_1 * t5 + c_1 * t6);
-  const Scalar t10 = m_l1b * l_1b;
-  const Scalar b_2_2q = I_l2 + I_l1b + l_2 * t1 + a_1b * t2 + l_1b * t10;
-  const Scalar d_2 = Scalar(1.0) / b_2_2q;
-  const Scalar t11 = t9 * d_2;
-  const Scalar t12 = a_1 * (m_l2 + m_l3);
-  const Scalar t13 = m_l1 * l_1;
-  const Scalar b_2_1_1 = I_l1 + I_l3 + l_3 * t4 + l_1 * t13 - t9 * t11 + a_1 * t12 -
-      Scalar(2.0) * t8;
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t14 = qd_1 * a_1 * qd_1;
-  const Scalar ddp_o_2_y = g - s_1 * t14;
-  const Scalar t15 = qd_2 * a_1b * qd_2;
-  const Scalar ddp_o_3_y = ddp_o_2_y - s_2 * t15;
-  const Scalar t16 = c_1 * t14;
-  const Scalar t17 = t4 * (c_1 * ddp_o_3_y + s_1 * (t16 + c_2 * t15));
+  const Scalar t5 = t4 * (c_1 * ddp_o_3_y + s_1 * (t3 + c_2 * t2));
+  const Scalar t6 = m_l2 * l_2;
+  const Scalar t7 = a_1b * m_l3;
+  const Scalar t8 = t6 + t7;
+  const Scalar t9 = c_1 * t4 - c_2 * t8;
+  const Scalar t10 = s_1 * t4 - s_2 * t8;
   const Scalar qd_3 = qd_1 - qd_2;
   const Scalar beta_3_f = qd_1 + qd_2;
-  const Scalar t18 = (s_1 * c_2 - c_1 * s_2) * qd_3 * beta_3_f;
-  const Scalar t19 = t7 * t18;
-  const Scalar t20 = t6 * ddp_o_2_y + t5 * t16 - t19 - t17;
-  const Scalar t21 = tau_2 - g * c_2 * t10 + t20;
-  const Scalar t22 = g * (t6 - c_1 * (t13 + t12));
-  const Scalar t23 = t22 + tau_1 - t19 - t20 + t11 * t21 + a_1 * t3 * t18;
-  const Scalar qdd_1 = d_1 * t23;
+  const Scalar t11 = (s_1 * c_2 - c_1 * s_2) * qd_3 * beta_3_f;
+  const Scalar t12 = a_1b * t4;
+  const Scalar t13 = t12 * t11;
+  const Scalar t14 = t9 * ddp_o_2_y + t10 * t3 - t13 - t5;
+  const Scalar t15 = m_l1b * l_1b;
+  const Scalar t16 = tau_2 - g * c_2 * t15 + t14;
+  const Scalar c_m1_2 = c_1 * c_2 + s_1 * s_2;
+  const Scalar t17 = a_1 * t4;
+  const Scalar t18 = (c_m1_2 * t12 - t17) + a_1 * (s_1 * t10 + c_1 * t9);
+  const Scalar b_2_2q = I_l2 + I_l1b + l_2 * t6 + a_1b * t7 + l_1b * t15;
+  const Scalar d_2 = Scalar(1.0) / b_2_2q;
+  const Scalar t19 = t18 * d_2;
+  const Scalar t20 = a_1 * (m_l2 + m_l3);
+  const Scalar t21 = m_l1 * l_1;
+  const Scalar t22 = g * (t9 - c_1 * (t21 + t20));
+  const Scalar t23 = t22 + tau_1 - t13 - t14 + t19 * t16 + a_1 * t8 * t11;
+  const Scalar b_2_1_1 = I_l1 + I_l3 + l_3 * t4 + l_1 * t21 - t18 * t19 + a_1 * t20 -
+      Scalar(2.0) * t17;
+  const Scalar qdd_1 = t23 / b_2_1_1;
   qdd[0] = qdd_1;
-  qdd[1] = d_2 * (t21 + t9 * qdd_1);
+  qdd[1] = d_2 * (t16 + t18 * qdd_1);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_2_2q > Scalar(0.0);
   return positive;

@@ -25,7 +25,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_PENDULUM_MOTOR_HPP
 #define FLATDYN_PENDULUM_MOTOR_HPP
@@ -251,7 +252,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 //   qdd[1]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[0], qd[0], tau[0], parameters.g, parameters.m, parameters.l, parameters.I, parameters.F,
-// parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 4 add, 1 div, 1 sin/cos.
+// parameters.F_m, parameters.k_r, parameters.I_m. Operations: 7 mul, 4 add, 1 div, 1 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
@@ -265,8 +266,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t1 = k_r * k_r;
   const Scalar F_v1 = F + F_m * t1;
   const Scalar b_1_1 = I + I_m * t1;
-  const Scalar d_1 = Scalar(1.0) / b_1_1;
-  qdd[0] = d_1 * (-g * m * l * s_1 - qd_1 * F_v1 + tau_1);
+  qdd[0] = (-g * m * l * s_1 - qd_1 * F_v1 + tau_1) / b_1_1;
   bool positive = b_1_1 > Scalar(0.0);
   return positive;
 }

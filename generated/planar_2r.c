@@ -8,7 +8,7 @@
 // its angular velocity and acceleration, ddp_i the acceleration of its frame's origin less gravity,
 // f_i and mu_i the force and moment that it gets from the link before, hc_i and hu_i the first
 // moment of all that its joint carries (in gravity() times the size of gravity); t1, t2, ... are
-// parts of sums.
+// parts of sums. A distance between joints may be the unit of length here, though not of arguments.
 
 #include "planar_2r.h"
 
@@ -246,30 +246,29 @@ bool planar_2r_forward_dynamics_given(const planar_2r_parameters* restrict param
       I_l2 = parameters->I_l2, m_m2 = parameters->m_m2, I_m2 = parameters->I_m2,
       k_r2 = parameters->k_r2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const double t1 = m_l2 * l_2;
-  const double Ic_2_zz = I_l2 + l_2 * t1;
-  const double t2 = I_m2 * k_r2;
-  const double b_2_2 = Ic_2_zz + k_r2 * t2;
+  const double t1 = g * c_1;
+  const double ddp_2_y = c_2 * t1 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
+  const double t2 = m_l2 * l_2;
+  const double t3 = t2 * ddp_2_y;
+  const double t4 = tau_2 - t3;
+  const double Ic_2_zz = I_l2 + l_2 * t2;
+  const double t5 = I_m2 * k_r2;
+  const double b_2_2 = Ic_2_zz + k_r2 * t5;
   const double d_2 = 1.0 / b_2_2;
-  const double t3 = a_1 * t1;
-  const double t4 = c_2 * t3;
-  const double mu_2_1_z = t4 + Ic_2_zz + t2;
-  const double t5 = mu_2_1_z * d_2;
-  const double t6 = a_1 * (m_l2 + m_m2);
-  const double t7 = m_l1 * l_1;
-  const double b_2_1_1 = I_l1 + I_m2 + Ic_2_zz + 2.0 * t4 + I_m1 * k_r1 * k_r1 + l_1 * t7 +
-      a_1 * t6 - mu_2_1_z * t5;
-  const double d_1 = 1.0 / b_2_1_1;
-  const double t8 = g * c_1;
-  const double ddp_2_y = c_2 * t8 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
-  const double t9 = t1 * ddp_2_y;
-  const double t10 = tau_2 - t9;
-  const double mr_1_x = t7 + t6;
+  const double t6 = a_1 * t2;
+  const double t7 = c_2 * t6;
+  const double mu_2_1_z = t7 + Ic_2_zz + t5;
+  const double t8 = mu_2_1_z * d_2;
+  const double t9 = a_1 * (m_l2 + m_m2);
+  const double t10 = m_l1 * l_1;
+  const double mr_1_x = t10 + t9;
   const double omega_2_z = qd_1 + qd_2;
-  const double t11 = s_2 * t3 * omega_2_z * omega_2_z;
-  const double qdd_1 = d_1 * (-t8 * mr_1_x - t9 + tau_1 - t5 * t10 + t11);
+  const double t11 = s_2 * t6 * omega_2_z * omega_2_z;
+  const double b_2_1_1 = I_l1 + I_m2 + Ic_2_zz + 2.0 * t7 + I_m1 * k_r1 * k_r1 + l_1 * t10 +
+      a_1 * t9 - mu_2_1_z * t8;
+  const double qdd_1 = (-t1 * mr_1_x - t3 + tau_1 - t8 * t4 + t11) / b_2_1_1;
   qdd[0] = qdd_1;
-  qdd[1] = d_2 * (t10 - mu_2_1_z * qdd_1);
+  qdd[1] = d_2 * (t4 - mu_2_1_z * qdd_1);
   bool positive = b_2_1_1 > 0.0;
   positive &= b_2_2 > 0.0;
   return positive;

@@ -168,7 +168,7 @@ void planar_2r_bias_given(const planar_2r_parameters* parameters, const double* 
 // Reads q[0..1], qd[0..1], tau[0..1], parameters->g, parameters->a_1, parameters->m_l1,
 // parameters->l_1, parameters->I_l1, parameters->I_m1, parameters->k_r1, parameters->m_l2,
 // parameters->l_2, parameters->I_l2, parameters->m_m2, parameters->I_m2, parameters->k_r2.
-// Operations: 30 mul, 22 add, 2 div, 4 sin/cos.
+// Operations: 29 mul, 22 add, 2 div, 4 sin/cos.
 bool planar_2r_forward_dynamics(const planar_2r_parameters* parameters, const double* q,
     const double* qd, const double* tau, double* qdd);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.

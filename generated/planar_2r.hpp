@@ -26,7 +26,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_PLANAR_2R_HPP
 #define FLATDYN_PLANAR_2R_HPP
@@ -343,7 +344,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // Reads q[0..1], qd[0..1], tau[0..1], parameters.g, parameters.a_1, parameters.m_l1,
 // parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
-// 30 mul, 22 add, 2 div, 4 sin/cos.
+// 29 mul, 22 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
@@ -356,30 +357,29 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = m_l2 * l_2;
-  const Scalar Ic_2_zz = I_l2 + l_2 * t1;
-  const Scalar t2 = I_m2 * k_r2;
-  const Scalar b_2_2 = Ic_2_zz + k_r2 * t2;
+  const Scalar t1 = g * c_1;
+  const Scalar ddp_2_y = c_2 * t1 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar t3 = t2 * ddp_2_y;
+  const Scalar t4 = tau_2 - t3;
+  const Scalar Ic_2_zz = I_l2 + l_2 * t2;
+  const Scalar t5 = I_m2 * k_r2;
+  const Scalar b_2_2 = Ic_2_zz + k_r2 * t5;
   const Scalar d_2 = Scalar(1.0) / b_2_2;
-  const Scalar t3 = a_1 * t1;
-  const Scalar t4 = c_2 * t3;
-  const Scalar mu_2_1_z = t4 + Ic_2_zz + t2;
-  const Scalar t5 = mu_2_1_z * d_2;
-  const Scalar t6 = a_1 * (m_l2 + m_m2);
-  const Scalar t7 = m_l1 * l_1;
-  const Scalar b_2_1_1 = I_l1 + I_m2 + Ic_2_zz + Scalar(2.0) * t4 + I_m1 * k_r1 * k_r1 + l_1 * t7 +
-      a_1 * t6 - mu_2_1_z * t5;
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t8 = g * c_1;
-  const Scalar ddp_2_y = c_2 * t8 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
-  const Scalar t9 = t1 * ddp_2_y;
-  const Scalar t10 = tau_2 - t9;
-  const Scalar mr_1_x = t7 + t6;
+  const Scalar t6 = a_1 * t2;
+  const Scalar t7 = c_2 * t6;
+  const Scalar mu_2_1_z = t7 + Ic_2_zz + t5;
+  const Scalar t8 = mu_2_1_z * d_2;
+  const Scalar t9 = a_1 * (m_l2 + m_m2);
+  const Scalar t10 = m_l1 * l_1;
+  const Scalar mr_1_x = t10 + t9;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t11 = s_2 * t3 * omega_2_z * omega_2_z;
-  const Scalar qdd_1 = d_1 * (-t8 * mr_1_x - t9 + tau_1 - t5 * t10 + t11);
+  const Scalar t11 = s_2 * t6 * omega_2_z * omega_2_z;
+  const Scalar b_2_1_1 = I_l1 + I_m2 + Ic_2_zz + Scalar(2.0) * t7 + I_m1 * k_r1 * k_r1 + l_1 * t10 +
+      a_1 * t9 - mu_2_1_z * t8;
+  const Scalar qdd_1 = (-t1 * mr_1_x - t3 + tau_1 - t8 * t4 + t11) / b_2_1_1;
   qdd[0] = qdd_1;
-  qdd[1] = d_2 * (t10 - mu_2_1_z * qdd_1);
+  qdd[1] = d_2 * (t4 - mu_2_1_z * qdd_1);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_2_2 > Scalar(0.0);
   return positive;

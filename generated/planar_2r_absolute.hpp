@@ -27,7 +27,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_PLANAR_2R_ABSOLUTE_HPP
 #define FLATDYN_PLANAR_2R_ABSOLUTE_HPP
@@ -338,7 +339,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // Reads q[0..1], qd[0..1], tau[0..1], parameters.g, parameters.a_1, parameters.m_l1,
 // parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
-// 33 mul, 23 add, 2 div, 4 sin/cos.
+// 32 mul, 23 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
@@ -351,31 +352,30 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = s_1 * c_2 - c_1 * s_2;
   const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
-  const Scalar t1 = m_l2 * l_2;
-  const Scalar t2 = a_1 * t1;
-  const Scalar t3 = c_m1_2 * t2;
-  const Scalar t4 = I_m2 * k_r2;
-  const Scalar t5 = k_r2 * t4;
-  const Scalar t6 = t3 + t4 - t5;
-  const Scalar Ic_2_zz = I_l2 + l_2 * t1;
-  const Scalar b_2_2 = Ic_2_zz + t5;
+  const Scalar t2 = g * c_1;
+  const Scalar t3 = t1 * (a_1 * qd_1 * qd_1 - g * s_1) - c_m1_2 * t2;
+  const Scalar t4 = m_l2 * l_2;
+  const Scalar t5 = t4 * t3 + tau_2;
+  const Scalar t6 = a_1 * t4;
+  const Scalar t7 = c_m1_2 * t6;
+  const Scalar t8 = I_m2 * k_r2;
+  const Scalar t9 = k_r2 * t8;
+  const Scalar t10 = t7 + t8 - t9;
+  const Scalar Ic_2_zz = I_l2 + l_2 * t4;
+  const Scalar b_2_2 = Ic_2_zz + t9;
   const Scalar d_2 = Scalar(1.0) / b_2_2;
-  const Scalar t7 = t6 * d_2;
-  const Scalar t8 = a_1 * (m_l2 + m_m2);
-  const Scalar t9 = m_l1 * l_1;
-  const Scalar b_2_1_1 = t3 + I_l1 + I_m2 - t4 - t6 - t6 * t7 + I_m1 * k_r1 * k_r1 + l_1 * t9 +
-      a_1 * t8;
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t10 = s_1 * c_2 - c_1 * s_2;
-  const Scalar t11 = g * c_1;
-  const Scalar t12 = t10 * (a_1 * qd_1 * qd_1 - g * s_1) - c_m1_2 * t11;
-  const Scalar t13 = t1 * t12 + tau_2;
-  const Scalar t14 = t10 * t2 * qd_2 * qd_2;
-  const Scalar mr_1_x = t9 + t8;
-  const Scalar qdd_1 = d_1 * (-t11 * mr_1_x - t14 + tau_1 - t7 * t13);
+  const Scalar t11 = t10 * d_2;
+  const Scalar t12 = t1 * t6 * qd_2 * qd_2;
+  const Scalar t13 = a_1 * (m_l2 + m_m2);
+  const Scalar t14 = m_l1 * l_1;
+  const Scalar mr_1_x = t14 + t13;
+  const Scalar b_2_1_1 = t7 + I_l1 + I_m2 - t8 - t10 - t10 * t11 + I_m1 * k_r1 * k_r1 + l_1 * t14 +
+      a_1 * t13;
+  const Scalar qdd_1 = (-t2 * mr_1_x - t12 + tau_1 - t11 * t5) / b_2_1_1;
   qdd[0] = qdd_1;
-  qdd[1] = d_2 * (t13 - t6 * qdd_1);
+  qdd[1] = d_2 * (t5 - t10 * qdd_1);
   bool positive = b_2_1_1 > Scalar(0.0);
   positive &= b_2_2 > Scalar(0.0);
   return positive;

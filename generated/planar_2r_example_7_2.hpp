@@ -25,7 +25,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
 #define FLATDYN_PLANAR_2R_EXAMPLE_7_2_HPP
@@ -261,7 +262,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[0..1], qd[0..1], tau[0..1]. Operations: 17 mul, 12 add, 1 div, 4 sin/cos.
+// Reads q[0..1], qd[0..1], tau[0..1]. Operations: 16 mul, 12 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -279,8 +280,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t5 = t4 * t3 - tau_1 - t2 - omega_2_z * omega_2_z * t1 + Scalar(784.8) * c_1;
   const Scalar b_2_1_1 = Scalar(50.0) * c_2 - mu_2_1_z * t4 + Scalar(200.01);
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t6 = d_1 * t5;
+  const Scalar t6 = t5 / b_2_1_1;
   qdd[0] = -t6;
   qdd[1] = t4 * t6 + Scalar(0.00816326530612245) * t3;
   bool positive = b_2_1_1 > Scalar(0.0);

@@ -26,7 +26,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_PRISMATIC_REVOLUTE_HPP
 #define FLATDYN_PRISMATIC_REVOLUTE_HPP
@@ -294,7 +295,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
 // Reads q[1], qd[1], tau[0..1], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
 // parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2,
-// parameters.k_r2. Operations: 17 mul, 10 add, 2 div, 2 sin/cos.
+// parameters.k_r2. Operations: 16 mul, 10 add, 2 div, 2 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
@@ -312,11 +313,10 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t2 = s_2 * t1;
   const Scalar t3 = d_2 * t2;
   const Scalar b_2_1_1 = m_l1 - t2 * t3 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1;
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t4 = c_2 * t1;
   const Scalar t5 = tau_2 - g * t4;
   const Scalar y_2_1 = t3 * t5 + qd_2 * qd_2 * t4 + tau_1;
-  const Scalar qdd_1 = d_1 * y_2_1;
+  const Scalar qdd_1 = y_2_1 / b_2_1_1;
   qdd[0] = qdd_1;
   qdd[1] = t3 * qdd_1 + d_2 * t5;
   bool positive = b_2_1_1 > Scalar(0.0);

@@ -29,7 +29,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_PUMA560_HPP
 #define FLATDYN_PUMA560_HPP
@@ -1038,7 +1039,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[6]  in   joint torques or forces, N m or N
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..4], qd[0..5], tau[0..5]. Operations: 275 mul, 211 add, 4 div, 8 sin/cos.
+// Reads q[1..4], qd[0..5], tau[0..5]. Operations: 274 mul, 211 add, 4 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1210,8 +1211,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar t104 = c_2 * (Scalar(5.753497668221186) * hu_3_t_x + t82);
   const Scalar b_2_1_1 = t85 * t99 - t88 * t98 + b_6_4_1 * t96 + Scalar(0.000864576) * t54 +
       Ic_3_xx - t90 * t92 - b_3_2_1 * t91 + t5 * Iu_3_t_g + t104 + Scalar(2.99250185137411);
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t105 = d_1 * t102;
+  const Scalar t105 = t102 / b_2_1_1;
   qdd[0] = -t105;
   const Scalar qdd_2 = d_2 * (b_3_2_1 * t105 + t84);
   qdd[1] = qdd_2;

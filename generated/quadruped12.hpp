@@ -36,7 +36,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_QUADRUPED12_HPP
 #define FLATDYN_QUADRUPED12_HPP
@@ -1157,7 +1158,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[12]  in   joint torques or forces, N m or N
 //   qdd[12]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[0..11], qd[0..11], tau[0..11]. Operations: 280 mul, 184 add, 8 div, 24 sin/cos.
+// Reads q[0..11], qd[0..11], tau[0..11]. Operations: 276 mul, 184 add, 8 div, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1214,7 +1215,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       tau_1;
   const Scalar t25 = t18 * t19 + Scalar(0.0006383664465097825) * c_2_3 * c_2_3 + t1 * t23 -
       s_2 * t14 - Scalar(0.0031799702681776175);
-  const Scalar qdd_1 = (Scalar(1.0) / t25) * t24;
+  const Scalar qdd_1 = t24 / t25;
   qdd[0] = qdd_1;
   const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
   const Scalar t26 = s_8 * s_9 - c_8 * c_9;
@@ -1257,7 +1258,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       tau_7;
   const Scalar t50 = t43 * t44 + Scalar(0.0006383664465097825) * c_8_9 * c_8_9 + t26 * t48 -
       s_8 * t39 - Scalar(0.0031799702681776175);
-  const Scalar qdd_7 = (Scalar(1.0) / t50) * t49;
+  const Scalar qdd_7 = t49 / t50;
   qdd[6] = qdd_7;
   const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
   const Scalar t51 = s_5 * s_6 - c_5 * c_6;
@@ -1300,7 +1301,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       tau_4;
   const Scalar t72 = t67 * t68 + Scalar(0.0006383664465097825) * c_5_6 * c_5_6 + t51 * t71 +
       s_5 * I_t5_g - Scalar(0.0031799702681776175);
-  const Scalar t73 = (Scalar(1.0) / t72) * y_5_4;
+  const Scalar t73 = y_5_4 / t72;
   qdd[3] = -t73;
   const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
   const Scalar t74 = s_11 * s_12 - c_11 * c_12;
@@ -1345,7 +1346,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
       t89 * t84 + tau_10;
   const Scalar t95 = t90 * t91 + Scalar(0.0006383664465097825) * c_11_12 * c_11_12 + t74 * t94 +
       s_11 * I_t11_g - Scalar(0.0031799702681776175);
-  const Scalar t96 = (Scalar(1.0) / t95) * y_11_10;
+  const Scalar t96 = y_11_10 / t95;
   qdd[9] = -t96;
   const Scalar qdd_2 = t19 * qdd_1 + d_2 * y_3_2;
   qdd[1] = qdd_2;

@@ -29,7 +29,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_RX90_HPP
 #define FLATDYN_RX90_HPP
@@ -1389,7 +1390,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[6]  in   joint torques or forces, N m or N
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..5], qd[0..5], tau[0..5]. Operations: 354 mul, 284 add, 5 div, 10 sin/cos.
+// Reads q[1..5], qd[0..5], tau[0..5]. Operations: 353 mul, 284 add, 5 div, 10 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1407,223 +1408,223 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar Iu_6_t_xz = Scalar(0.000534) * c_6 + Scalar(0.0009944) * s_6;
   const Scalar Ic_5_xy = Iu_6_t_xz + Scalar(0.0010857);
   const Scalar t2 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
-  const Scalar Iu_5_t_xy = Ic_5_xy - s_5 * t2;
-  const Scalar Ic_4_xz = Iu_5_t_xy - Scalar(0.0110896);
+  const Scalar t3 = c_5 * t2;
+  const Scalar t4 = t3 + Scalar(0.0088514);
+  const Scalar mu_u_5_5_a_y = t1 - Scalar(0.0160602);
+  const Scalar t5 = mu_u_5_5_a_y + Scalar(0.0323686);
   const Scalar Iu_6_t_xy = s_6 * Iu_6_t_g + Scalar(0.000256);
-  const Scalar t3 = Iu_6_t_xy + Scalar(0.0007639);
+  const Scalar t6 = Iu_6_t_xy + Scalar(0.0007639);
   const Scalar Iu_6_a_xy = Scalar(0.0009944) * c_6 - Scalar(0.000534) * s_6;
   const Scalar Ic_5_yz = Iu_6_a_xy + Scalar(0.0016163);
-  const Scalar t4 = s_5 * t3 - c_5 * Ic_5_yz;
-  const Scalar t5 = t4 + Scalar(0.0523608);
-  const Scalar t6 = s_4 * Ic_4_xz + c_4 * t5;
-  const Scalar f_u_6_6_a_z = Scalar(0.00315) * c_6 + Scalar(0.00504) * s_6;
-  const Scalar t7 = f_u_6_6_a_z - Scalar(0.009135);
-  const Scalar t8 = c_5 * t7 + Scalar(0.014265) * s_5;
-  const Scalar t9 = t8 + Scalar(0.05238);
-  const Scalar hu_6_t_y = Scalar(0.00504) * c_6 - Scalar(0.00315) * s_6;
-  const Scalar hc_4_y = hu_6_t_y + Scalar(0.096525);
-  const Scalar t10 = s_4 * t9 - c_4 * hc_4_y;
-  const Scalar t11 = t6 + t10;
-  const Scalar Iu_5_a_xz = c_5 * t3 + s_5 * Ic_5_yz;
-  const Scalar hu_5_t_y = Scalar(0.014265) * c_5 - s_5 * t7;
-  const Scalar mu_u_5_5_a_y = t1 - Scalar(0.0160602);
-  const Scalar t12 = mu_u_5_5_a_y - hu_5_t_y;
-  const Scalar t13 = s_4 * Iu_5_a_xz - c_4 * t12;
-  const Scalar t14 = c_5 * hu_6_t_y;
-  const Scalar t15 = s_4 * f_u_6_6_a_z - c_4 * t14;
-  const Scalar t16 = Scalar(0.0013246) * s_5 - c_5 * Iu_6_t_xz;
-  const Scalar t17 = -s_4 * t16 - c_4 * Iu_6_a_xy + t15;
-  const Scalar t18 = Scalar(754.9448890231013) * Iu_6_a_xy;
-  const Scalar t19 = t17 * t18 + t13;
-  const Scalar mu_u_6_5_t_y = Scalar(0.0013246) * c_5 + s_5 * Iu_6_t_xz;
-  const Scalar t20 = mu_u_6_5_t_y * t18 + t4;
-  const Scalar t21 = Iu_6_a_xy * t18 + mu_u_5_5_a_y;
-  const Scalar t22 = Scalar(1.0) / t21;
-  const Scalar t23 = t20 * t22;
-  const Scalar t24 = Scalar(754.9448890231013) * mu_u_6_5_t_y;
-  const Scalar t25 = t19 * t23 - t17 * t24 + t11;
-  const Scalar t26 = c_5 * t2;
-  const Scalar Iu_5_t_yy = Iu_6_t_xx + t26;
-  const Scalar Ic_4_zz = Iu_5_t_yy + Scalar(0.0571622);
-  const Scalar b_5_4_4 = t20 * t23 - mu_u_6_5_t_y * t24 + Ic_4_zz;
-  const Scalar d_4 = Scalar(1.0) / b_5_4_4;
-  const Scalar t27 = t25 * d_4;
-  const Scalar t28 = t26 + Scalar(0.0088514);
-  const Scalar t29 = mu_u_5_5_a_y + Scalar(0.0323686);
+  const Scalar Iu_5_a_xz = c_5 * t6 + s_5 * Ic_5_yz;
   const Scalar Ic_4_xy = Iu_5_a_xz - Scalar(0.0009736);
-  const Scalar t30 = Scalar(2.0) * s_4 * Ic_4_xy + c_4 * (t28 - t29);
-  const Scalar t31 = c_4 * t30;
-  const Scalar t32 = t28 - t31;
-  const Scalar t33 = Scalar(2.0) * hu_5_t_y;
-  const Scalar t34 = t32 - t33 - Scalar(2.0842173);
-  const Scalar t35 = t19 * t22;
-  const Scalar t36 = Scalar(-754.9448890231013) * t17;
-  const Scalar t37 = -t19 * t35 - t17 * t36 + t25 * t27 + t34;
-  const Scalar t38 = Scalar(1.0) / t37;
-  const Scalar t39 = t17 - s_3 * t15 + c_3 * s_5 * hu_6_t_y;
-  const Scalar t40 = t39 * t18 - s_3 * c_4 * hu_5_t_y + t13 - c_3 * t8;
-  const Scalar t41 = t40 * t23 - t39 * t24 - s_3 * t10 + t11;
-  const Scalar f_u_4_4_a_z = c_4 * t9 + s_4 * hc_4_y;
-  const Scalar t42 = f_u_4_4_a_z - Scalar(0.123525);
-  const Scalar hc_3_y = hu_5_t_y + Scalar(1.72386);
-  const Scalar t43 = c_3 * t42 + s_3 * hc_3_y;
-  const Scalar t44 = -t39 * t36 - t40 * t35 + t41 * t27 + t43 + t34;
-  const Scalar t45 = t44 * t38;
-  const Scalar t46 = t41 * d_4;
-  const Scalar t47 = t40 * t22;
-  const Scalar t48 = Scalar(-754.9448890231013) * t39;
-  const Scalar t49 = -t40 * t47 - t39 * t48 + t41 * t46 + t34 + Scalar(2.0) * t43 - t44 * t45 -
-      Scalar(8.554441);
-  const Scalar t50 = Scalar(1.0) / t49;
-  const Scalar Iu_4_t_xy = Ic_4_xy - s_4 * t30;
-  const Scalar t51 = Iu_4_t_xy - Scalar(0.016137);
+  const Scalar t7 = Scalar(2.0) * s_4 * Ic_4_xy + c_4 * (t4 - t5);
+  const Scalar t8 = c_4 * t7;
+  const Scalar t9 = t8 + t5;
+  const Scalar t10 = t4 - t8;
+  const Scalar t11 = t9 - t10;
+  const Scalar Iu_5_t_yy = Iu_6_t_xx + t3;
+  const Scalar Ic_4_zz = Iu_5_t_yy + Scalar(0.0571622);
+  const Scalar Iu_4_x = Ic_4_zz + t11;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t52 = Scalar(0.0408384) + t11;
-  const Scalar t53 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t54 = s_2_3 * t51 - t53 * t52;
-  const Scalar t55 = s_4 * t5 - c_4 * Ic_4_xz;
-  const Scalar mu_4_3_x = f_u_4_4_a_z - t55;
-  const Scalar t56 = s_2_3 * (c_4 * Iu_5_a_xz + s_4 * t12);
-  const Scalar f_u_6_4_a_z = s_4 * t14 + c_4 * f_u_6_6_a_z;
-  const Scalar mu_6_3_x = s_4 * Iu_6_a_xy - c_4 * t16 + f_u_6_4_a_z;
-  const Scalar t57 = t53 * mu_u_6_5_t_y + c_2 * f_u_6_4_a_z - s_2_3 * mu_6_3_x;
-  const Scalar b_6_5_1 = t53 * t4 + t57 * t18 - c_2 * s_4 * hu_5_t_y - t56;
-  const Scalar t58 = b_6_5_1 * t23 - t57 * t24 + c_2 * f_u_4_4_a_z - s_2_3 * mu_4_3_x +
-      t53 * Ic_4_zz;
-  const Scalar t59 = -b_6_5_1 * t35 - t57 * t36 + t54 + t58 * t27;
-  const Scalar t60 = t10 + Scalar(0.1098692);
-  const Scalar b_3_2_1 = b_6_5_1 * t47 + t57 * t48 + Scalar(0.0444376) * c_2 - t54 - s_2 * t60 +
-      t59 * t45 - t58 * t46;
-  const Scalar t61 = b_3_2_1 * t50;
-  const Scalar t62 = t59 * t38;
-  const Scalar t63 = t31 + t29;
-  const Scalar t64 = t63 - t33;
-  const Scalar Ic_3_xy = Scalar(0.026176) + mu_4_3_x;
-  const Scalar t65 = Scalar(2.0) * s_2_3 * Ic_3_xy - t53 * (Ic_4_zz + t64 - Scalar(1.9359823));
-  const Scalar t66 = t58 * d_4;
-  const Scalar t67 = b_6_5_1 * t22;
-  const Scalar t68 = s_2_3 * hc_3_y - t53 * t42;
-  const Scalar t69 = Scalar(0.1369896) * s_2 + Scalar(8.4002222) * c_2;
-  const Scalar t70 = c_2 * (t69 - Scalar(2.0) * t68);
-  const Scalar t71 = Scalar(-754.9448890231013) * t57;
-  const Scalar t72 = -b_3_2_1 * t61 - t59 * t62 - b_6_5_1 * t67 - t57 * t71 + t64 + t58 * t66 +
-      t53 * t65 - Scalar(2.8931568) - t70;
-  const Scalar t73 = t63 - t32;
-  const Scalar Iu_4_x = Ic_4_zz + t73;
-  const Scalar t74 = s_2_3 * qd_1;
-  const Scalar t75 = Scalar(2.0) * qd_1;
-  const Scalar beta_4_f = qd_4 - t53 * t75;
+  const Scalar t12 = s_2_3 * qd_1;
+  const Scalar Iu_5_t_xy = Ic_5_xy - s_5 * t2;
+  const Scalar Ic_4_xz = Iu_5_t_xy - Scalar(0.0110896);
+  const Scalar t13 = s_5 * t6 - c_5 * Ic_5_yz;
+  const Scalar t14 = t13 + Scalar(0.0523608);
+  const Scalar t15 = s_4 * t14 - c_4 * Ic_4_xz;
+  const Scalar t16 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t17 = Scalar(2.0) * qd_1;
+  const Scalar beta_4_f = qd_4 - t16 * t17;
+  const Scalar Iu_4_t_xy = Ic_4_xy - s_4 * t7;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t76 = Scalar(2.0) * omega_3_z;
-  const Scalar t77 = qd_4 * ((t74 * Iu_4_x + t55 * beta_4_f) + Iu_4_t_xy * t76);
-  const Scalar t78 = Iu_5_t_yy + t28;
-  const Scalar t79 = t53 * qd_1;
-  const Scalar omega_4_z = qd_4 - t79;
-  const Scalar t80 = s_4 * t74;
-  const Scalar omega_r_5_a_z = t80 + c_4 * omega_3_z;
-  const Scalar t81 = Scalar(2.0) * omega_r_5_a_z;
-  const Scalar beta_5_f = qd_5 + t81;
-  const Scalar t82 = Scalar(2.0) * Iu_5_t_xy;
-  const Scalar t83 = c_4 * t74;
-  const Scalar t84 = s_4 * omega_3_z - t83;
-  const Scalar t85 = qd_5 * ((omega_4_z * (t78 + mu_u_5_5_a_y) - t4 * beta_5_f) - t84 * t82);
-  const Scalar omega_r_5_y = s_5 * t84 + c_5 * omega_4_z;
-  const Scalar t86 = Scalar(2.0) * omega_r_5_y;
-  const Scalar beta_6_f = qd_6 + t86;
+  const Scalar t18 = Scalar(2.0) * omega_3_z;
+  const Scalar t19 = qd_4 * ((t12 * Iu_4_x + t15 * beta_4_f) + Iu_4_t_xy * t18);
+  const Scalar t20 = Iu_5_t_yy + t4;
+  const Scalar t21 = t16 * qd_1;
+  const Scalar omega_4_z = qd_4 - t21;
+  const Scalar t22 = s_4 * t12;
+  const Scalar omega_r_5_a_z = t22 + c_4 * omega_3_z;
+  const Scalar t23 = Scalar(2.0) * omega_r_5_a_z;
+  const Scalar beta_5_f = qd_5 + t23;
+  const Scalar t24 = Scalar(2.0) * Iu_5_t_xy;
+  const Scalar t25 = c_4 * t12;
+  const Scalar t26 = s_4 * omega_3_z - t25;
+  const Scalar t27 = qd_5 * ((omega_4_z * (t20 + mu_u_5_5_a_y) - t13 * beta_5_f) - t26 * t24);
+  const Scalar omega_r_5_y = s_5 * t26 + c_5 * omega_4_z;
+  const Scalar t28 = Scalar(2.0) * omega_r_5_y;
+  const Scalar beta_6_f = qd_6 + t28;
   const Scalar omega_5_z = qd_5 + omega_r_5_a_z;
   const Scalar Iu_6_d = t1 + Iu_6_t_xx;
   const Scalar Iu_6_y = Iu_6_d + Scalar(0.0013246);
-  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t84;
-  const Scalar t87 = Scalar(2.0) * Iu_6_t_xy;
-  const Scalar t88 = omega_r_5_x * t87 + (omega_5_z * Iu_6_y - Iu_6_a_xy * beta_6_f);
-  const Scalar t89 = c_5 * qd_6;
-  const Scalar t90 = t88 * t89 + t85;
-  const Scalar t91 = Scalar(2.0) * (f_u_6_6_a_z * omega_r_5_x + hu_6_t_y * omega_5_z);
-  const Scalar t92 = s_5 * qd_6;
-  const Scalar t93 = f_u_6_6_a_z * beta_6_f;
-  const Scalar t94 = qd_5 * beta_5_f;
-  const Scalar f_a_5_x = t91 * t92 + t93 * t89 + t8 * t94;
-  const Scalar t95 = qd_5 * (hu_5_t_y * omega_4_z + t8 * t84);
-  const Scalar t96 = hu_6_t_y * qd_6 * beta_6_f + Scalar(2.0) * t95;
-  const Scalar t97 = qd_4 * beta_4_f;
-  const Scalar f_a_4_x = c_4 * f_a_5_x + s_4 * t96 + f_u_4_4_a_z * t97;
-  const Scalar t98 = qd_6 * ((omega_r_5_x * (Iu_6_d - Scalar(0.0013246)) + Iu_6_t_xz * beta_6_f) -
-      omega_5_z * t87);
-  const Scalar t99 = c_4 * t98 - s_4 * t90 - t77 + f_a_4_x;
-  const Scalar t100 = s_2_3 * omega_3_z * Iu_4_x + t53 * (t6 * t74 - t55 * t76);
-  const Scalar t101 = qd_5 * ((Iu_5_a_xz * beta_5_f + t84 * (mu_u_5_5_a_y - t78)) -
-      omega_4_z * t82);
-  const Scalar t102 = t88 * t92 + t101;
-  const Scalar t103 = t79 * (t80 + c_4 * t76) + omega_4_z * t81;
-  const Scalar U_4_xy = t84 * omega_r_5_a_z + omega_3_z * t74;
-  const Scalar U_5_zy = omega_5_z * t86 - s_5 * U_4_xy - c_5 * t103;
-  const Scalar t104 = qd_1 * qd_1;
-  const Scalar t105 = qd_2 * qd_2;
-  const Scalar t106 = s_2 * t105 - Scalar(21.8);
-  const Scalar t107 = c_2 * (t105 + t104);
-  const Scalar t108 = t53 * t107 - s_2_3 * (t53 * t104 + t106);
-  const Scalar t109 = (t53 * omega_3_z - s_2 * qd_2) * t75;
-  const Scalar t110 = s_4 * t109 + c_4 * t108;
-  const Scalar t111 = t74 * t74;
-  const Scalar t112 = omega_3_z * omega_3_z;
-  const Scalar t113 = -s_2_3 * t107 - t53 * t106 + (t111 + t112);
-  const Scalar t114 = hu_6_t_y * (s_5 * t113 - c_5 * t110);
-  const Scalar t115 = omega_r_5_x * omega_5_z;
-  const Scalar t116 = t115 + c_5 * U_4_xy - s_5 * t103;
-  const Scalar t117 = t84 * omega_4_z;
-  const Scalar domega_4_y = t117 - t79 * (t83 - s_4 * t76);
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t26;
+  const Scalar t29 = Scalar(2.0) * Iu_6_t_xy;
+  const Scalar t30 = omega_r_5_x * t29 + (omega_5_z * Iu_6_y - Iu_6_a_xy * beta_6_f);
+  const Scalar t31 = c_5 * qd_6;
+  const Scalar t32 = t30 * t31 + t27;
+  const Scalar f_u_6_6_a_z = Scalar(0.00315) * c_6 + Scalar(0.00504) * s_6;
+  const Scalar hu_6_t_y = Scalar(0.00504) * c_6 - Scalar(0.00315) * s_6;
+  const Scalar t33 = Scalar(2.0) * (f_u_6_6_a_z * omega_r_5_x + hu_6_t_y * omega_5_z);
+  const Scalar t34 = s_5 * qd_6;
+  const Scalar t35 = f_u_6_6_a_z * beta_6_f;
+  const Scalar t36 = qd_5 * beta_5_f;
+  const Scalar t37 = f_u_6_6_a_z - Scalar(0.009135);
+  const Scalar t38 = c_5 * t37 + Scalar(0.014265) * s_5;
+  const Scalar f_a_5_x = t33 * t34 + t35 * t31 + t38 * t36;
+  const Scalar hu_5_t_y = Scalar(0.014265) * c_5 - s_5 * t37;
+  const Scalar t39 = qd_5 * (hu_5_t_y * omega_4_z + t38 * t26);
+  const Scalar t40 = hu_6_t_y * qd_6 * beta_6_f + Scalar(2.0) * t39;
+  const Scalar t41 = t38 + Scalar(0.05238);
+  const Scalar hc_4_y = hu_6_t_y + Scalar(0.096525);
+  const Scalar f_u_4_4_a_z = c_4 * t41 + s_4 * hc_4_y;
+  const Scalar t42 = qd_4 * beta_4_f;
+  const Scalar f_a_4_x = c_4 * f_a_5_x + s_4 * t40 + f_u_4_4_a_z * t42;
+  const Scalar t43 = qd_6 * ((omega_r_5_x * (Iu_6_d - Scalar(0.0013246)) + Iu_6_t_xz * beta_6_f) -
+      omega_5_z * t29);
+  const Scalar t44 = c_4 * t43 - s_4 * t32 - t19 + f_a_4_x;
+  const Scalar t45 = s_4 * Ic_4_xz + c_4 * t14;
+  const Scalar t46 = s_2_3 * omega_3_z * Iu_4_x + t16 * (t45 * t12 - t15 * t18);
+  const Scalar t47 = qd_5 * ((Iu_5_a_xz * beta_5_f + t26 * (mu_u_5_5_a_y - t20)) - omega_4_z * t24);
+  const Scalar t48 = t30 * t34 + t47;
+  const Scalar t49 = t21 * (t22 + c_4 * t18) + omega_4_z * t23;
+  const Scalar U_4_xy = t26 * omega_r_5_a_z + omega_3_z * t12;
+  const Scalar U_5_zy = omega_5_z * t28 - s_5 * U_4_xy - c_5 * t49;
+  const Scalar t50 = qd_1 * qd_1;
+  const Scalar t51 = qd_2 * qd_2;
+  const Scalar t52 = s_2 * t51 - Scalar(21.8);
+  const Scalar t53 = c_2 * (t51 + t50);
+  const Scalar t54 = t16 * t53 - s_2_3 * (t16 * t50 + t52);
+  const Scalar t55 = (t16 * omega_3_z - s_2 * qd_2) * t17;
+  const Scalar t56 = s_4 * t55 + c_4 * t54;
+  const Scalar t57 = t12 * t12;
+  const Scalar t58 = omega_3_z * omega_3_z;
+  const Scalar t59 = -s_2_3 * t53 - t16 * t52 + (t57 + t58);
+  const Scalar t60 = hu_6_t_y * (s_5 * t59 - c_5 * t56);
+  const Scalar t61 = omega_r_5_x * omega_5_z;
+  const Scalar t62 = t61 + c_5 * U_4_xy - s_5 * t49;
+  const Scalar t63 = t26 * omega_4_z;
+  const Scalar domega_4_y = t63 - t21 * (t25 - s_4 * t18);
   const Scalar U_5_xy = omega_r_5_x * omega_r_5_y + domega_4_y;
-  const Scalar t118 = Iu_6_t_xy * (omega_5_z * omega_5_z - omega_r_5_x * omega_r_5_x);
-  const Scalar t119 = f_u_6_6_a_z * (s_4 * t108 - c_4 * t109);
-  const Scalar y_6 = t118 - t115 * Iu_6_d + Iu_6_a_xy * U_5_xy - Iu_6_t_xz * U_5_zy +
-      Scalar(0.0013246) * t116 - t114 - t119 + tau_6;
-  const Scalar t120 = Iu_5_t_xy * (omega_4_z * omega_4_z - t84 * t84);
-  const Scalar t121 = t98 - t4 * U_4_xy - Iu_5_a_xz * t103 + t120 + t117 * t78 + hu_5_t_y * t110 -
-      t8 * t113 - mu_u_5_5_a_y * domega_4_y - t18 * y_6 + tau_5;
-  const Scalar y_5_4 = t102 + Iu_4_t_xy * (t112 - t111) + qd_1 * t100 - t23 * t121 - t10 * t108 +
-      f_u_4_4_a_z * t109 + tau_4 - t24 * y_6;
-  const Scalar Iu_3_t_xy = Ic_3_xy - s_2_3 * t65;
-  const Scalar t122 = s_2_3 * t42 + t53 * hc_3_y;
-  const Scalar y_4_3 = t99 + tau_3 + t35 * t121 + Iu_3_t_xy * t104 + t122 * t107 + t27 * y_5_4 -
-      t36 * y_6 - t68 * t106;
-  const Scalar Ic_2_xy = Scalar(0.0684948) + Iu_3_t_xy + c_2 * t122 - s_2 * (t69 - t68);
-  const Scalar t123 = qd_4 * (t10 * omega_3_z - f_u_4_4_a_z * t74);
-  const Scalar t124 = t91 * t89 - t92 * t93 + hu_5_t_y * t94 - Scalar(2.0) * t123;
+  const Scalar t64 = Iu_6_t_xy * (omega_5_z * omega_5_z - omega_r_5_x * omega_r_5_x);
+  const Scalar t65 = f_u_6_6_a_z * (s_4 * t54 - c_4 * t55);
+  const Scalar y_6 = t64 - t61 * Iu_6_d + Iu_6_a_xy * U_5_xy - Iu_6_t_xz * U_5_zy +
+      Scalar(0.0013246) * t62 - t60 - t65 + tau_6;
+  const Scalar t66 = Scalar(754.9448890231013) * Iu_6_a_xy;
+  const Scalar t67 = Iu_5_t_xy * (omega_4_z * omega_4_z - t26 * t26);
+  const Scalar t68 = t43 - t13 * U_4_xy - Iu_5_a_xz * t49 + t67 + t63 * t20 + hu_5_t_y * t56 -
+      t38 * t59 - mu_u_5_5_a_y * domega_4_y - t66 * y_6 + tau_5;
+  const Scalar mu_u_6_5_t_y = Scalar(0.0013246) * c_5 + s_5 * Iu_6_t_xz;
+  const Scalar t69 = mu_u_6_5_t_y * t66 + t13;
+  const Scalar t70 = Iu_6_a_xy * t66 + mu_u_5_5_a_y;
+  const Scalar t71 = Scalar(1.0) / t70;
+  const Scalar t72 = t69 * t71;
+  const Scalar t73 = Scalar(754.9448890231013) * mu_u_6_5_t_y;
+  const Scalar t74 = s_4 * t41 - c_4 * hc_4_y;
+  const Scalar y_5_4 = t48 + Iu_4_t_xy * (t58 - t57) + qd_1 * t46 - t72 * t68 - t74 * t54 +
+      f_u_4_4_a_z * t55 + tau_4 - t73 * y_6;
+  const Scalar t75 = t45 + t74;
+  const Scalar t76 = mu_u_5_5_a_y - hu_5_t_y;
+  const Scalar t77 = s_4 * Iu_5_a_xz - c_4 * t76;
+  const Scalar t78 = c_5 * hu_6_t_y;
+  const Scalar t79 = s_4 * f_u_6_6_a_z - c_4 * t78;
+  const Scalar t80 = Scalar(0.0013246) * s_5 - c_5 * Iu_6_t_xz;
+  const Scalar t81 = -s_4 * t80 - c_4 * Iu_6_a_xy + t79;
+  const Scalar t82 = t81 * t66 + t77;
+  const Scalar t83 = t82 * t72 - t81 * t73 + t75;
+  const Scalar b_5_4_4 = t69 * t72 - mu_u_6_5_t_y * t73 + Ic_4_zz;
+  const Scalar d_4 = Scalar(1.0) / b_5_4_4;
+  const Scalar t84 = t83 * d_4;
+  const Scalar t85 = Scalar(2.0) * hu_5_t_y;
+  const Scalar t86 = t9 - t85;
+  const Scalar mu_4_3_x = f_u_4_4_a_z - t15;
+  const Scalar Ic_3_xy = Scalar(0.026176) + mu_4_3_x;
+  const Scalar t87 = Scalar(2.0) * s_2_3 * Ic_3_xy - t16 * (Ic_4_zz + t86 - Scalar(1.9359823));
+  const Scalar Iu_3_t_xy = Ic_3_xy - s_2_3 * t87;
+  const Scalar t88 = t82 * t71;
+  const Scalar t89 = Scalar(-754.9448890231013) * t81;
+  const Scalar t90 = f_u_4_4_a_z - Scalar(0.123525);
+  const Scalar hc_3_y = hu_5_t_y + Scalar(1.72386);
+  const Scalar t91 = s_2_3 * t90 + t16 * hc_3_y;
+  const Scalar t92 = s_2_3 * hc_3_y - t16 * t90;
+  const Scalar y_4_3 = t44 + tau_3 + t88 * t68 + Iu_3_t_xy * t50 + t91 * t53 + t84 * y_5_4 -
+      t89 * y_6 - t92 * t52;
+  const Scalar t93 = t10 - t85 - Scalar(2.0842173);
+  const Scalar t94 = -t82 * t88 - t81 * t89 + t83 * t84 + t93;
+  const Scalar t95 = Scalar(1.0) / t94;
+  const Scalar t96 = t81 - s_3 * t79 + c_3 * s_5 * hu_6_t_y;
+  const Scalar t97 = t96 * t66 - s_3 * c_4 * hu_5_t_y + t77 - c_3 * t38;
+  const Scalar t98 = t97 * t72 - t96 * t73 - s_3 * t74 + t75;
+  const Scalar t99 = c_3 * t90 + s_3 * hc_3_y;
+  const Scalar t100 = -t96 * t89 - t97 * t88 + t98 * t84 + t99 + t93;
+  const Scalar t101 = t100 * t95;
+  const Scalar t102 = Scalar(0.1369896) * s_2 + Scalar(8.4002222) * c_2;
+  const Scalar Ic_2_xy = Scalar(0.0684948) + Iu_3_t_xy + c_2 * t91 - s_2 * (t102 - t92);
+  const Scalar t103 = t98 * d_4;
+  const Scalar t104 = qd_4 * (t74 * omega_3_z - f_u_4_4_a_z * t12);
+  const Scalar t105 = t33 * t31 - t34 * t35 + hu_5_t_y * t36 - Scalar(2.0) * t104;
   const Scalar beta_3_f = qd_3 + Scalar(2.0) * qd_2;
-  const Scalar t125 = qd_3 * beta_3_f;
-  const Scalar f_a_3_x = s_2_3 * t124 - t53 * f_a_4_x + t68 * t125;
-  const Scalar t126 = c_2 * ((s_2_3 * f_a_4_x + t53 * t124 + t122 * t125) + Scalar(194.232114));
-  const Scalar t127 = t99 + tau_2 + t47 * t121 + Scalar(21.8) * t68 + t46 * y_5_4 +
-      s_2 * (f_a_3_x - Scalar(4.102542)) - t45 * y_4_3 - t48 * y_6 + Ic_2_xy * t104 - t126;
-  const Scalar t128 = t75 * (Iu_3_t_xy * qd_3 + Ic_2_xy * qd_2);
-  const Scalar Iu_4_y = Ic_4_zz - t73;
-  const Scalar t129 = qd_4 * (Scalar(2.0) * Iu_4_t_xy * t74 + (t6 * beta_4_f + omega_3_z * Iu_4_y));
-  const Scalar t130 = s_4 * f_a_5_x - c_4 * t96 + t10 * t97;
-  const Scalar t131 = s_2_3 * (s_4 * t98 + c_4 * t90 + t130 + t129);
-  const Scalar t132 = t53 * t51 + s_2_3 * t52;
-  const Scalar Iu_2_a_xz = Scalar(0.0444376) * s_2 - t132 + c_2 * t60;
-  const Scalar t133 = c_2 * (t130 + t122 * qd_3 * t75);
-  const Scalar y_2_1 = Iu_2_a_xz * t105 - t53 * t102 - t132 * t125 + t131 - t62 * y_4_3 +
-      t61 * t127 + tau_1 + t67 * t121 - t133 + t66 * y_5_4 - t71 * y_6 - t128;
-  const Scalar t134 = (Scalar(1.0) / t72) * y_2_1;
+  const Scalar t106 = qd_3 * beta_3_f;
+  const Scalar f_a_3_x = s_2_3 * t105 - t16 * f_a_4_x + t92 * t106;
+  const Scalar t107 = c_2 * ((s_2_3 * f_a_4_x + t16 * t105 + t91 * t106) + Scalar(194.232114));
+  const Scalar t108 = t97 * t71;
+  const Scalar t109 = Scalar(-754.9448890231013) * t96;
+  const Scalar t110 = t44 + tau_2 + t108 * t68 + Scalar(21.8) * t92 + t103 * y_5_4 +
+      s_2 * (f_a_3_x - Scalar(4.102542)) - t101 * y_4_3 - t109 * y_6 + Ic_2_xy * t50 - t107;
+  const Scalar t111 = -t97 * t108 - t96 * t109 + t98 * t103 + t93 + Scalar(2.0) * t99 -
+      t100 * t101 - Scalar(8.554441);
+  const Scalar t112 = Scalar(1.0) / t111;
+  const Scalar t113 = Iu_4_t_xy - Scalar(0.016137);
+  const Scalar t114 = Scalar(0.0408384) + t75;
+  const Scalar t115 = s_2_3 * t113 - t16 * t114;
+  const Scalar t116 = s_2_3 * (c_4 * Iu_5_a_xz + s_4 * t76);
+  const Scalar f_u_6_4_a_z = s_4 * t78 + c_4 * f_u_6_6_a_z;
+  const Scalar mu_6_3_x = s_4 * Iu_6_a_xy - c_4 * t80 + f_u_6_4_a_z;
+  const Scalar t117 = t16 * mu_u_6_5_t_y + c_2 * f_u_6_4_a_z - s_2_3 * mu_6_3_x;
+  const Scalar b_6_5_1 = t16 * t13 + t117 * t66 - c_2 * s_4 * hu_5_t_y - t116;
+  const Scalar t118 = b_6_5_1 * t72 - t117 * t73 + c_2 * f_u_4_4_a_z - s_2_3 * mu_4_3_x +
+      t16 * Ic_4_zz;
+  const Scalar t119 = -b_6_5_1 * t88 - t117 * t89 + t115 + t118 * t84;
+  const Scalar t120 = t74 + Scalar(0.1098692);
+  const Scalar b_3_2_1 = b_6_5_1 * t108 + t117 * t109 + Scalar(0.0444376) * c_2 - t115 -
+      s_2 * t120 + t119 * t101 - t118 * t103;
+  const Scalar t121 = b_3_2_1 * t112;
+  const Scalar t122 = t17 * (Iu_3_t_xy * qd_3 + Ic_2_xy * qd_2);
+  const Scalar t123 = t119 * t95;
+  const Scalar Iu_4_y = Ic_4_zz - t11;
+  const Scalar t124 = qd_4 * (Scalar(2.0) * Iu_4_t_xy * t12 +
+      (t45 * beta_4_f + omega_3_z * Iu_4_y));
+  const Scalar t125 = s_4 * f_a_5_x - c_4 * t40 + t74 * t42;
+  const Scalar t126 = s_2_3 * (s_4 * t43 + c_4 * t32 + t125 + t124);
+  const Scalar t127 = t118 * d_4;
+  const Scalar t128 = t16 * t113 + s_2_3 * t114;
+  const Scalar Iu_2_a_xz = Scalar(0.0444376) * s_2 - t128 + c_2 * t120;
+  const Scalar t129 = c_2 * (t125 + t91 * qd_3 * t17);
+  const Scalar t130 = b_6_5_1 * t71;
+  const Scalar t131 = Scalar(-754.9448890231013) * t117;
+  const Scalar y_2_1 = Iu_2_a_xz * t51 - t16 * t48 - t128 * t106 + t126 - t123 * y_4_3 +
+      t121 * t110 + tau_1 + t130 * t68 - t129 + t127 * y_5_4 - t131 * y_6 - t122;
+  const Scalar t132 = c_2 * (t102 - Scalar(2.0) * t92);
+  const Scalar t133 = -b_3_2_1 * t121 - t119 * t123 - b_6_5_1 * t130 - t117 * t131 + t86 +
+      t118 * t127 + t16 * t87 - Scalar(2.8931568) - t132;
+  const Scalar t134 = y_2_1 / t133;
   qdd[0] = -t134;
-  const Scalar t135 = t50 * (b_3_2_1 * t134 + t127);
+  const Scalar t135 = t112 * (b_3_2_1 * t134 + t110);
   qdd[1] = -t135;
-  const Scalar t136 = t38 * (y_4_3 - (t59 * t134 + t44 * t135));
+  const Scalar t136 = t95 * (y_4_3 - (t119 * t134 + t100 * t135));
   qdd[2] = -t136;
-  const Scalar qdd_4 = d_4 * ((y_5_4 - t25 * t136) - (t58 * t134 + t41 * t135));
+  const Scalar qdd_4 = d_4 * ((y_5_4 - t83 * t136) - (t118 * t134 + t98 * t135));
   qdd[3] = qdd_4;
-  const Scalar t137 = (b_6_5_1 * t134 + t40 * t135) + t121;
-  const Scalar t138 = t22 * ((t19 * t136 + t20 * qdd_4) + t137);
+  const Scalar t137 = (b_6_5_1 * t134 + t97 * t135) + t68;
+  const Scalar t138 = t71 * ((t82 * t136 + t69 * qdd_4) + t137);
   qdd[4] = -t138;
-  const Scalar t139 = (t39 * t135 + t17 * t136) - (y_6 - t57 * t134);
+  const Scalar t139 = (t96 * t135 + t81 * t136) - (y_6 - t117 * t134);
   qdd[5] = Scalar(-754.9448890231013) * (mu_u_6_5_t_y * qdd_4 - Iu_6_a_xy * t138) -
       Scalar(754.9448890231013) * t139;
-  bool positive = -t72 > Scalar(0.0);
-  positive &= -t49 > Scalar(0.0);
-  positive &= -t37 > Scalar(0.0);
+  bool positive = -t133 > Scalar(0.0);
+  positive &= -t111 > Scalar(0.0);
+  positive &= -t94 > Scalar(0.0);
   positive &= b_5_4_4 > Scalar(0.0);
-  positive &= -t21 > Scalar(0.0);
+  positive &= -t70 > Scalar(0.0);
   return positive;
 }
 

@@ -28,7 +28,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_SCARA_HPP
 #define FLATDYN_SCARA_HPP
@@ -426,7 +427,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2,
 // parameters.m_l3, parameters.I_l3, parameters.m_m3, parameters.I_m3, parameters.k_r3,
 // parameters.m_l4, parameters.I_l4, parameters.m_m4, parameters.I_m4, parameters.k_r4. Operations:
-// 41 mul, 39 add, 4 div, 2 sin/cos.
+// 40 mul, 39 add, 4 div, 2 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
@@ -468,13 +469,12 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t13 = a_1 * a_1 * (m_l2 + m_m2 + t5);
   const Scalar b_2_1_1 = I_l1 + I_m2 + I_m1 * k_r1 * k_r1 + m_l1 * l_1 * l_1 + t8 +
       Scalar(2.0) * t11 + t13 - b_3_2_1 * t12;
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
   const Scalar t14 = s_2 * t10;
   const Scalar t15 = tau_3 - g * mc_3;
   const Scalar t16 = t2 * t15 + t4 * tau_4 + qd_1 * qd_1 * t14;
   const Scalar t17 = tau_2 - t16;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar qdd_1 = d_1 * (tau_1 - t16 - t12 * t17 + omega_2_z * omega_2_z * t14);
+  const Scalar qdd_1 = (tau_1 - t16 - t12 * t17 + omega_2_z * omega_2_z * t14) / b_2_1_1;
   qdd[0] = qdd_1;
   const Scalar qdd_2 = d_2 * (t17 - b_3_2_1 * qdd_1);
   qdd[1] = qdd_2;

@@ -32,7 +32,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_SLIDER_CRANK_HPP
 #define FLATDYN_SLIDER_CRANK_HPP
@@ -366,7 +367,7 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   qdd[1]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a closed loop is within 1e-6 of being
 // singular, or a pivot of B is not positive or not a number.
-// Reads q[0..1], qd[0], tau[0]. Operations: 40 mul, 22 add, 2 div, 4 sin/cos.
+// Reads q[0..1], qd[0], tau[0]. Operations: 39 mul, 22 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -402,8 +403,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar b_1_2h = mu_2_1_z + Scalar(0.0079337659) * t5;
   const Scalar b_1_1q = Scalar(0.00679968) * c_2 + t10 * t11 + t5 * b_1_2h + mu_2_1_z * t5 +
       Scalar(0.0160856059);
-  const Scalar d_1 = Scalar(1.0) / b_1_1q;
-  qdd[0] = -d_1 * t17;
+  qdd[0] = -t17 / b_1_1q;
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
   bool positive = b_1_1q > Scalar(0.0);
   positive &= regular_l1 > Scalar(0.0);

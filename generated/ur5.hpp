@@ -29,7 +29,8 @@
 // Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
 // of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
 // before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums.
+// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
+// inside functions, though not of arguments.
 
 #ifndef FLATDYN_UR5_HPP
 #define FLATDYN_UR5_HPP
@@ -889,7 +890,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   tau[6]  in   joint torques or forces, N m or N
 //   qdd[6]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
 // Returns false if the result means nothing, because a pivot of B is not positive or not a number.
-// Reads q[1..4], qd[0..5], tau[0..5]. Operations: 236 mul, 167 add, 4 div, 8 sin/cos.
+// Reads q[1..4], qd[0..5], tau[0..5]. Operations: 235 mul, 167 add, 4 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
@@ -1041,8 +1042,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar b_2_1_1 = Scalar(0.00767648760637) * c_5 - Scalar(0.0001321171875) * t61 * t61 -
       t102 + Ic_4_xx + t85 * t92 + t87 * t91 + t84 * t99 + t89 * t90 + Scalar(0.1736466166251199) +
       Scalar(0.56787913724375) * t101 + Scalar(2.0) * t64 + Scalar(1.39293427915) * c_2 * c_2;
-  const Scalar d_1 = Scalar(1.0) / b_2_1_1;
-  const Scalar t103 = d_1 * t100;
+  const Scalar t103 = t100 / b_2_1_1;
   qdd[0] = -t103;
   const Scalar t104 = t81 * (t89 * t103 + t79);
   qdd[1] = -t104;

@@ -5,6 +5,7 @@
 
 #include "passes/draft.hpp"
 #include "passes/like_terms.hpp"
+#include "passes/quotients.hpp"
 #include "passes/rescale.hpp"
 #include "passes/share_products.hpp"
 #include "passes/share_sums.hpp"
@@ -20,6 +21,7 @@ const std::vector<Pass>& pass_table() {
       {"share_sums", "factor sums, and share partial sums", share_sums},
       {"rescale", "compute sums as the multiple that is cheapest", rescale},
       {"share_products", "share partial products", share_products},
+      {"quotients", "divide at once where a reciprocal is used once", quotients},
   };
   return table;
 }

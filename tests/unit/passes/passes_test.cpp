@@ -8,6 +8,7 @@
 #include "graph/well_formed.hpp"
 #include "passes/draft.hpp"
 #include "passes/like_terms.hpp"
+#include "passes/quotients.hpp"
 #include "passes/rescale.hpp"
 #include "passes/share_products.hpp"
 #include "passes/share_sums.hpp"
@@ -80,6 +81,19 @@ TEST_F(PassTest, ShareSumsSharesPartialSumsUpToSignAndFactor) {
 TEST_F(PassTest, ShareSumsUsesASumThatIsThere) {
   const NodeId sum = graph.sum({{1, a}, {1, b}});
   EXPECT_EQ(after(share_sums, {sum, graph.sum({{1, a}, {1, b}, {1, c}})}), count(0, 2));
+}
+
+// c - (a - b + c) is b - a, which the sum within has, too.
+TEST_F(PassTest, ShareSumsLooksIntoASumWhoseTermsCancel) {
+  const NodeId sum = graph.sum({{1, a}, {-1, b}, {1, c}});
+  EXPECT_EQ(after(share_sums, {sum, graph.sum({{1, c}, {-1, sum}})}), count(0, 2));
+}
+
+TEST_F(PassTest, QuotientsDivideAtOnceWhereAReciprocalIsUsedOnce) {
+  const NodeId one = graph.constant(1), first = graph.quotient(one, a), second = graph.quotient(one, b);
+  const OperationCount divided = after(quotients, {mul({first, x}), mul({second, x}), mul({second, y})});
+  EXPECT_EQ(divided.multiplications, 2);
+  EXPECT_EQ(divided.divisions, 2);
 }
 
 TEST_F(PassTest, ShareProductsSharesFactors) {
