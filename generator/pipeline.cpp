@@ -12,6 +12,7 @@
 #include "plan.hpp"
 #include "scene/specialise.hpp"
 #include "search/search.hpp"
+#include "symbolic/combined.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 
@@ -114,6 +115,14 @@ std::vector<std::string> functions_asked_for(const PipelineOptions& options, con
   return names;
 }
 
+Needs needs_of(const PipelineOptions& options, const Scene& scene) {
+  const std::vector<std::string> names = functions_asked_for(options, scene);
+  const bool only_gravity = !names.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) {
+    return name == "gravity" || name == "potential_energy";
+  });
+  return {scene.at_rest, only_gravity};
+}
+
 }  // namespace
 
 const Mechanism& derived_from(const Model& model) {
@@ -133,7 +142,7 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   std::optional<Abbreviation> abbreviation;
   const Scene& scene = robot->scene;
   if (scene.error_budget && !options.whole_functions)
-    abbreviation = abbreviated(mechanism, *scene.error_budget, scene.at_rest);
+    abbreviation = abbreviated(mechanism, *scene.error_budget, needs_of(options, scene));
   return {std::move(*robot), std::move(mechanism), std::move(abbreviation), std::move(diagnostics), std::move(hash)};
 }
 
@@ -204,6 +213,41 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
 
 namespace {
 
+bool contains(const std::vector<std::string>& names, const char* name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<Function> ways_to(const Mechanism& mechanism, const std::string& name, const Choices& choices) {
+  std::vector<Function> ways;
+  for (Way way = 0; way < kWays; ++way) {
+    if (std::optional<Function> derived = formulation(mechanism, name, way, choices))
+      ways.push_back(std::move(*derived));
+  }
+  return ways;
+}
+
+// Among others, those from functions that are asked for as well: B, and the bias.
+std::vector<Function> ways_among(const Mechanism& mechanism, const std::vector<std::string>& functions,
+                                 const std::string& name, const Choices& choices) {
+  std::vector<Function> ways = ways_to(mechanism, name, choices);
+  const Function usual = ways.front();
+  const bool has_matrix = contains(functions, "inertia_matrix");
+  if (name == "kinetic_energy" && has_matrix) {
+    for (const Function& B : ways_to(mechanism, "inertia_matrix", choices)) {
+      ways.push_back(from_inertia_matrix(usual, B));
+    }
+  }
+  if (name == "inverse_dynamics" &&
+      ((has_matrix && contains(functions, "bias")) || contains(functions, "forward_dynamics"))) {
+    for (const Function& B : ways_to(mechanism, "inertia_matrix", choices)) {
+      for (const Function& bias : ways_to(mechanism, "bias", choices)) {
+        ways.push_back(from_inertia_matrix(usual, B, bias));
+      }
+    }
+  }
+  return ways;
+}
+
 // From the same choices, so that they share what they can. Of each function's formulations the one that makes the whole
 // cheapest, one function after the other.
 Fusion fused_from(const Model& model, const std::vector<std::string>& functions, const Choices& choices) {
@@ -212,22 +256,24 @@ Fusion fused_from(const Model& model, const std::vector<std::string>& functions,
   std::vector<Function> chosen;
   for (const std::string& name : functions) {
     ways.emplace_back();
-    for (Way way = 0; way < kWays; ++way) {
-      const std::optional<Function> derived = formulation(derived_from(model), name, way, choices);
-      if (derived) ways.back().push_back(specialised(*derived, model.mechanism, model.robot.scene, found));
+    for (const Function& derived : ways_among(derived_from(model), functions, name, choices)) {
+      ways.back().push_back(specialised(derived, model.mechanism, model.robot.scene, found));
     }
     chosen.push_back(ways.back().front());
   }
   refuse_errors(found);
   Fusion best = fused(chosen);
-  for (std::size_t k = 0; k < functions.size(); ++k) {
-    for (std::size_t other = 1; other < ways[k].size(); ++other) {
-      std::vector<Function> changed = chosen;
-      changed[k] = ways[k][other];
-      Fusion candidate = fused(changed);
-      if (cost(candidate.function) >= cost(best.function)) continue;
-      best = std::move(candidate);
-      chosen = std::move(changed);
+  // Once more, as what one function is made of decides what is cheapest for those before.
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+      for (const Function& way : ways[k]) {
+        std::vector<Function> changed = chosen;
+        changed[k] = way;
+        Fusion candidate = fused(changed);
+        if (cost(candidate.function) >= cost(best.function)) continue;
+        best = std::move(candidate);
+        chosen = std::move(changed);
+      }
     }
   }
   return best;

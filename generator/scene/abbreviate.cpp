@@ -108,6 +108,11 @@ double weight(Parameter parameter) {
   }
 }
 
+bool is_inertia(Parameter parameter) {
+  const InertialParameters unit = unit_parameter(parameter);
+  return vanishes(unit.mass) && std::all_of(unit.first_moment.begin(), unit.first_moment.end(), vanishes);
+}
+
 // At any angle, as B should be positive definite beyond the limits, too.
 Mechanism turning_freely(Mechanism mechanism) {
   for (Body& body : mechanism.bodies) {
@@ -144,8 +149,13 @@ class InertiaCheck {
 
 class Abbreviator {
  public:
-  Abbreviator(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest)
-      : motions_(largest_motions(mechanism, at_rest)), check_(mechanism) {
+  // `values`: those of the base parameters, in their places, and zeros.
+  Abbreviator(const Mechanism& mechanism, std::vector<InertialParameters> values, const ErrorBudget& budget,
+              const Needs& needs)
+      : values_(std::move(values)),
+        has_inertias_(!needs.only_gravity),
+        motions_(largest_motions(mechanism, needs.at_rest)),
+        check_(mechanism) {
     result_.mechanism = mechanism;
     for (const Body& body : mechanism.bodies) {
       result_.budget.push_back(budget.relative ? budget.value * limit_of(body, body.limits.effort, "effort")
@@ -172,12 +182,11 @@ class Abbreviator {
   std::vector<Candidate> all_candidates() const {
     std::vector<Candidate> candidates;
     for (int k = 0; k < result_.mechanism.size(); ++k) {
-      const Body& body = result_.mechanism.bodies[static_cast<std::size_t>(k)];
-      const std::vector<Number> values = entries_of(body.inertia);
+      const std::vector<Number> values = entries_of(values_[static_cast<std::size_t>(k)]);
       for (int p = 0; p < kInertialPerBody; ++p) {
         const auto kind = static_cast<Parameter>(p);
         const Number& value = values[static_cast<std::size_t>(p)];
-        if (vanishes(value)) continue;
+        if (vanishes(value) || (is_inertia(kind) && !has_inertias_)) continue;
         candidates.push_back(candidate(k, kind, nearest_double(value)));
       }
     }
@@ -215,7 +224,7 @@ class Abbreviator {
     }
     InertialParameters& inertia = result_.mechanism.bodies[static_cast<std::size_t>(parameter.body)].inertia;
     const InertialParameters before = inertia;
-    remove(inertia, candidate.kind);
+    remove(inertia, candidate.kind, values_[static_cast<std::size_t>(parameter.body)]);
     if (!check_.is_positive(result_.mechanism)) {
       inertia = before;
       return;
@@ -224,40 +233,30 @@ class Abbreviator {
     result_.dropped.push_back(parameter);
   }
 
-  static void remove(InertialParameters& inertia, Parameter kind) {
+  // So much less of it that nothing of the base parameter is left.
+  static void remove(InertialParameters& inertia, Parameter kind, const InertialParameters& values) {
+    const Number less = -entries_of(values)[static_cast<std::size_t>(kind)];
     const InertialParameters unit = unit_parameter(kind);
-    const auto keep = [](Number& entry, const Number& in_unit) {
-      if (!vanishes(in_unit)) entry = 0;
-    };
-    keep(inertia.mass, unit.mass);
-    for (std::size_t a = 0; a < 3; ++a) {
-      keep(inertia.first_moment[a], unit.first_moment[a]);
-      for (std::size_t b = 0; b < 3; ++b) keep(inertia.inertia[a][b], unit.inertia[a][b]);
-    }
+    inertia = inertia + InertialParameters{less * unit.mass, less * unit.first_moment, scaled(less, unit.inertia)};
   }
 
+  static Mat3 scaled(const Number& by, Mat3 tensor) {
+    for (Vec3& row : tensor) row = by * row;
+    return expanded(tensor);
+  }
+
+  std::vector<InertialParameters> values_;
+  bool has_inertias_;
   std::vector<LargestMotion> motions_;
   InertiaCheck check_;
   Abbreviation result_;
 };
 
-// All that there is, the base too, as one body where all joints are at 0.
-InertialParameters whole_at_zero(const Mechanism& mechanism) {
-  std::vector<InertialParameters> bodies;
-  for (const Body& body : mechanism.bodies) bodies.push_back(body.inertia);
-  InertialParameters whole = mechanism.base;
-  for (std::size_t i = bodies.size(); i-- > 0;) {
-    const Body& body = mechanism.bodies[i];
-    InertialParameters& parent = body.parent < 0 ? whole : bodies[static_cast<std::size_t>(body.parent)];
-    parent = parent + transformed(bodies[i], constant_rotation(body), body.p);
-  }
-  return whole;
-}
-
 }  // namespace
 
-// Of the base parameters, so that nothing is spent on what has no effect anyway.
-Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest) {
+// Of the base parameters, so that nothing is spent on what has no effect anyway. The model keeps the others as they
+// are: how they are grouped is chosen later.
+Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, const Needs& needs) {
   if (!mechanism.symbols.empty()) {
     throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
   }
@@ -267,11 +266,11 @@ Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, 
                   "leave the budget out");
   }
   const BaseParameters base = base_parameters(mechanism);
-  Mechanism fewest = with_base_parameters(mechanism, base, base_values(mechanism, base));
-  // What base parameters leave out has no effect on torques; on the potential energy that of a constant.
-  const Vec3 missing = whole_at_zero(mechanism).first_moment - whole_at_zero(fewest).first_moment;
-  fewest.base.first_moment = fewest.base.first_moment + missing;
-  return Abbreviator(fewest, budget, at_rest).run();
+  std::vector<InertialParameters> values;
+  for (const Body& body : with_base_parameters(mechanism, base, base_values(mechanism, base)).bodies) {
+    values.push_back(body.inertia);
+  }
+  return Abbreviator(mechanism, std::move(values), budget, needs).run();
 }
 
 }  // namespace flatdyn

@@ -33,9 +33,15 @@ struct Abbreviation {
   std::vector<double> budget, bound;      // by joint, N m or N; bound <= budget
 };
 
-// The mechanism without what fits into the budget, the largest saving for its part of the budget first. `at_rest`: q̇ =
-// 0. What B needs to stay positive definite stays: tried at 200 random positions, as bounds of torques say nothing of
-// it. Throws Failure(unsupported) where limits are missing, or numbers are not known.
-Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, bool at_rest = false);
+// What of the torques is asked for: with q̇ = 0; or only what depends on q alone, gravity, where moments of inertia have
+// no part.
+struct Needs {
+  bool at_rest = false, only_gravity = false;
+};
+
+// The mechanism without what fits into the budget, the largest saving for its part of the budget first. What B needs to
+// stay positive definite stays: tried at 200 random positions, as bounds of torques say nothing of it. Throws
+// Failure(unsupported) where limits are missing, or numbers are not known.
+Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, const Needs& needs = {});
 
 }  // namespace flatdyn
