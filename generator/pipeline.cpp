@@ -123,6 +123,17 @@ Needs needs_of(const PipelineOptions& options, const Scene& scene) {
   return {scene.at_rest, only_gravity};
 }
 
+std::optional<Abbreviation> abbreviation_of(const Robot& robot, const Mechanism& mechanism,
+                                            const PipelineOptions& options) {
+  const Scene& scene = robot.scene;
+  if (!scene.error_budget) return std::nullopt;
+  try {
+    return abbreviated(mechanism, *scene.error_budget, needs_of(options, scene));
+  } catch (const Failure& failure) {
+    throw Failure(failure.code(), robot.file + ": " + failure.what(), failure.hint());
+  }
+}
+
 }  // namespace
 
 const Mechanism& derived_from(const Model& model) {
@@ -140,9 +151,7 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
   Mechanism mechanism = make_mechanism(*robot);
   std::string hash = file_hash(robot->files);
   std::optional<Abbreviation> abbreviation;
-  const Scene& scene = robot->scene;
-  if (scene.error_budget && !options.whole_functions)
-    abbreviation = abbreviated(mechanism, *scene.error_budget, needs_of(options, scene));
+  if (!options.whole_functions) abbreviation = abbreviation_of(*robot, mechanism, options);
   return {std::move(*robot), std::move(mechanism), std::move(abbreviation), std::move(diagnostics), std::move(hash)};
 }
 
