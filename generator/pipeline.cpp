@@ -272,18 +272,19 @@ Fusion fused_from(const Model& model, const std::vector<std::string>& functions,
   }
   refuse_errors(found);
   Fusion best = fused(chosen);
+  const auto keep_cheapest = [&](std::size_t k) {
+    for (const Function& way : ways[k]) {
+      std::vector<Function> changed = chosen;
+      changed[k] = way;
+      Fusion candidate = fused(changed);
+      if (cost(candidate.function) >= cost(best.function)) continue;
+      best = std::move(candidate);
+      chosen = std::move(changed);
+    }
+  };
   // Once more, as what one function is made of decides what is cheapest for those before.
   for (int round = 0; round < 2; ++round) {
-    for (std::size_t k = 0; k < functions.size(); ++k) {
-      for (const Function& way : ways[k]) {
-        std::vector<Function> changed = chosen;
-        changed[k] = way;
-        Fusion candidate = fused(changed);
-        if (cost(candidate.function) >= cost(best.function)) continue;
-        best = std::move(candidate);
-        chosen = std::move(changed);
-      }
-    }
+    for (std::size_t k = 0; k < ways.size(); ++k) keep_cheapest(k);
   }
   return best;
 }

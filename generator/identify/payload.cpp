@@ -20,7 +20,7 @@ MatrixXd base_change(const TorqueModel& model) {
                                        [&](const LinkFrame& link) { return link.link == mechanism.tip.link; });
   MatrixXd change = MatrixXd::Zero(model.parameters(), kInertialPerBody);
   for (int k = 0; k < kInertialPerBody; ++k) {
-    const InertialParameters body = transformed(unit_parameter(static_cast<Parameter>(k)), tip.R, tip.p);
+    const InertialParameters body = transformed(single_parameter(static_cast<Parameter>(k)), tip.R, tip.p);
     const std::vector<Number> entries = entries_of(body);
     for (int row = 0; row < model.parameters(); ++row) {
       for (const auto& [index, coefficient] : model.base().combination[static_cast<std::size_t>(row)]) {

@@ -46,9 +46,7 @@ class RobotText {
     InertialParameters body;
     for (int k = 0; k < kInertialPerBody; ++k) {
       const auto which = static_cast<Parameter>(k);
-      const InertialParameters unit = unit_parameter(which);
-      const Number value = exact(parameter(i, which));
-      body = body + InertialParameters{value * unit.mass, value * unit.first_moment, scaled(value, unit.inertia)};
+      body = body + single_parameter(which, exact(parameter(i, which)));
     }
     for (int j = 0; j < model_.mechanism.body_count(); ++j) {
       const std::optional<Rotor>& rotor = model_.mechanism.bodies[static_cast<std::size_t>(j)].rotor;

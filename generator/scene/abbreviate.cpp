@@ -108,10 +108,7 @@ double weight(Parameter parameter) {
   }
 }
 
-bool is_inertia(Parameter parameter) {
-  const InertialParameters unit = unit_parameter(parameter);
-  return vanishes(unit.mass) && std::all_of(unit.first_moment.begin(), unit.first_moment.end(), vanishes);
-}
+bool is_inertia(Parameter parameter) { return parameter >= Parameter::Ixx; }
 
 // At any angle, as B should be positive definite beyond the limits, too.
 Mechanism turning_freely(Mechanism mechanism) {
@@ -235,14 +232,7 @@ class Abbreviator {
 
   // So much less of it that nothing of the base parameter is left.
   static void remove(InertialParameters& inertia, Parameter kind, const InertialParameters& values) {
-    const Number less = -entries_of(values)[static_cast<std::size_t>(kind)];
-    const InertialParameters unit = unit_parameter(kind);
-    inertia = inertia + InertialParameters{less * unit.mass, less * unit.first_moment, scaled(less, unit.inertia)};
-  }
-
-  static Mat3 scaled(const Number& by, Mat3 tensor) {
-    for (Vec3& row : tensor) row = by * row;
-    return expanded(tensor);
+    inertia = inertia + single_parameter(kind, -entries_of(values)[static_cast<std::size_t>(kind)]);
   }
 
   std::vector<InertialParameters> values_;

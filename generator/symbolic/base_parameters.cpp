@@ -28,13 +28,7 @@ void add_multiple(ParameterForm& form, const Number& factor, const ParameterForm
 InertialParameters inertia_of(const RedundantPart& part) {
   InertialParameters body;
   for (int k = 0; k < kInertialPerBody; ++k) {
-    const Number& entry = part.entries[static_cast<std::size_t>(k)];
-    const InertialParameters unit = unit_parameter(static_cast<Parameter>(k));
-    body.mass += entry * unit.mass;
-    body.first_moment = body.first_moment + entry * unit.first_moment;
-    for (std::size_t row = 0; row < 3; ++row) {
-      body.inertia[row] = body.inertia[row] + entry * unit.inertia[row];
-    }
+    body = body + single_parameter(static_cast<Parameter>(k), part.entries[static_cast<std::size_t>(k)]);
   }
   return body;
 }
@@ -167,12 +161,7 @@ Mechanism with_base_parameters(const Mechanism& mechanism, const BaseParameters&
     } else if (parameter == Parameter::Fs) {
       body.coulomb = values[k];
     } else {
-      const InertialParameters unit = unit_parameter(parameter);
-      body.inertia.mass += values[k] * unit.mass;
-      body.inertia.first_moment = body.inertia.first_moment + values[k] * unit.first_moment;
-      for (std::size_t row = 0; row < 3; ++row) {
-        body.inertia.inertia[row] = body.inertia.inertia[row] + values[k] * unit.inertia[row];
-      }
+      body.inertia = body.inertia + single_parameter(parameter, values[k]);
     }
   }
   return result;

@@ -31,16 +31,16 @@ std::string parameter_name(int index) {
   return name.replace(name.find('#'), 1, std::to_string(joint_of(index) + 1));
 }
 
-InertialParameters unit_parameter(Parameter parameter) {
+InertialParameters single_parameter(Parameter parameter, const Number& value) {
   InertialParameters body;
   const int k = static_cast<int>(parameter);
   if (k == 0) {
-    body.mass = 1;
+    body.mass = value;
   } else if (k < kFirstInertia) {
-    body.first_moment[static_cast<std::size_t>(k - 1)] = 1;
+    body.first_moment[static_cast<std::size_t>(k - 1)] = value;
   } else {
     const auto [row, col] = kInertiaPlaces[k - kFirstInertia];
-    body.inertia[row][col] = body.inertia[col][row] = 1;
+    body.inertia[row][col] = body.inertia[col][row] = value;
   }
   return body;
 }

@@ -25,8 +25,8 @@ constexpr Parameter parameter_of(int index) { return static_cast<Parameter>(inde
 // "m2", "m2lx", "I2xy", "Im2", "Fv2", "Fs2": joints are counted from 1.
 std::string parameter_name(int index);
 
-// A body with one parameter 1 and the others 0; `parameter` is one of the first ten.
-InertialParameters unit_parameter(Parameter parameter);
+// A body of which one parameter is `value` and the others are 0; `parameter` is one of the first ten.
+InertialParameters single_parameter(Parameter parameter, const Number& value = 1);
 // The first ten of (7.77).
 std::vector<Number> entries_of(const InertialParameters& body);
 

@@ -41,7 +41,7 @@ class UnitInertials {
   }
 
   std::vector<reference::Inertial<S>> operator()(Parameter parameter) const {
-    const InertialParameters unit = unit_parameter(parameter);
+    const InertialParameters unit = single_parameter(parameter);
     if (parameter == Parameter::m) return {mass_at(S(1), Vector::Zero())};
     const int first_moment = static_cast<int>(parameter) - static_cast<int>(Parameter::mlx);
     if (first_moment < 3) {

@@ -90,8 +90,8 @@ TEST_F(TwoLinkPlanarArm, HasTheRegressorOfTheTextbook) {
   const Number a1 = value("a_1"), a2 = value("a_2"), g = value("g"), k1 = value("k_r1"), k2 = value("k_r2");
   const Number c1 = x.c[0], s1 = x.s[0], c2 = x.c[1], s2 = x.s[1], c12 = c1 * c2 - s1 * s2;
   const Number d1 = x.qd[0], d2 = x.qd[1], dd1 = x.qdd[0], dd2 = x.qdd[1];
-  const InertialParameters m = unit_parameter(Parameter::m), ml = unit_parameter(Parameter::mlx),
-                           I = unit_parameter(Parameter::Izz);
+  const InertialParameters m = single_parameter(Parameter::m), ml = single_parameter(Parameter::mlx),
+                           I = single_parameter(Parameter::Izz);
   const std::vector<std::vector<Number>> found = {
       {entry(0, 0, m), entry(0, 0, ml), entry(0, 0, I), y(0, index_of(0, Parameter::Im)), entry(0, 1, m),
        entry(0, 1, ml), entry(0, 1, I), y(0, index_of(1, Parameter::Im))},
