@@ -107,7 +107,7 @@ struct Mechanism {
   // Where joints are coupled: the position of body i's joint is Σ_k coupling[i][k] q_k, what is constant being part of
   // the frames. q_k belongs to the joint of body coordinates[k]. All are empty where q_i is the position of joint i.
   std::vector<int> coordinates;
-  std::vector<std::vector<Number>> coupling;
+  Rows coupling;
   std::vector<Number> offsets;  // what is constant, rad or m
   // Where a joint turns by no small whole multiples of coordinates, sines and cosines of these are asked for, too.
   std::vector<CoordinateMultiple> angles;

@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace flatdyn {
 
@@ -15,6 +16,7 @@ using Number = GiNaC::ex;
 
 using Vec3 = std::array<Number, 3>;
 using Mat3 = std::array<std::array<Number, 3>, 3>;  // row-major: m[row][column]
+using Rows = std::vector<std::vector<Number>>;      // of a matrix whose size depends on the robot
 
 Vec3 zero_vector();
 Mat3 zero_matrix();

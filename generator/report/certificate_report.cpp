@@ -39,10 +39,10 @@ std::string part_of_effort(const CertifiedOutput& output) {
   return output.effort ? fmt::format("{:.2g} %", 100 * output.bound / *output.effort) : "";
 }
 
-using Rows = std::vector<std::vector<std::string>>;
+using Cells = std::vector<std::vector<std::string>>;
 
-Rows rows_of(const Certificate& certificate, const std::vector<CertifiedOutput>& outputs) {
-  Rows rows = {{"output", "unit", "bound", "seen", "ratio", "of effort", "proven by"}};
+Cells rows_of(const Certificate& certificate, const std::vector<CertifiedOutput>& outputs) {
+  Cells rows = {{"output", "unit", "bound", "seen", "ratio", "of effort", "proven by"}};
   for (const CertifiedOutput& output : outputs) {
     rows.push_back({output.name, output.unit, fmt::format("{:.3e}", output.bound),  // all digits that it has
                     fmt::format("{:.2e}", output.observed), ratio_text(output), part_of_effort(output),
@@ -104,7 +104,7 @@ std::string trigonometry(const Certificate& certificate) {
                      certificate.options.trigonometry_ulp, trigonometry_error(certificate.options));
 }
 
-std::string markdown_table(const Rows& rows) {
+std::string markdown_table(const Cells& rows) {
   std::string text;
   for (const auto& row : rows) {
     text += fmt::format("| {} |\n", fmt::join(row, " | "));

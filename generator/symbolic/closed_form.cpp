@@ -102,8 +102,8 @@ class Lagrange {
   // Aᵀ B A and Aᵀ g.
   void gather_at_coordinates() {
     const auto n = at(mechanism_.size());
-    const std::vector<std::vector<Number>>& A = mechanism_.coupling;
-    std::vector<std::vector<Number>> B(n, std::vector<Number>(n, 0));
+    const Rows& A = mechanism_.coupling;
+    Rows B(n, std::vector<Number>(n, 0));
     std::vector<Number> g(n, 0);
     for (std::size_t r = 0; r < A.size(); ++r) {
       for (std::size_t k = 0; k < n; ++k) {
@@ -218,7 +218,7 @@ class Lagrange {
     const int n = mechanism_.size();
     form_.c_ijk.assign(at(n), std::vector<Number>(at(n * (n + 1) / 2), 0));
     // ∂b_ij/∂q_k for i <= j; in a tree zero unless joint k comes after joint i.
-    std::vector<std::vector<std::vector<Number>>> db(at(n));
+    std::vector<Rows> db(at(n));
     for (int k = 0; k < n; ++k) {
       db[at(k)].assign(at(n), std::vector<Number>(at(n), 0));
       for (int i = 0; i < (mechanism_.is_coupled() ? n : k); ++i) {

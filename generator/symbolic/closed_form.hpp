@@ -11,11 +11,11 @@
 namespace flatdyn {
 
 struct ClosedForm {
-  std::vector<GiNaC::symbol> d;        // one per coordinate, for prismatic joints
-  std::vector<GiNaC::symbol> c, s;     // one of each per angle: coordinates of revolute joints, and Mechanism::angles
-  std::vector<std::vector<Number>> B;  // (7.32)
-  std::vector<std::vector<Number>> c_ijk;  // [i][k (k + 1) / 2 + j], j <= k, (7.45)
-  std::vector<Number> g;                   // (7.39)
+  std::vector<GiNaC::symbol> d;     // one per coordinate, for prismatic joints
+  std::vector<GiNaC::symbol> c, s;  // one of each per angle: coordinates of revolute joints, and Mechanism::angles
+  Rows B;                           // (7.32)
+  Rows c_ijk;                       // [i][k (k + 1) / 2 + j], j <= k, (7.45)
+  std::vector<Number> g;            // (7.39)
 
   int size() const { return static_cast<int>(g.size()); }
   const Number& christoffel(int i, int j, int k) const;

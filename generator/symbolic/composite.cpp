@@ -84,11 +84,11 @@ std::vector<InertialParameters> composites(Frames& frames) {
   return result;
 }
 
-std::vector<std::vector<Number>> inertia_matrix(Frames& frames) {
+Rows inertia_matrix(Frames& frames) {
   Derivation& d = frames.derivation();
   const auto n = static_cast<std::size_t>(frames.mechanism().body_count());
   const std::vector<InertialParameters> bodies = composites(frames);
-  std::vector<std::vector<Number>> B(n, std::vector<Number>(n, 0));
+  Rows B(n, std::vector<Number>(n, 0));
   for (std::size_t j = 0; j < n; ++j) {
     const int jj = static_cast<int>(j);
     climb(frames, jj, unit_wrench(frames, jj, bodies[j]), [&](int i, const Wrench& wrench) {

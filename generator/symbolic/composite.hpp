@@ -19,7 +19,7 @@ Wrench unit_wrench(Frames& frames, int i, const InertialParameters& composite);
 Wrench swept_by(const Body& body, const Wrench& wrench);
 
 // Upper and lower entries are the same Number. Entries of joints on different branches are 0.
-std::vector<std::vector<Number>> inertia_matrix(Frames& frames);
+Rows inertia_matrix(Frames& frames);
 
 // The factor 1/2 of (7.45) is put into the constants: christoffel_symbols is given frames of the mechanism with all
 // inertias halved.

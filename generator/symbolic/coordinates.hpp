@@ -34,8 +34,6 @@ std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivat
 std::vector<Number> at_coordinates(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& tau,
                                    const std::string& name);
 
-using Rows = std::vector<std::vector<Number>>;
-
 // Aᵀ M, of a matrix with a row for each body's joint.
 Rows rows_at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Rows& matrix,
                          const std::string& name);

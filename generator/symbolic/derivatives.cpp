@@ -135,8 +135,7 @@ class TorqueDerivation {
   }
 
   // What the joints before k feel of a wrench on all behind k, and of a moment on the carrier of its rotor.
-  void climb(int k, Wrench wrench, const Vec3& at_carrier, std::vector<std::vector<Number>>& result,
-             const std::string& what) {
+  void climb(int k, Wrench wrench, const Vec3& at_carrier, Rows& result, const std::string& what) {
     for (int i = k; frames_.body(i).parent >= 0;) {
       const std::string n = what + label(k) + "_" + label(i);
       wrench = {d_.named(wrench.f, "df_" + n), d_.named(wrench.mu, "dmu_" + n)};
@@ -148,7 +147,7 @@ class TorqueDerivation {
     }
   }
 
-  void set(std::vector<std::vector<Number>>& result, int i, int k, const Number& value, const std::string& name) {
+  void set(Rows& result, int i, int k, const Number& value, const std::string& name) {
     at(at(result, i), k) = d_.named(value, name + label(i) + "_" + label(k));
   }
 

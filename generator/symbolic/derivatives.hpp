@@ -20,7 +20,7 @@
 namespace flatdyn {
 
 struct TorqueDerivatives {
-  std::vector<std::vector<Number>> dq, dqd;  // [i][k]: ∂τ_i/∂q_k, ∂τ_i/∂q̇_k
+  Rows dq, dqd;  // [i][k]: ∂τ_i/∂q_k, ∂τ_i/∂q̇_k
 };
 
 // Of torques() without tip force. Coulomb friction counts as constant: its slope at rest is left out.

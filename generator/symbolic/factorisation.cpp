@@ -19,7 +19,7 @@ void fail_as_singular(const Body& body) {
                 "give the links that it moves their inertia, or its motor a rotor");
 }
 
-Factorisation::Factorisation(Frames& frames, std::vector<std::vector<Number>> B)
+Factorisation::Factorisation(Frames& frames, Rows B)
     : derivation_(frames.derivation()), L_(std::move(B)), inverse_(L_.size()) {
   const Mechanism& mechanism = frames.mechanism();
   // Coupled joints on different branches feel each other: then zeros are found one by one.
@@ -27,8 +27,8 @@ Factorisation::Factorisation(Frames& frames, std::vector<std::vector<Number>> B)
   factorise([&mechanism](std::size_t k) { fail_as_singular(mechanism.joint(static_cast<int>(k))); });
 }
 
-Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, std::vector<std::vector<Number>> matrix,
-                             const std::string& what, const std::string& prefix)
+Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, Rows matrix, const std::string& what,
+                             const std::string& prefix)
     : derivation_(derivation),
       parents_(std::move(parents)),
       prefix_(prefix),
@@ -82,9 +82,9 @@ std::vector<Number> Factorisation::solve(std::vector<Number> b, const std::strin
 
 // Column k from L x = D⁻¹ y, Lᵀ y = e_k. Of x all before entry k is known from the columns before, by symmetry, and of
 // y no more is needed than its end, which is that of e_k.
-std::vector<std::vector<Number>> Factorisation::inverse(const std::string& name) const {
+Rows Factorisation::inverse(const std::string& name) const {
   const std::size_t n = L_.size();
-  std::vector<std::vector<Number>> result(n, std::vector<Number>(n, 0));
+  Rows result(n, std::vector<Number>(n, 0));
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t j = k; j < n; ++j) {
       Number x = j == k ? inverse_[k] : Number(0);

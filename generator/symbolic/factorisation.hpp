@@ -17,11 +17,11 @@ namespace flatdyn {
 class Factorisation {
  public:
   // B as from inertia_matrix. Throws Failure(unsupported) if a pivot is exactly zero.
-  Factorisation(Frames& frames, std::vector<std::vector<Number>> B);
+  Factorisation(Frames& frames, Rows B);
   // Of any symmetric matrix; parents[k] < k, below -1: those entries of row k are zero that are not on the way from k
   // to -1. `what` is the matrix, for messages; `prefix` sets its names apart from those of B.
-  Factorisation(Derivation& derivation, std::vector<int> parents, std::vector<std::vector<Number>> matrix,
-                const std::string& what, const std::string& prefix);
+  Factorisation(Derivation& derivation, std::vector<int> parents, Rows matrix, const std::string& what,
+                const std::string& prefix);
 
   // solve() in two halves: y of Lᵀ y = b, then x of L x = D⁻¹ y. a · B⁻¹ b is Σ y_a y_b / D with both halves done.
   std::vector<Number> half_solved(std::vector<Number> b, const std::string& name) const;
@@ -31,7 +31,7 @@ class Factorisation {
   std::vector<Number> solve(std::vector<Number> b, const std::string& name) const;
 
   // B⁻¹, symmetric: entries named name_ik.
-  std::vector<std::vector<Number>> inverse(const std::string& name) const;
+  Rows inverse(const std::string& name) const;
 
   // D: all positive if and only if B is positive definite.
   const std::vector<Number>& pivots() const { return pivots_; }
@@ -46,7 +46,7 @@ class Factorisation {
   Derivation& derivation_;
   std::vector<int> parents_;
   std::string prefix_;
-  std::vector<std::vector<Number>> L_;  // below the diagonal
+  Rows L_;  // below the diagonal
   std::vector<Number> diagonal_, pivots_, inverse_;
 };
 

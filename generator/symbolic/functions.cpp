@@ -117,7 +117,7 @@ Function coriolis_from_christoffel(const Mechanism& mechanism, const Choices& ch
   return derived(with_half_inertia(mechanism), choices, [](Workbench& bench) {
     const auto n = static_cast<std::size_t>(bench.size());
     const std::vector<Number> qd = bench.all(InputKind::qd);
-    std::vector<std::vector<Number>> C(n, std::vector<Number>(n, 0));
+    Rows C(n, std::vector<Number>(n, 0));
     for (const auto& [key, c] : christoffel_at_coordinates(bench)) {
       const auto i = static_cast<std::size_t>(key[0]), j = static_cast<std::size_t>(key[1]),
                  k = static_cast<std::size_t>(key[2]);

@@ -4,8 +4,6 @@
 namespace flatdyn {
 namespace {
 
-using Rows = std::vector<std::vector<Number>>;
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // By its first row.

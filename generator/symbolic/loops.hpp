@@ -18,9 +18,9 @@ class ClosedLoops {
   // Φ, loop by loop, m: the way from the one end to the other; zero where the loops are closed.
   std::vector<Number> closure() const;
   // Φ_q, a row for each entry of Φ, a column for each entry of q.
-  std::vector<std::vector<Number>> jacobian() const;
+  Rows jacobian() const;
   // G, m × n: q̇ = G q̇_a keeps Φ where it is.
-  std::vector<std::vector<Number>> motion() const;
+  Rows motion() const;
   // Of all entries of q, for no acceleration of the independent joints: d/dt G times q̇_r = G_r q̇_a, while q̇ moves as
   // `rates`; `rates` and `rates_r` by body.
   std::vector<Number> drift(const std::vector<Number>& rates, const std::vector<Number>& rates_r,
@@ -47,7 +47,7 @@ class ClosedLoops {
   struct Loop {
     std::vector<Joint> ways[2];
     Vec3 gap;
-    std::vector<std::vector<Number>> J;  // by row, by entry of q
+    Rows J;  // by row, by entry of q
     Number determinant, reciprocal;
   };
   using Extra = std::function<std::vector<Number>(const Loop&, std::size_t)>;

@@ -134,9 +134,9 @@ class Columns {
 
 }  // namespace
 
-std::vector<std::vector<Number>> regressor(Frames& frames, const JointMotion& motion, const std::vector<int>& columns) {
+Rows regressor(Frames& frames, const JointMotion& motion, const std::vector<int>& columns) {
   Columns source(frames, motion);
-  std::vector<std::vector<Number>> Y(static_cast<std::size_t>(frames.mechanism().body_count()));
+  Rows Y(static_cast<std::size_t>(frames.mechanism().body_count()));
   for (const int index : columns) {
     const std::vector<Number> column = source.column(index);
     for (std::size_t i = 0; i < Y.size(); ++i) Y[i].push_back(column[i]);

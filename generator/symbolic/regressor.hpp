@@ -17,6 +17,6 @@ namespace flatdyn {
 
 // Columns of Y as asked for, by their place in π: result[i][c] is entry (i, columns[c]).
 // With two rates in `motion`: of B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r).
-std::vector<std::vector<Number>> regressor(Frames& frames, const JointMotion& motion, const std::vector<int>& columns);
+Rows regressor(Frames& frames, const JointMotion& motion, const std::vector<int>& columns);
 
 }  // namespace flatdyn

@@ -93,10 +93,9 @@ std::string task_text(const std::vector<int>& rows, Orientation orientation) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::vector<std::vector<Number>> task_jacobian(Workbench& bench, const std::vector<int>& rows,
-                                               Orientation orientation) {
+Rows task_jacobian(Workbench& bench, const std::vector<int>& rows, Orientation orientation) {
   const std::optional<EulerRates> rates = euler_rates(bench, rows, orientation);
-  std::vector<std::vector<Number>> J(rows.size());
+  Rows J(rows.size());
   for (const JacobianColumn& column : tip_jacobian(bench)) {
     const std::vector<Number> entries =
         chosen_rows(column.linear, rates ? rates->of(column.angular) : column.angular, rows);

@@ -20,7 +20,7 @@ std::vector<int> task_rows(const Mechanism& mechanism);
 std::string task_text(const std::vector<int>& rows, Orientation orientation = Orientation::angular_velocity);
 
 // By row of `rows`, by joint: of the geometric Jacobian, or of the analytical one, (3.62).
-std::vector<std::vector<Number>> task_jacobian(Workbench& bench, const std::vector<int>& rows, Orientation orientation);
+Rows task_jacobian(Workbench& bench, const std::vector<int>& rows, Orientation orientation);
 
 // J̇ q̇ of the same rows.
 std::vector<Number> task_drift(Workbench& bench, const std::vector<int>& rows, Orientation orientation);

@@ -19,7 +19,7 @@ std::vector<NodeId> Workbench::nodes(const std::vector<Number>& values) {
   return result;
 }
 
-std::vector<NodeId> Workbench::nodes(const std::vector<std::vector<Number>>& rows) {
+std::vector<NodeId> Workbench::nodes(const Rows& rows) {
   std::vector<NodeId> result;
   for (const std::vector<Number>& row : rows) {
     for (const Number& value : row) result.push_back(node(value));

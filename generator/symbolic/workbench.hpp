@@ -33,7 +33,7 @@ struct Workbench {
 
   NodeId node(const Number& value) { return derivation.node(value); }
   std::vector<NodeId> nodes(const std::vector<Number>& values);
-  std::vector<NodeId> nodes(const std::vector<std::vector<Number>>& rows);  // row by row
+  std::vector<NodeId> nodes(const Rows& rows);  // row by row
 
   const Mechanism& mechanism;
   Derivation derivation;

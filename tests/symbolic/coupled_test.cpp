@@ -65,7 +65,7 @@ TEST(Parallelogram, IsTheBooks) {
 // "q = A q_a + b found from the loop": theta_2' = theta_1'' - theta_1', theta_3' = pi - theta_2'.
 TEST(Parallelogram, IsFoundFromItsLoop) {
   const Mechanism mechanism = testing::model_of("parallelogram.toml").mechanism;
-  const std::vector<std::vector<Number>> A = {{1, 0}, {-1, 1}, {1, -1}, {0, 1}};
+  const Rows A = {{1, 0}, {-1, 1}, {1, -1}, {0, 1}};
   const std::vector<Number> b = {0, 0, GiNaC::Pi, 0};
   ASSERT_EQ(mechanism.coupling.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {

@@ -17,14 +17,12 @@ Number slope(const Number& f, int k, const ClosedForm& form) {
   return f.diff(s) * c - f.diff(c) * s;
 }
 
-using Square = std::vector<std::vector<Number>>;
-
 // Of the two-link planar arm: both matrices C, and wᵀ (Ḃ - 2 C) w.
 struct TwoMatrices {
   Mechanism mechanism = make_mechanism(testing::two_link_planar());
   ClosedForm form = closed_form(mechanism);
   std::vector<Number> qd = {symbol("qd_1"), symbol("qd_2")};
-  Square symmetric = Square(2, std::vector<Number>(2, 0)), plain = symmetric, dB = symmetric;
+  Rows symmetric = Rows(2, std::vector<Number>(2, 0)), plain = symmetric, dB = symmetric;
 
   TwoMatrices() {
     for (int i = 0; i < 2; ++i) {
@@ -39,14 +37,14 @@ struct TwoMatrices {
     }
   }
 
-  Number quadratic(const Square& C, const std::vector<Number>& w) const {
+  Number quadratic(const Rows& C, const std::vector<Number>& w) const {
     Number sum = 0;
     for (std::size_t i = 0; i < 2; ++i) {
       for (std::size_t j = 0; j < 2; ++j) sum += w[i] * (dB[i][j] - 2 * C[i][j]) * w[j];
     }
     return reduced(sum, form);
   }
-  Number torque(const Square& C, std::size_t i) const { return reduced(C[i][0] * qd[0] + C[i][1] * qd[1], form); }
+  Number torque(const Rows& C, std::size_t i) const { return reduced(C[i][0] * qd[0] + C[i][1] * qd[1], form); }
 };
 
 // (7.49) holds for any choice of C, (7.48) only for the Christoffel symbols'.

@@ -92,12 +92,11 @@ TEST_F(TwoLinkPlanarArm, HasTheRegressorOfTheTextbook) {
   const Number d1 = x.qd[0], d2 = x.qd[1], dd1 = x.qdd[0], dd2 = x.qdd[1];
   const InertialParameters m = single_parameter(Parameter::m), ml = single_parameter(Parameter::mlx),
                            I = single_parameter(Parameter::Izz);
-  const std::vector<std::vector<Number>> found = {
-      {entry(0, 0, m), entry(0, 0, ml), entry(0, 0, I), y(0, index_of(0, Parameter::Im)), entry(0, 1, m),
-       entry(0, 1, ml), entry(0, 1, I), y(0, index_of(1, Parameter::Im))},
-      {entry(1, 0, m), entry(1, 0, ml), entry(1, 0, I), y(1, index_of(0, Parameter::Im)), entry(1, 1, m),
-       entry(1, 1, ml), entry(1, 1, I), y(1, index_of(1, Parameter::Im))}};
-  const std::vector<std::vector<Number>> textbook = {
+  const Rows found = {{entry(0, 0, m), entry(0, 0, ml), entry(0, 0, I), y(0, index_of(0, Parameter::Im)),
+                       entry(0, 1, m), entry(0, 1, ml), entry(0, 1, I), y(0, index_of(1, Parameter::Im))},
+                      {entry(1, 0, m), entry(1, 0, ml), entry(1, 0, I), y(1, index_of(0, Parameter::Im)),
+                       entry(1, 1, m), entry(1, 1, ml), entry(1, 1, I), y(1, index_of(1, Parameter::Im))}};
+  const Rows textbook = {
       // (7.84)
       {a1 * a1 * dd1 + a1 * g * c1, 2 * a1 * dd1 + g * c1, dd1, k1 * k1 * dd1,
        (a1 * a1 + 2 * a1 * a2 * c2 + a2 * a2) * dd1 + (a1 * a2 * c2 + a2 * a2) * dd2 - 2 * a1 * a2 * s2 * d1 * d2 -
