@@ -16,6 +16,8 @@
 #include <thread>
 
 #include "cli/program.hpp"
+#include "cli/replace_files.hpp"
+#include "diagnostics/diagnostics.hpp"
 #include "input/content_hash.hpp"
 
 namespace flatdyn::testing {
@@ -156,6 +158,36 @@ TEST(Output, StaysAsItWasWhenThereIsNoRoom) {
   EXPECT_NE(std::system(fmt::format("bash -c \"{}\" > /dev/null 2>&1", limited).c_str()), 0);
   EXPECT_EQ(scratch.read("planar_2r.hpp"), header);
   EXPECT_TRUE(belong_together(scratch));
+}
+
+TEST(Output, LeavesNoFolderBehindWhenThereIsNoRoom) {
+  const Scratch scratch;
+  for (const char* command :
+       {"generate robots/planar_2r.toml", "certify robots/panda.urdf --functions gravity --states 100"}) {
+    const std::string limited = fmt::format("ulimit -f 2; cd '{}'; '{}' {} -q -o {} 2>&1", FLATDYN_SOURCE_DIR,
+                                            FLATDYN_PROGRAM, command, scratch.path("new/folder"));
+    const int error = std::system(fmt::format("bash -c \"trap '' XFSZ; {}\" > /dev/null", limited).c_str());
+    EXPECT_EQ(WEXITSTATUS(error), 6) << command;
+    EXPECT_EQ(files_in(scratch), 0u) << command;
+  }
+}
+
+// The third cannot be renamed: it is the second once more, which is away then.
+TEST(ReplacedFiles, ComeBackIfNotAllCanBe) {
+  const Scratch scratch;
+  const std::string first = scratch.path("first"), second = scratch.path("second"), third = scratch.path("third");
+  scratch.write("first", "old");
+  scratch.write("second", "old");
+  EXPECT_THROW(replace_files({{first, "new"}, {third, "new"}, {second, "new"}, {second, "new"}}), Failure);
+  EXPECT_EQ(scratch.read("first"), "old");
+  EXPECT_EQ(scratch.read("second"), "old");
+  EXPECT_EQ(files_in(scratch), 2u);
+  EXPECT_THROW(replace_files({{third, "new"}, {second, "new"}, {second, "new"}}), Failure);
+  EXPECT_EQ(scratch.read("second"), "old");
+  EXPECT_EQ(files_in(scratch), 2u);
+  replace_files({{first, "new"}, {third, "new"}, {second, "new"}});
+  EXPECT_EQ(scratch.read("first") + scratch.read("second") + scratch.read("third"), "newnewnew");
+  EXPECT_EQ(files_in(scratch), 3u);
 }
 
 TEST(Output, IsRefusedWhereNothingCanBeWritten) {
