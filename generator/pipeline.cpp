@@ -8,11 +8,9 @@
 
 #include "input/content_hash.hpp"
 #include "model/pivot_share.hpp"
-#include "passes/draft.hpp"
 #include "plan.hpp"
-#include "scene/specialise.hpp"
+#include "plan_together.hpp"
 #include "search/search.hpp"
-#include "symbolic/combined.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 
@@ -220,108 +218,9 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
   return result;
 }
 
-namespace {
-
-bool contains(const std::vector<std::string>& names, const char* name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::vector<Function> ways_to(const Mechanism& mechanism, const std::string& name, const Choices& choices) {
-  std::vector<Function> ways;
-  for (Way way = 0; way < kWays; ++way) {
-    if (std::optional<Function> derived = formulation(mechanism, name, way, choices))
-      ways.push_back(std::move(*derived));
-  }
-  return ways;
-}
-
-// Among others, those from functions that are asked for as well: B, and the bias.
-std::vector<Function> ways_among(const Mechanism& mechanism, const std::vector<std::string>& functions,
-                                 const std::string& name, const Choices& choices) {
-  std::vector<Function> ways = ways_to(mechanism, name, choices);
-  const Function usual = ways.front();
-  const bool has_matrix = contains(functions, "inertia_matrix");
-  if (name == "kinetic_energy" && has_matrix) {
-    for (const Function& B : ways_to(mechanism, "inertia_matrix", choices)) {
-      ways.push_back(from_inertia_matrix(usual, B));
-    }
-  }
-  if (name == "inverse_dynamics" &&
-      ((has_matrix && contains(functions, "bias")) || contains(functions, "forward_dynamics"))) {
-    for (const Function& B : ways_to(mechanism, "inertia_matrix", choices)) {
-      for (const Function& bias : ways_to(mechanism, "bias", choices)) {
-        ways.push_back(from_inertia_matrix(usual, B, bias));
-      }
-    }
-  }
-  return ways;
-}
-
-// From the same choices, so that they share what they can. Of each function's formulations the one that makes the whole
-// cheapest, one function after the other.
-Fusion fused_from(const Model& model, const std::vector<std::string>& functions, const Choices& choices) {
-  Diagnostics found;
-  std::vector<std::vector<Function>> ways;
-  std::vector<Function> chosen;
-  for (const std::string& name : functions) {
-    ways.emplace_back();
-    for (const Function& derived : ways_among(derived_from(model), functions, name, choices)) {
-      ways.back().push_back(specialised(derived, model.mechanism, model.robot.scene, found));
-    }
-    chosen.push_back(ways.back().front());
-  }
-  refuse_errors(found);
-  Fusion best = fused(chosen);
-  const auto keep_cheapest = [&](std::size_t k) {
-    for (const Function& way : ways[k]) {
-      std::vector<Function> changed = chosen;
-      changed[k] = way;
-      Fusion candidate = fused(changed);
-      if (cost(candidate.function) >= cost(best.function)) continue;
-      best = std::move(candidate);
-      chosen = std::move(changed);
-    }
-  };
-  // Once more, as what one function is made of decides what is cheapest for those before.
-  for (int round = 0; round < 2; ++round) {
-    for (std::size_t k = 0; k < ways.size(); ++k) keep_cheapest(k);
-  }
-  return best;
-}
-
-}  // namespace
-
 OptimisedFusion make_fusion(const Model& model, const std::vector<std::string>& functions, Progress& progress) {
   check_names(model.mechanism, functions);
-  progress.step("deriving functions together");
-  OptimisedFusion result;
-  std::optional<int> least;
-  const bool guards_pivots = std::any_of(functions.begin(), functions.end(), [&model](const std::string& name) {
-    return may_lose_pivots(derived_from(model), name);
-  });
-  cheapest_choices(derived_from(model), [&](Choices choices) {
-    choices.guards_pivots = guards_pivots;
-    Fusion made = fused_from(model, functions, choices);
-    const int operations = cost(made.function);
-    if (!least || operations < *least) {
-      least = operations;
-      result.fusion = std::move(made);
-    }
-    return operations;
-  });
-  progress.step("optimising functions together");
-  result.derived = result.fusion.function;
-  result.fusion.function = run_passes(result.fusion.function, &result.passes);
-  // Where there is little to share, each function in its own best form may cost less.
-  std::vector<Function> apart, derived;
-  for (const std::string& name : functions) {
-    OptimisedFunction made = planned(model, name, progress).made;
-    apart.push_back(std::move(made.function));
-    derived.push_back(std::move(made.derived));
-  }
-  Fusion side_by_side = fused(apart);
-  if (cost(side_by_side.function) >= cost(result.fusion.function)) return result;
-  return {std::move(side_by_side), fused(derived).function, {}};
+  return planned_together(model, functions, progress);
 }
 
 std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised) {
