@@ -85,6 +85,55 @@ InertialParameters still_rotor(const Motor& motor) {
   return rotor;
 }
 
+void add_lengths(const Vec3& p, Number& sum) {
+  for (const Number& each : p) {
+    const Number length = rationalised(each);
+    if (is_rational(length)) sum += GiNaC::abs(length);
+  }
+}
+
+void add_lengths(const Pose& pose, Number& sum) {
+  for (const Displacement& displacement : pose.displacements) add_lengths(displacement.translation, sum);
+}
+
+// All lengths of the robot together, as far as they are numbers: where some of them cancel, rests are small beside it.
+Number reach_of(const Robot& robot) {
+  Number reach = 0;
+  for (const Joint& joint : robot.joints) {
+    add_lengths(joint.origin, reach);
+    add_lengths(joint.link_offset, reach);
+    if (joint.motor) add_lengths(joint.motor->position, reach);
+    if (joint.held && joint.held->type == JointType::prismatic) add_lengths({joint.held->position, 0, 0}, reach);
+  }
+  for (const Link& link : robot.links) {
+    for (const Inertial& inertial : link.inertials) {
+      add_lengths(inertial.frame, reach);
+      add_lengths(inertial.centre_of_mass, reach);
+    }
+  }
+  add_lengths(robot.tip_offset, reach);
+  return reach;
+}
+
+// A rotation whose entries are 0 and 1 where they would be but for rests.
+Mat3 without_rests(const Mat3& R) {
+  for (const Vec3& row : R) {
+    const Vec3 cleared = without_rest(row, 1);
+    if (row[0].is_equal(cleared[0]) && row[1].is_equal(cleared[1]) && row[2].is_equal(cleared[2])) continue;
+    const ZxzAngles angles = zxz_angles(R);
+    return expanded(rotation_z(angles.beta) * rotation_x(angles.alpha) * rotation_z(angles.theta));
+  }
+  return R;
+}
+
+InertialParameters without_rests(InertialParameters body, const Number& reach) {
+  const Number of_moments = body.mass * reach;
+  const Number of_inertia = of_moments * reach + body.inertia[0][0] + body.inertia[1][1] + body.inertia[2][2];
+  body.first_moment = without_rest(body.first_moment, of_moments);
+  for (Vec3& row : body.inertia) row = without_rest(row, of_inertia);
+  return body;
+}
+
 // Turned by what its angles, rational in their turn, come to. So the frames that are placed by them, and the distances
 // to axes, are zero where they have to be, to the last digit.
 Transform from_zxz(Transform frame) {
@@ -98,6 +147,7 @@ class RawTree {
  public:
   explicit RawTree(const Robot& robot)
       : robot_(robot),
+        reach_(reach_of(robot)),
         position_(joint_positions(robot)),
         link_pose_(robot.links.size()),
         body_of_(robot.links.size(), -1) {
@@ -105,6 +155,7 @@ class RawTree {
   }
 
   const Robot& robot_;
+  Number reach_;
   std::vector<LinearPosition> position_;  // of each written joint
   std::vector<Transform> link_pose_;      // of each written link in its body's raw frame
   std::vector<int> body_of_;              // body of each written link; -1: the base
@@ -133,6 +184,7 @@ class RawTree {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
       raw_.push_back(from_zxz(compose(compose(frame, onto_axis),
                                       offset_motion(joint, position_[static_cast<std::size_t>(joint_index)].offset))));
+      raw_.back().p = without_rest(raw_.back().p, reach_);
       parent_.push_back(body_of_[parent]);
       joint_of_.push_back(joint_index);
       body_of_[child] = static_cast<int>(raw_.size()) - 1;
@@ -161,8 +213,9 @@ class Placer {
   Vec3 displacement(std::size_t i) const {
     const Vec3 raw = raw_displacement(i) + tree_.raw_[i].R * placements_[i].shift;
     const int parent = tree_.parent_[i];
-    if (parent < 0) return expanded(raw);
-    return expanded(rotation_z(inverse(placements_[static_cast<std::size_t>(parent)].phase)) * raw);
+    if (parent < 0) return without_rest(expanded(raw), tree_.reach_);
+    const Mat3 back = rotation_z(inverse(placements_[static_cast<std::size_t>(parent)].phase));
+    return without_rest(expanded(back * raw), tree_.reach_);
   }
 
  private:
@@ -204,6 +257,7 @@ class Placer {
     } else {
       placement.shift = {0, 0, child ? foot_of_common_normal(i, *child) : nearest_to_parent(i)};
     }
+    placement.shift = without_rest(placement.shift, tree_.reach_);
   }
 
   // Along the axis of body i, from its raw origin: where the common normal to the child's axis meets it.
@@ -250,11 +304,13 @@ Body make_body(const RawTree& tree, const Placer& placer, std::size_t i) {
   body.continuous = joint.type == JointType::continuous;
   const ZxzAngles angles = zxz_angles(tree.raw_[i].R);
   body.beta = angles.beta;
-  if (body.parent >= 0) body.beta = inverse(placer[static_cast<std::size_t>(body.parent)].phase) * angles.beta;
+  if (body.parent >= 0) {
+    body.beta = without_rest(inverse(placer[static_cast<std::size_t>(body.parent)].phase) * angles.beta);
+  }
   body.alpha = angles.alpha;
-  body.theta = angles.theta * placer[i].phase;
+  body.theta = without_rest(angles.theta * placer[i].phase);
   if (vanishes(body.alpha.s) && body.alpha.c.is_equal(1)) {
-    body.theta = body.beta * body.theta;  // parallel axes: one phase is enough
+    body.theta = without_rest(body.beta * body.theta);  // parallel axes: one phase is enough
     body.beta = {};
   }
   body.p = placer.displacement(i);
@@ -272,7 +328,8 @@ Transform final_pose(const RawTree& tree, const Placer& placer, int link) {
   if (body < 0) return raw;
   const Placement& placement = placer[static_cast<std::size_t>(body)];
   const Mat3 back = rotation_z(inverse(placement.phase));
-  return {expanded(back * raw.R), expanded(back * (raw.p - placement.shift))};
+  return {without_rests(expanded(back * raw.R)),
+          without_rest(expanded(back * (raw.p - placement.shift)), tree.reach_)};
 }
 
 bool carries(const Mechanism& mechanism, int carrier, int body) {
@@ -302,7 +359,8 @@ void add_motor(const RawTree& tree, const Placer& placer, int body_index, Mechan
       carrier < 0 ? mechanism.base : mechanism.bodies[static_cast<std::size_t>(carrier)].inertia;
   carrying = carrying + still;
   body.rotor = Rotor{carrier, rationalised(joint.motor->gear_ratio.number),
-                     rationalised(joint.motor->inertia_axial.number), expanded(pose.R * unit(joint.motor->axis))};
+                     rationalised(joint.motor->inertia_axial.number),
+                     without_rest(expanded(pose.R * unit(joint.motor->axis)), 1)};
 }
 
 void add_links(const RawTree& tree, const Placer& placer, Mechanism& mechanism) {
@@ -357,6 +415,7 @@ Mechanism make_mechanism(const Robot& robot) {
   for (std::size_t i = 0; i < tree.raw_.size(); ++i) mechanism.bodies.push_back(make_body(tree, placer, i));
   add_links(tree, placer, mechanism);
   for (int i = 0; i < mechanism.body_count(); ++i) add_motor(tree, placer, i, mechanism);
+  for (Body& body : mechanism.bodies) body.inertia = without_rests(body.inertia, tree.reach_);
   add_coupling(tree, mechanism);
   add_loops(robot, mechanism);
   return mechanism;

@@ -48,7 +48,34 @@ bool rational_root(const Number& square, Number& root) {
   return true;
 }
 
+bool is_rest(const Number& a, const Number& whole) {
+  static const Number kPart = GiNaC::pow(GiNaC::numeric(10), -kRestDigits);
+  if (!is_rational(a) || !is_rational(whole)) return false;
+  return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(a)) < GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(kPart * whole));
+}
+
+// The number that a term of an expanded sum starts with.
+Number coefficient_of(const Number& term) {
+  if (GiNaC::is_a<GiNaC::mul>(term)) return GiNaC::ex_to<GiNaC::mul>(term).op(term.nops() - 1);
+  return 1;
+}
+
 }  // namespace
+
+Number without_rest(const Number& a, const Number& whole) {
+  if (is_rational(a)) return is_rest(a, whole) ? Number(0) : a;
+  const Number sum = a.expand();
+  if (!GiNaC::is_a<GiNaC::add>(sum)) return is_rest(coefficient_of(sum), 1) ? Number(0) : a;
+  Number result = 0;
+  for (const Number& term : sum) {
+    if (is_rational(term) ? !is_rest(term, whole) : !is_rest(coefficient_of(term), 1)) result += term;
+  }
+  return result;
+}
+
+Vec3 without_rest(const Vec3& a, const Number& whole) {
+  return {without_rest(a[0], whole), without_rest(a[1], whole), without_rest(a[2], whole)};
+}
 
 Number rationalised(const Number& a) {
   if (is_rational(a)) return a;
@@ -85,6 +112,13 @@ PlanarRotation direction_of(const Number& x, const Number& y) {
   const cln::cl_I quarter = cln::round1(angle / half_pi);
   const cln::cl_F rest = angle - half_pi * cln::cl_float(quarter, angle);
   return quarter_turns(quarter) * from_half_tangent(rational_near(cln::tan(rest / 2)));
+}
+
+PlanarRotation without_rest(const PlanarRotation& a) {
+  const auto sign = [](const Number& x) { return x.info(GiNaC::info_flags::negative) ? -1 : 1; };
+  if (is_rest(a.c, a.s)) return {0, sign(a.s)};
+  if (is_rest(a.s, a.c)) return {sign(a.c), 0};
+  return a;
 }
 
 PlanarRotation operator*(const PlanarRotation& a, const PlanarRotation& b) {
@@ -150,19 +184,31 @@ Mat3 rotation_onto(const Vec3& axis) {
   return down ? rotation_x({-1, 0}) * R : R;
 }
 
+namespace {
+
+// (x, y) as a rotation, if its length is 1 but for rests that are left out here and there.
+PlanarRotation on_circle(const Number& x, const Number& y) {
+  const PlanarRotation found = without_rest(PlanarRotation{x, y});
+  if (has_symbols(x) || has_symbols(y) || vanishes(found.c * found.c + found.s * found.s - 1)) return found;
+  return direction_of(x, y);
+}
+
+}  // namespace
+
 ZxzAngles zxz_angles(const Mat3& R) {
-  const Number &x = R[0][2], &y = R[1][2], &z = R[2][2];  // Rz(beta) Rx(alpha) z = (s_b s_a, -c_b s_a, c_a)
+  const Vec3 axis = without_rest(Vec3{R[0][2], R[1][2], R[2][2]}, 1);
+  const Number &x = axis[0], &y = axis[1], &z = axis[2];  // Rz(beta) Rx(alpha) z = (s_b s_a, -c_b s_a, c_a)
   ZxzAngles angles;
   if (vanishes(x)) {
     // beta = 0, which also serves parallel axes.
-    angles.alpha = {z, -y};
-    angles.theta = {R[0][0], -R[0][1]};
+    angles.alpha = on_circle(z, -y);
+    angles.theta = on_circle(R[0][0], -R[0][1]);
     return angles;
   }
   if (vanishes(y)) {
     angles.beta = {0, 1};
-    angles.alpha = {z, x};
-    angles.theta = {R[1][0], -R[1][1]};
+    angles.alpha = on_circle(z, x);
+    angles.theta = on_circle(R[1][0], -R[1][1]);
     return angles;
   }
   if (has_symbols(x) || has_symbols(y) || has_symbols(z)) {
@@ -171,8 +217,8 @@ ZxzAngles zxz_angles(const Mat3& R) {
   }
   angles.beta = direction_of(-y, x);
   const Number sin_alpha = (angles.beta.s * x - angles.beta.c * y).expand();
-  angles.alpha = direction_of(z, sin_alpha);
-  angles.theta = direction_of(R[2][1], R[2][0]);  // s_a (s_t, c_t), s_a > 0
+  angles.alpha = without_rest(direction_of(z, sin_alpha));
+  angles.theta = without_rest(direction_of(R[2][1], R[2][0]));  // s_a (s_t, c_t), s_a > 0
   return angles;
 }
 

@@ -15,11 +15,23 @@ inline constexpr int kRationalDigits = 44;
 Number rationalised(const Number& a);
 Vec3 rationalised(const Vec3& a);
 
+// Numbers that cancel in the robot leave a rest where irrational ones among them have been replaced, each by another: of
+// these angles 0.3 + 0.2 - 0.5 is some 1e-58. What is so much smaller than a number that it may be the rest of is zero.
+inline constexpr int kRestDigits = 40;
+
+// `a`, or 0 if it may be a rest of `whole`; of an expression in free symbols, terms are left out whose coefficients may
+// be rests of 1.
+Number without_rest(const Number& a, const Number& whole);
+Vec3 without_rest(const Vec3& a, const Number& whole);
+
 // (cos, sin) of an angle: exact for quarter turns, rational for other numbers, cos(x) and sin(x) of a symbolic x.
 PlanarRotation planar_rotation(const Number& angle);
 
 // (x, y)/|(x, y)|: exact if the norm is rational. Both numeric, not both zero.
 PlanarRotation direction_of(const Number& x, const Number& y);
+
+// The same, a quarter turn if it is one but for a rest.
+PlanarRotation without_rest(const PlanarRotation& a);
 
 PlanarRotation operator*(const PlanarRotation& a, const PlanarRotation& b);  // sum of the angles
 PlanarRotation inverse(const PlanarRotation& a);
@@ -37,7 +49,8 @@ Mat3 rotation_onto(const Vec3& axis);
 Vec3 unit(const Vec3& axis);
 
 // R = Rz(beta) Rx(alpha) Rz(theta). Where axes are parallel, beta = 0; signs are chosen so that as many of the three
-// as possible are the identity.
+// as possible are the identity. Rests of 0 and 1 in R are these, so that axes are parallel or at right angles if the
+// robot's are.
 struct ZxzAngles {
   PlanarRotation beta, alpha, theta;
 };

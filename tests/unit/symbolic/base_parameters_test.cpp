@@ -106,6 +106,45 @@ TEST(BaseParameters, AreAsManyAsIsKnown) {
 // Two slides at a right angle: m_1 + m_2 and m_2, or with rotors two that the motors see; friction adds two each.
 TEST(BaseParameters, OfACartesianArm) { expect_counts(testing::model_of("cartesian_2.toml").mechanism, {2, 3, 7}); }
 
+// Angles, and the lengths of axes, are replaced by rational numbers, each by itself: what is left of their sums is
+// zero.
+TEST(BaseParameters, AreAsFewWhereAnglesCancel) {
+  Robot robot = dh_chain("turned there and back", {{0, 0, 0}, {centi(50), 0, 0}});
+  for (const int angle : {30, 20, -50}) {
+    robot.joints[1].origin.displacements.push_back(testing::rotation(Displacement::Kind::rotation_x, centi(angle)));
+  }
+  const Mechanism mechanism = make_mechanism(robot);
+  EXPECT_TRUE(mechanism.bodies[1].alpha.s.is_zero());
+  expect_counts(mechanism, {4, 5, 9});
+}
+
+TEST(BaseParameters, AreAsFewForASlideAtARightAngleOfAnyDirection) {
+  Robot robot = dh_chain("slide", {{0, 0, 0}, {0, 0, 0}, {centi(30), 0, 0}}, "2");
+  robot.joints[1].axis = {1, 0, 0};
+  const int along_x = base_parameters(make_mechanism(robot)).size();
+  for (const Vec3& axis : {Vec3{1, 1, 0}, Vec3{1, 2, 0}, Vec3{3, -1, 0}, Vec3{centi(30), centi(70), 0}}) {
+    robot.joints[1].axis = axis;
+    const Mechanism mechanism = make_mechanism(robot);
+    EXPECT_TRUE(mechanism.bodies[1].alpha.c.is_zero());
+    EXPECT_TRUE(mechanism.bodies[2].alpha.c.is_zero());
+    EXPECT_EQ(base_parameters(mechanism).size(), along_x);
+  }
+}
+
+// The second axis goes through the first, which is along (1, 2, 2); the first common normal has no length.
+TEST(BaseParameters, AreAsFewWhereAxesMeetAtAnyAngle) {
+  Robot robot = dh_chain("meeting", {{0, 0, 0}, {0, 0, 0}});
+  robot.gravity = zero_vector();
+  robot.joints[0].axis = {1, 2, 2};
+  robot.joints[1].origin = Pose{{testing::translation({centi(20), centi(40), centi(40)})}, {}};
+  const Mechanism mechanism = make_mechanism(robot);
+  for (const Number& p : mechanism.bodies[1].p) EXPECT_TRUE(p.is_zero() || nearest_double(p) > 0.1);
+  EXPECT_TRUE(mechanism.bodies[1].p[0].is_zero());
+  Robot at_the_origin = robot;
+  at_the_origin.joints[1].origin = {};
+  EXPECT_EQ(base_parameters(mechanism).size(), base_parameters(make_mechanism(at_the_origin)).size());
+}
+
 TEST(BaseParameters, OfEveryRobotAgreeWithSamples) {
   for (const char* file :
        {"cartesian_2.toml", "panda.urdf", "pendulum_motor.toml", "planar_2r.toml", "prismatic_revolute.toml",
