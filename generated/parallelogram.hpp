@@ -577,13 +577,16 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
 // file that calls it, for float and double.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
+  constexpr bool is_float = sizeof(Scalar) == sizeof(float);
   const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
       nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
-      smallest = sizeof(Scalar) == sizeof(float) ? Scalar(0x1p-126) : Scalar(0x1p-1022);
-  const volatile Scalar product = a * b, quotient = nine / seven;
+      half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),  // and a little more
+      smallest = is_float ? Scalar(0x1p-126) : Scalar(0x1p-1022);
+  const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
   const Scalar x = one, y = tiny;
   const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
   return is_zero(a * b - product)                   // no fused multiply-add, no digits too many
+         && next > one                              // no digits too few, rounded only once
          && is_zero((x + y) - x)                    // no other order, no rounding upward
          && is_zero((x - y) - x)                    // or downward
          && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal

@@ -426,11 +426,14 @@ static bool planar_2r_is_zero(double r) {
 bool planar_2r_rounding_is_as_written(void) {
   const volatile double a = 0.1, b = 0.7, one = 1.0, tiny = 1e-17, nine = 9.0,
       seven = 7.0, half = 0.5, smallest = 0x1p-1022;
-  const volatile double product = a * b, quotient = nine / seven;
+  // Half a unit in the last place of 1, and a little more.
+  const volatile double half_a_place = 0x1.001p-53;
+  const volatile double product = a * b, quotient = nine / seven, next = one + half_a_place;
   const double x = one, y = tiny;
-  // In this order: no fused multiply-add, no digits too many; no other order, no rounding upward,
-  // or downward; no reciprocal; nothing is flushed to zero.
+  // In this order: no fused multiply-add, no digits too many; none too few, rounded only once; no
+  // other order, no rounding upward, or downward; no reciprocal; nothing is flushed to zero.
   return planar_2r_is_zero(a * b - product) &&
+         next > one &&
          planar_2r_is_zero((x + y) - x) &&
          planar_2r_is_zero((x - y) - x) &&
          planar_2r_is_zero(nine / 7.0 - quotient) &&

@@ -33,6 +33,7 @@ void write_c_names(data& page, const Dialect& dialect, const std::string& header
   page["sin"] = dialect.library("sin");
   page["cos"] = dialect.library("cos");
   page["f"] = std::string(is_float ? "f" : "");
+  page["half_a_place"] = std::string(is_float ? "0x1.001p-24f" : "0x1.001p-53");
   page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
 }
 

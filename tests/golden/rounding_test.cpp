@@ -73,6 +73,18 @@ TEST(RoundingIsAsWrittenByGcc, NotInTheRegistersOfTheX87) {
   EXPECT_EQ(answer_of_build("g++", "-O2 -mfpmath=387"), (Answer{false, false}));
   EXPECT_EQ(answer_of_build("g++", "-O0 -mfpmath=387"), (Answer{false, false}));
 }
+
+// Every result stored, so that it has the digits of a double, but is rounded twice: in float that changes nothing.
+TEST(RoundingIsAsWrittenByGcc, NotWhereResultsAreRoundedTwice) {
+  EXPECT_FALSE(answer_of_build("g++", "-O0 -ffp-contract=off -mfpmath=387 -ffloat-store").in_double);
+  EXPECT_FALSE(answer_of_build("g++", "-O2 -ffp-contract=off -mfpmath=387 -ffloat-store").in_double);
+}
+
+// The x87 set to 24 digits, as some programs leave it: doubles are floats then.
+TEST(RoundingIsAsWrittenByGcc, NotWithTooFewDigits) {
+  EXPECT_FALSE(answer_of_build("g++", "-O2 -ffp-contract=off -mfpmath=387 -mpc32").in_double);
+  EXPECT_FALSE(answer_of_build("g++", "-O2 -ffp-contract=off -mfpmath=387 -mpc32 -ffloat-store").in_double);
+}
 #endif
 
 std::string name_of(const ::testing::TestParamInfo<const char*>& compiler) {
