@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cli/beside_header.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "input/content_hash.hpp"
@@ -82,7 +83,7 @@ void write(const CertifyArguments& arguments, const Certified& result, const std
   for (const CertifiedFunction& function : result.certificate.functions) {
     for (const GappaScript& script : function.scripts) files.push_back({beside("gappa") / script.name, script.text});
   }
-  write_files(files);
+  write_files(files, outdated_manifest_and_scripts(files.front()));
 }
 
 // More, and they are no sines: bounds then speak of nothing.

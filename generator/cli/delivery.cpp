@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "cli/beside_header.hpp"
 #include "diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
@@ -71,6 +72,7 @@ void Delivery::add_to(CLI::App& command) {
 }
 
 std::string Delivery::deliver(std::vector<TextFile> files, const std::vector<std::string>& inputs) const {
+  const std::vector<std::filesystem::path> outdated = outdated_certificate(files.front());
   std::vector<std::string> outputs;
   for (const TextFile& file : files) outputs.push_back(file.path.string());
   if (!depfile.empty()) files.push_back({depfile, dependency_rule(outputs, inputs)});
@@ -81,7 +83,7 @@ std::string Delivery::deliver(std::vector<TextFile> files, const std::vector<std
     return listed(files, "up to date:");
   }
   if (dry_run) return listed(files, "would write");
-  write_files(files);
+  write_files(files, outdated);
   return listed(files, "wrote");
 }
 

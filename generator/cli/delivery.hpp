@@ -16,7 +16,8 @@ struct Delivery {
 
   void add_to(CLI::App& command);
 
-  // Returns lines for people. `inputs`: all files that were read. Throws Failure(outdated) if --check finds a
+  // The first file is the header: a certificate of another one that is there goes away. Returns lines for people.
+  // `inputs`: all files that were read. Throws Failure(outdated) if --check finds a
   // difference, and what check_outputs() and write_files() throw.
   std::string deliver(std::vector<TextFile> files, const std::vector<std::string>& inputs) const;
 };

@@ -61,7 +61,7 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
   }
 }
 
-void write_files(const std::vector<TextFile>& wanted) {
+void write_files(const std::vector<TextFile>& wanted, const std::vector<fs::path>& outdated) {
   NewFolders folders;
   std::vector<TextFile> files, streams;
   for (const TextFile& file : wanted) {
@@ -69,7 +69,7 @@ void write_files(const std::vector<TextFile>& wanted) {
     folders.make_for(followed(file).path);
     check_writable(followed(file));
   }
-  replace_files(files);
+  replace_files(files, outdated);
   for (const TextFile& file : streams) write_text(file.path, file);
 }
 

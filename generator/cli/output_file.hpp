@@ -15,7 +15,7 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
 
 // All of them or none, as replace_files does. A link stays a link, and what it leads to is replaced; a device is
 // written to. Folders that are not there are made. Throws Failure(io).
-void write_files(const std::vector<TextFile>& wanted);
+void write_files(const std::vector<TextFile>& wanted, const std::vector<std::filesystem::path>& outdated = {});
 
 // What a subcommand tells on stdout: for people, or as JSON.
 struct Told {

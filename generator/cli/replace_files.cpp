@@ -68,11 +68,11 @@ class FolderLock {
 };
 
 // The folders' locks, in one order for all runs, so that none waits for another that waits for it.
-std::vector<std::unique_ptr<FolderLock>> locked(const std::vector<TextFile>& files) {
+std::vector<std::unique_ptr<FolderLock>> locked(const std::vector<fs::path>& places) {
   std::map<fs::path, fs::path> by_folder;
-  for (const TextFile& file : files) {
+  for (const fs::path& place : places) {
     std::error_code ignored;
-    by_folder.emplace(fs::weakly_canonical(fs::absolute(file.path), ignored).parent_path(), file.path);
+    by_folder.emplace(fs::weakly_canonical(fs::absolute(place), ignored).parent_path(), place);
   }
   std::vector<std::unique_ptr<FolderLock>> locks;
   for (const auto& [folder, file] : by_folder) locks.push_back(std::make_unique<FolderLock>(file));
@@ -80,12 +80,12 @@ std::vector<std::unique_ptr<FolderLock>> locked(const std::vector<TextFile>& fil
 }
 
 // What runs that were killed have left beside these files. For who holds the folders' locks: no other run is writing.
-void remove_remains(const std::vector<TextFile>& files) {
+void remove_remains(const std::vector<fs::path>& places) {
   std::error_code ignored;
-  for (const TextFile& file : files) {
+  for (const fs::path& place : places) {
     std::vector<fs::path> remains;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(file.path), ignored)) {
-      if (is_beside(entry.path().filename().string(), file.path)) remains.push_back(entry.path());
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(place), ignored)) {
+      if (is_beside(entry.path().filename().string(), place)) remains.push_back(entry.path());
     }
     for (const fs::path& path : remains) fs::remove(path, ignored);
   }
@@ -119,17 +119,18 @@ class NewFiles {
 // beside one of the other: the first is replaced in one step, and the others are away while that happens.
 class Change {
  public:
-  explicit Change(const std::vector<TextFile>& files) : files_(files) {}
+  // places: those of the files, then those of outdated ones.
+  Change(const std::vector<TextFile>& files, const std::vector<fs::path>& places) : files_(files), places_(places) {}
   Change(const Change&) = delete;
   Change& operator=(const Change&) = delete;
   ~Change() {
     std::error_code ignored;
     if (!is_whole_) take_back();
-    for (const TextFile& file : files_) fs::remove(beside(file.path, kOld), ignored);
+    for (const fs::path& place : places_) fs::remove(beside(place, kOld), ignored);
   }
 
   void make() {
-    for (const TextFile& file : files_) set_aside(file.path);
+    for (const fs::path& place : places_) set_aside(place);
     for (const TextFile& file : files_) {
       rename(beside(file.path, kNew), file.path, file.path);
       ++in_place_;
@@ -154,12 +155,13 @@ class Change {
     for (std::size_t k = in_place_; k-- > 0;) {
       if (k > 0 || !fs::exists(beside(files_[k].path, kOld))) fs::remove(files_[k].path, ignored);
     }
-    for (const TextFile& file : files_) {
-      if (fs::exists(beside(file.path, kOld))) fs::rename(beside(file.path, kOld), file.path, ignored);
+    for (const fs::path& place : places_) {
+      if (fs::exists(beside(place, kOld))) fs::rename(beside(place, kOld), place, ignored);
     }
   }
 
   const std::vector<TextFile>& files_;
+  const std::vector<fs::path>& places_;
   std::size_t in_place_ = 0;
   bool is_whole_ = false;
 };
@@ -195,13 +197,16 @@ void NewFolders::make_for(const fs::path& file) {
   if (error) cannot_write(file, error.message());
 }
 
-void replace_files(const std::vector<TextFile>& files) {
+void replace_files(const std::vector<TextFile>& files, const std::vector<fs::path>& outdated) {
   if (files.empty()) return;
-  const std::vector<std::unique_ptr<FolderLock>> locks = locked(files);
-  if (std::all_of(locks.begin(), locks.end(), [](const auto& lock) { return lock->is_held(); })) remove_remains(files);
+  std::vector<fs::path> places;
+  for (const TextFile& file : files) places.push_back(file.path);
+  places.insert(places.end(), outdated.begin(), outdated.end());
+  const std::vector<std::unique_ptr<FolderLock>> locks = locked(places);
+  if (std::all_of(locks.begin(), locks.end(), [](const auto& lock) { return lock->is_held(); })) remove_remains(places);
   const NewFiles come(files);
   come.write();
-  Change(files).make();
+  Change(files, places).make();
 }
 
 }  // namespace flatdyn

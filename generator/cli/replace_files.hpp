@@ -32,9 +32,10 @@ class NewFolders {
   std::vector<std::filesystem::path> made_;  // outer ones first
 };
 
-// Writes all of them beside their places and renames them at the end, so that nobody ever sees half a file. If one
-// cannot be renamed, those of the last run are put back. If the run is killed, some or all of one run's are there. Of
-// several runs in one folder, one after the other does so. Throws Failure(io).
-void replace_files(const std::vector<TextFile>& files);
+// Writes all of them beside their places and renames them at the end, so that nobody ever sees half a file; `outdated`
+// files go away with those that are replaced. If a file cannot be renamed, those of the last run are put back. If the
+// run is killed, some or all of one run's are there. Of several runs in one folder, one after the other does so. Throws
+// Failure(io).
+void replace_files(const std::vector<TextFile>& files, const std::vector<std::filesystem::path>& outdated = {});
 
 }  // namespace flatdyn

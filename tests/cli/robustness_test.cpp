@@ -172,6 +172,34 @@ TEST(Output, LeavesNoFolderBehindWhenThereIsNoRoom) {
   }
 }
 
+// Of `generate` and `certify` in one folder: what speaks of a header that is no longer there goes away with it.
+TEST(Output, HasNothingBesideAHeaderThatSpeaksOfAnother) {
+  const Scratch scratch;
+  const std::string certify = "certify robots/panda.urdf -q --states 100 --time-limit 0 -o " + scratch.path();
+  const auto exists = [&](const char* name) { return std::filesystem::exists(scratch.path(name)); };
+  ASSERT_EQ(run_flatdyn(certify + " --functions gravity,inertia_matrix").code, 0);
+  const auto scripts = [&] {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(scratch.path("panda.gappa"))) {
+      count += entry.path().filename().string().rfind("inertia_matrix", 0) == 0 ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_GT(scripts(), 0u);
+  ASSERT_EQ(run_flatdyn(certify + " --functions gravity").code, 0);
+  EXPECT_EQ(scripts(), 0u);
+  scratch.write("panda.txt", "somebody's");
+  ASSERT_EQ(run_flatdyn("generate robots/panda.urdf -q --functions bias -o " + scratch.path()).code, 0);
+  EXPECT_FALSE(exists("panda.certificate.md") || exists("panda.certificate.json"));
+  EXPECT_TRUE(exists("panda.json") && exists("panda.txt"));
+  ASSERT_EQ(run_flatdyn(certify + " --functions gravity").code, 0);
+  EXPECT_TRUE(exists("panda.certificate.md") && exists("panda.txt"));
+  EXPECT_FALSE(exists("panda.json"));
+  scratch.write("panda.json", "{\"mine\": 1}");
+  ASSERT_EQ(run_flatdyn(certify + " --functions inertia_matrix").code, 0);
+  EXPECT_TRUE(exists("panda.json"));
+}
+
 // The third cannot be renamed: it is the second once more, which is away then.
 TEST(ReplacedFiles, ComeBackIfNotAllCanBe) {
   const Scratch scratch;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "cli/beside_header.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace flatdyn {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+bool stays(const TextFile& header) { return fs::exists(header.path) && text_of(header.path) == header.text; }
+
+fs::path beside(const TextFile& header, const char* extension) {
+  return fs::path(header.path).replace_extension(extension);
+}
+
+// Not any file of that name: one that names this header.
+bool is_of(const fs::path& json_file, const TextFile& header) {
+  const auto json = nlohmann::json::parse(text_of(json_file), nullptr, false);
+  return json.is_object() && json.contains("flatdyn") && json.contains("header") &&
+         json["header"] == header.path.filename().string();
+}
+
+std::vector<fs::path> scripts(const TextFile& header) {
+  std::vector<fs::path> found;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(beside(header, "gappa"), ignored)) {
+    if (entry.path().extension() == ".g") found.push_back(entry.path());
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<fs::path> outdated_certificate(const TextFile& header) {
+  const fs::path certificate = beside(header, "certificate.json");
+  if (!is_of(certificate, header) || stays(header)) return {};
+  std::vector<fs::path> files = scripts(header);
+  files.push_back(certificate);
+  files.push_back(beside(header, "certificate.md"));
+  return files;
+}
+
+std::vector<fs::path> outdated_manifest_and_scripts(const TextFile& header) {
+  std::vector<fs::path> files = scripts(header);
+  const fs::path manifest = beside(header, "json");
+  if (is_of(manifest, header) && !stays(header)) files.push_back(manifest);
+  return files;
+}
+
+}  // namespace flatdyn
