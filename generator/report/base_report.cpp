@@ -63,7 +63,7 @@ nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set) {
     nlohmann::ordered_json entry = {{"kept", parameter_name(base.columns[row])},
                                     {"combination", combination_text(base, k, kJsonDigits)}};
     for (const auto& [index, coefficient] : base.combination[row]) {
-      entry["coefficients"][parameter_name(index)] = coefficient_text(coefficient, kJsonDigits);
+      entry["coefficients"][parameter_name(index)] = coefficient_text(coefficient);
     }
     if (!has_symbols(values[row])) entry["value"] = nearest_double(values[row]);
     json["base_parameters"].push_back(entry);

@@ -10,14 +10,32 @@
 namespace flatdyn {
 namespace {
 
-std::string number_text(const Number& magnitude, int digits) {
-  return fmt::format("{:.{}g}", nearest_double(magnitude), digits);
-}
+constexpr int kExact = 0;  // in the place of a number of digits
 
 std::string printed(const Number& e) {
   std::ostringstream text;
   text << e;
   return text.str();
+}
+
+// A decimal if it ends, "0.425"; else a fraction, "1/3".
+std::string exact_text(const Number& magnitude) {
+  constexpr int kMostPlaces = 60;
+  const auto number = GiNaC::ex_to<GiNaC::numeric>(magnitude);
+  GiNaC::numeric scale = 1;
+  int places = 0;
+  for (; places < kMostPlaces && !(number * scale).is_integer(); ++places) scale *= 10;
+  if (!(number * scale).is_integer()) return printed(magnitude);
+  std::string digits = printed(number * scale);
+  if (places == 0) return digits;
+  const auto fraction = static_cast<std::size_t>(places);
+  if (digits.size() <= fraction) digits.insert(0, fraction + 1 - digits.size(), '0');
+  return digits.insert(digits.size() - fraction, ".");
+}
+
+std::string number_text(const Number& magnitude, int digits) {
+  if (digits == kExact && is_rational(magnitude)) return exact_text(magnitude);
+  return fmt::format("{:.{}g}", nearest_double(magnitude), digits);
 }
 
 // A summand, its sign apart.
@@ -102,8 +120,8 @@ Summand coefficient_piece(const Number& coefficient, int digits) {
 
 }  // namespace
 
-std::string coefficient_text(const Number& coefficient, int digits) {
-  const Summand piece = coefficient_piece(coefficient, digits);
+std::string coefficient_text(const Number& coefficient) {
+  const Summand piece = coefficient_piece(coefficient, kExact);
   return (piece.negative ? "-" : "") + (piece.body.empty() ? "1" : piece.body);
 }
 
