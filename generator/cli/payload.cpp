@@ -74,7 +74,7 @@ PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments
     stop_at_errors(found);
     progress.step("reading " + log);
     const auto sink = [&](const MeasuredMotion& motion) { observer.add(motion); };
-    used += stream(log, robot.mechanism, plan, options, sink, found).used;
+    used += stream(log, robot.mechanism, plan, sink, found).used;
     stop_at_errors(found);
   }
   arguments.report(found);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/measurement.hpp"
 
+#include <algorithm>
 #include <fstream>
 
 #include "input/content_hash.hpp"
@@ -21,6 +22,27 @@ LogIdentity identity_of(const std::filesystem::path& log) {
   file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   beginning.resize(static_cast<std::size_t>(file.gcount()));
   return {log.filename().string(), std::filesystem::file_size(log), content_hash({beginning})};
+}
+
+struct PlannedLog {
+  std::filesystem::path path;
+  StreamPlan plan;
+  LogIdentity identity;
+};
+
+// In the order of their identities: a shell on another machine may give them in another one, and which blocks are of
+// which part depends on it.
+std::vector<PlannedLog> planned_logs(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
+                                     const StreamOptions& options, Diagnostics& diagnostics) {
+  std::vector<PlannedLog> planned;
+  for (const std::filesystem::path& log : logs) {
+    StreamPlan plan = plan_stream(log, model.mechanism(), options, diagnostics);
+    if (diagnostics.has_errors()) return planned;
+    planned.push_back({log, std::move(plan), identity_of(log)});
+  }
+  std::stable_sort(planned.begin(), planned.end(),
+                   [](const PlannedLog& a, const PlannedLog& b) { return a.identity < b.identity; });
+  return planned;
 }
 
 }  // namespace
@@ -48,20 +70,22 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
   ObservationFolder folder(model);
   ThinnedSamples samples;
   Measurement result;
-  for (const std::filesystem::path& log : logs) {
-    const StreamPlan plan = plan_stream(log, model.mechanism(), options, diagnostics);
-    if (diagnostics.has_errors()) return result;
-    if (&log == &logs.front()) result.plan = plan;
-    result.logs.push_back(identity_of(log));
-    progress.step("reading " + log.string());
+  std::vector<PlannedLog> planned = planned_logs(model, logs, options, diagnostics);
+  if (diagnostics.has_errors()) return result;
+  result.plan = planned.front().plan;
+  BlockShares shares(options.part, options.parts);
+  for (PlannedLog& log : planned) {
+    progress.step("reading " + log.path.string());
     const auto sink = [&](const MeasuredMotion& motion) {
       folder.add(motion);
       samples.offer(model, motion);
     };
-    const StreamCount count = stream(log, model.mechanism(), plan, options, sink, diagnostics);
+    const StreamCount count = stream(log.path, model.mechanism(), log.plan, shares, sink, diagnostics);
+    if (diagnostics.has_errors()) return result;
     result.count.lines += count.lines;
     result.count.used += count.used;
     result.count.gaps += count.gaps;
+    result.logs.push_back(std::move(log.identity));
   }
   result.observations = folder.observations();
   result.samples = samples.kept();

@@ -2,6 +2,7 @@
 // Logs → what they say: the observations, and some of the samples to draw.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -34,13 +35,15 @@ struct LogIdentity {
   std::string name;  // of the file
   std::uintmax_t bytes = 0;
   std::string beginning;  // a hash of it
+
+  auto operator<=>(const LogIdentity&) const = default;
 };
 
 struct Measurement {
   Observations observations;
   std::vector<MotionSample> samples;
   StreamCount count;
-  StreamPlan plan;  // of the first log
+  StreamPlan plan;  // of the first log by its identity
   std::vector<LogIdentity> logs;
 };
 

@@ -109,35 +109,16 @@ class MotionFilter {
   Eigen::VectorXd q_, qd_, qdd_, tau_, h_e_;
 };
 
-// Which lines belong to a part: each N-th block, and around it what the filter's window needs.
-class Blocks {
- public:
-  Blocks(const StreamOptions& options, int half_window)
-      : part_(options.part - 1), parts_(options.parts), half_(half_window) {}
-
-  bool owns(long line) const { return line >= 0 && (line / kBlock) % parts_ == part_; }
-  // The first line from `line` on that is needed.
-  long next_needed(long line) const {
-    if (parts_ == 1 || owns(line - half_) || owns(line + half_)) return line;
-    const long block = (line + half_) / kBlock;
-    const long ahead = ((part_ - block) % parts_ + parts_) % parts_;
-    return (block + ahead) * kBlock - half_;
-  }
-
- private:
-  long part_, parts_, half_;
-};
-
 // One log on its way through reader, window and filter.
 class Stream {
  public:
-  Stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
-         const StreamOptions& options, Diagnostics& diagnostics)
+  Stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan, BlockShares& shares,
+         Diagnostics& diagnostics)
       : reader_(log, plan.heading, diagnostics),
         diagnostics_(diagnostics),
         positions_(mechanism),
         plan_(plan),
-        blocks_(options, plan.half_window),
+        shares_(shares),
         window_(plan.layout().channels(), 2 * plan.half_window + 1),
         sample_(plan.layout().channels()) {
     if (plan.band > 0) filter_.emplace(plan);
@@ -145,26 +126,38 @@ class Stream {
 
   StreamCount run(const MotionSink& sink) {
     for (long line = 0;; ++line) {
-      skip_to(blocks_.next_needed(line), line);
-      if (!reader_.next(sample_.data())) return count_;
+      if (!skip_to_needed(line) || !reader_.next(sample_.data())) {
+        shares_.end_log(line);
+        return count_;
+      }
       if (positions_.is_odd(sample_.data()) && !positions_.accepts(sample_.data(), reader_.place(), diagnostics_)) {
         return count_;
       }
-      if (blocks_.owns(line)) ++count_.lines;
+      if (shares_.owns(line)) ++count_.lines;
       const bool complete = !filter_ || window_is_full();
       const long centre = line - plan_.half_window;
-      if (!complete || !blocks_.owns(centre) || centre % plan_.decimate != 0) continue;
+      if (!complete || !shares_.owns(centre) || centre % plan_.decimate != 0) continue;
       sink(filter_ ? filter_->motion(window_) : as_measured(plan_.layout(), sample_.data()));
       ++count_.used;
     }
   }
 
  private:
-  void skip_to(long needed, long& line) {
-    if (needed <= line) return;
-    line += reader_.skip(needed - line);
-    window_.clear();
-    contiguous_ = false;
+  // Of the part, or in the filter's window about a line of it.
+  bool is_needed(long line) {
+    return shares_.is_whole() || shares_.owns(line - plan_.half_window) || shares_.owns(line + plan_.half_window);
+  }
+
+  // Over blocks of other parts. False at the end of the log.
+  bool skip_to_needed(long& line) {
+    while (!is_needed(line)) {
+      const long half = plan_.half_window, next = ((line + half) / kBlock + 1) * kBlock - half;
+      line += reader_.skip(next - line);
+      window_.clear();
+      contiguous_ = false;
+      if (line < next) return false;
+    }
+    return true;
   }
 
   // With the new sample, which a gap in time parts from those before it.
@@ -184,7 +177,7 @@ class Stream {
   Diagnostics& diagnostics_;
   PositionCheck positions_;
   const StreamPlan& plan_;
-  Blocks blocks_;
+  BlockShares& shares_;
   Window window_;
   std::optional<MotionFilter> filter_;
   Eigen::VectorXd sample_;
@@ -196,8 +189,14 @@ class Stream {
 }  // namespace
 
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
-                   const StreamOptions& options, const MotionSink& sink, Diagnostics& diagnostics) {
-  return Stream(log, mechanism, plan, options, diagnostics).run(sink);
+                   BlockShares& shares, const MotionSink& sink, Diagnostics& diagnostics) {
+  return Stream(log, mechanism, plan, shares, diagnostics).run(sink);
+}
+
+StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
+                   const MotionSink& sink, Diagnostics& diagnostics) {
+  BlockShares whole;
+  return stream(log, mechanism, plan, whole, sink, diagnostics);
 }
 
 }  // namespace flatdyn

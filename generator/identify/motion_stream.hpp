@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "identify/block_shares.hpp"
 #include "identify/log_layout.hpp"
 
 namespace flatdyn {
@@ -27,7 +28,7 @@ struct StreamOptions {
   std::optional<int> decimate = std::nullopt;
   // The log must have torques. If not, they are not read.
   bool torques = true;
-  // Of all blocks of kBlock lines, those of part k of N, k = 1 … N.
+  // Of the lines of all logs, those of part k of N, k = 1 … N.
   int part = 1, parts = 1;
 };
 
@@ -48,17 +49,18 @@ struct StreamCount {
   long lines = 0, used = 0, gaps = 0;
 };
 
-inline constexpr long kBlock = 65536;
-
 // Reads the first lines. Wrong units are told by q against the joint limits, by speeds that no robot has, by q̇ and q̈
 // against the change of q, and by the time between samples; time that is not even, where derivatives are needed, is a
 // warning.
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics);
 
-// All samples that are used, in order. A gap in time starts the filter anew. A position far outside the limits is an
-// error and the end.
+// All samples of a part that are used, in order. A gap in time starts the filter anew. A position far outside the
+// limits is an error and the end.
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
-                   const StreamOptions& options, const MotionSink& sink, Diagnostics& diagnostics);
+                   BlockShares& shares, const MotionSink& sink, Diagnostics& diagnostics);
+// All samples of the log.
+StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
+                   const MotionSink& sink, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -32,7 +32,7 @@ Trajectory read_samples(const std::filesystem::path& path, const Mechanism& mech
     if (plan.layout().has_tip_force) point.h_e.assign(motion.h_e, motion.h_e + LogLayout::kWrench);
     trajectory.points.push_back(std::move(point));
   };
-  stream(path, mechanism, plan, options, add, diagnostics);
+  stream(path, mechanism, plan, add, diagnostics);
   if (!diagnostics.has_errors()) mark_jumps(trajectory);
   return trajectory;
 }

@@ -202,7 +202,7 @@ TEST_F(LogTest, ManyTurnsAreAWarningOnce) {
   const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
   EXPECT_TRUE(found.all().empty());
   stream(
-      file, planar_arm(), plan, {}, [](const MeasuredMotion&) {}, found);
+      file, planar_arm(), plan, [](const MeasuredMotion&) {}, found);
   ASSERT_EQ(found.all().size(), 1u);
   EXPECT_THAT(found.all()[0].message, HasSubstr("has turned 8 times"));
 }
@@ -223,7 +223,7 @@ TEST_F(LogTest, APositionOutsideTheLimitsIsFoundWhereverItIs) {
   const StreamPlan plan = plan_stream(file, limited, {}, found);
   EXPECT_EQ(error(), "none");
   stream(
-      file, limited, plan, {}, [](const MeasuredMotion&) {}, found);
+      file, limited, plan, [](const MeasuredMotion&) {}, found);
   EXPECT_EQ(error(), "15002: q1 = 57 rad is far outside the limits of joint \"theta_1\", -1 to 1 rad");
 }
 
@@ -242,7 +242,7 @@ TEST_F(LogTest, WhatIsNotUsedIsSaidOnceThoughLogsAreReadTwice) {
   write("t,q1,q2,tau1,tau2,qd1,qd2,qdd1,qdd2,room\n0,0,0,0,0,0,0,0,0,1\n1e-2,0,0,0,0,0,0,0,0,1\n");
   const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
   EXPECT_EQ(stream(
-                file, planar_arm(), plan, {}, [](const MeasuredMotion&) {}, found)
+                file, planar_arm(), plan, [](const MeasuredMotion&) {}, found)
                 .used,
             2);
   EXPECT_EQ(found.all().size(), 1u);

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "identify/least_squares.hpp"
 #include "identify/part_file.hpp"
 #include "support/robot_models.hpp"
@@ -129,12 +131,14 @@ class PartsTest : public MeasurementTest {
 
   std::vector<std::filesystem::path> parts() {
     std::vector<std::filesystem::path> files;
-    for (int k = 1; k <= kParts; ++k) {
-      const StreamOptions options{.part = k, .parts = kParts};
-      files.push_back(folder / fmt::format("part{}.json", k));
-      std::ofstream(files.back()) << part_text(measured({whole_log}, options), torque_model(), options);
-    }
+    for (int k = 1; k <= kParts; ++k) files.push_back(part_of({whole_log}, k));
     return files;
+  }
+  std::filesystem::path part_of(const std::vector<std::filesystem::path>& logs, int k) {
+    const StreamOptions options{.part = k, .parts = kParts};
+    const std::filesystem::path file = folder / fmt::format("part{}.json", k);
+    std::ofstream(file) << part_text(measured(logs, options), torque_model(), options);
+    return file;
   }
 };
 
@@ -147,6 +151,51 @@ TEST_F(PartsTest, MakeUpTheWhole) {
   EXPECT_EQ(merged.count.lines, whole.count.lines);
   EXPECT_LT(largest_difference(merged.observations, whole.observations), 1e-13);
   EXPECT_LE(merged.samples.size(), ThinnedSamples::kMost);
+}
+
+// Every process may be given them in another order.
+TEST_F(PartsTest, OfManyShortLogsHaveTheirShareEach) {
+  std::vector<std::filesystem::path> logs;
+  for (int k = 0; k < 30; ++k) {
+    const unsigned seed = static_cast<unsigned>(k) + 1;
+    logs.push_back(log(simulated(arm(), {.samples = 200 + 10 * k, .rate = 1000, .seed = seed})));
+  }
+  const Measurement whole = measured(logs);
+  std::vector<std::filesystem::path> files;
+  for (int k = 1; k <= kParts; ++k) {
+    std::rotate(logs.begin(), logs.begin() + 7, logs.end());
+    files.push_back(part_of(logs, k));
+    const Measurement part = measured(logs, {.part = k, .parts = kParts});
+    EXPECT_NEAR(static_cast<double>(part.count.used) * kParts, static_cast<double>(whole.count.used), 1000) << k;
+  }
+  const Measurement merged = merge_parts(files, torque_model(), found);
+  ASSERT_FALSE(found.has_errors());
+  EXPECT_EQ(merged.count.used, whole.count.used);
+  EXPECT_LT(largest_difference(merged.observations, whole.observations), 1e-13);
+}
+
+// Of all lines every one has one part, and no part has a block more than another.
+TEST(BlockSharesTest, AreEqual) {
+  constexpr int kParts = 4;
+  const long lengths[] = {10, 3 * kBlock + 5, 0, kBlock, 2 * kBlock - 1, 77, 1, 40000};
+  std::vector<long> lines(kParts, 0);
+  std::vector<BlockShares> shares;
+  for (int k = 1; k <= kParts; ++k) shares.emplace_back(k, kParts);
+  for (const long length : lengths) {
+    for (long line = 0; line < length; ++line) {
+      int owners = 0;
+      for (int k = 0; k < kParts; ++k) {
+        if (!shares[static_cast<std::size_t>(k)].owns(line)) continue;
+        ++owners;
+        ++lines[static_cast<std::size_t>(k)];
+      }
+      ASSERT_EQ(owners, 1) << line << " of " << length;
+    }
+    shares[1].owns(length + 2 * kBlock);  // what is asked beyond the end has no effect
+    for (BlockShares& share : shares) share.end_log(length);
+    const auto [least, most] = std::minmax_element(lines.begin(), lines.end());
+    EXPECT_LE(*most - *least, kBlock);
+  }
 }
 
 TEST_F(PartsTest, AreMissedCountedTwiceAndToldApart) {
