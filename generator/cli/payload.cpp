@@ -82,6 +82,13 @@ PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments
   return observer.estimate();
 }
 
+// What may be the reason of a negative mass.
+std::string hint_of(const PayloadArguments& arguments) {
+  if (arguments.wrist) return "are the sensor's forces those that the link exerts, or those that it feels?";
+  if (!arguments.without.empty()) return "are --data and --without exchanged?";
+  return "are the robot file's masses right? A log --without the payload takes their place";
+}
+
 ExitCode payload(const PayloadArguments& arguments) {
   const Model robot = read_model(arguments.robot, arguments.options());
   refuse_loops(robot, "payload");
@@ -95,10 +102,12 @@ ExitCode payload(const PayloadArguments& arguments) {
     Progress progress(arguments.quiet);
     found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
   }
+  const std::vector<std::string> doubts = doubts_about(found, hint_of(arguments));
   if (!arguments.output.empty()) {
-    write_files({{arguments.output, payload_robot_text(robot, found, arguments.output, settings)}});
+    write_files({{arguments.output, payload_robot_text(robot, found, arguments.output, settings, doubts)}});
   }
   fmt::print("{}", arguments.json ? payload_json(robot, found).dump(2) + "\n" : describe_payload(robot, found));
+  for (const std::string& doubt : doubts) fmt::print(arguments.json ? stderr : stdout, "{}\n", doubt);
   if (!arguments.output.empty() && !arguments.json) fmt::print("\nwrote {}\n", arguments.output);
   return ExitCode::ok;
 }

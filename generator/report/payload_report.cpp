@@ -31,6 +31,19 @@ Centred centred(const Eigen::VectorXd& ten) {
 
 }  // namespace
 
+std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std::string& hint) {
+  constexpr double kMuch = 10, kClearly = 3;  // standard deviations
+  std::vector<std::string> doubts;
+  if (payload.largest_misfit > kMuch) {
+    doubts.emplace_back(
+        "that is more than noise explains: motion, torques or forces, units or geometry cannot be right");
+  }
+  if (payload.values(0) < -kClearly * payload.standard_deviations(0)) {
+    doubts.push_back("the mass is negative: " + hint);
+  }
+  return doubts;
+}
+
 std::string describe_payload(const Model& robot, const PayloadEstimate& payload) {
   std::vector<std::vector<std::string>> rows = {{"payload", "value", "std dev", "nearest body", "unit"}};
   for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
@@ -51,15 +64,17 @@ nlohmann::ordered_json payload_json(const Model& robot, const PayloadEstimate& p
 }
 
 std::string payload_robot_text(const Model& robot, const PayloadEstimate& payload, const std::filesystem::path& file,
-                               const std::vector<std::string>& settings) {
+                               const std::vector<std::string>& settings, const std::vector<std::string>& doubts) {
   const Centred body = centred(payload.body);
   const auto& I = body.inertia;
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  std::string comments;
+  for (const std::string& doubt : doubts) comments += "# " + doubt + "\n";
   return fmt::format(
-      "# The payload was identified by flatdyn {} from measured motion.\n\n"
+      "# The payload was identified by flatdyn {} from measured motion.\n{}\n"
       "robot = {}\n{}{}\n[payload]\nlink = {}\nmass = {}\ncom = [{}, {}, {}]\n"
       "inertia = {{ xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {} }}\ninertia_about = \"com\"\n",
-      FLATDYN_VERSION, toml_string(std::filesystem::relative(robot.robot.file, folder).generic_string()),
+      FLATDYN_VERSION, comments, toml_string(std::filesystem::relative(robot.robot.file, folder).generic_string()),
       fmt::join(settings, "\n"), settings.empty() ? "" : "\n", toml_string(robot.mechanism.tip.link), body.mass,
       body.com.x(), body.com.y(), body.com.z(), I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
 }

@@ -9,12 +9,16 @@
 
 namespace flatdyn {
 
+// What is said of an estimate that no payload explains; nothing of others. `hint`: what may be the reason of a negative
+// mass.
+std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std::string& hint);
+
 std::string describe_payload(const Model& robot, const PayloadEstimate& payload);
 nlohmann::ordered_json payload_json(const Model& robot, const PayloadEstimate& payload);
 
-// TOML over the robot file: `settings` (lines that repeat the options that shaped the model) and [payload] on the tip's
-// link.
+// TOML over the robot file: `doubts` as comments, `settings` (lines that repeat the options that shaped the model) and
+// [payload] on the tip's link.
 std::string payload_robot_text(const Model& robot, const PayloadEstimate& payload, const std::filesystem::path& file,
-                               const std::vector<std::string>& settings);
+                               const std::vector<std::string>& settings, const std::vector<std::string>& doubts);
 
 }  // namespace flatdyn
