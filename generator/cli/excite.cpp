@@ -12,7 +12,20 @@ struct ExciteArguments : RobotArguments {
   std::string folder;
   std::string parameters = "given";
   ExcitationOptions plan;
+  std::optional<int> evaluations;
+  std::optional<double> time;
 };
+
+// Who says how many evaluations there are to be wants the same motion everywhere: the time ends those by default only.
+ExcitationOptions plan_of(const ExciteArguments& arguments) {
+  ExcitationOptions plan = arguments.plan;
+  if (arguments.evaluations) {
+    plan.evaluations = *arguments.evaluations;
+    plan.time.reset();
+  }
+  if (arguments.time) plan.time = arguments.time;
+  return plan;
+}
 
 ExitCode excite(const ExciteArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
@@ -24,14 +37,15 @@ ExitCode excite(const ExciteArguments& arguments) {
   check_outputs({csv, svg}, model.robot.files);
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
-  const Excitation excitation = make_excitation(torques, arguments.plan, progress);
+  const Excitation excitation = make_excitation(torques, plan_of(arguments), progress);
   write_and_tell(
       {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}},
       {describe_excitation(torques, excitation) + "\n", excitation_json(torques, excitation)}, arguments.json);
   return ExitCode::ok;
 }
 
-void add_plan_options(CLI::App& command, ExcitationOptions& plan) {
+void add_plan_options(CLI::App& command, ExciteArguments& arguments) {
+  ExcitationOptions& plan = arguments.plan;
   command.add_option("--duration", plan.duration, "of the motion, from rest to rest")
       ->capture_default_str()
       ->type_name("S")
@@ -47,11 +61,13 @@ void add_plan_options(CLI::App& command, ExcitationOptions& plan) {
       ->capture_default_str()
       ->check(number_between(0.01, 1.0));
   command.add_option("--seed", plan.seed, "of the random starts")->capture_default_str();
-  command.add_option("--evaluations", plan.evaluations, "of the condition number; what ends the search")
-      ->capture_default_str()
+  command.add_option("--evaluations", arguments.evaluations, "of the condition number; what ends the search")
+      ->default_str(fmt::format("{}", plan.evaluations))
       ->check(CLI::Range(1, 10000000));
-  command.add_option("--time", plan.time, "ends the search earlier; the result then depends on the computer")
-      ->capture_default_str()
+  command
+      .add_option("--time", arguments.time,
+                  "ends the search earlier; the result then depends on the computer. Default: 30, or none with "
+                  "--evaluations")
       ->type_name("S")
       ->check(number_between(0.001, 1e6));
 }
@@ -71,7 +87,7 @@ Run add_excite(CLI::App& app) {
                    "folder for NAME_excitation.csv and NAME_excitation.svg; made if it is not there")
       ->required()
       ->type_name("FOLDER");
-  add_plan_options(*command, arguments->plan);
+  add_plan_options(*command, *arguments);
   add_parameters_option(*command, arguments->parameters, "what is to be identified: ");
   return [arguments] { return excite(*arguments); };
 }

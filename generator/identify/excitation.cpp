@@ -39,7 +39,7 @@ std::vector<double> random_coefficients(std::mt19937_64& engine, int count) {
 
 class ShapeSearch {
  public:
-  ShapeSearch(const ExcitationObjective& objective, double seconds)
+  ShapeSearch(const ExcitationObjective& objective, std::optional<double> seconds)
       : objective_(objective), start_(std::chrono::steady_clock::now()), seconds_(seconds) {}
 
   // Goes on from x, in place, to the best of this many evaluations. Returns its value.
@@ -52,7 +52,7 @@ class ShapeSearch {
     nlopt_set_lower_bounds1(optimiser.get(), -kLargestCoefficient);
     nlopt_set_upper_bounds1(optimiser.get(), kLargestCoefficient);
     nlopt_set_maxeval(optimiser.get(), evaluations);
-    nlopt_set_maxtime(optimiser.get(), std::max(seconds_ - seconds(), 1e-3));
+    if (seconds_) nlopt_set_maxtime(optimiser.get(), std::max(*seconds_ - seconds(), 1e-3));
     double value = 0;
     // However it ends, also where a line search fails because limits make kinks: the best motion seen counts.
     if (nlopt_optimize(optimiser.get(), x.data(), &value) == NLOPT_MAXTIME_REACHED) out_of_time_ = true;
@@ -78,7 +78,7 @@ class ShapeSearch {
 
   const ExcitationObjective& objective_;
   std::chrono::steady_clock::time_point start_;
-  double seconds_;
+  std::optional<double> seconds_;
   double best_value_ = HUGE_VAL;
   std::vector<double> best_;
   int evaluations_ = 0;

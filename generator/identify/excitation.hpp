@@ -3,6 +3,7 @@
 // columns of unit length, is small (Swevers et al., 1997), and no limit of the robot is passed.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "diagnostics/progress.hpp"
@@ -20,7 +21,8 @@ struct ExcitationOptions {
   double margin = 0.9;     // the part of every limit that is used
   unsigned seed = 1;       // of the random starts
   int evaluations = 3000;  // of the condition number; what ends the search
-  double time = 30;        // s; ends the search before that on a slow computer
+  // s; ends the search before that on a slow computer. None: it never does.
+  std::optional<double> time = 30;
 };
 
 // A motion, sampled as it is written.

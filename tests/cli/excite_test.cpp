@@ -72,6 +72,16 @@ TEST(Excite, JsonHasTheNumbers) {
   for (const json& joint : result["limits_used"]) EXPECT_LE(joint["speed"], 0.5);
 }
 
+TEST(Excite, IsEndedByTheTimeWhereItIsGiven) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_flatdyn("excite robots/panda.urdf --json -q --rate 20 --evaluations 100000 --time 0.2 -o " + scratch.path());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_TRUE(result["out_of_time"]);
+  EXPECT_LT(result["evaluations"], 100000);
+}
+
 TEST(Excite, RefusesWhatItCannotDo) {
   const Scratch scratch;
   const std::string folder = " -o " + scratch.path("out");
