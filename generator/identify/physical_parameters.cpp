@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/physical_parameters.hpp"
 
-#include <ceres/ceres.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <memory>
+#include <Eigen/QR>
+#include <cmath>
+#include <numbers>
 
 namespace flatdyn {
 namespace {
@@ -15,63 +15,133 @@ using Eigen::Matrix4d;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kLogCholesky = 10;  // numbers that make a 4 × 4 lower triangular matrix with positive diagonal
 constexpr int kOthers = kParametersPerJoint - kInertialPerBody;
-
-template <class T>
-using Matrix4 = Eigen::Matrix<T, 4, 4>;
+using LinkVector = Eigen::Matrix<double, kParametersPerJoint, 1>;
+using LinkMatrix = Eigen::Matrix<double, kParametersPerJoint, kParametersPerJoint>;
 
 // Entries of (7.77) from the pseudo-inertia: Î = tr(Σ) E - Σ.
-template <class T>
-void inertial_entries(const Matrix4<T>& P, T* ten) {
-  const T trace = P(0, 0) + P(1, 1) + P(2, 2);
+void inertial_entries(const Matrix4d& P, double* ten) {
+  const double trace = P.topLeftCorner<3, 3>().trace();
   ten[0] = P(3, 3);
   for (int k = 0; k < 3; ++k) ten[1 + k] = P(k, 3);
   int at = 4;
   for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) ten[at++] = (i == j ? trace : T(0)) - P(i, j);
+    for (int j = i; j < 3; ++j) ten[at++] = (i == j ? trace : 0) - P(i, j);
   }
 }
 
-// Lower triangular, diagonal e^θ: the unit matrix for θ = 0.
-template <class T>
-Matrix4<T> triangular(const T* theta) {
-  using std::exp;
-  Matrix4<T> lower = Matrix4<T>::Zero();
-  int at = 0;
+// Symmetric matrices as ten coordinates, of the same length.
+constexpr double kSquareRootOf2 = std::numbers::sqrt2;
+
+Matrix4d symmetric(const double* ten) {
+  Matrix4d X;
+  for (int i = 0, at = 0; i < 4; ++i) {
+    for (int j = 0; j <= i; ++j, ++at) X(i, j) = X(j, i) = i == j ? ten[at] : ten[at] / kSquareRootOf2;
+  }
+  return X;
+}
+
+void coordinates(const Matrix4d& X, double* ten) {
   for (int i = 0; i < 4; ++i) {
-    lower(i, i) = exp(theta[at++]);
-    for (int j = 0; j < i; ++j) lower(i, j) = theta[at++];
+    for (int j = 0; j <= i; ++j) *ten++ = i == j ? X(i, j) : X(i, j) * kSquareRootOf2;
   }
-  return lower;
 }
 
-// One link and its joint: θ → thirteen parameters. θ = 0 is where the search starts: the file's values.
+// One link and its joint: pseudo-inertia L S Sᵀ Lᵀ, with L Lᵀ that of the file, and I_m, F_v, F_s as multiples of the
+// file's. The search starts at S = E and multiples of 1, and keeps S triangular with a positive diagonal.
 struct LinkShape {
-  Matrix4d root;           // L of the file's pseudo-inertia
-  double others[kOthers];  // I_m, F_v, F_s: positive by e^θ
+  Matrix4d L, S = Matrix4d::Identity();
+  double others[kOthers] = {}, multiples[kOthers] = {1, 1, 1};
 
-  template <class T>
-  void parameters(const T* theta, T* pi) const {
-    const Matrix4<T> lower = root.cast<T>() * triangular(theta);
-    inertial_entries<T>(lower * lower.transpose(), pi);
-    for (int k = 0; k < kOthers; ++k) {
-      using std::exp;
-      pi[kInertialPerBody + k] = others[k] * exp(theta[kLogCholesky + k]);
+  void parameters(double* pi) const {
+    const Matrix4d root = L * S;
+    inertial_entries(root * root.transpose(), pi);
+    for (int k = 0; k < kOthers; ++k) pi[kInertialPerBody + k] = others[k] * multiples[k];
+  }
+
+  // Columns: what each of thirteen coordinates y adds to the parameters; P changes by L S X Sᵀ Lᵀ, the others by parts
+  // of themselves.
+  LinkMatrix changes() const {
+    LinkMatrix columns = LinkMatrix::Zero();
+    const Matrix4d root = L * S;
+    double unit[kInertialPerBody] = {};
+    for (int k = 0; k < kInertialPerBody; ++k) {
+      unit[k] = 1;
+      inertial_entries(root * symmetric(unit) * root.transpose(), columns.col(k).data());
+      unit[k] = 0;
     }
+    for (int k = 0; k < kOthers; ++k) columns(kInertialPerBody + k, kInertialPerBody + k) = others[k] * multiples[k];
+    return columns;
+  }
+
+  // The log-determinant divergence from the file: convex, 0 at the file, infinite where P is no body's.
+  double divergence() const {
+    double sum = S.squaredNorm() - 4 - 2 * S.diagonal().array().log().sum();
+    for (const double multiple : multiples) sum += multiple - 1 - std::log(multiple);
+    return sum;
+  }
+
+  // Its gradient in y; its second derivative is the unit matrix.
+  LinkVector gradient() const {
+    LinkVector result;
+    coordinates(S.transpose() * S - Matrix4d::Identity(), result.data());
+    for (int k = 0; k < kOthers; ++k) result(kInertialPerBody + k) = multiples[k] - 1;
+    return result;
+  }
+
+  // The largest part of a step y that leaves P and the others positive, well within.
+  double longest_step(const double* y) const {
+    constexpr double kWithin = 0.9;
+    const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(symmetric(y), Eigen::EigenvaluesOnly);
+    double least = eigen.eigenvalues().minCoeff();
+    for (int k = 0; k < kOthers; ++k) least = std::min(least, y[kInertialPerBody + k]);
+    return least < -kWithin ? -kWithin / least : 1;
+  }
+
+  void move(const double* y, double part) {
+    const Matrix4d X = Matrix4d::Identity() + part * symmetric(y);
+    S = S * Eigen::LLT<Matrix4d>(X).matrixL();
+    for (int k = 0; k < kOthers; ++k) multiples[k] *= 1 + part * y[kInertialPerBody + k];
   }
 };
 
-// A pseudo-inertia that is positive definite beyond doubt: itself if it is; else no eigenvalue is below a small part of
-// the largest one, and what has no mass is a small body.
-Matrix4d made_definite(const Matrix4d& P) {
-  constexpr double kSmallBody = 1e-4;  // kg, kg m²
-  constexpr double kThin = 1e-9, kThick = 1e-4;
-  const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(P);
-  const double largest = eigen.eigenvalues().maxCoeff();
-  if (largest > 0 && eigen.eigenvalues().minCoeff() > kThin * largest) return P;
-  const double floor = largest > 0 ? kThick * largest : kSmallBody;
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(floor).asDiagonal() * eigen.eigenvectors().transpose();
+// What a link without mass or extent is taken for, relative to the largest of the robot.
+struct Sizes {
+  double mass = 0, inertia = 0;
+};
+
+Sizes sizes_of(const std::vector<double>& file) {
+  Sizes largest;
+  for (std::size_t at = 0; at < file.size(); at += kParametersPerJoint) {
+    const Matrix4d P = pseudo_inertia(&file[at]);
+    largest.mass = std::max(largest.mass, P(3, 3));
+    largest.inertia = std::max(largest.inertia, P.topLeftCorner<3, 3>().trace());
+  }
+  if (largest.mass <= 0) largest.mass = 1;                   // kg
+  if (largest.inertia <= 0) largest.inertia = largest.mass;  // kg m²
+  return largest;
+}
+
+// A pseudo-inertia that is positive definite beyond doubt: itself if it is; else the body is not thinner than a part of
+// its length about its centre of mass, and what has no mass is a small body.
+Matrix4d made_definite(const Matrix4d& P, const Sizes& largest) {
+  constexpr double kSmall = 1e-4, kThin = 1e-9, kThick = 1e-4;
+  const bool has_mass = P(3, 3) > 0;
+  const double mass = has_mass ? P(3, 3) : kSmall * largest.mass;
+  const Eigen::Vector3d moment = has_mass ? Eigen::Vector3d(P.block<3, 1>(0, 3)) : Eigen::Vector3d::Zero();
+  const Eigen::Matrix3d about_com = P.topLeftCorner<3, 3>() - moment * moment.transpose() / mass;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(about_com);
+  const double length = eigen.eigenvalues().maxCoeff();
+  if (has_mass && length > 0 && eigen.eigenvalues().minCoeff() > kThin * length) return P;
+  const double floor = length > 0 ? kThick * length : kSmall * largest.inertia * std::min(mass / largest.mass, 1.0);
+  Matrix4d result;
+  result.topLeftCorner<3, 3>() =
+      eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(floor).asDiagonal() * eigen.eigenvectors().transpose() +
+      moment * moment.transpose() / mass;
+  result.block<3, 1>(0, 3) = moment;
+  result.block<1, 3>(3, 0) = moment.transpose();
+  result(3, 3) = mass;
+  return result;
 }
 
 // The rotor of a joint on the link that carries it adds I_m a aᵀ to the link's inertia.
@@ -79,10 +149,9 @@ struct CarriedRotor {
   std::size_t joint, carrier;
   Eigen::Vector3d axis;
 
-  template <class T>
-  void add_to(T* pi, double factor = 1) const {
-    const T inertia = factor * pi[joint * kParametersPerJoint + static_cast<std::size_t>(Parameter::Im)];
-    T* entry = pi + carrier * kParametersPerJoint + static_cast<std::size_t>(Parameter::Ixx);
+  void add_to(double* pi, double factor = 1) const {
+    const double inertia = factor * pi[joint * kParametersPerJoint + static_cast<std::size_t>(Parameter::Im)];
+    double* entry = pi + carrier * kParametersPerJoint + static_cast<std::size_t>(Parameter::Ixx);
     for (int i = 0; i < 3; ++i) {
       for (int j = i; j < 3; ++j) *entry++ += inertia * (axis[i] * axis[j]);
     }
@@ -106,23 +175,30 @@ struct Shapes {
   std::vector<LinkShape> links;
   std::vector<CarriedRotor> rotors;
 
-  // theta[i]: of link i.
-  template <class T, class Theta>
-  std::vector<T> parameters(const Theta& theta) const {
-    std::vector<T> pi(links.size() * kParametersPerJoint);
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      links[i].parameters(&theta[i][0], pi.data() + i * kParametersPerJoint);
-    }
-    for (const CarriedRotor& rotor : rotors) rotor.add_to(pi.data());
+  // Without the rotors that links carry.
+  VectorXd bodies() const {
+    VectorXd pi(static_cast<Index>(links.size() * kParametersPerJoint));
+    for (std::size_t i = 0; i < links.size(); ++i) links[i].parameters(pi.data() + i * kParametersPerJoint);
     return pi;
+  }
+
+  // K' with K' bodies() = K pi.
+  MatrixXd of_bodies(const MatrixXd& K) const {
+    MatrixXd adding = MatrixXd::Identity(K.cols(), K.cols());
+    for (const CarriedRotor& rotor : rotors) {
+      rotor.add_to(
+          adding.col(static_cast<Index>(rotor.joint) * kParametersPerJoint + static_cast<Index>(Parameter::Im)).data());
+    }
+    return K * adding;
   }
 };
 
 std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vector<double>& scale) {
   std::vector<LinkShape> shapes;
+  const Sizes largest = sizes_of(file);
   for (std::size_t at = 0; at < file.size(); at += kParametersPerJoint) {
     LinkShape shape;
-    shape.root = Eigen::LLT<Matrix4d>(made_definite(pseudo_inertia(&file[at]))).matrixL();
+    shape.L = Eigen::LLT<Matrix4d>(made_definite(pseudo_inertia(&file[at]), largest)).matrixL();
     for (int k = 0; k < kOthers; ++k) {
       const std::size_t place = at + static_cast<std::size_t>(kInertialPerBody + k);
       shape.others[k] = file[place] > 0 ? file[place] : scale[place];
@@ -131,43 +207,6 @@ std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vec
   }
   return shapes;
 }
-
-// K π - π_b in standard deviations, over all links.
-struct BaseResidual {
-  const Shapes& shapes;
-  const MatrixXd& K;  // times the root of the information, as the target
-  const VectorXd& target;
-
-  template <class T>
-  bool operator()(T const* const* theta, T* residual) const {
-    const std::vector<T> pi = shapes.parameters<T>(theta);
-    for (Index row = 0; row < K.rows(); ++row) {
-      T sum = T(-target(row));
-      for (Index k = 0; k < K.cols(); ++k) {
-        if (K(row, k) != 0) sum += K(row, k) * pi[static_cast<std::size_t>(k)];
-      }
-      residual[row] = sum;
-    }
-    return true;
-  }
-};
-
-// The distance from the file, times a weight that the search lets go to zero.
-struct PriorResidual {
-  const double& weight;
-
-  template <class T>
-  bool operator()(const T* theta, T* residual) const {
-    const Matrix4<T> lower = triangular(theta);
-    const Matrix4<T> difference = lower * lower.transpose() - Matrix4<T>::Identity();
-    int at = 0;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j <= i; ++j) residual[at++] = weight * (i == j ? 1.0 : std::sqrt(2.0)) * difference(i, j);
-    }
-    for (int k = 0; k < kOthers; ++k) residual[at++] = weight * theta[kLogCholesky + k];
-    return true;
-  }
-};
 
 MatrixXd combination_matrix(const BaseParameters& base, Index columns) {
   MatrixXd K = MatrixXd::Zero(base.size(), columns);
@@ -179,69 +218,109 @@ MatrixXd combination_matrix(const BaseParameters& base, Index columns) {
   return K;
 }
 
+// The least of |K' bodies - target|² / 2 + μ divergence, by Newton's method with the divergence as its barrier. It is
+// convex in the parameters, so that no step can lead into a corner.
 class BodySearch {
  public:
-  BodySearch(Shapes shapes, const MatrixXd& K, const VectorXd& target)
-      : shapes_(std::move(shapes)), K_(K), target_(target), theta_(shapes_.links.size()) {
-    constexpr int kParameters = kLogCholesky + kOthers, kStride = 13;
-    using Dynamic = ceres::DynamicAutoDiffCostFunction<BaseResidual, kStride>;
-    auto agreement = std::make_unique<Dynamic>(new BaseResidual{shapes_, K_, target_});
-    std::vector<double*> blocks;
-    for (auto& theta : theta_) {
-      theta.fill(0);
-      blocks.push_back(theta.data());
-      agreement->AddParameterBlock(kParameters);
-      problem_.AddResidualBlock(
-          new ceres::AutoDiffCostFunction<PriorResidual, kParameters, kParameters>(new PriorResidual{weight_}), nullptr,
-          theta.data());
-    }
-    agreement->SetNumResiduals(static_cast<int>(K_.rows()));
-    if (K_.rows() > 0) problem_.AddResidualBlock(agreement.release(), nullptr, blocks);
-    for (double* const theta : blocks) bound(theta);
+  BodySearch(Shapes shapes, const MatrixXd& K, const VectorXd& target) : shapes_(std::move(shapes)) {
+    const MatrixXd of_bodies = shapes_.of_bodies(K);
+    file_ = shapes_.bodies();
+    K_ = (1 - kOfTheFile) * of_bodies;
+    target_ = target - kOfTheFile * of_bodies * file_;
   }
 
-  // From a heavy prior to a light one: the last steps move only what π_b does not decide.
+  // From a heavy divergence to a light one: the last steps move only what π_b does not decide.
   bool run() {
-    ceres::Solver::Options options;
-    options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = 1000;
-    options.function_tolerance = 1e-10;
-    options.logging_type = ceres::SILENT;
-    ceres::Solver::Summary summary;
-    for (const double weight : {1.0, 1e-1, 1e-2, 1e-3}) {
-      weight_ = weight;
-      ceres::Solve(options, &problem_, &summary);
+    constexpr double kLightest = 1e-3, kLighter = 0.1;
+    double weight = std::max(1.0, residual(shapes_).squaredNorm() / static_cast<double>(file_.size()));
+    bool converged = improve(weight);
+    while (weight > kLightest) {
+      weight = std::max(kLighter * weight, kLightest);
+      converged = improve(weight);
     }
-    return summary.termination_type == ceres::CONVERGENCE;
+    return converged;
   }
 
-  std::vector<double> parameters() const { return shapes_.parameters<double>(theta_); }
-
-  // Where π_b is that of no body, the search would run off to where e^θ overflows.
-  void bound(double* theta) {
-    constexpr double kFarthest = 10;
-    for (int k = 0; k < kLogCholesky + kOthers; ++k) {
-      problem_.SetParameterLowerBound(theta, k, -kFarthest);
-      problem_.SetParameterUpperBound(theta, k, kFarthest);
-    }
+  std::vector<double> parameters() const {
+    const VectorXd bodies = (1 - kOfTheFile) * shapes_.bodies() + kOfTheFile * file_;
+    std::vector<double> pi(bodies.begin(), bodies.end());
+    for (const CarriedRotor& rotor : shapes_.rotors) rotor.add_to(pi.data());
+    return pi;
   }
 
   double distance() const {
     double sum = 0;
-    for (const auto& theta : theta_) {
-      const Matrix4d lower = triangular(theta.data());
-      sum += (lower * lower.transpose() - Matrix4d::Identity()).squaredNorm();
+    for (const LinkShape& link : shapes_.links) {
+      sum += (link.S * link.S.transpose() - Matrix4d::Identity()).squaredNorm();
     }
-    return std::sqrt(sum / static_cast<double>(theta_.size()));
+    return std::sqrt(sum / static_cast<double>(shapes_.links.size()));
   }
 
  private:
+  // Bodies that π_b wants to be flat stay this much of the file's, so that they are bodies in double, too.
+  static constexpr double kOfTheFile = 1e-9;
+
+  VectorXd residual(const Shapes& shapes) const { return K_ * shapes.bodies() - target_; }
+
+  double cost(const Shapes& shapes, double weight) const {
+    double sum = residual(shapes).squaredNorm() / 2;
+    for (const LinkShape& link : shapes.links) sum += weight * link.divergence();
+    return sum;
+  }
+
+  // For one weight; whether it came to the end.
+  bool improve(double weight) {
+    constexpr int kMostSteps = 200;
+    constexpr double kSmall = 1e-8, kRounding = 1e-13;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const double before = cost(shapes_, weight);
+      const auto [y, decrease] = newton_step(weight);
+      if (decrease <= std::max(kSmall * weight, kRounding * before)) return true;
+      if (!descend(y, decrease, before, weight)) return false;
+    }
+    return false;
+  }
+
+  // y, and the decrease of the cost per part of it.
+  std::pair<VectorXd, double> newton_step(double weight) const {
+    const Index size = file_.size(), rows = K_.rows();
+    MatrixXd J(rows + size, size);
+    VectorXd wanted(rows + size);
+    const double root = std::sqrt(weight);
+    J.bottomRows(size) = root * MatrixXd::Identity(size, size);
+    wanted.head(rows) = -residual(shapes_);
+    Index at = 0;
+    for (const LinkShape& link : shapes_.links) {
+      J.block(0, at, rows, kParametersPerJoint) = K_.middleCols(at, kParametersPerJoint) * link.changes();
+      wanted.segment(rows + at, kParametersPerJoint) = -root * link.gradient();
+      at += kParametersPerJoint;
+    }
+    const VectorXd y = J.householderQr().solve(wanted);
+    return {y, (J * y).squaredNorm()};
+  }
+
+  // As far along y as the cost decreases as it should.
+  bool descend(const VectorXd& y, double decrease, double before, double weight) {
+    constexpr double kEnough = 1e-4, kShortest = 1e-12;
+    double part = 1;
+    for (std::size_t i = 0; i < shapes_.links.size(); ++i) {
+      part = std::min(part, shapes_.links[i].longest_step(y.data() + i * kParametersPerJoint));
+    }
+    for (; part > kShortest; part /= 2) {
+      Shapes moved = shapes_;
+      for (std::size_t i = 0; i < moved.links.size(); ++i) {
+        moved.links[i].move(y.data() + i * kParametersPerJoint, part);
+      }
+      if (cost(moved, weight) > before - kEnough * part * decrease) continue;
+      shapes_ = std::move(moved);
+      return true;
+    }
+    return false;
+  }
+
   Shapes shapes_;
-  const MatrixXd& K_;
-  const VectorXd& target_;
-  double weight_ = 1;
-  std::vector<std::array<double, kLogCholesky + kOthers>> theta_;
-  ceres::Problem problem_;
+  MatrixXd K_;
+  VectorXd target_, file_;
 };
 
 // Where a parameter that the file does not have begins: the size that π_b gives it, if it is a base parameter itself.

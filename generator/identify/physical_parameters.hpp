@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From base parameters to a robot: of all dynamic parameters that some real body has, those that agree with π_b and are
-// nearest to the robot file's. Mass is positive and the pseudo-inertia of every link positive definite by construction
-// (log-Cholesky parameters: Rucker and Wensing, 2022), so that the result can be simulated and inverted.
+// nearest to the robot file's in the log-determinant divergence of pseudo-inertias (Lee, Wensing, Park, 2020). That is
+// infinite where a mass is not positive or a pseudo-inertia not positive definite, so that the result can be simulated
+// and inverted.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,8 +21,9 @@ struct PhysicalParameters {
 };
 
 // `mechanism` is the robot as in the file; links that no body could have there (or that have no mass) start from a
-// small sphere instead, so that a missing inertia is no obstacle. What the data do not tell is the file's. The links
-// without the rotors that they carry are bodies, too. Solved by Ceres.
+// small sphere instead, so that a missing inertia is no obstacle, and what is thinner than a body can be is made a
+// hundredth of its length thick. What the data do not tell is the file's. The links without the rotors that they carry
+// are bodies, too.
 PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base,
                                        const Estimate& estimate);
 

@@ -86,7 +86,7 @@ std::string physical_text(const PhysicalParameters& physical) {
              "\nnearest links that a body can have: {} standard deviations from pi_b at most, {:.2g} from the file{}\n",
              fmt::format("{:.2g}", physical.largest_misfit), physical.distance,
              physical.converged ? "" : "; the search did not converge") +
-         (physical.largest_misfit > kMuch
+         (physical.converged && physical.largest_misfit > kMuch
               ? "that is more than noise explains: motion, torques, units or geometry cannot be right\n"
               : "");
 }

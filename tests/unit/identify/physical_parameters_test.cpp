@@ -131,6 +131,27 @@ TEST(PhysicalParameters, AgreeWithAllThatAPoorMotionTells) {
   for (const JointObservations& joint : observations.joints) EXPECT_LT(joint.rms_residual(pi_b), 0.2);
 }
 
+// Slender rods are no thicker than a body must be, and the file that is given to start from has them thick.
+TEST(PhysicalParameters, OfSlenderRodsAreFound) {
+  const testing::Arm arm("finger.toml");
+  Mechanism thick = arm.robot.mechanism;
+  for (Body& body : thick.bodies) {
+    for (std::size_t i = 0; i < 3; ++i) body.inertia.inertia[i][i] = body.inertia.inertia[i][i] + Number(1) / 100000;
+  }
+  const VectorXd truth = values_of(dynamic_parameters(arm.robot.mechanism));
+  const Observations observations = arm.observed(testing::simulated(arm.robot, {.samples = 400}));
+  const Estimate known = estimate(observations, VectorXd::Zero(arm.torque.parameters()));
+  for (const Mechanism* start : {&arm.robot.mechanism, &thick}) {
+    const PhysicalParameters found = physical_parameters(*start, arm.torque.base(), known);
+    expect_bodies(found.pi);
+    EXPECT_TRUE(found.converged);
+    EXPECT_LT(found.largest_misfit, 0.1);
+    const auto last = static_cast<Index>(found.pi.size()) - kParametersPerJoint;
+    const Eigen::Map<const VectorXd> pi(found.pi.data(), last + kParametersPerJoint);
+    EXPECT_LT((pi - truth).segment(last + 4, 6).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
 // A link that is hardly more than the rotor that it carries is a body without it, too.
 TEST(PhysicalParameters, LeaveABodyWhenRotorsAreTakenOut) {
   const Model model = testing::model_of("planar_2r_example_7_2.toml");
