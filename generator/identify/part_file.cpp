@@ -80,7 +80,12 @@ Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
 
 ordered_json json_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) throw Failure(ExitCode::io, fmt::format("{}: cannot be read", file.string()));
+  if (!stream) {
+    // A shell hands on a pattern that no file has.
+    const bool is_pattern = file.string().find_first_of("*?[") != std::string::npos;
+    throw Failure(ExitCode::io, fmt::format("{}: cannot be read", file.string()),
+                  is_pattern ? "no file has such a name: make the parts with --data LOG --part k/N -o FILE" : "");
+  }
   const ordered_json json = ordered_json::parse(stream, nullptr, false);
   return json.is_object() ? json : ordered_json::object();
 }

@@ -111,6 +111,7 @@ TEST(Identify, RefusesWhatItCannotUse) {
       {"identify robots/planar_2r.toml --data " + log, 4, "the robot has free symbols"},
       {"identify robots/puma560.toml --data " + log, 3, "log.csv:1: error: no column for the positions: q3"},
       {"identify robots/planar_2r_example_7_2.toml --data /nowhere.csv", 6, "/nowhere.csv: cannot be read"},
+      {"identify robots/planar_2r_example_7_2.toml --merge '/nowhere/part*.json'", 6, "no file has such a name"},
   };
   for (const auto& [arguments, code, message] : cases) {
     const Outcome outcome = run_flatdyn(arguments);
