@@ -67,9 +67,8 @@ std::string parameter_table(const TorqueModel& model, const Identification& foun
 std::string damped_text(const TorqueModel& model, const Estimate& estimate) {
   if (estimate.damped.empty()) return "";
   std::string text =
-      "\nnot told by this motion, kept near the robot file's values (damped least squares); relative singular value "
-      "and\n"
-      "the parameters of each direction:\n";
+      "\ndirections that this motion does not tell; along them nothing leaves the robot file's values (damped least\n"
+      "squares), but their parameters may lie in others, too. Relative singular value and parameters of each:\n";
   for (const DampedDirection& direction : estimate.damped) {
     text += fmt::format("  {:8.1e} ", direction.relative_singular_value);
     for (const int k : main_parameters(direction)) {
@@ -78,6 +77,24 @@ std::string damped_text(const TorqueModel& model, const Estimate& estimate) {
     text += "\n";
   }
   return text;
+}
+
+// Base parameters beyond all sizes: of wrong units, or of directions that are hardly told, but too well to be damped.
+std::string odd_text(const TorqueModel& model, const Estimate& estimate) {
+  constexpr double kMuch = 1000;
+  const std::vector<double>& file = model.file_values();
+  double largest = 0;
+  for (const double value : file) largest = std::max(largest, std::abs(value));
+  std::vector<std::string> names;
+  for (int k = 0; k < model.parameters(); ++k) {
+    const bool is_odd = std::abs(estimate.values(k)) > kMuch * largest;
+    if (is_odd) names.push_back(parameter_name(model.base().columns[static_cast<std::size_t>(k)]));
+  }
+  if (names.empty() || largest == 0) return "";
+  return fmt::format(
+      "\n{}: more than {} times all that the robot file has, which can hardly be right: units of the log or of the\n"
+      "file are wrong, or the motion tells too little (--damping leaves more of it near the file's values)\n",
+      fmt::join(names, ", "), kMuch);
 }
 
 std::string physical_text(const PhysicalParameters& physical) {
@@ -98,7 +115,7 @@ std::string describe_identification(const TorqueModel& model, const Identificati
   return data_text(found.measurement) + "\n" + torque_table(model, found) + "\n" + parameter_table(model, found) +
          fmt::format("\ncondition number {:.4g} (columns scaled to unit norm); weights {} after {} iterations\n",
                      estimate.condition(), estimate.converged ? "stable" : "not stable", estimate.iterations) +
-         damped_text(model, estimate) + physical_text(found.physical);
+         damped_text(model, estimate) + odd_text(model, estimate) + physical_text(found.physical);
 }
 
 nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found) {

@@ -83,6 +83,22 @@ TEST(Identify, LeavesFrictionAndRotorsOutWhereOnlyInertiasAreAskedFor) {
   }
 }
 
+TEST(Identify, SaysWhatIsBeyondAllSizes) {
+  const Scratch scratch;
+  auto samples = simulated(model_of("planar_2r_example_7_2.toml"), {.samples = 2000});
+  write_log(scratch.path("right.csv"), samples, LogDerivatives::none);
+  for (SimulatedSample& sample : samples) sample.time *= 1000;  // ms, without a unit in the heading
+  write_log(scratch.path("wrong.csv"), samples, LogDerivatives::none);
+  const std::string command = "identify robots/planar_2r_example_7_2.toml -q --data ";
+  const Outcome right = run_flatdyn(command + scratch.path("right.csv"));
+  const Outcome wrong = run_flatdyn(command + scratch.path("wrong.csv"));
+  ASSERT_EQ(right.code, 0) << right.err;
+  ASSERT_EQ(wrong.code, 0) << wrong.err;
+  EXPECT_EQ(right.out.find("hardly be right"), std::string::npos) << right.out;
+  EXPECT_THAT(wrong.out, HasSubstr("I1zz"));
+  EXPECT_THAT(wrong.out, HasSubstr("more than 1000 times all that the robot file has, which can hardly be right"));
+}
+
 TEST(Identify, SaysItInJsonToo) {
   const Scratch scratch;
   write_log(scratch.path("log.csv"), simulated(model_of("puma560.toml"), {.samples = 300}));
