@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "identify/measurement.hpp"
@@ -66,6 +68,7 @@ PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments
   options.torques = false;
   Diagnostics found;
   long used = 0;
+  double correlation = 1;
   for (const std::string& log : arguments.logs) {
     const StreamPlan plan = plan_stream(log, robot.mechanism, options, found);
     if (!found.has_errors() && !plan.layout().has_tip_force) {
@@ -75,11 +78,12 @@ PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments
     progress.step("reading " + log);
     const auto sink = [&](const MeasuredMotion& motion) { observer.add(motion); };
     used += stream(log, robot.mechanism, plan, sink, found).used;
+    correlation = std::max(correlation, plan.correlation());
     stop_at_errors(found);
   }
   arguments.report(found);
   require_samples(used);
-  return observer.estimate();
+  return observer.estimate(correlation);
 }
 
 // What may be the reason of a negative mass.

@@ -73,7 +73,8 @@ Solution solve(const MatrixXd& factor, const VectorXd& prior, double damping) {
   return solution;
 }
 
-// σ_i from the residual of joint i and the degrees of freedom that are left to it. What rounding leaves is no noise:
+// σ_i from the residual of joint i and the degrees of freedom that are left to it; of correlated noise a fit takes
+// more samples. What rounding leaves is no noise:
 // less than this part of the largest torque, or than as many N m where there is none.
 VectorXd residual_deviations(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
   constexpr double kRounding = 1e-13;
@@ -87,7 +88,7 @@ VectorXd residual_deviations(const Observations& observations, const Solution& s
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
     const double leverage = (joint.A() * solution.spread(joint.columns, Eigen::all) / deviations(i)).squaredNorm();
     const auto rows = static_cast<double>(joint.rows);
-    const double freedom = std::max(rows - leverage, 1.0);
+    const double freedom = std::max(rows - observations.correlation * leverage, 1.0);
     result(i) = joint.rms_residual(solution.values) * std::sqrt(rows / freedom);
     result(i) = std::max({result(i), kRounding * largest_torque, kRounding});
   }
@@ -132,14 +133,15 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
     deviations = updated;
   }
   result.values = solution.values;
-  result.standard_deviations = solution.spread.rowwise().norm();
+  const double wider = std::sqrt(observations.correlation);
+  result.standard_deviations = wider * solution.spread.rowwise().norm();
   for (std::size_t k = 0; k < solution.told.size(); ++k) {
     if (!solution.told[k]) result.standard_deviations(static_cast<Index>(k)) = std::numeric_limits<double>::infinity();
   }
   result.singular_values = solution.singular_values;
   result.damped = std::move(solution.damped);
   result.torque_deviations = deviations;
-  result.root_information = std::move(solution.root_information);
+  result.root_information = solution.root_information / wider;
   return result;
 }
 

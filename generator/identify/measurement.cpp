@@ -88,6 +88,7 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
     result.logs.push_back(std::move(log.identity));
   }
   result.observations = folder.observations();
+  result.observations.correlation = result.plan.correlation();
   result.samples = samples.kept();
   return result;
 }

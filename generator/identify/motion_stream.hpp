@@ -42,6 +42,9 @@ struct StreamPlan {
   int decimate = 1;
 
   const LogLayout& layout() const { return heading.layout; }
+  // What is left of white noise after the filter is not quite white: so many samples that are used tell as much as one
+  // of white noise of the same size. At least 1.
+  double correlation() const;
 };
 
 // What was read. Samples of other parts do not count.

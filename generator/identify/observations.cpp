@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/observations.hpp"
 
+#include <algorithm>
+
 namespace flatdyn {
 
 double JointObservations::rms_residual(const Eigen::VectorXd& pi_b) const {
@@ -39,7 +41,7 @@ Observations ObservationFolder::observations() {
 }
 
 Observations joined(const Observations& a, const Observations& b) {
-  Observations result{a.parameters, {}};
+  Observations result{a.parameters, {}, std::max(a.correlation, b.correlation)};
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     TriangularFactor factor(static_cast<int>(a.joints[i].columns.size()));
     for (const Observations* each : {&a, &b}) factor.join(each->joints[i].R, each->joints[i].rows);

@@ -75,6 +75,7 @@ Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
   result.plan.dt = json.at("dt");
   result.plan.band = json.at("filter_band");
   result.plan.decimate = json.at("decimation");
+  result.observations.correlation = result.plan.correlation();
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/payload.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "identify/physical_parameters.hpp"
@@ -46,7 +47,7 @@ JointObservations folded(const MatrixXd& rows, std::vector<int> columns, long co
 // Rows in the unknowns of a linear substitution π_b = origin + change x.
 Observations substituted(const Observations& observations, const VectorXd& origin, const MatrixXd& change) {
   const Index unknowns = change.cols();
-  Observations result{static_cast<int>(unknowns), {}};
+  Observations result{static_cast<int>(unknowns), {}, observations.correlation};
   for (const JointObservations& joint : observations.joints) {
     MatrixXd rows(joint.R.rows(), unknowns + 1);
     rows << joint.A() * change(joint.columns, Eigen::all), joint.b() - joint.A() * joint.restricted(origin);
@@ -58,7 +59,8 @@ Observations substituted(const Observations& observations, const VectorXd& origi
 // Rows of both in the ten of the payload and, behind them, π_b without it: π_b + change x with it.
 Observations side_by_side(const Observations& with, const Observations& without, const MatrixXd& change) {
   const Index unknowns = change.cols();
-  Observations result{static_cast<int>(unknowns) + with.parameters, {}};
+  Observations result{
+      static_cast<int>(unknowns) + with.parameters, {}, std::max(with.correlation, without.correlation)};
   for (std::size_t i = 0; i < with.joints.size(); ++i) {
     const JointObservations &a = with.joints[i], &b = without.joints[i];
     const Index base = a.R.cols() - 1;

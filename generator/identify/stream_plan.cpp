@@ -179,6 +179,15 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& 
 
 }  // namespace
 
+// Noise of power 1 at every sample is Σ w² after the filter, and of the same density below its edge. White noise at one
+// sample of N has that density if it is of power 1/N.
+double StreamPlan::correlation() const {
+  if (band == 0) return 1;
+  double power = 0;
+  for (const double w : zero_phase_kernel(band, dt).weights[0]) power += w * w;
+  return std::max(1.0, 1 / (decimate * power));
+}
+
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics) {
   LogReader reader(log, mechanism, options.torques, diagnostics);

@@ -59,8 +59,8 @@ void WristObserver::add(const MeasuredMotion& motion) {
   }
 }
 
-PayloadEstimate WristObserver::estimate() {
-  Observations observations{kUnknowns, {}};
+PayloadEstimate WristObserver::estimate(double correlation) {
+  Observations observations{kUnknowns, {}, correlation};
   std::vector<int> columns;
   for (int k = 0; k < kUnknowns; ++k) columns.push_back(k);
   for (TriangularFactor& factor : factors_) {

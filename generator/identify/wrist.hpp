@@ -15,7 +15,8 @@ class WristObserver {
   explicit WristObserver(const Robot& robot);
 
   void add(const MeasuredMotion& motion);
-  PayloadEstimate estimate();
+  // correlation: of the noise, StreamPlan::correlation().
+  PayloadEstimate estimate(double correlation = 1);
 
  private:
   reference::Robot<double> robot_;

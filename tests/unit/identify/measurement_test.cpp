@@ -87,6 +87,27 @@ TEST_F(MeasurementTest, DerivativesThatAreMissingComeFromTheFilter) {
   }
 }
 
+// What the filter leaves of white noise is not quite white at the samples that are used, and the less so the more are.
+TEST_F(MeasurementTest, IntervalsAreHonestWhereDerivativesComeFromTheFilter) {
+  constexpr int kRuns = 120;
+  constexpr double kTwoSided95 = 1.959964;
+  for (const std::optional<int> decimate : {std::optional<int>(), std::optional<int>(2)}) {
+    int inside = 0;
+    for (unsigned run = 1; run <= kRuns; ++run) {
+      const auto samples =
+          simulated(arm(), {.samples = 4000, .rate = 200, .fundamental = 0.3, .noise = 200, .seed = run});
+      const Measurement measurement = measured({log(samples, LogDerivatives::none)}, {.decimate = decimate});
+      EXPECT_GT(measurement.observations.correlation, decimate ? 3 : 1.1);
+      const Estimate estimated = estimate(measurement.observations, truth());
+      const Eigen::VectorXd error = (estimated.values - truth()).cwiseAbs();
+      inside += static_cast<int>((error.array() <= kTwoSided95 * estimated.standard_deviations.array()).count());
+    }
+    const double part = static_cast<double>(inside) / static_cast<double>(kRuns * truth().size());
+    EXPECT_GE(part, 0.93);
+    EXPECT_LE(part, 0.97);
+  }
+}
+
 TEST_F(MeasurementTest, AGapInTimeStartsTheFilterAnew) {
   auto samples = simulated(arm(), {.samples = 4000, .rate = 500, .fundamental = 0.3});
   samples.erase(samples.begin() + 2000, samples.begin() + 2100);

@@ -141,8 +141,8 @@ TEST(PhysicalParameters, OfSlenderRodsAreFound) {
   const VectorXd truth = values_of(dynamic_parameters(arm.robot.mechanism));
   const Observations observations = arm.observed(testing::simulated(arm.robot, {.samples = 400}));
   const Estimate known = estimate(observations, VectorXd::Zero(arm.torque.parameters()));
-  for (const Mechanism* start : {&arm.robot.mechanism, &thick}) {
-    const PhysicalParameters found = physical_parameters(*start, arm.torque.base(), known);
+  for (const Mechanism& start : {arm.robot.mechanism, thick}) {
+    const PhysicalParameters found = physical_parameters(start, arm.torque.base(), known);
     expect_bodies(found.pi);
     EXPECT_TRUE(found.converged);
     EXPECT_LT(found.largest_misfit, 0.1);
