@@ -11,6 +11,8 @@
 namespace flatdyn {
 namespace {
 
+constexpr const char* kMayOverflow = "it may overflow";
+
 using Form = std::vector<std::pair<int, Rational>>;
 
 double size_of(const Rational& x) { return std::abs(x.convert_to<double>()) * kUpward; }
@@ -92,7 +94,7 @@ const Norms::Expansion& Norms::expansion(int k) {
   Expansion result = unrounded(k);
   if (is_rounded(k)) {
     result.before_rounding = rounded_up(norm({result.form}) + result.slack);
-    if (!(result.before_rounding <= model_.format.most)) throw Failure(ExitCode::unsupported, "it may overflow");
+    if (!(result.before_rounding <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
     result.own_error = model_.format.half_ulp(result.before_rounding);
   }
   result.slack += result.own_error;
@@ -105,6 +107,7 @@ Norms::Expansion Norms::unrounded(int k) {
     case Step::constant: {
       Expansion result;
       const double value = k < executed_ ? model_.format.rounded(operation.value) : operation.value;
+      if (!std::isfinite(value)) throw Failure(ExitCode::unsupported, kMayOverflow);
       if (value != 0) result.form = {{kOne, Rational(value)}};
       if (k < executed_) result.own_error = model_.constant_error(operation.value);
       return result;

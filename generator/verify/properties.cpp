@@ -113,9 +113,10 @@ double smallest_pivot(const Functions& f, const ExactState& state) {
   return abs(pivot) <= kTolerance * B.norm() ? 0 : pivot.convert_to<double>();
 }
 
-// A joint that moves no inertia (the reader warns of it) makes B singular, which is right for that robot.
+// A joint that moves no inertia (the reader warns of it) makes B singular, which is right for that robot; masses that
+// differ by more than the digits that are computed with make it so but for rounding.
 Property definiteness(double smallest_pivot) {
-  if (smallest_pivot == 0) return {"B is positive semidefinite", "singular: a joint moves no inertia", true};
+  if (smallest_pivot == 0) return {"B is positive semidefinite", "singular, rounding apart", true};
   return {"B is positive definite", fmt::format("smallest pivot {:.2g}", smallest_pivot), smallest_pivot > 0};
 }
 

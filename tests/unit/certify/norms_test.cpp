@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "diagnostics/diagnostics.hpp"
 
@@ -54,6 +55,12 @@ TEST_F(NormsTest, RotationsAboutDifferentAxesKeepIt) {
   Norms of = norms();
   for (const int component : {x3, y3, z2}) EXPECT_LE(of.largest(component), 1.005 * std::sqrt(34.0));
   EXPECT_THAT(of.largest(x3), just_above(std::sqrt(34.0)));
+}
+
+TEST_F(NormsTest, InfiniteConstantsOverflow) {
+  const int infinite = lines_.constant(std::numeric_limits<double>::infinity());
+  Norms of = norms();
+  EXPECT_THROW(of.largest(infinite), Failure);
 }
 
 TEST_F(NormsTest, SumsAndProductsAddAndMultiply) {
