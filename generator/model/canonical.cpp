@@ -328,8 +328,7 @@ Transform final_pose(const RawTree& tree, const Placer& placer, int link) {
   if (body < 0) return raw;
   const Placement& placement = placer[static_cast<std::size_t>(body)];
   const Mat3 back = rotation_z(inverse(placement.phase));
-  return {without_rests(expanded(back * raw.R)),
-          without_rest(expanded(back * (raw.p - placement.shift)), tree.reach_)};
+  return {without_rests(expanded(back * raw.R)), without_rest(expanded(back * (raw.p - placement.shift)), tree.reach_)};
 }
 
 bool carries(const Mechanism& mechanism, int carrier, int body) {
@@ -358,9 +357,9 @@ void add_motor(const RawTree& tree, const Placer& placer, int body_index, Mechan
   InertialParameters& carrying =
       carrier < 0 ? mechanism.base : mechanism.bodies[static_cast<std::size_t>(carrier)].inertia;
   carrying = carrying + still;
-  body.rotor = Rotor{carrier, rationalised(joint.motor->gear_ratio.number),
-                     rationalised(joint.motor->inertia_axial.number),
-                     without_rest(expanded(pose.R * unit(joint.motor->axis)), 1)};
+  body.rotor =
+      Rotor{carrier, rationalised(joint.motor->gear_ratio.number), rationalised(joint.motor->inertia_axial.number),
+            without_rest(expanded(pose.R * unit(joint.motor->axis)), 1)};
 }
 
 void add_links(const RawTree& tree, const Placer& placer, Mechanism& mechanism) {

@@ -15,8 +15,9 @@ inline constexpr int kRationalDigits = 44;
 Number rationalised(const Number& a);
 Vec3 rationalised(const Vec3& a);
 
-// Numbers that cancel in the robot leave a rest where irrational ones among them have been replaced, each by another: of
-// these angles 0.3 + 0.2 - 0.5 is some 1e-58. What is so much smaller than a number that it may be the rest of is zero.
+// Numbers that cancel in the robot leave a rest where irrational ones among them have been replaced, each by another:
+// of these angles 0.3 + 0.2 - 0.5 is some 1e-58. What is so much smaller than a number that it may be the rest of is
+// zero.
 inline constexpr int kRestDigits = 40;
 
 // `a`, or 0 if it may be a rest of `whole`; of an expression in free symbols, terms are left out whose coefficients may
