@@ -88,7 +88,9 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
     result.logs.push_back(std::move(log.identity));
   }
   result.observations = folder.observations();
-  result.observations.correlation = result.plan.correlation();
+  for (const PlannedLog& log : planned) {
+    result.observations.correlation = std::max(result.observations.correlation, log.plan.correlation());
+  }
   result.samples = samples.kept();
   return result;
 }

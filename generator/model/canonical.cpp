@@ -115,13 +115,16 @@ Number reach_of(const Robot& robot) {
   return reach;
 }
 
+Mat3 rotation_by(const ZxzAngles& angles) {
+  return expanded(rotation_z(angles.beta) * rotation_x(angles.alpha) * rotation_z(angles.theta));
+}
+
 // A rotation whose entries are 0 and 1 where they would be but for rests.
 Mat3 without_rests(const Mat3& R) {
   for (const Vec3& row : R) {
     const Vec3 cleared = without_rest(row, 1);
     if (row[0].is_equal(cleared[0]) && row[1].is_equal(cleared[1]) && row[2].is_equal(cleared[2])) continue;
-    const ZxzAngles angles = zxz_angles(R);
-    return expanded(rotation_z(angles.beta) * rotation_x(angles.alpha) * rotation_z(angles.theta));
+    return rotation_by(zxz_angles(R));
   }
   return R;
 }
@@ -137,8 +140,7 @@ InertialParameters without_rests(InertialParameters body, const Number& reach) {
 // Turned by what its angles, rational in their turn, come to. So the frames that are placed by them, and the distances
 // to axes, are zero where they have to be, to the last digit.
 Transform from_zxz(Transform frame) {
-  const ZxzAngles angles = zxz_angles(frame.R);
-  frame.R = expanded(rotation_z(angles.beta) * rotation_x(angles.alpha) * rotation_z(angles.theta));
+  frame.R = rotation_by(zxz_angles(frame.R));
   return frame;
 }
 
