@@ -3,9 +3,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "identify/body_search.hpp"
 
 namespace flatdyn {
 namespace {
@@ -14,96 +15,6 @@ using Eigen::Index;
 using Eigen::Matrix4d;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr int kOthers = kParametersPerJoint - kInertialPerBody;
-using LinkVector = Eigen::Matrix<double, kParametersPerJoint, 1>;
-using LinkMatrix = Eigen::Matrix<double, kParametersPerJoint, kParametersPerJoint>;
-
-// Entries of (7.77) from the pseudo-inertia: Î = tr(Σ) E - Σ.
-void inertial_entries(const Matrix4d& P, double* ten) {
-  const double trace = P.topLeftCorner<3, 3>().trace();
-  ten[0] = P(3, 3);
-  for (int k = 0; k < 3; ++k) ten[1 + k] = P(k, 3);
-  int at = 4;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) ten[at++] = (i == j ? trace : 0) - P(i, j);
-  }
-}
-
-// Symmetric matrices as ten coordinates, of the same length.
-constexpr double kSquareRootOf2 = std::numbers::sqrt2;
-
-Matrix4d symmetric(const double* ten) {
-  Matrix4d X;
-  for (int i = 0, at = 0; i < 4; ++i) {
-    for (int j = 0; j <= i; ++j, ++at) X(i, j) = X(j, i) = i == j ? ten[at] : ten[at] / kSquareRootOf2;
-  }
-  return X;
-}
-
-void coordinates(const Matrix4d& X, double* ten) {
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j <= i; ++j) *ten++ = i == j ? X(i, j) : X(i, j) * kSquareRootOf2;
-  }
-}
-
-// One link and its joint: pseudo-inertia L S Sᵀ Lᵀ, with L Lᵀ that of the file, and I_m, F_v, F_s as multiples of the
-// file's. The search starts at S = E and multiples of 1, and keeps S triangular with a positive diagonal.
-struct LinkShape {
-  Matrix4d L, S = Matrix4d::Identity();
-  double others[kOthers] = {}, multiples[kOthers] = {1, 1, 1};
-
-  void parameters(double* pi) const {
-    const Matrix4d root = L * S;
-    inertial_entries(root * root.transpose(), pi);
-    for (int k = 0; k < kOthers; ++k) pi[kInertialPerBody + k] = others[k] * multiples[k];
-  }
-
-  // Columns: what each of thirteen coordinates y adds to the parameters; P changes by L S X Sᵀ Lᵀ, the others by parts
-  // of themselves.
-  LinkMatrix changes() const {
-    LinkMatrix columns = LinkMatrix::Zero();
-    const Matrix4d root = L * S;
-    double unit[kInertialPerBody] = {};
-    for (int k = 0; k < kInertialPerBody; ++k) {
-      unit[k] = 1;
-      inertial_entries(root * symmetric(unit) * root.transpose(), columns.col(k).data());
-      unit[k] = 0;
-    }
-    for (int k = 0; k < kOthers; ++k) columns(kInertialPerBody + k, kInertialPerBody + k) = others[k] * multiples[k];
-    return columns;
-  }
-
-  // The log-determinant divergence from the file: convex, 0 at the file, infinite where P is no body's.
-  double divergence() const {
-    double sum = S.squaredNorm() - 4 - 2 * S.diagonal().array().log().sum();
-    for (const double multiple : multiples) sum += multiple - 1 - std::log(multiple);
-    return sum;
-  }
-
-  // Its gradient in y; its second derivative is the unit matrix.
-  LinkVector gradient() const {
-    LinkVector result;
-    coordinates(S.transpose() * S - Matrix4d::Identity(), result.data());
-    for (int k = 0; k < kOthers; ++k) result(kInertialPerBody + k) = multiples[k] - 1;
-    return result;
-  }
-
-  // The largest part of a step y that leaves P and the others positive, well within.
-  double longest_step(const double* y) const {
-    constexpr double kWithin = 0.9;
-    const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(symmetric(y), Eigen::EigenvaluesOnly);
-    double least = eigen.eigenvalues().minCoeff();
-    for (int k = 0; k < kOthers; ++k) least = std::min(least, y[kInertialPerBody + k]);
-    return least < -kWithin ? -kWithin / least : 1;
-  }
-
-  void move(const double* y, double part) {
-    const Matrix4d X = Matrix4d::Identity() + part * symmetric(y);
-    S = S * Eigen::LLT<Matrix4d>(X).matrixL();
-    for (int k = 0; k < kOthers; ++k) multiples[k] *= 1 + part * y[kInertialPerBody + k];
-  }
-};
 
 // What a link without mass or extent is taken for, relative to the largest of the robot.
 struct Sizes {
@@ -170,28 +81,15 @@ std::vector<CarriedRotor> rotors_of(const Mechanism& mechanism) {
   return rotors;
 }
 
-// Links as shapes, and the rotors that they carry.
-struct Shapes {
-  std::vector<LinkShape> links;
-  std::vector<CarriedRotor> rotors;
-
-  // Without the rotors that links carry.
-  VectorXd bodies() const {
-    VectorXd pi(static_cast<Index>(links.size() * kParametersPerJoint));
-    for (std::size_t i = 0; i < links.size(); ++i) links[i].parameters(pi.data() + i * kParametersPerJoint);
-    return pi;
+// K' with K' bodies = K pi, where bodies are links without the rotors that they carry.
+MatrixXd of_bodies(const MatrixXd& K, const std::vector<CarriedRotor>& rotors) {
+  MatrixXd adding = MatrixXd::Identity(K.cols(), K.cols());
+  for (const CarriedRotor& rotor : rotors) {
+    rotor.add_to(
+        adding.col(static_cast<Index>(rotor.joint) * kParametersPerJoint + static_cast<Index>(Parameter::Im)).data());
   }
-
-  // K' with K' bodies() = K pi.
-  MatrixXd of_bodies(const MatrixXd& K) const {
-    MatrixXd adding = MatrixXd::Identity(K.cols(), K.cols());
-    for (const CarriedRotor& rotor : rotors) {
-      rotor.add_to(
-          adding.col(static_cast<Index>(rotor.joint) * kParametersPerJoint + static_cast<Index>(Parameter::Im)).data());
-    }
-    return K * adding;
-  }
-};
+  return K * adding;
+}
 
 std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vector<double>& scale) {
   std::vector<LinkShape> shapes;
@@ -199,7 +97,7 @@ std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vec
   for (std::size_t at = 0; at < file.size(); at += kParametersPerJoint) {
     LinkShape shape;
     shape.L = Eigen::LLT<Matrix4d>(made_definite(pseudo_inertia(&file[at]), largest)).matrixL();
-    for (int k = 0; k < kOthers; ++k) {
+    for (int k = 0; k < LinkShape::kOthers; ++k) {
       const std::size_t place = at + static_cast<std::size_t>(kInertialPerBody + k);
       shape.others[k] = file[place] > 0 ? file[place] : scale[place];
     }
@@ -217,111 +115,6 @@ MatrixXd combination_matrix(const BaseParameters& base, Index columns) {
   }
   return K;
 }
-
-// The least of |K' bodies - target|² / 2 + μ divergence, by Newton's method with the divergence as its barrier. It is
-// convex in the parameters, so that no step can lead into a corner.
-class BodySearch {
- public:
-  BodySearch(Shapes shapes, const MatrixXd& K, const VectorXd& target) : shapes_(std::move(shapes)) {
-    const MatrixXd of_bodies = shapes_.of_bodies(K);
-    file_ = shapes_.bodies();
-    K_ = (1 - kOfTheFile) * of_bodies;
-    target_ = target - kOfTheFile * of_bodies * file_;
-  }
-
-  // From a heavy divergence to a light one: the last steps move only what π_b does not decide.
-  bool run() {
-    constexpr double kLightest = 1e-3, kLighter = 0.1;
-    double weight = std::max(1.0, residual(shapes_).squaredNorm() / static_cast<double>(file_.size()));
-    bool converged = improve(weight);
-    while (weight > kLightest) {
-      weight = std::max(kLighter * weight, kLightest);
-      converged = improve(weight);
-    }
-    return converged;
-  }
-
-  std::vector<double> parameters() const {
-    const VectorXd bodies = (1 - kOfTheFile) * shapes_.bodies() + kOfTheFile * file_;
-    std::vector<double> pi(bodies.begin(), bodies.end());
-    for (const CarriedRotor& rotor : shapes_.rotors) rotor.add_to(pi.data());
-    return pi;
-  }
-
-  double distance() const {
-    double sum = 0;
-    for (const LinkShape& link : shapes_.links) {
-      sum += (link.S * link.S.transpose() - Matrix4d::Identity()).squaredNorm();
-    }
-    return std::sqrt(sum / static_cast<double>(shapes_.links.size()));
-  }
-
- private:
-  // Bodies that π_b wants to be flat stay this much of the file's, so that they are bodies in double, too.
-  static constexpr double kOfTheFile = 1e-9;
-
-  VectorXd residual(const Shapes& shapes) const { return K_ * shapes.bodies() - target_; }
-
-  double cost(const Shapes& shapes, double weight) const {
-    double sum = residual(shapes).squaredNorm() / 2;
-    for (const LinkShape& link : shapes.links) sum += weight * link.divergence();
-    return sum;
-  }
-
-  // For one weight; whether it came to the end.
-  bool improve(double weight) {
-    constexpr int kMostSteps = 200;
-    constexpr double kSmall = 1e-8, kRounding = 1e-13;
-    for (int step = 0; step < kMostSteps; ++step) {
-      const double before = cost(shapes_, weight);
-      const auto [y, decrease] = newton_step(weight);
-      if (decrease <= std::max(kSmall * weight, kRounding * before)) return true;
-      if (!descend(y, decrease, before, weight)) return false;
-    }
-    return false;
-  }
-
-  // y, and the decrease of the cost per part of it.
-  std::pair<VectorXd, double> newton_step(double weight) const {
-    const Index size = file_.size(), rows = K_.rows();
-    MatrixXd J(rows + size, size);
-    VectorXd wanted(rows + size);
-    const double root = std::sqrt(weight);
-    J.bottomRows(size) = root * MatrixXd::Identity(size, size);
-    wanted.head(rows) = -residual(shapes_);
-    Index at = 0;
-    for (const LinkShape& link : shapes_.links) {
-      J.block(0, at, rows, kParametersPerJoint) = K_.middleCols(at, kParametersPerJoint) * link.changes();
-      wanted.segment(rows + at, kParametersPerJoint) = -root * link.gradient();
-      at += kParametersPerJoint;
-    }
-    const VectorXd y = J.householderQr().solve(wanted);
-    return {y, (J * y).squaredNorm()};
-  }
-
-  // As far along y as the cost decreases as it should.
-  bool descend(const VectorXd& y, double decrease, double before, double weight) {
-    constexpr double kEnough = 1e-4, kShortest = 1e-12;
-    double part = 1;
-    for (std::size_t i = 0; i < shapes_.links.size(); ++i) {
-      part = std::min(part, shapes_.links[i].longest_step(y.data() + i * kParametersPerJoint));
-    }
-    for (; part > kShortest; part /= 2) {
-      Shapes moved = shapes_;
-      for (std::size_t i = 0; i < moved.links.size(); ++i) {
-        moved.links[i].move(y.data() + i * kParametersPerJoint, part);
-      }
-      if (cost(moved, weight) > before - kEnough * part * decrease) continue;
-      shapes_ = std::move(moved);
-      return true;
-    }
-    return false;
-  }
-
-  Shapes shapes_;
-  MatrixXd K_;
-  VectorXd target_, file_;
-};
 
 // Where a parameter that the file does not have begins: the size that π_b gives it, if it is a base parameter itself.
 std::vector<double> scales(const BaseParameters& base, const VectorXd& pi_b, std::size_t count) {
@@ -357,18 +150,21 @@ MatrixXd blunted(const MatrixXd& root_information, const VectorXd& values) {
   return (kSharpest / size.array()).min(1).matrix().asDiagonal() * root_information;
 }
 
-// Of K π = target, with the shapes to start from.
-PhysicalParameters nearest(Shapes shapes, const MatrixXd& K, const VectorXd& target, const MatrixXd& root_information) {
+// Of K π = target, with the links to start from and the rotors that they carry.
+PhysicalParameters nearest(std::vector<LinkShape> links, const std::vector<CarriedRotor>& rotors, const MatrixXd& K,
+                           const VectorXd& target, const MatrixXd& root_information) {
   const MatrixXd root = blunted(root_information, target);
   const MatrixXd whitened = root * K;
   const VectorXd whitened_target = root * target;
-  BodySearch search(std::move(shapes), whitened, whitened_target);
+  BodySearch search(std::move(links), of_bodies(whitened, rotors), whitened_target);
   PhysicalParameters result;
   result.converged = search.run();
-  result.pi = search.parameters();
+  const VectorXd bodies = search.bodies();
+  result.pi.assign(bodies.begin(), bodies.end());
+  for (const CarriedRotor& rotor : rotors) rotor.add_to(result.pi.data());
   const Eigen::Map<const VectorXd> pi(result.pi.data(), static_cast<Index>(result.pi.size()));
   if (root.rows() > 0) result.largest_misfit = (whitened * pi - whitened_target).cwiseAbs().maxCoeff();
-  result.distance = search.distance();
+  result.divergence = search.divergence();
   return result;
 }
 
@@ -382,7 +178,7 @@ PhysicalParameters physical_parameters(const Mechanism& mechanism, const BasePar
   const MatrixXd K = combination_matrix(base, static_cast<Index>(file.size()));
   std::vector<double> bodies = file;
   for (const CarriedRotor& rotor : rotors) rotor.add_to(bodies.data(), -1);
-  return nearest({shapes_of(bodies, scales(base, estimate.values, file.size())), rotors}, K, estimate.values,
+  return nearest(shapes_of(bodies, scales(base, estimate.values, file.size())), rotors, K, estimate.values,
                  estimate.root_information);
 }
 
@@ -391,7 +187,7 @@ NearestBody nearest_body(const VectorXd& estimate, const MatrixXd& root_informat
   std::copy(estimate.begin(), estimate.end(), start.begin());
   const MatrixXd K = MatrixXd::Identity(kInertialPerBody, kParametersPerJoint);
   const PhysicalParameters found =
-      nearest({shapes_of(start, std::vector<double>(kParametersPerJoint, 1)), {}}, K, estimate, root_information);
+      nearest(shapes_of(start, std::vector<double>(kParametersPerJoint, 1)), {}, K, estimate, root_information);
   return {Eigen::Map<const VectorXd>(found.pi.data(), kInertialPerBody), found.largest_misfit};
 }
 

@@ -16,7 +16,9 @@ namespace flatdyn {
 struct PhysicalParameters {
   std::vector<double> pi;     // 13 n, in the order of (7.77)
   double largest_misfit = 0;  // of K π from π_b, over all directions that the data tell, in standard deviations
-  double distance = 0;  // from the file: root mean square over the links of |L⁻¹ P L⁻ᵀ - E| with P_file = L Lᵀ
+  // From the file, summed over links and joints: tr(A) - log det A - 4 with A = L⁻¹ P L⁻ᵀ, P_file = L Lᵀ, and
+  // x - log x - 1 of each ratio x of I_m, F_v, F_s. A link that is twice as heavy counts 1.2.
+  double divergence = 0;
   bool converged = false;
 };
 

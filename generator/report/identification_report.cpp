@@ -99,13 +99,14 @@ std::string odd_text(const TorqueModel& model, const Estimate& estimate) {
 
 std::string physical_text(const PhysicalParameters& physical) {
   constexpr double kMuch = 10;  // standard deviations
-  return fmt::format(
-             "\nnearest links that a body can have: {} standard deviations from pi_b at most, {:.2g} from the file{}\n",
-             fmt::format("{:.2g}", physical.largest_misfit), physical.distance,
-             physical.converged ? "" : "; the search did not converge") +
+  return fmt::format("\nnearest links that a body can have: {:.2g} standard deviations from pi_b at most{}\n",
+                     physical.largest_misfit, physical.converged ? "" : "; the search did not converge") +
          (physical.converged && physical.largest_misfit > kMuch
               ? "that is more than noise explains: motion, torques, units or geometry cannot be right\n"
-              : "");
+              : "") +
+         fmt::format(
+             "divergence from the file's links: {:.2g} (0: the same; a link that is twice as heavy counts 1.2)\n",
+             physical.divergence);
 }
 
 }  // namespace
@@ -145,7 +146,7 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
   json["weights"] = {{"stable", estimate.converged}, {"iterations", estimate.iterations}};
   json["physical"] = {{"pi", found.physical.pi},
                       {"largest_misfit", found.physical.largest_misfit},
-                      {"distance", found.physical.distance},
+                      {"divergence", found.physical.divergence},
                       {"converged", found.physical.converged}};
   json["damped"] = nlohmann::ordered_json::array();
   for (const DampedDirection& direction : estimate.damped) {
