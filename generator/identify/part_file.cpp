@@ -15,6 +15,8 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kKind = "part of an identification";
+// Of the file's contents: one more whenever they, or what they mean, change.
+constexpr int kVersion = 1;
 
 ordered_json numbers(const Eigen::MatrixXd& upper) {
   ordered_json list = ordered_json::array();
@@ -113,6 +115,15 @@ std::optional<Part> read_part(const std::filesystem::path& file, const TorqueMod
   const ordered_json json = json_of(file);
   try {
     if (json.at("kind") != kKind) throw std::invalid_argument("kind");
+    const ordered_json version = json.value("version", ordered_json());
+    if (version != kVersion) {
+      diagnostics.error(place,
+                        fmt::format("the part was made by another version of flatdyn: its contents have version {}, "
+                                    "and this one reads version {}",
+                                    version.is_null() ? "0" : version.dump(), kVersion),
+                        "make all parts again by this version: flatdyn identify ROBOT --data LOG --part k/N -o FILE");
+      return std::nullopt;
+    }
     if (json.at("model") != model.fingerprint()) {
       diagnostics.error(place, "the part was made with another robot, other parameters or another gravity",
                         "give --merge the robot and the options that the parts were made with");
@@ -168,6 +179,7 @@ void check_complete(const std::vector<Part>& parts, Diagnostics& diagnostics) {
 
 std::string part_text(const Measurement& measurement, const TorqueModel& model, const StreamOptions& options) {
   ordered_json json = {{"kind", kKind},
+                       {"version", kVersion},
                        {"flatdyn", FLATDYN_VERSION},
                        {"model", model.fingerprint()},
                        {"part", options.part},

@@ -15,8 +15,9 @@ inline constexpr int kMostParts = 65536;
 // JSON; numbers are exact (shortest text that reads back as the same double).
 std::string part_text(const Measurement& measurement, const TorqueModel& model, const StreamOptions& options);
 
-// All parts 1 … N of one N, in any order. A part that is missing, there twice, of another robot, of other logs or
-// made with other options is an error in `diagnostics`. Throws Failure(io) for a file that cannot be read.
+// All parts 1 … N of one N, in any order. A part that is missing, there twice, of another robot, of other logs, made
+// with other options or by another version of this file is an error in `diagnostics`. Throws Failure(io) for a file
+// that cannot be read.
 Measurement merge_parts(const std::vector<std::filesystem::path>& files, const TorqueModel& model,
                         Diagnostics& diagnostics);
 

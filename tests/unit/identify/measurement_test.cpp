@@ -251,6 +251,20 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
   EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr(other.filename().string()));
 }
 
+TEST_F(PartsTest, OfAnotherVersionAreRefused) {
+  const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), torque_model(), {});
+  const std::string version = "\"version\":1,";
+  ASSERT_NE(text.find(version), std::string::npos);
+  for (const std::string other : {"", "\"version\":2,", "\"version\":\"1\","}) {
+    found = {};
+    std::ofstream(folder / "part.json") << std::string(text).replace(text.find(version), version.size(), other);
+    merge_parts({folder / "part.json"}, torque_model(), found);
+    ASSERT_EQ(found.all().size(), 1u);
+    EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("another version of flatdyn"));
+    EXPECT_THAT(found.all()[0].hint, ::testing::HasSubstr("make all parts again by this version"));
+  }
+}
+
 // Numbers of parts that no part file has.
 TEST_F(PartsTest, OfWhichThereAreTooManyAreNoParts) {
   const auto short_log = log(simulated(arm(), {.samples = 50}));
