@@ -275,6 +275,7 @@ TEST(Examples, APandaIsIdentifiedFromAnExcitationWithNoise) {
   ASSERT_EQ(run_example("identify_panda.sh", scratch.path()).code, 0) << scratch.read("err");
   EXPECT_THAT(scratch.read("residuals.svg"), HasSubstr("<svg"));
   EXPECT_EQ(scratch.read("out").find("did not converge"), std::string::npos) << scratch.read("out");
+  EXPECT_THAT(scratch.read("out"), HasSubstr("divergence from the file's links: "));
   write_log(scratch.path("other.csv"), simulated(model_of("panda.urdf"), {.samples = 50, .seed = 9}));
   const auto truth = torques("robots/panda.urdf", scratch.path("other.csv"));
   const auto found = torques(scratch.path("identified.toml"), scratch.path("other.csv"));
