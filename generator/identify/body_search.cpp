@@ -44,8 +44,9 @@ double divergence_beyond_second_order(const VectorXd& y, VectorXd& gradient) {
   return sum;
 }
 
-// The cost about the present links, less a constant: |J y - wanted|² / 2 up to second order in y, in coordinates x in
-// which that is |x - newton|² / 2 times decrease(). So Newton's step is a unit vector, which is Ceres' first step.
+// The cost about the present links, but for a constant and the factor decrease(): to second order |J y - wanted|² / 2,
+// in coordinates x in which that is |x - newton|² / 2, and exactly what the divergence has beyond. So Newton's step is
+// a unit vector, which is how far Ceres' first step goes.
 class LocalCost : public ceres::FirstOrderFunction {
  public:
   LocalCost(const MatrixXd& J, const VectorXd& wanted, double weight) : weight_(weight) {
