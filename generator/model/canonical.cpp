@@ -139,9 +139,29 @@ InertialParameters without_rests(InertialParameters body, const Number& reach) {
 
 // Turned by what its angles, rational in their turn, come to. So the frames that are placed by them, and the distances
 // to axes, are zero where they have to be, to the last digit.
-Transform from_zxz(Transform frame) {
-  frame.R = rotation_by(zxz_angles(frame.R));
-  return frame;
+Mat3 from_zxz(const Mat3& R) { return rotation_by(zxz_angles(R)); }
+
+bool is_along_z(const Mat3& R) {
+  const Vec3 axis = without_rest(Vec3{R[0][2], R[1][2], R[2][2]}, 1);
+  return vanishes(axis[0]) && vanishes(axis[1]);
+}
+
+bool is_across_z(const Mat3& R) { return vanishes(without_rest(R[2][2], 1)); }
+
+bool is_symbolic(const Mat3& R) {
+  return std::any_of(R.begin(), R.end(), [](const Vec3& row) {
+    return std::any_of(row.begin(), row.end(), [](const Number& entry) { return has_symbols(entry); });
+  });
+}
+
+bool has_rational_angles(const Mat3& R) {
+  const Mat3 again = from_zxz(R);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (!again[i][j].is_equal(R[i][j])) return false;
+    }
+  }
+  return true;
 }
 
 // The tree with raw frames: z on each axis, origin and phase wherever the file put them.
@@ -184,15 +204,44 @@ class RawTree {
       merged_.push_back(robot_.links[child].name);
     } else {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
-      raw_.push_back(from_zxz(compose(compose(frame, onto_axis),
-                                      offset_motion(joint, position_[static_cast<std::size_t>(joint_index)].offset))));
-      raw_.back().p = without_rest(raw_.back().p, reach_);
+      const Transform raw = compose(compose(frame, onto_axis),
+                                    offset_motion(joint, position_[static_cast<std::size_t>(joint_index)].offset));
+      raw_.push_back({from_zxz(without_rest_past_slides(raw.R, body_of_[parent])), without_rest(raw.p, reach_)});
       parent_.push_back(body_of_[parent]);
       joint_of_.push_back(joint_index);
       body_of_[child] = static_cast<int>(raw_.size()) - 1;
       link_pose_[child] = compose({transpose(onto_axis.R), zero_vector()}, offset);
     }
     walk(joint.child);
+  }
+
+  bool is_slide(int body) const {
+    return robot_.joints[static_cast<std::size_t>(joint_of_[static_cast<std::size_t>(body)])].type ==
+           JointType::prismatic;
+  }
+
+  // Of a body turned by R in the frame of `parent`. A slide does not turn what it carries, so an axis behind it is
+  // parallel or at a right angle to one before it if the robot's are, but for a rest: the angles on the way have been
+  // made rational each by itself.
+  Mat3 without_rest_past_slides(const Mat3& R, int parent) const {
+    for (const auto fits : {is_along_z, is_across_z}) {
+      if (const std::optional<Mat3> found = placed_past_slides(R, parent, fits)) return *found;
+    }
+    return R;
+  }
+
+  // R by the nearest axis past slides to which the body's `fits`. It is of use only if its angles are rational again:
+  // they are if all axes on the way are in one plane, or if one slide is between two axes that are parallel.
+  std::optional<Mat3> placed_past_slides(const Mat3& R, int parent, bool (*fits)(const Mat3&)) const {
+    Mat3 way = identity_matrix();  // from the body at hand to the parent
+    for (int body = parent; body >= 0 && is_slide(body); body = parent_[static_cast<std::size_t>(body)]) {
+      way = expanded(raw_[static_cast<std::size_t>(body)].R * way);
+      const Mat3 turned = expanded(way * R);
+      if (is_symbolic(turned) || !fits(turned)) continue;
+      const Mat3 placed = expanded(transpose(way) * from_zxz(turned));
+      if (has_rational_angles(placed)) return placed;
+    }
+    return std::nullopt;
   }
 };
 

@@ -55,6 +55,75 @@ TEST_P(RandomTrees, HaveTheSameBaseParametersThreeWays) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomTrees, ::testing::Range(1u, 25u));
 
+// A joint whose z axis is turned from the base's by roll and pitch.
+struct Placed {
+  JointType type;
+  Number pitch, roll;
+};
+
+// A chain of joints each of which is turned from the base's axes as it is placed, so that equal ones are parallel; all
+// lengths and inertias are in general. Turned there in two parts and back in one: cosines and sines that are rational
+// one by one do not cancel.
+Robot placed_chain(const std::vector<Placed>& joints) {
+  testing::Numbers numbers(4);
+  Robot robot;
+  robot.name = "placed";
+  robot.links.push_back({"base", {}, {}});
+  robot.root = 0;
+  robot.gravity = {0, 0, -10};
+  const auto about_x = Displacement::Kind::rotation_x, about_y = Displacement::Kind::rotation_y;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string n = std::to_string(i + 1);
+    robot.links.push_back(
+        testing::link("link" + n, numbers.positive(), numbers.vector(), testing::real_tensor(numbers)));
+    const Number third = joints[i].roll / 3;
+    const Pose origin{{testing::translation(numbers.vector()), testing::rotation(about_y, joints[i].pitch),
+                       testing::rotation(about_x, third), testing::rotation(about_x, joints[i].roll - third)},
+                      {}};
+    const int parent = static_cast<int>(i);
+    robot.joints.push_back(testing::joint("joint" + n, joints[i].type, parent, parent + 1, origin, {0, 0, 1}));
+    robot.joints.back().link_offset.displacements = {testing::rotation(about_x, -joints[i].roll),
+                                                     testing::rotation(about_y, -joints[i].pitch)};
+  }
+  robot.tip = static_cast<int>(joints.size());
+  return robot;
+}
+
+constexpr auto kTurn = JointType::revolute, kSlide = JointType::prismatic;
+
+// How the joints of a chain are turned: what is parallel there has to be so in exact numbers, too.
+std::vector<std::vector<Placed>> oblique_slides() {
+  const Number a = exact_decimal("0.3"), b = exact_decimal("-0.8"), c = exact_decimal("1.1"), quarter = GiNaC::Pi / 2;
+  const Placed turn{kTurn, 0, 0}, slide{kSlide, a, b};
+  return {{turn, slide, turn},
+          {turn, slide, turn, turn},
+          {turn, slide, turn, slide, turn},
+          {turn, slide, slide, turn},
+          {turn, {kSlide, 0, a}, {kSlide, 0, c}, turn},
+          {turn, {kSlide, 0, a}, {kSlide, 0, b}, {kSlide, 0, c}, turn},
+          {turn, slide, {kTurn, GiNaC::Pi, 0}},
+          {{kTurn, a, c}, slide, {kTurn, a, c}},
+          {{kTurn, a, c}, {kTurn, b, 0}, slide, {kTurn, b, 0}, turn},
+          {slide, turn, slide, turn},
+          {turn, {kSlide, quarter, a}, {kSlide, quarter, c}, turn},
+          {turn, {kSlide, quarter, a}, {kSlide, quarter, c}, {kSlide, quarter, b}, turn},
+          {turn, {kSlide, quarter, a}, {kTurn, quarter, c}, turn},
+          {turn, {kSlide, 0, a}, {kTurn, 0, quarter}},
+          {{kTurn, 0, b}, {kSlide, 0, a}, {kTurn, 0, b - quarter}},
+          {{kTurn, a, c}, {kSlide, a, b}, {kTurn, a, c + quarter}}};
+}
+
+class ObliqueSlides : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(ObliqueSlides, HaveTheSameBaseParametersThreeWays) {
+  const Robot robot = placed_chain(oblique_slides()[GetParam()]);
+  const Mechanism mechanism = make_mechanism(robot);
+  expect_three_ways(robot, mechanism, ParameterSet::full);
+  expect_three_ways(robot, mechanism, ParameterSet::inertial);
+}
+
+INSTANTIATE_TEST_SUITE_P(Chains, ObliqueSlides, ::testing::Range(std::size_t{0}, oblique_slides().size()));
+
 class RobotsOfTheRepository : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RobotsOfTheRepository, HaveTheRankOfFiftyDigits) {
