@@ -123,7 +123,7 @@ class PageWriter {
 
   // All names at namespace scope, before any function is written: its variables must differ from them.
   void take_names() {
-    for (const LimitKind& kind : limits_given(mechanism_)) names_.unique(dialect_.global(kind.constant));
+    for (const LimitColumn& kind : limits_given(mechanism_)) names_.unique(dialect_.global(kind.constant));
     if (mechanism_.has_loops()) {
       for (const char* name : {"position_names", "independent_positions", "close_loops"}) {
         names_.unique(dialect_.global(name));
@@ -193,7 +193,7 @@ class PageWriter {
       constants << constant("As the robot file names them", per_joint("const char*", "joint_names", joints));
     }
     if (mechanism_.has_loops()) write_position_constants(header, constants);
-    for (const LimitKind& kind : limits_given(mechanism_)) {
+    for (const LimitColumn& kind : limits_given(mechanism_)) {
       const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
       exports_.emplace_back(kind.constant);
       constants << constant(kind.meaning, per_joint(kReal, kind.constant, entries));
@@ -299,7 +299,7 @@ class PageWriter {
   }
 
   bool uses_infinity() const {
-    for (const LimitKind& kind : limits_given(mechanism_)) {
+    for (const LimitColumn& kind : limits_given(mechanism_)) {
       const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
       if (std::count(entries.begin(), entries.end(), dialect_.infinity(kind.is_lower)) > 0) return true;
     }

@@ -90,7 +90,7 @@ class BodyWriter {
 
   std::string whole() const {
     std::string text = loads() + trigonometry(false) + sines_and_cosines() + stage();
-    for (const Step& step : steps(false)) text += step.makes ? definition_line(step) : step.code;
+    for (const PartStep& step : steps(false)) text += step.makes ? definition_line(step) : step.code;
     return text + condition();
   }
 
@@ -99,7 +99,7 @@ class BodyWriter {
     const std::string name = scope_.stored_in.empty() ? name_ : scope_.stored_in + "_" + name_;
     LongBody long_body{name, input_steps(), variables_, sources(), part_arguments(), scope_.most_lines, dialect_};
     if (long_body.most_lines == 0) long_body.most_lines = kLongPart;
-    for (const std::vector<Step>& more : {steps(true), pivot_steps()}) {
+    for (const std::vector<PartStep>& more : {steps(true), pivot_steps()}) {
       long_body.steps.insert(long_body.steps.end(), more.begin(), more.end());
     }
     const std::string before = trigonometry(true) + stage(), after = ending_of_parts();
@@ -132,8 +132,8 @@ class BodyWriter {
            dialect_.all_positive(kPivots, pivots) + code_line("return positive;", kStatementIndent);
   }
 
-  std::vector<Step> input_steps() const {
-    std::vector<Step> steps;
+  std::vector<PartStep> input_steps() const {
+    std::vector<PartStep> steps;
     for (const Input& input : inputs_) {
       const NodeId id = find_input(input);
       if (!is_used_by_itself(id)) continue;
@@ -144,8 +144,8 @@ class BodyWriter {
     return steps;
   }
 
-  std::vector<Step> pivot_steps() const {
-    std::vector<Step> steps;
+  std::vector<PartStep> pivot_steps() const {
+    std::vector<PartStep> steps;
     for (const Checked& pivot : pivots_to_check()) {
       std::vector<NodeId> variables = variables_used(pivot.value);
       if (pivot.scale) {
@@ -315,8 +315,8 @@ class BodyWriter {
   }
 
   // All but sines and cosines.
-  std::vector<Step> steps(bool of_parts) const {
-    std::vector<Step> steps;
+  std::vector<PartStep> steps(bool of_parts) const {
+    std::vector<PartStep> steps;
     for (const Statement& statement : schedule_.statements) {
       if (is_angle_function(statement)) continue;
       if (statement.targets.empty()) {
@@ -330,16 +330,16 @@ class BodyWriter {
     return steps;
   }
 
-  Step give_back(NodeId id, bool by_part) const {
+  PartStep give_back(NodeId id, bool by_part) const {
     const std::string value = printer_.use(id);
     const std::string code =
         by_part ? fmt::format("{} = {};", dialect_.number_use(kResult), value) : fmt::format("return {};", value);
     return {code_line(code, kStatementIndent), {}, variables_used(id), {kResult}};
   }
 
-  Step definition(NodeId id) const { return {printer_.definition(id), id, variables_in(id), {}}; }
+  PartStep definition(NodeId id) const { return {printer_.definition(id), id, variables_in(id), {}}; }
 
-  std::string definition_line(const Step& step) const {
+  std::string definition_line(const PartStep& step) const {
     return code_line(fmt::format("{}{} = {};", dialect_.constant(), variable(*step.makes), step.code),
                      kStatementIndent);
   }
@@ -366,10 +366,10 @@ class BodyWriter {
   }
 
   // "B[1] = B[7] = b_12;"
-  Step store(const Statement& statement) const {
+  PartStep store(const Statement& statement) const {
     constexpr std::size_t kMostTargets = 8;
     const std::string value = printer_.use(statement.node);
-    Step step{"", {}, variables_used(statement.node), {}};
+    PartStep step{"", {}, variables_used(statement.node), {}};
     std::string code;
     const std::vector<Target>& targets = statement.targets;
     for (std::size_t k = 0; k < targets.size(); ++k) {

@@ -12,7 +12,7 @@ namespace flatdyn {
 
 namespace {
 
-constexpr LimitKind kLimitKinds[] = {
+constexpr LimitColumn kLimitKinds[] = {
     {"lower", "position_lower", "Smallest position, rad or m", true, &Limits::lower},
     {"upper", "position_upper", "Largest position, rad or m", false, &Limits::upper},
     {"speed", "velocity_limit", "Largest speed, rad/s or m/s", false, &Limits::velocity},
@@ -26,7 +26,7 @@ std::string plain(std::string literal) {
   return literal;
 }
 
-std::optional<Rational> limit_of(const Body& body, const LimitKind& kind) {
+std::optional<Rational> limit_of(const Body& body, const LimitColumn& kind) {
   const std::optional<Value>& limit = body.limits.*(kind.value);
   return limit ? rational_of(limit->number) : std::nullopt;
 }
@@ -43,9 +43,9 @@ std::string rate_text(const Mechanism& mechanism, int p) {
 
 }  // namespace
 
-std::vector<LimitKind> limits_given(const Mechanism& mechanism) {
-  std::vector<LimitKind> given;
-  for (const LimitKind& kind : kLimitKinds) {
+std::vector<LimitColumn> limits_given(const Mechanism& mechanism) {
+  std::vector<LimitColumn> given;
+  for (const LimitColumn& kind : kLimitKinds) {
     const bool any = std::any_of(mechanism.joints().begin(), mechanism.joints().end(),
                                  [&kind](const Body& body) { return limit_of(body, kind).has_value(); });
     if (any) given.push_back(kind);
@@ -60,7 +60,7 @@ std::optional<Rational> rational_of(const Number& number) {
   return to_rational(exact);
 }
 
-std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind, const Dialect& dialect) {
+std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitColumn& kind, const Dialect& dialect) {
   std::vector<std::string> entries;
   for (const Body& body : mechanism.joints()) {
     const std::optional<Rational> limit = limit_of(body, kind);
@@ -70,10 +70,10 @@ std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKi
 }
 
 std::vector<std::string> joint_table(const Mechanism& mechanism) {
-  const std::vector<LimitKind> limits = limits_given(mechanism);
+  const std::vector<LimitColumn> limits = limits_given(mechanism);
   std::vector<std::vector<std::string>> rows = {{"index", "joint", "moves link", "type", "unit"}};
   if (mechanism.has_loops()) rows[0] = {"q", "qd", "joint", "moves link", "type", "unit"};
-  for (const LimitKind& kind : limits) rows[0].push_back(kind.column);
+  for (const LimitColumn& kind : limits) rows[0].push_back(kind.column);
   for (int p = 0; p < mechanism.position_count(); ++p) {
     const Body& body = mechanism.joint_at(p);
     std::vector<std::string> row = {std::to_string(p)};
@@ -82,7 +82,7 @@ std::vector<std::string> joint_table(const Mechanism& mechanism) {
       row.push_back(text);
     }
     row.emplace_back(body.prismatic ? "m" : "rad");
-    for (const LimitKind& kind : limits) {
+    for (const LimitColumn& kind : limits) {
       const std::optional<Rational> limit = limit_of(body, kind);
       row.push_back(limit ? plain(decimal_literal(*limit)) : "none");
     }

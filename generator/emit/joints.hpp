@@ -12,7 +12,7 @@
 namespace flatdyn {
 
 // One kind of limit that a joint may have.
-struct LimitKind {
+struct LimitColumn {
   const char* column;    // heading in the table
   const char* constant;  // name of the emitted array
   const char* meaning;   // comment of the array
@@ -21,13 +21,13 @@ struct LimitKind {
 };
 
 // The kinds that at least one joint of the mechanism has, in a fixed order.
-std::vector<LimitKind> limits_given(const Mechanism& mechanism);
+std::vector<LimitColumn> limits_given(const Mechanism& mechanism);
 
 // A number, of Pi and roots as many digits as matter; nullopt if it depends on a free symbol.
 std::optional<Rational> rational_of(const Number& number);
 
 // The entries of the emitted array of one kind of limit: "Real(2.8973)", "Real(HUGE_VAL)".
-std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitKind& kind, const Dialect& dialect);
+std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitColumn& kind, const Dialect& dialect);
 
 // Lines: index (in closed loops those in q and qd), joint, link, type, unit and the limits given.
 std::vector<std::string> joint_table(const Mechanism& mechanism);

@@ -121,7 +121,7 @@ class Cutter {
       names.insert(known == body_.sources.end() ? kKept : known->second.argument);
     }
     for (std::size_t k = first; k < last; ++k) {
-      const Step& step = body_.steps[k];
+      const PartStep& step = body_.steps[k];
       names.insert(step.arguments.begin(), step.arguments.end());
       if (step.makes && is_kept(*step.makes, last)) names.insert(kKept);
     }
@@ -136,14 +136,14 @@ class Cutter {
     std::string code = head(name, arguments(first, last));
     if (!reads.empty()) code += list_line(body_.dialect.constant(), reads, ";", kStatementIndent);
     for (std::size_t k = first; k < last; ++k) {
-      const Step& step = body_.steps[k];
+      const PartStep& step = body_.steps[k];
       code += step.makes ? definition(step, last) : step.code;
     }
     return code + "}\n";
   }
 
   // "const Scalar x = …;" and "kept[7] = x;", or only one of them.
-  std::string definition(const Step& step, std::size_t last) const {
+  std::string definition(const PartStep& step, std::size_t last) const {
     const NodeId id = *step.makes;
     const bool is_used = first_use_[static_cast<std::size_t>(id)] < last;
     const std::string& variable = body_.variables[static_cast<std::size_t>(id)];

@@ -14,7 +14,7 @@
 namespace flatdyn {
 
 // A statement that stays whole.
-struct Step {
+struct PartStep {
   std::string code;                    // indented lines; of a variable its value only: "c_2 * qd_1"
   std::optional<NodeId> makes;         // the variable
   std::vector<NodeId> needs;           // variables
@@ -35,7 +35,7 @@ struct PartSource {
 
 struct LongBody {
   std::string name;  // of the function
-  std::vector<Step> steps;
+  std::vector<PartStep> steps;
   const VariableNames& variables;
   std::map<NodeId, PartSource> sources;
   std::vector<PartArgument> arguments;  // that parts may have, in their order

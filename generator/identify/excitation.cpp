@@ -85,7 +85,7 @@ class ShapeSearch {
   bool out_of_time_ = false;
 };
 
-MatrixXd stacked_regressor(const TorqueModel& model, const std::vector<JointMotion>& samples) {
+MatrixXd stacked_regressor(const TorqueModel& model, const std::vector<FourierMotion>& samples) {
   const int n = model.joints();
   MatrixXd stacked(static_cast<Eigen::Index>(samples.size()) * n, model.parameters());
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model.parameters());
@@ -105,7 +105,7 @@ std::vector<std::vector<double>> torques_of(const TorqueModel& model, const Matr
   return rows;
 }
 
-std::vector<LimitUse> use_of(const std::vector<JointLimits>& limits, const std::vector<JointMotion>& samples,
+std::vector<LimitUse> use_of(const std::vector<JointLimits>& limits, const std::vector<FourierMotion>& samples,
                              const std::vector<std::vector<double>>& torques) {
   std::vector<LimitUse> use(limits.size());
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -122,7 +122,7 @@ bool keeps_torques(const std::vector<LimitUse>& use, double margin) {
 
 PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, FourierTrajectory trajectory,
                       int intervals) {
-  std::vector<JointMotion> samples = sampled(trajectory, intervals);
+  std::vector<FourierMotion> samples = sampled(trajectory, intervals);
   const MatrixXd stacked = stacked_regressor(model, samples);
   std::vector<std::vector<double>> torques = torques_of(model, stacked);
   std::vector<LimitUse> use = use_of(limits, samples, torques);

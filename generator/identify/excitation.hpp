@@ -28,7 +28,7 @@ struct ExcitationOptions {
 // A motion, sampled as it is written.
 struct PlannedMotion {
   FourierTrajectory trajectory;
-  std::vector<JointMotion> samples;
+  std::vector<FourierMotion> samples;
   std::vector<std::vector<double>> torques;  // Y_b π_b of the file, per sample
   std::vector<LimitUse> use;                 // per joint, of the whole limits
   Conditioning conditioning;                 // of all samples

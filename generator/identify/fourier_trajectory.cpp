@@ -38,8 +38,8 @@ Deflection cosine_term(double duration, int l, double t) {
 FourierTrajectory::FourierTrajectory(double duration, std::vector<double> rest, std::vector<FourierSeries> series)
     : duration_(duration), rest_(std::move(rest)), series_(std::move(series)) {}
 
-JointMotion FourierTrajectory::at(double t) const {
-  JointMotion motion;
+FourierMotion FourierTrajectory::at(double t) const {
+  FourierMotion motion;
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     Deflection sum;
     for (std::size_t k = 0; k < series_[i].a.size(); ++k) {
@@ -62,8 +62,8 @@ FourierTrajectory FourierTrajectory::scaled(const std::vector<double>& factors) 
   return result;
 }
 
-std::vector<JointMotion> sampled(const FourierTrajectory& trajectory, int intervals) {
-  std::vector<JointMotion> motions;
+std::vector<FourierMotion> sampled(const FourierTrajectory& trajectory, int intervals) {
+  std::vector<FourierMotion> motions;
   for (int k = 0; k <= intervals; ++k) motions.push_back(trajectory.at(trajectory.duration() * k / intervals));
   return motions;
 }

@@ -24,7 +24,7 @@ struct FourierSeries {
   std::vector<double> a, b;
 };
 
-struct JointMotion {
+struct FourierMotion {
   std::vector<double> q, qd, qdd;
 };
 
@@ -37,7 +37,7 @@ class FourierTrajectory {
   int joints() const { return static_cast<int>(rest_.size()); }
   const std::vector<FourierSeries>& series() const { return series_; }
   // 0 ≤ t ≤ duration.
-  JointMotion at(double t) const;
+  FourierMotion at(double t) const;
   // The deflection from rest of every joint, multiplied.
   FourierTrajectory scaled(const std::vector<double>& factors) const;
 
@@ -48,6 +48,6 @@ class FourierTrajectory {
 };
 
 // At both ends and evenly between them.
-std::vector<JointMotion> sampled(const FourierTrajectory& trajectory, int intervals);
+std::vector<FourierMotion> sampled(const FourierTrajectory& trajectory, int intervals);
 
 }  // namespace flatdyn

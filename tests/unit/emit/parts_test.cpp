@@ -120,8 +120,8 @@ TEST(Parts, ComputeTheSameBits) {
 }
 
 // x_0; x_1 from x_0; x_2 from x_1; ...
-std::vector<Step> chain_of_steps(int count) {
-  std::vector<Step> steps;
+std::vector<PartStep> chain_of_steps(int count) {
+  std::vector<PartStep> steps;
   for (int k = 0; k < count; ++k) steps.push_back({"1 + " + std::to_string(k), k, {}, {}});
   for (int k = 1; k < count; ++k) steps[static_cast<std::size_t>(k)].needs = {k - 1};
   return steps;

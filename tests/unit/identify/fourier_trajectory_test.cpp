@@ -18,7 +18,7 @@ TEST(FourierTrajectory, StartsAndEndsAtRest) {
   const FourierTrajectory trajectory = some_trajectory();
   constexpr double kRounding = 1e-14;
   for (const double t : {0.0, kDuration}) {
-    const JointMotion motion = trajectory.at(t);
+    const FourierMotion motion = trajectory.at(t);
     EXPECT_NEAR(motion.q[0], 0.5, kRounding);
     EXPECT_NEAR(motion.q[1], -2, kRounding);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -33,7 +33,7 @@ TEST(FourierTrajectory, SpeedAndAccelerationAreTheDerivatives) {
   const FourierTrajectory trajectory = some_trajectory();
   constexpr double kStep = 1e-5, kTolerance = 1e-8;
   for (double t = 0.3; t < kDuration; t += 0.37) {
-    const JointMotion before = trajectory.at(t - kStep), now = trajectory.at(t), after = trajectory.at(t + kStep);
+    const FourierMotion before = trajectory.at(t - kStep), now = trajectory.at(t), after = trajectory.at(t + kStep);
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_NEAR(now.qd[i], (after.q[i] - before.q[i]) / (2 * kStep), kTolerance) << t;
       EXPECT_NEAR(now.qdd[i], (after.qd[i] - before.qd[i]) / (2 * kStep), kTolerance) << t;
@@ -56,13 +56,13 @@ TEST(FourierTrajectory, IsAFourierSeriesPlusAQuintic) {
 
 TEST(FourierTrajectory, ScalesTheDeflectionFromRest) {
   const FourierTrajectory trajectory = some_trajectory();
-  const JointMotion whole = trajectory.at(2.5), half = trajectory.scaled({0.5, 2}).at(2.5);
+  const FourierMotion whole = trajectory.at(2.5), half = trajectory.scaled({0.5, 2}).at(2.5);
   EXPECT_NEAR(half.q[0] - 0.5, 0.5 * (whole.q[0] - 0.5), 1e-14);
   EXPECT_NEAR(half.qdd[1], 2 * whole.qdd[1], 1e-13);
 }
 
 TEST(FourierTrajectory, SamplesBothEnds) {
-  const std::vector<JointMotion> samples = sampled(some_trajectory(), 10);
+  const std::vector<FourierMotion> samples = sampled(some_trajectory(), 10);
   ASSERT_EQ(samples.size(), 11u);
   EXPECT_EQ(samples[5].q, some_trajectory().at(kDuration / 2).q);
   EXPECT_NEAR(samples.back().q[1], -2, 1e-14);

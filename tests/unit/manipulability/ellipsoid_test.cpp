@@ -18,11 +18,11 @@ using testing::model_of;
 using testing::model_of_toml;
 
 // Of the recursive reference at a position.
-struct Pose {
+struct ArmPose {
   Eigen::MatrixXd B, J;
   Eigen::VectorXd g;
 
-  Pose(const Model& model, const std::vector<double>& q, const std::vector<int>& task) {
+  ArmPose(const Model& model, const std::vector<double>& q, const std::vector<int>& task) {
     const auto arm = reference_robot<double>(model.robot, {});
     const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
     B = reference::inertia_matrix(arm, at);
@@ -54,7 +54,7 @@ TEST(Manipulability, EndsOfTheAxesTakeTorquesOfTheNorm) {
                                  std::pair{model_of("panda.urdf"), std::vector{0.1, -0.8, 0.3, -2.3, 0.2, 1.6, 0.8}}}) {
     std::vector<int> task;
     const Ellipsoid ellipsoid = ellipsoid_of(model, q, 50, task);
-    const Pose pose(model, q, task);
+    const ArmPose pose(model, q, task);
     const Eigen::VectorXd fall = -pose.J * pose.B.inverse() * pose.g;
     EXPECT_LE((ellipsoid.centre - fall).norm(), 1e-10 * fall.norm()) << model.mechanism.name;
     const Eigen::MatrixXd inverse = pose.J.completeOrthogonalDecomposition().pseudoInverse();
@@ -72,7 +72,7 @@ TEST(Manipulability, MeasureIsThatOfTheJacobianOverTheInertia) {
   const Model model = model_of("planar_2r_example_7_2.toml");
   for (const std::vector<double>& q : {std::vector{0.5, 1.0}, std::vector{-2.0, 0.1}, std::vector{3.0, -2.5}}) {
     const Ellipsoid ellipsoid = ellipsoid_of(model, q, 1, task);
-    const Pose pose(model, q, task);
+    const ArmPose pose(model, q, task);
     const double w = std::sqrt((pose.J * pose.J.transpose()).determinant());
     EXPECT_NEAR(ellipsoid.measure * pose.B.determinant(), w, 1e-12);
   }
@@ -97,7 +97,7 @@ TEST(Manipulability, LimitsScaleTheTorques) {
   Manipulability arm(panda, TorqueNorm::limits, 1, progress);
   const std::vector<double> q = {0.1, -0.8, 0.3, -2.3, 0.2, 1.6, 0.8};
   const Ellipsoid ellipsoid = arm.at(q);
-  const Pose pose(panda, q, arm.task());
+  const ArmPose pose(panda, q, arm.task());
   const Eigen::MatrixXd inverse = pose.J.completeOrthogonalDecomposition().pseudoInverse();
   Eigen::VectorXd tau = pose.B * inverse * ellipsoid.axes.col(0) * ellipsoid.lengths(0);
   for (Eigen::Index i = 0; i < 7; ++i) tau(i) /= i < 4 ? 87 : 12;
