@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
+#include "emit/narrowed.hpp"
 #include "firmware/folder.hpp"
 #include "input/content_hash.hpp"
 #include "python/module.hpp"
@@ -169,6 +172,27 @@ Made make(const Model& model, const PipelineOptions& options, const GenerateArgu
   return made;
 }
 
+bool is_for_float(const GenerateArguments& arguments) {
+  return std::find(arguments.scalars.begin(), arguments.scalars.end(), "float") != arguments.scalars.end();
+}
+
+// What the text says of constants, and what becomes of them where C++ is compiled for float.
+std::string rounding_of_constants(const EmittedText& text, const GenerateArguments& arguments) {
+  const std::string written = text.constants();
+  return written == "double" && is_for_float(arguments) ? "double, and float rounds these once more" : written;
+}
+
+// All that is written, in stages and on its own.
+std::vector<Function> functions_written(const Made& made) {
+  std::vector<Function> functions = functions_of(made.functions);
+  if (!made.stages) return functions;
+  for (const Stage* stage : {&made.stages->configuration, &made.stages->motion}) {
+    functions.push_back(stage->make);
+    functions.insert(functions.end(), stage->members.begin(), stage->members.end());
+  }
+  return functions;
+}
+
 EmitOptions emit_options(const Model& model, const Made& made, const GenerateArguments& arguments) {
   return {arguments.name_space,
           arguments.scalars.front(),
@@ -230,10 +254,14 @@ ExitCode generate(GenerateArguments arguments) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   const Model model = read_model(arguments.robot, options);
-  const Made made = make(model, options, arguments);
+  Made made = make(model, options, arguments);
   const EmitOptions emit = emit_options(model, made, arguments);
   const std::vector<Function> functions = functions_of(made.functions);
   auto [files, read_back] = emitted(model, functions, emit, made.stages, arguments.folder);
+  if (is_for_float(arguments)) {
+    warn_of_narrowed(narrowed_constants(functions_written(made)), {model.robot.file, 0}, made.findings);
+    if (options.warnings_are_errors && made.findings.has_warnings()) throw BadInput(ExitCode::input, made.findings);
+  }
   prove_text(read_back, made.functions, made.stages);
   const std::vector<double> effects = snap_effects(model, options.read);
   const std::string manifest = manifest_of(model, made, emit, files, effects).dump(2) + "\n";
@@ -251,7 +279,7 @@ ExitCode generate(GenerateArguments arguments) {
              describe_functions(made.functions, symbol_names(model.mechanism)));
   if (made.stages) fmt::print("{}\n", describe_stages(*made.stages));
   if (made.given_up) fmt::print("{}\n", describe_abbreviation(model, *made.given_up));
-  fmt::print("{}\n{}", describe_proofs(made.proofs, read_back.constants()), done);
+  fmt::print("{}\n{}", describe_proofs(made.proofs, rounding_of_constants(read_back, arguments)), done);
   if (!arguments.firmware.empty()) {
     fmt::print("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);
   }

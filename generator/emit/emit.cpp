@@ -179,6 +179,7 @@ class PageWriter {
     header["guard"] = guard_of(namespace_, dialect_.is_c() ? "H" : "HPP");
     header["namespace"] = namespace_;
     header["scalar"] = options_.scalar;
+    header["float?"] = options_.scalar == "float";
   }
 
   void write_constants(data& header) {

@@ -58,10 +58,13 @@ double nearest_double(const Rational& value) {
 }
 
 float float_of(const Rational& value) {
-  const auto rounded = static_cast<float>(nearest_double(value));
+  const double exact = nearest_double(value);
+  const auto rounded = static_cast<float>(exact);
   if (std::isinf(rounded)) {
-    throw Failure(ExitCode::input, "a constant of the model is out of the range of float",
-                  "generate code in double, or write the robot in other units");
+    throw Failure(ExitCode::input,
+                  "a constant of the code is " + decimal_literal(exact) + ", which is infinite in float",
+                  "generate code in double, or write the robot in units in which masses, lengths and moments of "
+                  "inertia are nearer to 1");
   }
   return rounded;
 }

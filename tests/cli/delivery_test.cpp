@@ -11,6 +11,7 @@ namespace {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 std::string generate(const std::string& folder, const std::string& more = "", const std::string& robot = "") {
@@ -91,6 +92,62 @@ TEST(Pair, IsOfCppOnly) {
   EXPECT_THAT(refused("--scalar double,float --language c"), HasSubstr("name one"));
   EXPECT_THAT(refused("--form pair --scalar double,double"), HasSubstr("scalar \"double\" is named twice"));
   EXPECT_THAT(refused("--form pair --scalar double,half"), HasSubstr("half"));
+}
+
+// A light link far out: masses are in units of its own, so that some constants are beyond float's numbers.
+constexpr const char* kLightLink = R"(<robot name="light">
+  <link name="base"/>
+  <link name="arm"><inertial><origin xyz="0.5 0 0"/><mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+  <link name="tip"><inertial><origin xyz="1e-20 0 0"/><mass value="1e-25"/>
+    <inertia ixx="1e-29" ixy="0" ixz="0" iyy="1e-29" iyz="0" izz="1e-29"/></inertial></link>
+  <joint name="shoulder" type="continuous"><origin rpy="1.5 0 0"/><parent link="base"/><child link="arm"/>
+    <axis xyz="0 0 1"/></joint>
+  <joint name="wrist" type="continuous"><origin xyz="1 0 0" rpy="1 0 0"/><parent link="arm"/><child link="tip"/>
+    <axis xyz="0 0 1"/></joint>
+</robot>
+)";
+
+TEST(Float, SaysWhichConstantsAreNothingThere) {
+  const Scratch scratch;
+  scratch.write("light.urdf", kLightLink);
+  const auto generated = [&scratch](const std::string& options) {
+    return run_flatdyn(fmt::format("generate {} -o {} --functions inverse_dynamics {}", scratch.path("light.urdf"),
+                                   scratch.path("out"), options));
+  };
+  const Outcome in_double = generated("");
+  EXPECT_EQ(in_double.code, 0);
+  EXPECT_THAT(in_double.err, Not(HasSubstr("float")));
+  for (const char* options : {"--scalar float", "--form pair --scalar double,float"}) {
+    const Outcome in_float = generated(options);
+    EXPECT_EQ(in_float.code, 0);
+    EXPECT_THAT(in_float.err, HasSubstr("light.urdf: warning: float is too narrow for constants of the code: 5e+44 "
+                                        "becomes infinite (inverse_dynamics)"));
+    EXPECT_THAT(in_float.err, HasSubstr("becomes 0 (inverse_dynamics)"));
+    EXPECT_THAT(in_float.err, HasSubstr("hint: generate code in double, or write the robot in units"));
+    EXPECT_THAT(in_float.out, HasSubstr("constants rounded to double, and float rounds these once more"));
+  }
+  const Outcome in_c = generated("--language c --scalar float");
+  EXPECT_EQ(in_c.code, 3);
+  EXPECT_THAT(in_c.err, HasSubstr("a constant of the code is 5e+44, which is infinite in float"));
+}
+
+TEST(Float, RefusesSuchConstantsWhereWarningsAreErrors) {
+  const Scratch scratch;
+  scratch.write("light.urdf", kLightLink);
+  const Outcome outcome =
+      run_flatdyn(fmt::format("generate {} -o {} --functions inverse_dynamics --scalar float -Werror",
+                              scratch.path("light.urdf"), scratch.path("out")));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("out")));
+}
+
+TEST(Float, IsWideEnoughForARobot) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn(generate(scratch.path(), "--scalar float"));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, Not(HasSubstr("float")));
+  EXPECT_THAT(scratch.read("pendulum_motor.hpp"), HasSubstr("float rounds these once more"));
 }
 
 TEST(DryRun, IsNoCheck) { EXPECT_EQ(run_flatdyn(generate("/nowhere/at/all", "-n --check")).code, 2); }
