@@ -14,10 +14,26 @@
 namespace flatdyn {
 namespace {
 
-// A way to make one function of the set; and of what it is made, the ways to make that, by name: B in its second way.
+// What of a set a function may be made of: the kinetic energy of B, inverse dynamics of B and the bias.
+std::vector<std::string> parts_of(const std::string& function) {
+  if (function == "kinetic_energy") return {"inertia_matrix"};
+  if (function == "inverse_dynamics") return {"inertia_matrix", "bias"};
+  return {};
+}
+
+// The function from these.
+Function from_parts(const Function& function, const std::vector<const Function*>& parts) {
+  return parts.size() == 1 ? from_inertia_matrix(function, *parts[0])
+                           : from_inertia_matrix(function, *parts[0], *parts[1]);
+}
+
+// Which way each part is made, by name: B in its second one.
+using WaysOfParts = std::map<std::string, std::size_t>;
+
+// A way to make one function of the set, and of what.
 struct WayInSet {
   Function function;
-  std::map<std::string, std::size_t> made_of;
+  WaysOfParts made_of;
 };
 
 // All ways to make the functions of a set from one choice of frames and grouping.
@@ -26,25 +42,17 @@ class Ways {
   Ways(const Model& model, const std::vector<std::string>& functions, const Choices& choices)
       : model_(model), functions_(functions), choices_(choices) {}
 
-  // Those of the function alone, then those from others that are asked for as well, B and the bias.
+  // Those of the function alone, then those from others that are asked for as well.
   std::vector<WayInSet> of(const std::string& name) {
     std::vector<WayInSet> ways;
     for (const Function& way : alone(name)) ways.push_back(in_scene(way, {}));
+    const std::vector<std::string> parts = parts_of(name);
+    if (!makes(name, parts)) return ways;
     const Function usual = alone(name).front();
-    if (name == "kinetic_energy" && has("inertia_matrix")) {
-      const std::vector<Function>& matrices = alone("inertia_matrix");
-      for (std::size_t b = 0; b < matrices.size(); ++b) {
-        ways.push_back(in_scene(from_inertia_matrix(usual, matrices[b]), {{"inertia_matrix", b}}));
-      }
-    }
-    if (name == "inverse_dynamics" && ((has("inertia_matrix") && has("bias")) || has("forward_dynamics"))) {
-      const std::vector<Function>&matrices = alone("inertia_matrix"), &biases = alone("bias");
-      for (std::size_t b = 0; b < matrices.size(); ++b) {
-        for (std::size_t n = 0; n < biases.size(); ++n) {
-          ways.push_back(
-              in_scene(from_inertia_matrix(usual, matrices[b], biases[n]), {{"inertia_matrix", b}, {"bias", n}}));
-        }
-      }
+    for (const WaysOfParts& chosen : ways_of(parts)) {
+      std::vector<const Function*> functions;
+      for (const std::string& part : parts) functions.push_back(&alone(part)[chosen.at(part)]);
+      ways.push_back(in_scene(from_parts(usual, functions), chosen));
     }
     return ways;
   }
@@ -53,7 +61,31 @@ class Ways {
   void refuse_what_the_scene_cannot_have() const { refuse_errors(found_); }
 
  private:
-  bool has(const char* name) const { return std::find(functions_.begin(), functions_.end(), name) != functions_.end(); }
+  bool has(const std::string& name) const {
+    return std::find(functions_.begin(), functions_.end(), name) != functions_.end();
+  }
+
+  // Whether the set has all parts; forward dynamics compute those of inverse dynamics, too.
+  bool makes(const std::string& name, const std::vector<std::string>& parts) const {
+    if (name == "inverse_dynamics" && has("forward_dynamics")) return true;
+    return !parts.empty() && std::all_of(parts.begin(), parts.end(), [this](const auto& part) { return has(part); });
+  }
+
+  // Each way of the first part with each of the second.
+  std::vector<WaysOfParts> ways_of(const std::vector<std::string>& parts) {
+    std::vector<WaysOfParts> all(1);
+    for (const std::string& part : parts) {
+      std::vector<WaysOfParts> longer;
+      for (const WaysOfParts& chosen : all) {
+        for (std::size_t way = 0; way < alone(part).size(); ++way) {
+          longer.push_back(chosen);
+          longer.back()[part] = way;
+        }
+      }
+      all = std::move(longer);
+    }
+    return all;
+  }
 
   const std::vector<Function>& alone(const std::string& name) {
     std::vector<Function>& ways = alone_[name];
@@ -65,7 +97,7 @@ class Ways {
     return ways;
   }
 
-  WayInSet in_scene(const Function& function, std::map<std::string, std::size_t> made_of) {
+  WayInSet in_scene(const Function& function, WaysOfParts made_of) {
     return {specialised(function, model_.mechanism, model_.robot.scene, found_), std::move(made_of)};
   }
 
@@ -155,23 +187,19 @@ class SideBySide {
  private:
   // Where that costs less.
   void make_of_others(Function& function) {
-    const Function *B = whole("inertia_matrix"), *bias = whole("bias");
-    std::optional<Function> other;
-    if (function.name == "kinetic_energy" && B != nullptr) other = from_inertia_matrix(function, *B);
-    if (function.name == "inverse_dynamics" && B != nullptr && bias != nullptr) {
-      other = from_inertia_matrix(function, *B, *bias);
-    }
-    if (!other) return;
+    std::vector<const Function*> parts;
+    for (const std::string& part : parts_of(function.name)) parts.push_back(whole(part));
+    if (parts.empty() || std::find(parts.begin(), parts.end(), nullptr) != parts.end()) return;
     Diagnostics none;
-    Function changed = specialised(*other, model_.mechanism, model_.robot.scene, none);
+    Function changed = specialised(from_parts(function, parts), model_.mechanism, model_.robot.scene, none);
     const int before = cost(fused(made_).function);
     std::swap(function, changed);
     if (cost(fused(made_).function) >= before) std::swap(function, changed);
   }
 
   // One of the set, if the scene leaves out none of its entries.
-  const Function* whole(const char* name) const {
-    const auto found = std::find_if(made_.begin(), made_.end(), [name](const Function& f) { return f.name == name; });
+  const Function* whole(const std::string& name) const {
+    const auto found = std::find_if(made_.begin(), made_.end(), [&name](const Function& f) { return f.name == name; });
     return found != made_.end() && found->outputs[0].left_out.empty() ? &*found : nullptr;
   }
 
