@@ -97,26 +97,9 @@ void rename(const fs::path& from, const fs::path& to, const fs::path& wanted) {
   if (error) cannot_write(wanted, error.message());
 }
 
-// The new files of this run, while they are beside their places.
-class NewFiles {
- public:
-  explicit NewFiles(const std::vector<TextFile>& files) : files_(files) {}
-  NewFiles(const NewFiles&) = delete;
-  NewFiles& operator=(const NewFiles&) = delete;
-  ~NewFiles() {
-    std::error_code ignored;
-    for (const TextFile& file : files_) fs::remove(beside(file.path, kNew), ignored);
-  }
-  void write() const {
-    for (const TextFile& file : files_) write_text(beside(file.path, kNew), file);
-  }
-
- private:
-  const std::vector<TextFile>& files_;
-};
-
-// The change from the last run's files to this one's. At whatever moment this run is killed, no file of the one stands
-// beside one of the other: the first is replaced in one step, and the others are away while that happens.
+// The change from the last run's files to this one's, which are written beside their places before. At whatever moment
+// this run is killed, no file of the one stands beside one of the other: the first is replaced in one step, and the
+// others are away while that happens.
 class Change {
  public:
   // places: those of the files, then those of outdated ones.
@@ -125,17 +108,23 @@ class Change {
   Change& operator=(const Change&) = delete;
   ~Change() {
     std::error_code ignored;
-    if (!is_whole_) take_back();
+    if (is_half_) take_back();
     for (const fs::path& place : places_) fs::remove(beside(place, kOld), ignored);
+    for (const TextFile& file : files_) fs::remove(beside(file.path, kNew), ignored);
+  }
+
+  void write() const {
+    for (const TextFile& file : files_) write_text(beside(file.path, kNew), file);
   }
 
   void make() {
+    is_half_ = true;
     for (const fs::path& place : places_) set_aside(place);
     for (const TextFile& file : files_) {
       rename(beside(file.path, kNew), file.path, file.path);
       ++in_place_;
     }
-    is_whole_ = true;
+    is_half_ = false;
   }
 
  private:
@@ -163,7 +152,7 @@ class Change {
   const std::vector<TextFile>& files_;
   const std::vector<fs::path>& places_;
   std::size_t in_place_ = 0;
-  bool is_whole_ = false;
+  bool is_half_ = false;
 };
 
 }  // namespace
@@ -204,9 +193,9 @@ void replace_files(const std::vector<TextFile>& files, const std::vector<fs::pat
   places.insert(places.end(), outdated.begin(), outdated.end());
   const std::vector<std::unique_ptr<FolderLock>> locks = locked(places);
   if (std::all_of(locks.begin(), locks.end(), [](const auto& lock) { return lock->is_held(); })) remove_remains(places);
-  const NewFiles come(files);
-  come.write();
-  Change(files, places).make();
+  Change change(files, places);
+  change.write();
+  change.make();
 }
 
 }  // namespace flatdyn
