@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include "diagnostics/diagnostics.hpp"
 
@@ -13,42 +13,10 @@ namespace {
 
 constexpr const char* kMayOverflow = "it may overflow";
 
-using Form = std::vector<std::pair<int, Rational>>;
-
-double size_of(const Rational& x) { return std::abs(x.convert_to<double>()) * kUpward; }
-
-Form times(Form form, const Rational& c) {
-  if (c == 0) return {};
-  for (auto& [atom, coefficient] : form) coefficient *= c;
-  return form;
-}
-
-// a + c b.
-Form sum(const Form& a, const Rational& c, const Form& b) {
-  Form result;
-  result.reserve(a.size() + b.size());
-  auto i = a.begin();
-  auto j = b.begin();
-  while (i != a.end() || j != b.end()) {
-    if (j == b.end() || (i != a.end() && i->first < j->first)) {
-      result.push_back(*i++);
-    } else if (i == a.end() || j->first < i->first) {
-      result.emplace_back(j->first, c * j->second);
-      ++j;
-    } else {
-      Rational total = i->second + c * j->second;
-      if (total != 0) result.emplace_back(i->first, std::move(total));
-      ++i, ++j;
-    }
-  }
-  return result;
-}
-
-bool is_number(const Form& form) { return form.empty() || (form.size() == 1 && form[0].first < 0); }
-
-bool is_opposite(const Form& a, const Form& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& x, const auto& y) { return x.first == y.first && x.second == -y.second; });
+std::optional<double> number_of(const std::vector<std::pair<int, double>>& form) {
+  if (form.empty()) return 0;
+  if (form.size() == 1 && form[0].first == Atoms::kOne) return form[0].second;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -56,17 +24,65 @@ bool is_opposite(const Form& a, const Form& b) {
 Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits)
     : lines_(lines), executed_(executed), model_(std::move(model)), limits_(std::move(limits)) {}
 
-std::size_t Norms::HashOfVector::operator()(const Vector& v) const {
-  std::size_t hash = v.size();
-  const auto mix = [&hash](std::size_t x) { hash = (hash ^ x) * 0x9e3779b97f4a7c15u + (hash >> 29); };
-  for (const Form& form : v) {
-    mix(form.size());
-    for (const auto& [atom, coefficient] : form) {
-      mix(static_cast<std::size_t>(atom + 1));
-      mix(std::hash<double>()(coefficient.convert_to<double>()));
-    }
+// Few enough to be multiplied out.
+bool Norms::is_of_sines(const Form& form) const {
+  constexpr std::size_t kMost = 4;
+  return form.size() <= kMost &&
+         std::all_of(form.begin(), form.end(), [this](const auto& term) { return atoms_.is_of_sines(term.first); });
+}
+
+double Norms::largest_of(int atom) {
+  const auto known = largest_of_atoms_.find(atom);
+  if (known != largest_of_atoms_.end()) return known->second;
+  const Atom& of = atoms_[atom];
+  double result = 1;
+  switch (of.kind) {
+    case Atom::Kind::one:
+      break;
+    case Atom::Kind::given:
+      if (lines_[of.a].step == Step::input) result = limits_(lines_[of.a].input);
+      break;
+    case Atom::Kind::result:
+      result = largest(of.a);
+      break;
+    case Atom::Kind::turned:
+      result = largest_of(of.a);
+      break;
+    case Atom::Kind::product:
+      result = largest_of(of.a) * largest_of(of.b) * kUpward;
+      break;
   }
-  return hash;
+  return largest_of_atoms_[atom] = result;
+}
+
+Norms::Factor Norms::factor(int k) {
+  const Expansion& of = expansion(k);
+  if (of.form.size() == 1 && of.slack == 0) return {of.form[0].first, of.form[0].second};
+  return {atoms_.result(k), 1};
+}
+
+// to + c form, with what is lost by rounding coefficients.
+void Norms::add(Expansion& to, double c, const Form& form) {
+  constexpr double kCancelled = 0x1p-50;
+  Form result;
+  result.reserve(to.form.size() + form.size());
+  auto i = to.form.begin();
+  for (const auto& [atom, coefficient] : form) {
+    while (i != to.form.end() && i->first < atom) result.push_back(*i++);
+    const double added = c * coefficient;
+    double total = added, lost = std::abs(std::fma(c, coefficient, -added));
+    if (i != to.form.end() && i->first == atom) {
+      total += i->second;
+      const double part = total - added;  // the rounding error of a sum, exactly: Knuth's
+      lost += std::abs((added - (total - part)) + (i->second - part));
+      if (std::abs(total) <= kCancelled * std::abs(added)) lost += std::abs(std::exchange(total, 0));
+      ++i;
+    }
+    if (total != 0) result.emplace_back(atom, total);
+    if (lost > 0) to.slack += lost * largest_of(atom) * kUpward;
+  }
+  result.insert(result.end(), i, to.form.end());
+  to.form = std::move(result);
 }
 
 // Sign changes are exact, and products with a power of two that is at least 1.
@@ -83,17 +99,12 @@ bool Norms::is_rounded(int k) const {
   return !is_power(operation.a) && !is_power(operation.b);
 }
 
-const Norms::Turned* Norms::turned(int atom) const {
-  const auto found = turned_.find(atom);
-  return found == turned_.end() ? nullptr : &found->second;
-}
-
 const Norms::Expansion& Norms::expansion(int k) {
   const auto known = expansions_.find(k);
   if (known != expansions_.end()) return known->second;
   Expansion result = unrounded(k);
   if (is_rounded(k)) {
-    result.before_rounding = rounded_up(norm({result.form}) + result.slack);
+    result.before_rounding = rounded_up(norm(result.form) + result.slack);
     if (!(result.before_rounding <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
     result.own_error = model_.format.half_ulp(result.before_rounding);
   }
@@ -108,24 +119,26 @@ Norms::Expansion Norms::unrounded(int k) {
       Expansion result;
       const double value = k < executed_ ? model_.format.rounded(operation.value) : operation.value;
       if (!std::isfinite(value)) throw Failure(ExitCode::unsupported, kMayOverflow);
-      if (value != 0) result.form = {{kOne, Rational(value)}};
+      if (value != 0) result.form = {{Atoms::kOne, value}};
       if (k < executed_) result.own_error = model_.constant_error(operation.value);
       return result;
     }
     case Step::sine:
-    case Step::cosine:
-      turned_[k] = {operation.input.index, operation.step == Step::cosine, kOne};
+    case Step::cosine: {
       // A sine differs from that of another angle by less than the angles do.
-      return {{{k, 1}}, 0, 0, model_.sine_error + (operation.a < 0 ? 0 : expansion(operation.a).slack)};
-    case Step::negate: {
-      const Expansion& of = expansion(operation.a);
-      return {times(of.form, -1), of.slack, 0, 0};
+      const double of_angle = operation.a < 0 ? 0 : expansion(operation.a).slack;
+      const int sine = atoms_.sine(operation.input.index, operation.step == Step::cosine);
+      return {{{sine, 1}}, 0, 0, model_.sine_error + of_angle};
     }
+    case Step::negate:
+      return scaled(-1, 0, operation.a);
     case Step::add:
     case Step::subtract: {
-      const Expansion a = expansion(operation.a);
+      Expansion result = scaled(1, 0, operation.a);
       const Expansion& b = expansion(operation.b);
-      return {sum(a.form, operation.step == Step::add ? 1 : -1, b.form), a.slack + b.slack, 0, 0};
+      result.slack += b.slack;
+      add(result, operation.step == Step::add ? 1 : -1, b.form);
+      return result;
     }
     case Step::multiply:
       return product(k);
@@ -141,153 +154,64 @@ Norms::Expansion Norms::unrounded(int k) {
     case Step::input:
       break;
   }
-  return {{{k, 1}}, 0, 0, 0};
+  return {{{atoms_.given(k), 1}}, 0, 0, 0};
 }
 
-Norms::Expansion Norms::scaled(const Rational& c, double error_of_c, int k) {
-  const Expansion of = expansion(k);
-  const double error = error_of_c > 0 ? error_of_c * largest(k) : 0;
-  return {times(of.form, c), size_of(c) * of.slack + error, 0, 0};
+Norms::Expansion Norms::scaled(double c, double error_of_c, int k) {
+  const Expansion& of = expansion(k);
+  Expansion result;
+  result.slack = std::abs(c) * of.slack;
+  if (error_of_c > 0) result.slack += error_of_c * largest(k);
+  if (c != 0) add(result, c, of.form);
+  return result;
 }
 
-// With a number; with a sine or cosine; of two unknowns.
+// (c_0 + Σ c_i S_i) x = c_0 x + Σ c_i (S_i x), with products S_i of sines. Of x every term for itself if these are
+// sines of other joints, as in the sine of a sum of angles.
+Norms::Expansion Norms::distributed(const Expansion& sines, int k) {
+  const Expansion& x = expansion(k);
+  const Factor whole = factor(k);
+  Expansion result;
+  if (sines.slack > 0) result.slack = sines.slack * largest(k);
+  for (const auto& term_of_sines : sines.form) {
+    const int sine = term_of_sines.first;
+    const double c = term_of_sines.second;
+    const bool is_apart = is_of_sines(x.form) && std::all_of(x.form.begin(), x.form.end(), [&](const auto& term) {
+                            return atoms_.are_apart(sine, term.first);
+                          });
+    if (sine == Atoms::kOne || is_apart) {
+      result.slack += std::abs(c) * x.slack * kUpward;
+      for (const auto& [atom, d] : x.form) add(result, c, {{atoms_.product(sine, atom), d}});
+    } else {
+      add(result, c, {{atoms_.product(sine, whole.atom), whole.coefficient}});
+    }
+  }
+  return result;
+}
+
+// With a number; with sines; of two unknowns.
 Norms::Expansion Norms::product(int k) {
-  for (const auto& [x, y] : {std::pair(lines_[k].a, lines_[k].b), std::pair(lines_[k].b, lines_[k].a)}) {
-    const Expansion of_x = expansion(x);
-    if (is_number(of_x.form)) return scaled(of_x.form.empty() ? Rational(0) : of_x.form[0].second, of_x.slack, y);
+  const int a = lines_[k].a, b = lines_[k].b;
+  for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
+    const Expansion& of_x = expansion(x);
+    if (const std::optional<double> number = number_of(of_x.form)) return scaled(*number, of_x.slack, y);
   }
-  for (const auto& [x, y] : {std::pair(lines_[k].a, lines_[k].b), std::pair(lines_[k].b, lines_[k].a)}) {
-    const Expansion of_x = expansion(x);
-    const Turned* turn = of_x.form.size() == 1 ? turned(of_x.form[0].first) : nullptr;
-    if (turn == nullptr || turn->factor != kOne) continue;
-    turned_[k] = {turn->joint, turn->is_cosine, y};
-    return {{{k, of_x.form[0].second}}, of_x.slack * largest(y), 0, 0};
+  for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
+    const Expansion& of_x = expansion(x);
+    if (is_of_sines(of_x.form)) return distributed(of_x, y);
   }
-  return {{{k, 1}}, 0, 0, 0};
+  const Factor x = factor(a), y = factor(b);
+  Expansion result;
+  add(result, x.coefficient, {{atoms_.product(x.atom, y.atom), y.coefficient}});
+  return result;
 }
 
 double Norms::largest(int k) {
-  if (k == kOne) return 1;
   const auto known = largest_.find(k);
   if (known != largest_.end()) return known->second;
   const Expansion& of = expansion(k);
-  const double size = is_rounded(k) ? of.before_rounding + of.own_error : norm({of.form}) + of.slack;
+  const double size = is_rounded(k) ? of.before_rounding + of.own_error : norm(of.form) + of.slack;
   return largest_[k] = size * kUpward;
-}
-
-Norms::Form Norms::written_out(const std::vector<std::pair<int, Rational>>& terms, double& slack) {
-  Form result;
-  for (const auto& [k, coefficient] : terms) {
-    if (k == kOne) {
-      result = sum(result, coefficient, {{kOne, 1}});
-      continue;
-    }
-    const Expansion& of = expansion(k);
-    result = sum(result, coefficient, of.form);
-    slack += size_of(coefficient) * of.slack;
-  }
-  return result;
-}
-
-// The same vector in a form in which it is found again: entries without zeros, first coefficients positive, sorted.
-double Norms::norm(Vector v) {
-  std::erase_if(v, [](const Form& form) { return form.empty(); });
-  if (v.empty()) return 0;
-  for (Form& form : v) {
-    if (form[0].second < 0) form = times(std::move(form), -1);
-  }
-  std::sort(v.begin(), v.end());
-  const auto known = known_.find(v);
-  if (known != known_.end()) return known->second;
-  const double result = norm_of_canonical(v);
-  known_.emplace(std::move(v), result);
-  return result;
-}
-
-double Norms::norm_of_canonical(const Vector& v) {
-  int latest = kOne;
-  for (const Form& form : v) {
-    for (const auto& [atom, coefficient] : form) {
-      const bool is_product = atom != kOne && (turned(atom) != nullptr || lines_[atom].step == Step::multiply);
-      if (is_product) latest = std::max(latest, atom);
-    }
-  }
-  if (latest == kOne) return norm_of_inputs(v);
-  if (const Turned* turn = turned(latest)) return norm_by_rotation(v, turn->joint);
-  const int a = lines_[latest].a, b = lines_[latest].b;
-  const double by_a = norm_by_product(v, a);
-  return a == b ? by_a : std::min(by_a, norm_by_product(v, b));
-}
-
-double Norms::norm_of_inputs(const Vector& v) const {
-  double squares = 0;
-  for (const Form& form : v) {
-    double entry = 0;
-    for (const auto& [atom, coefficient] : form) {
-      const bool is_input = atom != kOne && lines_[atom].step == Step::input;
-      entry += size_of(coefficient) * (is_input ? limits_(lines_[atom].input) : 1);
-    }
-    squares += entry * entry;
-  }
-  return std::sqrt(squares) * kUpward;
-}
-
-double Norms::norm_by_rotation(const Vector& v, int joint) {
-  Split split;
-  std::vector<std::pair<Form, Form>> turning;  // factors of the cosine and of the sine
-  double slack = 0;
-  for (const Form& form : v) {
-    Form cosine, sine, rest;
-    for (const auto& [atom, coefficient] : form) {
-      const Turned* turn = turned(atom);
-      if (turn == nullptr || turn->joint != joint) {
-        rest.emplace_back(atom, coefficient);
-      } else {
-        (turn->is_cosine ? cosine : sine).emplace_back(turn->factor, coefficient);
-      }
-    }
-    if (cosine.empty() && sine.empty()) {
-      split.kept.push_back(std::move(rest));
-    } else {
-      turning.emplace_back(written_out(cosine, slack), written_out(sine, slack));
-      split.rest.push_back(std::move(rest));
-    }
-  }
-  std::set<std::size_t> paired;
-  for (std::size_t i = 0; i < turning.size(); ++i) {
-    if (paired.count(i) != 0) continue;
-    const auto& [A, B] = turning[i];
-    for (std::size_t j = i + 1; j < turning.size(); ++j) {
-      const auto& [C, D] = turning[j];
-      const bool is_turned = (is_opposite(C, B) && D == A) || (C == B && is_opposite(D, A));
-      if (paired.count(j) != 0 || !is_turned) continue;
-      paired.insert(j);
-      break;
-    }
-    split.kept.push_back(A);
-    split.kept.push_back(B);
-  }
-  return (norm(std::move(split.kept)) + norm(std::move(split.rest)) + slack) * kUpward;
-}
-
-double Norms::norm_by_product(const Vector& v, int factor) {
-  Split split;
-  Vector cofactors;
-  double slack = 0;
-  for (const Form& form : v) {
-    Form others, rest;
-    for (const auto& [atom, coefficient] : form) {
-      const bool is_product = atom != kOne && turned(atom) == nullptr && lines_[atom].step == Step::multiply;
-      if (is_product && (lines_[atom].a == factor || lines_[atom].b == factor)) {
-        others.emplace_back(lines_[atom].a == factor ? lines_[atom].b : lines_[atom].a, coefficient);
-      } else {
-        rest.emplace_back(atom, coefficient);
-      }
-    }
-    cofactors.push_back(written_out(others, slack));
-    split.rest.push_back(std::move(rest));
-  }
-  return (largest(factor) * (norm(std::move(cofactors)) + slack) + norm(std::move(split.rest))) * kUpward;
 }
 
 }  // namespace flatdyn

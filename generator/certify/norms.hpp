@@ -3,24 +3,29 @@
 //
 // Intervals alone lose a factor of up to 2 at every rotation: |c x + s y| ≤ |x| + |y|. But by Cauchy and Schwarz it is
 // at most |(x, y)|, the norm of a vector; and a rotation keeps norms: |(c x - s y, s x + c y)| = |(x, y)|. So the bound
-// of a scalar is sought as that of a vector, which grows and shrinks on its way down to the inputs:
-//     a vector of sums of products is written out as far as sums go;
-//     of the joint i whose sine or cosine is in the latest product, the vector is c_i A + s_i B + C: where an entry of
-//     A or B is not zero, its C is split off (|x + y| ≤ |x| + |y|), and what is left is no longer than (A, B), a pair
-//     of entries that turn into each other counting once; a product of two unknowns is split off, too: x (y_1, …) is at
-//     most max|x| · |(y_1, …)|; at the end there are inputs only, and their limits.
+// of a scalar is sought as that of a vector M a, which changes on its way down to the inputs; its unknowns a are atoms.
+// Always the latest one goes:
+//     of the joint i whose sine or cosine is in it, the vector is c_i A + s_i B + C; A and B are replaced by a vector
+//     without c_i, s_i that is at least as long, and no longer than need be if A and B turn into each other;
+//     a product is multiplied out if one of its factors is a sum, so that what cancels is gone; or
+//     Σ x_k y_k is no longer than |(x_1, ...)| · |(y_1, ...)|, and a quadratic form of the x_k no longer than its
+//     largest eigenvalue times |(x_1, ...)|².
+// Where only some rows have what is replaced, by x, and also others, y, |x + y|² ≤ (1 + λ) |x|² + (1 + 1/λ) |y|² for
+// any λ > 0. At the end there are inputs only, and their limits.
 // Roundings are part of it: an operation's result is its exact value and an error of at most half a unit of the last
 // place, or any part of that error. So the bounds hold for exact values, for computed ones, and for all in between.
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <map>
 #include <unordered_map>
 #include <vector>
 
+#include "certify/atoms.hpp"
 #include "certify/input_limits.hpp"
 #include "certify/rounding.hpp"
-#include "graph/rational.hpp"
+#include "certify/vector_bounds.hpp"
 #include "verify/straight_line.hpp"
 
 namespace flatdyn {
@@ -44,54 +49,76 @@ class Norms {
   double own_error(int k) { return expansion(k).own_error; }
 
  private:
-  // A sum of coefficient · atom, by atom. Atoms are operations: inputs, sines and products; kOne: the number one.
-  using Form = std::vector<std::pair<int, Rational>>;
-  using Vector = std::vector<Form>;
-  static constexpr int kOne = -1;
-
+  // A sum of coefficient · atom, by atom.
+  using Form = std::vector<std::pair<int, double>>;
   struct Expansion {
-    Form form;         // exact
-    double slack = 0;  // and what errors add to it
+    Form form;
+    double slack = 0;  // what errors add to it, those of coefficients included
     double before_rounding = 0, own_error = 0;
   };
-  // A product of sin or cos of a joint's angle and of an operation (or kOne).
-  struct Turned {
-    int joint = 0;
-    bool is_cosine = false;
-    int factor = kOne;
+  // Of a result that is read in a product: a multiple of an atom.
+  struct Factor {
+    int atom = 0;
+    double coefficient = 1;
   };
-  // Entries of a vector without what is split off.
-  struct Split {
-    Vector kept, rest;
+  // of · φ, φ_k being the atom over its largest size.
+  struct Vector {
+    std::vector<int> atoms;
+    Eigen::MatrixXd of;
+  };
+  // A vector, and what errors add to its length.
+  struct Written {
+    Vector vector;
+    double slack = 0;
+  };
+  // A vector's rows, turned so that as few as possible have the chosen atoms.
+  struct Chosen {
+    std::vector<int> atoms, others;
+    GatheredRows rows;
+  };
+  struct HashOfKey {
+    std::size_t operator()(const std::vector<int>& key) const;
+  };
+  struct Known {
+    int effort = 0;
+    double norm = 0;
   };
 
-  struct HashOfVector {
-    std::size_t operator()(const Vector& v) const;
-  };
-
+  // norms.cpp: operations.
   const Expansion& expansion(int k);
   Expansion unrounded(int k);
   Expansion product(int k);
-  Expansion scaled(const Rational& c, double error_of_c, int k);
+  Expansion scaled(double c, double error_of_c, int k);
+  Expansion distributed(const Expansion& sines, int k);
+  Factor factor(int k);
   bool is_rounded(int k) const;
-  const Turned* turned(int atom) const;
-  // Written out as far as sums go; what errors add goes to `slack`.
-  Form written_out(const std::vector<std::pair<int, Rational>>& sum, double& slack);
+  bool is_of_sines(const Form& form) const;
+  void add(Expansion& to, double c, const Form& form);
+  double largest_of(int atom);
 
-  double norm(Vector v);
-  double norm_of_canonical(const Vector& v);
-  double norm_of_inputs(const Vector& v) const;
-  double norm_by_rotation(const Vector& v, int joint);
-  double norm_by_product(const Vector& v, int factor);
+  // norms_of_vectors.cpp. Effort: how many ways may be tried where there are several.
+  double norm(const Form& form);
+  double norm(const Vector& v, int effort);
+  double norm(const Written& v, int effort) { return norm(v.vector, effort) + v.slack; }
+  double norm_of_unit(const Vector& v, int effort);
+  double norm_by_rotation(const Vector& v, int joint, int effort);
+  double norm_by_opening(const Vector& v, int factor, int effort);
+  double norm_by_factors(const Vector& v, int left, int effort);
+  double norm_by_squares(const Vector& v, bool in_units, int effort);
+  double norm_of_sum(const Vector& x, const Chosen& chosen, int effort);
+  Chosen chosen(const Vector& v, const std::function<bool(const Atom&)>& is_chosen) const;
+  int latest(const Vector& v) const;
+  int latest_factor(const Vector& v) const;
+  Written written_out(const Vector& v);
 
   const StraightLine& lines_;
   int executed_;
   RoundingModel model_;
   InputLimits limits_;
+  Atoms atoms_;
   std::map<int, Expansion> expansions_;
-  std::map<int, Turned> turned_;
-  std::map<int, double> largest_;
-  std::unordered_map<Vector, double, HashOfVector> known_;
+  std::map<int, double> largest_, largest_of_atoms_;
+  std::unordered_map<std::vector<int>, Known, HashOfKey> known_;
 };
 
 }  // namespace flatdyn

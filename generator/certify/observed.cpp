@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <future>
+#include <map>
 #include <random>
 #include <thread>
 #include <unordered_map>
 
+#include "certify/input_limits.hpp"
 #include "graph/arithmetic.hpp"
 #include "model/states.hpp"
 
@@ -57,26 +59,42 @@ Lanes<T> filled(T value) {
   return all;
 }
 
+// Of entries of q̇, q̈, τ that operations read, as numbers that threads can share.
+using Limits = std::map<std::pair<InputKind, int>, double>;
+
+Limits limits_of_inputs(const StraightLine& lines, const InputLimits& limits) {
+  Limits result;
+  for (int k = 0; k < lines.size(); ++k) {
+    const Input& input = lines[k].input;
+    if (lines[k].step == Step::input && input.kind != InputKind::q) result[{input.kind, input.index}] = limits(input);
+  }
+  return result;
+}
+
 // The numbers of these states, in the format's own values, so that both sides are given the same; never beyond a limit.
+// Of every second state all but positions are at their limits: errors are largest there.
 class Batch {
  public:
-  Batch(const StateSource& source, const RoundingFormat& format, unsigned seed)
-      : states_(source.draw(kTogether, seed)), format_(format), seed_(seed) {}
+  Batch(const StateSource& source, const Limits& limits, const RoundingFormat& format, unsigned seed)
+      : states_(source.draw(kTogether, seed)), limits_(limits), format_(format), seed_(seed) {}
 
   unsigned seed() const { return seed_; }
 
   template <class T>
   Lanes<T> input(const Input& input) const {
     Lanes<T> values;
+    const auto limit = limits_.find({input.kind, input.index});
     for (std::size_t k = 0; k < kTogether; ++k) {
-      values.of[k] =
-          static_cast<T>(format_.toward_zero(states_[k].of(input.kind)[static_cast<std::size_t>(input.index)]));
+      const double drawn = states_[k].of(input.kind)[static_cast<std::size_t>(input.index)];
+      const bool is_at_limit = limit != limits_.end() && k % 2 == 1;
+      values.of[k] = static_cast<T>(format_.toward_zero(is_at_limit ? std::copysign(limit->second, drawn) : drawn));
     }
     return values;
   }
 
  private:
   std::vector<State> states_;
+  const Limits& limits_;
   const RoundingFormat& format_;
   unsigned seed_;
 };
@@ -178,6 +196,7 @@ class LaneArithmetic {
 
 struct Comparison {
   StateSource source;
+  Limits limits;
   const StraightLine& lines;
   const std::vector<int>& of;
   const Function& function;
@@ -192,7 +211,7 @@ std::vector<double> largest_errors(const Comparison& comparison, std::atomic<uns
   std::vector<double> largest(comparison.of.size(), 0);
   LaneArithmetic<Wide> arithmetic;
   for (unsigned b = next++; b < batches; b = next++) {
-    const Batch batch(comparison.source, comparison.format, comparison.options.seed + b);
+    const Batch batch(comparison.source, comparison.limits, comparison.format, comparison.options.seed + b);
     arithmetic.take(batch);
     const std::vector<Lanes<T>> computed = executed<T>(comparison.lines, batch, comparison.options.sine_error);
     const std::vector<Lanes<Wide>> exact = evaluate(comparison.function, arithmetic);
@@ -231,7 +250,14 @@ std::vector<double> on_all_cores(const Comparison& comparison) {
 std::vector<double> observed_errors(const Mechanism& mechanism, const StraightLine& lines, const std::vector<int>& of,
                                     const Function& function, const std::vector<NodeId>& exact,
                                     const RoundingFormat& format, const ObservedOptions& options) {
-  const Comparison comparison{StateSource(mechanism), lines, of, function, exact, format, options};
+  const Comparison comparison{StateSource(mechanism),
+                              limits_of_inputs(lines, input_limits(mechanism)),
+                              lines,
+                              of,
+                              function,
+                              exact,
+                              format,
+                              options};
   return format.scalar == "float" ? on_all_cores<float, double>(comparison)
                                   : on_all_cores<double, long double>(comparison);
 }

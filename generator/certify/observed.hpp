@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Errors that are seen: a function as its text executes it, at many random states, against its graph in a wider type.
+// Errors that are seen: a function as its text executes it, at many random states, half of them with all speeds and
+// accelerations at their limits, against its graph in a wider type.
 #pragma once
 
 #include <vector>

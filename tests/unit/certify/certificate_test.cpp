@@ -9,6 +9,7 @@
 #include "emit/emit.hpp"
 #include "passes/passes.hpp"
 #include "support/limited_robots.hpp"
+#include "support/written_model.hpp"
 #include "verify/compiled.hpp"
 #include "verify/emitted_text.hpp"
 #include "verify/straight_line_values.hpp"
@@ -56,6 +57,24 @@ INSTANTIATE_TEST_SUITE_P(Robots, Certificates,
                          ::testing::Combine(::testing::Values("planar_2r_example_7_2.toml", "puma560.toml", "rx90.toml",
                                                               "ur5.urdf", "finger.toml"),
                                             ::testing::Values("double", "float")));
+
+// Neither parallel nor at right angles: rotations by constant angles are recognised, too.
+TEST(Certificate, OfAxesAtAnyAngle) {
+  std::string text = testing::text_of_robot("rx90.toml");
+  for (const auto& [right_angle, other] : {std::pair("\"pi/2\"", "1.1"), std::pair("\"-pi/2\"", "-0.8")}) {
+    for (std::size_t at = 0; (at = text.find(right_angle, at)) != std::string::npos;) {
+      text.replace(at, std::string(right_angle).size(), other);
+    }
+  }
+  const Mechanism mechanism = testing::within_limits(testing::model_of_toml(text).mechanism);
+  const Certificate certificate = certificate_of(mechanism, "double", {"inverse_dynamics", "inertia_matrix"});
+  for (const CertifiedFunction& function : certificate.functions) {
+    for (const CertifiedOutput& output : function.outputs) {
+      EXPECT_LE(output.observed, output.bound + output.doubt) << function.name << " " << output.name;
+      EXPECT_LE(output.bound, 500 * output.observed) << function.name << " " << output.name;
+    }
+  }
+}
 
 // Sines from a table: what is seen is above what is proven of good ones, and within what is proven of the table's.
 TEST_P(Certificates, KnowWhatSinesMayBeOff) {

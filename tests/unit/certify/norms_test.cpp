@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "diagnostics/diagnostics.hpp"
 
@@ -55,6 +56,44 @@ TEST_F(NormsTest, RotationsAboutDifferentAxesKeepIt) {
   Norms of = norms();
   for (const int component : {x3, y3, z2}) EXPECT_LE(of.largest(component), 1.005 * std::sqrt(34.0));
   EXPECT_THAT(of.largest(x3), just_above(std::sqrt(34.0)));
+}
+
+// Nearly: what is left of a vector after a twist is a part of it that does not turn as a whole.
+TEST_F(NormsTest, ConstantTwistsBetweenThemNearlyKeepIt) {
+  // Sines and cosines of 1 rad, as literals: rotations but for their rounding.
+  const int s = lines_.constant(0.8414709848078965), c = lines_.constant(0.5403023058681398);
+  int x = speed(0), y = speed(1), z = speed(2);
+  for (int joint = 0; joint < 4; ++joint) {
+    std::tie(x, y) = rotated(joint, x, y);
+    const int y_before = y;
+    y = lines_.subtract(lines_.multiply(c, y), lines_.multiply(s, z));
+    z = lines_.add(lines_.multiply(s, y_before), lines_.multiply(c, z));
+  }
+  Norms of = norms();
+  for (const int component : {x, y, z}) EXPECT_LE(of.largest(component), 1.4 * std::sqrt(34.0));
+}
+
+TEST_F(NormsTest, ASineOfASumTurns) {
+  const auto [c, s] = rotated(1, lines_.cosine(0), lines_.sine(0));  // of q_0 + q_1
+  const int x = speed(0), y = speed(1);
+  const int turned = lines_.subtract(lines_.multiply(c, x), lines_.multiply(s, y));
+  Norms of = norms();
+  EXPECT_THAT(of.largest(turned), just_above(5));
+}
+
+TEST_F(NormsTest, AProductWithASumIsMultipliedOut) {
+  const int x = speed(0), y = speed(1), sum = lines_.add(x, y);
+  const int rest =
+      lines_.subtract(lines_.multiply(sum, sum), lines_.multiply(lines_.multiply(x, sum), lines_.constant(2)));
+  Norms of = norms();
+  EXPECT_THAT(of.largest(rest), just_above(25));  // y^2 - x^2, as x^2 and y^2; and not 49 + 42
+}
+
+// Each of the two is at most 5, but not at once.
+TEST_F(NormsTest, ProductsOfComponentsOfOneVector) {
+  const auto [x, y] = rotated(0, speed(0), speed(1));
+  Norms of = norms();
+  EXPECT_THAT(of.largest(lines_.multiply(x, y)), just_above(12.5));
 }
 
 TEST_F(NormsTest, InfiniteConstantsOverflow) {

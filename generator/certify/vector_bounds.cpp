@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "certify/vector_bounds.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace flatdyn {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double length_in_box(const MatrixXd& M) {
+  if (M.size() == 0) return 0;
+  return M.rows() == 1 ? M.cwiseAbs().sum() : std::sqrt((M.transpose() * M).cwiseAbs().sum());
+}
+
+MatrixXd of_any_angle(const MatrixXd& C, const MatrixXd& S) {
+  const Index rows = C.rows();
+  const MatrixXd both = stacked(C, S);
+  if (rows <= 1) return both;
+  // In a basis Q of all combinations of φ that are there.
+  const Index size = std::min(both.rows(), both.cols());
+  const MatrixXd Q =
+      Eigen::HouseholderQR<MatrixXd>(both.transpose()).householderQ() * MatrixXd::Identity(C.cols(), size);
+  MatrixXcd Z(rows, size);
+  Z.real() = C * Q;
+  Z.imag() = S * Q;
+  const Eigen::JacobiSVD<MatrixXcd> svd(Z.transpose() * Z, Eigen::ComputeFullV);
+  const MatrixXcd root = svd.singularValues().cwiseSqrt().asDiagonal() * svd.matrixV().adjoint();
+  MatrixXd N(2 * (rows + size), size);
+  N << Z.real(), Z.imag(), root.real(), root.imag();
+  return N * Q.transpose() / std::numbers::sqrt2;
+}
+
+GatheredRows gathered(const MatrixXd& chosen, const MatrixXd& others) {
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(chosen);
+  const Index rank = (qr.matrixQR().diagonal().array().abs() > kRest).count();
+  const MatrixXd of = qr.householderQ().transpose() * chosen, rest = qr.householderQ().transpose() * others;
+  const Index below = of.rows() - rank;
+  return {of.topRows(rank), rest.topRows(rank), rest.bottomRows(below), length_in_box(of.bottomRows(below))};
+}
+
+MatrixXd row_echelon(MatrixXd M) {
+  Index row = 0;
+  VectorXd essential, workspace(M.cols());
+  for (Index column = 0; column < M.cols() && row < M.rows(); ++column) {
+    const Index below = M.rows() - row;
+    if (M.col(column).tail(below).norm() < kRest) continue;
+    essential.resize(below - 1);
+    double factor = 0, diagonal = 0;
+    M.col(column).tail(below).makeHouseholder(essential, factor, diagonal);
+    M.bottomRightCorner(below, M.cols() - column).applyHouseholderOnTheLeft(essential, factor, workspace.data());
+    if (diagonal < 0) M.row(row) = -M.row(row);
+    ++row;
+  }
+  return M.topRows(row);
+}
+
+MatrixXd stacked(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd result(a.rows() + b.rows(), a.cols());
+  result << a, b;
+  return result;
+}
+
+MatrixXd block_diagonal(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd result = MatrixXd::Zero(a.rows() + b.rows(), a.cols() + b.cols());
+  result.topLeftCorner(a.rows(), a.cols()) = a;
+  result.bottomRightCorner(b.rows(), b.cols()) = b;
+  return result;
+}
+
+}  // namespace flatdyn
