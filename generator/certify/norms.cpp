@@ -166,8 +166,8 @@ Norms::Expansion Norms::scaled(double c, double error_of_c, int k) {
   return result;
 }
 
-// (c_0 + Σ c_i S_i) x = c_0 x + Σ c_i (S_i x), with products S_i of sines. Of x every term for itself if these are
-// sines of other joints, as in the sine of a sum of angles.
+// (c_0 + Σ c_i S_i) x = c_0 x + Σ c_i (S_i x), with products S_i of sines. Of x every term for itself if both are
+// sums of sines of different joints, none with a factor, as in the sine of a sum of angles.
 Norms::Expansion Norms::distributed(const Expansion& sines, int k) {
   const Expansion& x = expansion(k);
   const Factor whole = factor(k);
@@ -176,9 +176,10 @@ Norms::Expansion Norms::distributed(const Expansion& sines, int k) {
   for (const auto& term_of_sines : sines.form) {
     const int sine = term_of_sines.first;
     const double c = term_of_sines.second;
-    const bool is_apart = is_of_sines(x.form) && std::all_of(x.form.begin(), x.form.end(), [&](const auto& term) {
-                            return atoms_.are_apart(sine, term.first);
-                          });
+    const bool is_apart =
+        is_of_sines(x.form) && std::abs(c) == 1 && std::all_of(x.form.begin(), x.form.end(), [&](const auto& term) {
+          return std::abs(term.second) == 1 && atoms_.are_apart(sine, term.first);
+        });
     if (sine == Atoms::kOne || is_apart) {
       result.slack += std::abs(c) * x.slack * kUpward;
       for (const auto& [atom, d] : x.form) add(result, c, {{atoms_.product(sine, atom), d}});

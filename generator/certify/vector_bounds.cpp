@@ -14,6 +14,15 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// Also where there are no columns: Eigen would add an offset to a null pointer.
+MatrixXd last_rows(const MatrixXd& M, Index rows) {
+  return M.cols() == 0 ? MatrixXd(rows, 0) : MatrixXd(M.bottomRows(rows));
+}
+
+}  // namespace
+
 double length_in_box(const MatrixXd& M) {
   if (M.size() == 0) return 0;
   return M.rows() == 1 ? M.cwiseAbs().sum() : std::sqrt((M.transpose() * M).cwiseAbs().sum());
@@ -42,7 +51,7 @@ GatheredRows gathered(const MatrixXd& chosen, const MatrixXd& others) {
   const Index rank = (qr.matrixQR().diagonal().array().abs() > kRest).count();
   const MatrixXd of = qr.householderQ().transpose() * chosen, rest = qr.householderQ().transpose() * others;
   const Index below = of.rows() - rank;
-  return {of.topRows(rank), rest.topRows(rank), rest.bottomRows(below), length_in_box(of.bottomRows(below))};
+  return {of.topRows(rank), rest.topRows(rank), last_rows(rest, below), length_in_box(last_rows(of, below))};
 }
 
 MatrixXd row_echelon(MatrixXd M) {
@@ -63,14 +72,14 @@ MatrixXd row_echelon(MatrixXd M) {
 
 MatrixXd stacked(const MatrixXd& a, const MatrixXd& b) {
   MatrixXd result(a.rows() + b.rows(), a.cols());
-  result << a, b;
+  if (result.size() > 0) result << a, b;
   return result;
 }
 
 MatrixXd block_diagonal(const MatrixXd& a, const MatrixXd& b) {
   MatrixXd result = MatrixXd::Zero(a.rows() + b.rows(), a.cols() + b.cols());
   result.topLeftCorner(a.rows(), a.cols()) = a;
-  result.bottomRightCorner(b.rows(), b.cols()) = b;
+  if (b.size() > 0) result.bottomRightCorner(b.rows(), b.cols()) = b;
   return result;
 }
 
