@@ -16,7 +16,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Also where there are no columns: Eigen would add an offset to a null pointer.
+// Where there are no columns, Eigen would add an offset to a null pointer.
+MatrixXd turned(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, const MatrixXd& M) {
+  return M.cols() == 0 ? M : MatrixXd(qr.householderQ().transpose() * M);
+}
 MatrixXd last_rows(const MatrixXd& M, Index rows) {
   return M.cols() == 0 ? MatrixXd(rows, 0) : MatrixXd(M.bottomRows(rows));
 }
@@ -47,9 +50,9 @@ MatrixXd of_any_angle(const MatrixXd& C, const MatrixXd& S) {
 }
 
 GatheredRows gathered(const MatrixXd& chosen, const MatrixXd& others) {
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(chosen);
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(chosen);
   const Index rank = (qr.matrixQR().diagonal().array().abs() > kRest).count();
-  const MatrixXd of = qr.householderQ().transpose() * chosen, rest = qr.householderQ().transpose() * others;
+  const MatrixXd of = turned(qr, chosen), rest = turned(qr, others);
   const Index below = of.rows() - rank;
   return {of.topRows(rank), rest.topRows(rank), last_rows(rest, below), length_in_box(last_rows(of, below))};
 }
