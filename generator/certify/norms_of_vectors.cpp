@@ -310,7 +310,7 @@ double Norms::norm_by_squares(const Vector& v, bool in_units, int effort) {
     all.row(row) = form.reshaped().transpose();
   }
   if (all.rows() > 1) squares = std::min(squares, largest_eigenvalue(all * all.transpose()));
-  const double of_x = norm(written_out(x), effort);
+  const double of_x = std::min(norm(written_out(x), effort), length_in_box(x.of));
   return norm_of_sum({{Atoms::kOne}, MatrixXd::Constant(1, 1, std::sqrt(squares) * of_x * of_x)}, products, effort);
 }
 
@@ -336,7 +336,7 @@ double Norms::norm_of_sum(const Vector& x, const Chosen& chosen, int effort) {
     const double ratio = of_y / of_x;
     sum.of = block_diagonal(std::sqrt(1 + ratio) * x.of, stacked(std::sqrt(1 + 1 / ratio) * y.of, z));
   }
-  return (norm(written_out(sum), effort) + slack) * kUpward;
+  return (std::min(norm(written_out(sum), effort), length_in_box(sum.of)) + slack) * kUpward;
 }
 
 // Results in it as far as sums go.
