@@ -160,10 +160,10 @@ class Certifier {
     CertifiedOutput& output = result_.outputs[k];
     const OutputError error = analysis_.error_of(operations_[k]);
     output.bound = error.bound;
-    output.terms = static_cast<int>(error.terms.size());
+    output.terms = error.terms();
     output.doubt = std::ldexp(error.bound, -bits_more(format_)) +
                    std::ldexp(analysis_.norms().largest(operations_[k]), -format_.precision - bits_more(format_));
-    if (!error.terms.empty()) result_.scripts.push_back(sum_script(function_.name, output.name, output.unit, error));
+    if (!error.groups.empty()) result_.scripts.push_back(sum_script(function_.name, output.name, output.unit, error));
   }
 
   // An output is proven if its sum is, and all roundings; or if there is no error that it could have.

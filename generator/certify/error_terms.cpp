@@ -2,7 +2,11 @@
 #include "certify/error_terms.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
+
+#include "certify/error_groups.hpp"
 
 namespace flatdyn {
 
@@ -16,6 +20,13 @@ int ErrorAnalysis::product(int a, int b) {
   if (is_one(a)) return b;
   if (is_one(b)) return a;
   return lines_.multiply(a, b);
+}
+
+// |c A + s B| is no larger than |(A, B)|.
+double ErrorAnalysis::Readers::allow() const {
+  double sum = others;
+  for (const auto& [joint, by] : turning) sum += std::hypot(by.first, by.second);
+  return sum * kUpward;
 }
 
 // By operation: the derivative of the output by its result; -1: it has none.
@@ -53,22 +64,71 @@ std::vector<int> ErrorAnalysis::derivatives(int output) {
   return of;
 }
 
+// To what operation k reads.
+void ErrorAnalysis::pass_on(double sensitivity, int k, std::vector<Readers>& readers) {
+  const auto add = [&readers, sensitivity](int to, double factor) {
+    readers[static_cast<std::size_t>(to)].others += sensitivity * factor * kUpward;
+  };
+  const auto add_product = [this, &readers, &add, sensitivity](int to, int factor) {
+    const Operation& by = lines_[factor];
+    if (!by.is_sine_or_cosine()) return add(to, norms_.largest(factor));
+    auto& [cosine, sine] = readers[static_cast<std::size_t>(to)].turning[by.input.index];
+    (by.step == Step::cosine ? cosine : sine) += sensitivity * (1 + 2 * norms_.own_error(factor)) * kUpward;
+  };
+  const Operation operation = lines_[k];
+  switch (operation.step) {
+    case Step::negate:
+      add(operation.a, 1);
+      break;
+    case Step::add:
+    case Step::subtract:
+      add(operation.a, 1);
+      add(operation.b, 1);
+      break;
+    case Step::multiply:
+      add_product(operation.a, operation.b);
+      add_product(operation.b, operation.a);
+      break;
+    default:
+      break;
+  }
+}
+
 // Operations forward, derivatives backward: each then needs only what is known.
 OutputError ErrorAnalysis::error_of(int output) {
   for (int k = 0; k <= output; ++k) norms_.largest(k);
   const std::vector<int> derivative = derivatives(output);
-  OutputError result{output, {}, 0};
+  std::vector<Readers> readers(derivative.size());
+  readers.back().others = 1;
+  std::vector<ErrorsByDerivative> errors;
+  std::map<int, std::size_t> place;
   for (int k = output; k >= 0; --k) {
-    const int by_k = derivative[static_cast<std::size_t>(k)];
-    const double error = by_k < 0 ? 0 : norms_.own_error(k);
-    const double sensitivity = by_k < 0 ? 0 : rounded_up(norms_.largest(by_k));
+    int by_k = derivative[static_cast<std::size_t>(k)];
+    if (by_k < 0) continue;
+    const double sensitivity = norms_.largest(by_k, readers[static_cast<std::size_t>(k)].allow());
+    pass_on(sensitivity, k, readers);
+    const double error = norms_.own_error(k);
     if (!(error > 0 && sensitivity > 0)) continue;
-    result.terms.push_back({k, error, sensitivity});
-    result.bound += error * sensitivity;
+    while (lines_[by_k].step == Step::negate) by_k = lines_[by_k].a;
+    const auto [known, is_new] = place.emplace(by_k, errors.size());
+    if (is_new) errors.push_back({by_k, sensitivity, {}});
+    ErrorsByDerivative& alike = errors[known->second];
+    alike.sensitivity = std::min(alike.sensitivity, sensitivity);
+    alike.errors.push_back({k, error});
   }
-  std::reverse(result.terms.begin(), result.terms.end());
+  for (ErrorsByDerivative& alike : errors) std::reverse(alike.errors.begin(), alike.errors.end());
+  OutputError result{output, grouped(errors, norms_), 0};
+  for (const ErrorGroup& group : result.groups) result.bound += group.bound;
   result.bound = rounded_up(result.bound);
   return result;
+}
+
+int OutputError::terms() const {
+  std::size_t count = 0;
+  for (const ErrorGroup& group : groups) {
+    for (const AlikeErrors& alike : group.components) count += alike.size();
+  }
+  return static_cast<int>(count);
 }
 
 }  // namespace flatdyn

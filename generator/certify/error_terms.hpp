@@ -7,9 +7,17 @@
 // with
 //     y(1) - y(0) = ∫ Σ_k (∂y/∂ρ_k)(θ) ρ_k dθ,  so  |y(1) - y(0)| ≤ Σ_k max|∂y/∂ρ_k| max|ρ_k|,
 // the largest over all states and all θ. The derivatives are sums and products themselves, made by going through the
-// operations backward; Norms bounds them, as it bounds the results.
+// operations backward; Norms bounds them, as it bounds the results. That by a result is also no larger than what the
+// operations that read it allow: |∂y/∂x_a| ≤ Σ |∂y/∂x_k| |∂x_k/∂x_a|, which is less where many of them read it, as
+// they do sines.
+//
+// Not all of them are largest at the same state. The derivatives by the components of a vector turn as the vector does:
+// each may become as large as all of them together, but |Σ a_k ρ_k| ≤ |a| |ρ|, which is √3 times less for three. So
+// errors are put into groups whose derivatives are bounded by the length of their vector.
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "certify/norms.hpp"
@@ -17,15 +25,26 @@
 namespace flatdyn {
 
 struct ErrorTerm {
-  int operation = 0;       // of the text
-  double error = 0;        // largest error that it makes itself
-  double sensitivity = 0;  // largest derivative of the output by it
+  int operation = 0;  // of the text
+  double error = 0;   // largest error that it makes itself
+};
+
+// Errors that reach the output by the same derivative, or by one of the other sign.
+using AlikeErrors = std::vector<ErrorTerm>;
+
+// The sums of alike errors are a vector, and so are the derivatives by them.
+struct ErrorGroup {
+  std::vector<AlikeErrors> components;
+  double sensitivity = 0;  // largest length of the vector of derivatives
+  double bound = 0;        // of what all of them add to the output's error: that length times the errors', rounded up
 };
 
 struct OutputError {
-  int operation = 0;             // whose result is the output
-  std::vector<ErrorTerm> terms;  // in the order of the text
-  double bound = 0;              // of the absolute error: Σ error · sensitivity, rounded up
+  int operation = 0;               // whose result is the output
+  std::vector<ErrorGroup> groups;  // in the order of the text
+  double bound = 0;                // of the absolute error: the groups' sum, rounded up
+
+  int terms() const;  // of all groups
 };
 
 // A function's operations, and the derivatives that were asked for.
@@ -41,7 +60,16 @@ class ErrorAnalysis {
   OutputError error_of(int output);
 
  private:
+  // Of a result, by those that read it: how large the output's derivatives by them are, times what they make of it.
+  struct Readers {
+    double others = 0;
+    std::map<int, std::pair<double, double>> turning;  // by joint: those that multiply it by its cosine, by its sine
+
+    double allow() const;
+  };
+
   std::vector<int> derivatives(int output);
+  void pass_on(double sensitivity, int k, std::vector<Readers>& readers);
   int product(int a, int b);
 
   StraightLine lines_;

@@ -101,6 +101,20 @@ std::string formula(const std::vector<Line>& hypotheses, const std::vector<Line>
   return "{\n" + conjunction(hypotheses) + "->\n" + conjunction(goals) + "}\n";
 }
 
+std::string error_name(const ErrorTerm& term) { return fmt::format("r{}", term.operation); }
+
+// "r5"; "(r5 + r6)"; "sqrt(r5 * r5 + (r6 + r7) * (r6 + r7))".
+std::string length_of_errors(const ErrorGroup& group) {
+  std::vector<std::string> sums, squares;
+  for (const AlikeErrors& alike : group.components) {
+    std::vector<std::string> names;
+    for (const ErrorTerm& term : alike) names.push_back(error_name(term));
+    sums.push_back(names.size() == 1 ? names.front() : fmt::format("({})", fmt::join(names, " + ")));
+    squares.push_back(sums.back() + " * " + sums.back());
+  }
+  return sums.size() == 1 ? sums.front() : fmt::format("sqrt({})", fmt::join(squares, " + "));
+}
+
 constexpr const char* kRoundings =
     "# Errors of the operations of {}().\n"
     "# An operation is no larger than it says here before it is rounded (x5: the result of operation 5; s, c: sines "
@@ -114,9 +128,11 @@ constexpr const char* kRoundings =
 constexpr const char* kSum =
     "# The error of {} of {}(){}.\n"
     "# r5: the error that operation 5 makes itself, see {}.roundings_1.g; also those of sines, cosines and constants.\n"
-    "# a5: how much of it reaches the output, which is the derivative by it; no larger than this, as flatdyn has "
-    "shown\n"
-    "# from norms. Gappa proves that the error of the output, which is the sum of all of these, is within the bound.\n"
+    "# a5: how much of it reaches the output, which is the derivative by it; of several, of which the length follows,\n"
+    "# the derivative in their direction, which is no longer than the vector of their derivatives. No larger than "
+    "this,\n"
+    "# as flatdyn has shown from norms. Gappa proves that the error of the output, the sum of all, is within the "
+    "bound.\n"
     "#   gappa {}\n"
     "# ends with code 0 if it is.\n\n";
 
@@ -155,12 +171,14 @@ GappaScript sum_script(const std::string& function, const std::string& output, c
   const std::string name = fmt::format("{}.{}.g", function, file_name);
   std::vector<Line> hypotheses;
   std::vector<std::string> terms;
-  for (const ErrorTerm& term : error.terms) {
-    const std::string k = std::to_string(term.operation);
-    const std::string error_and_sensitivity =
-        fmt::format("{} /\\ {}", within("r" + k, number(term.error)), within("a" + k, four_digits(term.sensitivity)));
-    hypotheses.push_back({error_and_sensitivity, ""});
-    terms.push_back(fmt::format("a{0} * r{0}", k));
+  for (const ErrorGroup& group : error.groups) {
+    const std::string derivative = fmt::format("a{}", group.components.front().front().operation);
+    std::string line;
+    for (const AlikeErrors& alike : group.components) {
+      for (const ErrorTerm& term : alike) line += within(error_name(term), number(term.error)) + " /\\ ";
+    }
+    hypotheses.push_back({line + within(derivative, four_digits(group.sensitivity)), ""});
+    terms.push_back(derivative + " * " + length_of_errors(group));
   }
   const std::string in = unit.empty() ? "" : ", " + unit;
   const std::string sum = fmt::format("{}", fmt::join(terms, "\n  + "));

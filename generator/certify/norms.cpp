@@ -104,12 +104,17 @@ const Norms::Expansion& Norms::expansion(int k) {
   if (known != expansions_.end()) return known->second;
   Expansion result = unrounded(k);
   if (is_rounded(k)) {
-    result.before_rounding = rounded_up(norm(result.form) + result.slack);
+    result.before_rounding = rounded_up(std::min(norm(result.form) + result.slack, largest_by_operands(k)));
     if (!(result.before_rounding <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
     result.own_error = model_.format.half_ulp(result.before_rounding);
   }
   result.slack += result.own_error;
   return expansions_.emplace(k, std::move(result)).first->second;
+}
+
+double Norms::largest_by_operands(int k) {
+  const double a = largest(lines_[k].a), b = largest(lines_[k].b);
+  return (lines_[k].step == Step::multiply ? a * b : a + b) * kUpward;
 }
 
 Norms::Expansion Norms::unrounded(int k) {
@@ -207,12 +212,13 @@ Norms::Expansion Norms::product(int k) {
   return result;
 }
 
-double Norms::largest(int k) {
-  const auto known = largest_.find(k);
-  if (known != largest_.end()) return known->second;
+// What is known is kept where it comes first: vectors are in units of what is kept.
+double Norms::largest(int k, double known) {
+  const auto kept = largest_.find(k);
+  if (kept != largest_.end()) return std::min(kept->second, known);
   const Expansion& of = expansion(k);
   const double size = is_rounded(k) ? of.before_rounding + of.own_error : norm(of.form) + of.slack;
-  return largest_[k] = size * kUpward;
+  return largest_[k] = std::min(size * kUpward, known);
 }
 
 }  // namespace flatdyn

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <unordered_map>
@@ -44,9 +45,17 @@ class Norms {
 
   // Of operation k: its largest size; its size before it was rounded; and the error that it makes itself, which is that
   // of a sine, of a constant, or of a rounding. Throws Failure(unsupported) for divisions and roots.
-  double largest(int k);
+  double largest(int k) { return largest(k, INFINITY); }
+  double largest(int k, double known);  // where it is known to be no larger than that
   double largest_before_rounding(int k) { return expansion(k).before_rounding; }
   double own_error(int k) { return expansion(k).own_error; }
+
+  // Of the vector of several results: its largest length, which the more effort brings nearer to what it is.
+  static constexpr int kEffort = 16;
+  double largest_length(const std::vector<int>& operations, int effort = kEffort);
+
+  // That both may be components of one vector that turns: their sums have terms that one joint turns, of one factor.
+  bool turn_together(int j, int k);
 
  private:
   // A sum of coefficient · atom, by atom.
@@ -89,6 +98,7 @@ class Norms {
   Expansion unrounded(int k);
   Expansion product(int k);
   Expansion scaled(double c, double error_of_c, int k);
+  double largest_by_operands(int k);
   Expansion distributed(const Expansion& sines, int k);
   Factor factor(int k);
   bool is_rounded(int k) const;
@@ -108,6 +118,7 @@ class Norms {
   double norm_of_sum(const Vector& x, const Chosen& chosen, int effort);
   Chosen chosen(const Vector& v, const std::function<bool(const Atom&)>& is_chosen) const;
   int latest(const Vector& v) const;
+  std::vector<int> turned_last(const Form& form) const;
   int latest_factor(const Vector& v) const;
   Written written_out(const Vector& v);
 

@@ -92,7 +92,6 @@ std::size_t Norms::HashOfKey::operator()(const std::vector<int>& key) const {
 }
 
 double Norms::norm(const Form& form) {
-  constexpr int kEffort = 16;
   Vector v;
   v.of.resize(1, static_cast<Index>(form.size()));
   for (const auto& [atom, coefficient] : form) {
@@ -100,6 +99,44 @@ double Norms::norm(const Form& form) {
     v.atoms.push_back(atom);
   }
   return norm(v, kEffort);
+}
+
+double Norms::largest_length(const std::vector<int>& operations, int effort) {
+  Places places;
+  double squares = 0;
+  for (const int k : operations) {
+    const Expansion& of = expansion(k);
+    for (const auto& term : of.form) places(term.first);
+    squares += of.slack * of.slack;
+  }
+  Vector v = {places.atoms(), MatrixXd::Zero(static_cast<Index>(operations.size()), places.size())};
+  for (Index row = 0; row < v.of.rows(); ++row) {
+    for (const auto& [atom, coefficient] : expansion(operations[static_cast<std::size_t>(row)]).form) {
+      v.of(row, places(atom)) = coefficient * largest_of(atom);
+    }
+  }
+  return (norm(v, effort) + std::sqrt(squares)) * kUpward;
+}
+
+// The joint by whose angle the latest part of a sum is turned, and what it turns.
+std::vector<int> Norms::turned_last(const Form& form) const {
+  int last = -1;
+  for (const auto& term : form) {
+    if (atoms_[term.first].kind == Atom::Kind::turned && (last < 0 || atoms_.is_later(term.first, last))) {
+      last = term.first;
+    }
+  }
+  std::vector<int> result;
+  for (const auto& term : form) {
+    const Atom& of = atoms_[term.first];
+    if (of.kind == Atom::Kind::turned && of.joint == atoms_[last].joint) result.push_back(of.a);
+  }
+  return result;
+}
+
+bool Norms::turn_together(int j, int k) {
+  const std::vector<int> a = turned_last(expansion(j).form), b = turned_last(expansion(k).form);
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
 // By its row echelon form in units of its size, of as many digits as matter, in which it is found again.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Errors that are seen: a function as its text executes it, at many random states, half of them with all speeds and
-// accelerations at their limits, against its graph in a wider type.
+// Errors that are seen: a function as its text executes it, against its graph in a wider type. At many states: half of
+// them random, every second of these with all speeds and accelerations at their limits; the other half children of the
+// states at which the errors of each output were largest so far.
 #pragma once
 
 #include <vector>

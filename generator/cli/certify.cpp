@@ -158,10 +158,10 @@ Run add_certify(CLI::App& app) {
           "what sines and cosines may be off (a table, a callback), in units of 2^-53 in double, 2^-24 in float")
       ->check(number_between(0.5, 1e12))
       ->capture_default_str();
-  command->add_option("--states", arguments->options.observed.states, "random states at which errors are looked for")
+  command->add_option("--states", arguments->options.observed.states, "states at which errors are looked for")
       ->capture_default_str()
       ->check(CLI::Range(1, 1'000'000'000));
-  command->add_option("--seed", arguments->options.observed.seed, "of the random states")->capture_default_str();
+  command->add_option("--seed", arguments->options.observed.seed, "of these states")->capture_default_str();
   command->add_option("--enough", arguments->enough, "error that does not matter, in % of the joints' effort limits")
       ->check(positive_number())
       ->capture_default_str();

@@ -2,7 +2,6 @@
 #include "model/states.hpp"
 
 #include <cmath>
-#include <random>
 
 namespace flatdyn {
 namespace {
@@ -92,6 +91,21 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
 
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed) {
   return StateSource(mechanism).draw(count, seed);
+}
+
+State child(const State& parent, const State& other, std::mt19937_64& random) {
+  constexpr std::size_t kLeastExponent = 45;  // of the part 2^-k of the way
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  const std::size_t one_in = std::size_t(1) << below(6);
+  const double part = std::ldexp(1.0, -static_cast<int>(below(kLeastExponent)));
+  State child = parent;
+  for (const InputKind kind : kMotionKinds) {
+    std::vector<double>& x = child.of(kind);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (below(one_in) == 0) x[i] += part * (other.of(kind)[i] - x[i]);
+    }
+  }
+  return child;
 }
 
 void draw_base_parameters(std::vector<State>& states, int count, unsigned seed) {

@@ -2,6 +2,7 @@
 // States of motion at which functions are compared.
 #pragma once
 
+#include <random>
 #include <span>
 #include <utility>
 #include <vector>
@@ -67,6 +68,10 @@ class StateSource {
   std::vector<Joint> joints_;                         // by entry of q̇
   std::vector<int> dependent_;                        // entries of q
 };
+
+// A child of `parent` for searches in which errors have no slope to follow: some of its coordinates, few or many, are a
+// part of the way to the other's, down to the last places. So it stays within limits that both keep.
+State child(const State& parent, const State& other, std::mt19937_64& random);
 
 // As many base parameters, between -1 and 1, in each of the states.
 void draw_base_parameters(std::vector<State>& states, int count, unsigned seed);

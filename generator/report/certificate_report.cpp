@@ -131,7 +131,7 @@ std::string describe_certificate(const Certificate& certificate, double enough) 
   }
   text += fmt::format(
       "bound: of the absolute rounding error in {}, within the joints' limits, for {}\n"
-      "seen: the largest of {} random states, half of them with all speeds and accelerations at their limits\n",
+      "seen: the largest at {} states, half of them random, the others sought from the worst so far\n",
       certificate.scalar, trigonometry(certificate), certificate.options.observed.states);
   return text + judgement(certificate, enough);
 }
@@ -156,8 +156,8 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
     text += fmt::format("\n## {}\n\n{}", function.name, markdown_table(rows_of(certificate, function.outputs)));
   }
   text += fmt::format(
-      "\nSeen: the largest error at {} random states within the limits, half of them with all speeds and accelerations "
-      "at their limits.\n",
+      "\nSeen: the largest error at {} states within the limits, half of them random, the others sought from the worst "
+      "so far.\n",
       certificate.options.observed.states);
   const std::string judged = judgement(certificate, enough);
   return judged.empty() ? text : text + "\n" + judged;

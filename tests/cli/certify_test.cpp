@@ -23,7 +23,7 @@ TEST(Certify, PrintsProvenBoundsBesideErrorsSeen) {
   const Outcome outcome = run_flatdyn(std::string(kPlanar) + "--states 5000");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* text : {"inverse_dynamics: bounds in", "tau[0]  N m ", "kg m^2", "Gappa\n",
-                           "seen: the largest of 5000 random states, half of them", "double is enough: "}) {
+                           "seen: the largest at 5000 states, half of them random", "double is enough: "}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));
   }
   EXPECT_THAT(outcome.out, HasSubstr("exact\n"));        // b_22, which is a constant

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -15,6 +16,10 @@ namespace flatdyn {
 namespace {
 
 constexpr double kSeconds = 60;  // for Gappa, more than enough
+
+double only_error(const ErrorGroup& group) {
+  return group.components.size() == 1 && group.components[0].size() == 1 ? group.components[0][0].error : NAN;
+}
 
 // (x + y) z with |x|, |y| <= 0.7 and |z| <= 3.
 class SumTimesThree : public ::testing::TestWithParam<const char*> {
@@ -37,11 +42,11 @@ class SumTimesThree : public ::testing::TestWithParam<const char*> {
 TEST_P(SumTimesThree, HasTheErrorThatIsAddedUpByHand) {
   const OutputError error = analysis_->error_of(output_);
   const double u = std::ldexp(1.0, -format_.precision);
-  ASSERT_EQ(error.terms.size(), 2u);
-  EXPECT_EQ(error.terms[0].error, u);
-  EXPECT_EQ(error.terms[1].error, 4 * u);
-  EXPECT_NEAR(error.terms[0].sensitivity, 3, 0.005);
-  EXPECT_NEAR(error.terms[1].sensitivity, 1, 0.002);
+  ASSERT_EQ(error.groups.size(), 2u);
+  EXPECT_EQ(only_error(error.groups[0]), u);
+  EXPECT_EQ(only_error(error.groups[1]), 4 * u);
+  EXPECT_NEAR(error.groups[0].sensitivity, 3, 0.005);
+  EXPECT_NEAR(error.groups[1].sensitivity, 1, 0.002);
   EXPECT_GE(error.bound, 7 * u);
   EXPECT_LE(error.bound, 7.02 * u);
 }
@@ -82,8 +87,8 @@ TEST(ErrorAnalysis, SeesErrorsThatCancel) {
   ErrorAnalysis analysis(lines, {rounding_format("double"), 0x1p-53, [](double) { return 0.0; }},
                          [](const Input&) { return 1.5; });
   const OutputError error = analysis.error_of(output);
-  ASSERT_EQ(error.terms.size(), 2u);  // those of the sum and of the difference
-  EXPECT_GT(error.terms.front().operation, product);
+  EXPECT_EQ(error.terms(), 2);  // those of the sum and of the difference
+  EXPECT_GT(error.groups.front().components[0][0].operation, product);
 }
 
 // c x: errors of the cosine, of the constant and of two roundings.
@@ -94,12 +99,56 @@ TEST(ErrorAnalysis, CountsSinesAndConstants) {
   ErrorAnalysis analysis(lines, {rounding_format("double"), 0x1p-53, [](double) { return 1e-18; }},
                          [](const Input&) { return 1.5; });
   const OutputError error = analysis.error_of(output);
-  ASSERT_EQ(error.terms.size(), 4u);
-  EXPECT_EQ(error.terms[0].error, 1e-18);  // reaches the output by 1.5
-  EXPECT_NEAR(error.terms[0].sensitivity, 1.5, 0.003);
+  ASSERT_EQ(error.groups.size(), 4u);
+  EXPECT_EQ(only_error(error.groups[0]), 1e-18);  // reaches the output by 1.5
+  EXPECT_NEAR(error.groups[0].sensitivity, 1.5, 0.003);
   const double by_hand = 1.5e-18 + 0x1p-53 * 0.15 + 0x1p-53 * 0.1 + 0x1p-56;
   EXPECT_GE(error.bound, by_hand);
   EXPECT_LE(error.bound, 1.005 * by_hand);
+}
+
+// c (x + u) - s (y + v), and then times z: the errors of both sums are a vector, which is turned and does not grow.
+TEST(ErrorAnalysis, BoundsErrorsOfAVectorTogether) {
+  StraightLine lines;
+  const auto speed = [&lines](int k) { return lines.input({InputKind::qd, k}); };
+  const int c = lines.cosine(0), s = lines.sine(0);
+  const int x = lines.add(speed(0), speed(1)), y = lines.add(speed(2), speed(3));
+  const int output = lines.multiply(lines.subtract(lines.multiply(c, x), lines.multiply(s, y)), speed(4));
+  ErrorAnalysis analysis(lines, {rounding_format("double"), 0, [](double) { return 0.0; }},
+                         [](const Input& input) { return input.index == 4 ? 3.0 : 0.9; });
+  const OutputError error = analysis.error_of(output);
+  const auto vector = std::find_if(error.groups.begin(), error.groups.end(),
+                                   [](const ErrorGroup& group) { return group.components.size() == 2; });
+  ASSERT_NE(vector, error.groups.end());
+  EXPECT_EQ(vector->components[0][0].operation, x);
+  EXPECT_EQ(vector->components[1][0].operation, y);
+  const double by_hand = 3 * std::hypot(0x1p-53, 0x1p-53);  // and not twice 3 * 2^-53
+  EXPECT_NEAR(vector->bound, by_hand, 0.005 * by_hand);
+  const GappaScript script = sum_script("f", "tau[0]", "N m", error);
+  EXPECT_THAT(script.text, ::testing::HasSubstr(fmt::format("sqrt(r{0} * r{0} + r{1} * r{1})", x, y)));
+  EXPECT_THAT(ask_gappa({script}, kSeconds), ::testing::Each(Verdict::proven));
+}
+
+// Σ s x_k over many readers: by all of them together no more than by each of them.
+TEST(ErrorAnalysis, ADerivativeIsNoLargerThanItsReadersAllow) {
+  StraightLine lines;
+  const int c = lines.cosine(0), s = lines.sine(0);
+  int sum = lines.input({InputKind::qd, 0});
+  for (int k = 1; k < 6; ++k) {
+    const int turned = lines.multiply(k % 2 == 0 ? c : s, sum);
+    sum = lines.add(turned, lines.input({InputKind::qd, k}));
+  }
+  ErrorAnalysis analysis(lines, {rounding_format("double"), 0x1p-53, [](double) { return 0.0; }},
+                         [](const Input&) { return 1.0; });
+  const OutputError error = analysis.error_of(sum);
+  double of_sines = 0;
+  for (const ErrorGroup& group : error.groups) {
+    for (const AlikeErrors& alike : group.components) {
+      if (alike[0].operation == c || alike[0].operation == s) of_sines = std::max(of_sines, group.sensitivity);
+    }
+  }
+  EXPECT_GT(of_sines, 0);
+  EXPECT_LE(of_sines, 1.005 * (5 + 3 + 1));  // sums of 1, 3, and 5 numbers are multiplied by s
 }
 
 }  // namespace

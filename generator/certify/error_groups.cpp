@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "certify/error_groups.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flatdyn {
+namespace {
+
+constexpr std::size_t kMostComponents = 3;  // vectors in space
+constexpr std::size_t kNearby = 12;         // groups that a derivative may join
+constexpr double kWorthwhile = 1e-3;        // of what they cost apart
+
+double sum_of(const AlikeErrors& errors) {
+  double sum = 0;
+  for (const ErrorTerm& term : errors) sum += term.error;
+  return sum;
+}
+
+// A group in the making. Its cost is a bound of what it adds to the output's error: of little effort while groups are
+// compared.
+struct Draft {
+  std::vector<const ErrorsByDerivative*> parts;
+  std::vector<int> derivatives;
+  double error = 0, cost = 0;
+
+  Draft with(const ErrorsByDerivative& part, Norms& norms, int effort) const {
+    Draft result = *this;
+    result.parts.push_back(&part);
+    result.derivatives.push_back(part.derivative);
+    result.error = std::hypot(error, sum_of(part.errors));
+    result.cost = result.error * norms.largest_length(result.derivatives, effort);
+    return result;
+  }
+};
+
+ErrorGroup group_of(const std::vector<const ErrorsByDerivative*>& parts, double error, double sensitivity) {
+  ErrorGroup result;
+  for (const ErrorsByDerivative* part : parts) result.components.push_back(part->errors);
+  std::reverse(result.components.begin(), result.components.end());
+  result.sensitivity = rounded_up(sensitivity);
+  result.bound = error * result.sensitivity * kUpward;
+  return result;
+}
+
+// Each part for itself, if that is no worse after all.
+void finish(const Draft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
+  std::vector<ErrorGroup> apart;
+  double bound = 0, length = 0;
+  for (const ErrorsByDerivative* part : draft.parts) {
+    apart.push_back(group_of({part}, sum_of(part->errors), part->sensitivity));
+    bound += apart.back().bound;
+    length = std::hypot(length, part->sensitivity);
+  }
+  if (apart.size() > 1) {
+    length = std::min(length * kUpward, norms.largest_length(draft.derivatives));
+    const ErrorGroup together = group_of(draft.parts, draft.error, length);
+    if (together.bound < bound) apart = {together};
+  }
+  groups.insert(groups.end(), apart.begin(), apart.end());
+}
+
+}  // namespace
+
+std::vector<ErrorGroup> grouped(const std::vector<ErrorsByDerivative>& errors, Norms& norms) {
+  constexpr int kLittleEffort = 1;
+  std::vector<Draft> drafts;
+  for (const ErrorsByDerivative& part : errors) {
+    const Draft alone = Draft{}.with(part, norms, kLittleEffort);
+    double most = kWorthwhile * alone.cost;
+    Draft best;
+    Draft* into = nullptr;
+    for (std::size_t k = drafts.size(); k-- > 0 && k + kNearby >= drafts.size();) {
+      Draft& draft = drafts[k];
+      if (draft.parts.size() == kMostComponents) continue;
+      const bool may = std::any_of(draft.derivatives.begin(), draft.derivatives.end(),
+                                   [&](int other) { return norms.turn_together(other, part.derivative); });
+      if (!may) continue;
+      Draft together = draft.with(part, norms, kLittleEffort);
+      const double gained = draft.cost + alone.cost - together.cost;
+      if (gained <= most) continue;
+      most = gained;
+      best = std::move(together);
+      into = &draft;
+    }
+    if (into != nullptr) {
+      *into = std::move(best);
+    } else {
+      drafts.push_back(alone);
+    }
+  }
+  std::vector<ErrorGroup> groups;
+  for (const Draft& draft : drafts) finish(draft, norms, groups);
+  std::reverse(groups.begin(), groups.end());
+  return groups;
+}
+
+}  // namespace flatdyn

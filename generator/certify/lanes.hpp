@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Many states at once: a function as its text executes it, and its graph in a wider type.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "certify/rounding.hpp"
+#include "graph/arithmetic.hpp"
+#include "model/states.hpp"
+#include "verify/straight_line.hpp"
+
+namespace flatdyn {
+
+inline constexpr std::size_t kTogether = 64;  // states that go through an operation together
+
+// A number for each of these states.
+template <class T>
+struct Lanes {
+  std::array<T, kTogether> of{};
+
+  template <class Operator>
+  Lanes& by(const Lanes& other, Operator apply) {
+    for (std::size_t k = 0; k < kTogether; ++k) of[k] = apply(of[k], other.of[k]);
+    return *this;
+  }
+  Lanes& operator+=(const Lanes& b) {
+    return by(b, [](T x, T y) { return x + y; });
+  }
+  Lanes& operator-=(const Lanes& b) {
+    return by(b, [](T x, T y) { return x - y; });
+  }
+  Lanes& operator*=(const Lanes& b) {
+    return by(b, [](T x, T y) { return x * y; });
+  }
+  Lanes& operator/=(const Lanes& b) {
+    return by(b, [](T x, T y) { return x / y; });
+  }
+  friend Lanes operator*(Lanes a, const Lanes& b) { return a *= b; }
+};
+
+template <class T, class Function>
+Lanes<T> mapped(Lanes<T> x, Function apply) {
+  for (T& each : x.of) each = apply(each);
+  return x;
+}
+
+template <class T>
+Lanes<T> filled(T value) {
+  Lanes<T> all;
+  all.of.fill(value);
+  return all;
+}
+
+// kTogether states, of which functions read the format's own values, so that both sides are given the same; never
+// beyond a limit that is one of these values.
+class Batch {
+ public:
+  Batch(std::vector<State> states, const RoundingFormat& format, unsigned seed)
+      : states_(std::move(states)), format_(format), seed_(seed) {}
+
+  const std::vector<State>& states() const { return states_; }
+  unsigned seed() const { return seed_; }
+
+  template <class T>
+  Lanes<T> input(const Input& input) const {
+    Lanes<T> values;
+    for (std::size_t k = 0; k < kTogether; ++k) {
+      values.of[k] =
+          static_cast<T>(format_.toward_zero(states_[k].of(input.kind)[static_cast<std::size_t>(input.index)]));
+    }
+    return values;
+  }
+
+ private:
+  std::vector<State> states_;
+  const RoundingFormat& format_;
+  unsigned seed_;
+};
+
+// More by the error where the state's bit is set, else less.
+template <class T>
+Lanes<T> disturbed(Lanes<T> x, T error, std::uint64_t signs) {
+  for (std::size_t k = 0; k < kTogether; ++k) x.of[k] += (signs >> k & 1) != 0 ? error : -error;
+  return x;
+}
+
+template <class T>
+Lanes<T> sine_or_cosine(const Lanes<T>& angle, bool is_cosine) {
+  return mapped(angle, [is_cosine](T x) { return is_cosine ? std::cos(x) : std::sin(x); });
+}
+
+template <class T>
+Lanes<T> sign(const Lanes<T>& x) {
+  return mapped(x, [](T each) { return static_cast<T>((each > 0) - (each < 0)); });
+}
+
+template <class T>
+Lanes<T> square_root(const Lanes<T>& x) {
+  return mapped(x, [](T each) { return std::sqrt(each); });
+}
+
+// The text, operation by operation.
+template <class T>
+std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch, double sine_error) {
+  std::mt19937_64 signs(batch.seed());
+  std::vector<Lanes<T>> values;
+  values.reserve(static_cast<std::size_t>(lines.size()));
+  for (int k = 0; k < lines.size(); ++k) {
+    const Operation& operation = lines[k];
+    const auto a = [&] { return values[static_cast<std::size_t>(operation.a)]; };
+    const auto b = [&]() -> const Lanes<T>& { return values[static_cast<std::size_t>(operation.b)]; };
+    switch (operation.step) {
+      case Step::constant:
+        values.push_back(filled(static_cast<T>(operation.value)));
+        break;
+      case Step::input:
+        values.push_back(batch.input<T>(operation.input));
+        break;
+      case Step::sine:
+      case Step::cosine:
+        values.push_back(
+            sine_or_cosine(operation.a < 0 ? batch.input<T>(operation.input) : a(), operation.step == Step::cosine));
+        if (sine_error > 0) values.back() = disturbed(values.back(), static_cast<T>(sine_error), signs());
+        break;
+      case Step::negate:
+        values.push_back(mapped(a(), [](T x) { return -x; }));
+        break;
+      case Step::add:
+        values.push_back(a() += b());
+        break;
+      case Step::subtract:
+        values.push_back(a() -= b());
+        break;
+      case Step::multiply:
+        values.push_back(a() *= b());
+        break;
+      case Step::divide:
+        values.push_back(a() /= b());
+        break;
+      case Step::sign:
+        values.push_back(sign(a()));
+        break;
+      case Step::sqrt:
+        values.push_back(square_root(a()));
+        break;
+    }
+  }
+  return values;
+}
+
+// For evaluate(): constants are converted once.
+template <class T>
+class LaneArithmetic {
+ public:
+  using Scalar = Lanes<T>;
+
+  void take(const Batch& batch) { batch_ = &batch; }
+  const Scalar& constant(const Rational& value) {
+    const auto known = constants_.find(&value);
+    if (known != constants_.end()) return known->second;
+    return constants_.emplace(&value, filled(to_real<T>(value))).first->second;
+  }
+  Scalar input(const Input& input) const { return batch_->input<T>(input); }
+  Scalar divide(Scalar a, const Scalar& b) const { return a /= b; }
+  Scalar sin(const Graph&, NodeId, const Scalar& angle) const { return sine_or_cosine(angle, false); }
+  Scalar cos(const Graph&, NodeId, const Scalar& angle) const { return sine_or_cosine(angle, true); }
+  Scalar sign(const Scalar& x) const { return flatdyn::sign(x); }
+  Scalar sqrt(const Scalar& x) const { return square_root(x); }
+
+ private:
+  const Batch* batch_ = nullptr;
+  std::unordered_map<const Rational*, Scalar> constants_;
+};
+
+}  // namespace flatdyn
