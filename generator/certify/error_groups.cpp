@@ -17,19 +17,22 @@ double sum_of(const AlikeErrors& errors) {
   return sum;
 }
 
-// A group in the making. Its cost is a bound of what it adds to the output's error: of little effort while groups are
-// compared.
+// A group in the making. Its cost is a bound of what it adds to the output's error.
 struct Draft {
   std::vector<const ErrorsByDerivative*> parts;
   std::vector<int> derivatives;
-  double error = 0, cost = 0;
+  double error = 0, apart = 0;  // lengths: of the errors' vector; of the derivatives', from each for itself
+  double cost = 0;
 
-  Draft with(const ErrorsByDerivative& part, Norms& norms, int effort) const {
+  Draft with(const ErrorsByDerivative& part, Norms& norms) const {
+    constexpr int kLittleEffort = 1;  // while groups are compared
     Draft result = *this;
     result.parts.push_back(&part);
     result.derivatives.push_back(part.derivative);
     result.error = std::hypot(error, sum_of(part.errors));
-    result.cost = result.error * norms.largest_length(result.derivatives, effort);
+    result.apart = std::hypot(apart, part.sensitivity);
+    const double length = parts.empty() ? INFINITY : norms.largest_length(result.derivatives, kLittleEffort);
+    result.cost = result.error * std::min(result.apart, length);
     return result;
   }
 };
@@ -46,14 +49,13 @@ ErrorGroup group_of(const std::vector<const ErrorsByDerivative*>& parts, double 
 // Each part for itself, if that is no worse after all.
 void finish(const Draft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
   std::vector<ErrorGroup> apart;
-  double bound = 0, length = 0;
+  double bound = 0;
   for (const ErrorsByDerivative* part : draft.parts) {
     apart.push_back(group_of({part}, sum_of(part->errors), part->sensitivity));
     bound += apart.back().bound;
-    length = std::hypot(length, part->sensitivity);
   }
   if (apart.size() > 1) {
-    length = std::min(length * kUpward, norms.largest_length(draft.derivatives));
+    const double length = std::min(draft.apart * kUpward, norms.largest_length(draft.derivatives));
     const ErrorGroup together = group_of(draft.parts, draft.error, length);
     if (together.bound < bound) apart = {together};
   }
@@ -63,10 +65,9 @@ void finish(const Draft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
 }  // namespace
 
 std::vector<ErrorGroup> grouped(const std::vector<ErrorsByDerivative>& errors, Norms& norms) {
-  constexpr int kLittleEffort = 1;
   std::vector<Draft> drafts;
   for (const ErrorsByDerivative& part : errors) {
-    const Draft alone = Draft{}.with(part, norms, kLittleEffort);
+    const Draft alone = Draft{}.with(part, norms);
     double most = kWorthwhile * alone.cost;
     Draft best;
     Draft* into = nullptr;
@@ -76,7 +77,7 @@ std::vector<ErrorGroup> grouped(const std::vector<ErrorsByDerivative>& errors, N
       const bool may = std::any_of(draft.derivatives.begin(), draft.derivatives.end(),
                                    [&](int other) { return norms.turn_together(other, part.derivative); });
       if (!may) continue;
-      Draft together = draft.with(part, norms, kLittleEffort);
+      Draft together = draft.with(part, norms);
       const double gained = draft.cost + alone.cost - together.cost;
       if (gained <= most) continue;
       most = gained;

@@ -66,8 +66,9 @@ struct Comparison {
 
   // Children of a state, each on its way to another one of those that are drawn.
   std::vector<State> children(const State& parent, unsigned seed) const {
+    constexpr unsigned kOfChildren = 0x6368696c;  // a stream of its own
     std::vector<State> states = drawn(seed);
-    std::mt19937_64 random(seed);
+    std::mt19937_64 random(seed + kOfChildren);
     for (State& state : states) {
       state = child(parent, state, random);
       for (const auto& [input, limit] : limits) {

@@ -56,7 +56,12 @@ TEST_P(Certificates, AreAboveEveryErrorThatIsSeen) {
 INSTANTIATE_TEST_SUITE_P(Robots, Certificates,
                          ::testing::Combine(::testing::Values("planar_2r_example_7_2.toml", "puma560.toml", "rx90.toml",
                                                               "ur5.urdf", "finger.toml"),
-                                            ::testing::Values("double", "float")));
+                                            ::testing::Values("double", "float")),
+                         [](const auto& test) {
+                           std::string name = std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+                           for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+                           return name;
+                         });
 
 // Neither parallel nor at right angles: rotations by constant angles are recognised, too.
 TEST(Certificate, OfAxesAtAnyAngle) {
