@@ -26,7 +26,7 @@ int ErrorAnalysis::product(int a, int b) {
 double ErrorAnalysis::Readers::allow() const {
   double sum = others;
   for (const auto& [joint, by] : turning) sum += std::hypot(by.first, by.second);
-  return sum * kUpward;
+  return std::max(sum * kUpward, Norms::kLeastSize);
 }
 
 // By operation: the derivative of the output by its result; -1: it has none.

@@ -13,6 +13,10 @@ namespace {
 
 constexpr const char* kMayOverflow = "it may overflow";
 
+double product_of_sizes(double a, double b) {
+  return a > 0 && b > 0 ? std::max(a * b * kUpward, Norms::kLeastSize) : 0;
+}
+
 std::optional<double> number_of(const std::vector<std::pair<int, double>>& form) {
   if (form.empty()) return 0;
   if (form.size() == 1 && form[0].first == Atoms::kOne) return form[0].second;
@@ -49,7 +53,7 @@ double Norms::largest_of(int atom) {
       result = largest_of(of.a);
       break;
     case Atom::Kind::product:
-      result = largest_of(of.a) * largest_of(of.b) * kUpward;
+      result = product_of_sizes(largest_of(of.a), largest_of(of.b));
       break;
   }
   return largest_of_atoms_[atom] = result;
@@ -85,12 +89,16 @@ void Norms::add(Expansion& to, double c, const Form& form) {
   to.form = std::move(result);
 }
 
+bool Norms::is_executed_sum_or_product(int k) const {
+  const Step step = lines_[k].step;
+  return k < executed_ && (step == Step::add || step == Step::subtract || step == Step::multiply);
+}
+
 // Sign changes are exact, and products with a power of two that is at least 1.
 bool Norms::is_rounded(int k) const {
   const Operation& operation = lines_[k];
-  if (k >= executed_) return false;
-  if (operation.step == Step::add || operation.step == Step::subtract) return true;
-  if (operation.step != Step::multiply) return false;
+  if (!is_executed_sum_or_product(k)) return false;
+  if (operation.step != Step::multiply) return true;
   const auto is_power = [this](int factor) {
     int exponent = 0;
     const double value = std::abs(lines_[factor].value);
@@ -103,10 +111,13 @@ const Norms::Expansion& Norms::expansion(int k) {
   const auto known = expansions_.find(k);
   if (known != expansions_.end()) return known->second;
   Expansion result = unrounded(k);
-  if (is_rounded(k)) {
-    result.before_rounding = rounded_up(std::min(norm(result.form) + result.slack, largest_by_operands(k)));
-    if (!(result.before_rounding <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
-    result.own_error = model_.format.half_ulp(result.before_rounding);
+  if (is_executed_sum_or_product(k)) {
+    const double size = rounded_up(std::min(norm(result.form) + result.slack, largest_by_operands(k)));
+    if (!(size <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
+    if (is_rounded(k)) {
+      result.before_rounding = size;
+      result.own_error = model_.format.half_ulp(size);
+    }
   }
   result.slack += result.own_error;
   return expansions_.emplace(k, std::move(result)).first->second;
@@ -114,7 +125,7 @@ const Norms::Expansion& Norms::expansion(int k) {
 
 double Norms::largest_by_operands(int k) {
   const double a = largest(lines_[k].a), b = largest(lines_[k].b);
-  return (lines_[k].step == Step::multiply ? a * b : a + b) * kUpward;
+  return lines_[k].step == Step::multiply ? product_of_sizes(a, b) : (a + b) * kUpward;
 }
 
 Norms::Expansion Norms::unrounded(int k) {

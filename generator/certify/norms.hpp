@@ -50,6 +50,9 @@ class Norms {
   double largest_before_rounding(int k) { return expansion(k).before_rounding; }
   double own_error(int k) { return expansion(k).own_error; }
 
+  // What is smaller, but not 0, counts as that large, so that products of sizes do not vanish.
+  static constexpr double kLeastSize = 1e-140;
+
   // Of the vector of several results: its largest length, which the more effort brings nearer to what it is.
   static constexpr int kEffort = 16;
   double largest_length(const std::vector<int>& operations, int effort = kEffort);
@@ -102,6 +105,7 @@ class Norms {
   Expansion distributed(const Expansion& sines, int k);
   Factor factor(int k);
   bool is_rounded(int k) const;
+  bool is_executed_sum_or_product(int k) const;
   bool is_of_sines(const Form& form) const;
   void add(Expansion& to, double c, const Form& form);
   double largest_of(int atom);

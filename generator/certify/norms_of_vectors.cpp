@@ -98,16 +98,16 @@ double Norms::norm(const Form& form) {
     v.of(0, size_of(v.atoms)) = coefficient * largest_of(atom);
     v.atoms.push_back(atom);
   }
-  return norm(v, kEffort);
+  return form.empty() ? 0 : std::max(norm(v, kEffort), kLeastSize);
 }
 
 double Norms::largest_length(const std::vector<int>& operations, int effort) {
   Places places;
-  double squares = 0;
+  double slack = 0;
   for (const int k : operations) {
     const Expansion& of = expansion(k);
     for (const auto& term : of.form) places(term.first);
-    squares += of.slack * of.slack;
+    slack = std::hypot(slack, of.slack);
   }
   Vector v = {places.atoms(), MatrixXd::Zero(static_cast<Index>(operations.size()), places.size())};
   for (Index row = 0; row < v.of.rows(); ++row) {
@@ -115,7 +115,8 @@ double Norms::largest_length(const std::vector<int>& operations, int effort) {
       v.of(row, places(atom)) = coefficient * largest_of(atom);
     }
   }
-  return (norm(v, effort) + std::sqrt(squares)) * kUpward;
+  const double length = v.atoms.empty() ? 0 : std::max(norm(v, effort), kLeastSize);
+  return (length + slack) * kUpward;
 }
 
 // The joint by whose angle the latest part of a sum is turned, and what it turns.
@@ -142,7 +143,7 @@ bool Norms::turn_together(int j, int k) {
 // By its row echelon form in units of its size, of as many digits as matter, in which it is found again.
 double Norms::norm(const Vector& v, int effort) {
   constexpr double kDigits = 0x1p30;
-  const double size = v.of.norm();
+  const double size = v.of.stableNorm();
   if (!(size > 0) || !std::isfinite(size)) return size;
   std::vector<Index> order(v.atoms.size());
   std::iota(order.begin(), order.end(), 0);
@@ -166,8 +167,8 @@ double Norms::norm(const Vector& v, int effort) {
     known = {effort, std::min(known.norm, norm_of_unit(unit, effort))};
     known_[std::move(key)] = known;
   }
-  // Of a column, digits lose less than kRest in each row, and row_echelon as much in all.
-  const double rows = static_cast<double>(digits.rows()), lost = (1 + std::sqrt(rows)) * kRest;
+  // Of a column, digits lose less than kRest in each row, and row_echelon twice as much in all.
+  const double rows = static_cast<double>(digits.rows()), lost = (2 + std::sqrt(rows)) * kRest;
   return (known.norm + static_cast<double>(v.of.cols()) * lost) * size * kUpward;
 }
 
@@ -244,8 +245,8 @@ double Norms::norm_by_rotation(const Vector& v, int joint, int effort) {
     const Atom& of = atoms_[turning.atoms[static_cast<std::size_t>(k)]];
     (of.is_cosine ? A : B).col(factors(of.a)) = turning.rows.of.col(k);
   }
-  const double bound = norm_of_sum({factors.atoms(), of_any_angle(A, B)}, turning, effort);
-  return std::hypot(bound, kRestOfAngles) * kUpward;
+  // A vector x that is longer by so much makes every sum with it longer by no more.
+  return (norm_of_sum({factors.atoms(), of_any_angle(A, B)}, turning, effort) + kRestOfAngles) * kUpward;
 }
 
 // With a factor of products written out.

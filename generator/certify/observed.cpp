@@ -87,6 +87,7 @@ class Observer {
 
   // Half of the states at random, then generations of children, for each output in turn; each on all cores.
   std::vector<double> run() {
+    if (worst_.empty()) return {};
     const auto count =
         static_cast<unsigned>((static_cast<std::size_t>(comparison_.options.states) + kTogether - 1) / kTogether);
     const unsigned random = (count + 1) / 2, each = kBatches * static_cast<unsigned>(worst_.size());

@@ -111,6 +111,7 @@ class Change {
     if (is_half_) take_back();
     for (const fs::path& place : places_) fs::remove(beside(place, kOld), ignored);
     for (const TextFile& file : files_) fs::remove(beside(file.path, kNew), ignored);
+    remove_emptied_folders();
   }
 
   void write() const {
@@ -128,6 +129,15 @@ class Change {
   }
 
  private:
+  // Of outdated files that were in a folder of their own. One that has files stays.
+  void remove_emptied_folders() const {
+    std::error_code ignored;
+    for (const fs::path& place : places_) {
+      const fs::path folder = folder_of(place);
+      if (folder != folder_of(files_.front().path)) fs::remove(folder, ignored);
+    }
+  }
+
   // Of the first file a second name; where there are no such names, a copy.
   void set_aside(const fs::path& path) const {
     if (!fs::exists(path)) return;

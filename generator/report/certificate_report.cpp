@@ -15,6 +15,8 @@ namespace {
 // Longer tables show what is largest; all of them are in the files.
 constexpr std::size_t kLongestTable = 12;
 
+const std::string kAllZero = "Every entry is 0, and so is its error.\n";
+
 const char* prover(const Certificate& certificate, const CertifiedOutput& output) {
   if (output.terms == 0) return "exact";
   if (!certificate.by_gappa) return "flatdyn";
@@ -127,7 +129,7 @@ std::string describe_certificate(const Certificate& certificate, double enough) 
     if (shown.size() < function.outputs.size()) {
       text += fmt::format("the largest bound and the largest ratio of {} outputs\n", function.outputs.size());
     }
-    text += "\n" + aligned_table(rows_of(certificate, shown)) + "\n";
+    text += "\n" + (shown.empty() ? kAllZero : aligned_table(rows_of(certificate, shown))) + "\n";
   }
   text += fmt::format(
       "bound: of the absolute rounding error in {}, within the joints' limits, for {}\n"
@@ -153,7 +155,9 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       certificate.robot, certificate.scalar, header, hash, trigonometry(certificate), certificate.scalar,
       std::filesystem::path(header).replace_extension("gappa").string());
   for (const CertifiedFunction& function : certificate.functions) {
-    text += fmt::format("\n## {}\n\n{}", function.name, markdown_table(rows_of(certificate, function.outputs)));
+    const std::vector<CertifiedOutput>& outputs = function.outputs;
+    text += fmt::format("\n## {}\n\n{}", function.name,
+                        outputs.empty() ? kAllZero : markdown_table(rows_of(certificate, outputs)));
   }
   text += fmt::format(
       "\nSeen: the largest error at {} states within the limits, half of them random, the others sought from the worst "

@@ -190,7 +190,7 @@ TEST(Output, HasNothingBesideAHeaderThatSpeaksOfAnother) {
   EXPECT_EQ(scripts(), 0u);
   scratch.write("panda.txt", "somebody's");
   ASSERT_EQ(run_flatdyn("generate robots/panda.urdf -q --functions bias -o " + scratch.path()).code, 0);
-  EXPECT_FALSE(exists("panda.certificate.md") || exists("panda.certificate.json"));
+  EXPECT_FALSE(exists("panda.certificate.md") || exists("panda.certificate.json") || exists("panda.gappa"));
   EXPECT_TRUE(exists("panda.json") && exists("panda.txt"));
   ASSERT_EQ(run_flatdyn(certify + " --functions gravity").code, 0);
   EXPECT_TRUE(exists("panda.certificate.md") && exists("panda.txt"));

@@ -138,6 +138,15 @@ TEST(Norms, AreAboveResultsAndDerivatives) {
   EXPECT_LT(std::exp(looseness / analysis.text().size()), 20);  // in the geometric mean
 }
 
+// All of a function's entries are zero: there is nothing to look for.
+TEST(Certify, OfAFunctionThatIsZero) {
+  Mechanism mechanism = testing::limited_robot("panda.urdf");
+  mechanism.gravity = zero_vector();
+  const Certificate certificate = certificate_of(mechanism, "double", {"gravity", "inertia_matrix"});
+  EXPECT_TRUE(certificate.functions.at(0).outputs.empty());
+  EXPECT_FALSE(certificate.functions.at(1).outputs.empty());
+}
+
 TEST(Certify, NeedsLimits) {
   Mechanism mechanism = testing::limited_robot("ur5.urdf");
   mechanism.bodies[3].limits.acceleration = std::nullopt;

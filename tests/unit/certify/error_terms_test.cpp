@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "certify/gappa.hpp"
+#include "diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
 namespace {
@@ -127,6 +128,32 @@ TEST(ErrorAnalysis, BoundsErrorsOfAVectorTogether) {
   const GappaScript script = sum_script("f", "tau[0]", "N m", error);
   EXPECT_THAT(script.text, ::testing::HasSubstr(fmt::format("sqrt(r{0} * r{0} + r{1} * r{1})", x, y)));
   EXPECT_THAT(ask_gappa({script}, kSeconds), ::testing::Each(Verdict::proven));
+}
+
+// 2^k x is exact, but it may overflow all the same.
+TEST(ErrorAnalysis, RefusesExactProductsThatOverflow) {
+  StraightLine lines;
+  const int output = lines.multiply(lines.constant(0x1p40), lines.input({InputKind::qd, 0}));
+  const auto bound_of = [&](double limit) {
+    ErrorAnalysis analysis(lines, {rounding_format("float"), 0x1p-24, [](double) { return 0.0; }},
+                           [limit](const Input&) { return limit; });
+    return analysis.error_of(output).bound;
+  };
+  EXPECT_EQ(bound_of(1e20), 0);
+  EXPECT_THROW(bound_of(1e30), Failure);
+}
+
+// x y z of 1e-120 each, which is 0 in double: its bound is not, and neither is its error's.
+TEST(ErrorAnalysis, BoundsOfTinyNumbersDoNotVanish) {
+  StraightLine lines;
+  const auto speed = [&lines](int k) { return lines.input({InputKind::qd, k}); };
+  const int output = lines.multiply(lines.multiply(speed(0), speed(1)), speed(2));
+  ErrorAnalysis analysis(lines, {rounding_format("double"), 0x1p-53, [](double) { return 0.0; }},
+                         [](const Input&) { return 1e-120; });
+  const OutputError error = analysis.error_of(output);
+  EXPECT_EQ(error.terms(), 2);
+  EXPECT_GT(analysis.norms().largest(output), 0);
+  EXPECT_GT(error.bound, 0);
 }
 
 // Σ s x_k over many readers: by all of them together no more than by each of them.
