@@ -62,34 +62,37 @@ void finish(const Draft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
   groups.insert(groups.end(), apart.begin(), apart.end());
 }
 
+bool turn_together(const Draft& draft, int derivative, Norms& norms) {
+  return std::any_of(draft.derivatives.begin(), draft.derivatives.end(),
+                     [&](int other) { return norms.turn_together(other, derivative); });
+}
+
+// Into the draft from which most is gained, or into one of its own.
+void add(const ErrorsByDerivative& part, Norms& norms, std::vector<Draft>& drafts) {
+  const Draft alone = Draft{}.with(part, norms);
+  double most = kWorthwhile * alone.cost;
+  Draft best = alone;
+  std::size_t into = drafts.size();
+  for (std::size_t back = 1; back <= std::min(drafts.size(), kNearby); ++back) {
+    const std::size_t k = drafts.size() - back;
+    const Draft& draft = drafts[k];
+    if (draft.parts.size() == kMostComponents || !turn_together(draft, part.derivative, norms)) continue;
+    Draft together = draft.with(part, norms);
+    const double gained = draft.cost + alone.cost - together.cost;
+    if (gained <= most) continue;
+    most = gained;
+    best = std::move(together);
+    into = k;
+  }
+  if (into == drafts.size()) drafts.emplace_back();
+  drafts[into] = std::move(best);
+}
+
 }  // namespace
 
 std::vector<ErrorGroup> grouped(const std::vector<ErrorsByDerivative>& errors, Norms& norms) {
   std::vector<Draft> drafts;
-  for (const ErrorsByDerivative& part : errors) {
-    const Draft alone = Draft{}.with(part, norms);
-    double most = kWorthwhile * alone.cost;
-    Draft best;
-    Draft* into = nullptr;
-    for (std::size_t k = drafts.size(); k-- > 0 && k + kNearby >= drafts.size();) {
-      Draft& draft = drafts[k];
-      if (draft.parts.size() == kMostComponents) continue;
-      const bool may = std::any_of(draft.derivatives.begin(), draft.derivatives.end(),
-                                   [&](int other) { return norms.turn_together(other, part.derivative); });
-      if (!may) continue;
-      Draft together = draft.with(part, norms);
-      const double gained = draft.cost + alone.cost - together.cost;
-      if (gained <= most) continue;
-      most = gained;
-      best = std::move(together);
-      into = &draft;
-    }
-    if (into != nullptr) {
-      *into = std::move(best);
-    } else {
-      drafts.push_back(alone);
-    }
-  }
+  for (const ErrorsByDerivative& part : errors) add(part, norms, drafts);
   std::vector<ErrorGroup> groups;
   for (const Draft& draft : drafts) finish(draft, norms, groups);
   std::reverse(groups.begin(), groups.end());

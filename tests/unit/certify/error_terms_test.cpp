@@ -156,7 +156,7 @@ TEST(ErrorAnalysis, BoundsOfTinyNumbersDoNotVanish) {
   EXPECT_GT(error.bound, 0);
 }
 
-// Σ s x_k over many readers: by all of them together no more than by each of them.
+// Many read a sine: the derivative by it is no more than by way of each of them.
 TEST(ErrorAnalysis, ADerivativeIsNoLargerThanItsReadersAllow) {
   StraightLine lines;
   const int c = lines.cosine(0), s = lines.sine(0);
