@@ -9,6 +9,9 @@
 #include <map>
 #include <set>
 
+#include "certify/error_terms.hpp"
+#include "certify/gappa_script.hpp"
+#include "certify/model_constants.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "emit/literals.hpp"
 #include "verify/emitted_text.hpp"
@@ -20,45 +23,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double distance(const Rational& exact, double value) {
-  return std::abs(Rational(exact - Rational(value)).convert_to<double>()) * kUpward;
-}
-
-// The model's numbers, by the literal that they are printed as.
-class Constants {
- public:
-  explicit Constants(const Function& function) {
-    for (NodeId id = 0; id < function.graph.size(); ++id) {
-      const Node& node = function.graph[id];
-      add(node.value);
-      for (const Term& term : node.terms) add(term.coefficient);
-    }
-  }
-
-  // How far the scalar is from them. Of a literal that stands for none: what a literal can be off.
-  double error(double literal, const RoundingFormat& format) const {
-    const double value = std::abs(literal);
-    const auto known = values_.find(value);
-    if (known == values_.end()) {
-      return rounding_format("double").half_ulp(value) + std::abs(format.rounded(value) - value);
-    }
-    double largest = 0;
-    for (const Rational& exact : known->second) largest = std::max(largest, distance(exact, format.rounded(value)));
-    return largest;
-  }
-  // It stands for several, whose errors differ.
-  bool is_ambiguous(double literal) const {
-    const auto known = values_.find(std::abs(literal));
-    return known != values_.end() && known->second.size() > 1;
-  }
-
- private:
-  void add(const Rational& value) { values_[std::abs(nearest_double(value))].insert(abs(value)); }
-
-  std::map<double, std::set<Rational>> values_;
-};
-
-RoundingModel rounding_model(const Constants& constants, const RoundingFormat& format, const CertifyOptions& options) {
+RoundingModel rounding_model(const ModelConstants& constants, const RoundingFormat& format,
+                             const CertifyOptions& options) {
   return {format, trigonometry_error(options),
           [&constants, &format](double literal) { return constants.error(literal, format); }};
 }
@@ -98,7 +64,9 @@ class Certifier {
         options_(options),
         constants_(function),
         analysis_(with_constants_apart(text, [this](double literal) { return constants_.is_ambiguous(literal); }),
-                  rounding_model(constants_, format_, options), input_limits(mechanism)) {
+                  rounding_model(constants_, format_, options), input_limits(mechanism),
+                  std::make_unique<Motions>(mechanism, input_limits(mechanism),
+                                            [this](double literal) { return constants_.exact_size(literal); })) {
     result_.name = function.name;
   }
 
@@ -153,12 +121,13 @@ class Certifier {
     found.effort = effort_of(mechanism_, output, static_cast<int>(entry));
     result_.outputs.push_back(std::move(found));
     operations_.push_back(operation);
+    joints_.push_back(is_torque(output) ? std::optional(static_cast<int>(entry)) : std::nullopt);
     exact_.push_back(output.entries[entry]);
   }
 
   void bound(std::size_t k) {
     CertifiedOutput& output = result_.outputs[k];
-    const OutputError error = analysis_.error_of(operations_[k]);
+    const OutputError error = analysis_.error_of(operations_[k], joints_[k]);
     output.bound = error.bound;
     output.terms = error.terms();
     output.doubt = std::ldexp(error.bound, -bits_more(format_)) +
@@ -187,12 +156,13 @@ class Certifier {
   const Function& function_;
   const RoundingFormat& format_;
   CertifyOptions options_;
-  Constants constants_;
+  ModelConstants constants_;
   ErrorAnalysis analysis_;
   CertifiedFunction result_;
-  std::vector<int> operations_;  // by output
-  std::vector<NodeId> exact_;    // by output
-  std::size_t roundings_ = 0;    // scripts about roundings, before those of outputs
+  std::vector<int> operations_;             // by output
+  std::vector<std::optional<int>> joints_;  // whose torque it is, by output
+  std::vector<NodeId> exact_;               // by output
+  std::size_t roundings_ = 0;               // scripts about roundings, before those of outputs
 };
 
 }  // namespace

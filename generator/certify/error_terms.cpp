@@ -10,10 +10,14 @@
 
 namespace flatdyn {
 
-ErrorAnalysis::ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits)
+ErrorAnalysis::ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits,
+                             std::unique_ptr<Motions> motions)
     : lines_(std::move(text)),
       executed_(lines_.size()),
-      norms_(lines_, executed_, std::move(model), std::move(limits)) {}
+      motions_(std::move(motions)),
+      norms_(lines_, executed_, std::move(model), std::move(limits), motions_.get()) {
+  if (motions_) motions_->recognise(lines_, std::nullopt);
+}
 
 int ErrorAnalysis::product(int a, int b) {
   const auto is_one = [this](int k) { return lines_[k].step == Step::constant && lines_[k].value == 1; };
@@ -95,9 +99,10 @@ void ErrorAnalysis::pass_on(double sensitivity, int k, std::vector<Readers>& rea
 }
 
 // Operations forward, derivatives backward: each then needs only what is known.
-OutputError ErrorAnalysis::error_of(int output) {
+OutputError ErrorAnalysis::error_of(int output, std::optional<int> joint) {
   for (int k = 0; k <= output; ++k) norms_.largest(k);
   const std::vector<int> derivative = derivatives(output);
+  if (motions_) motions_->recognise(lines_, joint);
   std::vector<Readers> readers(derivative.size());
   readers.back().others = 1;
   std::vector<ErrorsByDerivative> errors;

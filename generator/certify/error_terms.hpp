@@ -17,6 +17,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,14 +52,14 @@ struct OutputError {
 // A function's operations, and the derivatives that were asked for.
 class ErrorAnalysis {
  public:
-  ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits);
+  ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits, std::unique_ptr<Motions> motions = nullptr);
 
   const StraightLine& text() const { return lines_; }  // derivatives come behind it
   int executed() const { return executed_; }
   Norms& norms() { return norms_; }
 
-  // Of the result of an operation of the text.
-  OutputError error_of(int output);
+  // Of the result of an operation of the text; of the torque of this joint, if it is one.
+  OutputError error_of(int output, std::optional<int> joint = std::nullopt);
 
  private:
   // Of a result, by those that read it: how large the output's derivatives by them are, times what they make of it.
@@ -74,6 +76,7 @@ class ErrorAnalysis {
 
   StraightLine lines_;
   int executed_;
+  std::unique_ptr<Motions> motions_;
   Norms norms_;
 };
 

@@ -105,13 +105,13 @@ Lanes<T> square_root(const Lanes<T>& x) {
   return mapped(x, [](T each) { return std::sqrt(each); });
 }
 
-// The text, operation by operation.
+// The text, operation by operation, up to the last one that is asked for.
 template <class T>
-std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch, double sine_error) {
+std::vector<Lanes<T>> executed(const StraightLine& lines, int last, const Batch& batch, double sine_error) {
   std::mt19937_64 signs(batch.seed());
   std::vector<Lanes<T>> values;
-  values.reserve(static_cast<std::size_t>(lines.size()));
-  for (int k = 0; k < lines.size(); ++k) {
+  values.reserve(static_cast<std::size_t>(last) + 1);
+  for (int k = 0; k <= last; ++k) {
     const Operation& operation = lines[k];
     const auto a = [&] { return values[static_cast<std::size_t>(operation.a)]; };
     const auto b = [&]() -> const Lanes<T>& { return values[static_cast<std::size_t>(operation.b)]; };
@@ -152,6 +152,38 @@ std::vector<Lanes<T>> executed(const StraightLine& lines, const Batch& batch, do
     }
   }
   return values;
+}
+
+// Of a result by those of all operations before it, in the order of the text. Divisions, roots and signs have none.
+template <class T>
+std::vector<Lanes<T>> derivatives(const StraightLine& lines, const std::vector<Lanes<T>>& values, int result) {
+  std::vector<Lanes<T>> by(static_cast<std::size_t>(result) + 1);
+  by.back() = filled(T(1));
+  const auto at = [](auto& of, int k) -> auto& { return of[static_cast<std::size_t>(k)]; };
+  for (int k = result; k >= 0; --k) {
+    const Operation& operation = lines[k];
+    const Lanes<T>& by_k = at(by, k);
+    switch (operation.step) {
+      case Step::negate:
+        at(by, operation.a) -= by_k;
+        break;
+      case Step::add:
+        at(by, operation.a) += by_k;
+        at(by, operation.b) += by_k;
+        break;
+      case Step::subtract:
+        at(by, operation.a) += by_k;
+        at(by, operation.b) -= by_k;
+        break;
+      case Step::multiply:
+        at(by, operation.a) += by_k * at(values, operation.b);
+        at(by, operation.b) += by_k * at(values, operation.a);
+        break;
+      default:
+        break;
+    }
+  }
+  return by;
 }
 
 // For evaluate(): constants are converted once.

@@ -25,8 +25,8 @@ std::optional<double> number_of(const std::vector<std::pair<int, double>>& form)
 
 }  // namespace
 
-Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits)
-    : lines_(lines), executed_(executed), model_(std::move(model)), limits_(std::move(limits)) {}
+Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits, const Motions* motions)
+    : lines_(lines), executed_(executed), model_(std::move(model)), limits_(std::move(limits)), motions_(motions) {}
 
 // Few enough to be multiplied out.
 bool Norms::is_of_sines(const Form& form) const {
@@ -45,6 +45,7 @@ double Norms::largest_of(int atom) {
       break;
     case Atom::Kind::given:
       if (lines_[of.a].step == Step::input) result = limits_(lines_[of.a].input);
+      if (is_sum_or_product(of.a)) result = largest(of.a);
       break;
     case Atom::Kind::result:
       result = largest(of.a);
@@ -89,15 +90,15 @@ void Norms::add(Expansion& to, double c, const Form& form) {
   to.form = std::move(result);
 }
 
-bool Norms::is_executed_sum_or_product(int k) const {
+bool Norms::is_sum_or_product(int k) const {
   const Step step = lines_[k].step;
-  return k < executed_ && (step == Step::add || step == Step::subtract || step == Step::multiply);
+  return step == Step::add || step == Step::subtract || step == Step::multiply;
 }
 
 // Sign changes are exact, and products with a power of two that is at least 1.
 bool Norms::is_rounded(int k) const {
   const Operation& operation = lines_[k];
-  if (!is_executed_sum_or_product(k)) return false;
+  if (k >= executed_ || !is_sum_or_product(k)) return false;
   if (operation.step != Step::multiply) return true;
   const auto is_power = [this](int factor) {
     int exponent = 0;
@@ -111,16 +112,62 @@ const Norms::Expansion& Norms::expansion(int k) {
   const auto known = expansions_.find(k);
   if (known != expansions_.end()) return known->second;
   Expansion result = unrounded(k);
-  if (is_executed_sum_or_product(k)) {
-    const double size = rounded_up(std::min(norm(result.form) + result.slack, largest_by_operands(k)));
-    if (!(size <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
-    if (is_rounded(k)) {
-      result.before_rounding = size;
-      result.own_error = model_.format.half_ulp(size);
-    }
-  }
-  result.slack += result.own_error;
+  if (is_sum_or_product(k)) bound(k, result);
+  if (!result.has_all_errors) result.slack += result.own_error;
   return expansions_.emplace(k, std::move(result)).first->second;
+}
+
+// By the operation, or by the motion that it computes: that takes its place if it says more. Where neither roundings
+// nor motions ask for a bound, there is none.
+void Norms::bound(int k, Expansion& expansion) {
+  const double of_motion = largest_of_motion(k);
+  if (k >= executed_ && !std::isfinite(of_motion)) return;
+  const double by_form = norm(expansion.form) + expansion.slack;
+  const double by_operation = k < executed_ ? std::min(by_form, largest_by_operands(k)) : by_form;
+  const double size = rounded_up(std::min(by_operation, of_motion));
+  if (!(size <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
+  if (is_rounded(k)) {
+    expansion.before_rounding = size;
+    expansion.own_error = model_.format.half_ulp(size);
+  }
+  if (of_motion >= by_operation) return;
+  largest_[k] = (size + expansion.own_error) * kUpward;
+  expansion.form = {{atoms_.given(k), 1}};
+  expansion.slack = 0;
+  expansion.has_all_errors = true;
+}
+
+// Infinite where it is none. What is computed differs from it by what its operands are off.
+double Norms::largest_of_motion(int k) {
+  if (motions_ == nullptr || motions_->group(k) < 0) return INFINITY;
+  return motions_->largest(k) + deviation_before_rounding(k).error;
+}
+
+Norms::Deviation Norms::deviation_before_rounding(int k) {
+  const Deviation a = deviation(lines_[k].a), b = deviation(lines_[k].b);
+  if (lines_[k].step != Step::multiply) return {(a.size + b.size) * kUpward, (a.error + b.error) * kUpward};
+  return {product_of_sizes(a.size, b.size),
+          (product_of_sizes(a.error, b.size) + product_of_sizes(a.size, b.error)) * kUpward};
+}
+
+const Norms::Deviation& Norms::deviation(int k) {
+  const auto known = deviations_.find(k);
+  if (known != deviations_.end()) return known->second;
+  Deviation result;
+  if (is_sum_or_product(k)) {
+    result = deviation_before_rounding(k);
+    if (motions_->group(k) >= 0) result.size = std::min(result.size, motions_->largest(k) + result.error);
+    if (k < executed_) {
+      const double own = expansion(k).own_error;
+      result.size = std::min(result.size, largest(k)) + own;
+      result.error += own;
+    }
+  } else if (lines_[k].step == Step::negate) {
+    result = deviation(lines_[k].a);
+  } else {
+    result = {largest(k), expansion(k).own_error};
+  }
+  return deviations_[k] = {result.size * kUpward, result.error * kUpward};
 }
 
 double Norms::largest_by_operands(int k) {
@@ -228,6 +275,7 @@ double Norms::largest(int k, double known) {
   const auto kept = largest_.find(k);
   if (kept != largest_.end()) return std::min(kept->second, known);
   const Expansion& of = expansion(k);
+  if (const auto found = largest_.find(k); found != largest_.end()) return std::min(found->second, known);
   const double size = is_rounded(k) ? of.before_rounding + of.own_error : norm(of.form) + of.slack;
   return largest_[k] = std::min(size * kUpward, known);
 }

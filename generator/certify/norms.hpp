@@ -12,6 +12,8 @@
 //     largest eigenvalue times |(x_1, ...)|².
 // Where only some rows have what is replaced, by x, and also others, y, |x + y|² ≤ (1 + λ) |x|² + (1 + 1/λ) |y|² for
 // any λ > 0. At the end there are inputs only, and their limits.
+// Many results are motions of links, see motions.hpp. What is known of these does not depend on the way to them, and
+// where it is less they are atoms that are not replaced; those of one link are bounded together.
 // Roundings are part of it: an operation's result is its exact value and an error of at most half a unit of the last
 // place, or any part of that error. So the bounds hold for exact values, for computed ones, and for all in between.
 #pragma once
@@ -25,6 +27,7 @@
 
 #include "certify/atoms.hpp"
 #include "certify/input_limits.hpp"
+#include "certify/motions.hpp"
 #include "certify/rounding.hpp"
 #include "certify/vector_bounds.hpp"
 #include "verify/straight_line.hpp"
@@ -40,8 +43,10 @@ struct RoundingModel {
 
 class Norms {
  public:
-  // The first `executed` operations of `lines` are rounded, those that are added to it later are exact.
-  Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits);
+  // The first `executed` operations of `lines` are rounded, those that are added to it later are exact. `motions`, if
+  // any, has to know of every operation before it is asked for here.
+  Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits,
+        const Motions* motions = nullptr);
 
   // Of operation k: its largest size; its size before it was rounded; and the error that it makes itself, which is that
   // of a sine, of a constant, or of a rounding. Throws Failure(unsupported) for divisions and roots.
@@ -67,6 +72,7 @@ class Norms {
     Form form;
     double slack = 0;  // what errors add to it, those of coefficients included
     double before_rounding = 0, own_error = 0;
+    bool has_all_errors = false;  // the form itself: it is the result
   };
   // Of a result that is read in a product: a multiple of an atom.
   struct Factor {
@@ -88,6 +94,10 @@ class Norms {
     std::vector<int> atoms, others;
     GatheredRows rows;
   };
+  // Of a result: its largest size, and how far it may be from the exact one.
+  struct Deviation {
+    double size = 0, error = 0;
+  };
   struct HashOfKey {
     std::size_t operator()(const std::vector<int>& key) const;
   };
@@ -101,17 +111,30 @@ class Norms {
   Expansion unrounded(int k);
   Expansion product(int k);
   Expansion scaled(double c, double error_of_c, int k);
+  void bound(int k, Expansion& expansion);
   double largest_by_operands(int k);
+  double largest_of_motion(int k);
+  const Deviation& deviation(int k);
+  Deviation deviation_before_rounding(int k);
   Expansion distributed(const Expansion& sines, int k);
   Factor factor(int k);
   bool is_rounded(int k) const;
-  bool is_executed_sum_or_product(int k) const;
+  bool is_sum_or_product(int k) const;
   bool is_of_sines(const Form& form) const;
   void add(Expansion& to, double c, const Form& form);
   double largest_of(int atom);
 
+  // lengths.cpp: of atoms within their sizes.
+  double length(const Vector& v);
+  double length_of_motion(const Vector& v);
+  Vector part(const Vector& v, const std::vector<Eigen::Index>& places) const;
+
+  // norms_of_results.cpp.
+  double norm(const std::vector<Form>& rows, int effort);
+  double norm(const Form& form) { return norm(std::vector<Form>{form}, kEffort); }
+  std::vector<int> turned_last(const Form& form) const;
+
   // norms_of_vectors.cpp. Effort: how many ways may be tried where there are several.
-  double norm(const Form& form);
   double norm(const Vector& v, int effort);
   double norm(const Written& v, int effort) { return norm(v.vector, effort) + v.slack; }
   double norm_of_unit(const Vector& v, int effort);
@@ -122,7 +145,6 @@ class Norms {
   double norm_of_sum(const Vector& x, const Chosen& chosen, int effort);
   Chosen chosen(const Vector& v, const std::function<bool(const Atom&)>& is_chosen) const;
   int latest(const Vector& v) const;
-  std::vector<int> turned_last(const Form& form) const;
   int latest_factor(const Vector& v) const;
   Written written_out(const Vector& v);
 
@@ -130,8 +152,10 @@ class Norms {
   int executed_;
   RoundingModel model_;
   InputLimits limits_;
+  const Motions* motions_;
   Atoms atoms_;
   std::map<int, Expansion> expansions_;
+  std::map<int, Deviation> deviations_;
   std::map<int, double> largest_, largest_of_atoms_;
   std::unordered_map<std::vector<int>, Known, HashOfKey> known_;
 };

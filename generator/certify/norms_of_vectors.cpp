@@ -6,6 +6,7 @@
 #include <set>
 
 #include "certify/norms.hpp"
+#include "certify/places.hpp"
 
 namespace flatdyn {
 namespace {
@@ -13,33 +14,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-Index size_of(const std::vector<int>& atoms) { return static_cast<Index>(atoms.size()); }
-
-MatrixXd columns(const MatrixXd& of, const std::vector<Index>& which) {
-  MatrixXd result(of.rows(), static_cast<Index>(which.size()));
-  for (Index k = 0; k < result.cols(); ++k) result.col(k) = of.col(which[static_cast<std::size_t>(k)]);
-  return result;
-}
-
 double largest_eigenvalue(const MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
 }
-
-// Places of atoms, in the order in which they come.
-class Places {
- public:
-  Index operator()(int atom) {
-    const auto [found, is_new] = place_.emplace(atom, size_of(atoms_));
-    if (is_new) atoms_.push_back(atom);
-    return found->second;
-  }
-  const std::vector<int>& atoms() const { return atoms_; }
-  Index size() const { return size_of(atoms_); }
-
- private:
-  std::map<int, Index> place_;
-  std::vector<int> atoms_;
-};
 
 // Columns that are multiples of a matrix's, several for an atom.
 class Columns {
@@ -89,55 +66,6 @@ std::size_t Norms::HashOfKey::operator()(const std::vector<int>& key) const {
   std::size_t hash = key.size();
   for (const int x : key) hash = (hash ^ static_cast<std::size_t>(x)) * 0x9e3779b97f4a7c15u + (hash >> 29);
   return hash;
-}
-
-double Norms::norm(const Form& form) {
-  Vector v;
-  v.of.resize(1, static_cast<Index>(form.size()));
-  for (const auto& [atom, coefficient] : form) {
-    v.of(0, size_of(v.atoms)) = coefficient * largest_of(atom);
-    v.atoms.push_back(atom);
-  }
-  return form.empty() ? 0 : std::max(norm(v, kEffort), kLeastSize);
-}
-
-double Norms::largest_length(const std::vector<int>& operations, int effort) {
-  Places places;
-  double slack = 0;
-  for (const int k : operations) {
-    const Expansion& of = expansion(k);
-    for (const auto& term : of.form) places(term.first);
-    slack = std::hypot(slack, of.slack);
-  }
-  Vector v = {places.atoms(), MatrixXd::Zero(static_cast<Index>(operations.size()), places.size())};
-  for (Index row = 0; row < v.of.rows(); ++row) {
-    for (const auto& [atom, coefficient] : expansion(operations[static_cast<std::size_t>(row)]).form) {
-      v.of(row, places(atom)) = coefficient * largest_of(atom);
-    }
-  }
-  const double length = v.atoms.empty() ? 0 : std::max(norm(v, effort), kLeastSize);
-  return (length + slack) * kUpward;
-}
-
-// The joint by whose angle the latest part of a sum is turned, and what it turns.
-std::vector<int> Norms::turned_last(const Form& form) const {
-  int last = -1;
-  for (const auto& term : form) {
-    if (atoms_[term.first].kind == Atom::Kind::turned && (last < 0 || atoms_.is_later(term.first, last))) {
-      last = term.first;
-    }
-  }
-  std::vector<int> result;
-  for (const auto& term : form) {
-    const Atom& of = atoms_[term.first];
-    if (of.kind == Atom::Kind::turned && of.joint == atoms_[last].joint) result.push_back(of.a);
-  }
-  return result;
-}
-
-bool Norms::turn_together(int j, int k) {
-  const std::vector<int> a = turned_last(expansion(j).form), b = turned_last(expansion(k).form);
-  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
 // By its row echelon form in units of its size, of as many digits as matter, in which it is found again.
@@ -199,7 +127,7 @@ int Norms::latest_factor(const Vector& v) const {
 // Half of the effort goes to products that are multiplied out, if they can be; the rest to the other ways, in the order
 // in which they tend to be good.
 double Norms::norm_of_unit(const Vector& v, int effort) {
-  double least = length_in_box(v.of);
+  double least = length(v);
   const int last = latest(v);
   if (last < 0) return least;
   const Atom& of = atoms_[last];
@@ -312,7 +240,7 @@ double Norms::norm_by_factors(const Vector& v, int left, int effort) {
     x.of(l, l) = weight;
     of_rights = stacked(of_rights, Y / weight);
   }
-  const double of_lefts = std::min(norm(written_out(x), effort), length_in_box(x.of));
+  const double of_lefts = std::min(norm(written_out(x), effort), length(x));
   return norm_of_sum({rights.atoms(), of_lefts * of_rights}, products, effort);
 }
 
@@ -348,7 +276,7 @@ double Norms::norm_by_squares(const Vector& v, bool in_units, int effort) {
     all.row(row) = form.reshaped().transpose();
   }
   if (all.rows() > 1) squares = std::min(squares, largest_eigenvalue(all * all.transpose()));
-  const double of_x = std::min(norm(written_out(x), effort), length_in_box(x.of));
+  const double of_x = std::min(norm(written_out(x), effort), length(x));
   return norm_of_sum({{Atoms::kOne}, MatrixXd::Constant(1, 1, std::sqrt(squares) * of_x * of_x)}, products, effort);
 }
 
@@ -357,7 +285,7 @@ double Norms::norm_of_sum(const Vector& x, const Chosen& chosen, int effort) {
   constexpr int kForTheRatio = 4;
   const Vector y = {chosen.others, chosen.rows.coupled};
   const MatrixXd& z = chosen.rows.apart;
-  double of_x = length_in_box(x.of), of_y = length_in_box(y.of), slack = chosen.rows.lost;
+  double of_x = length(x), of_y = length(y), slack = chosen.rows.lost;
   if (effort >= kForTheRatio && of_y > kRest && of_x > kRest) {
     of_x = std::min(of_x, norm(written_out(x), 1));
     of_y = std::min(of_y, norm(written_out(y), 1));
@@ -374,7 +302,7 @@ double Norms::norm_of_sum(const Vector& x, const Chosen& chosen, int effort) {
     const double ratio = of_y / of_x;
     sum.of = block_diagonal(std::sqrt(1 + ratio) * x.of, stacked(std::sqrt(1 + 1 / ratio) * y.of, z));
   }
-  return (std::min(norm(written_out(sum), effort), length_in_box(sum.of)) + slack) * kUpward;
+  return (std::min(norm(written_out(sum), effort), length(sum)) + slack) * kUpward;
 }
 
 // Results in it as far as sums go.

@@ -42,6 +42,10 @@ struct Worst {
   }
 };
 
+// Of the states in which an output's error should be large on average, to be found where it is smooth; of those around
+// it, where nothing but roundings differs; and of the worst so far.
+constexpr Mutation kAnywhere = {4, 0, 7}, kNearby = {0, 8, 37}, kFurther = {};
+
 struct Comparison {
   StateSource source;
   Limits limits;
@@ -65,12 +69,12 @@ struct Comparison {
   }
 
   // Children of a state, each on its way to another one of those that are drawn.
-  std::vector<State> children(const State& parent, unsigned seed) const {
+  std::vector<State> children(const State& parent, const Mutation& mutation, unsigned seed) const {
     constexpr unsigned kOfChildren = 0x6368696c;  // a stream of its own
     std::vector<State> states = drawn(seed);
     std::mt19937_64 random(seed + kOfChildren);
     for (State& state : states) {
-      state = child(parent, state, random);
+      state = child(parent, state, random, mutation);
       for (const auto& [input, limit] : limits) {
         double& x = entry(state, input);
         x = std::clamp(x, -limit, limit);  // sums of coordinates are rounded
@@ -80,16 +84,57 @@ struct Comparison {
   }
 };
 
+// Σ (x_k ∂y/∂x_k)² of an output y over all results before it: if they are rounded at random, the mean square of its
+// error in units of the last place.
+template <class T>
+Lanes<double> expected_squares(const StraightLine& lines, const std::vector<Lanes<T>>& values, int output) {
+  const std::vector<Lanes<T>> by = derivatives(lines, values, output);
+  Lanes<double> sum;
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    for (std::size_t s = 0; s < kTogether; ++s) {
+      const double term = static_cast<double>(by[k].of[s]) * static_cast<double>(values[k].of[s]);
+      sum.of[s] += term * term;
+    }
+  }
+  return sum;
+}
+
+// Where the errors of an output should be the largest: by as many batches, a quarter of them drawn.
+template <class T>
+State expected_worst(const Comparison& comparison, std::size_t output, unsigned batches) {
+  constexpr unsigned kOfOutput = 0x6f757470;  // streams of its own
+  const unsigned first = comparison.options.seed + kOfOutput * static_cast<unsigned>(output + 1);
+  State worst;
+  double most = -1;
+  for (unsigned k = 0; k < batches; ++k) {
+    const unsigned seed = first + k;
+    const Batch batch(4 * k < batches ? comparison.drawn(seed) : comparison.children(worst, kAnywhere, seed),
+                      comparison.format, seed);
+    const int result = comparison.of[output];
+    const Lanes<double> squares =
+        expected_squares(comparison.lines, executed<T>(comparison.lines, result, batch, 0), result);
+    for (std::size_t s = 0; s < kTogether; ++s) {
+      if (!(squares.of[s] > most)) continue;
+      most = squares.of[s];
+      worst = batch.states()[s];
+    }
+  }
+  return worst;
+}
+
 template <class T, class Wide>
 class Observer {
  public:
-  explicit Observer(const Comparison& comparison) : comparison_(comparison), worst_(comparison.of.size()) {}
+  explicit Observer(const Comparison& comparison) : comparison_(comparison), worst_(comparison.of.size()) {
+    for (const int result : comparison.of) last_ = std::max(last_, result);
+  }
 
   // Half of the states at random, then generations of children, for each output in turn; each on all cores.
   std::vector<double> run() {
     if (worst_.empty()) return {};
     const auto count =
         static_cast<unsigned>((static_cast<std::size_t>(comparison_.options.states) + kTogether - 1) / kTogether);
+    expect(std::clamp(count / (8 * static_cast<unsigned>(worst_.size())), 8u, 128u));
     const unsigned random = (count + 1) / 2, each = kBatches * static_cast<unsigned>(worst_.size());
     go_through(0, random, false);
     for (unsigned first = random; first < count; first += each) go_through(first, std::min(first + each, count), true);
@@ -101,33 +146,56 @@ class Observer {
  private:
   static constexpr unsigned kBatches = 4;  // of an output in a generation
 
-  // Batches are taken by whoever is free.
+  // Jobs are taken by whoever is free.
+  template <class Work>
+  static auto on_all_cores(const Work& work) {
+    std::vector<std::future<decltype(work())>> running;
+    for (unsigned core = 0; core < std::max(1u, std::thread::hardware_concurrency()); ++core) {
+      running.push_back(std::async(std::launch::async, work));
+    }
+    return running;
+  }
+
+  void expect(unsigned batches) {
+    expected_.resize(worst_.size());
+    std::atomic<std::size_t> next = 0;
+    for (auto& each : on_all_cores([this, batches, &next] {
+           for (std::size_t k = next++; k < expected_.size(); k = next++) {
+             expected_[k] = expected_worst<T>(comparison_, k, batches);
+           }
+         })) {
+      each.get();
+    }
+  }
+
   void go_through(unsigned first, unsigned last, bool is_search) {
     std::atomic<unsigned> next = first;
-    std::vector<std::future<std::vector<Worst>>> running;
-    for (unsigned core = 0; core < std::max(1u, std::thread::hardware_concurrency()); ++core) {
-      running.push_back(
-          std::async(std::launch::async, [this, last, is_search, &next] { return worst_of(next, last, is_search); }));
-    }
     std::vector<Worst> worst = worst_;
-    for (auto& each : running) {
+    for (auto& each : on_all_cores([this, last, is_search, &next] { return worst_of(next, last, is_search); })) {
       const std::vector<Worst> found = each.get();
       for (std::size_t k = 0; k < worst.size(); ++k) worst[k].take(found[k]);
     }
     worst_ = std::move(worst);
   }
 
+  // Those around the state where errors are expected, and children of the worst, in turn.
+  std::vector<State> states_of(unsigned batch, bool is_search) const {
+    const unsigned seed = comparison_.options.seed + batch;
+    const std::size_t output = batch % worst_.size();
+    if (!is_search) return comparison_.drawn(seed);
+    const bool is_near = batch / worst_.size() % 2 == 0 || !(worst_[output].error > 0);
+    return is_near ? comparison_.children(expected_[output], kNearby, seed)
+                   : comparison_.children(worst_[output].state, kFurther, seed);
+  }
+
   std::vector<Worst> worst_of(std::atomic<unsigned>& next, unsigned last, bool is_search) const {
     std::vector<Worst> worst(worst_.size());
     LaneArithmetic<Wide> arithmetic;
     for (unsigned b = next++; b < last; b = next++) {
-      const unsigned seed = comparison_.options.seed + b;
-      const Worst& parent = worst_[b % worst_.size()];
-      const Batch batch(
-          is_search && parent.error > 0 ? comparison_.children(parent.state, seed) : comparison_.drawn(seed),
-          comparison_.format, seed);
+      const Batch batch(states_of(b, is_search), comparison_.format, comparison_.options.seed + b);
       arithmetic.take(batch);
-      const std::vector<Lanes<T>> computed = executed<T>(comparison_.lines, batch, comparison_.options.sine_error);
+      const std::vector<Lanes<T>> computed =
+          executed<T>(comparison_.lines, last_, batch, comparison_.options.sine_error);
       const std::vector<Lanes<Wide>> exact = evaluate(comparison_.function, arithmetic);
       for (std::size_t k = 0; k < worst.size(); ++k) {
         const Lanes<T>& x = computed[static_cast<std::size_t>(comparison_.of[k])];
@@ -142,7 +210,9 @@ class Observer {
   }
 
   const Comparison& comparison_;
-  std::vector<Worst> worst_;  // by output
+  int last_ = 0;                 // of the outputs' operations
+  std::vector<Worst> worst_;     // by output
+  std::vector<State> expected_;  // by output: where its errors should be large
 };
 
 }  // namespace

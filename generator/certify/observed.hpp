@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Errors that are seen: a function as its text executes it, against its graph in a wider type. At many states: half of
-// them random, every second of these with all speeds and accelerations at their limits; the other half children of the
-// states at which the errors of each output were largest so far.
+// them random, every second of these with all speeds and accelerations at their limits. The other half are searched: a
+// quarter around the state at which the errors of each output should be largest on average, by the derivatives of the
+// output by all results before it; and children of the states at which they were largest so far.
 #pragma once
 
 #include <vector>

@@ -73,6 +73,12 @@ MatrixXd row_echelon(MatrixXd M) {
   return M.topRows(row);
 }
 
+MatrixXd columns(const MatrixXd& M, const std::vector<Index>& which) {
+  MatrixXd result(M.rows(), static_cast<Index>(which.size()));
+  for (Index k = 0; k < result.cols(); ++k) result.col(k) = M.col(which[static_cast<std::size_t>(k)]);
+  return result;
+}
+
 MatrixXd stacked(const MatrixXd& a, const MatrixXd& b) {
   MatrixXd result(a.rows() + b.rows(), a.cols());
   if (result.size() > 0) result << a, b;

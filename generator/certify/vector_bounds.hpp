@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace flatdyn {
 
@@ -32,6 +33,9 @@ GatheredRows gathered(const Eigen::MatrixXd& chosen, const Eigen::MatrixXd& othe
 
 // Q M in row echelon form, with as few rows as can be: columns but for kRest.
 Eigen::MatrixXd row_echelon(Eigen::MatrixXd M);
+
+// These columns of M.
+Eigen::MatrixXd columns(const Eigen::MatrixXd& M, const std::vector<Eigen::Index>& which);
 
 // (a; b), and (a, 0; 0, b).
 Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);

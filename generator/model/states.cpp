@@ -93,11 +93,11 @@ std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned
   return StateSource(mechanism).draw(count, seed);
 }
 
-State child(const State& parent, const State& other, std::mt19937_64& random) {
-  constexpr std::size_t kLeastExponent = 45;  // of the part 2^-k of the way
+State child(const State& parent, const State& other, std::mt19937_64& random, const Mutation& mutation) {
   const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-  const std::size_t one_in = std::size_t(1) << below(6);
-  const double part = std::ldexp(1.0, -static_cast<int>(below(kLeastExponent)));
+  const std::size_t one_in = std::size_t(1) << below(mutation.rarest + 1);
+  const auto bits = mutation.coarsest + below(mutation.finest - mutation.coarsest + 1);
+  const double part = std::ldexp(1.0, -static_cast<int>(bits));
   State child = parent;
   for (const InputKind kind : kMotionKinds) {
     std::vector<double>& x = child.of(kind);

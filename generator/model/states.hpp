@@ -69,9 +69,15 @@ class StateSource {
   std::vector<int> dependent_;                        // entries of q
 };
 
+// Which children searches have: each coordinate is changed with a probability of 2^-a, a drawn from 0 to `rarest`, by
+// 2^-b of the way to another state's, b drawn from `coarsest` to `finest`.
+struct Mutation {
+  unsigned rarest = 5, coarsest = 0, finest = 44;  // down to the last places
+};
+
 // A child of `parent` for searches in which errors have no slope to follow: some of its coordinates, few or many, are a
-// part of the way to the other's, down to the last places. So it stays within limits that both keep.
-State child(const State& parent, const State& other, std::mt19937_64& random);
+// part of the way to the other's. So it stays within limits that both keep.
+State child(const State& parent, const State& other, std::mt19937_64& random, const Mutation& mutation = {});
 
 // As many base parameters, between -1 and 1, in each of the states.
 void draw_base_parameters(std::vector<State>& states, int count, unsigned seed);

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "certify/motion_bounds.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "certify/rounding.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Basis = MotionBasis;
+
+// The root of the largest eigenvalue of M Mᵀ, or of Mᵀ M if that is smaller.
+double spectral_norm(const MatrixXd& M) {
+  if (M.rows() == 1 || M.cols() == 1) return M.norm();
+  const MatrixXd gram = M.rows() < M.cols() ? MatrixXd(M * M.transpose()) : MatrixXd(M.transpose() * M);
+  if (gram.rows() == 2) {
+    return std::sqrt((gram.trace() + std::hypot(gram(0, 0) - gram(1, 1), 2 * gram(0, 1))) / 2);
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
+}
+
+// Of the vector of all uᵀ M_r w, for unit vectors u and w.
+double bilinear_norm(const std::vector<Matrix3d>& forms) {
+  double squares = 0;
+  MatrixXd all(static_cast<Index>(forms.size()), 9);
+  for (Index r = 0; r < all.rows(); ++r) {
+    const Matrix3d& form = forms[static_cast<std::size_t>(r)];
+    const double norm = spectral_norm(form);
+    squares += norm * norm;
+    all.row(r) = form.reshaped().transpose();
+  }
+  return all.rows() == 1 ? std::sqrt(squares) : std::min(std::sqrt(squares), spectral_norm(all));
+}
+
+Matrix3d skew_of(const Eigen::Vector3d& a) {
+  Matrix3d result;
+  result << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return result;
+}
+
+// Q of the products in a row, xᵀ Q x with x = (ω, q̇_i).
+Eigen::Matrix4d quadratic_form(const VectorXd& row) {
+  Eigen::Matrix4d Q = Eigen::Matrix4d::Zero();
+  Index place = Basis::kProducts;
+  for (Index i = 0; i < 4; ++i) {
+    for (Index j = i; j < 4; ++j) {
+      Q(i, j) += row(place) / 2;
+      Q(j, i) += row(place) / 2;
+      ++place;
+    }
+  }
+  return Q;
+}
+
+double length_of(const Vec3& v) {
+  return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2])) * kUpward;
+}
+
+}  // namespace
+
+MotionBounds::MotionBounds(const Mechanism& mechanism, const InputLimits& limits) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    rates_.push_back(limits({InputKind::qd, i}));
+    accelerations_.push_back(limits({InputKind::qdd, i}));
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    Link link;
+    if (body.parent >= 0) {
+      link = links_[static_cast<std::size_t>(body.parent)];
+      for (double& lever : link.lever) lever = (lever + length_of(body.p)) * kUpward;
+      link.before.push_back(body.parent);
+      link.lever.push_back(length_of({body.p[0], body.p[1], 0}));  // along the axis it is none
+    }
+    links_.push_back(std::move(link));
+  }
+  gravity_ = length_of(mechanism.gravity);
+}
+
+double MotionBounds::of_motion(int link, const MatrixXd& rows) const {
+  const Link& of = links_[static_cast<std::size_t>(link)];
+  const double qd = rates_[static_cast<std::size_t>(link)], qdd = accelerations_[static_cast<std::size_t>(link)];
+  const MatrixXd A = rows.middleCols<3>(Basis::kAngular), B = rows.middleCols<3>(Basis::kLinear),
+                 W = rows.middleCols<3>(Basis::kOmega);
+  std::vector<Matrix3d> squares, pairs;
+  MatrixXd own_pairs(rows.rows(), 3);
+  VectorXd own_square(rows.rows());
+  for (Index r = 0; r < rows.rows(); ++r) {
+    const Eigen::Matrix4d Q = quadratic_form(rows.row(r));
+    squares.emplace_back(Q.topLeftCorner<3, 3>());
+    pairs.emplace_back(2 * squares.back() - skew_of(A.row(r)));
+    own_pairs.row(r) = pairs.back().col(2) + 2 * Q.col(3).head<3>();
+    own_square(r) = Q(2, 2) + 2 * Q(2, 3) + Q(3, 3);
+  }
+  const double of_A = spectral_norm(A), of_B = spectral_norm(B), of_W = spectral_norm(W);
+  const double of_squares = bilinear_norm(squares), of_pairs = bilinear_norm(pairs);
+  double result = rows.col(Basis::kOne).norm() + of_B * gravity_ + qdd * (A.col(2) + rows.col(Basis::kOwn)).norm() +
+                  qd * (W.col(2) + rows.col(Basis::kRate)).norm() + qd * qd * own_square.norm();
+  const double of_own_pairs = spectral_norm(own_pairs);
+  for (std::size_t b = 0; b < of.before.size(); ++b) {
+    const auto joint = static_cast<std::size_t>(of.before[b]);
+    const double rate = rates_[joint], lever = of_B * of.lever[b];
+    result += accelerations_[joint] * (of_A + lever) + rate * of_W + rate * rate * (of_squares + lever) +
+              rate * qd * of_own_pairs;
+    for (std::size_t a = 0; a < b; ++a) {
+      result += rates_[static_cast<std::size_t>(of.before[a])] * rate * (of_pairs + 2 * lever);
+    }
+  }
+  return result * kUpward;
+}
+
+double MotionBounds::of_axis(int joint, int link, const MatrixXd& rows) const {
+  const MatrixXd A = rows.middleCols<3>(Basis::kAxis), B = rows.middleCols<3>(Basis::kLever);
+  if (joint == link) return A.col(2).norm() * kUpward;
+  return (spectral_norm(A) + spectral_norm(B) * lever_of(joint, link)) * kUpward;
+}
+
+double MotionBounds::lever_of(int joint, int link) const {
+  const Link& of = links_[static_cast<std::size_t>(link)];
+  const auto place = std::find(of.before.begin(), of.before.end(), joint);
+  return of.lever[static_cast<std::size_t>(place - of.before.begin())];
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// All operations at one random point, and the motions of the links there: in real numbers, or in a prime field.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "certify/motions.hpp"
+#include "graph/arithmetic.hpp"
+#include "graph/mod_p.hpp"
+#include "model/field_motion.hpp"
+
+namespace flatdyn {
+
+// A point of real numbers: rates and accelerations between -1 and 1. Literals are what they are.
+class RealPoint {
+ public:
+  using Scalar = double;
+
+  explicit RealPoint(std::uint64_t seed) : seed_(seed) {}
+
+  double constant(double literal) const { return literal; }
+  double input(const Input& input) const {
+    return drawn((static_cast<std::uint64_t>(input.kind) << 32) + static_cast<std::uint64_t>(input.index));
+  }
+  JointPoint<double> joint(int i) const {
+    const double angle = std::numbers::pi * input({InputKind::q, i});
+    return {std::cos(angle), std::sin(angle)};
+  }
+  double stranger(int operation) const { return drawn(~static_cast<std::uint64_t>(operation)); }
+  RealArithmetic<double> arithmetic() const {
+    return RealArithmetic<double>([](const Input&) { return 0.0; });
+  }
+
+ private:
+  double drawn(std::uint64_t what) const {
+    return std::ldexp(static_cast<double>(scrambled(seed_, what) >> 11), -52) - 1;
+  }
+
+  std::uint64_t seed_;
+};
+
+// A point of GF(p), with exact constants.
+class FieldPoint {
+ public:
+  using Scalar = ModP<kMersenne61>;
+
+  FieldPoint(std::uint64_t seed, const ExactConstants& constants)
+      : seed_(seed), arithmetic_(seed), constants_(constants) {}
+
+  std::optional<Scalar> constant(double literal) const {
+    const std::optional<Rational> exact = constants_(std::abs(literal));
+    if (!exact) return std::nullopt;
+    const Scalar size = Scalar::from(*exact);
+    return literal < 0 ? -size : size;
+  }
+  Scalar input(const Input& input) const { return arithmetic_.input(input); }
+  JointPoint<Scalar> joint(int i) const {
+    const auto point = arithmetic_.point(input({InputKind::q, i}));
+    return {point.c, point.s};
+  }
+  Scalar stranger(int operation) const { return Scalar(scrambled(seed_, ~static_cast<std::uint64_t>(operation))); }
+  ModPArithmetic<> arithmetic() const { return arithmetic_; }
+
+ private:
+  std::uint64_t seed_;
+  ModPArithmetic<> arithmetic_;
+  const ExactConstants& constants_;
+};
+
+// Inputs that are not read count as 0.
+using ReadInputs = std::set<std::pair<InputKind, int>>;
+
+template <class Point>
+class MotionSample {
+ public:
+  using F = typename Point::Scalar;
+
+  MotionSample(const Mechanism& mechanism, Point point, const ReadInputs& read) : point_(std::move(point)) {
+    auto arithmetic = point_.arithmetic();
+    mechanism_ = field_mechanism(mechanism, arithmetic);
+    const auto drawn = [&](InputKind kind, int i) {
+      return read.count({kind, i}) != 0 ? point_.input({kind, i}) : F(0);
+    };
+    for (int i = 0; i < mechanism.body_count(); ++i) {
+      q_.push_back(point_.joint(i));
+      qd_.push_back(drawn(InputKind::qd, i));
+      qdd_.push_back(drawn(InputKind::qdd, i));
+    }
+    motions_ = field_motions(mechanism_, q_, qd_, qdd_);
+  }
+
+  // Of the operations that are new.
+  void evaluate(const StraightLine& lines) {
+    for (int k = static_cast<int>(values_.size()); k < lines.size(); ++k) values_.push_back(value(lines[k], k));
+  }
+
+  F value(int operation) const { return values_[static_cast<std::size_t>(operation)]; }
+  std::vector<F> entries_of_motion(int link) const { return entries_of(motions_[static_cast<std::size_t>(link)]); }
+
+  // u and u × r of the joint's axis in the link's frame.
+  std::vector<F> entries_of_axis(int joint, int link) const {
+    FieldMechanism<F> weightless = mechanism_;
+    weightless.gravity = {F(0), F(0), F(0)};
+    const std::vector<F> at_rest(q_.size(), F(0));
+    std::vector<F> alone = at_rest;
+    alone[static_cast<std::size_t>(joint)] = F(1);
+    const FieldMotion<F> motion = field_motions(weightless, q_, at_rest, alone)[static_cast<std::size_t>(link)];
+    std::vector<F> result(motion.domega.begin(), motion.domega.end());
+    result.insert(result.end(), motion.ddp.begin(), motion.ddp.end());
+    return result;
+  }
+
+ private:
+  F value(const Operation& operation, int k) const {
+    const auto a = [&] { return value(operation.a); };
+    const auto b = [&] { return value(operation.b); };
+    switch (operation.step) {
+      case Step::constant:
+        if (const std::optional<F> known = point_.constant(operation.value)) return *known;
+        break;
+      case Step::input:
+        return point_.input(operation.input);
+      case Step::sine:
+      case Step::cosine:
+        if (operation.a >= 0) break;
+        return operation.step == Step::sine ? q_[static_cast<std::size_t>(operation.input.index)].s
+                                            : q_[static_cast<std::size_t>(operation.input.index)].c;
+      case Step::negate:
+        return -a();
+      case Step::add:
+        return a() + b();
+      case Step::subtract:
+        return a() - b();
+      case Step::multiply:
+        return a() * b();
+      default:
+        break;
+    }
+    return point_.stranger(k);  // something that has nothing to do with anything else
+  }
+
+  Point point_;
+  FieldMechanism<F> mechanism_;
+  std::vector<JointPoint<F>> q_;
+  std::vector<F> qd_, qdd_, values_;
+  std::vector<FieldMotion<F>> motions_;
+};
+
+}  // namespace flatdyn

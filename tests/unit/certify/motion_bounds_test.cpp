@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How large motions of links can be, against what is seen.
+#include "certify/motion_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "graph/arithmetic.hpp"
+#include "support/fast_states.hpp"
+#include "support/limited_robots.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kSmall = 1e-9;  // what is seen is rounded
+
+class MotionsOfLinks {
+ public:
+  explicit MotionsOfLinks(const Mechanism& mechanism) {
+    RealArithmetic<double> numbers([](const Input&) { return 0.0; });
+    mechanism_ = field_mechanism(mechanism, numbers);
+  }
+
+  std::vector<FieldMotion<double>> operator()(const State& state) const {
+    return field_motions(mechanism_, points(state), state.qd, state.qdd);
+  }
+  // (u, u × r) of a joint's axis, by link.
+  std::vector<FieldMotion<double>> of_joint(const State& state, int joint) const {
+    FieldMechanism<double> weightless = mechanism_;
+    weightless.gravity = {0, 0, 0};
+    std::vector<double> rest(state.qd.size(), 0.0), alone = rest;
+    alone[static_cast<std::size_t>(joint)] = 1;
+    return field_motions(weightless, points(state), rest, alone);
+  }
+
+ private:
+  static std::vector<JointPoint<double>> points(const State& state) {
+    std::vector<JointPoint<double>> result;
+    for (const double q : state.q) result.push_back({std::cos(q), std::sin(q)});
+    return result;
+  }
+
+  FieldMechanism<double> mechanism_;
+};
+
+MatrixXd random_rows(int rows, int columns, std::mt19937& engine) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  return MatrixXd::NullaryExpr(rows, columns, [&] { return uniform(engine); });
+}
+
+VectorXd vector_of(const std::vector<double>& entries) {
+  return VectorXd::Map(entries.data(), static_cast<Eigen::Index>(entries.size()));
+}
+
+class BoundsOfMotions : public ::testing::TestWithParam<const char*> {
+ protected:
+  const Mechanism mechanism_ = testing::limited_robot(GetParam());
+  const MotionBounds bounds_{mechanism_, input_limits(mechanism_)};
+  const MotionsOfLinks motions_{mechanism_};
+  std::mt19937 random_{1};
+};
+
+TEST_P(BoundsOfMotions, AreAboveAllThatLinksDo) {
+  const std::vector<State> states = testing::fast_states(mechanism_, 400);
+  for (int link = 0; link < mechanism_.size(); ++link) {
+    for (int rows = 1; rows <= 3; ++rows) {
+      // Some entries only, so that none hides the others.
+      MatrixXd M = random_rows(rows, MotionBasis::kSize, random_);
+      for (Eigen::Index k = 0; k < M.cols(); ++k) M.col(k) *= random_() % 3 == 0 ? 1 : 0;
+      double seen = 0;
+      for (const State& state : states) {
+        const auto motion = motions_(state)[static_cast<std::size_t>(link)];
+        seen = std::max(seen, (M * vector_of(entries_of(motion))).norm());
+      }
+      EXPECT_LE(seen, bounds_.of_motion(link, M) + kSmall) << "link " << link;
+      EXPECT_LE(bounds_.of_motion(link, M), 10 * seen + kSmall) << "link " << link;
+    }
+  }
+}
+
+TEST_P(BoundsOfMotions, AreAboveWhatOneJointDoes) {
+  const std::vector<State> states = random_states(mechanism_, 400, 2);
+  for (int link = 0; link < mechanism_.size(); ++link) {
+    for (int joint = link; joint >= 0; joint = mechanism_.bodies[static_cast<std::size_t>(joint)].parent) {
+      const MatrixXd M = random_rows(1 + link % 3, MotionBasis::kSizeOfAxis, random_);
+      double seen = 0;
+      for (const State& state : states) {
+        const FieldMotion<double> motion = motions_.of_joint(state, joint)[static_cast<std::size_t>(link)];
+        VectorXd axis(MotionBasis::kSizeOfAxis);
+        axis << vector_of({motion.domega.begin(), motion.domega.end()}),
+            vector_of({motion.ddp.begin(), motion.ddp.end()});
+        seen = std::max(seen, (M * axis).norm());
+      }
+      EXPECT_LE(seen, bounds_.of_axis(joint, link, M) + kSmall) << "joint " << joint << ", link " << link;
+      EXPECT_LE(bounds_.of_axis(joint, link, M), 3 * seen + kSmall) << "joint " << joint << ", link " << link;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, BoundsOfMotions,
+                         ::testing::Values("panda.urdf", "rx90.toml", "planar_2r_example_7_2.toml", "humanoid32.urdf"),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           return name.substr(0, name.find('.'));
+                         });
+
+}  // namespace
+}  // namespace flatdyn
