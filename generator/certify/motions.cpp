@@ -63,7 +63,7 @@ class Motions::Recogniser {
   }
 
  private:
-  static constexpr int kMixed = -2;  // of several links, none of which is behind the other
+  static constexpr int kMixed = -2;  // of no link: of several, none of which is behind the other; of other inputs
 
   struct Group {
     int joint;  // -1: of the motion itself
@@ -109,8 +109,11 @@ class Motions::Recogniser {
   int link_of(const Operation& operation) const {
     const auto of = [this](int k) { return k < 0 ? -1 : links_[static_cast<std::size_t>(k)]; };
     if (operation.step == Step::constant) return -1;
-    if (operation.step == Step::input || (operation.is_sine_or_cosine() && operation.a < 0)) {
-      return operation.input.index;
+    if (operation.is_sine_or_cosine() && operation.a < 0) return operation.input.index;
+    if (operation.step == Step::input) {
+      const InputKind kind = operation.input.kind;
+      const bool is_of_motion = kind == InputKind::q || kind == InputKind::qd || kind == InputKind::qdd;
+      return is_of_motion ? operation.input.index : kMixed;
     }
     return later(of(operation.a), of(operation.b));
   }

@@ -140,7 +140,7 @@ void Norms::bound(int k, Expansion& expansion) {
 // Infinite where it is none. What is computed differs from it by what its operands are off.
 double Norms::largest_of_motion(int k) {
   if (motions_ == nullptr || motions_->group(k) < 0) return INFINITY;
-  return motions_->largest(k) + deviation_before_rounding(k).error;
+  return std::max(motions_->largest(k) + deviation_before_rounding(k).error, kLeastSize);
 }
 
 Norms::Deviation Norms::deviation_before_rounding(int k) {

@@ -133,7 +133,7 @@ std::string describe_certificate(const Certificate& certificate, double enough) 
   }
   text += fmt::format(
       "bound: of the absolute rounding error in {}, within the joints' limits, for {}\n"
-      "seen: the largest at {} states, half of them random, the others sought from the worst so far\n",
+      "seen: the largest at {} states, half of them random, the others sought where errors are large\n",
       certificate.scalar, trigonometry(certificate), certificate.options.observed.states);
   return text + judgement(certificate, enough);
 }
@@ -151,7 +151,7 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       "Check it with Gappa alone: `for g in {}/*.g; do gappa $g || echo \"$g: refused\"; done`. Gappa proves what each "
       "script says: how large the error of each operation is, and that all together are within the bound. How large an "
       "operation's result can be, and how much of its error reaches an output, are hypotheses there, which flatdyn "
-      "has proven from norms.\n",
+      "has proven from norms and from motions of links.\n",
       certificate.robot, certificate.scalar, header, hash, trigonometry(certificate), certificate.scalar,
       std::filesystem::path(header).replace_extension("gappa").string());
   for (const CertifiedFunction& function : certificate.functions) {
@@ -160,8 +160,8 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
                         outputs.empty() ? kAllZero : markdown_table(rows_of(certificate, outputs)));
   }
   text += fmt::format(
-      "\nSeen: the largest error at {} states within the limits, half of them random, the others sought from the worst "
-      "so far.\n",
+      "\nSeen: the largest error at {} states within the limits, half of them random, the others sought where "
+      "errors are large.\n",
       certificate.options.observed.states);
   const std::string judged = judgement(certificate, enough);
   return judged.empty() ? text : text + "\n" + judged;

@@ -59,6 +59,26 @@ TEST(Certify, IsTheSameEachTime) {
   EXPECT_EQ(scripts(), scripts());
 }
 
+// An arm of docs/certificates.md: the long form is there, for more of them, with Gappa.
+TEST(Certify, OfAnArmWithRandomTwistsIsWithin300TimesWhatIsSeen) {
+  const Scratch scratch;
+  const std::string make =
+      "/usr/bin/python3 " FLATDYN_SOURCE_DIR "/docs/examples/random_arms.py '" + scratch.path() + "' 7 3";
+  ASSERT_EQ(std::system(make.c_str()), 0);
+  const Outcome outcome =
+      run_flatdyn("certify '" + scratch.path("3.toml") + "' -q --json --states 200000 --time-limit 0");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json functions = json::parse(outcome.out).at("functions");
+  ASSERT_EQ(functions.size(), 2u);
+  for (const json& function : functions) {
+    EXPECT_GE(function.at("outputs").size(), 7u);
+    for (const json& output : function.at("outputs")) {
+      EXPECT_LE(output.at("bound"), 300 * output.at("seen").get<double>()) << output;
+      EXPECT_GE(output.at("bound"), output.at("seen").get<double>()) << output;
+    }
+  }
+}
+
 TEST(Certify, SaysWhetherFloatIsEnough) {
   const std::string in_float = kPlanar + std::string("-q --functions inverse_dynamics --scalar float --states 5000 ");
   EXPECT_THAT(run_flatdyn(in_float + "--enough 5").out,
