@@ -82,13 +82,13 @@ TEST(Certificate, OfAxesAtAnyAngle) {
   }
 }
 
-// A ceiling, as for operation counts: without what readers of a result allow it is 3.14e-11.
+// A ceiling, as for operation counts: without motions it is 2.9e-11.
 TEST(Certificate, OfRandomTwistsStaysAsGoodAsItIs) {
   const Model model = read_model(FLATDYN_SOURCE_DIR "/docs/examples/general_7r.toml", {});
   const Certificate certificate = certificate_of(model.mechanism, "double", {"inverse_dynamics"});
   const CertifiedOutput& first = certificate.functions.at(0).outputs.at(0);
   EXPECT_LE(first.observed, first.bound + first.doubt);
-  EXPECT_LE(first.bound, 2.95e-11);
+  EXPECT_LE(first.bound, 1.68e-11);
 }
 
 // Sines from a table: what is seen is above what is proven of good ones, and within what is proven of the table's.
