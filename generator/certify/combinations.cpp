@@ -11,17 +11,20 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 Combinations::Combinations(const std::vector<std::vector<F>>& D, const MatrixXd& in_double) {
-  constexpr double kLeastSingularValue = 1e-4;
+  constexpr double kLeast = 1e-4, kLeastRatio = 1e-6;  // of singular values
   const int rank = eliminate(D);
   const Eigen::JacobiSVD<MatrixXd> svd(in_double, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const VectorXd& sigma = svd.singularValues();
-  if (rank == 0 || sigma(rank - 1) < kLeastSingularValue) return;
+  if (rank == 0 || sigma(rank - 1) < std::max(kLeast, kLeastRatio * sigma(0))) return;
+  size_of_inverse_ = 1 / sigma(rank - 1);
   inverse_ = svd.matrixV().leftCols(rank) * sigma.head(rank).cwiseInverse().asDiagonal() *
              svd.matrixU().leftCols(rank).transpose();
   columns_ = in_double;
 }
 
-std::optional<VectorXd> Combinations::of(const std::vector<F>& y, const VectorXd& in_double) const {
+// D c differs from y by the rest and by what samples of y and of D are off. So far, over the least singular value, c is
+// from a combination that holds exactly.
+std::optional<Combinations::Found> Combinations::of(const std::vector<F>& y, const VectorXd& in_double) const {
   if (columns_.size() == 0) return std::nullopt;
   for (const std::vector<F>& row : annihilators_) {
     F sum(0);
@@ -29,9 +32,10 @@ std::optional<VectorXd> Combinations::of(const std::vector<F>& y, const VectorXd
     if (!(sum == F(0))) return std::nullopt;
   }
   constexpr double kFit = 1e-10;
-  VectorXd c = inverse_ * in_double;
-  if (!((columns_ * c - in_double).norm() <= kFit * in_double.norm())) return std::nullopt;
-  return c;
+  const VectorXd c = inverse_ * in_double;
+  const double size = in_double.norm(), rest = (columns_ * c - in_double).norm();
+  if (!(rest <= kFit * size)) return std::nullopt;
+  return Found{c, size_of_inverse_ * (rest + 2 * kSamples * (size + columns_.norm() * c.norm()))};
 }
 
 // Of (D, 1), whose rows become (0, n) from the rank on, which is returned.

@@ -14,19 +14,24 @@ namespace flatdyn {
 class Combinations {
  public:
   using F = ModP<kMersenne61>;
+  static constexpr double kSamples = 1e-12;  // of the vector of all samples; they are right to some 1e-15
 
   // A row of D for each sample, which are more than columns: for each one more, chance makes y a combination with
   // probability 1/p.
   Combinations(const std::vector<std::vector<F>>& D, const Eigen::MatrixXd& in_double);
 
-  // The shortest c; right to 1e-8 of its largest entry at least, if the samples in double are to 1e-12.
-  std::optional<Eigen::VectorXd> of(const std::vector<F>& y, const Eigen::VectorXd& in_double) const;
+  struct Found {
+    Eigen::VectorXd coefficients;  // the shortest c
+    double doubt = 0;              // its distance from one that holds, if samples in double are right to kSamples
+  };
+  std::optional<Found> of(const std::vector<F>& y, const Eigen::VectorXd& in_double) const;
 
  private:
   int eliminate(const std::vector<std::vector<F>>& D);
 
   std::vector<std::vector<F>> annihilators_;  // rows n with n D = 0
   Eigen::MatrixXd columns_, inverse_;         // empty: too near to a smaller rank
+  double size_of_inverse_ = 0;
 };
 
 }  // namespace flatdyn

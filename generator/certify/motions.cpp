@@ -54,10 +54,10 @@ class Motions::Recogniser {
     MatrixXd combined = MatrixXd::Zero(rows.rows(), group.sizes.size());
     double doubt = 0;
     for (std::size_t k = 0; k < operations.size(); ++k) {
-      const VectorXd& c = known_.at(operations[k]).coefficients;
+      const Combinations::Found& found = known_.at(operations[k]).found;
       const auto column = rows.col(static_cast<Index>(k));
-      combined += column * c.transpose();
-      doubt += column.norm() * doubt_of(c, group);
+      combined += column * found.coefficients.transpose();
+      doubt += column.norm() * found.doubt * group.sizes.norm();
     }
     return (bound(group, combined) + doubt) * kUpward;
   }
@@ -73,7 +73,7 @@ class Motions::Recogniser {
   };
   struct Known {
     int group;
-    VectorXd coefficients;
+    Combinations::Found found;
     double largest;
   };
 
@@ -129,10 +129,10 @@ class Motions::Recogniser {
     }
     const int number = group_of(joint.value_or(-1), link);
     const Group& group = groups_[static_cast<std::size_t>(number)];
-    std::optional<VectorXd> c = group.combinations.of(y, real);
-    if (!c) return;
-    const double size = (bound(group, c->transpose()) + doubt_of(*c, group)) * kUpward;
-    known_.emplace(k, Known{number, std::move(*c), size});
+    std::optional<Combinations::Found> found = group.combinations.of(y, real);
+    if (!found) return;
+    const double size = (bound(group, found->coefficients.transpose()) + found->doubt * group.sizes.norm()) * kUpward;
+    known_.emplace(k, Known{number, std::move(*found), size});
   }
 
   int group_of(int joint, int link) {
@@ -158,13 +158,6 @@ class Motions::Recogniser {
 
   double bound(const Group& group, const MatrixXd& rows) const {
     return group.joint < 0 ? bounds_->of_motion(group.link, rows) : bounds_->of_axis(group.joint, group.link, rows);
-  }
-
-  // Coefficients are right to many more digits than that: values at samples are, and singular values are no smaller
-  // than kLeastSingularValue.
-  static double doubt_of(const VectorXd& coefficients, const Group& group) {
-    constexpr double kDigits = 1e-8;
-    return kDigits * coefficients.lpNorm<Eigen::Infinity>() * group.sizes.sum();
   }
 
   const Mechanism& mechanism_;

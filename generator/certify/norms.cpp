@@ -125,7 +125,7 @@ void Norms::bound(int k, Expansion& expansion) {
   const double by_form = norm(expansion.form) + expansion.slack;
   const double by_operation = k < executed_ ? std::min(by_form, largest_by_operands(k)) : by_form;
   const double size = rounded_up(std::min(by_operation, of_motion));
-  if (!(size <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
+  if (k < executed_ && !(size <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
   if (is_rounded(k)) {
     expansion.before_rounding = size;
     expansion.own_error = model_.format.half_ulp(size);
@@ -210,7 +210,7 @@ Norms::Expansion Norms::unrounded(int k) {
     case Step::sqrt:
       throw Failure(ExitCode::unsupported, "it takes a square root", "certify bounds sums and products only");
     case Step::sign:
-      if (expansion(operation.a).slack > 0) {
+      if (expansion(operation.a).slack > 0 || expansion(operation.a).has_all_errors) {
         throw Failure(ExitCode::unsupported, "it takes the sign of a rounded value");
       }
       break;

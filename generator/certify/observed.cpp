@@ -113,6 +113,7 @@ State expected_worst(const Comparison& comparison, std::size_t output, unsigned 
     const int result = comparison.of[output];
     const Lanes<double> squares =
         expected_squares(comparison.lines, executed<T>(comparison.lines, result, batch, 0), result);
+    if (k == 0) worst = batch.states().front();  // if nothing is a number
     for (std::size_t s = 0; s < kTogether; ++s) {
       if (!(squares.of[s] > most)) continue;
       most = squares.of[s];

@@ -178,6 +178,14 @@ TEST(Certify, RefusesWhatItCannotBound) {
   EXPECT_THROW(certificate_of(testing::limited_robot("planar_2r.toml"), "double", {"gravity"}), Failure);
 }
 
+// More of them than joints: their numbers are none of joints.
+TEST(Certify, RefusesInputsWithoutLimits) {
+  const Mechanism mechanism = testing::limited_robot("planar_2r_example_7_2.toml");
+  for (const char* name : {"inverse_dynamics_base", "inverse_dynamics_tip_force", "adaptive_regressor"}) {
+    EXPECT_THROW(certificate_of(mechanism, "double", {name}), Failure) << name;
+  }
+}
+
 // Two numbers of the model that are printed alike have errors of their own.
 TEST(StraightLine, KeepsConstantsApart) {
   StraightLine lines;

@@ -24,10 +24,11 @@ TEST(Combinations, AreDecidedExactly) {
     real_y(k) = 2 * a - b;
   }
   const Combinations combinations(D, real);
-  const std::optional<Eigen::VectorXd> found = combinations.of(y, real_y);
+  const std::optional<Combinations::Found> found = combinations.of(y, real_y);
   ASSERT_TRUE(found);
-  EXPECT_NEAR((*found)(0), 2, 1e-12);
-  EXPECT_NEAR((*found)(1), -1, 1e-12);
+  EXPECT_NEAR(found->coefficients(0), 2, 1e-12);
+  EXPECT_NEAR(found->coefficients(1), -1, 1e-12);
+  EXPECT_LT(found->doubt, 1e-8);
   EXPECT_FALSE(combinations.of(nearly, real_y));
 }
 
