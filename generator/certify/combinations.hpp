@@ -14,7 +14,7 @@ namespace flatdyn {
 class Combinations {
  public:
   using F = ModP<kMersenne61>;
-  static constexpr double kSamples = 1e-12;  // of the vector of all samples; they are right to some 1e-15
+  static constexpr double kSamples = 1e-13;  // of the vector of all samples; they are right to some 1e-15
 
   // A row of D for each sample, which are more than columns: for each one more, chance makes y a combination with
   // probability 1/p.

@@ -11,6 +11,7 @@
 namespace flatdyn {
 namespace {
 
+constexpr double kMuchLess = 0.9;
 constexpr const char* kMayOverflow = "it may overflow";
 
 double product_of_sizes(double a, double b) {
@@ -117,8 +118,8 @@ const Norms::Expansion& Norms::expansion(int k) {
   return expansions_.emplace(k, std::move(result)).first->second;
 }
 
-// By the operation, or by the motion that it computes: that takes its place if it says more. Where neither roundings
-// nor motions ask for a bound, there is none.
+// By the operation, or by the motion that it computes: that takes its place if it says much more, as it cannot cancel
+// with anything then. Where neither roundings nor motions ask for a bound, there is none.
 void Norms::bound(int k, Expansion& expansion) {
   const double of_motion = largest_of_motion(k);
   if (k >= executed_ && !std::isfinite(of_motion)) return;
@@ -130,7 +131,7 @@ void Norms::bound(int k, Expansion& expansion) {
     expansion.before_rounding = size;
     expansion.own_error = model_.format.half_ulp(size);
   }
-  if (of_motion >= by_operation) return;
+  if (of_motion > kMuchLess * by_operation) return;
   largest_[k] = (size + expansion.own_error) * kUpward;
   expansion.form = {{atoms_.given(k), 1}};
   expansion.slack = 0;
