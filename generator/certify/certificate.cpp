@@ -6,14 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "certify/error_terms.hpp"
 #include "certify/gappa_script.hpp"
 #include "certify/model_constants.hpp"
 #include "diagnostics/diagnostics.hpp"
-#include "emit/literals.hpp"
 #include "verify/emitted_text.hpp"
 
 namespace flatdyn {

@@ -37,7 +37,7 @@ class Motions::Recogniser {
     for (auto& sample : field_) sample.evaluate(lines);
     for (int k = static_cast<int>(links_.size()); k < lines.size(); ++k) {
       links_.push_back(link_of(lines[k]));
-      if (links_.back() >= 0 && is_sum_or_product(lines[k])) recognise(k, joint);
+      if (links_.back() >= 0 && lines[k].is_sum_or_product()) recognise(k, joint);
     }
   }
 
@@ -76,10 +76,6 @@ class Motions::Recogniser {
     Combinations::Found found;
     double largest;
   };
-
-  static bool is_sum_or_product(const Operation& operation) {
-    return operation.step == Step::add || operation.step == Step::subtract || operation.step == Step::multiply;
-  }
 
   void start(const StraightLine& lines) {
     ReadInputs read;

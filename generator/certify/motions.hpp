@@ -11,7 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
+#include <vector>
 
 #include "certify/motion_bounds.hpp"
 #include "graph/rational.hpp"

@@ -46,7 +46,7 @@ double Norms::largest_of(int atom) {
       break;
     case Atom::Kind::given:
       if (lines_[of.a].step == Step::input) result = limits_(lines_[of.a].input);
-      if (is_sum_or_product(of.a)) result = largest(of.a);
+      if (lines_[of.a].is_sum_or_product()) result = largest(of.a);
       break;
     case Atom::Kind::result:
       result = largest(of.a);
@@ -91,15 +91,10 @@ void Norms::add(Expansion& to, double c, const Form& form) {
   to.form = std::move(result);
 }
 
-bool Norms::is_sum_or_product(int k) const {
-  const Step step = lines_[k].step;
-  return step == Step::add || step == Step::subtract || step == Step::multiply;
-}
-
 // Sign changes are exact, and products with a power of two that is at least 1.
 bool Norms::is_rounded(int k) const {
   const Operation& operation = lines_[k];
-  if (k >= executed_ || !is_sum_or_product(k)) return false;
+  if (k >= executed_ || !operation.is_sum_or_product()) return false;
   if (operation.step != Step::multiply) return true;
   const auto is_power = [this](int factor) {
     int exponent = 0;
@@ -113,7 +108,7 @@ const Norms::Expansion& Norms::expansion(int k) {
   const auto known = expansions_.find(k);
   if (known != expansions_.end()) return known->second;
   Expansion result = unrounded(k);
-  if (is_sum_or_product(k)) bound(k, result);
+  if (lines_[k].is_sum_or_product()) bound(k, result);
   if (!result.has_all_errors) result.slack += result.own_error;
   return expansions_.emplace(k, std::move(result)).first->second;
 }
@@ -155,7 +150,7 @@ const Norms::Deviation& Norms::deviation(int k) {
   const auto known = deviations_.find(k);
   if (known != deviations_.end()) return known->second;
   Deviation result;
-  if (is_sum_or_product(k)) {
+  if (lines_[k].is_sum_or_product()) {
     result = deviation_before_rounding(k);
     if (motions_->group(k) >= 0) result.size = std::min(result.size, motions_->largest(k) + result.error);
     if (k < executed_) {

@@ -119,7 +119,6 @@ class Norms {
   Expansion distributed(const Expansion& sines, int k);
   Factor factor(int k);
   bool is_rounded(int k) const;
-  bool is_sum_or_product(int k) const;
   bool is_of_sines(const Form& form) const;
   void add(Expansion& to, double c, const Form& form);
   double largest_of(int atom);

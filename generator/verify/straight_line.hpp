@@ -22,6 +22,7 @@ struct Operation {
   Input input{};       // of input; of sine and cosine the joint's position, by the index in arrays of sines
 
   bool is_sine_or_cosine() const { return step == Step::sine || step == Step::cosine; }
+  bool is_sum_or_product() const { return step == Step::add || step == Step::subtract || step == Step::multiply; }
 };
 
 class StraightLine {
