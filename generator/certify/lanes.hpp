@@ -13,6 +13,7 @@
 #include "certify/rounding.hpp"
 #include "graph/arithmetic.hpp"
 #include "model/states.hpp"
+#include "verify/execute.hpp"
 #include "verify/straight_line.hpp"
 
 namespace flatdyn {
@@ -41,7 +42,13 @@ struct Lanes {
   Lanes& operator/=(const Lanes& b) {
     return by(b, [](T x, T y) { return x / y; });
   }
+  friend Lanes operator+(Lanes a, const Lanes& b) { return a += b; }
+  friend Lanes operator-(Lanes a, const Lanes& b) { return a -= b; }
   friend Lanes operator*(Lanes a, const Lanes& b) { return a *= b; }
+  friend Lanes operator-(Lanes a) {
+    for (T& each : a.of) each = -each;
+    return a;
+  }
 };
 
 template <class T, class Function>
@@ -105,52 +112,39 @@ Lanes<T> square_root(const Lanes<T>& x) {
   return mapped(x, [](T each) { return std::sqrt(each); });
 }
 
+// For execute(): sines are off by `sine_error`, at random upward or downward.
+template <class T>
+class TextArithmetic {
+ public:
+  using Scalar = Lanes<T>;
+
+  TextArithmetic(const Batch& batch, double sine_error)
+      : batch_(batch), sine_error_(sine_error), signs_(batch.seed()) {}
+
+  Scalar constant(double value) const { return filled(static_cast<T>(value)); }
+  Scalar input(const Input& input) const { return batch_.input<T>(input); }
+  Scalar sine(const Input& position) { return sine(input(position)); }
+  Scalar cosine(const Input& position) { return cosine(input(position)); }
+  Scalar sine(const Scalar& angle) { return off(sine_or_cosine(angle, false)); }
+  Scalar cosine(const Scalar& angle) { return off(sine_or_cosine(angle, true)); }
+  Scalar divide(Scalar a, const Scalar& b) const { return a /= b; }
+  Scalar sign(const Scalar& x) const { return flatdyn::sign(x); }
+  Scalar sqrt(const Scalar& x) const { return square_root(x); }
+
+ private:
+  Scalar off(const Scalar& x) { return sine_error_ > 0 ? disturbed(x, static_cast<T>(sine_error_), signs_()) : x; }
+
+  const Batch& batch_;
+  double sine_error_;
+  std::mt19937_64 signs_;
+};
+
 // The text, operation by operation, up to the last one that is asked for.
 template <class T>
 std::vector<Lanes<T>> executed(const StraightLine& lines, int last, const Batch& batch, double sine_error) {
-  std::mt19937_64 signs(batch.seed());
+  TextArithmetic<T> arithmetic(batch, sine_error);
   std::vector<Lanes<T>> values;
-  values.reserve(static_cast<std::size_t>(last) + 1);
-  for (int k = 0; k <= last; ++k) {
-    const Operation& operation = lines[k];
-    const auto a = [&] { return values[static_cast<std::size_t>(operation.a)]; };
-    const auto b = [&]() -> const Lanes<T>& { return values[static_cast<std::size_t>(operation.b)]; };
-    switch (operation.step) {
-      case Step::constant:
-        values.push_back(filled(static_cast<T>(operation.value)));
-        break;
-      case Step::input:
-        values.push_back(batch.input<T>(operation.input));
-        break;
-      case Step::sine:
-      case Step::cosine:
-        values.push_back(
-            sine_or_cosine(operation.a < 0 ? batch.input<T>(operation.input) : a(), operation.step == Step::cosine));
-        if (sine_error > 0) values.back() = disturbed(values.back(), static_cast<T>(sine_error), signs());
-        break;
-      case Step::negate:
-        values.push_back(mapped(a(), [](T x) { return -x; }));
-        break;
-      case Step::add:
-        values.push_back(a() += b());
-        break;
-      case Step::subtract:
-        values.push_back(a() -= b());
-        break;
-      case Step::multiply:
-        values.push_back(a() *= b());
-        break;
-      case Step::divide:
-        values.push_back(a() /= b());
-        break;
-      case Step::sign:
-        values.push_back(sign(a()));
-        break;
-      case Step::sqrt:
-        values.push_back(square_root(a()));
-        break;
-    }
-  }
+  execute(lines, last + 1, arithmetic, values);
   return values;
 }
 

@@ -13,6 +13,7 @@
 #include "graph/arithmetic.hpp"
 #include "graph/mod_p.hpp"
 #include "model/field_motion.hpp"
+#include "verify/execute.hpp"
 
 namespace flatdyn {
 
@@ -23,7 +24,7 @@ class RealPoint {
 
   explicit RealPoint(std::uint64_t seed) : seed_(seed) {}
 
-  double constant(double literal) const { return literal; }
+  std::optional<double> constant(double literal) const { return literal; }
   double input(const Input& input) const {
     return drawn((static_cast<std::uint64_t>(input.kind) << 32) + static_cast<std::uint64_t>(input.index));
   }
@@ -31,7 +32,7 @@ class RealPoint {
     const double angle = std::numbers::pi * input({InputKind::q, i});
     return {std::cos(angle), std::sin(angle)};
   }
-  double stranger(int operation) const { return drawn(~static_cast<std::uint64_t>(operation)); }
+  double stranger(std::uint64_t number) const { return drawn(~number); }
   RealArithmetic<double> arithmetic() const {
     return RealArithmetic<double>([](const Input&) { return 0.0; });
   }
@@ -63,13 +64,42 @@ class FieldPoint {
     const auto point = arithmetic_.point(input({InputKind::q, i}));
     return {point.c, point.s};
   }
-  Scalar stranger(int operation) const { return Scalar(scrambled(seed_, ~static_cast<std::uint64_t>(operation))); }
+  Scalar stranger(std::uint64_t number) const { return Scalar(scrambled(seed_, ~number)); }
   ModPArithmetic<> arithmetic() const { return arithmetic_; }
 
  private:
   std::uint64_t seed_;
   ModPArithmetic<> arithmetic_;
   const ExactConstants& constants_;
+};
+
+// For execute(). What is no sum or product of inputs, of joints' sines and of known constants is a number that has to
+// do with nothing else.
+template <class Point>
+class PointArithmetic {
+ public:
+  using Scalar = typename Point::Scalar;
+
+  explicit PointArithmetic(const Point& point) : point_(point) {}
+
+  Scalar constant(double literal) {
+    const std::optional<Scalar> known = point_.constant(literal);
+    return known ? *known : stranger();
+  }
+  Scalar input(const Input& input) const { return point_.input(input); }
+  Scalar sine(const Input& position) const { return point_.joint(position.index).s; }
+  Scalar cosine(const Input& position) const { return point_.joint(position.index).c; }
+  Scalar sine(const Scalar&) { return stranger(); }
+  Scalar cosine(const Scalar&) { return stranger(); }
+  Scalar divide(const Scalar&, const Scalar&) { return stranger(); }
+  Scalar sign(const Scalar&) { return stranger(); }
+  Scalar sqrt(const Scalar&) { return stranger(); }
+
+ private:
+  Scalar stranger() { return point_.stranger(strangers_++); }
+
+  Point point_;
+  std::uint64_t strangers_ = 0;
 };
 
 // Inputs that are not read count as 0.
@@ -80,14 +110,14 @@ class MotionSample {
  public:
   using F = typename Point::Scalar;
 
-  MotionSample(const Mechanism& mechanism, Point point, const ReadInputs& read) : point_(std::move(point)) {
-    auto arithmetic = point_.arithmetic();
+  MotionSample(const Mechanism& mechanism, const Point& point, const ReadInputs& read) : arithmetic_(point) {
+    auto arithmetic = point.arithmetic();
     mechanism_ = field_mechanism(mechanism, arithmetic);
     const auto drawn = [&](InputKind kind, int i) {
-      return read.count({kind, i}) != 0 ? point_.input({kind, i}) : F(0);
+      return read.count({kind, i}) != 0 ? point.input({kind, i}) : F(0);
     };
     for (int i = 0; i < mechanism.body_count(); ++i) {
-      q_.push_back(point_.joint(i));
+      q_.push_back(point.joint(i));
       qd_.push_back(drawn(InputKind::qd, i));
       qdd_.push_back(drawn(InputKind::qdd, i));
     }
@@ -95,9 +125,7 @@ class MotionSample {
   }
 
   // Of the operations that are new.
-  void evaluate(const StraightLine& lines) {
-    for (int k = static_cast<int>(values_.size()); k < lines.size(); ++k) values_.push_back(value(lines[k], k));
-  }
+  void evaluate(const StraightLine& lines) { execute(lines, lines.size(), arithmetic_, values_); }
 
   F value(int operation) const { return values_[static_cast<std::size_t>(operation)]; }
   std::vector<F> entries_of_motion(int link) const { return entries_of(motions_[static_cast<std::size_t>(link)]); }
@@ -116,35 +144,7 @@ class MotionSample {
   }
 
  private:
-  F value(const Operation& operation, int k) const {
-    const auto a = [&] { return value(operation.a); };
-    const auto b = [&] { return value(operation.b); };
-    switch (operation.step) {
-      case Step::constant:
-        if (const std::optional<F> known = point_.constant(operation.value)) return *known;
-        break;
-      case Step::input:
-        return point_.input(operation.input);
-      case Step::sine:
-      case Step::cosine:
-        if (operation.a >= 0) break;
-        return operation.step == Step::sine ? q_[static_cast<std::size_t>(operation.input.index)].s
-                                            : q_[static_cast<std::size_t>(operation.input.index)].c;
-      case Step::negate:
-        return -a();
-      case Step::add:
-        return a() + b();
-      case Step::subtract:
-        return a() - b();
-      case Step::multiply:
-        return a() * b();
-      default:
-        break;
-    }
-    return point_.stranger(k);  // something that has nothing to do with anything else
-  }
-
-  Point point_;
+  PointArithmetic<Point> arithmetic_;
   FieldMechanism<F> mechanism_;
   std::vector<JointPoint<F>> q_;
   std::vector<F> qd_, qdd_, values_;

@@ -5,46 +5,43 @@
 #include <cmath>
 #include <limits>
 
+#include "verify/execute.hpp"
+
 namespace flatdyn {
 namespace {
 
+// As T rounds, with given sines of the joints' positions.
 template <class T>
-T value_of(const Operation& operation, const std::vector<T>& values, const State& state, const SinesAndCosines& given) {
-  const auto a = [&] { return values[static_cast<std::size_t>(operation.a)]; };
-  const auto b = [&] { return values[static_cast<std::size_t>(operation.b)]; };
-  const auto index = static_cast<std::size_t>(operation.input.index);
-  switch (operation.step) {
-    case Step::constant:
-      return static_cast<T>(operation.value);
-    case Step::input:
-      return static_cast<T>(state.of(operation.input.kind)[index]);
-    case Step::sine:
-      return static_cast<T>(operation.a < 0 ? given.sine[index] : std::sin(double(a())));
-    case Step::cosine:
-      return static_cast<T>(operation.a < 0 ? given.cosine[index] : std::cos(double(a())));
-    case Step::negate:
-      return -a();
-    case Step::add:
-      return a() + b();
-    case Step::subtract:
-      return a() - b();
-    case Step::multiply:
-      return a() * b();
-    case Step::divide:
-      return a() / b();
-    case Step::sqrt:
-      return std::sqrt(a());
-    case Step::sign:
-      break;
+class RoundedArithmetic {
+ public:
+  using Scalar = T;
+
+  RoundedArithmetic(const State& state, const SinesAndCosines& given) : state_(state), given_(given) {}
+
+  T constant(double value) const { return static_cast<T>(value); }
+  T input(const Input& input) const { return entry(state_.of(input.kind), input); }
+  T sine(const Input& position) const { return entry(given_.sine, position); }
+  T cosine(const Input& position) const { return entry(given_.cosine, position); }
+  T sine(const T& angle) const { return static_cast<T>(std::sin(double(angle))); }
+  T cosine(const T& angle) const { return static_cast<T>(std::cos(double(angle))); }
+  T divide(const T& a, const T& b) const { return a / b; }
+  T sign(const T& x) const { return static_cast<T>((x > 0 ? 1 : 0) - (x < 0 ? 1 : 0)); }
+  T sqrt(const T& x) const { return std::sqrt(x); }
+
+ private:
+  static T entry(const std::vector<double>& values, const Input& input) {
+    return static_cast<T>(values[static_cast<std::size_t>(input.index)]);
   }
-  return static_cast<T>((a() > 0 ? 1 : 0) - (a() < 0 ? 1 : 0));
-}
+
+  const State& state_;
+  const SinesAndCosines& given_;
+};
 
 template <class T>
 std::vector<T> values_in(const StraightLine& lines, const State& state, const SinesAndCosines& given) {
+  RoundedArithmetic<T> arithmetic(state, given);
   std::vector<T> values;
-  values.reserve(static_cast<std::size_t>(lines.size()));
-  for (int k = 0; k < lines.size(); ++k) values.push_back(value_of<T>(lines[k], values, state, given));
+  execute(lines, lines.size(), arithmetic, values);
   return values;
 }
 
