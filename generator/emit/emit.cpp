@@ -14,6 +14,7 @@
 #include "emit/c_section.hpp"
 #include "emit/facts.hpp"
 #include "emit/function_text.hpp"
+#include "emit/global_names.hpp"
 #include "emit/identifiers.hpp"
 #include "emit/javascript_section.hpp"
 #include "emit/joints.hpp"
@@ -67,12 +68,11 @@ class PageWriter {
         stages_(stages),
         namespace_(namespace_of(mechanism.name, options.name_space)),
         dialect_(std::move(dialect)),
-        names_(as_set(dialect_.reserved())) {
+        names_(global_names(mechanism, functions, dialect_)) {
     if (options.scalar != "double" && options.scalar != "float") {
       throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
     }
-    for (const std::string& part : parts_of_namespace(namespace_)) scope_.names.insert(part);
-    take_names();
+    make_scope();
   }
 
   data page() {
@@ -119,45 +119,16 @@ class PageWriter {
   const std::vector<std::string>& exported_names() const { return exports_; }
 
  private:
-  static std::set<std::string> as_set(const std::vector<std::string>& words) { return {words.begin(), words.end()}; }
-
-  // All names at namespace scope, before any function is written: its variables must differ from them.
-  void take_names() {
-    for (const LimitColumn& kind : limits_given(mechanism_)) names_.unique(dialect_.global(kind.constant));
-    if (mechanism_.has_loops()) {
-      for (const char* name : {"position_names", "independent_positions", "close_loops"}) {
-        names_.unique(dialect_.global(name));
-      }
-      names_.unique(dialect_.count_name("position_count"));
-    }
-    if (!mechanism_.angles.empty()) {
-      names_.unique(dialect_.count_name("angle_count"));
-      if (dialect_.is_c()) names_.unique(dialect_.global("angles"));
-    }
-    if (std::any_of(functions_.begin(), functions_.end(), uses_base_parameters)) {
-      for (const char* name : kBaseConstants) {
-        const bool is_count = base_names_.empty();
-        base_names_.push_back(names_.unique(is_count ? dialect_.count_name(name) : dialect_.global(name)));
-      }
-    }
-    for (const Function& function : functions_) {
-      function_names_.push_back(names_.unique(dialect_.global(function.name)));
-      if (dialect_.is_c()) given_names_.push_back(names_.unique(function_names_.back() + "_given"));
-    }
-    for (std::size_t k = 0; k < functions_.size(); ++k) {
-      for (const Output& output : functions_[k].outputs) {
-        const bool only = functions_[k].outputs.size() == 1;
-        const std::string wanted = function_names_[k] + (only ? "" : "_" + output.name) + "_nonzero";
-        nonzero_names_.push_back(names_.unique(wanted));
-      }
-    }
+  // What functions take from the header.
+  void make_scope() {
     scope_.dialect = dialect_;
     if (is_pair()) scope_.compiled = compiled_scalars(options_);
     scope_.joints = mechanism_.size();
     scope_.positions = mechanism_.position_count();
     scope_.angles = multiples_of_positions(mechanism_);
     scope_.most_lines = options_.most_lines;
-    scope_.names.insert(names_.taken().begin(), names_.taken().end());
+    scope_.names = names_.taken;
+    for (const std::string& part : parts_of_namespace(namespace_)) scope_.names.insert(part);
     NameTable members({"Scalar", "Parameters", "Real", "restrict"});
     for (const FreeSymbol& symbol : mechanism_.symbols) scope_.parameters.push_back(members.unique(symbol.name));
   }
@@ -200,8 +171,8 @@ class PageWriter {
       constants << constant(kind.meaning, per_joint(kReal, kind.constant, entries));
     }
     header["constants"] = data(constants);
-    header["base?"] = !base_names_.empty();
-    if (!base_names_.empty()) {
+    header["base?"] = !names_.base.empty();
+    if (!names_.base.empty()) {
       write_base_constants(header);
     }
     header["parameters?"] = !scope_.parameters.empty();
@@ -243,10 +214,10 @@ class PageWriter {
   }
 
   void write_base_constants(data& header) {
-    const BaseConstants base = base_constants(mechanism_, base_names_, dialect_);
-    const std::string count = dialect_.count_definition(base_names_[0], base.count);
+    const BaseConstants base = base_constants(mechanism_, names_.base, dialect_);
+    const std::string count = dialect_.count_definition(names_.base[0], base.count);
     std::string definitions, declarations;
-    exports_.push_back(base_names_[0]);
+    exports_.push_back(names_.base[0]);
     for (const ConstantArray& array : base.arrays) {
       exports_.push_back(array.name);
       definitions += dialect_.definition(array);
@@ -270,18 +241,17 @@ class PageWriter {
   }
 
   FunctionText text_of(std::size_t k) const {
-    return function_text(functions_[k], function_names_[k], scope_, dialect_.is_c() ? given_names_[k] : "");
+    return function_text(functions_[k], names_.functions[k], scope_, dialect_.is_c() ? names_.given[k] : "");
   }
 
   void write_functions(data& header) {
     data list(data::type::list);
-    std::size_t next_nonzero = 0;
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       const FunctionText text = text_of(k);
       note_needs(text);
       if (k == 0) header["example"] = list_of(example(text));
       data item;
-      item["nonzero"] = nonzero(k, next_nonzero);
+      item["nonzero"] = nonzero(k);
       write_parts(item, text);
       item["comment"] = list_of(function_comment(functions_[k], text));
       item["header_parameters"] = template_parameters(text);
@@ -293,8 +263,7 @@ class PageWriter {
       if (is_pair()) write_pair_function(item, functions_[k], text);
       if (dialect_.is_javascript()) write_javascript_function(item, functions_[k], text);
       list << item;
-      exports_.push_back(function_names_[k]);
-      next_nonzero += functions_[k].outputs.size();
+      exports_.push_back(names_.functions[k]);
     }
     header["functions"] = data(list);
   }
@@ -344,7 +313,7 @@ class PageWriter {
   void write_loop_closing(data& header) {
     const auto name_of = [this](const char* function) -> std::string {
       for (std::size_t k = 0; k < functions_.size(); ++k) {
-        if (functions_[k].name == function && is_whole(functions_[k])) return function_names_[k];
+        if (functions_[k].name == function && is_whole(functions_[k])) return names_.functions[k];
       }
       return "";
     };
@@ -363,20 +332,19 @@ class PageWriter {
   }
 
   // The structural zeros of the matrices of function k, a row per line.
-  data nonzero(std::size_t k, std::size_t first_name) {
+  data nonzero(std::size_t k) {
     data list(data::type::list);
     const Function& function = functions_[k];
     for (std::size_t o = 0; o < function.outputs.size(); ++o) {
       const Output& output = function.outputs[o];
       if (!is_array_of_arrays(output)) continue;
-      ConstantArray array{
-          "bool", nonzero_names_[first_name + o], std::to_string(output.entries.size()), {}, output.cols};
+      ConstantArray array{"bool", names_.nonzero[k][o], std::to_string(output.entries.size()), {}, output.cols};
       for (const NodeId entry : output.entries) {
         array.entries.push_back(function.graph.is_zero(entry) ? "0" : "1");  // 0 also where it is left out
       }
       data item;
       item["output"] = comment_text(output.name);
-      item["function"] = function_names_[k];
+      item["function"] = names_.functions[k];
       item["definition"] = without_newline(dialect_.definition(array));
       item["declaration"] = without_newline(dialect_.declaration(array));
       list << item;
@@ -388,32 +356,7 @@ class PageWriter {
   std::vector<std::string> example(const FunctionText& text) const {
     if (dialect_.is_c()) return c_example(text, dialect_, !scope_.parameters.empty());
     if (dialect_.is_javascript()) return javascript_example(text, file_name(mechanism_, options_), scope_.parameters);
-    return cpp_example(text);
-  }
-
-  std::vector<std::string> cpp_example(const FunctionText& text) const {
-    std::vector<std::string> lines;
-    std::string declarations, call;
-    for (const ArrayArgument& array : text.inputs) {
-      declarations += fmt::format("{}{}[{}] = {{}}", declarations.empty() ? "" : ", ", array.name, array.length);
-      call += (call.empty() ? "" : ", ") + array.name;
-    }
-    for (const ArrayArgument& array : text.outputs) {
-      declarations += fmt::format("{}{}[{}]", declarations.empty() ? "" : ", ", array.name, array.length);
-      call += (call.empty() ? "" : ", ") + array.name;
-    }
-    if (!scope_.parameters.empty()) {
-      lines.push_back(fmt::format("{}::Parameters<> parameters = {{}};  // then set its members", namespace_));
-      call = "parameters" + (call.empty() ? "" : ", " + call);
-    }
-    if (!declarations.empty()) lines.push_back(fmt::format("{} {};", options_.scalar, declarations));
-    const std::string receiver = text.returns == "void" ? "" : "const " + result_type(text) + " result = ";
-    lines.push_back(fmt::format("{}{}::{}({});", receiver, namespace_, text.name, call));
-    return lines;
-  }
-
-  std::string result_type(const FunctionText& text) const {
-    return text.returns == "Scalar" ? options_.scalar : text.returns;
+    return cpp_example(text, namespace_, options_.scalar, !scope_.parameters.empty());
   }
 
   const Mechanism& mechanism_;
@@ -422,11 +365,7 @@ class PageWriter {
   const std::optional<Stages>& stages_;
   std::string namespace_;
   Dialect dialect_;
-  NameTable names_;
-  std::vector<std::string> function_names_;
-  std::vector<std::string> given_names_;    // in C, of those that take sines and cosines
-  std::vector<std::string> nonzero_names_;  // of all outputs of all functions, in order
-  std::vector<std::string> base_names_;     // of kBaseConstants; empty where no function needs them
+  GlobalNames names_;
   HeaderScope scope_;
   std::vector<std::string> exports_;
   Instantiations instantiations_;  // of C++ in header and source

@@ -100,4 +100,27 @@ void write_parts(kainjow::mustache::data& item, const FunctionText& text) {
   item["parts"] = without_newline(text.parts);
 }
 
+std::vector<std::string> cpp_example(const FunctionText& text, const std::string& name_space, const std::string& scalar,
+                                     bool has_parameters) {
+  std::vector<std::string> lines;
+  std::string declarations, call;
+  for (const ArrayArgument& array : text.inputs) {
+    declarations += fmt::format("{}{}[{}] = {{}}", declarations.empty() ? "" : ", ", array.name, array.length);
+    call += (call.empty() ? "" : ", ") + array.name;
+  }
+  for (const ArrayArgument& array : text.outputs) {
+    declarations += fmt::format("{}{}[{}]", declarations.empty() ? "" : ", ", array.name, array.length);
+    call += (call.empty() ? "" : ", ") + array.name;
+  }
+  if (has_parameters) {
+    lines.push_back(fmt::format("{}::Parameters<> parameters = {{}};  // then set its members", name_space));
+    call = "parameters" + (call.empty() ? "" : ", " + call);
+  }
+  if (!declarations.empty()) lines.push_back(fmt::format("{} {};", scalar, declarations));
+  const std::string result = text.returns == "Scalar" ? scalar : text.returns;
+  const std::string receiver = result == "void" ? "" : "const " + result + " result = ";
+  lines.push_back(fmt::format("{}{}::{}({});", receiver, name_space, text.name, call));
+  return lines;
+}
+
 }  // namespace flatdyn

@@ -40,4 +40,8 @@ void write_parts(kainjow::mustache::data& item, const FunctionText& text);
 // An array of arrays: its structural zeros are worth a constant.
 bool is_array_of_arrays(const Output& output);
 
+// How a function of C++ is called, with the declarations of its arguments.
+std::vector<std::string> cpp_example(const FunctionText& text, const std::string& name_space, const std::string& scalar,
+                                     bool has_parameters);
+
 }  // namespace flatdyn
