@@ -63,7 +63,8 @@ class Certifier {
         analysis_(with_constants_apart(text, [this](double literal) { return constants_.is_ambiguous(literal); }),
                   rounding_model(constants_, format_, options), input_limits(mechanism),
                   std::make_unique<Motions>(mechanism, input_limits(mechanism),
-                                            [this](double literal) { return constants_.exact_size(literal); })) {
+                                            [this](double literal) { return constants_.exact_size(literal); }),
+                  options.effort) {
     result_.name = function.name;
   }
 

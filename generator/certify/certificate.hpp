@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/effort.hpp"
 #include "certify/gappa.hpp"
 #include "certify/observed.hpp"
 #include "diagnostics/progress.hpp"
@@ -19,7 +20,8 @@ struct CertifyOptions {
   std::string scalar = "double";
   double trigonometry_ulp = 1;  // what sines and cosines may be off, in last places of numbers below 1
   ObservedOptions observed;
-  double time_limit = 120;  // of Gappa for one script, s; 0: it is not asked
+  int effort = kUsualEffort;  // for small bounds
+  double time_limit = 120;    // of Gappa for one script, s; 0: it is not asked
 };
 
 // The same as an absolute error.

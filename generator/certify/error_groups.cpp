@@ -25,7 +25,6 @@ struct Draft {
   double cost = 0;
 
   Draft with(const ErrorsByDerivative& part, Norms& norms) const {
-    constexpr int kLittleEffort = 1;  // while groups are compared
     Draft result = *this;
     result.parts.push_back(&part);
     result.derivatives.push_back(part.derivative);

@@ -11,11 +11,11 @@
 namespace flatdyn {
 
 ErrorAnalysis::ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits,
-                             std::unique_ptr<Motions> motions)
+                             std::unique_ptr<Motions> motions, int effort)
     : lines_(std::move(text)),
       executed_(lines_.size()),
       motions_(std::move(motions)),
-      norms_(lines_, executed_, std::move(model), std::move(limits), motions_.get()) {
+      norms_(lines_, executed_, std::move(model), std::move(limits), motions_.get(), effort) {
   if (motions_) motions_->recognise(lines_, std::nullopt);
 }
 

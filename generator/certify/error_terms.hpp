@@ -52,7 +52,8 @@ struct OutputError {
 // A function's operations, and the derivatives that were asked for.
 class ErrorAnalysis {
  public:
-  ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits, std::unique_ptr<Motions> motions = nullptr);
+  ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits, std::unique_ptr<Motions> motions = nullptr,
+                int effort = kUsualEffort);
 
   const StraightLine& text() const { return lines_; }  // derivatives come behind it
   int executed() const { return executed_; }

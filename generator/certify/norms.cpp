@@ -26,8 +26,14 @@ std::optional<double> number_of(const std::vector<std::pair<int, double>>& form)
 
 }  // namespace
 
-Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits, const Motions* motions)
-    : lines_(lines), executed_(executed), model_(std::move(model)), limits_(std::move(limits)), motions_(motions) {}
+Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits, const Motions* motions,
+             int effort)
+    : lines_(lines),
+      executed_(executed),
+      model_(std::move(model)),
+      limits_(std::move(limits)),
+      motions_(motions),
+      effort_(effort) {}
 
 // Few enough to be multiplied out.
 bool Norms::is_of_sines(const Form& form) const {

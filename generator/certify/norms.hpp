@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "certify/atoms.hpp"
+#include "certify/effort.hpp"
 #include "certify/input_limits.hpp"
 #include "certify/motions.hpp"
 #include "certify/rounding.hpp"
@@ -46,7 +47,7 @@ class Norms {
   // The first `executed` operations of `lines` are rounded, those that are added to it later are exact. `motions`, if
   // any, has to know of every operation before it is asked for here.
   Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits,
-        const Motions* motions = nullptr);
+        const Motions* motions = nullptr, int effort = kUsualEffort);
 
   // Of operation k: its largest size; its size before it was rounded; and the error that it makes itself, which is that
   // of a sine, of a constant, or of a rounding. Throws Failure(unsupported) for divisions and roots.
@@ -59,8 +60,8 @@ class Norms {
   static constexpr double kLeastSize = 1e-140;
 
   // Of the vector of several results: its largest length, which the more effort brings nearer to what it is.
-  static constexpr int kEffort = 16;
-  double largest_length(const std::vector<int>& operations, int effort = kEffort);
+  double largest_length(const std::vector<int>& operations) { return largest_length(operations, effort_); }
+  double largest_length(const std::vector<int>& operations, int effort);
 
   // That both may be components of one vector that turns: their sums have terms that one joint turns, of one factor.
   bool turn_together(int j, int k);
@@ -130,7 +131,7 @@ class Norms {
 
   // norms_of_results.cpp.
   double norm(const std::vector<Form>& rows, int effort);
-  double norm(const Form& form) { return norm(std::vector<Form>{form}, kEffort); }
+  double norm(const Form& form) { return norm(std::vector<Form>{form}, effort_); }
   std::vector<int> turned_last(const Form& form) const;
 
   // norms_of_vectors.cpp. Effort: how many ways may be tried where there are several.
@@ -152,6 +153,7 @@ class Norms {
   RoundingModel model_;
   InputLimits limits_;
   const Motions* motions_;
+  int effort_;
   Atoms atoms_;
   std::map<int, Expansion> expansions_;
   std::map<int, Deviation> deviations_;

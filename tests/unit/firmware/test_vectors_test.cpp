@@ -50,6 +50,7 @@ TEST(TestVectors, HaveTheBoundsOfTheCertificate) {
   const Made ur5 = made("ur5.urdf", {"gravity", "bias"}, "float");
   CertifyOptions options;
   options.scalar = "float";
+  options.effort = kLittleEffort;
   options.time_limit = 0;
   options.observed.states = 1;
   Progress quiet(true);
