@@ -50,22 +50,8 @@ void write_c_function(data& item, const Function& function, const FunctionText& 
 }
 
 std::vector<std::string> c_example(const FunctionText& text, const Dialect& dialect, bool has_parameters) {
-  std::vector<std::string> lines;
-  std::string declarations, call;
-  const auto add = [&](const ArrayArgument& array, const char* initial) {
-    declarations += fmt::format("{}{}[{}]{}", declarations.empty() ? "" : ", ", array.name, array.length, initial);
-    call += (call.empty() ? "" : ", ") + array.name;
-  };
-  for (const ArrayArgument& array : text.inputs) add(array, " = {0}");
-  for (const ArrayArgument& array : text.outputs) add(array, "");
-  if (has_parameters) {
-    lines.push_back(fmt::format("{} parameters = {{0}};  // then set its members", dialect.global("parameters")));
-    call = "&parameters" + (call.empty() ? "" : ", " + call);
-  }
-  if (!declarations.empty()) lines.push_back(fmt::format("{} {};", dialect.scalar(), declarations));
-  const std::string receiver = text.returns == "void" ? "" : "const " + text.returns + " result = ";
-  lines.push_back(fmt::format("{}{}({});", receiver, text.name, call));
-  return lines;
+  const std::string parameters = has_parameters ? dialect.global("parameters") : "";
+  return call_example(text, {text.name, text.returns, dialect.scalar(), "{0}", parameters, "&parameters"});
 }
 
 }  // namespace flatdyn

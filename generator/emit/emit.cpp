@@ -356,7 +356,9 @@ class PageWriter {
   std::vector<std::string> example(const FunctionText& text) const {
     if (dialect_.is_c()) return c_example(text, dialect_, !scope_.parameters.empty());
     if (dialect_.is_javascript()) return javascript_example(text, file_name(mechanism_, options_), scope_.parameters);
-    return cpp_example(text, namespace_, options_.scalar, !scope_.parameters.empty());
+    const std::string result = text.returns == "Scalar" ? options_.scalar : text.returns;
+    const std::string parameters = scope_.parameters.empty() ? "" : namespace_ + "::Parameters<>";
+    return call_example(text, {namespace_ + "::" + text.name, result, options_.scalar, "{}", parameters, "parameters"});
   }
 
   const Mechanism& mechanism_;

@@ -49,8 +49,8 @@ GlobalNames global_names(const Mechanism& mechanism, const std::vector<Function>
   NameTable names({reserved.begin(), reserved.end()});
   GlobalNames result;
   take_constants(mechanism, dialect, names);
-  if (std::any_of(functions.begin(), functions.end(), uses_base_parameters))
-    result.base = names_of_base(dialect, names);
+  const bool has_base = std::any_of(functions.begin(), functions.end(), uses_base_parameters);
+  if (has_base) result.base = names_of_base(dialect, names);
   for (const Function& function : functions) {
     result.functions.push_back(names.unique(dialect.global(function.name)));
     if (dialect.is_c()) result.given.push_back(names.unique(result.functions.back() + "_given"));

@@ -100,26 +100,21 @@ void write_parts(kainjow::mustache::data& item, const FunctionText& text) {
   item["parts"] = without_newline(text.parts);
 }
 
-std::vector<std::string> cpp_example(const FunctionText& text, const std::string& name_space, const std::string& scalar,
-                                     bool has_parameters) {
+std::vector<std::string> call_example(const FunctionText& text, const ExampleCall& how) {
   std::vector<std::string> lines;
-  std::string declarations, call;
-  for (const ArrayArgument& array : text.inputs) {
-    declarations += fmt::format("{}{}[{}] = {{}}", declarations.empty() ? "" : ", ", array.name, array.length);
+  std::string declarations, call = how.parameters.empty() ? "" : how.parameters_argument;
+  const auto add = [&](const ArrayArgument& array, const std::string& initial) {
+    declarations += fmt::format("{}{}[{}]{}", declarations.empty() ? "" : ", ", array.name, array.length, initial);
     call += (call.empty() ? "" : ", ") + array.name;
+  };
+  for (const ArrayArgument& array : text.inputs) add(array, " = " + how.zeros);
+  for (const ArrayArgument& array : text.outputs) add(array, "");
+  if (!how.parameters.empty()) {
+    lines.push_back(fmt::format("{} parameters = {};  // then set its members", how.parameters, how.zeros));
   }
-  for (const ArrayArgument& array : text.outputs) {
-    declarations += fmt::format("{}{}[{}]", declarations.empty() ? "" : ", ", array.name, array.length);
-    call += (call.empty() ? "" : ", ") + array.name;
-  }
-  if (has_parameters) {
-    lines.push_back(fmt::format("{}::Parameters<> parameters = {{}};  // then set its members", name_space));
-    call = "parameters" + (call.empty() ? "" : ", " + call);
-  }
-  if (!declarations.empty()) lines.push_back(fmt::format("{} {};", scalar, declarations));
-  const std::string result = text.returns == "Scalar" ? scalar : text.returns;
-  const std::string receiver = result == "void" ? "" : "const " + result + " result = ";
-  lines.push_back(fmt::format("{}{}::{}({});", receiver, name_space, text.name, call));
+  if (!declarations.empty()) lines.push_back(fmt::format("{} {};", how.scalar, declarations));
+  const std::string receiver = how.result == "void" ? "" : "const " + how.result + " result = ";
+  lines.push_back(fmt::format("{}{}({});", receiver, how.function, call));
   return lines;
 }
 

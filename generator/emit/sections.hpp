@@ -40,8 +40,12 @@ void write_parts(kainjow::mustache::data& item, const FunctionText& text);
 // An array of arrays: its structural zeros are worth a constant.
 bool is_array_of_arrays(const Output& output);
 
-// How a function of C++ is called, with the declarations of its arguments.
-std::vector<std::string> cpp_example(const FunctionText& text, const std::string& name_space, const std::string& scalar,
-                                     bool has_parameters);
+// How a function is called in C and C++, with the declarations of its arguments.
+struct ExampleCall {
+  std::string function, result;                 // as it is named from outside, and the type that it returns
+  std::string scalar, zeros;                    // "double", and what sets an aggregate to zero: "{0}"
+  std::string parameters, parameters_argument;  // type of the free symbols' values; empty: there are none
+};
+std::vector<std::string> call_example(const FunctionText& text, const ExampleCall& how);
 
 }  // namespace flatdyn
