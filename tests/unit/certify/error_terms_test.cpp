@@ -165,8 +165,10 @@ TEST(ErrorAnalysis, ADerivativeIsNoLargerThanItsReadersAllow) {
     const int turned = lines.multiply(k % 2 == 0 ? c : s, sum);
     sum = lines.add(turned, lines.input({InputKind::qd, k}));
   }
-  ErrorAnalysis analysis(lines, {rounding_format("double"), 0x1p-53, [](double) { return 0.0; }},
-                         [](const Input&) { return 1.0; });
+  constexpr int kEnough = 16;  // for the sizes of the sums
+  ErrorAnalysis analysis(
+      lines, {rounding_format("double"), 0x1p-53, [](double) { return 0.0; }}, [](const Input&) { return 1.0; },
+      nullptr, kEnough);
   const OutputError error = analysis.error_of(sum);
   double of_sines = 0;
   for (const ErrorGroup& group : error.groups) {
