@@ -22,6 +22,9 @@ struct IdentifyArguments : RobotArguments {
   EstimateOptions estimate;
   bool sequential = false;
   std::string plot;
+
+  // What is read first.
+  const std::string& source() const { return logs.empty() ? parts.front() : logs.front(); }
 };
 
 // "2/8" → part 2 of 8.
@@ -63,12 +66,26 @@ void check_files(const IdentifyArguments& arguments, const Robot& robot) {
   check_outputs({arguments.output, arguments.plot}, inputs);
 }
 
-void require_samples(const Measurement& measurement) {
-  if (measurement.count.used > 0) return;
-  throw Failure(ExitCode::input,
-                fmt::format("none of {} samples can be used: the filter's window has {} of them",
-                            measurement.count.lines, 2 * measurement.plan.half_window + 1),
-                "log longer runs, or give a wider --band");
+// Some can be used, and gaps in time, each of which costs a window of the filter, do not take most of them.
+void check_samples(const Measurement& measurement, const std::string& log, Diagnostics& found) {
+  const StreamCount& count = measurement.count;
+  int window = 0, decimate = 1;
+  for (const SampleFilter& filter : measurement.filters()) {
+    window = std::max(window, 2 * filter.half_window() + 1);
+    decimate = std::max(decimate, filter.decimate);
+  }
+  if (count.used == 0) {
+    throw Failure(
+        ExitCode::input,
+        fmt::format("none of {} samples can be used: the filter's window has {} of them{}", count.lines, window,
+                    count.gaps > 0 ? fmt::format(", and there are {} gaps in time", count.gaps) : ""),
+        count.gaps > 0 ? "log without gaps, or give a wider --band" : "log longer runs, or give a wider --band");
+  }
+  if (count.gaps == 0 || 2 * count.used * decimate > count.lines) return;
+  found.warning({log, 0},
+                fmt::format("{} gaps in time take most of {} samples: each costs the filter's window, {} samples",
+                            count.gaps, count.lines, window),
+                "log without gaps, or q, qd and qdd, so that there is no filter; a wider --band has a shorter window");
 }
 
 Measurement measured(const IdentifyArguments& arguments, const StreamOptions& options, const TorqueModel& model,
@@ -80,9 +97,10 @@ Measurement measured(const IdentifyArguments& arguments, const StreamOptions& op
   } else {
     measurement = merge_parts({arguments.parts.begin(), arguments.parts.end()}, model, found);
   }
-  arguments.report(found);
   // A part may have its share of nothing; all parts together must not.
-  if (arguments.part.empty()) require_samples(measurement);
+  const bool is_whole = arguments.part.empty() && !found.has_errors();
+  if (is_whole) check_samples(measurement, arguments.source(), found);
+  arguments.report(found);
   return measurement;
 }
 
@@ -104,6 +122,7 @@ TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, cons
                         {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""},
                         arguments.settings(robot)};
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
+  for (const std::string& doubt : doubts_about(model, found)) about.comments.push_back(doubt);
   return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
 }
 
@@ -137,13 +156,17 @@ ExitCode identify(const IdentifyArguments& arguments) {
       return ExitCode::ok;
     }
     progress.step("estimating");
-    found.estimate = estimate(found.measurement.observations, as_vector(model.file_values()), arguments.estimate);
-    if (arguments.sequential) found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations);
+    const Eigen::VectorXd file = as_vector(model.file_values());
+    found.estimate = estimate(found.measurement.observations, file, arguments.estimate);
+    if (arguments.sequential) found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations, file);
     progress.step("finding links that a body can have");
     // What the estimate leaves out, friction and rotors, is not in the robot that it is written to either.
     const bool inertial_only = parameter_set(arguments.parameters) == ParameterSet::inertial;
     found.physical =
         physical_parameters(inertial_only ? model.mechanism() : robot.mechanism, model.base(), found.estimate);
+    Diagnostics doubts;
+    for (const std::string& doubt : doubts_about(model, found)) doubts.warning({arguments.source(), 0}, doubt);
+    arguments.report(doubts);
     write_results(arguments, robot, model, found);
     fmt::print("{}", arguments.json ? identification_json(model, found).dump(2) + "\n"
                                     : describe_identification(model, found));

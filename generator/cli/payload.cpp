@@ -41,7 +41,8 @@ void stop_at_errors(const Diagnostics& found) {
 void require_samples(long used) {
   if (used > 0) return;
   throw Failure(ExitCode::input, "no sample can be used: the logs are shorter than the filter's window",
-                "log longer runs, or give a wider --band");
+                "log longer runs, or give a wider --band; of poses in which the robot stands still, give columns qd1, "
+                "..., qdd1, ... of zeros");
 }
 
 Observations observed(const TorqueModel& model, const std::vector<std::string>& logs, const PayloadArguments& arguments,
@@ -78,7 +79,7 @@ PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments
     progress.step("reading " + log);
     const auto sink = [&](const MeasuredMotion& motion) { observer.add(motion); };
     used += stream(log, robot.mechanism, plan, sink, found).used;
-    correlation = std::max(correlation, plan.correlation());
+    correlation = std::max(correlation, plan.filter.correlation());
     stop_at_errors(found);
   }
   arguments.report(found);

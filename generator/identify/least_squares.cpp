@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "diagnostics/diagnostics.hpp"
+#include "identify/damped_solution.hpp"
 #include "identify/singular_values.hpp"
 #include "identify/triangular_factor.hpp"
 
@@ -31,46 +32,6 @@ MatrixXd weighted_factor(const Observations& observations, const VectorXd& devia
     at += joint.R.rows();
   }
   return triangular_factor_of(stacked);
-}
-
-// The solution for given weights.
-struct Solution {
-  VectorXd values;
-  MatrixXd spread;            // spread spreadᵀ is the covariance where the weights are right, less what is damped
-  MatrixXd root_information;  // as in Estimate
-  std::vector<bool> told;     // parameters that no damped direction has a part in
-  VectorXd singular_values;
-  std::vector<DampedDirection> damped;
-};
-
-Solution solve(const MatrixXd& factor, const VectorXd& prior, double damping) {
-  const Index b = prior.size();
-  const MatrixXd A = factor.topLeftCorner(b, b);
-  VectorXd scale = A.colwise().norm();
-  scale = (scale.array() > 0).select(scale, 1);
-  const MatrixXd scaled = A * scale.cwiseInverse().asDiagonal();
-  const SingularValues svd = singular_values(scaled);
-  Solution solution;
-  solution.singular_values = svd.s;
-  const double smallest = damping * solution.singular_values(0);
-  VectorXd inverse(b);
-  VectorXd hidden = VectorXd::Zero(b);  // how much of each parameter lies in damped directions
-  for (Index k = 0; k < b; ++k) {
-    const double s = solution.singular_values(k);
-    inverse(k) = s > smallest ? 1 / s : s / (s * s + smallest * smallest);
-    if (s > smallest) continue;
-    if (smallest == 0) inverse(k) = 0;
-    solution.damped.push_back({s / solution.singular_values(0), svd.V.col(k)});
-    hidden += svd.V.col(k).cwiseAbs();
-  }
-  const Index known = b - static_cast<Index>(solution.damped.size());
-  solution.root_information = svd.s.head(known).asDiagonal() * svd.V.leftCols(known).transpose() * scale.asDiagonal();
-  constexpr double kRounding = 1e-6;
-  for (const double part : hidden) solution.told.push_back(part < kRounding);
-  solution.spread = scale.cwiseInverse().asDiagonal() * svd.V * inverse.asDiagonal();
-  const VectorXd misfit = factor.topRightCorner(b, 1) - A * prior;
-  solution.values = prior + solution.spread * (svd.U.transpose() * misfit);
-  return solution;
 }
 
 // σ_i from the residual of joint i and the degrees of freedom that are left to it; of correlated noise a fit takes
@@ -127,19 +88,21 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
   VectorXd deviations = VectorXd::Ones(static_cast<Index>(observations.joints.size()));
   Solution solution;
   for (; result.iterations < kMostIterations && !result.converged; ++result.iterations) {
-    solution = solve(weighted_factor(observations, deviations), prior, options.damping);
+    solution = damped_solution(weighted_factor(observations, deviations), prior, options.damping);
     const VectorXd updated = residual_deviations(observations, solution, deviations);
     result.converged = ((updated - deviations).cwiseAbs().array() <= kStable * deviations.array()).all();
     deviations = updated;
   }
+  const double wider = std::sqrt(observations.correlation), plausible = prior.cwiseAbs().maxCoeff();
+  if (plausible > 0) hide_noise(solution, wider, plausible);
   result.values = solution.values;
-  const double wider = std::sqrt(observations.correlation);
   result.standard_deviations = wider * solution.spread.rowwise().norm();
   for (std::size_t k = 0; k < solution.told.size(); ++k) {
     if (!solution.told[k]) result.standard_deviations(static_cast<Index>(k)) = std::numeric_limits<double>::infinity();
   }
   result.singular_values = solution.singular_values;
   result.damped = std::move(solution.damped);
+  result.hidden = std::move(solution.hidden);
   result.torque_deviations = deviations;
   result.root_information = solution.root_information / wider;
   return result;
@@ -152,8 +115,8 @@ MatrixXd root_information_of_first(const Estimate& estimate, int count) {
   return triangular_factor_of(others_first).bottomRightCorner(count, count);
 }
 
-VectorXd estimate_joint_by_joint(const Observations& observations) {
-  VectorXd values = VectorXd::Zero(observations.parameters);
+VectorXd estimate_joint_by_joint(const Observations& observations, const VectorXd& prior) {
+  VectorXd values = prior;
   std::vector<bool> known(static_cast<std::size_t>(observations.parameters), false);
   for (auto joint = observations.joints.rbegin(); joint != observations.joints.rend(); ++joint) {
     std::vector<int> places, unknown;
@@ -167,8 +130,7 @@ VectorXd estimate_joint_by_joint(const Observations& observations) {
     if (unknown.empty()) continue;
     const MatrixXd A = joint->A();
     const VectorXd rest = joint->b() - A * joint->restricted(values);
-    const MatrixXd of_unknown = A(Eigen::all, places);
-    values(unknown) = shortest_solution(of_unknown, rest);
+    values(unknown) += shortest_solution(A(Eigen::all, places), rest);
   }
   return values;
 }

@@ -2,6 +2,7 @@
 // Base parameters from observations: weighted least squares by QR, (7.85) without its normal equations.
 #pragma once
 
+#include "identify/damped_solution.hpp"
 #include "identify/observations.hpp"
 
 namespace flatdyn {
@@ -11,20 +12,15 @@ struct EstimateOptions {
   double damping = 1e-8;
 };
 
-// A combination of parameters, of unit length where every parameter counts by the norm of its column.
-struct DampedDirection {
-  double relative_singular_value = 0;
-  Eigen::VectorXd components;  // b numbers
-};
-
 struct Estimate {
   Eigen::VectorXd values;               // π_b
-  Eigen::VectorXd standard_deviations;  // of each; infinite where a damped direction has a part in it
+  Eigen::VectorXd standard_deviations;  // of each; infinite where a damped or hidden direction has a part in it
   Eigen::VectorXd singular_values;      // of the weighted regressor, columns scaled to unit norm, descending
   std::vector<DampedDirection> damped;
+  std::vector<HiddenDirection> hidden;
   Eigen::VectorXd torque_deviations;  // σ_i of the torque of joint i, from the residuals; the weights are 1/σ_i
   // r × b: |root_information (π_b - values)| is the distance from the estimate in standard deviations. Damped
-  // directions have no row: they cost nothing.
+  // and hidden directions have no row: they cost nothing.
   Eigen::MatrixXd root_information;
   int iterations = 0;
   bool converged = false;
@@ -34,7 +30,8 @@ struct Estimate {
 
 // Weights start equal and are set anew from each joint's residual until they change by less than 1e-9 (50 times at
 // most). σ_i counts the degrees of freedom that the fit takes from joint i (its leverage). Where rank is short, the
-// solution of least distance to `prior` is approached: damped least squares about it. Throws Failure(input) where there
+// solution of least distance to `prior` is approached: damped least squares about it. Where noise hides a
+// direction, by the sizes of `prior`, the solution stays near it, too. Throws Failure(input) where there
 // are no more equations than unknowns, so that nothing is left to tell noise by.
 Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior, const EstimateOptions& options = {});
 
@@ -42,8 +39,8 @@ Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior
 Eigen::MatrixXd root_information_of_first(const Estimate& estimate, int count);
 
 // The textbook's sequential procedure (7.4): from the tips to the base, joint by joint, each from its own row with the
-// parameters that are known already moved to the right. Errors of the tips' parameters go into all others: for
-// comparison.
-Eigen::VectorXd estimate_joint_by_joint(const Observations& observations);
+// parameters that are known already moved to the right; of what the motion does not tell, `prior`. Errors of the tips'
+// parameters go into all others: for comparison.
+Eigen::VectorXd estimate_joint_by_joint(const Observations& observations, const Eigen::VectorXd& prior);
 
 }  // namespace flatdyn

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/measurement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
+#include <tuple>
 
 #include "input/content_hash.hpp"
 
@@ -42,18 +45,28 @@ std::vector<PlannedLog> planned_logs(const TorqueModel& model, const std::vector
   }
   std::stable_sort(planned.begin(), planned.end(),
                    [](const PlannedLog& a, const PlannedLog& b) { return a.identity < b.identity; });
+  for (std::size_t k = 1; k < planned.size(); ++k) {
+    if (planned[k].identity != planned[k - 1].identity) continue;
+    diagnostics.error({planned[k].path.string(), 0},
+                      fmt::format("the same log as {}, by name, size and beginning", planned[k - 1].path.string()),
+                      "what is given twice would count as new data; a log of another motion needs another name");
+  }
   return planned;
 }
 
 }  // namespace
 
-void ThinnedSamples::offer(const TorqueModel& model, const MeasuredMotion& motion) {
+void ThinnedSamples::offer(const TorqueModel& model, const MeasuredMotion& motion, int log) {
   if (offered_++ % stride_ != 0) return;
   const int n = model.joints();
   const auto numbers = [n](const double* from) { return std::vector<double>(from, from + n); };
   const int positions = model.mechanism().position_count();
-  MotionSample sample{motion.time, std::vector<double>(motion.q, motion.q + positions), numbers(motion.qd),
-                      numbers(motion.qdd), numbers(motion.tau)};
+  MotionSample sample{log,
+                      motion.time,
+                      std::vector<double>(motion.q, motion.q + positions),
+                      numbers(motion.qd),
+                      numbers(motion.qdd),
+                      numbers(motion.tau)};
   if (motion.h_e != nullptr) {
     std::vector<double> tip(static_cast<std::size_t>(n));
     model.tip_torque(motion.q, motion.h_e, tip.data());
@@ -65,6 +78,14 @@ void ThinnedSamples::offer(const TorqueModel& model, const MeasuredMotion& motio
   stride_ *= 2;
 }
 
+std::vector<SampleFilter> Measurement::filters() const {
+  std::vector<SampleFilter> different;
+  for (const MeasuredLog& log : logs) {
+    if (std::find(different.begin(), different.end(), log.filter) == different.end()) different.push_back(log.filter);
+  }
+  return different;
+}
+
 Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
                     const StreamOptions& options, Progress& progress, Diagnostics& diagnostics) {
   ObservationFolder folder(model);
@@ -72,25 +93,24 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
   Measurement result;
   std::vector<PlannedLog> planned = planned_logs(model, logs, options, diagnostics);
   if (diagnostics.has_errors()) return result;
-  result.plan = planned.front().plan;
   BlockShares shares(options.part, options.parts);
+  double correlation = 1;
   for (PlannedLog& log : planned) {
     progress.step("reading " + log.path.string());
-    const auto sink = [&](const MeasuredMotion& motion) {
+    const auto sink = [&, at = static_cast<int>(result.logs.size())](const MeasuredMotion& motion) {
       folder.add(motion);
-      samples.offer(model, motion);
+      samples.offer(model, motion, at);
     };
     const StreamCount count = stream(log.path, model.mechanism(), log.plan, shares, sink, diagnostics);
     if (diagnostics.has_errors()) return result;
     result.count.lines += count.lines;
     result.count.used += count.used;
     result.count.gaps += count.gaps;
-    result.logs.push_back(std::move(log.identity));
+    correlation = std::max(correlation, log.plan.filter.correlation());
+    result.logs.push_back({std::move(log.identity), log.plan.filter});
   }
   result.observations = folder.observations();
-  for (const PlannedLog& log : planned) {
-    result.observations.correlation = std::max(result.observations.correlation, log.plan.correlation());
-  }
+  result.observations.correlation = correlation;
   result.samples = samples.kept();
   return result;
 }
@@ -105,8 +125,9 @@ Measurement joined(const std::vector<Measurement>& measurements) {
     result.count.used += next.count.used;
     result.count.gaps += next.count.gaps;
   }
-  std::stable_sort(result.samples.begin(), result.samples.end(),
-                   [](const MotionSample& a, const MotionSample& b) { return a.time < b.time; });
+  std::stable_sort(result.samples.begin(), result.samples.end(), [](const MotionSample& a, const MotionSample& b) {
+    return std::tie(a.log, a.time) < std::tie(b.log, b.time);
+  });
   while (result.samples.size() > ThinnedSamples::kMost) drop_every_other(result.samples);
   return result;
 }

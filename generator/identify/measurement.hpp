@@ -13,6 +13,7 @@
 namespace flatdyn {
 
 struct MotionSample {
+  int log = 0;  // its place in Measurement::logs
   double time = 0;
   std::vector<double> q, qd, qdd, tau;  // tau without what the tip's force adds
 };
@@ -22,7 +23,7 @@ class ThinnedSamples {
  public:
   static constexpr std::size_t kMost = 512;
 
-  void offer(const TorqueModel& model, const MeasuredMotion& motion);
+  void offer(const TorqueModel& model, const MeasuredMotion& motion, int log);
   const std::vector<MotionSample>& kept() const { return kept_; }
 
  private:
@@ -39,15 +40,24 @@ struct LogIdentity {
   auto operator<=>(const LogIdentity&) const = default;
 };
 
-struct Measurement {
-  Observations observations;
-  std::vector<MotionSample> samples;
-  StreamCount count;
-  StreamPlan plan;  // of the first log by its identity
-  std::vector<LogIdentity> logs;
+struct MeasuredLog {
+  LogIdentity identity;
+  SampleFilter filter;
+
+  auto operator<=>(const MeasuredLog&) const = default;
 };
 
-// What is wrong goes into `diagnostics`; after an error the result means nothing.
+struct Measurement {
+  Observations observations;
+  std::vector<MotionSample> samples;  // by log, then by time
+  StreamCount count;
+  std::vector<MeasuredLog> logs;  // in the order of their identities
+
+  // All that differ, in the order of the logs.
+  std::vector<SampleFilter> filters() const;
+};
+
+// What is wrong goes into `diagnostics`, the same log twice among it; after an error the result means nothing.
 Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
                     const StreamOptions& options, Progress& progress, Diagnostics& diagnostics);
 

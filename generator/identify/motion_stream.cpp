@@ -6,6 +6,7 @@
 
 #include "identify/log_reader.hpp"
 #include "identify/position_check.hpp"
+#include "identify/rate_check.hpp"
 #include "identify/zero_phase.hpp"
 
 namespace flatdyn {
@@ -60,7 +61,7 @@ class MotionFilter {
         qdd_(n_),
         tau_(n_),
         h_e_(LogLayout::kWrench) {
-    const ZeroPhaseKernel kernel = zero_phase_kernel(plan.band, plan.dt);
+    const ZeroPhaseKernel kernel = zero_phase_kernel(plan.filter.band, plan.filter.dt);
     for (int order = 0; order < 3; ++order) {
       weights_[order] = Eigen::Map<const Eigen::VectorXd>(kernel.weights[order].data(), kernel.length());
     }
@@ -117,26 +118,32 @@ class Stream {
       : reader_(log, plan.heading, diagnostics),
         diagnostics_(diagnostics),
         positions_(mechanism),
+        rates_(mechanism, plan.layout(), plan.filter.dt),
         plan_(plan),
+        half_window_(plan.filter.half_window()),
         shares_(shares),
-        window_(plan.layout().channels(), 2 * plan.half_window + 1),
+        window_(plan.layout().channels(), 2 * half_window_ + 1),
         sample_(plan.layout().channels()) {
-    if (plan.band > 0) filter_.emplace(plan);
+    if (plan.filter.band > 0) filter_.emplace(plan);
   }
 
   StreamCount run(const MotionSink& sink) {
     for (long line = 0;; ++line) {
       if (!skip_to_needed(line) || !reader_.next(sample_.data())) {
         shares_.end_log(line);
+        if (!diagnostics_.has_errors()) rates_.finish(first_, diagnostics_);
         return count_;
       }
+      if (first_.line == 0) first_ = reader_.place();
       if (positions_.is_odd(sample_.data()) && !positions_.accepts(sample_.data(), reader_.place(), diagnostics_)) {
         return count_;
       }
+      rates_.add(
+          sample_.data(), [this] { return reader_.place(); }, diagnostics_);
       if (shares_.owns(line)) ++count_.lines;
       const bool complete = !filter_ || window_is_full();
-      const long centre = line - plan_.half_window;
-      if (!complete || !shares_.owns(centre) || centre % plan_.decimate != 0) continue;
+      const long centre = line - half_window_;
+      if (!complete || !shares_.owns(centre) || centre % plan_.filter.decimate != 0) continue;
       sink(filter_ ? filter_->motion(window_) : as_measured(plan_.layout(), sample_.data()));
       ++count_.used;
     }
@@ -145,15 +152,16 @@ class Stream {
  private:
   // Of the part, or in the filter's window about a line of it.
   bool is_needed(long line) {
-    return shares_.is_whole() || shares_.owns(line - plan_.half_window) || shares_.owns(line + plan_.half_window);
+    return shares_.is_whole() || shares_.owns(line - half_window_) || shares_.owns(line + half_window_);
   }
 
   // Over blocks of other parts. False at the end of the log.
   bool skip_to_needed(long& line) {
     while (!is_needed(line)) {
-      const long half = plan_.half_window, next = ((line + half) / kBlock + 1) * kBlock - half;
+      const long half = half_window_, next = ((line + half) / kBlock + 1) * kBlock - half;
       line += reader_.skip(next - line);
       window_.clear();
+      rates_.restart();
       contiguous_ = false;
       if (line < next) return false;
     }
@@ -163,7 +171,8 @@ class Stream {
   // With the new sample, which a gap in time parts from those before it.
   bool window_is_full() {
     const double time = sample_[LogLayout::time()];
-    if (contiguous_ && std::abs(time - last_time_ - plan_.dt) > plan_.dt / 2) {
+    const double dt = plan_.filter.dt;
+    if (contiguous_ && std::abs(time - last_time_ - dt) > dt / 2) {
       window_.clear();
       ++count_.gaps;
     }
@@ -176,12 +185,15 @@ class Stream {
   LogReader reader_;
   Diagnostics& diagnostics_;
   PositionCheck positions_;
+  RateCheck rates_;
   const StreamPlan& plan_;
+  int half_window_;
   BlockShares& shares_;
   Window window_;
   std::optional<MotionFilter> filter_;
   Eigen::VectorXd sample_;
   StreamCount count_;
+  Place first_;  // of the samples that are read
   double last_time_ = 0;
   bool contiguous_ = false;
 };

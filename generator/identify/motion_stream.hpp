@@ -3,6 +3,7 @@
 // what it has; then every signal passes the same zero-phase low-pass filter, and every N-th sample is used.
 #pragma once
 
+#include <compare>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -32,19 +33,28 @@ struct StreamOptions {
   int part = 1, parts = 1;
 };
 
-// How a log is read, decided from its heading and its first lines.
-struct StreamPlan {
-  LogHeading heading;
-  double dt = 0;        // s, median
-  double jitter = 0;    // standard deviation of the time between samples, over dt
-  double band = 0;      // Hz; 0: no filter
-  int half_window = 0;  // samples that the filter loses at either end
-  int decimate = 1;
+// From samples as they were logged to those that are used.
+struct SampleFilter {
+  double dt = 0;     // s from sample to sample of the log, median
+  double band = 0;   // Hz; 0: no filter
+  int decimate = 1;  // every so many-th sample is used
 
-  const LogLayout& layout() const { return heading.layout; }
+  // Samples that are lost at either end.
+  int half_window() const;
   // What is left of white noise after the filter is not quite white: so many samples that are used tell as much as one
   // of white noise of the same size. At least 1.
   double correlation() const;
+
+  auto operator<=>(const SampleFilter&) const = default;
+};
+
+// How a log is read, decided from its heading and its first lines.
+struct StreamPlan {
+  LogHeading heading;
+  double jitter = 0;  // standard deviation of the time between samples, over dt
+  SampleFilter filter;
+
+  const LogLayout& layout() const { return heading.layout; }
 };
 
 // What was read. Samples of other parts do not count.
@@ -52,14 +62,14 @@ struct StreamCount {
   long lines = 0, used = 0, gaps = 0;
 };
 
-// Reads the first lines. Wrong units are told by q against the joint limits, by speeds that no robot has, by q̇ and q̈
-// against the change of q, and by the time between samples; time that is not even, where derivatives are needed, is a
-// warning.
+// Reads the first lines. What they tell of wrong units for certain is an error: positions far outside the joint limits,
+// q̇ and q̈ that are degrees. The time between samples, where it is uneven or long, is a warning.
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics);
 
-// All samples of a part that are used, in order. A gap in time starts the filter anew. A position far outside the
-// limits is an error and the end.
+// All samples of a part that are used, in order. A gap in time starts the filter anew. Wrong units are told by q
+// against the joint limits, by speeds that no robot has, and by q̇ and q̈ against the change of q, over all samples that
+// are read: errors, or warnings where they may be right. A position far outside the limits is the end.
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
                    BlockShares& shares, const MotionSink& sink, Diagnostics& diagnostics);
 // All samples of the log.

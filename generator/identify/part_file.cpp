@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kKind = "part of an identification";
 // Of the file's contents: one more whenever they, or what they mean, change.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 ordered_json numbers(const Eigen::MatrixXd& upper) {
   ordered_json list = ordered_json::array();
@@ -43,21 +43,32 @@ ordered_json settings(const StreamOptions& options) {
   return json;
 }
 
-// In the order of their names: a shell on another machine may give them in another one.
 ordered_json logs_of(const Measurement& measurement) {
-  std::vector<ordered_json> logs;
-  for (const LogIdentity& log : measurement.logs) {
-    logs.push_back({{"name", log.name}, {"bytes", log.bytes}, {"beginning", log.beginning}});
+  ordered_json logs = ordered_json::array();
+  for (const auto& [identity, filter] : measurement.logs) {
+    logs.push_back({{"name", identity.name},
+                    {"bytes", identity.bytes},
+                    {"beginning", identity.beginning},
+                    {"dt", filter.dt},
+                    {"filter_band", filter.band},
+                    {"decimation", filter.decimate}});
   }
-  std::sort(logs.begin(), logs.end());
+  return logs;
+}
+
+std::vector<MeasuredLog> logs_from(const ordered_json& json) {
+  std::vector<MeasuredLog> logs;
+  for (const ordered_json& log : json) {
+    logs.push_back({{log.at("name"), log.at("bytes"), log.at("beginning")},
+                    {log.at("dt"), log.at("filter_band"), log.at("decimation")}});
+  }
   return logs;
 }
 
 struct Part {
   std::filesystem::path file;
   int part = 0, parts = 0;
-  ordered_json settings, logs;
-  std::string log_names;
+  ordered_json settings;
   Measurement measurement;
 };
 
@@ -71,13 +82,11 @@ Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
         {model.columns_of(i), upper_triangle(joint.at("R"), size), joint.at("rows").get<long>()});
   }
   for (const ordered_json& sample : json.at("samples")) {
-    result.samples.push_back({sample.at(0), sample.at(1), sample.at(2), sample.at(3), sample.at(4)});
+    result.samples.push_back({sample.at(0), sample.at(1), sample.at(2), sample.at(3), sample.at(4), sample.at(5)});
   }
   result.count = {json.at("lines"), json.at("used"), json.at("gaps")};
-  result.plan.dt = json.at("dt");
-  result.plan.band = json.at("filter_band");
-  result.plan.decimate = json.at("decimation");
-  result.observations.correlation = result.plan.correlation();
+  result.observations.correlation = json.at("correlation");
+  result.logs = logs_from(json.at("logs"));
   return result;
 }
 
@@ -100,12 +109,12 @@ long whole_number(const ordered_json& json, long most) {
   return static_cast<long>(value);
 }
 
-std::string names_of(const ordered_json& logs) {
+std::string names_of(const std::vector<MeasuredLog>& logs) {
   constexpr std::size_t kMost = 5;
   std::vector<std::string> names;
-  for (const ordered_json& log : logs) {
+  for (const MeasuredLog& log : logs) {
     if (names.size() == kMost) return fmt::format("{}, ...", fmt::join(names, ", "));
-    names.push_back(fmt::format("{} ({} bytes)", log.value("name", ""), log.value("bytes", std::uintmax_t{0})));
+    names.push_back(fmt::format("{} ({} bytes)", log.identity.name, log.identity.bytes));
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -131,12 +140,7 @@ std::optional<Part> read_part(const std::filesystem::path& file, const TorqueMod
     }
     const long parts = whole_number(json.at("settings").at("parts"), kMostParts);
     const long part = whole_number(json.at("part"), parts);
-    return Part{file,
-                static_cast<int>(part),
-                static_cast<int>(parts),
-                json.at("settings"),
-                json.at("logs"),
-                names_of(json.at("logs")),
+    return Part{file, static_cast<int>(part), static_cast<int>(parts), json.at("settings"),
                 measurement_of(json, model)};
   } catch (const std::exception&) {
     diagnostics.error(place, "this is no part of an identification, or it is not whole",
@@ -153,10 +157,10 @@ void check_complete(const std::vector<Part>& parts, Diagnostics& diagnostics) {
     if (part.settings != first.settings) {
       diagnostics.error(place, fmt::format("made with other options than {}", first.file.string()),
                         "the same N, --band and --decimate for all parts");
-    } else if (part.logs != first.logs) {
+    } else if (part.measurement.logs != first.measurement.logs) {
       diagnostics.error(place,
                         fmt::format("made from other logs than {}: {} instead of {}", first.file.string(),
-                                    part.log_names, first.log_names),
+                                    names_of(part.measurement.logs), names_of(first.measurement.logs)),
                         "the same logs for all parts");
     } else if (const auto [at, is_new] = seen.emplace(part.part, &part); !is_new) {
       diagnostics.error(place, fmt::format("part {} is there twice, also as {}", part.part, at->second->file.string()));
@@ -188,15 +192,13 @@ std::string part_text(const Measurement& measurement, const TorqueModel& model, 
                        {"lines", measurement.count.lines},
                        {"used", measurement.count.used},
                        {"gaps", measurement.count.gaps},
-                       {"dt", measurement.plan.dt},
-                       {"filter_band", measurement.plan.band},
-                       {"decimation", measurement.plan.decimate}};
+                       {"correlation", measurement.observations.correlation}};
   for (const JointObservations& joint : measurement.observations.joints) {
     json["joints"].push_back({{"rows", joint.rows}, {"R", numbers(joint.R)}});
   }
   json["samples"] = ordered_json::array();
   for (const MotionSample& sample : measurement.samples) {
-    json["samples"].push_back({sample.time, sample.q, sample.qd, sample.qdd, sample.tau});
+    json["samples"].push_back({sample.log, sample.time, sample.q, sample.qd, sample.qdd, sample.tau});
   }
   return json.dump() + "\n";
 }

@@ -163,6 +163,7 @@ PhysicalParameters nearest(std::vector<LinkShape> links, const std::vector<Carri
   result.pi.assign(bodies.begin(), bodies.end());
   for (const CarriedRotor& rotor : rotors) rotor.add_to(result.pi.data());
   const Eigen::Map<const VectorXd> pi(result.pi.data(), static_cast<Index>(result.pi.size()));
+  result.pi_b = K * pi;
   if (root.rows() > 0) result.largest_misfit = (whitened * pi - whitened_target).cwiseAbs().maxCoeff();
   result.divergence = search.divergence();
   return result;

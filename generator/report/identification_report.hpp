@@ -19,6 +19,9 @@ struct Identification {
   PhysicalParameters physical;
 };
 
+// What can hardly be right, and what may be the reason; a sentence each.
+std::vector<std::string> doubts_about(const TorqueModel& model, const Identification& found);
+
 std::string describe_identification(const TorqueModel& model, const Identification& found);
 nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found);
 

@@ -58,9 +58,16 @@ std::string describe_payload(const Model& robot, const PayloadEstimate& payload)
 }
 
 nlohmann::ordered_json payload_json(const Model& robot, const PayloadEstimate& payload) {
-  return {{"link", robot.mechanism.tip.link},   {"parameters", kNames},
-          {"values", list(payload.values)},     {"standard_deviations", list(payload.standard_deviations)},
-          {"nearest_body", list(payload.body)}, {"largest_misfit", payload.largest_misfit}};
+  nlohmann::ordered_json json = {{"link", robot.mechanism.tip.link}};
+  for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
+    json["parameters"].push_back({{"name", kNames[k]},
+                                  {"unit", kUnits[k]},
+                                  {"value", payload.values(k)},
+                                  {"standard_deviation", payload.standard_deviations(k)},
+                                  {"nearest_body", payload.body(k)}});
+  }
+  json["largest_misfit"] = payload.largest_misfit;
+  return json;
 }
 
 std::string payload_robot_text(const Model& robot, const PayloadEstimate& payload, const std::filesystem::path& file,

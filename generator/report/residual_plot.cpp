@@ -1,26 +1,69 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/residual_plot.hpp"
 
+#include <limits>
+
 namespace flatdyn {
+namespace {
+
+// Where the samples are drawn: their times; of several logs, one log behind the other, with a gap between them.
+std::vector<double> places_of(const std::vector<MotionSample>& samples, bool is_one_log) {
+  constexpr double kGap = 0.02;  // of all time
+  double total = 0;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    if (samples[k].log == samples[k - 1].log) total += samples[k].time - samples[k - 1].time;
+  }
+  std::vector<double> places;
+  double shift = is_one_log ? 0 : -samples.front().time;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const bool is_next_log = k > 0 && samples[k].log != samples[k - 1].log;
+    if (is_next_log) shift = places.back() + kGap * total - samples[k].time;
+    places.push_back(samples[k].time + shift);
+  }
+  return places;
+}
+
+void add(Series& series, double x, double y, bool is_new) {
+  constexpr double kBreak = std::numeric_limits<double>::quiet_NaN();
+  for (std::vector<double>* numbers : {&series.x, &series.y}) {
+    if (is_new) numbers->push_back(kBreak);
+  }
+  series.x.push_back(x);
+  series.y.push_back(y);
+}
+
+// Half a row: what is drawn of a joint.
+Panel half_panel(const Body& body, const std::string& what) {
+  Panel panel{body.joint + ": " + what, "", body.prismatic ? "N" : "N m", {{what, {}, {}}}};
+  panel.is_half = true;
+  return panel;
+}
+
+}  // namespace
 
 std::string residual_plot(const TorqueModel& model, const Identification& found, PictureFormat format) {
   const int n = model.joints(), b = model.parameters();
+  const std::vector<MotionSample>& samples = found.measurement.samples;
+  const bool is_one_log = samples.front().log == samples.back().log;
   std::vector<Panel> panels;
   for (const Body& body : model.mechanism().joints()) {
-    panels.push_back(
-        {body.joint, "", body.prismatic ? "tau in N" : "tau in N m", {{"measured", {}, {}}, {"residual", {}, {}}}});
+    panels.push_back(half_panel(body, "torque"));
+    panels.push_back(half_panel(body, "residual"));
   }
-  panels.back().x_label = "t in s";
+  for (std::size_t k = panels.size() - 2; k < panels.size(); ++k) {
+    panels[k].x_label = is_one_log ? "t in s" : "t in s, one log behind the other";
+  }
+  const std::vector<double> places = places_of(samples, is_one_log);
   std::vector<double> y(static_cast<std::size_t>(n * b));
-  for (const MotionSample& sample : found.measurement.samples) {
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const MotionSample& sample = samples[k];
+    const bool is_new = k > 0 && sample.log != samples[k - 1].log;
     model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
     for (int i = 0; i < n; ++i) {
+      const auto at = static_cast<std::size_t>(i);
       const Eigen::Map<const Eigen::VectorXd> row(y.data() + i * b, b);
-      const double measured = sample.tau[static_cast<std::size_t>(i)];
-      std::vector<Series>& series = panels[static_cast<std::size_t>(i)].series;
-      for (Series& each : series) each.x.push_back(sample.time);
-      series[0].y.push_back(measured);
-      series[1].y.push_back(measured - row.dot(found.estimate.values));
+      add(panels[2 * at].series.front(), places[k], sample.tau[at], is_new);
+      add(panels[2 * at + 1].series.front(), places[k], sample.tau[at] - row.dot(found.estimate.values), is_new);
     }
   }
   return plot("Torques and residuals of " + model.mechanism().name, panels, format);

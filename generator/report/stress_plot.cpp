@@ -19,7 +19,7 @@ Series unit_line(const std::vector<Series>& clouds) {
   return {"one unit of the terms", {1, largest}, {1, largest}, SeriesKind::guide};
 }
 
-bool has_place(const RoundingError& point) {
+bool is_drawable(const RoundingError& point) {
   return std::isfinite(point.condition) && std::isfinite(point.relative) && point.relative > 0;
 }
 
@@ -34,7 +34,7 @@ Panel condition_panel(const StressReport& report, const std::string& scalar) {
     if (row.scalar != scalar) continue;
     Series series{row.function, {}, {}};
     for (const RoundingError& point : row.points) {
-      if (!has_place(point)) continue;
+      if (!is_drawable(point)) continue;
       series.x.push_back(point.condition);
       series.y.push_back(point.relative);
     }
@@ -56,7 +56,7 @@ std::vector<std::string> scalars_of(const StressReport& report) {
 
 bool has_errors(const StressReport& report, const std::string& scalar) {
   return std::any_of(report.rows.begin(), report.rows.end(), [&](const StressRow& row) {
-    return row.scalar == scalar && std::any_of(row.points.begin(), row.points.end(), has_place);
+    return row.scalar == scalar && std::any_of(row.points.begin(), row.points.end(), is_drawable);
   });
 }
 

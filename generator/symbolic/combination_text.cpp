@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -35,7 +36,9 @@ std::string exact_text(const Number& magnitude) {
 
 std::string number_text(const Number& magnitude, int digits) {
   if (digits == kExact && is_rational(magnitude)) return exact_text(magnitude);
-  return fmt::format("{:.{}g}", nearest_double(magnitude), digits);
+  const double number = nearest_double(magnitude);
+  if (digits >= std::numeric_limits<double>::max_digits10) return fmt::format("{}", number);  // the shortest of these
+  return fmt::format("{:.{}g}", number, digits);
 }
 
 // A summand, its sign apart.

@@ -22,7 +22,7 @@ TEST(LeastSquares, RecoversEveryBaseParameterFromNoiseFreeMotion) {
 TEST(LeastSquares, JointByJointFindsTheSameWithoutNoise) {
   const Arm arm("puma560.toml");
   const Observations observations = arm.observed(simulated(arm.robot, {.samples = 600}));
-  const VectorXd found = estimate_joint_by_joint(observations);
+  const VectorXd found = estimate_joint_by_joint(observations, VectorXd::Zero(observations.parameters));
   EXPECT_LT((found - arm.truth()).norm(), 1e-9 * arm.truth().norm());
 }
 
@@ -79,6 +79,54 @@ TEST(LeastSquares, WhatTheMotionDoesNotTellStaysAtThePrior) {
   for (std::size_t i = 0; i < observations.joints.size(); ++i) {
     EXPECT_LT(observations.joints[i].rms_residual(found.values), 1e-6) << i;
   }
+}
+
+// Encoders of joints that are held are never quite still, so that no singular value is zero: it is the noise of the
+// torques that hides their columns.
+TEST(LeastSquares, WhatNoiseHidesStaysNearThePrior) {
+  const Arm arm("ur5.urdf");
+  auto samples = simulated(arm.robot, {.samples = 2000, .noise = 1, .moving = false});
+  testing::Uniform draw(5);
+  for (testing::SimulatedSample& sample : samples) {
+    for (VectorXd* each : {&sample.q, &sample.qd, &sample.qdd}) {
+      for (double& number : *each) number += 1e-5 * draw.normal();
+    }
+  }
+  const VectorXd prior = 1.5 * arm.truth();
+  const double largest = prior.cwiseAbs().maxCoeff();
+  const Estimate found = estimate(arm.observed(samples), prior);
+  EXPECT_TRUE(found.damped.empty());
+  ASSERT_FALSE(found.hidden.empty());
+  EXPECT_LT((found.values - arm.truth()).cwiseAbs().maxCoeff(), 10 * largest);
+  const Estimate without_sizes = estimate(arm.observed(samples), VectorXd::Zero(prior.size()));
+  EXPECT_GT(without_sizes.values.cwiseAbs().maxCoeff(), 100 * largest);
+  for (Eigen::Index k = 0; k < prior.size(); ++k) {
+    if (std::isinf(found.standard_deviations(k))) continue;
+    EXPECT_NEAR(found.values(k), arm.truth()(k), 6 * found.standard_deviations(k)) << k;
+  }
+  for (const JointObservations& joint : arm.observed(samples).joints) {
+    EXPECT_NEAR(joint.rms_residual(found.values), 1, 0.1);
+  }
+}
+
+// A file whose sizes are far too small is no reason to take what the motion tells for noise.
+TEST(LeastSquares, WhatTheMotionTellsDoesNotStayAtAFileOfOtherSizes) {
+  const Arm arm("planar_2r_example_7_2.toml");
+  const Observations observations = arm.observed(simulated(arm.robot, {.samples = 400, .noise = 50}));
+  const VectorXd prior = 1e-6 * arm.truth();
+  const Estimate small = estimate(observations, prior), right = estimate(observations, arm.truth());
+  for (Eigen::Index k = 0; k < prior.size(); ++k) {
+    const double deviation = right.standard_deviations(k);
+    if (std::abs(arm.truth()(k)) < 20 * deviation) continue;
+    EXPECT_NEAR(small.values(k), right.values(k), deviation) << k;
+  }
+}
+
+TEST(LeastSquares, JointByJointWhatTheMotionDoesNotTellStaysAtThePrior) {
+  const Arm arm("puma560.toml");
+  const Observations observations = arm.observed(simulated(arm.robot, {.samples = 500, .moving = false}));
+  const VectorXd found = estimate_joint_by_joint(observations, arm.truth());
+  EXPECT_LT((found - arm.truth()).norm(), 1e-6 * arm.truth().norm());
 }
 
 TEST(LeastSquares, OfARobotThatStandsStillNothingBlowsUp) {

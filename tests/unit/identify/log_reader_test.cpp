@@ -43,6 +43,13 @@ class LogTest : public ::testing::Test {
     return samples;
   }
 
+  void read_all() {
+    const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
+    ASSERT_TRUE(found.all().empty());
+    stream(
+        file, planar_arm(), plan, [](const MeasuredMotion&) {}, found);
+  }
+
   // The only error, as "line: message".
   std::string error() const {
     for (const Diagnostic& each : found.all()) {
@@ -191,10 +198,33 @@ std::string motion_log(int samples, double step, const std::function<double(doub
 
 TEST_F(LogTest, DegreesOfAJointWithoutLimitsAreAWarning) {
   write(motion_log(200, 0.01, [](double t) { return 150 * std::sin(t); }));
-  plan_stream(file, planar_arm(), {}, found);
+  read_all();
+  ASSERT_EQ(found.all().size(), 2u);
+  for (const Diagnostic& each : found.all()) {
+    EXPECT_EQ(each.severity, Severity::warning);
+    EXPECT_THAT(each.hint, HasSubstr("q1 [deg]"));
+  }
+}
+
+// Long after the lines that the plan is made from.
+TEST_F(LogTest, AnAngleThatJumpsIsFoundWhereverItIs) {
+  write(motion_log(20000, 0.01, [](double t) { return std::sin(t) + (t < 150 ? 0 : 2 * std::numbers::pi); }));
+  read_all();
   ASSERT_EQ(found.all().size(), 1u);
   EXPECT_EQ(found.all()[0].severity, Severity::warning);
-  EXPECT_THAT(found.all()[0].hint, HasSubstr("q1 [deg]"));
+  EXPECT_EQ(found.all()[0].place.line, 15002);
+  EXPECT_THAT(found.all()[0].hint, HasSubstr("must not jump by whole turns"));
+}
+
+TEST_F(LogTest, RatesInDegreesAreNoticedOfARobotThatStandsStillForLong) {
+  std::string text = "t,q1,q2,tau1,tau2,qd1,qd2\n";
+  for (int k = 0; k < 12000; ++k) {
+    const double t = std::max(0.0, 0.01 * (k - 10000));
+    text += fmt::format("{},{},0,0,0,{},0\n", 0.01 * k, std::sin(3 * t), t > 0 ? 172 * std::cos(3 * t) : 0);
+  }
+  write(text);
+  read_all();
+  EXPECT_EQ(error(), "2: qd1 is not the rate of change of q1: q1 changes 0.0174 times as fast");
 }
 
 TEST_F(LogTest, ManyTurnsAreAWarningOnce) {

@@ -71,7 +71,7 @@ TEST_F(MeasurementTest, WithAllDerivativesTheRowsAreExact) {
   const Measurement measurement = measured({log(simulated(arm(), {.samples = 3000}))});
   EXPECT_TRUE(found.all().empty());
   EXPECT_EQ(measurement.count.used, 3000);
-  EXPECT_EQ(measurement.plan.band, 0);
+  EXPECT_EQ(measurement.logs.at(0).filter.band, 0);
   EXPECT_LT(relative_residual(measurement), 1e-14);
 }
 
@@ -79,10 +79,11 @@ TEST_F(MeasurementTest, DerivativesThatAreMissingComeFromTheFilter) {
   const auto samples = simulated(arm(), {.samples = 5000, .rate = 500, .fundamental = 0.3});
   for (const LogDerivatives derivatives : {LogDerivatives::none, LogDerivatives::rates}) {
     const Measurement measurement = measured({log(samples, derivatives)});
-    EXPECT_EQ(measurement.plan.band, 10);
-    EXPECT_EQ(measurement.plan.decimate, 16);
+    const SampleFilter& filter = measurement.logs.at(0).filter;
+    EXPECT_EQ(filter.band, 10);
+    EXPECT_EQ(filter.decimate, 16);
     EXPECT_EQ(measurement.count.lines, 5000);
-    EXPECT_NEAR(static_cast<double>(measurement.count.used), (5000 - 2 * measurement.plan.half_window) / 16, 1);
+    EXPECT_NEAR(static_cast<double>(measurement.count.used), (5000 - 2 * filter.half_window()) / 16, 1);
     EXPECT_LT(relative_residual(measurement), 3e-4);
   }
 }
@@ -174,6 +175,49 @@ TEST_F(PartsTest, MakeUpTheWhole) {
   EXPECT_LE(merged.samples.size(), ThinnedSamples::kMost);
 }
 
+// What is filtered has correlated noise, whichever log comes first, and whichever part has it.
+TEST_F(PartsTest, OfLogsThatAreFilteredAndThatAreNotMakeUpTheWhole) {
+  const std::vector<std::filesystem::path> logs = {
+      log(simulated(arm(), {.samples = 3000, .rate = 1000, .noise = 1})),
+      log(simulated(arm(), {.samples = 5000, .rate = 1000, .noise = 1, .seed = 2}), LogDerivatives::none)};
+  const Measurement whole = measured(logs);
+  std::vector<std::filesystem::path> files;
+  for (int k = 1; k <= kParts; ++k) files.push_back(part_of(logs, k));
+  const Measurement merged = merge_parts(files, torque_model(), found);
+  ASSERT_FALSE(found.has_errors());
+  EXPECT_GT(whole.observations.correlation, 1);
+  EXPECT_EQ(merged.observations.correlation, whole.observations.correlation);
+  EXPECT_EQ(merged.filters().size(), 2u);
+  EXPECT_EQ(merged.logs, whole.logs);
+  const Estimate a = estimate(merged.observations, truth()), b = estimate(whole.observations, truth());
+  EXPECT_LT((a.standard_deviations - b.standard_deviations).norm(), 1e-9 * b.standard_deviations.norm());
+}
+
+// Times of several logs may be the same: both are drawn, each by itself.
+TEST_F(PartsTest, HaveSamplesOfAllLogs) {
+  std::vector<std::filesystem::path> logs, files;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    logs.push_back(log(simulated(arm(), {.samples = 600, .rate = 1000, .seed = seed})));
+  }
+  for (int k = 1; k <= kParts; ++k) files.push_back(part_of(logs, k));
+  const Measurement merged = merge_parts(files, torque_model(), found);
+  ASSERT_FALSE(found.has_errors());
+  std::vector<int> of_log(logs.size(), 0);
+  for (const MotionSample& sample : merged.samples) ++of_log.at(static_cast<std::size_t>(sample.log));
+  for (const int count : of_log) EXPECT_GT(count, 20);
+  EXPECT_TRUE(std::is_sorted(merged.samples.begin(), merged.samples.end(),
+                             [](const MotionSample& a, const MotionSample& b) { return a.log < b.log; }));
+}
+
+TEST_F(MeasurementTest, TheSameLogTwiceIsRefused) {
+  const auto path = log(simulated(arm(), {.samples = 50}));
+  std::filesystem::create_directories(folder / "copy");
+  std::filesystem::copy(path, folder / "copy");
+  measured({path, folder / "copy" / path.filename()});
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("the same log as"));
+}
+
 // Every process may be given them in another order.
 TEST_F(PartsTest, OfManyShortLogsHaveTheirShareEach) {
   std::vector<std::filesystem::path> logs;
@@ -253,9 +297,9 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
 
 TEST_F(PartsTest, OfAnotherVersionAreRefused) {
   const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), torque_model(), {});
-  const std::string version = "\"version\":1,";
+  const std::string version = "\"version\":2,";
   ASSERT_NE(text.find(version), std::string::npos);
-  for (const std::string other : {"", "\"version\":2,", "\"version\":\"1\","}) {
+  for (const std::string other : {"", "\"version\":3,", "\"version\":\"2\","}) {
     found = {};
     std::ofstream(folder / "part.json") << std::string(text).replace(text.find(version), version.size(), other);
     merge_parts({folder / "part.json"}, torque_model(), found);

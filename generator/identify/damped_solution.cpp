@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/damped_solution.hpp"
+
+#include <cmath>
+
+#include "identify/singular_values.hpp"
+
+namespace flatdyn {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double damping) {
+  constexpr double kRounding = 1e-6;
+  const Index b = prior.size();
+  const MatrixXd A = factor.topLeftCorner(b, b);
+  VectorXd scale = A.colwise().norm();
+  scale = (scale.array() > 0).select(scale, 1);
+  const SingularValues svd = singular_values(A * scale.cwiseInverse().asDiagonal());
+  const double smallest = damping * svd.s(0);
+  VectorXd inverse(b);
+  VectorXd parts = VectorXd::Zero(b);  // how much of each parameter lies in damped directions
+  Solution solution;
+  for (Index k = 0; k < b; ++k) {
+    const double s = svd.s(k);
+    inverse(k) = s > smallest ? 1 / s : s / (s * s + smallest * smallest);
+    if (s > smallest) continue;
+    if (smallest == 0) inverse(k) = 0;
+    solution.damped.push_back({s / svd.s(0), svd.V.col(k)});
+    parts += svd.V.col(k).cwiseAbs();
+  }
+  const Index known = b - static_cast<Index>(solution.damped.size());
+  for (const double part : parts) solution.told.push_back(part < kRounding);
+  solution.singular_values = svd.s;
+  solution.root_information = svd.s.head(known).asDiagonal() * svd.V.leftCols(known).transpose() * scale.asDiagonal();
+  const MatrixXd spread = scale.cwiseInverse().asDiagonal() * svd.V * inverse.asDiagonal();
+  const VectorXd misfit = factor.topRightCorner(b, 1) - A * prior;
+  const VectorXd coordinates = svd.U.transpose() * misfit;
+  solution.values = prior + spread * coordinates;
+  solution.spread = spread.leftCols(known);
+  solution.coordinates = coordinates.head(known);
+  return solution;
+}
+
+// By the covariance's own directions. A hidden one keeps the variance that is left with the prior's.
+void hide_noise(Solution& solution, double noise, double plausible) {
+  constexpr double kClearly = 5;  // standard deviations
+  constexpr double kMuch = 0.1;   // of the plausible size
+  if (solution.coordinates.size() == 0) return;
+  const SingularValues svd = singular_values_of_tall(solution.spread);
+  const VectorXd coordinates = svd.V.transpose() * solution.coordinates;
+  MatrixXd directions = solution.spread * svd.V;  // each as long as its standard deviation
+  std::vector<Index> known, hidden;
+  for (Index k = 0; k < coordinates.size(); ++k) {
+    auto direction = directions.col(k);
+    const double deviation = noise * direction.norm();
+    const bool is_hidden = deviation > plausible && std::abs(coordinates(k)) < kClearly * noise;
+    (is_hidden ? hidden : known).push_back(k);
+    if (!is_hidden) continue;
+    solution.hidden.push_back({deviation, direction.normalized()});
+    const double share = 1 / (1 + std::pow(deviation / plausible, 2));
+    solution.values -= (1 - share) * coordinates(k) * direction;
+    direction *= std::sqrt(share);
+  }
+  if (hidden.empty()) return;
+  solution.root_information = (svd.V.transpose() * solution.root_information)(known, Eigen::all).eval();
+  solution.spread = directions;
+  const VectorXd left = noise * directions(Eigen::all, hidden).rowwise().norm();
+  for (Index k = 0; k < left.size(); ++k) {
+    if (left(k) > kMuch * plausible) solution.told[static_cast<std::size_t>(k)] = false;
+  }
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/rate_check.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace flatdyn {
+
+RateCheck::RateCheck(const Mechanism& mechanism, const LogLayout& layout, double dt)
+    : dt_(dt), last_(static_cast<std::size_t>(layout.channels())) {
+  for (int i = 0; i < mechanism.position_count(); ++i) {
+    if (!mechanism.joint_at(i).prismatic) angles_.push_back(LogLayout::q() + i);
+  }
+  if (!layout.has_rates) return;
+  for (int i = 0; i < mechanism.size(); ++i) {
+    pairs_.push_back({LogLayout::q() + mechanism.position_of(i), layout.qd() + i, i, "q", "qd"});
+    if (layout.has_accelerations) pairs_.push_back({layout.qd() + i, layout.qdd() + i, i, "qd", "qdd"});
+  }
+}
+
+void RateCheck::finish(const Place& place, Diagnostics& diagnostics) const {
+  for (const RatePair& pair : pairs_) pair.finish(place, diagnostics);
+}
+
+// Slope of the differences of one channel over the mean of the other: 1 if that is its derivative.
+void RateCheck::RatePair::finish(const Place& place, Diagnostics& diagnostics) const {
+  constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
+  if (squares == 0) return;
+  const double slope = products / squares;
+  const auto near = [slope](double value) { return slope > value / 2 && slope < value * 2; };
+  const std::string what =
+      fmt::format("{0}{1} is not the rate of change of {2}{1}: {2}{1} changes {3:.3g} times as fast", rate_name,
+                  joint + 1, name, slope);
+  const auto in_degrees = [&](const char* column) {
+    return fmt::format("is {}{} in degrees? Write its unit into the heading", column, joint + 1);
+  };
+  if (near(kDegreesPerRadian)) {
+    diagnostics.error(place, what, in_degrees(name));
+  } else if (near(1 / kDegreesPerRadian)) {
+    diagnostics.error(place, what, in_degrees(rate_name));
+  } else if (!near(1)) {
+    diagnostics.warning(place, what, "check units, signs and delays of the columns");
+  }
+}
+
+void RateCheck::complain_about_jump(int channel, const double* channels, const Place& place,
+                                    Diagnostics& diagnostics) const {
+  const auto q = static_cast<std::size_t>(channel);
+  const std::size_t number = q - static_cast<std::size_t>(LogLayout::q()) + 1;
+  diagnostics.warning(
+      place,
+      fmt::format("q{} changes by {:.3g} rad in {:.3g} s", number, channels[q] - last_[q], channels[0] - last_[0]),
+      fmt::format("are these degrees? Then write the column's heading as q{} [deg]; and an angle must not jump by "
+                  "whole turns",
+                  number));
+}
+
+}  // namespace flatdyn

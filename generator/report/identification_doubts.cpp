@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "report/identification_report.hpp"
+
+namespace flatdyn {
+namespace {
+
+// A joint whose torque is hardly the model's, while that is no noise of a joint that barely moves. The weights give
+// such a joint up, so that the others say nothing of it.
+void doubt_joints(const TorqueModel& model, const Identification& found, std::vector<std::string>& doubts) {
+  constexpr double kHalf = 0.5, kNoise = 0.05;  // of the joint's torque, squared; of the largest torque
+  const std::vector<JointObservations>& joints = found.measurement.observations.joints;
+  double largest = 0;
+  for (const JointObservations& joint : joints) largest = std::max(largest, joint.rms_torque());
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const double torque = joints[i].rms_torque(), residual = joints[i].rms_residual(found.estimate.values);
+    if (residual * residual < kHalf * torque * torque || residual < kNoise * largest) continue;
+    doubts.push_back(fmt::format(
+        "joint \"{}\": the model leaves {:.3g} of {:.3g} {} (rms); units, signs or delays of the log, or the robot's "
+        "geometry, can hardly be right",
+        model.mechanism().joints()[i].joint, residual, torque, model.mechanism().joints()[i].prismatic ? "N" : "N m"));
+  }
+}
+
+// Base parameters beyond all sizes: of wrong units, or of directions that are hardly told, but too well to be damped.
+void doubt_sizes(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& doubts) {
+  constexpr double kMuch = 100;
+  double largest = 0;
+  for (const double value : model.file_values()) largest = std::max(largest, std::abs(value));
+  std::vector<std::string> names;
+  for (int k = 0; k < model.parameters(); ++k) {
+    const bool is_odd = std::abs(estimate.values(k)) > kMuch * largest;
+    if (is_odd) names.push_back(parameter_name(model.base().columns[static_cast<std::size_t>(k)]));
+  }
+  if (names.empty() || largest == 0) return;
+  doubts.push_back(fmt::format(
+      "{}: more than {} times all that the robot file has, which can hardly be right: units of the log or of the file "
+      "are wrong, or the motion tells too little (--damping leaves more of it near the file's values)",
+      fmt::join(names, ", "), kMuch));
+}
+
+void doubt_links(const TorqueModel& model, const Identification& found, std::vector<std::string>& doubts) {
+  constexpr double kMuch = 10;     // standard deviations
+  constexpr double kLarger = 1.5;  // residuals
+  const PhysicalParameters& physical = found.physical;
+  if (physical.largest_misfit > kMuch) {
+    doubts.push_back(fmt::format(
+        "the nearest links are {:.2g} standard deviations from pi_b, more than noise of the torques explains: noise in "
+        "q, which no interval has in it, or motion, torques, units or geometry that cannot be right",
+        physical.largest_misfit));
+  }
+  if (!physical.converged) doubts.emplace_back("the search for the nearest links did not converge");
+  for (int i = 0; i < model.joints(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const JointObservations& joint = found.measurement.observations.joints[at];
+    const double residual = joint.rms_residual(found.estimate.values), of_links = joint.rms_residual(physical.pi_b);
+    const bool is_rounding = of_links < 1e-6 * joint.rms_torque();
+    if (of_links < kLarger * residual || is_rounding) continue;
+    doubts.push_back(fmt::format("joint \"{}\": the links leave {:.3g} {} (rms), where pi_b leaves {:.3g}",
+                                 model.mechanism().joints()[at].joint, of_links,
+                                 model.mechanism().joints()[at].prismatic ? "N" : "N m", residual));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> doubts_about(const TorqueModel& model, const Identification& found) {
+  std::vector<std::string> doubts;
+  doubt_joints(model, found, doubts);
+  doubt_sizes(model, found.estimate, doubts);
+  doubt_links(model, found, doubts);
+  return doubts;
+}
+
+}  // namespace flatdyn
