@@ -92,12 +92,13 @@ std::string turn_text(const PlanarRotation& turn, const NumberText& number) {
   return quarters == std::round(quarters) ? fmt::format("{:g} deg", 90 * quarters) : fmt::format("{:.6g} rad", angle);
 }
 
+// Links are numbered as in the names of parameters, m1, I1zz, ...: from 1 on.
 std::string describe_body(const Body& body, int i, const NumberText& number) {
   const InertialParameters& b = body.inertia;
   const auto turn = [&number](const PlanarRotation& rotation) { return turn_text(rotation, number); };
   std::string text =
-      fmt::format("body {} ({}), frame in its parent: p = {} m, Rz({}) Rx({}) Rz({}{})\n", i, body.link, number(body.p),
-                  turn(body.beta), turn(body.alpha), turn(body.theta), body.prismatic ? "" : " + q");
+      fmt::format("link {} ({}), frame in its parent: p = {} m, Rz({}) Rx({}) Rz({}{})\n", i + 1, body.link,
+                  number(body.p), turn(body.beta), turn(body.alpha), turn(body.theta), body.prismatic ? "" : " + q");
   text += fmt::format("  m = {} kg, m r = {} kg m\n", number(b.mass), number(b.first_moment));
   text += fmt::format("  I = xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2 about the origin\n",
                       number(b.inertia[0][0]), number(b.inertia[1][1]), number(b.inertia[2][2]),
@@ -107,7 +108,7 @@ std::string describe_body(const Body& body, int i, const NumberText& number) {
   if (body.rotor) {
     text += fmt::format("  rotor: k_r = {}, I_m = {} kg m^2, axis {} on {}\n", number(body.rotor->gear_ratio),
                         number(body.rotor->inertia), number(body.rotor->axis),
-                        body.rotor->carrier < 0 ? "the base" : fmt::format("body {}", body.rotor->carrier));
+                        body.rotor->carrier < 0 ? "the base" : fmt::format("link {}", body.rotor->carrier + 1));
   }
   return text;
 }

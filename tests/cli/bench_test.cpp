@@ -21,7 +21,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // Two skew joints, the second one prismatic; no rotors and no friction, as KDL wants it.
-constexpr const char* kArm = R"(<robot name="arm">
+constexpr const char* kArmText = R"(<robot name="arm">
   <link name="base"/>
   <link name="upper"><inertial><origin xyz="0.1 0.2 0.3"/><mass value="2"/>
     <inertia ixx="0.2" iyy="0.3" izz="0.25" ixy="0.01" ixz="0.02" iyz="0.03"/></inertial></link>
@@ -94,7 +94,7 @@ void expect_stages_of(const json& stages, std::size_t functions) {
 
 TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   const Scratch scratch;
-  scratch.write("arm.urdf", kArm);
+  scratch.write("arm.urdf", kArmText);
   const Outcome outcome = run_flatdyn(fmt::format(
       "bench {} -q --json --time 0.02 --states 20 --variants "
       "double,double-given,double-staged,float,"

@@ -16,13 +16,13 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* kArm = "excite robots/planar_2r_example_7_2.toml --evaluations 60 ";
+constexpr const char* kExcite = "excite robots/planar_2r_example_7_2.toml --evaluations 60 ";
 constexpr const char* kCsv = "planar_2r_example_7_2_excitation.csv";
 constexpr const char* kSvg = "planar_2r_example_7_2_excitation.svg";
 
 TEST(Excite, WritesTheMotionAndItsPlot) {
   const Scratch scratch;
-  const Outcome outcome = run_flatdyn(kArm + std::string("--duration 5 --rate 40 -o ") + scratch.path("new"));
+  const Outcome outcome = run_flatdyn(kExcite + std::string("--duration 5 --rate 40 -o ") + scratch.path("new"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* text : {"condition number", "theta_2", "most used", "the motion shows least", "wrote "}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));
@@ -37,7 +37,7 @@ TEST(Excite, WritesTheMotionAndItsPlot) {
 // The expected torques are those that the recursive reference needs for the motion.
 TEST(Excite, TorquesAreInverseDynamics) {
   const Scratch scratch;
-  ASSERT_EQ(run_flatdyn(kArm + std::string("-q --duration 5 --rate 20 -o ") + scratch.path()).code, 0);
+  ASSERT_EQ(run_flatdyn(kExcite + std::string("-q --duration 5 --rate 20 -o ") + scratch.path()).code, 0);
   const Outcome outcome =
       run_flatdyn("eval robots/planar_2r_example_7_2.toml -q --json --reference --function inverse_dynamics --states " +
                   scratch.path(kCsv));
@@ -53,7 +53,7 @@ TEST(Excite, TorquesAreInverseDynamics) {
 TEST(Excite, GivesTheSameBytesInEveryRun) {
   const Scratch scratch;
   for (const char* folder : {"a", "b"}) {
-    ASSERT_EQ(run_flatdyn(kArm + std::string("-q --duration 4 --rate 50 -o ") + scratch.path(folder)).code, 0);
+    ASSERT_EQ(run_flatdyn(kExcite + std::string("-q --duration 4 --rate 50 -o ") + scratch.path(folder)).code, 0);
   }
   for (const char* file : {kCsv, kSvg}) {
     EXPECT_EQ(scratch.read(fmt::format("a/{}", file)), scratch.read(fmt::format("b/{}", file)));
@@ -62,7 +62,7 @@ TEST(Excite, GivesTheSameBytesInEveryRun) {
 
 TEST(Excite, JsonHasTheNumbers) {
   const Scratch scratch;
-  const Outcome outcome = run_flatdyn(kArm + std::string("--json --rate 20 --margin 0.5 -o ") + scratch.path());
+  const Outcome outcome = run_flatdyn(kExcite + std::string("--json --rate 20 --margin 0.5 -o ") + scratch.path());
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json result = json::parse(outcome.out);
   EXPECT_GE(result["condition_number"]["scaled"], 1.0);
@@ -87,11 +87,11 @@ TEST(Excite, RefusesWhatItCannotDo) {
   const std::string folder = " -o " + scratch.path("out");
   for (const std::string option : {"--harmonics 0", "--margin 1.5", "--rate 0", "--duration -1", "--evaluations 0",
                                    "--parameters some", "--rate 1 --duration 5"}) {
-    EXPECT_EQ(run_flatdyn(kArm + option + folder).code, 2) << option;
+    EXPECT_EQ(run_flatdyn(kExcite + option + folder).code, 2) << option;
   }
-  EXPECT_EQ(run_flatdyn(kArm).code, 2);
+  EXPECT_EQ(run_flatdyn(kExcite).code, 2);
   EXPECT_EQ(run_flatdyn("excite robots/planar_2r.toml" + folder).code, 4);
-  EXPECT_EQ(run_flatdyn(kArm + std::string("-o /proc/nowhere")).code, 6);
+  EXPECT_EQ(run_flatdyn(kExcite + std::string("-o /proc/nowhere")).code, 6);
   EXPECT_TRUE(scratch.is_empty());
 }
 

@@ -15,12 +15,13 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr const char* kArm = "manipulability robots/planar_2r_example_7_2.toml -q --states ";
+constexpr const char* kManipulability = "manipulability robots/planar_2r_example_7_2.toml -q --states ";
 
 TEST(ManipulabilityCommand, WritesTableAndPicture) {
   const Scratch scratch;
-  const Outcome outcome = run_flatdyn(kArm + fmt::format("docs/examples/two_poses.csv --torque 500 -o {} --plot {}",
-                                                         scratch.path("m.csv"), scratch.path("m.svg")));
+  const Outcome outcome =
+      run_flatdyn(kManipulability + fmt::format("docs/examples/two_poses.csv --torque 500 -o {} --plot {}",
+                                                scratch.path("m.csv"), scratch.path("m.svg")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, StartsWith("pose  measure  half axes     centre x, y\n1     7.95611  4.411, 1.804  "));
   EXPECT_THAT(scratch.read("m.csv"),
@@ -30,7 +31,7 @@ TEST(ManipulabilityCommand, WritesTableAndPicture) {
 }
 
 TEST(ManipulabilityCommand, PrintsJson) {
-  const Outcome outcome = run_flatdyn(kArm + std::string("docs/examples/two_poses.csv --json"));
+  const Outcome outcome = run_flatdyn(kManipulability + std::string("docs/examples/two_poses.csv --json"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json document = json::parse(outcome.out);
   EXPECT_EQ(document["task"], (json{"x", "y"}));
@@ -65,9 +66,9 @@ TEST(ManipulabilityCommand, DrawsViewsAndPaths) {
 TEST(ManipulabilityCommand, MapsTheWorkspace) {
   const Scratch scratch;
   scratch.write("start.csv", "q1,q2\n0.5,1\n");
-  const Outcome outcome =
-      run_flatdyn(kArm + fmt::format("{} --map xy --spacing 0.2 --json -o {} --plot {}", scratch.path("start.csv"),
-                                     scratch.path("m.csv"), scratch.path("m.svg")));
+  const Outcome outcome = run_flatdyn(kManipulability + fmt::format("{} --map xy --spacing 0.2 --json -o {} --plot {}",
+                                                                    scratch.path("start.csv"), scratch.path("m.csv"),
+                                                                    scratch.path("m.svg")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json document = json::parse(outcome.out);
   EXPECT_NEAR(static_cast<double>(document["poses"].size()) * 0.04, 4 * 3.14159, 0.7);  // links of 1 m: a disk of 2 m
@@ -98,7 +99,7 @@ TEST(ManipulabilityCommand, DiagnosesBadInput) {
   scratch.write("empty.csv", "q1,q2\n");
   scratch.write("columns.csv", "q1,q\n0,0\n");
   scratch.write("infinite.csv", "q1,q2\n0,1\n0,nan\n");
-  const auto run = [&](const char* file) { return run_flatdyn(kArm + scratch.path(file)); };
+  const auto run = [&](const char* file) { return run_flatdyn(kManipulability + scratch.path(file)); };
   for (const auto& [file, message] :
        {std::pair{"empty.csv", "empty.csv: error: there is no row"},
         std::pair{"columns.csv", "columns.csv:1: error: there is no column q2 or q_theta_2"},
@@ -108,7 +109,7 @@ TEST(ManipulabilityCommand, DiagnosesBadInput) {
     EXPECT_THAT(outcome.err, HasSubstr(message));
   }
   EXPECT_EQ(run("missing.csv").code, 6);
-  const Outcome limits = run_flatdyn(kArm + std::string("docs/examples/two_poses.csv --norm limits"));
+  const Outcome limits = run_flatdyn(kManipulability + std::string("docs/examples/two_poses.csv --norm limits"));
   EXPECT_EQ(limits.code, 4);
   EXPECT_THAT(limits.err, HasSubstr("joint \"theta_1\" has no effort limit"));
 }

@@ -18,7 +18,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* kArm =
+constexpr const char* kScale =
     "scale robots/planar_2r_example_7_2.toml -q --trajectory docs/examples/planar_2r_triangular.toml ";
 
 std::vector<std::vector<double>> rows_of(const std::string& csv) {
@@ -37,7 +37,8 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
 // ms." By hand at the deciding instant: τ_s = τ − g, and c² = τ_s / (3000 − g).
 TEST(Scale, Problem79) {
   const Scratch scratch;
-  const Outcome outcome = run_flatdyn(kArm + std::string("--torque-limits 3000 --json -o ") + scratch.path("out.csv"));
+  const Outcome outcome =
+      run_flatdyn(kScale + std::string("--torque-limits 3000 --json -o ") + scratch.path("out.csv"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json result = json::parse(outcome.out);
   const double c = result["c"];
@@ -80,13 +81,13 @@ TEST(Scale, Problem79) {
 
 TEST(Scale, LeavesAMotionThatKeepsItsLimits) {
   const Scratch scratch;
-  const Outcome same = run_flatdyn(kArm + std::string("--torque-limits 9000 --json -o ") + scratch.path("out.csv"));
+  const Outcome same = run_flatdyn(kScale + std::string("--torque-limits 9000 --json -o ") + scratch.path("out.csv"));
   EXPECT_EQ(json::parse(same.out)["c"], 1);
   const Outcome faster =
-      run_flatdyn(kArm + std::string("--torque-limits 9000,inf --faster --json -o ") + scratch.path("out.csv"));
+      run_flatdyn(kScale + std::string("--torque-limits 9000,inf --faster --json -o ") + scratch.path("out.csv"));
   EXPECT_LT(json::parse(faster.out)["c"], 1);
   EXPECT_NEAR(json::parse(faster.out)["largest_use"]["part"], 1, 1e-12);
-  EXPECT_THAT(run_flatdyn(kArm + std::string("--torque-limits 9000 -o ") + scratch.path("out.csv")).out,
+  EXPECT_THAT(run_flatdyn(kScale + std::string("--torque-limits 9000 -o ") + scratch.path("out.csv")).out,
               HasSubstr("the motion keeps all limits as it is"));
 }
 
@@ -94,7 +95,7 @@ TEST(Scale, TimeOptimalIsFasterAndItsSamplesCanBeReadAgain) {
   const Scratch scratch;
   const std::string options = "--torque-limits 3000 --time-optimal --json ";
   const Outcome outcome =
-      run_flatdyn(kArm + options + "-o " + scratch.path("out.csv --plot ") + scratch.path("out.svg"));
+      run_flatdyn(kScale + options + "-o " + scratch.path("out.csv --plot ") + scratch.path("out.svg"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json result = json::parse(outcome.out);
   EXPECT_EQ(result["law"], "time-optimal");
@@ -158,7 +159,7 @@ TEST(Scale, TimeOptimalKeepsLimitsWithFriction) {
 
 TEST(Scale, SaysWhereRestIsTooMuch) {
   const Scratch scratch;
-  const Outcome outcome = run_flatdyn(kArm + std::string("--torque-limits 300 -o ") + scratch.path("out.csv"));
+  const Outcome outcome = run_flatdyn(kScale + std::string("--torque-limits 300 -o ") + scratch.path("out.csv"));
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err,
               StartsWith("docs/examples/planar_2r_triangular.toml: error: no slower pace keeps the limits: at 0.5 s "
@@ -186,10 +187,10 @@ TEST(Scale, RefusesWhatItCannotDo) {
   for (const char* wrong : {"--torque-limits 0", "--torque-limits nan", "--torque-limits 1,2,3", "--torque-limits many",
                             "--torque-limits 3000 --grid 100", "--torque-limits 3000 --time-optimal --grid 1",
                             "--torque-limits 3000 --time-optimal --faster"}) {
-    EXPECT_EQ(run_flatdyn(kArm + std::string(wrong) + out).code, 2) << wrong;
+    EXPECT_EQ(run_flatdyn(kScale + std::string(wrong) + out).code, 2) << wrong;
   }
-  EXPECT_EQ(run_flatdyn(kArm + std::string("--torque-limits 3000")).code, 2);
-  EXPECT_EQ(run_flatdyn(kArm + out).code, 4);  // no limits at all
+  EXPECT_EQ(run_flatdyn(kScale + std::string("--torque-limits 3000")).code, 2);
+  EXPECT_EQ(run_flatdyn(kScale + out).code, 4);  // no limits at all
   EXPECT_EQ(run_flatdyn("scale robots/planar_2r.toml --trajectory docs/examples/planar_2r_line.toml" + out).code, 4);
   EXPECT_TRUE(scratch.is_empty());
 }

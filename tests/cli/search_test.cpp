@@ -14,12 +14,12 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-constexpr const char* kArm = "generate robots/planar_2r.toml --functions inverse_dynamics,gravity -o ";
+constexpr const char* kGenerate = "generate robots/planar_2r.toml --functions inverse_dynamics,gravity -o ";
 
 TEST(Search, WhatIsNoLimitIsUsageWithAHint) {
   const Scratch scratch;
   for (const char* limit : {"0", "-5", "1.5", "soon", "10m", "0s"}) {
-    const Outcome outcome = run_flatdyn(kArm + scratch.path("out") + " --search=" + limit);
+    const Outcome outcome = run_flatdyn(kGenerate + scratch.path("out") + " --search=" + limit);
     EXPECT_EQ(outcome.code, 2) << limit;
     EXPECT_THAT(outcome.err, HasSubstr("write a number of candidates, such as 200, or a time, such as 30s")) << limit;
   }
@@ -29,7 +29,7 @@ TEST(Search, WhatIsNoLimitIsUsageWithAHint) {
 
 TEST(Search, WhatWasChosenIsInTheManifestAndHowFarItWentInTheStamp) {
   const Scratch scratch;
-  const Outcome outcome = run_flatdyn(kArm + scratch.path("out") + " --search 12");
+  const Outcome outcome = run_flatdyn(kGenerate + scratch.path("out") + " --search 12");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("before search"));
   const json manifest = json::parse(scratch.read("out/planar_2r.json"));
@@ -46,13 +46,13 @@ TEST(Search, WhatWasChosenIsInTheManifestAndHowFarItWentInTheStamp) {
 
 TEST(Search, ATimeSaysHowManyCandidatesMakeTheSameAgain) {
   const Scratch scratch;
-  const Outcome timed = run_flatdyn(kArm + scratch.path("timed") + " --search 0.2s");
+  const Outcome timed = run_flatdyn(kGenerate + scratch.path("timed") + " --search 0.2s");
   ASSERT_EQ(timed.code, 0) << timed.err;
   const json manifest = json::parse(scratch.read("timed/planar_2r.json"));
   const int candidates = manifest.at("functions").at(0).at("search").at("candidates");
   EXPECT_THAT(timed.err, HasSubstr(fmt::format("--search {} makes the same again", candidates)));
   if (candidates == 0) GTEST_SKIP() << "a machine too slow for one candidate";
-  ASSERT_EQ(run_flatdyn(kArm + scratch.path("counted") + fmt::format(" --search {}", candidates)).code, 0);
+  ASSERT_EQ(run_flatdyn(kGenerate + scratch.path("counted") + fmt::format(" --search {}", candidates)).code, 0);
   EXPECT_EQ(scratch.read("timed/planar_2r.hpp"), scratch.read("counted/planar_2r.hpp"));
 }
 

@@ -22,7 +22,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* kArm = "simulate robots/planar_2r_example_7_2.toml -q ";
+constexpr const char* kSimulate = "simulate robots/planar_2r_example_7_2.toml -q ";
 
 std::vector<std::vector<double>> numbers_of(const std::string& csv) {
   std::istringstream lines(csv);
@@ -57,7 +57,7 @@ TEST(Simulate, WritesMotionEventsAndPlot) {
 // What is simulated can be read by `eval`, and needs the torques that it was given: none.
 TEST(Simulate, FallsWithoutTorques) {
   const Scratch scratch;
-  ASSERT_EQ(run_flatdyn(kArm + ("--duration 2 --rate 20 -o " + scratch.path("fall.csv"))).code, 0);
+  ASSERT_EQ(run_flatdyn(kSimulate + ("--duration 2 --rate 20 -o " + scratch.path("fall.csv"))).code, 0);
   const Outcome outcome =
       run_flatdyn("eval robots/planar_2r_example_7_2.toml -q --json --reference --function inverse_dynamics --states " +
                   scratch.path("fall.csv"));
@@ -73,7 +73,7 @@ TEST(Simulate, FallsWithoutTorques) {
 TEST(Simulate, GivesTheSameBytesInEveryRun) {
   const Scratch scratch;
   for (const char* name : {"a.csv", "b.csv"}) {
-    ASSERT_EQ(run_flatdyn(kArm + ("--duration 1 -o " + scratch.path(name))).code, 0);
+    ASSERT_EQ(run_flatdyn(kSimulate + ("--duration 1 -o " + scratch.path(name))).code, 0);
   }
   EXPECT_EQ(scratch.read("a.csv"), scratch.read("b.csv"));
 }
@@ -83,7 +83,7 @@ TEST(Simulate, DrivesWithSampledTorques) {
   scratch.write("tau.csv", "t,tau_theta_2,tau_theta_1\n0,1,2\n0.5,3,4\n");
   scratch.write("run.toml", "duration = 1\nrate = 4\n[torque]\nsamples = \"tau.csv\"\n");
   const Outcome outcome =
-      run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
+      run_flatdyn(kSimulate + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::string csv = scratch.read("m.csv");
   EXPECT_THAT(csv, HasSubstr(",3,2,"));  // at 0.25 s, half-way
@@ -98,7 +98,7 @@ TEST(Simulate, KeepsItsInputs) {
   for (const char* input : {"tau.csv", "run.toml"}) {
     const std::string before = scratch.read(input);
     const Outcome outcome =
-        run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path(input)));
+        run_flatdyn(kSimulate + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path(input)));
     EXPECT_EQ(outcome.code, 2) << input;
     EXPECT_EQ(scratch.read(input), before);
   }
@@ -116,7 +116,7 @@ TEST(Simulate, MovesAlongTheMotionThatItsTorquesAreOf) {
                 fmt::format("duration = {}\nrate = 100\n[start]\nq = [{}, {}]\n[torque]\nsamples = \"tau.csv\"\n",
                             wanted.back()[0], wanted[0][1], wanted[0][2]));
   const Outcome outcome =
-      run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
+      run_flatdyn(kSimulate + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::vector<std::vector<double>> found = numbers_of(scratch.read("m.csv"));
   // Torques between samples are straight lines, and jump within one: that is what the difference comes from.
@@ -127,7 +127,7 @@ TEST(Simulate, MovesAlongTheMotionThatItsTorquesAreOf) {
 TEST(Simulate, FollowsATrajectory) {
   const Scratch scratch;
   const Outcome outcome =
-      run_flatdyn(kArm + ("--simulation docs/examples/planar_2r_tracking.toml -o " + scratch.path("m.csv")));
+      run_flatdyn(kSimulate + ("--simulation docs/examples/planar_2r_tracking.toml -o " + scratch.path("m.csv")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::vector<std::vector<double>> rows = numbers_of(scratch.read("m.csv"));
   const std::vector<double>& start = rows.front();
@@ -178,7 +178,7 @@ TEST(Simulate, AnErrorBudgetHasNoEffect) {
 // The last row is where the motion ends.
 TEST(Simulate, EndsWithARowOfItsOwn) {
   const Scratch scratch;
-  ASSERT_EQ(run_flatdyn(kArm + ("--duration 0.25 --rate 10 -o " + scratch.path("m.csv"))).code, 0);
+  ASSERT_EQ(run_flatdyn(kSimulate + ("--duration 0.25 --rate 10 -o " + scratch.path("m.csv"))).code, 0);
   const std::vector<std::vector<double>> rows = numbers_of(scratch.read("m.csv"));
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[2][0], 0.2);
@@ -214,7 +214,7 @@ TEST_P(BadSimulation, IsDiagnosedWithItsLine) {
   scratch.write("infinite.csv", "time,tau1,tau2\n0,inf,0\n");
   scratch.write("columns.csv", "time,tau1,torque2\n0,0,0\n");
   const Outcome outcome =
-      run_flatdyn(kArm + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
+      run_flatdyn(kSimulate + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr(GetParam().message));
   const std::size_t first = outcome.err.find(GetParam().message);
@@ -248,10 +248,10 @@ TEST(Simulate, RefusesWhatItCannotDo) {
   const Outcome symbols = run_flatdyn("simulate robots/planar_2r.toml -q -o " + scratch.path("m.csv"));
   EXPECT_EQ(symbols.code, 4);
   EXPECT_THAT(symbols.err, HasSubstr("a simulation needs numbers"));
-  EXPECT_EQ(run_flatdyn(kArm + ("--duration 1e6 --rate 1e6 -o " + scratch.path("m.csv"))).code, 2);
-  EXPECT_EQ(run_flatdyn(kArm + ("--tolerance 0 -o " + scratch.path("m.csv"))).code, 2);
-  EXPECT_EQ(run_flatdyn(kArm + ("--simulation none.toml -o " + scratch.path("m.csv"))).code, 6);
-  EXPECT_EQ(run_flatdyn(kArm + ("-o " + scratch.path("m.csv") + " --plot " + scratch.path("m.csv"))).code, 2);
+  EXPECT_EQ(run_flatdyn(kSimulate + ("--duration 1e6 --rate 1e6 -o " + scratch.path("m.csv"))).code, 2);
+  EXPECT_EQ(run_flatdyn(kSimulate + ("--tolerance 0 -o " + scratch.path("m.csv"))).code, 2);
+  EXPECT_EQ(run_flatdyn(kSimulate + ("--simulation none.toml -o " + scratch.path("m.csv"))).code, 6);
+  EXPECT_EQ(run_flatdyn(kSimulate + ("-o " + scratch.path("m.csv") + " --plot " + scratch.path("m.csv"))).code, 2);
   EXPECT_TRUE(scratch.is_empty());
 }
 

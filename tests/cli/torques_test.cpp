@@ -20,7 +20,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* kArm = "torques robots/planar_2r_example_7_2.toml -q --trajectory ";
+constexpr const char* kTorques = "torques robots/planar_2r_example_7_2.toml -q --trajectory ";
 // (7.82) with the data of Example 7.2: I_l + m l² + k² I_m, and 2 m l a of the second link.
 constexpr double kB22 = 10 + 50 * 0.25 + 100 * 100 * 0.01;
 
@@ -46,8 +46,8 @@ Columns columns_of(const std::string& csv) {
 class Example72 : public ::testing::Test {
  protected:
   Columns run(const std::string& name) {
-    const Outcome outcome =
-        run_flatdyn(fmt::format("{} docs/examples/planar_2r_{}.toml -o {}", kArm, name, scratch_.path(name + ".csv")));
+    const Outcome outcome = run_flatdyn(
+        fmt::format("{} docs/examples/planar_2r_{}.toml -o {}", kTorques, name, scratch_.path(name + ".csv")));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return columns_of(scratch_.read(name + ".csv"));
   }
@@ -179,14 +179,15 @@ TEST_F(Example72, WithAForceAtTheTip) {
 
 TEST_F(Example72, ReportsPeaksForPeopleAndPrograms) {
   const std::string csv = scratch_.path("out.csv");
-  const Outcome people = run_flatdyn(kArm + std::string("docs/examples/planar_2r_triangular.toml -o ") + csv);
+  const Outcome people = run_flatdyn(kTorques + std::string("docs/examples/planar_2r_triangular.toml -o ") + csv);
   ASSERT_EQ(people.code, 0) << people.err;
   EXPECT_THAT(people.out, StartsWith("0.5 s, 501 samples; largest torques"));
   EXPECT_THAT(people.out, HasSubstr("\ntheta_2  N m "));
   EXPECT_THAT(people.out, HasSubstr("wrote " + csv));
   EXPECT_THAT(scratch_.read("out.csv"), StartsWith("t,q1,q2,qd1,qd2,qdd1,qdd2,tau1,tau2,inertia_1_1,inertia_1_2,"
                                                    "centrifugal_1_2,coriolis_1_1_2,gravity_1,inertia_2_1,"));
-  const Outcome programs = run_flatdyn(kArm + std::string("docs/examples/planar_2r_triangular.toml --json -o ") + csv);
+  const Outcome programs =
+      run_flatdyn(kTorques + std::string("docs/examples/planar_2r_triangular.toml --json -o ") + csv);
   const json result = json::parse(programs.out);
   EXPECT_EQ(result["samples"], 501);
   EXPECT_LT(result["disagreement"], 1e-14);
@@ -199,7 +200,7 @@ TEST_F(Example72, ReportsPeaksForPeopleAndPrograms) {
 TEST_F(Example72, FromItsOwnSamples) {
   Columns planned = run("line_force");
   const Outcome outcome =
-      run_flatdyn(fmt::format("{} {} -o {}", kArm, scratch_.path("line_force.csv"), scratch_.path("again.csv")));
+      run_flatdyn(fmt::format("{} {} -o {}", kTorques, scratch_.path("line_force.csv"), scratch_.path("again.csv")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(scratch_.read("again.csv"), scratch_.read("line_force.csv"));
 }
@@ -246,7 +247,7 @@ TEST(Torques, OfAnArmThatNeedsAGuess) {
 TEST(Torques, SaysWhichLimitsAreExceeded) {
   const Scratch scratch;
   const std::string command =
-      std::string(kArm) + "docs/examples/planar_2r_line.toml --scene docs/examples/planar_2r_limits.toml -o ";
+      std::string(kTorques) + "docs/examples/planar_2r_line.toml --scene docs/examples/planar_2r_limits.toml -o ";
   const Outcome outcome = run_flatdyn(command + scratch.path("out.csv"));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err, HasSubstr("docs/examples/planar_2r_line.toml: warning: joint \"theta_2\": torque 8097"));
@@ -258,7 +259,7 @@ TEST(Torques, SaysWhichLimitsAreExceeded) {
 
 TEST(Torques, DrawsWhatIsAskedFor) {
   const Scratch scratch;
-  const std::string command = std::string(kArm) + "docs/examples/planar_2r_line.toml -o " + scratch.path("out.csv");
+  const std::string command = std::string(kTorques) + "docs/examples/planar_2r_line.toml -o " + scratch.path("out.csv");
   ASSERT_EQ(run_flatdyn(command + " --plot " + scratch.path("out.png")).code, 0);
   EXPECT_THAT(scratch.read("out.png"), StartsWith("\x89PNG"));
   ASSERT_EQ(run_flatdyn(command + " --plot " + scratch.path("out.svg")).code, 0);
@@ -271,14 +272,14 @@ TEST(Torques, RefusesWhatItCannotDo) {
   const Scratch scratch;
   const std::string out = " -o " + scratch.path("out.csv");
   const std::string plan = "docs/examples/planar_2r_line.toml";
-  EXPECT_EQ(run_flatdyn(kArm + plan).code, 2);
+  EXPECT_EQ(run_flatdyn(kTorques + plan).code, 2);
   EXPECT_EQ(run_flatdyn("torques robots/planar_2r_example_7_2.toml" + out).code, 2);
-  EXPECT_EQ(run_flatdyn(kArm + plan + out + " --plot " + scratch.path("out.pdf")).code, 2);
-  EXPECT_EQ(run_flatdyn(kArm + plan + " -o " + plan).code, 2);
-  EXPECT_EQ(run_flatdyn(kArm + std::string("nowhere.toml") + out).code, 6);
-  EXPECT_EQ(run_flatdyn(kArm + std::string("nowhere.csv") + out).code, 6);
+  EXPECT_EQ(run_flatdyn(kTorques + plan + out + " --plot " + scratch.path("out.pdf")).code, 2);
+  EXPECT_EQ(run_flatdyn(kTorques + plan + " -o " + plan).code, 2);
+  EXPECT_EQ(run_flatdyn(kTorques + std::string("nowhere.toml") + out).code, 6);
+  EXPECT_EQ(run_flatdyn(kTorques + std::string("nowhere.csv") + out).code, 6);
   EXPECT_EQ(run_flatdyn("torques robots/planar_2r.toml --trajectory " + plan + out).code, 4);
-  EXPECT_EQ(run_flatdyn(kArm + plan + " -o /proc/nowhere/out.csv").code, 6);
+  EXPECT_EQ(run_flatdyn(kTorques + plan + " -o /proc/nowhere/out.csv").code, 6);
   EXPECT_TRUE(scratch.is_empty());
 }
 
