@@ -31,7 +31,7 @@ bool is_torque(const Output& output) { return output.meaning == kTorqueMeaning; 
 bool is_prismatic(const Mechanism& mechanism, int joint) { return mechanism.joint(joint).prismatic; }
 
 std::string unit_of(const Mechanism& mechanism, const Output& output, int entry) {
-  if (is_torque(output)) return is_prismatic(mechanism, entry) ? "N" : "N m";
+  if (is_torque(output)) return torque_unit(mechanism.joint(entry));
   if (output.name == "B" && output.layout == Layout::matrix) {
     const int lengths = !is_prismatic(mechanism, entry / output.cols) + !is_prismatic(mechanism, entry % output.cols);
     return lengths == 2 ? "kg m^2" : lengths == 1 ? "kg m" : "kg";

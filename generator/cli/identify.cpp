@@ -122,7 +122,7 @@ TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, cons
                         {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""},
                         arguments.settings(robot)};
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
-  for (const std::string& doubt : doubts_about(model, found)) about.comments.push_back(doubt);
+  about.comments.insert(about.comments.end(), found.doubts.begin(), found.doubts.end());
   return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
 }
 
@@ -164,8 +164,9 @@ ExitCode identify(const IdentifyArguments& arguments) {
     const bool inertial_only = parameter_set(arguments.parameters) == ParameterSet::inertial;
     found.physical =
         physical_parameters(inertial_only ? model.mechanism() : robot.mechanism, model.base(), found.estimate);
+    found.doubts = doubts_about(model, found);
     Diagnostics doubts;
-    for (const std::string& doubt : doubts_about(model, found)) doubts.warning({arguments.source(), 0}, doubt);
+    for (const std::string& doubt : found.doubts) doubts.warning({arguments.source(), 0}, doubt);
     arguments.report(doubts);
     write_results(arguments, robot, model, found);
     fmt::print("{}", arguments.json ? identification_json(model, found).dump(2) + "\n"

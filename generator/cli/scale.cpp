@@ -74,8 +74,8 @@ PaceLimits limits_of(const ScaleArguments& arguments, const Model& model) {
                   "gravity{}, beyond the {}",
                   arguments.faster || arguments.time_optimal ? "" : "slower ",
                   motion.sides_before.points[load.point].time, model.mechanism.joints()[load.joint].joint,
-                  path.d[load.point * path.joints + load.joint],
-                  model.mechanism.joints()[load.joint].prismatic ? "N" : "N m", ", dry friction and the tip's force",
+                  path.d[load.point * path.joints + load.joint], torque_unit(model.mechanism.joints()[load.joint]),
+                  ", dry friction and the tip's force",
                   limit_text(model.mechanism, motion.limits, load.kind, load.joint)),
       arguments.faster || arguments.time_optimal
           ? "choose a path through other postures, or stronger motors"

@@ -86,6 +86,12 @@ std::vector<SampleFilter> Measurement::filters() const {
   return different;
 }
 
+double Measurement::correlation() const {
+  double largest = 1;
+  for (const SampleFilter& filter : filters()) largest = std::max(largest, filter.correlation());
+  return largest;
+}
+
 Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
                     const StreamOptions& options, Progress& progress, Diagnostics& diagnostics) {
   ObservationFolder folder(model);
@@ -94,7 +100,6 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
   std::vector<PlannedLog> planned = planned_logs(model, logs, options, diagnostics);
   if (diagnostics.has_errors()) return result;
   BlockShares shares(options.part, options.parts);
-  double correlation = 1;
   for (PlannedLog& log : planned) {
     progress.step("reading " + log.path.string());
     const auto sink = [&, at = static_cast<int>(result.logs.size())](const MeasuredMotion& motion) {
@@ -106,11 +111,10 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
     result.count.lines += count.lines;
     result.count.used += count.used;
     result.count.gaps += count.gaps;
-    correlation = std::max(correlation, log.plan.filter.correlation());
     result.logs.push_back({std::move(log.identity), log.plan.filter});
   }
   result.observations = folder.observations();
-  result.observations.correlation = correlation;
+  result.observations.correlation = result.correlation();
   result.samples = samples.kept();
   return result;
 }

@@ -55,6 +55,8 @@ struct Measurement {
 
   // All that differ, in the order of the logs.
   std::vector<SampleFilter> filters() const;
+  // Of the noise in the observations: that of the log where it is largest.
+  double correlation() const;
 };
 
 // What is wrong goes into `diagnostics`, the same log twice among it; after an error the result means nothing.

@@ -30,7 +30,7 @@ struct JointObservations {
 struct Observations {
   int parameters = 0;  // b
   std::vector<JointObservations> joints;
-  double correlation = 1;  // of the noise in them: StreamPlan::correlation()
+  double correlation = 1;  // of the noise in them: SampleFilter::correlation()
 };
 
 // Folds motion as it comes: 2 (columns)² operations a row.

@@ -85,8 +85,8 @@ Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
     result.samples.push_back({sample.at(0), sample.at(1), sample.at(2), sample.at(3), sample.at(4), sample.at(5)});
   }
   result.count = {json.at("lines"), json.at("used"), json.at("gaps")};
-  result.observations.correlation = json.at("correlation");
   result.logs = logs_from(json.at("logs"));
+  result.observations.correlation = result.correlation();
   return result;
 }
 
@@ -191,8 +191,7 @@ std::string part_text(const Measurement& measurement, const TorqueModel& model, 
                        {"logs", logs_of(measurement)},
                        {"lines", measurement.count.lines},
                        {"used", measurement.count.used},
-                       {"gaps", measurement.count.gaps},
-                       {"correlation", measurement.observations.correlation}};
+                       {"gaps", measurement.count.gaps}};
   for (const JointObservations& joint : measurement.observations.joints) {
     json["joints"].push_back({{"rows", joint.rows}, {"R", numbers(joint.R)}});
   }

@@ -15,7 +15,7 @@ class WristObserver {
   explicit WristObserver(const Robot& robot);
 
   void add(const MeasuredMotion& motion);
-  // correlation: of the noise, StreamPlan::correlation().
+  // correlation: of the noise, SampleFilter::correlation().
   PayloadEstimate estimate(double correlation = 1);
 
  private:

@@ -59,6 +59,9 @@ struct Body {
   Limits limits;
 };
 
+// Of what drives the joint.
+inline const char* torque_unit(const Body& body) { return body.prismatic ? "N" : "N m"; }
+
 // Of a joint, in the parent's frame: the third axis is the one that it turns about or slides along. Where it slides,
 // they are those of its body.
 Mat3 joint_axes(const Body& joint);

@@ -44,7 +44,7 @@ std::string describe_abbreviation(const Model& model, const GivenUp& seen) {
   for (std::size_t i = 0; i < abbreviation.bound.size(); ++i) {
     const Body& body = model.mechanism.joints()[i];
     rows.push_back({body.joint, short_number(abbreviation.budget[i]), rounded_up(abbreviation.bound[i]),
-                    short_number(seen.largest[i]), body.prismatic ? "N" : "N m"});
+                    short_number(seen.largest[i]), torque_unit(body)});
   }
   return fmt::format("error budget {}: left out {}{}\n{}(largest seen: of {} random states)\n",
                      model.robot.scene.error_budget->written, abbreviation.dropped.empty() ? "nothing" : "",

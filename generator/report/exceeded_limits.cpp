@@ -77,7 +77,7 @@ Diagnostics exceeded_limits(const Mechanism& mechanism, const Trajectory& trajec
     check(body, "rate", unit + "/s", body.limits.velocity, [&](std::size_t p) { return points[p].qd[i]; });
     check(body, "acceleration", unit + "/s^2", body.limits.acceleration,
           [&](std::size_t p) { return points[p].qdd[i]; });
-    check(body, "torque", body.prismatic ? "N" : "N m", body.limits.effort, [&](std::size_t p) { return tau[p][i]; });
+    check(body, "torque", torque_unit(body), body.limits.effort, [&](std::size_t p) { return tau[p][i]; });
   }
   return found;
 }

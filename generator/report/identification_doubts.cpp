@@ -13,6 +13,7 @@ namespace {
 void doubt_joints(const TorqueModel& model, const Identification& found, std::vector<std::string>& doubts) {
   constexpr double kHalf = 0.5, kNoise = 0.05;  // of the joint's torque, squared; of the largest torque
   const std::vector<JointObservations>& joints = found.measurement.observations.joints;
+  const auto& bodies = model.mechanism().joints();
   double largest = 0;
   for (const JointObservations& joint : joints) largest = std::max(largest, joint.rms_torque());
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -21,7 +22,7 @@ void doubt_joints(const TorqueModel& model, const Identification& found, std::ve
     doubts.push_back(fmt::format(
         "joint \"{}\": the model leaves {:.3g} of {:.3g} {} (rms); units, signs or delays of the log, or the robot's "
         "geometry, can hardly be right",
-        model.mechanism().joints()[i].joint, residual, torque, model.mechanism().joints()[i].prismatic ? "N" : "N m"));
+        bodies[i].joint, residual, torque, torque_unit(bodies[i])));
   }
 }
 
@@ -43,8 +44,9 @@ void doubt_sizes(const TorqueModel& model, const Estimate& estimate, std::vector
 }
 
 void doubt_links(const TorqueModel& model, const Identification& found, std::vector<std::string>& doubts) {
-  constexpr double kMuch = 10;     // standard deviations
-  constexpr double kLarger = 1.5;  // residuals
+  constexpr double kMuch = 10;                       // standard deviations
+  constexpr double kLarger = 1.5, kRounding = 1e-6;  // of the residual; of the torque
+  const auto& bodies = model.mechanism().joints();
   const PhysicalParameters& physical = found.physical;
   if (physical.largest_misfit > kMuch) {
     doubts.push_back(fmt::format(
@@ -53,15 +55,12 @@ void doubt_links(const TorqueModel& model, const Identification& found, std::vec
         physical.largest_misfit));
   }
   if (!physical.converged) doubts.emplace_back("the search for the nearest links did not converge");
-  for (int i = 0; i < model.joints(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const JointObservations& joint = found.measurement.observations.joints[at];
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const JointObservations& joint = found.measurement.observations.joints[i];
     const double residual = joint.rms_residual(found.estimate.values), of_links = joint.rms_residual(physical.pi_b);
-    const bool is_rounding = of_links < 1e-6 * joint.rms_torque();
-    if (of_links < kLarger * residual || is_rounding) continue;
+    if (of_links < std::max(kLarger * residual, kRounding * joint.rms_torque())) continue;
     doubts.push_back(fmt::format("joint \"{}\": the links leave {:.3g} {} (rms), where pi_b leaves {:.3g}",
-                                 model.mechanism().joints()[at].joint, of_links,
-                                 model.mechanism().joints()[at].prismatic ? "N" : "N m", residual));
+                                 bodies[i].joint, of_links, torque_unit(bodies[i]), residual));
   }
 }
 

@@ -35,9 +35,9 @@ std::string filter_text(const SampleFilter& filter) {
 std::string data_text(const Measurement& measurement) {
   std::string text = fmt::format("{} samples, {} used", measurement.count.lines, measurement.count.used);
   const std::vector<SampleFilter> filters = measurement.filters();
-  const bool are_filtered = filters.size() > 1 || filters.front().band > 0;
+  const bool is_one = filters.size() == 1;
   for (const SampleFilter& filter : filters) {
-    if (are_filtered) text += (filters.size() > 1 ? "; of some logs " : "; ") + filter_text(filter);
+    if (!is_one || filter.band > 0) text += (is_one ? "; " : "; of some logs ") + filter_text(filter);
   }
   if (measurement.count.gaps > 0) text += fmt::format("; {} gaps in time", measurement.count.gaps);
   return text + "\n";
@@ -88,9 +88,8 @@ std::string untold_text(const TorqueModel& model, const Estimate& estimate) {
   }
   if (!estimate.hidden.empty()) {
     text +=
-        "\ndirections that noise hides: it could make more of them than the robot file has of anything; along them "
-        "values\n"
-        "stay near the file's. Standard deviation without that, and parameters of each:\n";
+        "\ndirections that noise hides: it could make more of them than the robot file has of anything; along them\n"
+        "values stay near the file's. Standard deviation without that, and parameters of each:\n";
   }
   for (const auto& [deviation, components] : estimate.hidden) {
     text += fmt::format("  {:8.1e} {}\n", deviation, main_parameters(model, components));
@@ -155,7 +154,7 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                       {"largest_misfit", found.physical.largest_misfit},
                       {"divergence", found.physical.divergence},
                       {"converged", found.physical.converged}};
-  json["doubts"] = doubts_about(model, found);
+  json["doubts"] = found.doubts;
   json["damped"] = json["hidden"] = nlohmann::ordered_json::array();
   for (const auto& [singular_value, components] : estimate.damped) {
     json["damped"].push_back({{"relative_singular_value", singular_value}, {"components", list(components)}});

@@ -17,6 +17,7 @@ struct Identification {
   Estimate estimate;
   std::optional<Eigen::VectorXd> joint_by_joint;  // the textbook's sequential procedure, for comparison
   PhysicalParameters physical;
+  std::vector<std::string> doubts;  // doubts_about() all the others
 };
 
 // What can hardly be right, and what may be the reason; a sentence each.

@@ -34,7 +34,7 @@ void add(Series& series, double x, double y, bool is_new) {
 
 // Half a row: what is drawn of a joint.
 Panel half_panel(const Body& body, const std::string& what) {
-  Panel panel{body.joint + ": " + what, "", body.prismatic ? "N" : "N m", {{what, {}, {}}}};
+  Panel panel{body.joint + ": " + what, "", torque_unit(body), {{what, {}, {}}}};
   panel.is_half = true;
   return panel;
 }

@@ -29,7 +29,7 @@ double limit_of(const PaceLimits& limits, LimitKind kind, std::size_t joint) {
 }
 
 std::string unit_of_limit(const Body& body, LimitKind kind) {
-  if (kind == LimitKind::torque) return body.prismatic ? "N" : "N m";
+  if (kind == LimitKind::torque) return torque_unit(body);
   return std::string(body.prismatic ? "m" : "rad") + (kind == LimitKind::speed ? "/s" : "/s^2");
 }
 

@@ -65,8 +65,6 @@ std::size_t peak(const std::vector<double>& values) {
       values.begin());
 }
 
-const char* torque_unit(const Body& body) { return body.prismatic ? "N" : "N m"; }
-
 std::string term_label(const TorqueTerm& term) {
   std::string text = term.kind == TermKind::coriolis ? "Coriolis" : name_of(term.kind);
   if (term.kind == TermKind::coulomb) text = "Coulomb";
