@@ -122,6 +122,7 @@ TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, cons
                         {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""},
                         arguments.settings(robot)};
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
+  if (!found.doubts.empty()) about.comments.emplace_back();
   about.comments.insert(about.comments.end(), found.doubts.begin(), found.doubts.end());
   return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
 }

@@ -44,7 +44,7 @@ Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double d
 }
 
 // By the covariance's own directions. A hidden one keeps the variance that is left with the prior's.
-void hide_noise(Solution& solution, double noise, double plausible) {
+void hide_noise(Solution& solution, double plausible) {
   constexpr double kClearly = 5;  // standard deviations
   constexpr double kMuch = 0.1;   // of the plausible size
   if (solution.coordinates.size() == 0) return;
@@ -54,8 +54,8 @@ void hide_noise(Solution& solution, double noise, double plausible) {
   std::vector<Index> known, hidden;
   for (Index k = 0; k < coordinates.size(); ++k) {
     auto direction = directions.col(k);
-    const double deviation = noise * direction.norm();
-    const bool is_hidden = deviation > plausible && std::abs(coordinates(k)) < kClearly * noise;
+    const double deviation = direction.norm();
+    const bool is_hidden = deviation > plausible && std::abs(coordinates(k)) < kClearly;
     (is_hidden ? hidden : known).push_back(k);
     if (!is_hidden) continue;
     solution.hidden.push_back({deviation, direction.normalized()});
@@ -66,7 +66,7 @@ void hide_noise(Solution& solution, double noise, double plausible) {
   if (hidden.empty()) return;
   solution.root_information = (svd.V.transpose() * solution.root_information)(known, Eigen::all).eval();
   solution.spread = directions;
-  const VectorXd left = noise * directions(Eigen::all, hidden).rowwise().norm();
+  const VectorXd left = directions(Eigen::all, hidden).rowwise().norm();
   for (Index k = 0; k < left.size(); ++k) {
     if (left(k) > kMuch * plausible) solution.told[static_cast<std::size_t>(k)] = false;
   }

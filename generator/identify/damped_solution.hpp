@@ -40,8 +40,7 @@ Solution damped_solution(const Eigen::MatrixXd& factor, const Eigen::VectorXd& p
 // Columns of a joint that is held are not zero but noise of its encoder: no singular value is small, and the solution
 // goes anywhere. A direction counts as hidden if its standard deviation is larger than `plausible`, what parameters can
 // be at the most, and the data do not clearly contradict the prior along it; there the solution becomes that of a prior
-// with this standard deviation, and parameters that a tenth of it may be missing in are not told. `noise`: standard
-// deviation of the rows.
-void hide_noise(Solution& solution, double noise, double plausible);
+// with this standard deviation, and parameters that a tenth of it may be missing in are not told.
+void hide_noise(Solution& solution, double plausible);
 
 }  // namespace flatdyn

@@ -17,7 +17,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// R of all joints' rows, each divided by its σ_i: (b + 1)².
+// R of all joints' rows, each divided by its σ_i, and by √c where noise is correlated: n rows tell no more than n / c
+// do then. (b + 1)².
 MatrixXd weighted_factor(const Observations& observations, const VectorXd& deviations) {
   const Index size = observations.parameters + 1;
   Index rows = 0;
@@ -27,15 +28,16 @@ MatrixXd weighted_factor(const Observations& observations, const VectorXd& devia
   for (std::size_t i = 0; i < observations.joints.size(); ++i) {
     const JointObservations& joint = observations.joints[i];
     auto block = stacked.middleRows(at, joint.R.rows());
-    block(Eigen::all, joint.columns) = joint.A() / deviations(static_cast<Index>(i));
-    block.col(size - 1) = joint.b() / deviations(static_cast<Index>(i));
+    const double weight = 1 / (deviations(static_cast<Index>(i)) * std::sqrt(joint.correlation));
+    block(Eigen::all, joint.columns) = weight * joint.A();
+    block.col(size - 1) = weight * joint.b();
     at += joint.R.rows();
   }
   return triangular_factor_of(stacked);
 }
 
-// σ_i from the residual of joint i and the degrees of freedom that are left to it; of correlated noise a fit takes
-// more samples. What rounding leaves is no noise:
+// σ_i from the residual of joint i and the degrees of freedom that are left to it: the fit takes more samples of
+// correlated noise, by the √c in `spread`. What rounding leaves is no noise:
 // less than this part of the largest torque, or than as many N m where there is none.
 VectorXd residual_deviations(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
   constexpr double kRounding = 1e-13;
@@ -49,7 +51,7 @@ VectorXd residual_deviations(const Observations& observations, const Solution& s
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
     const double leverage = (joint.A() * solution.spread(joint.columns, Eigen::all) / deviations(i)).squaredNorm();
     const auto rows = static_cast<double>(joint.rows);
-    const double freedom = std::max(rows - observations.correlation * leverage, 1.0);
+    const double freedom = std::max(rows - leverage, 1.0);
     result(i) = joint.rms_residual(solution.values) * std::sqrt(rows / freedom);
     result(i) = std::max({result(i), kRounding * largest_torque, kRounding});
   }
@@ -93,10 +95,10 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
     result.converged = ((updated - deviations).cwiseAbs().array() <= kStable * deviations.array()).all();
     deviations = updated;
   }
-  const double wider = std::sqrt(observations.correlation), plausible = prior.cwiseAbs().maxCoeff();
-  if (plausible > 0) hide_noise(solution, wider, plausible);
+  const double plausible = prior.cwiseAbs().maxCoeff();
+  if (plausible > 0) hide_noise(solution, plausible);
   result.values = solution.values;
-  result.standard_deviations = wider * solution.spread.rowwise().norm();
+  result.standard_deviations = solution.spread.rowwise().norm();
   for (std::size_t k = 0; k < solution.told.size(); ++k) {
     if (!solution.told[k]) result.standard_deviations(static_cast<Index>(k)) = std::numeric_limits<double>::infinity();
   }
@@ -104,7 +106,7 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
   result.damped = std::move(solution.damped);
   result.hidden = std::move(solution.hidden);
   result.torque_deviations = deviations;
-  result.root_information = solution.root_information / wider;
+  result.root_information = std::move(solution.root_information);
   return result;
 }
 

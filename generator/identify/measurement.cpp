@@ -114,7 +114,7 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
     result.logs.push_back({std::move(log.identity), log.plan.filter});
   }
   result.observations = folder.observations();
-  result.observations.correlation = result.correlation();
+  result.observations.set_correlation(result.correlation());
   result.samples = samples.kept();
   return result;
 }

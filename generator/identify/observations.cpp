@@ -12,6 +12,10 @@ double JointObservations::rms_residual(const Eigen::VectorXd& pi_b) const {
 
 double JointObservations::rms_torque() const { return b().norm() / std::sqrt(static_cast<double>(rows)); }
 
+void Observations::set_correlation(double correlation) {
+  for (JointObservations& joint : joints) joint.correlation = correlation;
+}
+
 ObservationFolder::ObservationFolder(const TorqueModel& model)
     : model_(model),
       y_(static_cast<std::size_t>(model.joints() * model.parameters())),
@@ -40,12 +44,14 @@ Observations ObservationFolder::observations() {
   return result;
 }
 
+// Of noise that is correlated differently the worse is taken for all of it.
 Observations joined(const Observations& a, const Observations& b) {
-  Observations result{a.parameters, {}, std::max(a.correlation, b.correlation)};
+  Observations result{a.parameters, {}};
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     TriangularFactor factor(static_cast<int>(a.joints[i].columns.size()));
     for (const Observations* each : {&a, &b}) factor.join(each->joints[i].R, each->joints[i].rows);
-    result.joints.push_back({a.joints[i].columns, factor.factor(), factor.count()});
+    const double correlation = std::max(a.joints[i].correlation, b.joints[i].correlation);
+    result.joints.push_back({a.joints[i].columns, factor.factor(), factor.count(), correlation});
   }
   return result;
 }

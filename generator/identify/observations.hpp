@@ -17,6 +17,7 @@ struct JointObservations {
   std::vector<int> columns;  // of Y_b that row i has, ascending
   Eigen::MatrixXd R;         // (columns + 1)², upper triangular
   long rows = 0;             // samples folded
+  double correlation = 1;    // of the noise in them: SampleFilter::correlation()
 
   Eigen::MatrixXd A() const { return R.leftCols(R.cols() - 1); }
   Eigen::VectorXd b() const { return R.col(R.cols() - 1); }
@@ -30,7 +31,8 @@ struct JointObservations {
 struct Observations {
   int parameters = 0;  // b
   std::vector<JointObservations> joints;
-  double correlation = 1;  // of the noise in them: SampleFilter::correlation()
+
+  void set_correlation(double correlation);  // of all joints
 };
 
 // Folds motion as it comes: 2 (columns)² operations a row.

@@ -86,7 +86,7 @@ Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
   }
   result.count = {json.at("lines"), json.at("used"), json.at("gaps")};
   result.logs = logs_from(json.at("logs"));
-  result.observations.correlation = result.correlation();
+  result.observations.set_correlation(result.correlation());
   return result;
 }
 

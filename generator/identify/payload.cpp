@@ -40,35 +40,41 @@ std::vector<int> columns_from(int first, Index count) {
   return columns;
 }
 
-JointObservations folded(const MatrixXd& rows, std::vector<int> columns, long count) {
-  return {std::move(columns), triangular_factor_of(rows), count};
+// Other rows and columns in the place of a joint's.
+JointObservations folded(const MatrixXd& rows, std::vector<int> columns, const JointObservations& of) {
+  return {std::move(columns), triangular_factor_of(rows), of.rows, of.correlation};
 }
 
 // Rows in the unknowns of a linear substitution π_b = origin + change x.
 Observations substituted(const Observations& observations, const VectorXd& origin, const MatrixXd& change) {
   const Index unknowns = change.cols();
-  Observations result{static_cast<int>(unknowns), {}, observations.correlation};
+  Observations result{static_cast<int>(unknowns), {}};
   for (const JointObservations& joint : observations.joints) {
     MatrixXd rows(joint.R.rows(), unknowns + 1);
     rows << joint.A() * change(joint.columns, Eigen::all), joint.b() - joint.A() * joint.restricted(origin);
-    result.joints.push_back(folded(rows, columns_from(0, unknowns), joint.rows));
+    result.joints.push_back(folded(rows, columns_from(0, unknowns), joint));
   }
   return result;
 }
 
-// Rows of both in the ten of the payload and, behind them, π_b without it: π_b + change x with it.
+// Rows of both in the ten of the payload and, behind them, π_b without it: π_b + change x with it. Each log has its own
+// rows of a joint, and so its own weights: its noise may be another, and correlated differently.
 Observations side_by_side(const Observations& with, const Observations& without, const MatrixXd& change) {
   const Index unknowns = change.cols();
-  Observations result{
-      static_cast<int>(unknowns) + with.parameters, {}, std::max(with.correlation, without.correlation)};
-  for (std::size_t i = 0; i < with.joints.size(); ++i) {
-    const JointObservations &a = with.joints[i], &b = without.joints[i];
-    const Index base = a.R.cols() - 1;
-    MatrixXd rows(a.R.rows() + b.R.rows(), unknowns + base + 1);
-    rows << a.A() * change(a.columns, Eigen::all), a.R, MatrixXd::Zero(b.R.rows(), unknowns), b.R;
+  const auto behind = [&](std::vector<int> columns) {
+    for (int& column : columns) column += static_cast<int>(unknowns);
+    return columns;
+  };
+  Observations result{static_cast<int>(unknowns) + with.parameters, {}};
+  for (const JointObservations& joint : with.joints) {
+    MatrixXd rows(joint.R.rows(), unknowns + joint.R.cols());
+    rows << joint.A() * change(joint.columns, Eigen::all), joint.R;
     std::vector<int> columns = columns_from(0, unknowns);
-    for (const int column : a.columns) columns.push_back(static_cast<int>(unknowns) + column);
-    result.joints.push_back(folded(rows, std::move(columns), a.rows + b.rows));
+    for (const int column : behind(joint.columns)) columns.push_back(column);
+    result.joints.push_back(folded(rows, std::move(columns), joint));
+  }
+  for (const JointObservations& joint : without.joints) {
+    result.joints.push_back({behind(joint.columns), joint.R, joint.rows, joint.correlation});
   }
   return result;
 }

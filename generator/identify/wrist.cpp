@@ -60,11 +60,11 @@ void WristObserver::add(const MeasuredMotion& motion) {
 }
 
 PayloadEstimate WristObserver::estimate(double correlation) {
-  Observations observations{kUnknowns, {}, correlation};
+  Observations observations{kUnknowns, {}};
   std::vector<int> columns;
   for (int k = 0; k < kUnknowns; ++k) columns.push_back(k);
   for (TriangularFactor& factor : factors_) {
-    observations.joints.push_back({columns, factor.factor(), factor.count()});
+    observations.joints.push_back({columns, factor.factor(), factor.count(), correlation});
   }
   return payload_of(flatdyn::estimate(observations, VectorXd::Zero(kUnknowns)));
 }

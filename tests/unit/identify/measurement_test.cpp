@@ -98,7 +98,7 @@ TEST_F(MeasurementTest, IntervalsAreHonestWhereDerivativesComeFromTheFilter) {
       const auto samples =
           simulated(arm(), {.samples = 4000, .rate = 200, .fundamental = 0.3, .noise = 200, .seed = run});
       const Measurement measurement = measured({log(samples, LogDerivatives::none)}, {.decimate = decimate});
-      EXPECT_GT(measurement.observations.correlation, decimate ? 3 : 1.1);
+      EXPECT_GT(measurement.observations.joints.front().correlation, decimate ? 3 : 1.1);
       const Estimate estimated = estimate(measurement.observations, truth());
       const Eigen::VectorXd error = (estimated.values - truth()).cwiseAbs();
       inside += static_cast<int>((error.array() <= kTwoSided95 * estimated.standard_deviations.array()).count());
@@ -185,8 +185,8 @@ TEST_F(PartsTest, OfLogsThatAreFilteredAndThatAreNotMakeUpTheWhole) {
   for (int k = 1; k <= kParts; ++k) files.push_back(part_of(logs, k));
   const Measurement merged = merge_parts(files, torque_model(), found);
   ASSERT_FALSE(found.has_errors());
-  EXPECT_GT(whole.observations.correlation, 1);
-  EXPECT_EQ(merged.observations.correlation, whole.observations.correlation);
+  EXPECT_GT(whole.observations.joints.back().correlation, 1);
+  EXPECT_EQ(merged.observations.joints.back().correlation, whole.observations.joints.back().correlation);
   EXPECT_EQ(merged.filters().size(), 2u);
   EXPECT_EQ(merged.logs, whole.logs);
   const Estimate a = estimate(merged.observations, truth()), b = estimate(whole.observations, truth());

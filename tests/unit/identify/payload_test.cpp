@@ -89,6 +89,41 @@ TEST(Payload, IsFoundAgainstALogWithoutIt) {
   }
 }
 
+std::vector<testing::SimulatedSample> with_noise(std::vector<testing::SimulatedSample> samples, double deviation,
+                                                 testing::Uniform& random) {
+  for (testing::SimulatedSample& each : samples) {
+    for (double& tau : each.tau) tau += deviation * random.normal();
+  }
+  return samples;
+}
+
+// Every row of the log with the payload stands there three times, which tells no more than once: a correlation of 3.
+// The other log has a fifth of its noise.
+TEST(Payload, HasHonestIntervalsWhereLogsHaveDifferentNoise) {
+  constexpr int kRuns = 200, kTimes = 3;
+  constexpr double kTwoSided95 = 1.959964;
+  Progress quiet(true);
+  const Model model = testing::model_of("ur5.urdf");
+  const TorqueModel torque(model, ParameterSet::given, quiet);
+  const VectorXd file = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
+  const auto loaded = simulated(with_payload(model), {.samples = 100}), free = simulated(model, {.samples = 100});
+  testing::Uniform random(1);
+  int inside = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    std::vector<testing::SimulatedSample> repeated;
+    for (const auto& each : with_noise(loaded, 0.5, random)) repeated.insert(repeated.end(), kTimes, each);
+    Observations with = observed(torque, repeated);
+    with.set_correlation(kTimes);
+    const Observations without = observed(torque, with_noise(free, 0.1, random));
+    const PayloadEstimate found = estimate_payload(torque, with, without, file);
+    const Eigen::ArrayXd error = (found.values - known_payload()).cwiseAbs();
+    inside += static_cast<int>((error <= kTwoSided95 * found.standard_deviations.array()).count());
+  }
+  const double part = static_cast<double>(inside) / (10.0 * kRuns);
+  EXPECT_GE(part, 0.93);
+  EXPECT_LE(part, 0.97);
+}
+
 // A robot that only stands still tells the mass and its centre, and nothing of the inertia.
 TEST(Payload, KeepsItsCentreWhereOnlyPosesWereMeasured) {
   Progress quiet(true);
