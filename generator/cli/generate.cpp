@@ -233,8 +233,10 @@ std::vector<TextFile> companions(const Model& model, const std::vector<Function>
   const std::filesystem::path folder = arguments.folder;
   std::vector<TextFile> files;
   if (!arguments.firmware.empty()) {
+    Progress progress(arguments.quiet);
     const FirmwareTarget& target = firmware_target(arguments.firmware);
-    for (const FirmwareFile& file : firmware_files(model.robot, model.mechanism, functions, options, target)) {
+    for (const FirmwareFile& file :
+         firmware_files(model.robot, model.mechanism, functions, options, target, progress)) {
       files.push_back({folder / file.name, file.text});
     }
   }

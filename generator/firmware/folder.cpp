@@ -24,7 +24,7 @@ using kainjow::mustache::data;
 class FolderWriter {
  public:
   FolderWriter(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
-               const EmitOptions& options, const FirmwareTarget& target)
+               const EmitOptions& options, const FirmwareTarget& target, Progress& progress)
       : mechanism_(mechanism),
         functions_(functions),
         options_(options),
@@ -34,7 +34,7 @@ class FolderWriter {
       if (function.base_parameters > 0)
         throw Failure(ExitCode::unsupported, "--firmware: no self test for " + function.name);
     }
-    vectors_ = test_vectors(robot, mechanism, functions, options.scalar);
+    vectors_ = test_vectors(robot, mechanism, functions, options.scalar, progress);
   }
 
   std::vector<FirmwareFile> files() const {
@@ -217,8 +217,8 @@ class FolderWriter {
 
 std::vector<FirmwareFile> firmware_files(const Robot& robot, const Mechanism& mechanism,
                                          const std::vector<Function>& functions, const EmitOptions& options,
-                                         const FirmwareTarget& target) {
-  return FolderWriter(robot, mechanism, functions, options, target).files();
+                                         const FirmwareTarget& target, Progress& progress) {
+  return FolderWriter(robot, mechanism, functions, options, target, progress).files();
 }
 
 }  // namespace flatdyn

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/progress.hpp"
 #include "emit/emit.hpp"
 #include "firmware/target.hpp"
 #include "model/robot.hpp"
@@ -19,6 +20,6 @@ struct FirmwareFile {
 // Throws Failure(unsupported) for functions that have no reference values.
 std::vector<FirmwareFile> firmware_files(const Robot& robot, const Mechanism& mechanism,
                                          const std::vector<Function>& functions, const EmitOptions& options,
-                                         const FirmwareTarget& target);
+                                         const FirmwareTarget& target, Progress& progress);
 
 }  // namespace flatdyn

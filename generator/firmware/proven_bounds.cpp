@@ -50,11 +50,10 @@ std::vector<double> by_entry(const Function& function, const CertifiedFunction& 
 }  // namespace
 
 ProvenBounds::ProvenBounds(const Mechanism& mechanism, const std::vector<Function>& functions, const EmittedText& text,
-                           std::size_t k, const std::string& scalar)
+                           std::size_t k, const std::string& scalar, Progress& progress)
     : mechanism_(mechanism), lines_(text.operations(k, functions[k])) {
-  Progress quiet(true);
   try {
-    bounds_ = by_entry(functions[k], certify(mechanism, functions[k], lines_, without_gappa(scalar), quiet));
+    bounds_ = by_entry(functions[k], certify(mechanism, functions[k], lines_, without_gappa(scalar), progress));
   } catch (const Failure& failure) {
     if (failure.code() != ExitCode::unsupported) throw;
     for (const Output& output : functions[k].outputs) bounds_.resize(bounds_.size() + output.entries.size(), kNothing);

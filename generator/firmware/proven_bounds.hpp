@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/states.hpp"
@@ -18,7 +19,7 @@ class ProvenBounds {
   // Of function k in the text of a C++ header; none where `certify` refuses: divisions, inputs without limits, symbols.
   // Both must outlive it.
   ProvenBounds(const Mechanism& mechanism, const std::vector<Function>& functions, const EmittedText& text,
-               std::size_t k, const std::string& scalar);
+               std::size_t k, const std::string& scalar, Progress& progress);
 
   // Of the absolute error of each entry of all outputs, at a state that keeps the limits of what the function reads;
   // negative where nothing is proven.

@@ -87,16 +87,17 @@ class VectorMaker {
     for (const Function& function : functions) expected_.push_back(values_.of(function));
   }
 
-  TestVectors run() {
+  TestVectors run(Progress& progress) {
     take_states(random_and_extreme(mechanism_));
     const std::vector<State> pool =
         in_scalar(random_states(mechanism_, kSearchedStates, kSeed), values_.symbols(), scalar_);
     for (std::size_t f = 0; f < functions_.size(); ++f) {
+      progress.step("looking for the worst state of " + functions_[f].name);
       const auto worst =
           worst_state_found(functions_[f], text_.operations(f, functions_[f]), expected_[f], pool, scalar_);
       if (worst && is_regular(*worst)) result_.states.push_back(*worst);
     }
-    for (std::size_t f = 0; f < functions_.size(); ++f) expect(f);
+    for (std::size_t f = 0; f < functions_.size(); ++f) expect(f, progress);
     return std::move(result_);
   }
 
@@ -112,9 +113,9 @@ class VectorMaker {
     }
   }
 
-  void expect(std::size_t f) {
+  void expect(std::size_t f, Progress& progress) {
     const Function& function = functions_[f];
-    const ProvenBounds bounds(mechanism_, functions_, text_, f, scalar_);
+    const ProvenBounds bounds(mechanism_, functions_, text_, f, scalar_, progress);
     result_.expected.emplace_back();
     for (const State& given : result_.states) {
       const State state = state_for(function, given);
@@ -147,8 +148,8 @@ class VectorMaker {
 }  // namespace
 
 TestVectors test_vectors(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
-                         const std::string& scalar) {
-  return VectorMaker(robot, mechanism, functions, scalar).run();
+                         const std::string& scalar, Progress& progress) {
+  return VectorMaker(robot, mechanism, functions, scalar).run(progress);
 }
 
 }  // namespace flatdyn

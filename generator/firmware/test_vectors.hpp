@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
@@ -33,6 +34,6 @@ struct TestVectors {
 
 // For the scalar "double" or "float". The same on every machine.
 TestVectors test_vectors(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
-                         const std::string& scalar);
+                         const std::string& scalar, Progress& progress);
 
 }  // namespace flatdyn
