@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <fstream>
 
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
@@ -28,7 +27,7 @@ constexpr const char* kFlagsOfC =
     "-std=c99 -O1 -ffp-contract=off -Wall -Wextra -pedantic -Wconversion -Wshadow -Wfloat-equal -Wdouble-promotion "
     "-Werror";
 
-std::vector<Function> functions_of_robot(const Model& model) {
+std::vector<Function> functions_to_compare(const Model& model) {
   PipelineOptions options;
   const bool is_large = model.mechanism.size() > 20;
   if (is_large) options.functions = {"inverse_dynamics", "gravity", "jacobian"};
@@ -125,17 +124,10 @@ std::string program(const Model& model, const std::vector<Function>& functions, 
          "1;\n}\n";
 }
 
-void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
-
-std::string output_of(const fs::path& folder, const std::string& command) {
-  const int status = std::system(fmt::format("cd '{}' && ({}) > log 2>&1", folder.string(), command).c_str());
-  return (status == 0 ? "" : "failed: ") + content_of(folder / "log");
-}
-
 // All of one robot, in one folder.
 std::string differences_of(const std::string& robot, int most_lines) {
   const Model model = model_of(robot);
-  const std::vector<Function> functions = functions_of_robot(model);
+  const std::vector<Function> functions = functions_to_compare(model);
   const TemporaryFolder folder;
   std::string headers[2], sources;
   write(folder.path() / "whole.hpp", emit_cpp(model.mechanism, functions, options_of("double", Language::cpp, 0)));

@@ -85,6 +85,13 @@ std::string content_of(const fs::path& file) {
   return text.str();
 }
 
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+std::string output_of(const fs::path& folder, const std::string& command) {
+  const int status = std::system(fmt::format("cd '{}' && ({}) > log 2>&1", folder.string(), command).c_str());
+  return (status == 0 ? "" : "failed: ") + content_of(folder / "log");
+}
+
 TemporaryFolder::TemporaryFolder() {
   static int count = 0;
   path_ = fs::path(::testing::TempDir()) / fmt::format("flatdyn-golden-{}-{}", getpid(), count++);

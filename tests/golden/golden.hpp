@@ -27,6 +27,10 @@ std::string generate(const std::string& program, const std::filesystem::path& so
 std::vector<std::string> differences(const std::filesystem::path& expected, const std::filesystem::path& produced);
 
 std::string content_of(const std::filesystem::path& file);
+void write(const std::filesystem::path& file, const std::string& text);
+
+// What a shell's command prints in `folder`, where it also stays as `log`; after "failed: " if it does not end with 0.
+std::string output_of(const std::filesystem::path& folder, const std::string& command);
 
 // A new empty folder, removed at the end of scope.
 class TemporaryFolder {

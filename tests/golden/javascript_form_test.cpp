@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "emit/arguments.hpp"
@@ -43,7 +42,7 @@ writeFileSync('results.json', JSON.stringify(functions.map((of) => states.map((s
 
 bool has_node() { return std::system("node --version > /dev/null 2>&1") == 0; }
 
-std::vector<Function> functions_of_robot(const Model& model) {
+std::vector<Function> functions_to_run(const Model& model) {
   PipelineOptions options;
   // Of the humanoid not everything: its 16896 Christoffel symbols take long in 50 digits.
   if (model.mechanism.size() > 20) {
@@ -80,8 +79,6 @@ json states_as_json(const std::vector<State>& states) {
   return list;
 }
 
-void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
-
 std::vector<double> numbers(const json& list) {
   std::vector<double> values;
   for (const json& entry : list) values.push_back(entry.is_null() ? std::nan("") : entry.get<double>());
@@ -91,7 +88,7 @@ std::vector<double> numbers(const json& list) {
 // The largest scaled error of each function is small.
 void expect_small_errors(const std::string& robot, int most_lines) {
   const Model model = model_of(robot);
-  const std::vector<Function> functions = functions_of_robot(model);
+  const std::vector<Function> functions = functions_to_run(model);
   const ExpectedValues expected(model.robot, model.mechanism, 1);
   const std::vector<State> states = with_parameters(random_states(model.mechanism, kStates, 1), expected.symbols());
   EmitOptions options;

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
 
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
@@ -127,13 +126,6 @@ std::string program(const Forms& forms) {
   return text +
          "}\nint main() {\n  for (int k = 0; k < 20; ++k) compare_all<double>(), compare_all<float>();\n"
          "  std::printf(\"%d differ\\n\", differ);\n  return changed > 0 ? 0 : 1;\n}\n";
-}
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
-
-std::string output_of(const fs::path& folder, const std::string& command) {
-  const int status = std::system(fmt::format("cd '{}' && ({}) > log 2>&1", folder.string(), command).c_str());
-  return (status == 0 ? "" : "failed: ") + content_of(folder / "log");
 }
 
 void write_files(const fs::path& folder, const Forms& forms) {

@@ -10,15 +10,15 @@ namespace flatdyn {
 namespace {
 
 namespace ref = reference;
-using Vector = ref::VectorX<double>;
-using Matrix = ref::MatrixX<double>;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 using testing::random_reference_robot;
 using testing::ReferenceState;
 
 // The bound itself is rounded, too.
 constexpr double kSlack = 1 + 1e-12;
 
-void expect_bounded(const Matrix& value, const Matrix& magnitude, const char* what) {
+void expect_bounded(const MatrixXd& value, const MatrixXd& magnitude, const char* what) {
   ASSERT_EQ(value.rows(), magnitude.rows());
   ASSERT_EQ(value.cols(), magnitude.cols());
   for (Eigen::Index i = 0; i < value.rows(); ++i) {
@@ -33,7 +33,7 @@ class Magnitudes : public ::testing::TestWithParam<unsigned> {
   ref::Robot<double> robot = random_reference_robot<double>(GetParam(), {.joints = 8});
   int n = robot.size();
   ReferenceState<double> s{GetParam(), n};
-  Vector zero = Vector::Zero(n);
+  VectorXd zero = VectorXd::Zero(n);
 };
 
 TEST_P(Magnitudes, BoundTheTorques) {
@@ -54,7 +54,7 @@ TEST_P(Magnitudes, BoundTheMatrices) {
 TEST_P(Magnitudes, BoundTheTipAndThePotentialEnergy) {
   EXPECT_LE(ref::tip_pose(robot, s.q).p.norm(), kSlack * ref::reach(robot, s.q));
   EXPECT_LE(std::abs(ref::potential_energy(robot, s.q)), kSlack * ref::potential_magnitude(robot, s.q));
-  const Vector a = ref::jacobian_dot_qd(robot, s.q, s.qd);
+  const VectorXd a = ref::jacobian_dot_qd(robot, s.q, s.qd);
   const Eigen::Vector2d bound = ref::tip_acceleration_magnitude(robot, s.q, s.qd);
   EXPECT_LE(a.head(3).norm(), kSlack * bound[0]);
   EXPECT_LE(a.tail(3).norm(), kSlack * bound[1]);
@@ -63,12 +63,12 @@ TEST_P(Magnitudes, BoundTheTipAndThePotentialEnergy) {
 // A scale that is far too large would hide errors: over many states the largest torque comes within a factor of its
 // magnitude that grows with the number of links only.
 TEST_P(Magnitudes, AreNotMuchLargerThanTheTorquesCanBe) {
-  Vector largest = Vector::Zero(n);
+  VectorXd largest = VectorXd::Zero(n);
   for (unsigned k = 0; k < 300; ++k) {
     const ReferenceState<double> state(k, n);
-    const Vector ratio = ref::inverse_dynamics(robot, state.q, state.qd, state.qdd)
-                             .cwiseAbs()
-                             .cwiseQuotient(ref::torque_magnitude(robot, state.q, state.qd, state.qdd));
+    const VectorXd ratio = ref::inverse_dynamics(robot, state.q, state.qd, state.qdd)
+                               .cwiseAbs()
+                               .cwiseQuotient(ref::torque_magnitude(robot, state.q, state.qd, state.qdd));
     largest = largest.cwiseMax(ratio);
   }
   EXPECT_GE(largest.minCoeff(), 0.01) << largest.transpose();
@@ -90,10 +90,10 @@ TEST(Magnitude, IsAttainedWhereNothingCancels) {
   joint.coulomb = 0.25;
   robot.joints = {joint};
   robot.links[1].inertials = {{2.0, {0.5, 0, 0}, ref::Matrix3<double>::Zero()}};
-  const Vector q = Vector::Zero(1), qdd = Vector::Constant(1, 3);
-  const double tau = ref::inverse_dynamics(robot, q, Vector(Vector::Zero(1)), qdd)[0];
+  const VectorXd q = VectorXd::Zero(1), qdd = VectorXd::Constant(1, 3);
+  const double tau = ref::inverse_dynamics(robot, q, VectorXd(VectorXd::Zero(1)), qdd)[0];
   EXPECT_DOUBLE_EQ(tau, 2 * 0.5 * (0.5 * 3 + 9.81));
-  EXPECT_DOUBLE_EQ(ref::torque_magnitude(robot, q, Vector::Zero(1), qdd)[0], tau);
+  EXPECT_DOUBLE_EQ(ref::torque_magnitude(robot, q, VectorXd::Zero(1), qdd)[0], tau);
 }
 
 // Two branches do not feel each other's acceleration, and the magnitude says so: not even rounding may appear there.
@@ -101,7 +101,7 @@ TEST(Magnitude, IsZeroBetweenBranches) {
   ref::Robot<double> robot = random_reference_robot<double>(3, {.joints = 2, .chain = true, .rotors = false});
   ASSERT_EQ(robot.size(), 2);
   robot.joints[1].parent = 0;
-  const Matrix magnitude = ref::inertia_magnitude(robot, ReferenceState<double>(1, 2).q);
+  const MatrixXd magnitude = ref::inertia_magnitude(robot, ReferenceState<double>(1, 2).q);
   EXPECT_EQ(magnitude(0, 1), 0);
   EXPECT_EQ(magnitude(1, 0), 0);
   EXPECT_GT(magnitude(0, 0), 0);

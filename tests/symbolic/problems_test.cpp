@@ -9,11 +9,9 @@
 namespace flatdyn {
 namespace {
 
-using GiNaC::symbol;
-
 // ∂f/∂q_k of a polynomial in the sines and cosines of the joints.
 Number slope(const Number& f, int k, const ClosedForm& form) {
-  const symbol &c = form.c[at(k)], &s = form.s[at(k)];
+  const GiNaC::symbol &c = form.c[at(k)], &s = form.s[at(k)];
   return f.diff(s) * c - f.diff(c) * s;
 }
 
@@ -21,7 +19,7 @@ Number slope(const Number& f, int k, const ClosedForm& form) {
 struct TwoMatrices {
   Mechanism mechanism = make_mechanism(testing::two_link_planar());
   ClosedForm form = closed_form(mechanism);
-  std::vector<Number> qd = {symbol("qd_1"), symbol("qd_2")};
+  std::vector<Number> qd = {GiNaC::symbol("qd_1"), GiNaC::symbol("qd_2")};
   Rows symmetric = Rows(2, std::vector<Number>(2, 0)), plain = symmetric, dB = symmetric;
 
   TwoMatrices() {
@@ -53,7 +51,7 @@ TEST(Problems, P7_2) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE((arm.torque(arm.symmetric, i) - arm.torque(arm.plain, i)).is_zero());
   EXPECT_TRUE(arm.quadratic(arm.symmetric, arm.qd).is_zero());
   EXPECT_TRUE(arm.quadratic(arm.plain, arm.qd).is_zero());
-  const std::vector<Number> w = {symbol("w_1"), symbol("w_2")};
+  const std::vector<Number> w = {GiNaC::symbol("w_1"), GiNaC::symbol("w_2")};
   EXPECT_TRUE(arm.quadratic(arm.symmetric, w).is_zero());
   const Number h = -testing::symbol(arm.mechanism, "m_l2") * testing::symbol(arm.mechanism, "a_1") *
                    testing::symbol(arm.mechanism, "l_2") * arm.form.s[1];
