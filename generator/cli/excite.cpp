@@ -61,7 +61,9 @@ void add_plan_options(CLI::App& command, ExciteArguments& arguments) {
       ->capture_default_str()
       ->check(number_between(0.01, 1.0));
   command.add_option("--seed", plan.seed, "of the random starts")->capture_default_str();
-  command.add_option("--evaluations", arguments.evaluations, "of the condition number; what ends the search")
+  command
+      .add_option("--evaluations", arguments.evaluations,
+                  "of the criterion; the search ends before that where it gets no better")
       ->default_str(fmt::format("{}", plan.evaluations))
       ->check(CLI::Range(1, 10000000));
   command

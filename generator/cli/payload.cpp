@@ -108,11 +108,13 @@ ExitCode payload(const PayloadArguments& arguments) {
     found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
   }
   const std::vector<std::string> doubts = doubts_about(found, hint_of(arguments));
+  Diagnostics warnings;
+  for (const std::string& doubt : doubts) warnings.warning({arguments.logs.front(), 0}, doubt);
+  arguments.report(warnings);
   if (!arguments.output.empty()) {
     write_files({{arguments.output, payload_robot_text(robot, found, arguments.output, settings, doubts)}});
   }
   fmt::print("{}", arguments.json ? payload_json(robot, found).dump(2) + "\n" : describe_payload(robot, found));
-  for (const std::string& doubt : doubts) fmt::print(arguments.json ? stderr : stdout, "{}\n", doubt);
   if (!arguments.output.empty() && !arguments.json) fmt::print("\nwrote {}\n", arguments.output);
   return ExitCode::ok;
 }

@@ -12,8 +12,10 @@ using Eigen::ArrayXd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The power of the norms that stand in for largest and smallest.
+// The power of the norm that stands in for the largest singular value.
 constexpr double kNormPower = 16;
+// How much that counts: 1 makes a condition number, which motions lower by moving less; 0 standard deviations alone.
+constexpr double kOfLargest = 0.25;
 
 // A column of zeros stays one.
 VectorXd inverse_lengths(const MatrixXd& matrix) {
@@ -26,30 +28,26 @@ double ratio(const VectorXd& singular_values) {
 
 }  // namespace
 
-Conditioning conditioning(const MatrixXd& regressor) {
+Conditioning conditioning(const MatrixXd& regressor, const VectorXd& lengths) {
+  const auto relative = singular_values_of_tall(regressor * lengths.cwiseInverse().asDiagonal());
   const auto scaled = singular_values_of_tall(regressor * inverse_lengths(regressor).asDiagonal());
-  return {ratio(scaled.s), ratio(singular_values_of_tall(regressor).s), scaled.V.rightCols<1>()};
+  const MatrixXd spread = relative.V * relative.s.cwiseInverse().asDiagonal();
+  return {ratio(relative.s), ratio(scaled.s), ratio(singular_values_of_tall(regressor).s), relative.V.rightCols<1>(),
+          spread.rowwise().norm().cwiseQuotient(lengths)};
 }
 
-// With Ȳ = Y D, D the inverse lengths, Ȳ = U Σ Vᵀ, and f the function of the singular values:
-//   dσ_i = u_iᵀ dY D v_i − σ_i Σ_j v_ij² D_j² y_jᵀ dy_j
-// The second term is the change of D. U is not needed, as U = Ȳ V Σ⁻¹.
-double smooth_log_condition(const MatrixXd& regressor, MatrixXd* slope) {
-  const VectorXd d = inverse_lengths(regressor);
-  const MatrixXd scaled = regressor * d.asDiagonal();
-  const auto svd = singular_values_of_tall(scaled);
-  const ArrayXd s = svd.s.array().max(std::numeric_limits<double>::epsilon());
+// With A = U Σ Vᵀ: dσ_i = u_iᵀ dA v_i. U is not needed, as U = A V Σ⁻¹.
+double excitation_cost(const MatrixXd& matrix, MatrixXd* slope) {
+  const auto svd = singular_values_of_tall(matrix);
+  const ArrayXd s = svd.s.array().max(std::numeric_limits<double>::epsilon() * svd.s(0));
   const double largest = s(0), smallest = s(s.size() - 1);
-  const ArrayXd up = (s / largest).pow(kNormPower), down = (smallest / s).pow(kNormPower);
+  const ArrayXd up = (s / largest).pow(kNormPower), down = (smallest / s).square();
   if (slope != nullptr) {
-    const ArrayXd by_log = up / up.sum() - down / down.sum();  // df / d ln σ_i
-    const MatrixXd& v = svd.V;
-    const MatrixXd middle = v * (by_log / s.square()).matrix().asDiagonal() * v.transpose();
-    const VectorXd of_lengths = (v.cwiseAbs2() * by_log.matrix()).cwiseProduct(d.cwiseAbs2());
-    *slope = scaled * middle * d.asDiagonal();
-    *slope -= regressor * of_lengths.asDiagonal();
+    const ArrayXd by_log = kOfLargest * up / up.sum() - down / down.sum();  // d cost / d ln σ_i
+    *slope = matrix * (svd.V * (by_log / s.square()).matrix().asDiagonal() * svd.V.transpose());
   }
-  return std::log(largest / smallest) + (std::log(up.sum()) + std::log(down.sum())) / kNormPower;
+  return std::log(down.mean()) / 2 - std::log(smallest) +
+         kOfLargest * (std::log(largest) + std::log(up.sum()) / kNormPower);
 }
 
 }  // namespace flatdyn

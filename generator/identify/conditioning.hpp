@@ -8,16 +8,22 @@
 namespace flatdyn {
 
 struct Conditioning {
-  double scaled = 0;        // condition number with every column at unit length
-  double unscaled = 0;      // as it is
-  Eigen::VectorXd weakest;  // of the scaled columns: the combination that the motion shows least, unit length
+  double relative = 0;  // condition number with every column divided by its length in other motions
+  double scaled = 0;    // with every column at unit length
+  double unscaled = 0;  // as it is
+  Eigen::VectorXd
+      weakest;  // of the columns as for `relative`: the combination that the motion shows least, unit length
+  // Of the parameters, where every entry of τ has noise of standard deviation 1.
+  Eigen::VectorXd standard_deviations;
 };
 
-// rows ≥ columns.
-Conditioning conditioning(const Eigen::MatrixXd& regressor);
+// regressor: rows ≥ columns, or the triangular factor of such a one; lengths: of the columns in other motions,
+// positive.
+Conditioning conditioning(const Eigen::MatrixXd& regressor, const Eigen::VectorXd& lengths);
 
-// A smooth stand-in for ln(condition number) of the scaled columns, a little larger: the largest and the inverse of the
-// smallest singular value replaced by norms of all of them. `slope`, if given, gets the derivative by each entry.
-double smooth_log_condition(const Eigen::MatrixXd& regressor, Eigen::MatrixXd* slope);
+// ln of the root mean square of 1/σ_i, so of the standard deviations of what multiplies the columns, plus a quarter of
+// ln σ_1, of which a norm stands in that is smooth and a little larger. `slope`, if given, gets the derivative by each
+// entry.
+double excitation_cost(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* slope);
 
 }  // namespace flatdyn

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -41,7 +42,11 @@ struct ExcitationObjective::Motion {
 
 ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<JointLimits> limits, double duration,
                                          int harmonics)
-    : model_(model), limits_(std::move(limits)), duration_(duration), units_(2 * harmonics, model.joints()) {
+    : model_(model),
+      limits_(std::move(limits)),
+      duration_(duration),
+      units_(2 * harmonics, model.joints()),
+      lengths_(VectorXd::Ones(model.parameters())) {
   for (const JointLimits& joint : limits_) rest_.push_back(joint.middle());
   const int count = samples_for(model, harmonics);
   for (MatrixXd& basis : basis_) basis.resize(count, 2 * harmonics);
@@ -64,6 +69,13 @@ ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<J
           .setConstant(std::min({joint.reach() * frequency, joint.speed, joint.acceleration / frequency}));
     }
   }
+}
+
+void ExcitationObjective::scale_by(const std::vector<std::vector<double>>& motions) {
+  VectorXd squares = VectorXd::Zero(model_.parameters());
+  for (const std::vector<double>& x : motions)
+    squares += regressor(motion(x.data())).colwise().squaredNorm().transpose();
+  lengths_ = (squares / static_cast<double>(motions.size())).cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
 }
 
 ExcitationObjective::Motion ExcitationObjective::motion(const double* x) const {
@@ -103,6 +115,17 @@ FourierTrajectory ExcitationObjective::trajectory(const double* x) const {
   return {duration_, rest_, series};
 }
 
+std::vector<double> ExcitationObjective::coefficients(const FourierTrajectory& trajectory) const {
+  std::vector<double> x;
+  for (int i = 0; i < model_.joints(); ++i) {
+    const FourierSeries& joint = trajectory.series()[static_cast<std::size_t>(i)];
+    for (int k = 0; k < terms(); ++k) {
+      x.push_back((k % 2 == 0 ? joint.a : joint.b)[static_cast<std::size_t>(k / 2)] / units_(k, i));
+    }
+  }
+  return x;
+}
+
 VectorXd ExcitationObjective::state(const Motion& motion, int derivative, int sample) const {
   VectorXd values = motion.scale.cwiseProduct(motion.shape[derivative].row(sample).transpose());
   if (derivative == 0) values += Eigen::Map<const VectorXd>(rest_.data(), model_.joints());
@@ -124,7 +147,7 @@ MatrixXd ExcitationObjective::regressor(const Motion& motion) const {
 double ExcitationObjective::torque_penalty(const MatrixXd& regressor, MatrixXd* slope) const {
   const Eigen::Map<const VectorXd> values(model_.file_values().data(), model_.parameters());
   const VectorXd tau = regressor * values;
-  const double weight = kTorqueWeight / samples();
+  const double weight = torque_weight_ * kTorqueWeight / samples();
   double penalty = 0;
   for (Eigen::Index row = 0; row < tau.size(); ++row) {
     const double limit = limits_[static_cast<std::size_t>(row) % limits_.size()].torque;
@@ -176,8 +199,10 @@ void ExcitationObjective::by_coefficients(const Motion& motion, const MatrixXd* 
 double ExcitationObjective::operator()(const double* x, double* gradient) const {
   const Motion found = motion(x);
   const MatrixXd y = regressor(found);
+  const VectorXd inverse = lengths_.cwiseInverse();
   MatrixXd slope;
-  double value = smooth_log_condition(y, gradient != nullptr ? &slope : nullptr);
+  double value = excitation_cost(y * inverse.asDiagonal(), gradient != nullptr ? &slope : nullptr);
+  if (gradient != nullptr) slope = slope * inverse.asDiagonal();
   value += torque_penalty(y, gradient != nullptr ? &slope : nullptr);
   if (gradient != nullptr) {
     MatrixXd by[3];

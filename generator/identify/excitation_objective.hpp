@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the search for an exciting motion makes small: the condition number, at a few samples, as a smooth function of
-// free coefficients, with its gradient.
+// What the search for an exciting motion makes small: standard deviations of the parameters and, with less weight, the
+// condition number, at a few samples, as a smooth function of free coefficients, with its gradient. Columns are divided
+// by the lengths that they have in random motions which use the limits: at unit length, a joint could stand nearly
+// still, and its columns would look as good as before.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,15 +20,23 @@ class ExcitationObjective {
   // moves.
   ExcitationObjective(const TorqueModel& model, std::vector<JointLimits> limits, double duration, int harmonics);
 
+  // From now on by the columns' lengths in these motions, of size() coefficients each: root mean squares.
+  void scale_by(const std::vector<std::vector<double>>& motions);
+  const Eigen::VectorXd& lengths() const { return lengths_; }
+  // What torques beyond their limits cost from now on; at first 1.
+  void weigh_torques(double weight) { torque_weight_ = weight; }
+
   // Free coefficients: of every joint a_1, b_1, a_2, …, in units that reach a limit at about 1.
   int size() const { return model_.joints() * terms(); }
 
-  // ln(condition number), smoothed, and a penalty for torques beyond their limits. `gradient` of size() or null.
+  // excitation_cost(), and a penalty for torques beyond their limits. `gradient` of size() or null.
   double operator()(const double* x, double* gradient) const;
 
   // The series that the coefficients stand for. A joint whose limits of position, speed and acceleration these would
   // exceed is scaled down, smoothly, to about the limit.
   FourierTrajectory trajectory(const double* x) const;
+  // Those that stand for about this motion, which keeps the limits.
+  std::vector<double> coefficients(const FourierTrajectory& trajectory) const;
 
  private:
   struct Motion;
@@ -46,6 +56,8 @@ class ExcitationObjective {
   double duration_;
   Eigen::MatrixXd units_;     // terms × joints: a coefficient of 1 is this amplitude of speed
   Eigen::MatrixXd basis_[3];  // samples × terms: q, q̇ and q̈ of each term
+  Eigen::VectorXd lengths_;
+  double torque_weight_ = 1;
 };
 
 }  // namespace flatdyn

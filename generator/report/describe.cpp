@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnostics/table.hpp"
@@ -47,12 +48,16 @@ std::string describe_model(const Model& model, const std::vector<double>& snap_e
   const NumberText number(mechanism);
   std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name, joints_text(mechanism),
                                  number(mechanism.gravity), mechanism.tip.link);
+  const bool has_accelerations = std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                                             [](const Body& body) { return body.limits.acceleration.has_value(); });
   std::vector<std::vector<std::string>> rows = {{"q", "joint", "type", "moves", "after", "range", "speed", "effort"}};
+  if (has_accelerations) rows.front().emplace_back("acceleration");
   for (int i = 0; i < mechanism.position_count(); ++i) {
     const Body& body = mechanism.joint_at(i);
     const std::string parent = body.parent < 0 ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
     rows.push_back({std::to_string(i), body.joint, type_of(body), body.link, parent, range_text(body.limits, number),
                     limit_text(body.limits.velocity, number), limit_text(body.limits.effort, number)});
+    if (has_accelerations) rows.back().push_back(limit_text(body.limits.acceleration, number));
   }
   text += aligned_table(rows);
   if (mechanism.is_coupled()) {
@@ -136,6 +141,7 @@ nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
   add_limit("lower", body.limits.lower);
   add_limit("upper", body.limits.upper);
   add_limit("velocity", body.limits.velocity);
+  add_limit("acceleration", body.limits.acceleration);
   add_limit("effort", body.limits.effort);
   const Mat3 R = constant_rotation(body);
   joint["origin"] = {{"p", list_json(body.p, text)}, {"R", nlohmann::ordered_json::array()}};

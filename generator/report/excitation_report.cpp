@@ -64,6 +64,14 @@ std::string weakest_table(const BaseParameters& base, const Eigen::VectorXd& wea
   return aligned_table(rows);
 }
 
+// Of the parameters' standard deviations, the motion that was found to the random start; ascending.
+Eigen::VectorXd ratios_of_deviations(const Excitation& excitation) {
+  Eigen::VectorXd ratios = excitation.motion.conditioning.standard_deviations.cwiseQuotient(
+      excitation.start.conditioning.standard_deviations);
+  std::sort(ratios.begin(), ratios.end());
+  return ratios;
+}
+
 void append(std::string& line, const std::vector<double>& values) {
   // + 0.0: no negative zeros.
   for (const double value : values) line += fmt::format(",{}", value + 0.0);
@@ -86,8 +94,14 @@ std::string describe_excitation(const TorqueModel& model, const Excitation& exci
   const Conditioning &before = excitation.start.conditioning, &after = motion.conditioning;
   text += aligned_table(
       {{"condition number", "random start", "found"},
+       {"columns by their lengths in random motions", fmt::format("{:.4g}", before.relative),
+        fmt::format("{:.4g}", after.relative)},
        {"columns of unit length", fmt::format("{:.4g}", before.scaled), fmt::format("{:.4g}", after.scaled)},
        {"unscaled", fmt::format("{:.4g}", before.unscaled), fmt::format("{:.4g}", after.unscaled)}});
+  const Eigen::VectorXd ratios = ratios_of_deviations(excitation);
+  text +=
+      fmt::format("\nstandard deviations of the parameters, found to random: {:.2g} the median, {:.2g} the largest\n",
+                  ratios(ratios.size() / 2), ratios(ratios.size() - 1));
   text += "\nlargest part of each limit that is used:\n" + use_table(model.mechanism(), motion.use);
   return text + "\nthe motion shows least, of all combinations of the parameters:\n" +
          weakest_table(model.base(), after.weakest);
@@ -95,16 +109,21 @@ std::string describe_excitation(const TorqueModel& model, const Excitation& exci
 
 nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation) {
   const auto numbers = [](const PlannedMotion& motion) {
-    return nlohmann::ordered_json{{"scaled", motion.conditioning.scaled}, {"unscaled", motion.conditioning.unscaled}};
+    return nlohmann::ordered_json{{"relative", motion.conditioning.relative},
+                                  {"scaled", motion.conditioning.scaled},
+                                  {"unscaled", motion.conditioning.unscaled}};
   };
   const PlannedMotion& motion = excitation.motion;
+  const Eigen::VectorXd ratios = ratios_of_deviations(excitation);
   nlohmann::ordered_json json = {{"robot", model.mechanism().name},
                                  {"base_parameters", model.parameters()},
                                  {"samples", motion.samples.size()},
                                  {"evaluations", excitation.evaluations},
                                  {"out_of_time", excitation.out_of_time},
                                  {"condition_number", numbers(motion)},
-                                 {"condition_number_of_start", numbers(excitation.start)}};
+                                 {"condition_number_of_start", numbers(excitation.start)},
+                                 {"standard_deviations_to_start",
+                                  {{"median", ratios(ratios.size() / 2)}, {"largest", ratios(ratios.size() - 1)}}}};
   for (std::size_t i = 0; i < motion.use.size(); ++i) {
     const LimitUse& use = motion.use[i];
     json["limits_used"].push_back({{"joint", model.mechanism().joints()[i].joint},

@@ -32,7 +32,7 @@ Centred centred(const Eigen::VectorXd& ten) {
 }  // namespace
 
 std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std::string& hint) {
-  constexpr double kMuch = 10, kClearly = 3;  // standard deviations
+  constexpr double kMuch = 5, kClearly = 3;  // standard deviations
   std::vector<std::string> doubts;
   if (payload.largest_misfit > kMuch) {
     doubts.emplace_back(

@@ -67,6 +67,8 @@ TEST(Excite, JsonHasTheNumbers) {
   const json result = json::parse(outcome.out);
   EXPECT_GE(result["condition_number"]["scaled"], 1.0);
   EXPECT_LT(result["condition_number"]["scaled"], result["condition_number_of_start"]["scaled"]);
+  EXPECT_LT(result["condition_number"]["relative"], result["condition_number_of_start"]["relative"]);
+  EXPECT_LE(result["standard_deviations_to_start"]["median"], result["standard_deviations_to_start"]["largest"]);
   EXPECT_EQ(result["samples"], 401);
   ASSERT_EQ(result["limits_used"].size(), 2u);
   for (const json& joint : result["limits_used"]) EXPECT_LE(joint["speed"], 0.5);
@@ -86,7 +88,7 @@ TEST(Excite, RefusesWhatItCannotDo) {
   const Scratch scratch;
   const std::string folder = " -o " + scratch.path("out");
   for (const std::string option : {"--harmonics 0", "--margin 1.5", "--rate 0", "--duration -1", "--evaluations 0",
-                                   "--parameters some", "--rate 1 --duration 5"}) {
+                                   "--parameters some", "--rate 1 --duration 5", "--rate 10000 --duration 3600"}) {
     EXPECT_EQ(run_flatdyn(kExcite + option + folder).code, 2) << option;
   }
   EXPECT_EQ(run_flatdyn(kExcite).code, 2);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/planned_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnostics/diagnostics.hpp"
+#include "identify/triangular_factor.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Of the highest harmonic, where limits are checked: between them a sine rises by 0.3 % at the most.
+constexpr int kCheckedPerPeriod = 40;
+// All joints at a time until the torques fit: after the last one next to nothing moves.
+constexpr double kShrink = 0.98;
+constexpr int kMostShrinks = 400;
+// Scaling to a limit must not end beyond it by rounding.
+constexpr double kInside = 1 - 1e-12;
+
+// Y_b of all samples, as its triangular factor.
+MatrixXd folded_regressor(const TorqueModel& model, const std::vector<FourierMotion>& samples) {
+  const int n = model.joints();
+  TriangularFactor factor(model.parameters() - 1);  // the last column takes the place of b
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model.parameters());
+  for (const FourierMotion& sample : samples) {
+    model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
+    for (int i = 0; i < n; ++i) factor.next_row() = y.row(i);
+  }
+  return factor.factor();
+}
+
+std::vector<std::vector<double>> torques_of(const TorqueModel& model, const std::vector<FourierMotion>& samples) {
+  const Eigen::Map<const VectorXd> values(model.file_values().data(), model.parameters());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(model.joints(), model.parameters());
+  std::vector<std::vector<double>> torques;
+  for (const FourierMotion& sample : samples) {
+    model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
+    torques.emplace_back(static_cast<std::size_t>(model.joints()));
+    Eigen::Map<VectorXd>(torques.back().data(), model.joints()) = y * values;
+  }
+  return torques;
+}
+
+// Between samples, too: at as many of them as the highest harmonic needs.
+std::vector<LimitUse> use_of(const TorqueModel& model, const std::vector<JointLimits>& limits,
+                             const FourierTrajectory& trajectory, int intervals) {
+  const int wanted = kCheckedPerPeriod * static_cast<int>(trajectory.series().front().a.size());
+  const std::vector<FourierMotion> samples = sampled(trajectory, intervals * (1 + (wanted - 1) / intervals));
+  const std::vector<std::vector<double>> torques = torques_of(model, samples);
+  std::vector<LimitUse> use(limits.size());
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      raise(use[i], limits[i], samples[k].q[i], samples[k].qd[i], samples[k].qdd[i], torques[k][i]);
+    }
+  }
+  return use;
+}
+
+// The joint that uses most of its torque.
+std::size_t most_loaded(const std::vector<LimitUse>& use) {
+  const auto by_torque = [](const LimitUse& a, const LimitUse& b) { return a.torque < b.torque; };
+  return static_cast<std::size_t>(std::max_element(use.begin(), use.end(), by_torque) - use.begin());
+}
+
+[[noreturn]] void refuse_load(const Mechanism& mechanism, const std::vector<JointLimits>& limits,
+                              const std::vector<LimitUse>& use, double margin) {
+  const std::size_t i = most_loaded(use);
+  const Body& joint = mechanism.joints()[i];
+  throw Failure(
+      ExitCode::unsupported,
+      fmt::format("joint \"{}\": gravity or friction alone takes {:.4g} {} in the middle of the position limits, "
+                  "where motions begin; {:.4g} may be used",
+                  joint.joint, use[i].torque * limits[i].torque, torque_unit(joint), margin * limits[i].torque),
+      "a larger --margin, or a --scene with position limits about a posture that takes less");
+}
+
+}  // namespace
+
+FourierTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
+                         const FourierTrajectory& trajectory, int intervals) {
+  std::vector<double> factors;
+  for (const LimitUse& use : use_of(model, limits, trajectory, intervals)) {
+    factors.push_back(kInside * margin / std::max({margin, use.position, use.speed, use.acceleration}));
+  }
+  FourierTrajectory smaller = trajectory.scaled(factors);
+  const std::vector<double> all_together(limits.size(), kShrink);
+  for (int step = 0;; ++step) {
+    const std::vector<LimitUse> use = use_of(model, limits, smaller, intervals);
+    if (use[most_loaded(use)].torque <= margin) return smaller;
+    if (step == kMostShrinks) refuse_load(model.mechanism(), limits, use, margin);
+    smaller = smaller.scaled(all_together);
+  }
+}
+
+PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, FourierTrajectory trajectory,
+                      int intervals, const VectorXd& lengths) {
+  std::vector<FourierMotion> samples = sampled(trajectory, intervals);
+  std::vector<std::vector<double>> torques = torques_of(model, samples);
+  std::vector<LimitUse> use = use_of(model, limits, trajectory, intervals);
+  const Conditioning conditions = conditioning(folded_regressor(model, samples), lengths);
+  return {std::move(trajectory), std::move(samples), std::move(torques), std::move(use), conditions};
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A motion that keeps the limits, and what it tells of the parameters.
+#pragma once
+
+#include <vector>
+
+#include "identify/conditioning.hpp"
+#include "identify/fourier_trajectory.hpp"
+#include "identify/motion_limits.hpp"
+#include "identify/torque_model.hpp"
+
+namespace flatdyn {
+
+// A motion, sampled as it is written.
+struct PlannedMotion {
+  FourierTrajectory trajectory;
+  std::vector<FourierMotion> samples;
+  std::vector<std::vector<double>> torques;  // Y_b π_b of the file, per sample
+  std::vector<LimitUse> use;                 // per joint, of the whole limits
+  Conditioning conditioning;                 // of all samples
+
+  double time(std::size_t sample) const {
+    return trajectory.duration() * static_cast<double>(sample) / static_cast<double>(samples.size() - 1);
+  }
+};
+
+// Makes the motion smaller until it uses `margin` of the limits at the most: each joint by itself for position, speed
+// and acceleration, which are proportional to its series; then all joints together for the torques of the file's
+// parameters. Throws Failure(unsupported) where those are too large at rest.
+FourierTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
+                         const FourierTrajectory& trajectory, int intervals);
+
+// `intervals` lie between the samples; lengths: of the columns of Y_b, for conditioning().
+PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, FourierTrajectory trajectory,
+                      int intervals, const Eigen::VectorXd& lengths);
+
+}  // namespace flatdyn
