@@ -88,7 +88,7 @@ TEST_P(KdlChain, TipForce) {
 
 TEST_P(KdlChain, InertiaCoriolisAndGravity) {
   KDL::ChainDynParam solver(chain, kdl(robot.gravity));
-  KDL::JntSpaceInertiaMatrix B(joints);
+  KDL::JntSpaceInertiaMatrix B(static_cast<int>(joints));
   KDL::JntArray velocity_torque(joints), g(joints);
   ASSERT_EQ(solver.JntToMass(kdl(s.q), B), 0);
   ASSERT_EQ(solver.JntToCoriolis(kdl(s.q), kdl(s.qd), velocity_torque), 0);

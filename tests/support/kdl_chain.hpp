@@ -73,7 +73,7 @@ class KdlChainPeer : public JointDynamicsPeer {
     return result_.data;
   }
   Matrix inertia_matrix(const Vector& q) override {
-    KDL::JntSpaceInertiaMatrix B(result_.rows());
+    KDL::JntSpaceInertiaMatrix B(static_cast<int>(result_.rows()));
     KDL::ChainDynParam(chain_, gravity_).JntToMass(kdl(q), B);
     return B.data;
   }
