@@ -322,6 +322,12 @@ void RobotArguments::report(const Diagnostics& found) const {
   print_diagnostics(found, quiet);
 }
 
+void RobotArguments::warn_of(const std::vector<std::string>& doubts, const std::string& file) const {
+  Diagnostics warnings;
+  for (const std::string& doubt : doubts) warnings.warning({file, 0}, doubt);
+  report(warnings);
+}
+
 PipelineOptions RobotArguments::options_of_whole_functions() const {
   PipelineOptions whole = options();
   whole.whole_functions = true;

@@ -40,6 +40,8 @@ struct RobotArguments {
   void note_function_keys(const Model& model) const;
   // Ends the run with BadInput after an error, or after a warning if these are errors; else prints what was found.
   void report(const Diagnostics& found) const;
+  // Of what was found in a file, none of its lines in particular.
+  void warn_of(const std::vector<std::string>& doubts, const std::string& file) const;
 };
 
 // For options that name something.

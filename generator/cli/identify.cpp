@@ -166,9 +166,7 @@ ExitCode identify(const IdentifyArguments& arguments) {
     found.physical =
         physical_parameters(inertial_only ? model.mechanism() : robot.mechanism, model.base(), found.estimate);
     found.doubts = doubts_about(model, found);
-    Diagnostics doubts;
-    for (const std::string& doubt : found.doubts) doubts.warning({arguments.source(), 0}, doubt);
-    arguments.report(doubts);
+    arguments.warn_of(found.doubts, arguments.source());
     write_results(arguments, robot, model, found);
     fmt::print("{}", arguments.json ? identification_json(model, found).dump(2) + "\n"
                                     : describe_identification(model, found));

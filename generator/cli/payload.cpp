@@ -108,9 +108,7 @@ ExitCode payload(const PayloadArguments& arguments) {
     found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
   }
   const std::vector<std::string> doubts = doubts_about(found, hint_of(arguments));
-  Diagnostics warnings;
-  for (const std::string& doubt : doubts) warnings.warning({arguments.logs.front(), 0}, doubt);
-  arguments.report(warnings);
+  arguments.warn_of(doubts, arguments.logs.front());
   if (!arguments.output.empty()) {
     write_files({{arguments.output, payload_robot_text(robot, found, arguments.output, settings, doubts)}});
   }

@@ -11,8 +11,8 @@ struct Conditioning {
   double relative = 0;  // condition number with every column divided by its length in other motions
   double scaled = 0;    // with every column at unit length
   double unscaled = 0;  // as it is
-  Eigen::VectorXd
-      weakest;  // of the columns as for `relative`: the combination that the motion shows least, unit length
+  // Of the columns as for `relative`: the combination that the motion shows least, of unit length.
+  Eigen::VectorXd weakest;
   // Of the parameters, where every entry of τ has noise of standard deviation 1.
   Eigen::VectorXd standard_deviations;
 };

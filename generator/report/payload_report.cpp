@@ -35,8 +35,10 @@ std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std:
   constexpr double kMuch = 5, kClearly = 3;  // standard deviations
   std::vector<std::string> doubts;
   if (payload.largest_misfit > kMuch) {
-    doubts.emplace_back(
-        "that is more than noise explains: motion, torques or forces, units or geometry cannot be right");
+    doubts.push_back(fmt::format(
+        "the nearest body is {:.2g} standard deviations from the estimate, more than noise explains: motion, torques "
+        "or forces, units or geometry cannot be right",
+        payload.largest_misfit));
   }
   if (payload.values(0) < -kClearly * payload.standard_deviations(0)) {
     doubts.push_back("the mass is negative: " + hint);

@@ -281,6 +281,10 @@ Function ungrouped(const Mechanism& mechanism, const Choices&) {
   return derive(mechanism);
 }
 
+constexpr const char* kRegressor =
+    "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint, of its link with the rotors that it carries, in and about "
+    "the frame that flatdyn inspect shows";
+
 }  // namespace
 
 const std::vector<FunctionEntry>& function_table() {
@@ -330,10 +334,7 @@ const std::vector<FunctionEntry>& function_table() {
        at_the_tip<operational_bias_function>},
       {"null_space_torque", "What of tau moves the arm and leaves the tip where it is", "(7.141)", Kind::operational,
        at_the_tip<null_space_torque_function>},
-      {"regressor",
-       "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint, of its link with the rotors that it carries, in and "
-       "about the frame that flatdyn inspect shows",
-       "(7.81)", Kind::regressor, ungrouped<regressor_function>},
+      {"regressor", kRegressor, "(7.81)", Kind::regressor, ungrouped<regressor_function>},
       {"base_regressor", "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters", "(7.81)", Kind::regressor,
        ungrouped<base_regressor_function>},
       {"base_parameters", "pi_b of this robot: Y_b pi_b = tau", "", Kind::regressor,
