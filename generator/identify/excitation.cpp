@@ -16,13 +16,14 @@
 namespace flatdyn {
 namespace {
 
-// Half of the evaluations try as many random starts; the best one gets the other half, in two goes.
-constexpr int kStarts = 6;
+// Half of the evaluations try as many random starts; the best one gets the other half: a third of that as it is, the
+// rest in as many rounds, each of which begins with a motion that keeps the limits.
+constexpr int kStarts = 6, kRounds = 4;
 // Far beyond the limits the scaled motion hardly depends on the coefficients.
 constexpr double kLargestCoefficient = 4;
 // Of the highest harmonic, at least.
 constexpr int kSamplesPerPeriod = 10;
-// What torques beyond their limits cost in the end, so that little is left to be made smaller afterwards.
+// What torques beyond their limits cost in these rounds.
 constexpr double kFirmly = 100;
 // Each takes some hundred bytes, of an arm.
 constexpr int kMostIntervals = 500'000;
@@ -43,12 +44,13 @@ class ShapeSearch {
   double improve(std::vector<double>& x, int evaluations) {
     best_value_ = HUGE_VAL;
     best_ = x;
+    last_ = evaluations_ + evaluations;
     const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
         nlopt_create(NLOPT_LD_LBFGS, static_cast<unsigned>(x.size())), &nlopt_destroy);
+    optimiser_ = optimiser.get();
     nlopt_set_min_objective(optimiser.get(), &ShapeSearch::evaluate, this);
     nlopt_set_lower_bounds1(optimiser.get(), -kLargestCoefficient);
     nlopt_set_upper_bounds1(optimiser.get(), kLargestCoefficient);
-    nlopt_set_maxeval(optimiser.get(), evaluations);
     if (seconds_) nlopt_set_maxtime(optimiser.get(), std::max(*seconds_ - seconds(), 1e-3));
     double value = 0;
     // However it ends, also where a line search fails because limits make kinks: the best motion seen counts.
@@ -63,6 +65,11 @@ class ShapeSearch {
  private:
   static double evaluate(unsigned size, const double* x, double* gradient, void* search) {
     auto& self = *static_cast<ShapeSearch*>(search);
+    // Not by nlopt_set_maxeval, which this method passes by one or two.
+    if (self.evaluations_ == self.last_) {
+      nlopt_force_stop(self.optimiser_);
+      return HUGE_VAL;
+    }
     ++self.evaluations_;
     const double value = self.objective_(x, gradient);
     if (value < self.best_value_) {
@@ -78,7 +85,8 @@ class ShapeSearch {
   std::optional<double> seconds_;
   double best_value_ = HUGE_VAL;
   std::vector<double> best_;
-  int evaluations_ = 0;
+  nlopt_opt optimiser_ = nullptr;
+  int evaluations_ = 0, last_ = 0;
   bool out_of_time_ = false;
 };
 
@@ -109,6 +117,29 @@ void refuse_what_cannot_move(const TorqueModel& model, const std::vector<JointLi
   }
 }
 
+// Goes on from each start, and returns the best that comes of it.
+std::vector<double> best_of(const std::vector<std::vector<double>>& starts, ShapeSearch& search, int evaluations,
+                            Progress& progress) {
+  std::vector<double> best = starts.front();
+  double best_value = HUGE_VAL;
+  for (std::size_t start = 0; start < starts.size(); ++start) {
+    progress.step(fmt::format("random start {} of {}", start + 1, starts.size()));
+    std::vector<double> x = starts[start];
+    const double value = search.improve(x, evaluations);
+    if (value >= best_value) continue;
+    best_value = value;
+    best = std::move(x);
+  }
+  return best;
+}
+
+// By which torques that are beyond the margin have to become smaller.
+std::vector<double> factors_of(const std::vector<double>& torque, double margin) {
+  std::vector<double> factors;
+  for (const double use : torque) factors.push_back(margin / std::max(use, margin));
+  return factors;
+}
+
 }  // namespace
 
 Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& options, Progress& progress) {
@@ -121,29 +152,34 @@ Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& op
   for (int start = 0; start < kStarts; ++start) starts.push_back(random_coefficients(engine, objective.size()));
   objective.scale_by(starts);
   ShapeSearch search(objective, options.time);
-  std::vector<double> best = starts.front();
-  double best_value = HUGE_VAL;
-  for (int start = 0; start < kStarts; ++start) {
-    progress.step(fmt::format("random start {} of {}", start + 1, kStarts));
-    std::vector<double> x = starts[static_cast<std::size_t>(start)];
-    const double value = search.improve(x, std::max(options.evaluations / (2 * kStarts), 1));
-    if (value >= best_value) continue;
-    best_value = value;
-    best = std::move(x);
-  }
+  std::vector<double> best = best_of(starts, search, options.evaluations / (2 * kStarts), progress);
   progress.step("improving the best start");
-  search.improve(best, std::max((options.evaluations - search.evaluations()) / 2, 1));
-  const auto fitted_to_limits = [&](const std::vector<double>& x) {
+  const auto left = [&] { return options.evaluations - search.evaluations(); };
+  search.improve(best, left() / 3);
+  const auto fit = [&](const std::vector<double>& x) {
     return fitted(model, limits, options.margin, objective.trajectory(x.data()), intervals);
   };
-  // Once more from a motion that keeps the limits: beyond them nothing tells which joints have to move less.
-  best = objective.coefficients(fitted_to_limits(best));
-  objective.weigh_torques(kFirmly);
-  search.improve(best, std::max(options.evaluations - search.evaluations(), 1));
-  const auto motion_of = [&](const std::vector<double>& x) {
-    return planned(model, limits, fitted_to_limits(x), intervals, objective.lengths());
+  const auto planned_as = [&](const FittedTrajectory& found) {
+    return planned(model, limits, found.trajectory, intervals, objective.lengths());
   };
-  return {motion_of(starts.front()), motion_of(best), search.evaluations(), search.out_of_time()};
+  PlannedMotion start = planned_as(fit(starts.front()));
+  PlannedMotion motion = start;
+  const auto keep_if_better = [&](PlannedMotion other) {
+    if (other.cost < motion.cost) motion = std::move(other);
+  };
+  keep_if_better(planned_as(fit(best)));
+  // From a motion that keeps the limits: beyond them nothing tells which joints have to move less. Little is to be left
+  // to be made smaller afterwards; a torque that then is too large between the criterion's few samples has to be
+  // smaller at them in the next round.
+  objective.weigh_torques(kFirmly);
+  for (int round = 0; round < kRounds; ++round) {
+    best = objective.coefficients(motion.trajectory);
+    search.improve(best, left() / (kRounds - round));
+    const FittedTrajectory found = fit(best);
+    keep_if_better(planned_as(found));
+    objective.lower_torques(factors_of(found.torque, options.margin));
+  }
+  return {std::move(start), std::move(motion), search.evaluations(), search.out_of_time()};
 }
 
 }  // namespace flatdyn

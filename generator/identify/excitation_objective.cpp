@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -48,6 +49,10 @@ ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<J
       units_(2 * harmonics, model.joints()),
       lengths_(VectorXd::Ones(model.parameters())) {
   for (const JointLimits& joint : limits_) rest_.push_back(joint.middle());
+  const VectorXd at_rest = torques_at_rest();
+  for (int i = 0; i < model.joints(); ++i) {
+    least_torques_.push_back((std::abs(at_rest(i)) + limits_[static_cast<std::size_t>(i)].torque) / 2);
+  }
   const int count = samples_for(model, harmonics);
   for (MatrixXd& basis : basis_) basis.resize(count, 2 * harmonics);
   for (int l = 1; l <= harmonics; ++l) {
@@ -76,6 +81,19 @@ void ExcitationObjective::scale_by(const std::vector<std::vector<double>>& motio
   for (const std::vector<double>& x : motions)
     squares += regressor(motion(x.data())).colwise().squaredNorm().transpose();
   lengths_ = (squares / static_cast<double>(motions.size())).cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
+}
+
+VectorXd ExcitationObjective::torques_at_rest() const {
+  const std::vector<double> zero(rest_.size());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(model_.joints(), model_.parameters());
+  model_.regressor(rest_.data(), zero.data(), zero.data(), y.data());
+  return y * Eigen::Map<const VectorXd>(model_.file_values().data(), model_.parameters());
+}
+
+void ExcitationObjective::lower_torques(const std::vector<double>& factors) {
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    limits_[i].torque = std::max(factors[i] * limits_[i].torque, std::min(least_torques_[i], limits_[i].torque));
+  }
 }
 
 ExcitationObjective::Motion ExcitationObjective::motion(const double* x) const {

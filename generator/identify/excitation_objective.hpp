@@ -25,6 +25,8 @@ class ExcitationObjective {
   const Eigen::VectorXd& lengths() const { return lengths_; }
   // What torques beyond their limits cost from now on; at first 1.
   void weigh_torques(double weight) { torque_weight_ = weight; }
+  // Multiplies each joint's limit of torque by a factor up to 1, but leaves half of what rest does not need.
+  void lower_torques(const std::vector<double>& factors);
 
   // Free coefficients: of every joint a_1, b_1, a_2, …, in units that reach a limit at about 1.
   int size() const { return model_.joints() * terms(); }
@@ -42,6 +44,7 @@ class ExcitationObjective {
   struct Motion;
   int terms() const { return static_cast<int>(basis_[0].cols()); }
   int samples() const { return static_cast<int>(basis_[0].rows()); }
+  Eigen::VectorXd torques_at_rest() const;
   Motion motion(const double* x) const;
   Eigen::VectorXd state(const Motion& motion, int derivative, int sample) const;
   Eigen::MatrixXd regressor(const Motion& motion) const;
@@ -53,6 +56,7 @@ class ExcitationObjective {
   const TorqueModel& model_;
   std::vector<JointLimits> limits_;
   std::vector<double> rest_;
+  std::vector<double> least_torques_;  // limits are not lowered further
   double duration_;
   Eigen::MatrixXd units_;     // terms × joints: a coefficient of 1 is this amplitude of speed
   Eigen::MatrixXd basis_[3];  // samples × terms: q, q̇ and q̈ of each term

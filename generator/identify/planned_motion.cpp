@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "diagnostics/diagnostics.hpp"
 #include "identify/triangular_factor.hpp"
@@ -81,19 +82,20 @@ std::size_t most_loaded(const std::vector<LimitUse>& use) {
 
 }  // namespace
 
-FourierTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
-                         const FourierTrajectory& trajectory, int intervals) {
+FittedTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
+                        const FourierTrajectory& trajectory, int intervals) {
   std::vector<double> factors;
   for (const LimitUse& use : use_of(model, limits, trajectory, intervals)) {
     factors.push_back(kInside * margin / std::max({margin, use.position, use.speed, use.acceleration}));
   }
-  FourierTrajectory smaller = trajectory.scaled(factors);
+  FittedTrajectory fitted{trajectory.scaled(factors), {}};
   const std::vector<double> all_together(limits.size(), kShrink);
   for (int step = 0;; ++step) {
-    const std::vector<LimitUse> use = use_of(model, limits, smaller, intervals);
-    if (use[most_loaded(use)].torque <= margin) return smaller;
+    const std::vector<LimitUse> use = use_of(model, limits, fitted.trajectory, intervals);
+    if (step == 0) std::ranges::transform(use, std::back_inserter(fitted.torque), &LimitUse::torque);
+    if (use[most_loaded(use)].torque <= margin) return fitted;
     if (step == kMostShrinks) refuse_load(model.mechanism(), limits, use, margin);
-    smaller = smaller.scaled(all_together);
+    fitted.trajectory = fitted.trajectory.scaled(all_together);
   }
 }
 
@@ -102,8 +104,14 @@ PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& 
   std::vector<FourierMotion> samples = sampled(trajectory, intervals);
   std::vector<std::vector<double>> torques = torques_of(model, samples);
   std::vector<LimitUse> use = use_of(model, limits, trajectory, intervals);
-  const Conditioning conditions = conditioning(folded_regressor(model, samples), lengths);
-  return {std::move(trajectory), std::move(samples), std::move(torques), std::move(use), conditions};
+  const MatrixXd factor = folded_regressor(model, samples);
+  const double cost = excitation_cost(factor * lengths.cwiseInverse().asDiagonal(), nullptr);
+  return {std::move(trajectory),
+          std::move(samples),
+          std::move(torques),
+          std::move(use),
+          conditioning(factor, lengths),
+          cost};
 }
 
 }  // namespace flatdyn

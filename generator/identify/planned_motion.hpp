@@ -18,17 +18,24 @@ struct PlannedMotion {
   std::vector<std::vector<double>> torques;  // Y_b π_b of the file, per sample
   std::vector<LimitUse> use;                 // per joint, of the whole limits
   Conditioning conditioning;                 // of all samples
+  double cost = 0;                           // excitation_cost() of all samples, columns divided by the lengths
 
   double time(std::size_t sample) const {
     return trajectory.duration() * static_cast<double>(sample) / static_cast<double>(samples.size() - 1);
   }
 };
 
+struct FittedTrajectory {
+  FourierTrajectory trajectory;
+  // Per joint, of the whole limit: what was used before joints moved less because of torques.
+  std::vector<double> torque;
+};
+
 // Makes the motion smaller until it uses `margin` of the limits at the most: each joint by itself for position, speed
 // and acceleration, which are proportional to its series; then all joints together for the torques of the file's
 // parameters. Throws Failure(unsupported) where those are too large at rest.
-FourierTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
-                         const FourierTrajectory& trajectory, int intervals);
+FittedTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
+                        const FourierTrajectory& trajectory, int intervals);
 
 // `intervals` lie between the samples; lengths: of the columns of Y_b, for conditioning().
 PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, FourierTrajectory trajectory,
