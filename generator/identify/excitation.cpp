@@ -140,6 +140,29 @@ std::vector<double> factors_of(const std::vector<double>& torque, double margin)
   return factors;
 }
 
+// Goes on from `shape` in rounds, and returns the best motion that keeps the limits. Each round begins with the best so
+// far: beyond the limits nothing tells which joints have to move less. What is still too much between the criterion's
+// few samples has to be less at them in the next round.
+FourierTrajectory within_limits(const TorqueModel& model, const std::vector<JointLimits>& limits,
+                                const ExcitationOptions& options, std::vector<double> shape,
+                                ExcitationObjective& objective, ShapeSearch& search) {
+  const auto fit = [&] { return fitted(model, limits, options.margin, objective.trajectory(shape.data())); };
+  FourierTrajectory best = fit().trajectory;
+  double best_cost = objective.cost(best);
+  objective.weigh_torques(kFirmly);
+  for (int round = 0; round < kRounds; ++round) {
+    shape = objective.coefficients(best);
+    search.improve(shape, (options.evaluations - search.evaluations()) / (kRounds - round));
+    const FittedTrajectory found = fit();
+    objective.lower_torques(factors_of(found.torque, options.margin));
+    const double cost = objective.cost(found.trajectory);
+    if (cost >= best_cost) continue;
+    best_cost = cost;
+    best = found.trajectory;
+  }
+  return best;
+}
+
 }  // namespace
 
 Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& options, Progress& progress) {
@@ -154,31 +177,15 @@ Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& op
   ShapeSearch search(objective, options.time);
   std::vector<double> best = best_of(starts, search, options.evaluations / (2 * kStarts), progress);
   progress.step("improving the best start");
-  const auto left = [&] { return options.evaluations - search.evaluations(); };
-  search.improve(best, left() / 3);
-  const auto fit = [&](const std::vector<double>& x) {
-    return fitted(model, limits, options.margin, objective.trajectory(x.data()), intervals);
+  search.improve(best, (options.evaluations - search.evaluations()) / 3);
+  const FourierTrajectory found = within_limits(model, limits, options, std::move(best), objective, search);
+  const auto plan = [&](const FourierTrajectory& trajectory) {
+    return planned(model, limits, options.margin, trajectory, intervals, objective.lengths());
   };
-  const auto planned_as = [&](const FittedTrajectory& found) {
-    return planned(model, limits, found.trajectory, intervals, objective.lengths());
-  };
-  PlannedMotion start = planned_as(fit(starts.front()));
-  PlannedMotion motion = start;
-  const auto keep_if_better = [&](PlannedMotion other) {
-    if (other.cost < motion.cost) motion = std::move(other);
-  };
-  keep_if_better(planned_as(fit(best)));
-  // From a motion that keeps the limits: beyond them nothing tells which joints have to move less. Little is to be left
-  // to be made smaller afterwards; a torque that then is too large between the criterion's few samples has to be
-  // smaller at them in the next round.
-  objective.weigh_torques(kFirmly);
-  for (int round = 0; round < kRounds; ++round) {
-    best = objective.coefficients(motion.trajectory);
-    search.improve(best, left() / (kRounds - round));
-    const FittedTrajectory found = fit(best);
-    keep_if_better(planned_as(found));
-    objective.lower_torques(factors_of(found.torque, options.margin));
-  }
+  progress.step("planning the motion");
+  PlannedMotion start = plan(objective.trajectory(starts.front().data()));
+  PlannedMotion motion = plan(found);
+  if (motion.cost > start.cost) motion = start;
   return {std::move(start), std::move(motion), search.evaluations(), search.out_of_time()};
 }
 

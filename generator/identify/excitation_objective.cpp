@@ -2,6 +2,7 @@
 #include "identify/excitation_objective.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -31,6 +32,20 @@ int samples_for(const TorqueModel& model, int harmonics) {
   return std::max(kObjectiveSamplesPerPeriod * harmonics, (equations + model.joints() - 1) / model.joints());
 }
 
+// Y_b of all samples; state(k): q, q̇ and q̈ of sample k.
+template <typename State>
+MatrixXd stacked(const TorqueModel& model, int samples, const State& state) {
+  const int n = model.joints();
+  MatrixXd all(samples * n, model.parameters());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model.parameters());
+  for (int k = 0; k < samples; ++k) {
+    const auto [q, qd, qdd] = state(k);
+    model.regressor(q.data(), qd.data(), qdd.data(), y.data());
+    all.middleRows(k * n, n) = y;
+  }
+  return all;
+}
+
 }  // namespace
 
 // The shape is the series before it is scaled to the limits: column i by scale(i).
@@ -57,8 +72,7 @@ ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<J
   for (MatrixXd& basis : basis_) basis.resize(count, 2 * harmonics);
   for (int l = 1; l <= harmonics; ++l) {
     for (int k = 0; k < count; ++k) {
-      const double t = duration * (k + 0.5) / count;
-      const Deflection terms[] = {sine_term(duration, l, t), cosine_term(duration, l, t)};
+      const Deflection terms[] = {sine_term(duration, l, time(k)), cosine_term(duration, l, time(k))};
       for (int j = 0; j < 2; ++j) {
         const int column = 2 * (l - 1) + j;
         basis_[0](k, column) = terms[j].q;
@@ -151,15 +165,9 @@ VectorXd ExcitationObjective::state(const Motion& motion, int derivative, int sa
 }
 
 MatrixXd ExcitationObjective::regressor(const Motion& motion) const {
-  const int n = model_.joints();
-  MatrixXd stacked(samples() * n, model_.parameters());
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model_.parameters());
-  for (int k = 0; k < samples(); ++k) {
-    const VectorXd q = state(motion, 0, k), qd = state(motion, 1, k), qdd = state(motion, 2, k);
-    model_.regressor(q.data(), qd.data(), qdd.data(), y.data());
-    stacked.middleRows(k * n, n) = y;
-  }
-  return stacked;
+  return stacked(model_, samples(), [&](int k) {
+    return std::array{state(motion, 0, k), state(motion, 1, k), state(motion, 2, k)};
+  });
 }
 
 double ExcitationObjective::torque_penalty(const MatrixXd& regressor, MatrixXd* slope) const {
@@ -228,6 +236,11 @@ double ExcitationObjective::operator()(const double* x, double* gradient) const 
     by_coefficients(found, by, gradient);
   }
   return value;
+}
+
+double ExcitationObjective::cost(const FourierTrajectory& trajectory) const {
+  const MatrixXd y = stacked(model_, samples(), [&](int k) { return trajectory.at(time(k)); });
+  return excitation_cost(y * lengths_.cwiseInverse().asDiagonal(), nullptr);
 }
 
 }  // namespace flatdyn

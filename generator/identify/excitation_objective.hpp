@@ -33,6 +33,8 @@ class ExcitationObjective {
 
   // excitation_cost(), and a penalty for torques beyond their limits. `gradient` of size() or null.
   double operator()(const double* x, double* gradient) const;
+  // excitation_cost() of this motion, without the penalty.
+  double cost(const FourierTrajectory& trajectory) const;
 
   // The series that the coefficients stand for. A joint whose limits of position, speed and acceleration these would
   // exceed is scaled down, smoothly, to about the limit.
@@ -44,6 +46,7 @@ class ExcitationObjective {
   struct Motion;
   int terms() const { return static_cast<int>(basis_[0].cols()); }
   int samples() const { return static_cast<int>(basis_[0].rows()); }
+  double time(int sample) const { return duration_ * (sample + 0.5) / samples(); }
   Eigen::VectorXd torques_at_rest() const;
   Motion motion(const double* x) const;
   Eigen::VectorXd state(const Motion& motion, int derivative, int sample) const;

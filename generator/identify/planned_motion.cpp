@@ -99,19 +99,17 @@ FittedTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>
   }
 }
 
-PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, FourierTrajectory trajectory,
-                      int intervals, const VectorXd& lengths) {
-  std::vector<FourierMotion> samples = sampled(trajectory, intervals);
+PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
+                      const FourierTrajectory& trajectory, int intervals, const VectorXd& lengths) {
+  FourierTrajectory fit = fitted(model, limits, margin, trajectory, intervals).trajectory;
+  std::vector<FourierMotion> samples = sampled(fit, intervals);
   std::vector<std::vector<double>> torques = torques_of(model, samples);
-  std::vector<LimitUse> use = use_of(model, limits, trajectory, intervals);
+  std::vector<LimitUse> use = use_of(model, limits, fit, intervals);
   const MatrixXd factor = folded_regressor(model, samples);
   const double cost = excitation_cost(factor * lengths.cwiseInverse().asDiagonal(), nullptr);
-  return {std::move(trajectory),
-          std::move(samples),
-          std::move(torques),
-          std::move(use),
-          conditioning(factor, lengths),
-          cost};
+  return {
+      std::move(fit), std::move(samples), std::move(torques), std::move(use), conditioning(factor, lengths), cost,
+  };
 }
 
 }  // namespace flatdyn

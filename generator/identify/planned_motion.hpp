@@ -33,12 +33,13 @@ struct FittedTrajectory {
 
 // Makes the motion smaller until it uses `margin` of the limits at the most: each joint by itself for position, speed
 // and acceleration, which are proportional to its series; then all joints together for the torques of the file's
-// parameters. Throws Failure(unsupported) where those are too large at rest.
+// parameters. Throws Failure(unsupported) where those are too large at rest. Limits are kept at as many points as the
+// highest harmonic needs, and at the samples if there are more of them, with `intervals` between.
 FittedTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
-                        const FourierTrajectory& trajectory, int intervals);
+                        const FourierTrajectory& trajectory, int intervals = 1);
 
-// `intervals` lie between the samples; lengths: of the columns of Y_b, for conditioning().
-PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, FourierTrajectory trajectory,
-                      int intervals, const Eigen::VectorXd& lengths);
+// The motion, fitted() to the limits, as it is sampled; lengths: of the columns of Y_b, for conditioning().
+PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
+                      const FourierTrajectory& trajectory, int intervals, const Eigen::VectorXd& lengths);
 
 }  // namespace flatdyn
