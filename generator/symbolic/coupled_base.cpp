@@ -2,6 +2,7 @@
 #include "symbolic/coupled_base.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "diagnostics/diagnostics.hpp"
 #include "graph/mod_p.hpp"
@@ -24,7 +25,15 @@ Function sampled_function(const Mechanism& mechanism, const BaseParameters& base
                   {matrix_output("Y_b", bench.size(), base.size(), entries, "")});
 }
 
-constexpr std::size_t kSpareRows = 4;  // beyond the number of columns: then the rank is full, as good as surely
+using F = ModP<kMersenne61>;
+
+// Beyond the number of columns. A state in general brings a row that is new, as long as there is one: some rows, such
+// as a last slide's, depend on few parameters.
+constexpr std::uint64_t kSpareStates = 4;
+
+std::uint64_t most_states(const Function& function) {
+  return static_cast<std::uint64_t>(function.outputs.front().cols) + kSpareStates;
+}
 
 // A coordinate's angle, or a multiple of one; none of the robot's symbols.
 bool is_coordinate(const Graph& graph, NodeId angle) {
@@ -61,17 +70,20 @@ class SampledState {
   RationalArithmetic drawn_;
 };
 
-void add_sample(const Mechanism& mechanism, const Function& function, std::uint64_t seed, Rows& rows) {
-  SampledState state(mechanism, seed);
-  const std::vector<Number> values = evaluate(function, state);
+// Y_b in one state, row by row.
+template <class State>
+std::vector<std::vector<typename State::Scalar>> sampled_rows(const Function& function, State state) {
+  const std::vector<typename State::Scalar> values = evaluate(function, state);
   const Output& Y = function.outputs.front();
+  std::vector<std::vector<typename State::Scalar>> rows(static_cast<std::size_t>(Y.rows));
   for (int i = 0; i < Y.rows; ++i) {
-    rows.emplace_back();
     for (int k = 0; k < Y.cols; ++k) {
       const NodeId entry = Y.entries[static_cast<std::size_t>(i * Y.cols + k)];
-      rows.back().push_back(simplified<Number>(values[static_cast<std::size_t>(entry)]));
+      rows[static_cast<std::size_t>(i)].push_back(
+          simplified<typename State::Scalar>(values[static_cast<std::size_t>(entry)]));
     }
   }
+  return rows;
 }
 
 // A state modulo a large prime. Symbols have the same values in all.
@@ -104,33 +116,31 @@ class FieldState {
   Arithmetic drawn_, symbols_{0};
 };
 
-// Whether no column depends on others: decided modulo a large prime, where that is cheap. With symbols, and where loops
-// are closed, exact elimination is not.
-bool are_independent(const Function& function) {
-  using F = ModP<kMersenne61>;
-  const Output& Y = function.outputs.front();
-  const auto columns = static_cast<std::size_t>(Y.cols);
-  std::vector<std::vector<F>> rows;
-  for (std::uint64_t seed = 1; rows.size() < columns + kSpareRows; ++seed) {
-    FieldState state(seed);
-    const std::vector<F> values = evaluate(function, state);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(Y.rows); ++i) {
-      rows.emplace_back();
-      for (std::size_t k = 0; k < columns; ++k) {
-        rows.back().push_back(values[static_cast<std::size_t>(Y.entries[i * columns + k])]);
-      }
-    }
+// Of Y_b in all states. Decided modulo a large prime, where that is cheap: with symbols, and where loops are closed,
+// exact elimination is not.
+std::size_t rank_of(const Function& function) {
+  RowSpace<F> space;
+  const auto columns = static_cast<std::size_t>(function.outputs.front().cols);
+  for (std::uint64_t seed = 1; seed <= most_states(function) && space.rank() < columns; ++seed) {
+    for (std::vector<F>& row : sampled_rows(function, FieldState(seed))) space.extend(std::move(row));
   }
-  return reduced_echelon(std::move(rows), [](const F& x) { return x == F(0); }).pivots.size() == columns;
+  return space.rank();
 }
 
-Echelon<Number> sampled_echelon(const Mechanism& mechanism, const Function& function) {
-  const auto columns = static_cast<std::size_t>(function.outputs.front().cols);
-  Rows rows;
-  for (std::uint64_t seed = 1; rows.size() < columns + kSpareRows; ++seed) add_sample(mechanism, function, seed, rows);
+// Of as many exact rows as the rank, each independent of those before it.
+Echelon<Number> sampled_echelon(const Mechanism& mechanism, const Function& function, std::size_t rank) {
   ModPArithmetic<> arithmetic(1);
   const NumberMap<ModPArithmetic<>> field(mechanism.symbols, arithmetic);
-  return reduced_echelon(std::move(rows), [&field](const Number& x) { return field(x) == ModP<kMersenne61>(0); });
+  RowSpace<F> space;
+  Rows rows;
+  for (std::uint64_t seed = 1; seed <= most_states(function) && rows.size() < rank; ++seed) {
+    for (std::vector<Number>& row : sampled_rows(function, SampledState(mechanism, seed))) {
+      std::vector<F> image;
+      std::transform(row.begin(), row.end(), std::back_inserter(image), field);
+      if (space.extend(std::move(image))) rows.push_back(std::move(row));
+    }
+  }
+  return reduced_echelon(std::move(rows), [&field](const Number& x) { return field(x) == F(0); });
 }
 
 // Elimination keeps what comes first: joint by joint, and of a joint's parameters those that are preferred.
@@ -159,8 +169,9 @@ BaseParameters reduced_at_coordinates(const Mechanism& mechanism, const BasePara
   if (base.columns.empty()) return base;
   const BaseParameters tree = by_preference(base);
   const Function sampled = sampled_function(mechanism, tree);
-  if (are_independent(sampled)) return base;
-  const Echelon<Number> echelon = sampled_echelon(mechanism, sampled);
+  const std::size_t rank = rank_of(sampled);
+  if (rank == base.columns.size()) return base;
+  const Echelon<Number> echelon = sampled_echelon(mechanism, sampled, rank);
   std::map<int, ParameterForm> kept;
   for (std::size_t r = 0; r < echelon.rows.size(); ++r) {
     ParameterForm& form = kept[tree.columns[echelon.pivots[r]]];

@@ -60,4 +60,30 @@ Echelon<F> reduced_echelon(std::vector<std::vector<F>> rows, IsZero is_zero) {
   return result;
 }
 
+// The space that rows span, in a field whose numbers can be compared.
+template <class F>
+class RowSpace {
+ public:
+  std::size_t rank() const { return rows_.size(); }
+
+  // Returns false for a row that is in the space; takes any other one in.
+  bool extend(std::vector<F> row) {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const F factor = row[pivots_[r]];
+      if (factor != F(0)) subtract_multiple(row, factor, rows_[r]);
+    }
+    const auto pivot = std::find_if(row.begin(), row.end(), [](const F& x) { return x != F(0); });
+    if (pivot == row.end()) return false;
+    pivots_.push_back(static_cast<std::size_t>(pivot - row.begin()));
+    const F leading = *pivot;
+    for (F& entry : row) entry = entry / leading;
+    rows_.push_back(std::move(row));
+    return true;
+  }
+
+ private:
+  std::vector<std::vector<F>> rows_;  // each 1 at its pivot, where those after it are 0
+  std::vector<std::size_t> pivots_;
+};
+
 }  // namespace flatdyn

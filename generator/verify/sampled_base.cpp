@@ -6,6 +6,7 @@
 #include "graph/mod_p.hpp"
 #include "model/joint_points.hpp"
 #include "symbolic/elimination.hpp"
+#include "verify/joint_signs.hpp"
 #include "verify/lagrangian_regressor.hpp"
 
 namespace flatdyn {
@@ -24,8 +25,8 @@ class Samples {
   void append(const std::vector<int>& columns, Rows& rows) {
     ModPArithmetic<P> state(engine_());
     const LagrangianRegressor<F> lagrangian(field_, joint_points(mechanism_, state));
-    const auto n = static_cast<std::size_t>(mechanism_.size()), bodies = field_.bodies.size();
-    const Matrix<F> Y = lagrangian.regressor(drawn(n), drawn(n), drawn(bodies));
+    const auto n = static_cast<std::size_t>(mechanism_.size());
+    const Matrix<F> Y = lagrangian.regressor(drawn(n), drawn(n), joint_signs(mechanism_, state, InputKind::qd));
     for (int i = 0; i < Y.rows(); ++i) {
       std::vector<F> row;
       for (const int column : columns) row.push_back(Y(i, column));

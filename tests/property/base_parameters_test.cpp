@@ -3,10 +3,15 @@
 // reference's regressor in 50 digits.
 #include "symbolic/base_parameters.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <array>
+#include <random>
 
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
+#include "support/written_model.hpp"
 #include "verify/regressor_reference.hpp"
 #include "verify/sampled_base.hpp"
 
@@ -123,6 +128,43 @@ TEST_P(ObliqueSlides, HaveTheSameBaseParametersThreeWays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Chains, ObliqueSlides, ::testing::Range(std::size_t{0}, oblique_slides().size()));
+
+// Arms of turning and sliding joints, of which some follow one before them, with friction here and there. A last
+// slide's torque depends on few parameters.
+std::string coupled_arm(unsigned seed) {
+  std::mt19937 engine(seed);
+  const auto one_of = [&engine](const auto&... choices) {
+    const std::array all{std::string(choices)...};
+    return all[engine() % all.size()];
+  };
+  std::string text = "name = \"coupled\"\n";
+  std::string leader;
+  const unsigned links = 2 + seed % 3;
+  for (unsigned i = 0; i < links; ++i) {
+    const std::string joint = fmt::format("j{}", i);
+    const bool follows = !leader.empty() && engine() % 2 == 0 && i + 1 < links;
+    text += fmt::format(
+        "[[link]]\njoint = \"{}\"\ntype = \"{}\"\naxis = {}\nxyz = [{}, 0.1, {}]\nmass = 1\ncom = [0.1, 0.02, 0.03]\n"
+        "inertia = {{ xx = 0.1, yy = 0.12, zz = 0.14 }}\ninertia_about = \"com\"\n{}{}",
+        joint, i + 1 == links ? "prismatic" : one_of("revolute", "revolute", "prismatic"),
+        one_of("[0, 0, 1]", "[0, 1, 0]", "[1, 0, 0]", "[0.6, 0.8, 0]", "[0, -0.28, 0.96]"), one_of("0", "0.3"),
+        one_of("0", "0.2"), one_of("", "viscous = 0.3\n"), one_of("", "coulomb = 0.2\n"));
+    if (follows) text += fmt::format("position = \"{}*{}\"\n", one_of("1", "-1", "2"), leader);
+    if (!follows) leader = joint;
+  }
+  return text;
+}
+
+class CoupledArms : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(CoupledArms, HaveTheSameBaseParametersThreeWays) {
+  const Model model = testing::model_of_toml(coupled_arm(GetParam()));
+  SCOPED_TRACE(coupled_arm(GetParam()));
+  expect_three_ways(model.robot, model.mechanism, ParameterSet::given);
+  expect_three_ways(model.robot, model.mechanism, ParameterSet::inertial);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, CoupledArms, ::testing::Range(1u, 41u));
 
 class RobotsOfTheRepository : public ::testing::TestWithParam<const char*> {};
 
