@@ -182,9 +182,10 @@ std::vector<Function> whole_functions(const Model& model, const std::vector<std:
 
 void refuse_loops(const Model& model, const std::string& what) {
   if (!model.mechanism.has_loops()) return;
-  throw Failure(
-      ExitCode::unsupported, what + ": robots with closed loops are not supported yet",
-      "inspect, generate, verify, eval and identify know them; so do all commands where loops are parallelograms");
+  throw Failure(ExitCode::unsupported, what + ": robots with closed loops are not supported yet",
+                "inspect, generate, verify, stress, eval, simulate, torques, scale and identify know them; so do all "
+                "commands where "
+                "loops are parallelograms");
 }
 
 std::vector<std::string> default_function_names(const Mechanism& mechanism) {

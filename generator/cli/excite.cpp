@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "emit/identifiers.hpp"
 #include "report/excitation_report.hpp"
 
 namespace flatdyn {
@@ -32,7 +33,8 @@ ExitCode excite(const ExciteArguments& arguments) {
   refuse_loops(model, "excite");
   print_diagnostics(model.diagnostics, arguments.quiet);
   arguments.note_function_keys(model);
-  const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (model.mechanism.name + "_excitation");
+  const std::string name = cpp_identifier(model.mechanism.name);  // as that of a generated header
+  const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (name + "_excitation");
   const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg";
   check_outputs({csv, svg}, model.robot.files);
   Progress progress(arguments.quiet);

@@ -8,6 +8,7 @@
 #include "cli/output_file.hpp"
 #include "report/scaling_report.hpp"
 #include "report/torque_report.hpp"
+#include "trajectory/closed_positions.hpp"
 #include "trajectory/read_trajectory.hpp"
 
 namespace flatdyn {
@@ -183,7 +184,7 @@ ExitCode scale(const ScaleArguments& arguments) {
   inputs.push_back(arguments.trajectory);
   check_outputs({arguments.output, arguments.plot}, inputs);
   const ScaledMotion motion = Scaling(arguments, model).run();
-  const TimeTable table = trajectory_table(motion.after, motion.tau_after);
+  const TimeTable table = trajectory_table(motion.after, positions_along(model, motion.after), motion.tau_after);
   std::vector<TextFile> files = {{arguments.output, csv_text(table)}};
   if (!arguments.plot.empty()) {
     files.push_back({arguments.plot, time_plot(model.mechanism.name + ": the scaled motion", table,

@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "report/torque_report.hpp"
+#include "trajectory/closed_positions.hpp"
 #include "trajectory/read_trajectory.hpp"
 
 namespace flatdyn {
@@ -13,11 +14,13 @@ struct TorquesArguments : RobotArguments {
   std::string trajectory, output, plot;
 };
 
-std::vector<TextFile> torque_files(const TorquesArguments& arguments, const Mechanism& mechanism,
-                                   const Trajectory& trajectory, const TorqueHistory& history) {
-  std::vector<TextFile> files = {{arguments.output, csv_text(torque_table(trajectory, history))}};
+std::vector<TextFile> torque_files(const TorquesArguments& arguments, const Model& model, const Trajectory& trajectory,
+                                   const TorqueHistory& history) {
+  const ByPoint q = positions_along(model, trajectory);
+  std::vector<TextFile> files = {{arguments.output, csv_text(torque_table(trajectory, q, history))}};
   if (!arguments.plot.empty()) {
-    files.push_back({arguments.plot, torque_plot(mechanism, trajectory, history, picture_format(arguments.plot))});
+    files.push_back(
+        {arguments.plot, torque_plot(model.mechanism, trajectory, q, history, picture_format(arguments.plot))});
   }
   return files;
 }
@@ -39,7 +42,7 @@ ExitCode torques(const TorquesArguments& arguments) {
     history = torque_history(terms, trajectory);
   }
   arguments.report(exceeded_limits(model.mechanism, trajectory, history.tau, arguments.trajectory));
-  write_and_tell(torque_files(arguments, model.mechanism, trajectory, history),
+  write_and_tell(torque_files(arguments, model, trajectory, history),
                  {describe_torques(model.mechanism, trajectory, history) + "\n",
                   torques_json(model.mechanism, trajectory, history)},
                  arguments.json);

@@ -8,8 +8,9 @@ namespace flatdyn {
 
 namespace {
 
-// Keywords and alternative tokens up to C++20; then names that cannot be a namespace or are predefined macros;
-// then the macros of <cmath>. Sorted within each group for the reader, searched linearly.
+// Keywords and alternative tokens up to C++20; then names that cannot be a namespace, are predefined macros, or have a
+// meaning in all that is generated; then the macros of <cmath>. Sorted within each group for the reader, searched
+// linearly.
 constexpr auto kReserved = std::to_array<std::string_view>({
     "alignas",
     "alignof",
@@ -105,6 +106,7 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "xor_eq",
     //
     "NULL",
+    "detail",
     "errno",
     "i386",
     "linux",

@@ -2,6 +2,7 @@
 #include "manipulability/ellipsoid.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,34 @@
 namespace flatdyn {
 namespace {
 
-std::vector<int> translations(const Mechanism& mechanism) {
+std::vector<int> directions(const Mechanism& mechanism) {
   if (mechanism.task.has_angles()) {
     throw Failure(ExitCode::unsupported, "an ellipsoid has base axes, and the scene asks for Euler angles",
                   "take `orientation` out of the scene");
   }
-  std::vector<int> rows = task_rows(mechanism);
-  if (mechanism.task.empty()) std::erase_if(rows, [](int row) { return row >= 3; });
+  std::vector<int> rows = mechanism.task.empty() ? moved_directions(mechanism) : task_rows(mechanism);
   if (!rows.empty()) return rows;
   throw Failure(ExitCode::unsupported, "no joint moves the tip's origin",
                 "name directions of rotation in the scene's `task`, or another link with --tip");
+}
+
+// In how many of them the tip moves independently.
+Eigen::Index rank_of(const Mechanism& mechanism) {
+  const std::vector<int> rows = task_rows(mechanism);
+  if (!mechanism.task.empty()) return static_cast<Eigen::Index>(rows.size());
+  return std::count_if(rows.begin(), rows.end(), [](int row) { return row < 3; });
+}
+
+// Cholesky's pivots say it; a joint that moves no inertia has none but rounding.
+void refuse_singular(const Eigen::MatrixXd& B, const Eigen::LLT<Eigen::MatrixXd>& factor,
+                     const std::vector<double>& q) {
+  constexpr double kRounding = 1e-13;
+  const Eigen::ArrayXd pivots = Eigen::MatrixXd(factor.matrixL()).diagonal().array().square();
+  const bool is_positive = (pivots > kRounding * B.diagonal().array()).all();  // NaN is not
+  if (factor.info() == Eigen::Success && is_positive) return;
+  throw Failure(ExitCode::input,
+                fmt::format("the inertia matrix is not positive definite at q = {}", fmt::join(q, ", ")),
+                "leave such positions out; where it is so everywhere, give the last links inertia");
 }
 
 Eigen::VectorXd torque_units(const Mechanism& mechanism, TorqueNorm norm) {
@@ -35,13 +54,22 @@ Eigen::VectorXd torque_units(const Mechanism& mechanism, TorqueNorm norm) {
   return Eigen::Map<const Eigen::VectorXd>(limits.data(), mechanism.size());
 }
 
-// The last link of each body on the way from the base to the tip, and the tip.
-std::vector<std::string> links_to_tip(const Mechanism& mechanism) {
-  std::vector<std::string> names = {mechanism.tip.link};
+// Whether the tip's origin is where the frame of this link is.
+bool is_at_tip(const Mechanism& mechanism, const std::string& name) {
+  const auto link = std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                                 [&name](const LinkFrame& each) { return each.link == name; });
+  const LinkFrame& tip = mechanism.tip;
+  return std::equal(tip.p.begin(), tip.p.end(), link->p.begin(),
+                    [](const Number& a, const Number& b) { return vanishes(a - b); });
+}
+
+// Of the last link of each body on the way from the base to the tip, and of the tip.
+std::vector<std::string> poses_to_tip(const Mechanism& mechanism) {
+  std::vector<std::string> names = {"forward_kinematics"};
   for (int i = mechanism.tip.body; i >= 0; i = mechanism.bodies[static_cast<std::size_t>(i)].parent) {
-    names.push_back(mechanism.bodies[static_cast<std::size_t>(i)].link);
+    const std::string& link = mechanism.bodies[static_cast<std::size_t>(i)].link;
+    if (i != mechanism.tip.body || !is_at_tip(mechanism, link)) names.push_back("forward_kinematics:" + link);
   }
-  names.erase(std::unique(names.begin(), names.end()), names.end());  // the tip may be the last link itself
   std::reverse(names.begin(), names.end());
   return names;
 }
@@ -65,9 +93,11 @@ double length_of(const std::vector<Eigen::Vector3d>& skeleton) {
 }
 
 Manipulability::Manipulability(const Model& model, TorqueNorm norm, double radius, Progress& progress)
-    : task_(translations(model.mechanism)), torque_unit_(radius * torque_units(model.mechanism, norm)) {
+    : task_(directions(model.mechanism)),
+      rank_(rank_of(model.mechanism)),
+      torque_unit_(radius * torque_units(model.mechanism, norm)) {
   std::vector<std::string> names = {"inertia_matrix", "gravity", "jacobian"};
-  for (const std::string& link : links_to_tip(model.mechanism)) names.push_back("forward_kinematics:" + link);
+  for (const std::string& pose : poses_to_tip(model.mechanism)) names.push_back(pose);
   const std::vector<Function> functions = whole_functions(model, names, "an ellipsoid", progress);
   inertia_.emplace(functions[0]);
   gravity_.emplace(functions[1]);
@@ -87,19 +117,21 @@ Ellipsoid Manipulability::at(const std::vector<double>& q) {
   const Eigen::Index n = torque_unit_.size();
   const std::vector<double> b = values(*inertia_, q), g = values(*gravity_, q), j = values(*jacobian_, q);
   const Eigen::Map<const Eigen::MatrixXd> B(b.data(), n, n), all(j.data(), n, 6);  // row by row: transposed
+  const Eigen::LLT<Eigen::MatrixXd> factor(B);
+  refuse_singular(B, factor, q);
   const Eigen::MatrixXd J = Eigen::MatrixXd(all.transpose())(task_, Eigen::all);
   // J = U Σ Vᵀ. Accelerations q̈ = V z of least norm take the torques B V z = Q R z, so the ellipsoid is the image of
   // the ball under U Σ R^-1: (7.148) without an inverse of J, which may be singular.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::MatrixXd torques = torque_unit_.cwiseInverse().asDiagonal() * (B * svd.matrixV());
-  const Eigen::MatrixXd R = torques.householderQr().matrixQR().topRows(J.rows()).triangularView<Eigen::Upper>();
-  const Eigen::MatrixXd sizes = svd.singularValues().asDiagonal();
+  const Eigen::MatrixXd torques = torque_unit_.cwiseInverse().asDiagonal() * (B * svd.matrixV().leftCols(rank_));
+  const Eigen::MatrixXd R = torques.householderQr().matrixQR().topRows(rank_).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd sizes = svd.singularValues().head(rank_).asDiagonal();
   const Eigen::MatrixXd image = R.transpose().triangularView<Eigen::Lower>().solve(sizes).transpose();
   const Eigen::JacobiSVD<Eigen::MatrixXd> half_axes(image, Eigen::ComputeFullU);
   Ellipsoid ellipsoid;
-  ellipsoid.centre = -J * B.llt().solve(Eigen::Map<const Eigen::VectorXd>(g.data(), n));
+  ellipsoid.centre = -J * factor.solve(Eigen::Map<const Eigen::VectorXd>(g.data(), n));
   ellipsoid.lengths = half_axes.singularValues();
-  ellipsoid.axes = svd.matrixU() * half_axes.matrixU();
+  ellipsoid.axes = svd.matrixU().leftCols(rank_) * half_axes.matrixU();
   ellipsoid.measure = ellipsoid.lengths.prod();
   return ellipsoid;
 }

@@ -13,17 +13,18 @@
 
 namespace flatdyn {
 
-// The ellipsoid (7.148) in the directions of the task, base axes; accelerations in m/s^2 (rad/s^2).
+// The ellipsoid (7.148) in the d directions of the task, base axes; accelerations in m/s^2 (rad/s^2). It has r axes:
+// fewer than d, and so is flat, where the tip moves on a surface or along a curve.
 struct Ellipsoid {
-  Eigen::VectorXd centre;   // r: −J B^-1 g, where gravity moves it to
-  Eigen::MatrixXd axes;     // r × r: unit vectors by column, the longest axis first
+  Eigen::VectorXd centre;   // d: −J B^-1 g, where gravity moves it to
+  Eigen::MatrixXd axes;     // d × r: unit vectors by column, the longest axis first
   Eigen::VectorXd lengths;  // r: of the half axes; 0 along directions that the tip cannot move along here
   // √det of the inverse of the core of (7.148), the product of the lengths. Of an arm that is not redundant it is
   // √det(J Jᵀ), the measure (3.56), divided by det B (Problem 7.12).
   double measure = 0;
 };
 
-// Half axes by column, the longer first, of the ellipse that a parallel projection makes of an ellipsoid. onto: 2 × r.
+// Half axes by column, the longer first, of the ellipse that a parallel projection makes of an ellipsoid. onto: 2 × d.
 Eigen::Matrix2d shadow(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto);
 
 // Of the lines between points that follow each other.
@@ -44,7 +45,7 @@ class Manipulability {
 
   const std::vector<int>& task() const { return task_; }
 
-  // At q, rad or m.
+  // At q, rad or m. Throws Failure(input) where B is not positive definite.
   Ellipsoid at(const std::vector<double>& q);
   // Origins of the frames from the base to the tip, m.
   std::vector<Eigen::Vector3d> skeleton(const std::vector<double>& q);
@@ -53,6 +54,7 @@ class Manipulability {
   std::vector<double> values(Tape& tape, const std::vector<double>& q) const;
 
   std::vector<int> task_;
+  Eigen::Index rank_;
   Eigen::VectorXd torque_unit_;  // by joint
   std::optional<Tape> inertia_, gravity_, jacobian_;
   std::vector<Tape> frames_;  // of the links on the way to the tip

@@ -161,7 +161,7 @@ void share_scale(std::vector<Panel>& panels) {
     const Window window = bounds(panel);
     half = std::max({half, (window.right - window.left) / 2, (window.top - window.bottom) / 2});
   }
-  half *= kMargin;
+  half = half > 0 ? half * kMargin : 1;  // of one point
   for (Panel& panel : panels) {
     const Window window = bounds(panel);
     const double x = (window.left + window.right) / 2, y = (window.bottom + window.top) / 2;
@@ -189,14 +189,14 @@ std::vector<Panel> curves_along(const Drawing& drawing) {
   const bool is_timed = drawing.poses.front().t.has_value();
   const std::string across = is_timed ? "t in s" : "pose";
   Panel lengths{"half axes", across, "m/s^2", {}}, measure{"measure", across, "", {}};
-  for (std::size_t i = 0; i < drawing.task.size(); ++i)
-    lengths.series.push_back({fmt::format("axis {}", i + 1), {}, {}});
+  const Eigen::Index axes = drawing.poses.front().ellipsoid.lengths.size();
+  for (Eigen::Index i = 0; i < axes; ++i) lengths.series.push_back({fmt::format("axis {}", i + 1), {}, {}});
   measure.series.push_back({"", {}, {}});
   for (std::size_t k = 0; k < drawing.poses.size(); ++k) {
     const ManipulablePose& pose = drawing.poses[k];
     const double at = is_timed ? *pose.t : static_cast<double>(k + 1);
-    for (std::size_t i = 0; i < drawing.task.size(); ++i) {
-      add_point(lengths.series[i], {at, pose.ellipsoid.lengths(static_cast<Eigen::Index>(i))});
+    for (Eigen::Index i = 0; i < axes; ++i) {
+      add_point(lengths.series[static_cast<std::size_t>(i)], {at, pose.ellipsoid.lengths(i)});
     }
     add_point(measure.series.front(), {at, pose.ellipsoid.measure});
   }

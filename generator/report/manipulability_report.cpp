@@ -40,8 +40,9 @@ std::string manipulability_csv(const std::vector<int>& task, const std::vector<M
   for (std::size_t i = 0; i < poses.front().q.size(); ++i) columns.push_back(fmt::format("q{}", i + 1));
   for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("p_{}", axis));
   for (const int row : task) columns.push_back(fmt::format("centre_{}", direction(row)));
-  for (std::size_t k = 1; k <= task.size(); ++k) columns.push_back(fmt::format("length_{}", k));
-  for (std::size_t k = 1; k <= task.size(); ++k) {
+  const auto axes = poses.front().ellipsoid.lengths.size();
+  for (Eigen::Index k = 1; k <= axes; ++k) columns.push_back(fmt::format("length_{}", k));
+  for (Eigen::Index k = 1; k <= axes; ++k) {
     for (const int row : task) columns.push_back(fmt::format("axis_{}_{}", k, direction(row)));
   }
   std::string text = fmt::format("{},measure\n", fmt::join(columns, ","));

@@ -27,12 +27,6 @@ std::string label(const Mechanism& mechanism, const MotionEvent& event) {
   return fmt::format("{} {}", mechanism.joints()[static_cast<std::size_t>(event.joint)].joint, to_string(event.kind));
 }
 
-// Dependent joints of closed loops may slide where the independent ones turn.
-std::string unit_of_positions(const Mechanism& mechanism) {
-  const bool is_mixed = mechanism.has_loops() && mechanism.has_prismatic_joint();
-  return is_mixed ? "rad, m" : unit_of(mechanism, "rad", "m");
-}
-
 }  // namespace
 
 TimeTable simulation_table(const SimulatedMotion& motion) {

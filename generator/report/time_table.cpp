@@ -84,4 +84,9 @@ std::string unit_of(const Mechanism& mechanism, const std::string& turning, cons
   return count == mechanism.size() ? sliding : turning + ", " + sliding;
 }
 
+std::string unit_of_positions(const Mechanism& mechanism) {
+  const bool is_mixed = mechanism.has_loops() && mechanism.has_prismatic_joint();
+  return is_mixed ? "rad, m" : unit_of(mechanism, "rad", "m");
+}
+
 }  // namespace flatdyn

@@ -36,5 +36,7 @@ PictureFormat picture_format(const std::string& file);
 
 // "rad", "m", or both for a robot that has both kinds of joints.
 std::string unit_of(const Mechanism& mechanism, const std::string& turning, const std::string& sliding);
+// Of q: dependent joints of closed loops may slide where the independent ones turn.
+std::string unit_of_positions(const Mechanism& mechanism);
 
 }  // namespace flatdyn

@@ -109,29 +109,39 @@ PanelColumns of_all_joints(const Mechanism& mechanism, const std::string& title,
   return panel;
 }
 
+PanelColumns of_all_positions(const Mechanism& mechanism) {
+  PanelColumns panel{"positions", "q in " + unit_of_positions(mechanism), {}, {}};
+  for (int p = 0; p < mechanism.position_count(); ++p) {
+    panel.columns.push_back(static_cast<std::size_t>(1 + p));
+    panel.names.push_back(mechanism.joint_at(p).joint);
+  }
+  return panel;
+}
+
 }  // namespace
 
-TimeTable trajectory_table(const Trajectory& trajectory, const std::vector<std::vector<double>>& tau) {
+TimeTable trajectory_table(const Trajectory& trajectory, const ByPoint& q, const ByPoint& tau) {
   TimeTable table{{"t"}, {}};
   const auto add_columns = [&table](const char* stem, std::size_t count) {
     for (std::size_t i = 1; i <= count; ++i) table.columns.push_back(fmt::format("{}{}", stem, i));
   };
   const std::size_t n = trajectory.points.front().q.size();
-  for (const char* stem : {"q", "qd", "qdd"}) add_columns(stem, n);
+  add_columns("q", q.front().size());
+  for (const char* stem : {"qd", "qdd"}) add_columns(stem, n);
   add_columns("h_e", trajectory.points.front().h_e.size());
   add_columns("tau", n);
   for (std::size_t p = 0; p < trajectory.points.size(); ++p) {
     const TrajectoryPoint& point = trajectory.points[p];
     std::vector<double>& row = table.rows.emplace_back(1, point.time);
-    for (const auto* part : {&point.q, &point.qd, &point.qdd, &point.h_e, &tau[p]}) {
+    for (const auto* part : {&q[p], &point.qd, &point.qdd, &point.h_e, &tau[p]}) {
       row.insert(row.end(), part->begin(), part->end());
     }
   }
   return table;
 }
 
-TimeTable torque_table(const Trajectory& trajectory, const TorqueHistory& history) {
-  TimeTable table = trajectory_table(trajectory, history.tau);
+TimeTable torque_table(const Trajectory& trajectory, const ByPoint& q, const TorqueHistory& history) {
+  TimeTable table = trajectory_table(trajectory, q, history.tau);
   for (const TorqueTerm& term : history.terms) table.columns.push_back(term.name());
   for (std::size_t p = 0; p < table.rows.size(); ++p) {
     table.rows[p].insert(table.rows[p].end(), history.values[p].begin(), history.values[p].end());
@@ -184,16 +194,17 @@ nlohmann::ordered_json torques_json(const Mechanism& mechanism, const Trajectory
 }
 
 std::vector<PanelColumns> motion_panels(const Mechanism& mechanism, bool tip_force) {
-  const std::size_t n = mechanism.joints().size(), torques = 1 + 3 * n + (tip_force ? 6 : 0);
-  return {of_all_joints(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), 1),
-          of_all_joints(mechanism, "rates", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), 1 + n),
-          of_all_joints(mechanism, "accelerations", "in " + unit_of(mechanism, "rad/s^2", "m/s^2"), 1 + 2 * n),
+  const std::size_t n = mechanism.joints().size(), m = static_cast<std::size_t>(mechanism.position_count());
+  const std::size_t torques = 1 + m + 2 * n + (tip_force ? 6 : 0);
+  return {of_all_positions(mechanism),
+          of_all_joints(mechanism, "rates", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), 1 + m),
+          of_all_joints(mechanism, "accelerations", "in " + unit_of(mechanism, "rad/s^2", "m/s^2"), 1 + m + n),
           of_all_joints(mechanism, "torques", "tau in " + unit_of(mechanism, "N m", "N"), torques)};
 }
 
-std::string torque_plot(const Mechanism& mechanism, const Trajectory& trajectory, const TorqueHistory& history,
-                        PictureFormat format) {
-  TimeTable table = torque_table(trajectory, history);
+std::string torque_plot(const Mechanism& mechanism, const Trajectory& trajectory, const ByPoint& q,
+                        const TorqueHistory& history, PictureFormat format) {
+  TimeTable table = torque_table(trajectory, q, history);
   const std::size_t first_term = table.columns.size() - history.terms.size();
   std::vector<PanelColumns> panels = motion_panels(mechanism, trajectory.has_tip_force());
   for (int i = 0; i < mechanism.size(); ++i) {

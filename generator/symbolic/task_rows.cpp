@@ -65,14 +65,19 @@ FieldColumns columns_somewhere(const Function& jacobian, Orientation orientation
   fail_without_angles(orientation);
 }
 
-// Of the Jacobian's rows in this order, those that do not depend on the ones before: rows that are independent anywhere
-// are so at a random point, but for a chance of about 1e-17.
-std::vector<int> independent(const Mechanism& mechanism, const std::vector<int>& rows) {
+// These rows of the Jacobian at a random point. They are independent there, or not zero, if they are anywhere, but for
+// a chance of about 1e-17.
+FieldColumns columns_of(const Mechanism& mechanism, const std::vector<int>& rows) {
   Workbench bench(mechanism);
   const std::vector<NodeId> entries = bench.nodes(task_jacobian(bench, rows, mechanism.task.orientation));
   const Function jacobian =
       finished(bench, {InputKind::q}, {matrix_output("J", static_cast<int>(rows.size()), bench.size(), entries, "")});
-  FieldColumns columns = columns_somewhere(jacobian, mechanism.task.orientation);
+  return columns_somewhere(jacobian, mechanism.task.orientation);
+}
+
+// Of the rows in this order, those that do not depend on the ones before.
+std::vector<int> independent(const Mechanism& mechanism, const std::vector<int>& rows) {
+  FieldColumns columns = columns_of(mechanism, rows);
   std::vector<int> kept;
   for (const std::size_t k : reduced_echelon(std::move(columns), [](const auto& x) { return x.value() == 0; }).pivots) {
     kept.push_back(rows[k]);
@@ -128,6 +133,16 @@ std::vector<int> task_rows(const Mechanism& mechanism) {
                       : fmt::format("of the scene's `task` it can along {}", task_text(rows, task.orientation)));
   }
   return rows;
+}
+
+std::vector<int> moved_directions(const Mechanism& mechanism) {
+  const FieldColumns columns = columns_of(mechanism, {0, 1, 2});
+  std::vector<int> moved;
+  for (const int row : {0, 1, 2}) {
+    const auto moves = [row](const auto& column) { return column[static_cast<std::size_t>(row)].value() != 0; };
+    if (std::any_of(columns.begin(), columns.end(), moves)) moved.push_back(row);
+  }
+  return moved;
 }
 
 }  // namespace flatdyn

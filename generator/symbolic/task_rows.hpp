@@ -16,6 +16,9 @@ namespace flatdyn {
 // those named depend on each other everywhere.
 std::vector<int> task_rows(const Mechanism& mechanism);
 
+// Those of x, y, z along which joints move the tip, also where they do so in one fixed way, as along a curve.
+std::vector<int> moved_directions(const Mechanism& mechanism);
+
 // "x, y, z, rx, ry, rz", those of a task; with Euler angles "x, y, z, phi, theta, psi".
 std::string task_text(const std::vector<int>& rows, Orientation orientation = Orientation::angular_velocity);
 

@@ -87,4 +87,14 @@ std::string ClosedPositions::place_text(const Eigen::VectorXd& q_a) const {
   return fmt::format("{}", fmt::join(places, ", "));
 }
 
+std::vector<std::vector<double>> positions_along(const Model& model, const Trajectory& trajectory) {
+  ClosedPositions positions(model);
+  std::vector<std::vector<double>> all;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    const std::span<const double> q = positions.of(point.q);
+    all.emplace_back(q.begin(), q.end());
+  }
+  return all;
+}
+
 }  // namespace flatdyn

@@ -7,6 +7,7 @@
 
 #include "flatdyn/reference/robot.hpp"
 #include "pipeline.hpp"
+#include "trajectory/trajectory.hpp"
 
 namespace flatdyn {
 
@@ -34,5 +35,8 @@ class ClosedPositions {
   double tolerance_ = 0;                           // m
   Eigen::VectorXd q_;
 };
+
+// Along a motion, by point; those of the trajectory itself where there are no loops. Throws as ClosedPositions does.
+std::vector<std::vector<double>> positions_along(const Model& model, const Trajectory& trajectory);
 
 }  // namespace flatdyn

@@ -186,6 +186,10 @@ TrajectoryPoint at_pace(TrajectoryPoint point, double time, double x, double u, 
 
 TimeLaw time_optimal_law(const Trajectory& trajectory, const PathCoefficients& path, const PaceLimits& limits,
                          double c) {
+  if (std::all_of(trajectory.points.begin(), trajectory.points.end(), rests)) {
+    throw Failure(ExitCode::unsupported, "no joint moves along the trajectory: there is no pace to choose",
+                  "leave out --time-optimal");
+  }
   return PaceMaker(trajectory, path, limits, c).law();
 }
 

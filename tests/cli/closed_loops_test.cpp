@@ -61,6 +61,27 @@ TEST_F(ClosedLoops, LoseNoMoreThanTheReference) {
   EXPECT_EQ(worst.code, 0) << worst.err;
 }
 
+// q is that of all joints, in the order that every command has, and can be read again.
+TEST_F(ClosedLoops, HaveAllPositionsAlongATrajectory) {
+  scratch.write("turn.toml",
+                "start = [1.57, 1.57]\n[[segment]]\nby = [0.1, -0.1]\nprofile = \"triangular\"\nduration = 0.3\n");
+  const auto torques = [this](const std::string& trajectory, const std::string& output) {
+    return run_flatdyn(fmt::format("torques robots/five_bar.toml -q --trajectory {} -o {} --plot {}.svg",
+                                   scratch.path(trajectory), scratch.path(output), scratch.path(output)));
+  };
+  ASSERT_EQ(torques("turn.toml", "first.csv").code, 0);
+  const std::string first = scratch.read("first.csv");
+  EXPECT_THAT(first, StartsWith("t,q1,q2,q3,q4,qd1,qd2,qdd1,qdd2,tau1,tau2,"));
+  EXPECT_THAT(scratch.read("first.csv.svg"), HasSubstr("left_elbow"));
+  ASSERT_EQ(torques("first.csv", "again.csv").code, 0);
+  EXPECT_EQ(scratch.read("again.csv"), first);
+  const Outcome scaled =
+      run_flatdyn(fmt::format("scale robots/five_bar.toml -q --trajectory {} --torque-limits 1,1 -o {}",
+                              scratch.path("turn.toml"), scratch.path("scaled.csv")));
+  ASSERT_EQ(scaled.code, 0) << scaled.err;
+  EXPECT_THAT(scratch.read("scaled.csv"), StartsWith("t,q1,q2,q3,q4,qd1,qd2,qdd1,qdd2,tau1,tau2\n"));
+}
+
 // What was simulated is read as a trajectory, and needs the torques that it was made with.
 TEST_F(ClosedLoops, MoveAndNeedTheTorquesThatMovedThem) {
   scratch.write("push.toml", "duration = 0.2\nrate = 100\n[start]\nq = [0.5]\n[torque]\nconstant = [0.05]\n");

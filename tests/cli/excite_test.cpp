@@ -34,6 +34,15 @@ TEST(Excite, WritesTheMotionAndItsPlot) {
   EXPECT_THAT(scratch.read(fmt::format("new/{}", kSvg)), HasSubstr("theta_1"));
 }
 
+TEST(Excite, KeepsToItsFolderWhateverTheRobotIsCalled) {
+  const Scratch scratch;
+  scratch.write("arm.toml", "name = \"../an/arm 1\"\n[[link]]\njoint = \"a\"\nmass = 1\ncom = [0.1, 0, 0]\n");
+  const Outcome outcome = run_flatdyn(fmt::format("excite {} -q --evaluations 10 --duration 2 -o {}",
+                                                  scratch.path("arm.toml"), scratch.path("folder")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(scratch.read("folder/an_arm_1_excitation.csv"), StartsWith("t,q1,"));
+}
+
 // The expected torques are those that the recursive reference needs for the motion.
 TEST(Excite, TorquesAreInverseDynamics) {
   const Scratch scratch;

@@ -195,5 +195,15 @@ TEST(Scale, RefusesWhatItCannotDo) {
   EXPECT_TRUE(scratch.is_empty());
 }
 
+TEST(Scale, OfAMotionThatWaitsHasNoTimeOptimalLaw) {
+  const Scratch scratch;
+  scratch.write("wait.toml", "start = [0, 0]\n[[segment]]\ndwell = 1\n");
+  const Outcome outcome =
+      run_flatdyn("scale robots/planar_2r_example_7_2.toml -q --torque-limits 5000 --time-optimal --trajectory " +
+                  scratch.path("wait.toml") + " -o " + scratch.path("out.csv"));
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("no joint moves along the trajectory"));
+}
+
 }  // namespace
 }  // namespace flatdyn::testing

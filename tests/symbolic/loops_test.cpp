@@ -22,6 +22,7 @@
 #include "verify/expected.hpp"
 #include "verify/reference_model.hpp"
 #include "verify/values.hpp"
+#include "verify/verify.hpp"
 
 namespace flatdyn {
 namespace {
@@ -465,6 +466,52 @@ TEST(SingularLoop, IsSaidSo) {
   const VectorX<double> before = q;
   EXPECT_FALSE(reference::close_loops(robot, q, 1e-12));
   EXPECT_EQ(q, before);
+}
+
+// A rod and a rocker of one length: folded onto each other, the rod's axis goes through the rocker's end. Nothing says
+// then how far the rod turns, though the columns are at a right angle for all that rounding tells.
+TEST(SingularLoop, IsOneWhoseAxisGoesThroughThePoint) {
+  const Model model = testing::model_of_toml(R"(name = "fold"
+gravity = [0, -9.81, 0]
+[[link]]
+name = "crank"
+joint = "a"
+mass = 1
+com = [0.05, 0, 0]
+[[link]]
+name = "rod"
+joint = "b"
+xyz = [0.1, 0, 0]
+mass = 1
+com = [0.15, 0, 0]
+[[link]]
+name = "rocker"
+joint = "c"
+xyz = [0.3, 0, 0]
+mass = 1
+com = [0.15, 0, 0]
+[[loop]]
+links = ["rocker", "base"]
+from = [0.3, 0, 0]
+to = [0.25, 0, 0]
+dependent = ["b", "c"]
+[assembly]
+a = 0.5
+b = 1.0
+c = -2
+)");
+  const auto robot = reference_robot<double>(model.robot, {});
+  VectorX<double> q(3);
+  q << 0.3, 1.5707963267948966, 3.141592653589793;
+  EXPECT_LT(reference::loop_regularity(robot, q), 1e-9);
+  q << 0.3, 1, -2;
+  EXPECT_GT(reference::loop_regularity(robot, q), 0.5);
+  std::vector<Function> functions;
+  for (const char* name : {"gravity", "inverse_dynamics", "loop_motion"}) {
+    functions.push_back(derive_function(model.mechanism, name));
+  }
+  Progress quiet(true);
+  EXPECT_TRUE(verify(model.robot, model.mechanism, functions, {}, quiet).passed());
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ TEST(Identifiers, AvoidsWhatCppReserves) {
   EXPECT_EQ(cpp_identifier("co_await"), "co_await_");
   EXPECT_EQ(cpp_identifier("NAN"), "NAN_");
   EXPECT_EQ(cpp_identifier("std"), "std_");
+  EXPECT_EQ(cpp_identifier("detail"), "detail_");  // generated headers have a namespace of that name
   EXPECT_EQ(cpp_identifier("__a__b"), "a_b");
   EXPECT_EQ(cpp_identifier("_Upper"), "Upper");
 }

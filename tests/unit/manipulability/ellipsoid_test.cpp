@@ -38,6 +38,17 @@ Ellipsoid ellipsoid_of(const Model& model, const std::vector<double>& q, double 
   return arm.at(q);
 }
 
+constexpr const char* kPendulum = R"(name = "pendulum"
+gravity = [0, "-9.81", 0]
+[[link]]
+joint = "theta"
+mass = 2
+com = [0.4, 0, 0]
+[tip]
+link = "link1"
+xyz = [0.5, 0, 0]
+)";
+
 Model planar_3r() {
   std::string text = "name = \"planar_3r\"\ngravity = [0, \"-9.81\", 0]\ndh = \"standard\"\n";
   for (const char* joint : {"a", "b", "c"}) {
@@ -91,6 +102,37 @@ TEST(Manipulability, IsFlatWhereTheJacobianIsSingular) {
   EXPECT_NEAR(std::abs(ellipsoid.axes(0, 1)), std::cos(0.3), 1e-9);
 }
 
+// A pendulum's tip goes along a circle: forward by l for each rad, wherever it is.
+TEST(Manipulability, IsFlatWhereTheTipHasACurveToMoveOn) {
+  const Model pendulum = model_of_toml(kPendulum);
+  for (const double theta : {0.0, 0.5, 1.5707963267948966}) {
+    std::vector<int> task;
+    const Ellipsoid ellipsoid = ellipsoid_of(pendulum, {theta}, 1, task);
+    EXPECT_EQ(task, (std::vector{0, 1}));
+    ASSERT_EQ(ellipsoid.lengths.size(), 1);
+    EXPECT_NEAR(ellipsoid.measure, 0.5 / (2 * 0.16), 1e-14);
+    EXPECT_NEAR(std::abs(ellipsoid.axes.col(0).dot(Eigen::Vector2d(-std::sin(theta), std::cos(theta)))), 1, 1e-14);
+    EXPECT_NEAR(ellipsoid.centre.norm(), 0.5 * 9.81 * std::abs(std::cos(theta)) / 0.4, 1e-12);
+  }
+}
+
+TEST(Manipulability, IsRefusedWhereAJointMovesNoInertia) {
+  const Model light = model_of_toml(R"(name = "light"
+[[link]]
+joint = "a"
+mass = 1
+com = [0.1, 0, 0]
+[[link]]
+joint = "b"
+xyz = [0.5, 0, 0]
+[tip]
+link = "link2"
+xyz = [0.5, 0, 0]
+)");
+  std::vector<int> task;
+  EXPECT_THROW(ellipsoid_of(light, {0.3, 0.4}, 1, task), Failure);
+}
+
 TEST(Manipulability, LimitsScaleTheTorques) {
   Progress progress(true);
   const Model panda = model_of("panda.urdf");
@@ -112,6 +154,15 @@ TEST(Manipulability, KnowsWhereTheArmIs) {
   ASSERT_EQ(points.size(), 3U);
   EXPECT_LE((points[1] - Eigen::Vector3d(std::cos(0.5), std::sin(0.5), 0)).norm(), 1e-15);
   EXPECT_LE((points[2] - points[1] - Eigen::Vector3d(std::cos(1.5), std::sin(1.5), 0)).norm(), 1e-15);
+}
+
+TEST(Manipulability, KnowsWhereATipIsThatIsNoLinksFrame) {
+  Progress progress(true);
+  Manipulability arm(model_of_toml(kPendulum), TorqueNorm::plain, 1, progress);
+  const std::vector<Eigen::Vector3d> points = arm.skeleton({0.5});
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points[1], Eigen::Vector3d::Zero());
+  EXPECT_LE((points[2] - 0.5 * Eigen::Vector3d(std::cos(0.5), std::sin(0.5), 0)).norm(), 1e-15);
 }
 
 // All of the ellipsoid's points are seen within the outline, and some on it.

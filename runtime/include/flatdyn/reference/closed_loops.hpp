@@ -226,20 +226,46 @@ bool close_loops(const Robot<S>& robot, VectorX<S>& q, const S& tolerance) {
 // own, against the largest determinant that links of these lengths allow.
 inline constexpr double kSingularLoop = 1e-6;
 
+namespace detail {
+
+// 1 × joints: the lengths that a loop's columns have where links are stretched out.
+template <class S>
+MatrixX<S> stretched_lengths(const Robot<S>& robot, const Loop<S>& loop, const VectorX<S>& positions) {
+  using std::abs;
+  MatrixX<S> lengths = MatrixX<S>::Zero(1, robot.joint_count());
+  for (int end = 0; end < 2; ++end) {
+    S distance = loop.points[end].norm();
+    for (auto joint = robot.joints.rbegin(); joint != robot.joints.rend(); ++joint) {
+      if (!moves_end(robot, loop, *joint, end)) continue;
+      const bool slides = joint->type == JointType::prismatic;
+      lengths(0, joint->index) += slides ? S(1) : distance;
+      distance += joint->p_0.norm() + (slides ? S(abs(positions[joint->index])) : S(0));
+    }
+  }
+  return lengths;
+}
+
+}  // namespace detail
+
 // How far the loops are from being singular: the smallest determinant that is divided by, against the product of the
-// lengths of its columns. 1 if there are no loops.
+// lengths of its columns. 1 if there are no loops. A column that is short because an axis goes through the loop's point
+// makes a loop singular, too: it counts as a thousandth of what the links allow at least.
 template <class S>
 S loop_regularity(const Robot<S>& robot, const VectorX<S>& q) {
   using std::abs;
+  using std::max;
   using std::min;
   VectorX<S> room;
-  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, of_joints(robot, q, room));
+  const VectorX<S>& positions = of_joints(robot, q, room);
+  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, positions);
   S smallest(1);
   for (const Loop<S>& loop : robot.loops) {
     const MatrixX<S> own = detail::dependent_columns<S>(
         loop, detail::loop_jacobian_of_joints(robot, loop, poses).lazyProduct(robot.coupling));
+    const MatrixX<S> stretched = detail::dependent_columns<S>(
+        loop, detail::stretched_lengths(robot, loop, positions).lazyProduct(robot.coupling.cwiseAbs()));
     S largest(1);
-    for (Eigen::Index k = 0; k < own.cols(); ++k) largest *= own.col(k).norm();
+    for (Eigen::Index k = 0; k < own.cols(); ++k) largest *= max(S(own.col(k).norm()), S(stretched(0, k) / 1000));
     smallest = min(smallest, S(abs(detail::determinant(own)) / largest));
   }
   return smallest;
