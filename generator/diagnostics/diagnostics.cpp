@@ -34,12 +34,12 @@ std::string to_string(const Diagnostic& diagnostic) {
   return text;
 }
 
-void Diagnostics::note(Place place, std::string message, std::string hint) {
-  add({Severity::note, std::move(place), std::move(message), std::move(hint)});
+void Diagnostics::note(Place place, std::string message, std::string hint, std::string kind) {
+  add({Severity::note, std::move(place), std::move(message), std::move(hint), false, std::move(kind)});
 }
 
-void Diagnostics::warning(Place place, std::string message, std::string hint) {
-  add({Severity::warning, std::move(place), std::move(message), std::move(hint)});
+void Diagnostics::warning(Place place, std::string message, std::string hint, std::string kind) {
+  add({Severity::warning, std::move(place), std::move(message), std::move(hint), false, std::move(kind)});
 }
 
 void Diagnostics::error(Place place, std::string message, std::string hint) {

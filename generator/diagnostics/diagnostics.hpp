@@ -24,6 +24,7 @@ struct Diagnostic {
   std::string message;       // what is wrong, naming the key and the value
   std::string hint;          // what to do; may be empty
   bool unsupported = false;  // an error that is no mistake in the file: the program cannot do it (exit code 4)
+  std::string kind;          // those of one kind are told together; empty: this one stands by itself
 };
 
 // "arm.urdf:12: error: link \"a\": mass is negative (-1)\n    hint: ..."
@@ -33,8 +34,9 @@ std::string to_string(const Diagnostic& diagnostic);
 // sees all that is wrong at once; whoever called decides what to do with the list.
 class Diagnostics {
  public:
-  void note(Place place, std::string message, std::string hint = {});
-  void warning(Place place, std::string message, std::string hint = {});
+  // kind: a plural that can follow a count, "unknown attributes left out".
+  void note(Place place, std::string message, std::string hint = {}, std::string kind = {});
+  void warning(Place place, std::string message, std::string hint = {}, std::string kind = {});
   void error(Place place, std::string message, std::string hint = {});
   void unsupported(Place place, std::string message, std::string hint = {});  // an error
   void add(Diagnostic diagnostic);
