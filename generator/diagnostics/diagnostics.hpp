@@ -24,7 +24,7 @@ struct Diagnostic {
   std::string message;       // what is wrong, naming the key and the value
   std::string hint;          // what to do; may be empty
   bool unsupported = false;  // an error that is no mistake in the file: the program cannot do it (exit code 4)
-  std::string kind;          // those of one kind are told together; empty: this one stands by itself
+  std::string kind = {};     // those of one kind are told together; empty: this one stands by itself
 };
 
 // "arm.urdf:12: error: link \"a\": mass is negative (-1)\n    hint: ..."
