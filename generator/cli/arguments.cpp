@@ -186,6 +186,7 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->check([](const std::string& value) { return value == "error" ? "" : "write -Werror"; });
   command.add_flag("--json", json, "print JSON on stdout");
   command.add_flag("-q,--quiet", quiet, "no notes, no progress");
+  command.add_flag("-v,--verbose", verbose, "list what is otherwise told in one line");
 }
 
 void add_error_budget_option(CLI::App& command, RobotArguments& arguments) {

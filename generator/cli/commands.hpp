@@ -26,6 +26,7 @@ struct RobotArguments {
   bool warnings_are_errors = false;
   bool json = false;
   bool quiet = false;
+  bool verbose = false;  // all that is otherwise counted in one line
 
   void add_to(CLI::App& command);
   void add_settings_to(CLI::App& command);  // all but the robot itself
