@@ -15,9 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool succeeds(const std::string& command) {
-  return run_command(command + " > /dev/null 2>&1", fs::temp_directory_path()) == 0;
-}
+bool succeeds(const std::string& command) { return run_command(command + " > /dev/null 2>&1", temporary_root()) == 0; }
 
 void compiler_run(const std::string& command, const fs::path& folder, const std::string& log) {
   if (run_command(fmt::format("{} > {} 2>&1", command, log), folder) == 0) return;

@@ -25,8 +25,7 @@ Verdict verdict_on(const GappaScript& script, std::size_t index, const std::file
 }  // namespace
 
 bool has_gappa() {
-  static const bool found =
-      run_command("gappa --version > /dev/null 2>&1", std::filesystem::temp_directory_path()) == 0;
+  static const bool found = run_command("gappa --version > /dev/null 2>&1", temporary_root()) == 0;
   return found;
 }
 

@@ -11,6 +11,8 @@
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
+#include "diagnostics/interrupt.hpp"
+#include "diagnostics/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -41,20 +43,28 @@ int run_command(const std::string& command, const fs::path& folder, bool pinned)
     if (::chdir(folder.c_str()) == 0) ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     ::_exit(127);
   }
+  end_when_interrupted(child);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw Failure(ExitCode::io, "a process was lost");
   }
+  forget_when_interrupted(child);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 std::string machine_compiler() {
   const char* chosen = std::getenv("CXX");
   const std::string compiler = chosen != nullptr && *chosen != '\0' ? chosen : "c++";
-  if (run_command(compiler + " --version > /dev/null 2>&1", fs::temp_directory_path()) != 0) {
+  if (run_command(compiler + " --version > /dev/null 2>&1", temporary_root()) != 0) {
     throw Failure(ExitCode::io, "no C++ compiler: " + compiler + " cannot be run", "install g++ or set CXX");
   }
   return compiler;
+}
+
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
 }
 
 std::string content_of_file(const fs::path& path) {

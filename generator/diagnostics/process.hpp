@@ -11,6 +11,9 @@ namespace flatdyn {
 // a shell says: 128 + n after signal n.
 int run_command(const std::string& command, const std::filesystem::path& folder, bool pinned = false);
 
+// The text as one word of such a command, whatever is in it.
+std::string shell_word(const std::string& text);
+
 // $CXX, or c++. Throws Failure(io) if it cannot be run.
 std::string machine_compiler();
 

@@ -11,20 +11,27 @@ namespace {
 
 constexpr const char* kEraseLine = "\r\033[K";
 
+bool is_line_shown = false;  // of whichever Progress: there is one terminal
+
 }  // namespace
+
+void erase_progress() {
+  if (!is_line_shown) return;
+  fmt::print(stderr, "{}", kEraseLine);
+  std::fflush(stderr);
+  is_line_shown = false;
+}
 
 Progress::Progress(bool quiet)
     : shown_(!quiet && ::isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
 
-Progress::~Progress() {
-  if (written_) fmt::print(stderr, "{}", kEraseLine);
-}
+Progress::~Progress() { erase_progress(); }
 
 void Progress::step(const std::string& what) {
   if (!shown_ || std::chrono::steady_clock::now() - start_ < std::chrono::seconds(1)) return;
   fmt::print(stderr, "{}{} …", kEraseLine, what);
   std::fflush(stderr);
-  written_ = true;
+  is_line_shown = true;
 }
 
 }  // namespace flatdyn

@@ -7,6 +7,9 @@
 
 namespace flatdyn {
 
+// Takes the line that is shown away, if there is one: before anything else is written.
+void erase_progress();
+
 class Progress {
  public:
   explicit Progress(bool quiet = false);
@@ -18,7 +21,6 @@ class Progress {
 
  private:
   bool shown_;
-  bool written_ = false;
   std::chrono::steady_clock::time_point start_;
 };
 

@@ -6,6 +6,9 @@
 
 namespace flatdyn {
 
+// Characters, not bytes: names may be any UTF-8.
+std::size_t text_width(const std::string& text);
+
 // Rows of text with aligned columns, two blanks between them; the first row is the heading.
 std::vector<std::string> aligned_lines(const std::vector<std::vector<std::string>>& rows);
 

@@ -5,7 +5,11 @@
 
 namespace flatdyn {
 
-// Gone with the object, also when what was to be made in it fails half-way. Throws Failure(io).
+// $TMPDIR, or /tmp. Throws Failure(io), which names it, if it is no folder.
+std::filesystem::path temporary_root();
+
+// Gone with the object, also when what was to be made in it fails half-way, and when Ctrl-C or another signal ends the
+// program. Throws Failure(io).
 class TemporaryFolder {
  public:
   TemporaryFolder();

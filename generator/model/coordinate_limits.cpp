@@ -55,7 +55,7 @@ void note_idle_limits(const Joint& joint, Diagnostics& diagnostics) {
   diagnostics.note(
       joint.place,
       "joint \"" + joint.name + "\" follows several coordinates: its limits bound none of them alone, and are not used",
-      "nothing to do, unless you rely on them");
+      "nothing to do, unless you rely on them", "joints that follow several coordinates, whose limits are not used");
 }
 
 // By elimination: how many of the coordinates the joints' positions tell apart.

@@ -47,7 +47,7 @@ void check_inertia_without_mass(const std::string& what, const Inertial& inertia
   }
   if (all_zero) return;
   diagnostics.warning(inertial.place, what + ": the mass is zero but the inertia is not",
-                      "give the mass, or delete the inertia");
+                      "give the mass, or delete the inertia", "bodies with an inertia but no mass");
 }
 
 // One diagonal entry and nothing else: no body has that, but planar models are written so.
@@ -68,7 +68,8 @@ void check_inertia(const std::string& what, const Inertial& inertial, Diagnostic
   const Mat3 tensor = central_tensor(inertial);
   if (is_about_one_axis(tensor)) {
     diagnostics.note(inertial.place, what + ": only a moment of inertia about one axis is given",
-                     "that is enough if the link turns about that axis only, as in a planar arm");
+                     "that is enough if the link turns about that axis only, as in a planar arm",
+                     "bodies with a moment of inertia about one axis only");
     return;
   }
   const auto fault = fault_of_inertia(tensor);
@@ -81,7 +82,8 @@ void check_inertia(const std::string& what, const Inertial& inertial, Diagnostic
         inertial.place,
         fmt::format("{}: no body has this inertia: {} ({:.6g}, {:.6g}, {:.6g} kg m^2 about the centre of mass)", what,
                     fact, largest, middle, smallest),
-        "check the units, the signs of the products of inertia, and the point that the tensor is about");
+        "check the units, the signs of the products of inertia, and the point that the tensor is about",
+        "inertias that no body can have");
   }
 }
 
@@ -106,7 +108,8 @@ void check_motor(const Joint& joint, Diagnostics& diagnostics) {
   if (!is_exact_zero(motor.inertia_transverse.number) && is_rational(excess) && !is_negative(excess) &&
       !is_exact_zero(excess)) {
     diagnostics.warning(motor.place, what + "no body has this inertia: inertia exceeds twice inertia_transverse",
-                        "check the units; a flat disc has twice, a slender rotor less");
+                        "check the units; a flat disc has twice, a slender rotor less",
+                        "motors with an inertia that no body can have");
   }
 }
 
@@ -122,7 +125,8 @@ void check_range(const Joint& joint, Diagnostics& diagnostics) {
                       "exchange them");
   } else if (is_exact_zero(range)) {
     diagnostics.warning(lower->place, named(joint) + " cannot move: its lower and upper limit are the same",
-                        "give the range, or make the joint a fixed one");
+                        "give the range, or make the joint a fixed one",
+                        "joints that cannot move, as their limits are the same");
   }
 }
 
@@ -154,7 +158,7 @@ void take_away_zero_limits(Joint& joint, Diagnostics& diagnostics) {
   if (zeros.empty()) return;
   diagnostics.note(place,
                    fmt::format("{}: limits of 0 are taken as not given: {}", named(joint), fmt::join(zeros, ", ")),
-                   "give the limits, or leave them out");
+                   "give the limits, or leave them out", "joints with limits of 0, which are taken as not given");
 }
 
 void check_limits(Joint& joint, Diagnostics& diagnostics) {
@@ -219,7 +223,8 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
       has_inertia[static_cast<std::size_t>(joint.parent)] = true;
     } else if (joint.type != JointType::fixed && is_exact_zero(joint.armature.number) && !joint.motor) {
       diagnostics.warning(joint.place, named(joint) + " moves no mass: the inertia matrix is singular",
-                          "give the links after it their <inertial>, or make it a fixed joint");
+                          "give the links after it their <inertial>, or make it a fixed joint",
+                          "joints that move no mass: the inertia matrix is singular");
     }
   }
 }
