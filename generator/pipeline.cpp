@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "input/content_hash.hpp"
 #include "model/pivot_share.hpp"
 #include "plan.hpp"
 #include "plan_together.hpp"
@@ -147,7 +146,7 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
     throw BadInput(code, std::move(diagnostics));
   }
   Mechanism mechanism = make_mechanism(*robot);
-  std::string hash = file_hash(robot->files);
+  std::string hash = options.read.sources->hash(robot->files);
   std::optional<Abbreviation> abbreviation;
   if (!options.whole_functions) abbreviation = abbreviation_of(*robot, mechanism, options);
   return {std::move(*robot), std::move(mechanism), std::move(abbreviation), std::move(diagnostics), std::move(hash)};

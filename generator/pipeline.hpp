@@ -32,7 +32,7 @@ struct Model {
   Mechanism mechanism;
   std::optional<Abbreviation> abbreviation;  // if the scene has an error budget
   Diagnostics diagnostics;
-  std::string input_hash;  // of the bytes of the robot file, of one that it names, and of the scene file
+  std::string input_hash;  // of the texts of the robot file, of one that it names, and of the scene file
 };
 
 // What functions are derived from: the mechanism, or as much of it as the error budget leaves.

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <boost/uuid/detail/sha1.hpp>
-#include <fstream>
-#include <sstream>
 
 namespace flatdyn {
 
@@ -17,17 +15,6 @@ std::string content_hash(const std::vector<std::string>& texts) {
   std::string result = "sha1:";
   for (const auto word : digest) result += fmt::format("{:08x}", word);
   return result;
-}
-
-std::string file_hash(const std::vector<std::string>& paths) {
-  std::vector<std::string> contents;
-  for (const std::string& path : paths) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream content;
-    content << file.rdbuf();
-    contents.push_back(content.str());
-  }
-  return content_hash(contents);
 }
 
 }  // namespace flatdyn

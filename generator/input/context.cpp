@@ -93,7 +93,7 @@ void check_infinite_limit(std::string_view written, Bound bound, const Spot& spo
 FileKind kind_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  if (extension == ".urdf" || extension == ".xml") return FileKind::urdf;
+  if (extension == ".urdf" || extension == ".xml" || extension == ".xacro") return FileKind::urdf;
   return extension == ".toml" ? FileKind::toml : FileKind::unknown;
 }
 
@@ -152,20 +152,23 @@ Number snapped_angle(const Number& angle, std::string_view written, const Spot& 
   return exact;
 }
 
-std::optional<std::string> file_text(const std::string& path, Diagnostics& diagnostics) {
+bool check_size(std::uintmax_t size, const std::string& path, Diagnostics& diagnostics) {
   constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} * 1024 * 1024;
+  if (size <= kLargestFile) return true;
+  diagnostics.error({path, 0}, "the file is larger than 64 MB",
+                    "meshes and other data do not belong into a robot file");
+  return false;
+}
+
+std::optional<std::string> file_text(const std::string& path, Diagnostics& diagnostics) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
-    throw Failure(ExitCode::io, path + ": is a folder", "name a robot file (.urdf or .toml)");
+    throw Failure(ExitCode::io, path + ": is a folder", "name a robot file (.urdf, .xacro or .toml)");
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Failure(ExitCode::io, path + ": cannot be read", "check the path and the permissions");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (!error && size > kLargestFile) {
-    diagnostics.error({path, 0}, "the file is larger than 64 MB",
-                      "meshes and other data do not belong into a robot file");
-    return std::nullopt;
-  }
+  if (!error && !check_size(size, path, diagnostics)) return std::nullopt;
   std::ostringstream text;
   text << stream.rdbuf();
   if (stream.bad()) throw Failure(ExitCode::io, path + ": cannot be read");

@@ -11,6 +11,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "input/reader.hpp"
+#include "input/sources.hpp"
 #include "input/symbol_table.hpp"
 #include "model/robot.hpp"
 
@@ -62,8 +63,10 @@ bool check_magnitude(const Number& value, const std::string& shown, const Spot& 
 enum class Bound { lower, upper, magnitude };
 void check_infinite_limit(std::string_view written, Bound bound, const Spot& spot, Diagnostics& diagnostics);
 
-enum class FileKind { urdf, toml, unknown };
-FileKind kind_of(const std::filesystem::path& path);  // by its extension
+FileKind kind_of(const std::filesystem::path& path);  // by its extension; .xacro is a URDF
+
+// False, and a diagnostic, if a file is larger than 64 MB.
+bool check_size(std::uintmax_t size, const std::string& path, Diagnostics& diagnostics);
 
 // The text of a file. Throws Failure(io) if it cannot be read; nullopt and a diagnostic if it is larger than 64 MB.
 std::optional<std::string> file_text(const std::string& path, Diagnostics& diagnostics);

@@ -113,7 +113,8 @@ void end_coupling(const JointPosition& lock, const Joint& joint, const Coupled& 
     return;
   }
   context.diagnostics.note(lock.place, held_at(lock) + ", follows no other joint any more",
-                           "to hold them together, hold \"" + coupled.terms.front().joint.name + "\" instead");
+                           "to hold them together, hold \"" + coupled.terms.front().joint.name + "\" instead",
+                           "held joints that follow no other joint any more");
 }
 
 void hold(const JointPosition& lock, Joint& joint, ReadContext& context, Robot& robot) {

@@ -11,6 +11,7 @@
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
 #include "input/utf8.hpp"
+#include "input/xacro.hpp"
 #include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
 #include "model/linear_loops.hpp"
@@ -74,22 +75,21 @@ void hand_over(const Diagnostics& found, Diagnostics& diagnostics) {
   for (Diagnostic& diagnostic : sorted) diagnostics.add(std::move(diagnostic));
 }
 
-void read_into(const std::filesystem::path& path, ReadContext& context, Robot& robot) {
-  const std::string file = path.string();
-  const FileKind kind = kind_of(path);
-  const std::optional<std::string> text = file_text(file, context.diagnostics);
-  if (!text) return;
+void read_into(const std::string& file, ReadContext& context, Robot& robot) {
+  const std::optional<Source> source = context.options.sources->read(file, context.diagnostics);
+  if (!source) return;
   robot.files.push_back(file);
-  if (kind == FileKind::unknown) {
-    context.diagnostics.error({file, 0}, "unknown kind of file", "robot files are called .urdf, .xml or .toml");
+  if (source->kind == FileKind::unknown) {
+    context.diagnostics.error({file, 0}, "unknown kind of file", "robot files are called .urdf, .xml, .xacro or .toml");
     return;
   }
   Attachments attachments;
-  if (kind == FileKind::urdf) {
-    read_urdf(*text, file, context, robot);
+  if (source->kind == FileKind::urdf) {
+    read_urdf(source->text, source->name, context, robot);
   } else {
-    attachments = read_toml(*text, file, context, robot);
+    attachments = read_toml(source->text, source->name, context, robot);
   }
+  context.options.sources->check_arguments();
   if (robot.links.empty() && context.diagnostics.has_errors()) return;
   apply_to_joints(robot.scene, context.diagnostics, robot);
   hold_joints(context, robot);
@@ -98,8 +98,9 @@ void read_into(const std::filesystem::path& path, ReadContext& context, Robot& r
   validate_values(robot, payload_places(attachments, robot.scene), context.diagnostics);
 }
 
+// "arm" of arm.toml and of arm.urdf.xacro; stdin has no name.
 void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnostics, Robot& robot) {
-  robot.name = path.stem().string();
+  robot.name = path == kStandardInput ? "robot" : (is_xacro(path) ? path.stem() : path).stem().string();
   if (is_utf8(robot.name)) return;
   diagnostics.error({path.string(), 0}, "the name of the file, which the robot takes, is not UTF-8",
                     "rename the file, or give the robot a name in it");
@@ -112,15 +113,15 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   Diagnostics found;
   ReadContext context{options, found, SymbolTable(options.scene_file), {}, 0, {}, {}};
   Robot robot;
-  robot.file = path.string();
+  robot.file = path == "-" ? kStandardInput : path.string();
   robot.scene = options.scene;
   if (!options.scene_file.empty()) add_scene(read_scene(options.scene_file, context), robot.scene);
   context.held_joints = robot.scene.locked;
-  read_into(path, context, robot);
+  read_into(robot.file, context, robot);
   if (!options.scene_file.empty()) robot.files.push_back(options.scene_file);
   robot.symbols = context.symbols.in_order();
   robot.snaps = context.snaps;
-  if (robot.name.empty()) take_name_of_file(path, found, robot);
+  if (robot.name.empty()) take_name_of_file(robot.file, found, robot);
   if (robot.scene.gravity) robot.gravity = *robot.scene.gravity;
   if (!found.has_errors()) settle_loops(robot, found);
   if (!found.has_errors()) check_assembly(robot, found);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnostics/diagnostics.hpp"
+#include "input/sources.hpp"
 #include "model/robot.hpp"
 
 namespace flatdyn {
@@ -18,10 +20,12 @@ struct ReadOptions {
   std::optional<std::string> tip;                 // --tip: name of the tip link
   std::string scene_file;                         // --scene; empty: none
   Scene scene;                                    // --gravity, --fix: goes before what the scene file says
+  std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
 };
 
-// Reads a URDF (tinyxml2) or TOML (toml++) file, by its content's kind (extension .urdf/.xml or .toml), checks it
-// (validate.hpp) and orders nothing. All findings go to `diagnostics`; nullopt if any of them is an error.
+// Reads a URDF (tinyxml2), a xacro template of one, or a TOML (toml++) file, as its extension says (.urdf or .xml,
+// .xacro, .toml), or, from stdin ("-"), as its content does; checks it (validate.hpp) and orders nothing. All findings
+// go to `diagnostics`; nullopt if any of them is an error.
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
                                 Diagnostics& diagnostics);
 

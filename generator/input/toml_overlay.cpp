@@ -50,16 +50,16 @@ class OverlayReader {
     if (!can_be_read(path, key, place)) return {};
     const FileKind kind = kind_of(path);
     if (kind == FileKind::unknown || (kind == FileKind::toml && key == "urdf")) {
-      diagnostics_.error(
-          place, key + ": " + quoted(*name) + " is no " + (key == "urdf" ? "URDF" : "robot file"),
-          kind == FileKind::toml ? "write robot = " + quoted(*name) : "robot files are called .urdf, .xml or .toml");
+      diagnostics_.error(place, key + ": " + quoted(*name) + " is no " + (key == "urdf" ? "URDF" : "robot file"),
+                         kind == FileKind::toml ? "write robot = " + quoted(*name)
+                                                : "robot files are called .urdf, .xml, .xacro or .toml");
       return {};
     }
-    const std::optional<std::string> text = file_text(path.string(), diagnostics_);
-    if (!text) return {};
+    const std::optional<Source> source = context_.options.sources->read(path.string(), diagnostics_);
+    if (!source) return {};
     robot_.files.push_back(path.string());
-    if (kind == FileKind::toml) return read_toml(*text, path.string(), context_, robot_);
-    read_urdf(*text, path.string(), context_, robot_);
+    if (kind == FileKind::toml) return read_toml(source->text, source->name, context_, robot_);
+    read_urdf(source->text, source->name, context_, robot_);
     return {};
   }
 
@@ -131,7 +131,8 @@ class OverlayReader {
     }
     if (missing.empty()) return;
     diagnostics_.note(row.place(), row.what() + ": not given and so zero, whatever the robot file says: " + missing,
-                      "a [[link]] replaces the link's mass, com and inertia together");
+                      "a [[link]] replaces the link's mass, com and inertia together",
+                      "links whose com or inertia is not given and so zero");
   }
 
   void read_joint_row(TomlTable& row) {

@@ -73,7 +73,8 @@ void settle_armature(const TomlTable& table, ReadContext& context, Joint& joint)
   if (context.rotor_joints.erase(joint.name) > 0) {
     context.diagnostics.note(motor,
                              table.what() + ": its motor replaces the rotor inertia of the URDF (" + armature + ")",
-                             "give the motor all that is known of the rotor: nothing of the URDF's is kept");
+                             "give the motor all that is known of the rotor: nothing of the URDF's is kept",
+                             "motors that replace the rotor inertia of the URDF");
     joint.armature = {0, motor};
   } else if (!vanishes(joint.motor->inertia_axial.number)) {
     context.diagnostics.error(motor,
@@ -107,7 +108,8 @@ std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics
   inertial.place = table.place();
   inertial.mass = table.number_or_zero("mass", Quantity::mass);
   inertial.centre_of_mass = table.vector("com", Quantity::length, zero_vector());
-  std::optional<TomlTable> tensor = table.table("inertia");
+  std::optional<TomlTable> tensor = table.table(
+      "inertia", "write inertia = { xx = 0.1, yy = 0.2, zz = 0.3 } (kg m^2), and xy, xz, yz if there are any");
   if (tensor) {
     inertial.tensor = read_tensor(*tensor);
     inertial.place = tensor->place();

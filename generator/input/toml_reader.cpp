@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <utility>
 
 #include "diagnostics/nearest.hpp"
 #include "input/held_joints.hpp"
@@ -99,6 +100,7 @@ class TomlReader {
     const std::optional<std::string> convention = table.text("dh");
     if (convention == "standard") return DhConvention::standard;
     if (convention == "modified") return DhConvention::modified;
+    if (table.has("dh")) convention_missed_ = true;
     if (convention) {
       diagnostics_.error(table.place_of("dh"), "dh: unknown convention " + quoted(*convention),
                          "write \"standard\" (Rz Tz Tx Rx) or \"modified\" (Rx Tx Tz Rz)");
@@ -159,7 +161,7 @@ class TomlReader {
                          row.what() + ": " + dh_key + " (DH) and " + placed_key + " exclude each other",
                          "place a link either by a, alpha, d, theta or by xyz, rpy, axis");
     }
-    if (dh_key != nullptr && convention_ == DhConvention::none) {
+    if (dh_key != nullptr && convention_ == DhConvention::none && !std::exchange(convention_missed_, true)) {
       diagnostics_.error(row.place_of(dh_key),
                          row.what() + ": " + dh_key + " is given, but the file does not say which DH convention it is",
                          "write dh = \"standard\" or dh = \"modified\" at the top of the file");
@@ -229,6 +231,7 @@ class TomlReader {
   Diagnostics& diagnostics_;
   Robot& robot_;
   DhConvention convention_ = DhConvention::none;
+  bool convention_missed_ = false;  // and that was said
   Carriers carriers_;
 };
 

@@ -93,10 +93,12 @@ Spot TomlTable::spot(const toml::node& node, std::string_view key) const {
   return {source_.place(node.source()), with_key(what_, key)};
 }
 
-void TomlTable::report_kind(const toml::node& node, std::string_view key, const std::string& expected) const {
+void TomlTable::report_kind(const toml::node& node, std::string_view key, const std::string& expected,
+                            const std::string& hint) const {
   const Spot where = spot(node, key);
-  source_.context().diagnostics.error(where.place, where.what + ": " + expected + " is expected",
-                                      source_.documentation() + " lists the keys and their values");
+  source_.context().diagnostics.error(
+      where.place, where.what + ": " + expected + " is expected",
+      hint.empty() ? source_.documentation() + " lists the keys and their values" : hint);
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key) {
@@ -309,11 +311,11 @@ Vec3 TomlTable::angles(std::string_view key) {
   return {angle_of(*array->get(0), key), angle_of(*array->get(1), key), angle_of(*array->get(2), key)};
 }
 
-std::optional<TomlTable> TomlTable::table(std::string_view key) {
+std::optional<TomlTable> TomlTable::table(std::string_view key, const std::string& hint) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (const toml::table* inner = node->as_table()) return TomlTable(*inner, with_key(what_, key), source_);
-  report_kind(*node, key, "a table");
+  report_kind(*node, key, "a table", hint);
   return std::nullopt;
 }
 

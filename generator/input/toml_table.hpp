@@ -82,7 +82,7 @@ class TomlTable {
   Number angle(std::string_view key);
   Vec3 angles(std::string_view key);
 
-  std::optional<TomlTable> table(std::string_view key);
+  std::optional<TomlTable> table(std::string_view key, const std::string& hint = {});
   std::vector<TomlTable> tables(std::string_view key);  // [[key]]
 
   // Reports each key that none of the above has been asked for. Call it last.
@@ -96,7 +96,8 @@ class TomlTable {
   Number angle_of(const toml::node& node, std::string_view key);
   const toml::array* three(std::string_view key);
   std::optional<Value> plain_number(const toml::node& node, std::string_view key);
-  void report_kind(const toml::node& node, std::string_view key, const std::string& expected) const;
+  void report_kind(const toml::node& node, std::string_view key, const std::string& expected,
+                   const std::string& hint = {}) const;  // without a hint: where the keys are listed
 
   const toml::table& table_;
   std::string what_;

@@ -133,7 +133,8 @@ void note_idle_reduction(const Reflected& reflected, const UrdfValues& values, c
   if (ratio == "1" || ratio == "1.0") return;
   values.context().diagnostics.note(values.place(*reflected.reductions.back()),
                                     what + ": mechanicalReduction " + ratio + " has no effect without a rotor inertia",
-                                    "give one: <drake:rotor_inertia value=...>, or <dynamics armature=...>");
+                                    "give one: <drake:rotor_inertia value=...>, or <dynamics armature=...>",
+                                    "gear ratios without a rotor inertia, which have no effect");
 }
 
 void set_armature(Joint& joint, const Reflected& reflected, const UrdfValues& values) {

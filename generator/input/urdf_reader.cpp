@@ -9,6 +9,7 @@
 #include "input/urdf_names.hpp"
 #include "input/urdf_unsupported.hpp"
 #include "input/urdf_values.hpp"
+#include "input/xacro.hpp"
 
 namespace flatdyn {
 
@@ -271,6 +272,7 @@ void read_urdf(const std::string& text, const std::string& file, ReadContext& co
                               "a URDF file is one <robot name=\"...\"> ... </robot>");
     return;
   }
+  if (refuse_template(*root, file, context.diagnostics)) return;
   UrdfReader(file, context, robot).read(*root);
 }
 

@@ -26,11 +26,7 @@ class Refuser {
 
   void check(const XMLElement& element) {
     const std::string_view name = element.Name();
-    if (name.starts_with("xacro:")) {
-      diagnostics_.error(values_.place(element), "<" + std::string(name) + ">: this is a xacro template, not a URDF",
-                         "expand it first: xacro FILE > robot.urdf");
-    } else if (std::find(kForcesAndConstraints.begin(), kForcesAndConstraints.end(), name) !=
-               kForcesAndConstraints.end()) {
+    if (std::find(kForcesAndConstraints.begin(), kForcesAndConstraints.end(), name) != kForcesAndConstraints.end()) {
       refuse_joint(element, "");
     } else if (name == "joint") {
       check_spring(element);
