@@ -4,20 +4,16 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/help.hpp"
+#include "cli/usage.hpp"
 #include "diagnostics/exit_codes.hpp"
-#include "diagnostics/nearest.hpp"
 
 namespace flatdyn {
 namespace {
-
-ExitCode report(const Failure& failure) {
-  fmt::print(stderr, "flatdyn: {}\n", failure.what());
-  if (!failure.hint().empty()) fmt::print(stderr, "    hint: {}\n", failure.hint());
-  return failure.code();
-}
 
 // What was printed may still wait in the buffer, for a disk that is full or a pipe that nobody reads.
 void check_stdout() {
@@ -25,34 +21,29 @@ void check_stdout() {
   throw Failure(ExitCode::io, std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
+// Throws what ends the run.
 ExitCode run(const Run& command) {
-  try {
-    const ExitCode code = command();
-    check_stdout();
-    return code;
-  } catch (const BadInput& bad) {
-    print_diagnostics(bad.diagnostics, false);
-    if (!bad.diagnostics.has_errors()) fmt::print(stderr, "flatdyn: warnings are errors (-Werror)\n");
-    return bad.code();
-  } catch (const Failure& failure) {
-    return report(failure);
-  } catch (const std::system_error& error) {
-    return report(Failure(ExitCode::io, std::string("standard output: ") + error.what()));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "flatdyn: internal error: {}\n    hint: please report it with the robot file\n", error.what());
-    return ExitCode::bug;
-  }
+  const ExitCode code = command();
+  check_stdout();
+  return code;
 }
 
-// CLI11 only says that a subcommand is needed.
-void check_subcommand(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(command->get_name());
+ExitCode run(const Run& command, const Manner& manner) {
+  try {
+    return run(command);
+  } catch (const BadInput& bad) {
+    return tell(bad, manner);
+  } catch (const Failure& failure) {
+    return tell(failure, manner);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return tell(Failure(ExitCode::io, error.what()), manner);
+  } catch (const std::system_error& error) {
+    return tell(Failure(ExitCode::io, std::string("standard output: ") + error.what()), {});
+  } catch (const std::exception& error) {
+    return tell(
+        Failure(ExitCode::bug, std::string("internal error: ") + error.what(), "please report it with the robot file"),
+        manner);
   }
-  if (word.empty() || word.front() == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw Failure(ExitCode::usage, "there is no subcommand \"" + word + "\"",
-                hint_for_unknown(word, names, "subcommands"));
 }
 
 }  // namespace
@@ -67,6 +58,7 @@ int main(int argc, char** argv) {
       "Exit codes: " +
       exit_codes_text() + "."};
   app.name("flatdyn");
+  app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", "flatdyn " FLATDYN_VERSION);
   app.require_subcommand(1);
   Run chosen;
@@ -77,12 +69,10 @@ int main(int argc, char** argv) {
     app.get_subcommands({}).back()->callback([&chosen, command] { chosen = command; });
   }
   try {
-    check_subcommand(app, argc > 1 ? argv[1] : "");
     app.parse(argc, argv);
-  } catch (const Failure& failure) {
-    return static_cast<int>(report(failure));
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return static_cast<int>(tell(usage_failure(app, error), manner_of(argc, argv)));
   }
-  return static_cast<int>(run(chosen));
+  return static_cast<int>(run(chosen, manner_of(app)));
 }

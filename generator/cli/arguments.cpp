@@ -7,8 +7,10 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
+#include "cli/output_file.hpp"
 #include "diagnostics/table.hpp"
 #include "input/expression.hpp"
+#include "input/name_list.hpp"
 #include "report/toml_string.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/number_text.hpp"
@@ -136,6 +138,14 @@ SearchLimit search_option(const std::string& text) {
 
 }  // namespace
 
+CLI::Validator folder_name() {
+  const auto check = [](const std::string& text) {
+    if (text == kStdout) return "several files result, and stdout has room for one: name a folder";
+    return text.empty() ? "it is empty" : "";
+  };
+  return {check, ""};
+}
+
 CLI::Validator positive_number() {
   const auto check = [](const std::string& text) {
     double value = 0;
@@ -157,7 +167,7 @@ CLI::Validator number_between(double least, double most) {
 }
 
 void RobotArguments::add_to(CLI::App& command) {
-  command.add_option("robot", robot, "robot file: URDF or TOML")->required()->type_name("FILE");
+  command.add_option("robot", robot, kRobotMeaning)->required()->type_name("FILE");
   add_settings_to(command);
 }
 
@@ -178,6 +188,11 @@ void RobotArguments::add_settings_to(CLI::App& command) {
                   "may be repeated")
       ->allow_extra_args(false)
       ->type_name("JOINT[=POSITION]");
+  command
+      .add_option("--xacro", xacro, "an argument NAME:=VALUE of a .xacro file, which xacro expands; may be repeated")
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) { return text.find(":=") == std::string::npos ? "write NAME:=VALUE" : ""; })
+      ->type_name("ARGUMENT");
   // As compilers spell it: -W takes the rest of -Werror for its value.
   command
       .add_option_function<std::string>(
@@ -185,7 +200,7 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->type_name("error")
       ->check([](const std::string& value) { return value == "error" ? "" : "write -Werror"; });
   command.add_flag("--json", json, "print JSON on stdout");
-  command.add_flag("-q,--quiet", quiet, "no notes, no progress");
+  command.add_flag("-q,--quiet", quiet, "no notes, no progress, no tables beside files that are written");
   command.add_flag("-v,--verbose", verbose, "list what is otherwise told in one line");
 }
 
@@ -209,7 +224,7 @@ void add_search_option(CLI::App& command, RobotArguments& arguments) {
 }
 
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions, const std::string& meaning) {
-  command.add_option("--functions", functions, meaning)->delimiter(',')->allow_extra_args(false)->type_name("NAMES");
+  add_names_option(command, "--functions", functions, meaning);
   std::vector<std::vector<std::string>> rows;
   for (const bool on_request : {false, true}) {
     if (on_request) rows.emplace_back();
@@ -219,6 +234,23 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
   }
   command.footer("Functions:\n" + aligned_table(rows) +
                  "forward_kinematics, jacobian and jacobian_dot_qd also take a link: jacobian:LINK.");
+}
+
+CLI::Option* add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,
+                              const std::string& meaning) {
+  const auto take = [&names, option](const std::vector<std::string>& lists) {
+    names.clear();
+    for (const std::string& list : lists) {
+      try {
+        for (std::string& name : names_in(list)) names.push_back(std::move(name));
+      } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError(option, error.what());
+      }
+    }
+  };
+  return command.add_option_function<std::vector<std::string>>(option, take, meaning)
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
 }
 
 void add_stream_options(CLI::App& command, StreamOptions& options) {
@@ -282,10 +314,15 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
                 {"--error-budget", error_budget},
                 {"--search", searched ? std::to_string(functions.front().search->candidates) : ""},
                 {"--tip", tip},
-                {"--fix", fmt::format("{}", fmt::join(fixed_joints, " --fix "))}});
+                {"--fix", fmt::format("{}", fmt::join(fixed_joints, " --fix "))},
+                {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))}});
 }
 
 std::vector<std::string> RobotArguments::settings(const Model& model) const {
+  if (model.robot.file == kStandardInput || !xacro.empty()) {
+    throw Failure(ExitCode::usage, "a robot file cannot name a robot that comes from stdin, or with --xacro",
+                  "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
+  }
   const Scene& wanted = model.robot.scene;
   if (wanted.payload || !wanted.friction || !wanted.limits.empty()) {
     throw Failure(ExitCode::unsupported,
@@ -315,12 +352,12 @@ void RobotArguments::note_function_keys(const Model& model) const {
   Diagnostics notes;
   notes.note({wanted.file, 0}, "static, error_budget, functions and outputs have no effect here",
              "they concern generate, verify and eval");
-  print_diagnostics(notes, quiet);
+  print_diagnostics(notes, *this);
 }
 
 void RobotArguments::report(const Diagnostics& found) const {
   if (found.has_errors() || (warnings_are_errors && found.has_warnings())) throw BadInput(ExitCode::input, found);
-  print_diagnostics(found, quiet);
+  print_diagnostics(found, *this);
 }
 
 void RobotArguments::warn_of(const std::vector<std::string>& doubts, const std::string& file) const {
@@ -338,6 +375,7 @@ PipelineOptions RobotArguments::options_of_whole_functions() const {
 PipelineOptions RobotArguments::options() const {
   PipelineOptions options;
   options.read.snap_tolerance = snap_option(snap);
+  options.read.sources = std::make_shared<Sources>(xacro);
   options.read.scene_file = scene;
   if (!gravity.empty()) options.read.scene.gravity = gravity_option(gravity);
   if (!error_budget.empty()) options.read.scene.error_budget = error_budget_option(error_budget);
@@ -346,13 +384,6 @@ PipelineOptions RobotArguments::options() const {
   options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;
   return options;
-}
-
-void print_diagnostics(const Diagnostics& diagnostics, bool quiet) {
-  for (const Diagnostic& diagnostic : diagnostics.all()) {
-    if (quiet && diagnostic.severity == Severity::note) continue;
-    fmt::print(stderr, "{}\n", to_string(diagnostic));
-  }
 }
 
 }  // namespace flatdyn

@@ -10,6 +10,7 @@
 #include "report/bench_plot.hpp"
 #include "report/bench_report.hpp"
 #include "report/growth_report.hpp"
+#include "report/json_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -26,12 +27,12 @@ struct BenchArguments : RobotArguments {
 // The result to where it is wanted. Printed first: measurements are not to be lost with a file that cannot be written.
 void deliver(const BenchArguments& arguments, const std::string& name, const nlohmann::ordered_json& json,
              const std::string& text, const std::function<std::string()>& picture) {
-  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+  print_result(arguments.json ? json_text(json) : text);
   std::fflush(stdout);
   if (arguments.folder.empty()) return;
   const std::string stem = (std::filesystem::path(arguments.folder) / name).string();
-  write_files({{stem + ".json", json.dump(2) + "\n"}, {stem + ".svg", picture()}});
-  if (!arguments.json) fmt::print("wrote {0}.json\nwrote {0}.svg\n", stem);
+  write_files({{stem + ".json", json_text(json)}, {stem + ".svg", picture()}});
+  if (!arguments.json && !arguments.quiet) fmt::print("wrote {0}.json\nwrote {0}.svg\n", stem);
 }
 
 BenchReport bench_robot(const BenchArguments& arguments, const std::string& robot) {
@@ -39,7 +40,7 @@ BenchReport bench_robot(const BenchArguments& arguments, const std::string& robo
   options.functions = arguments.functions;
   const Model model = read_model(robot, options);
   refuse_loops(model, "bench");
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty()) {
     throw Failure(ExitCode::unsupported, "bench compares whole functions in motion with peers",
                   "take static and [outputs] out of the scene");
@@ -47,7 +48,7 @@ BenchReport bench_robot(const BenchArguments& arguments, const std::string& robo
   Diagnostics findings;
   Progress progress(arguments.quiet);
   const std::vector<Function> functions = functions_of(make_functions(model, options, progress, findings));
-  print_diagnostics(findings, arguments.quiet);
+  print_diagnostics(findings, arguments);
   return bench(model, functions, arguments.bench, progress);
 }
 
@@ -98,7 +99,7 @@ Run add_bench(CLI::App& app) {
       "  flatdyn bench robots/panda.urdf robots/ur5.urdf -o out/ --time 60\n"
       "  flatdyn bench --growth --joints 16 -o out/");
   const auto arguments = std::make_shared<BenchArguments>();
-  command->add_option("robot", arguments->robots, "robot files: URDF or TOML")->type_name("FILE");
+  command->add_option("robot", arguments->robots, kRobotMeaning)->type_name("FILE");
   arguments->add_settings_to(*command);
   add_functions_option(*command, arguments->functions);
   add_error_budget_option(*command, *arguments);
@@ -107,13 +108,9 @@ Run add_bench(CLI::App& app) {
       ->capture_default_str()
       ->type_name("S")
       ->check(number_between(0.001, 1e5));
-  command
-      ->add_option("--variants", arguments->bench.variants,
+  add_names_option(*command, "--variants", arguments->bench.variants,
                    fmt::format("ways to call, and peers, separated by commas; default: all of {}",
-                               fmt::join(bench_variant_names(), ", ")))
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
+                               fmt::join(bench_variant_names(), ", ")));
   command->add_option("--states", arguments->bench.states, "random states at which errors are measured, at most")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
@@ -128,7 +125,7 @@ Run add_bench(CLI::App& app) {
   command
       ->add_option("-o,--output", arguments->folder,
                    "folder for bench.json and bench.svg (growth.json and growth.svg); made if it is not there")
-      ->check(kNotEmpty)
+      ->check(folder_name())
       ->type_name("FOLDER");
   return [arguments] { return run_bench(*arguments); };
 }

@@ -9,6 +9,7 @@
 #include "cli/output_file.hpp"
 #include "input/content_hash.hpp"
 #include "report/certificate_report.hpp"
+#include "report/json_text.hpp"
 #include "report/scene_report.hpp"
 #include "verify/proof.hpp"
 
@@ -65,7 +66,7 @@ Certified certified(const CertifyArguments& arguments, const Model& model, Pipel
   result.text = emit_cpp(model.mechanism, functions_of(functions), emit);
   prove_text(result.text, functions, std::nullopt);
   result.certificate = certify(model.mechanism, functions_of(functions), result.text, arguments.options, progress);
-  print_diagnostics(findings, arguments.quiet);
+  print_diagnostics(findings, arguments);
   return result;
 }
 
@@ -79,7 +80,7 @@ void write(const CertifyArguments& arguments, const Certified& result, const std
   std::vector<TextFile> files = {
       {header, result.text},
       {beside("certificate.md"), certificate_markdown(result.certificate, arguments.enough / 100, result.header, hash)},
-      {beside("certificate.json"), certificate_json(result.certificate, result.header, hash).dump(2) + "\n"}};
+      {beside("certificate.json"), json_text(certificate_json(result.certificate, result.header, hash))}};
   for (const CertifiedFunction& function : result.certificate.functions) {
     for (const GappaScript& script : function.scripts) files.push_back({beside("gappa") / script.name, script.text});
   }
@@ -102,11 +103,11 @@ ExitCode run_certify(const CertifyArguments& arguments) {
   const PipelineOptions options = pipeline_options(arguments);
   const Model model = read_model(arguments.robot, options);
   refuse_loops(model, "certify");
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   const Certified result = certified(arguments, model, options);
   const std::string hash = content_hash({result.text});
   if (is_refuted(result.certificate)) {
-    fmt::print("{}", describe_certificate(result.certificate, arguments.enough / 100));
+    if (!arguments.json) print_result(describe_certificate(result.certificate, arguments.enough / 100));
     throw Failure(ExitCode::verification_failed, "a bound is wrong: Gappa refuses it, or a larger error was seen",
                   "nothing was written; this is a mistake of the program: report it, with the robot file");
   }
@@ -115,12 +116,12 @@ ExitCode run_certify(const CertifyArguments& arguments) {
     Diagnostics missing;
     missing.warning({model.robot.file, 0}, "Gappa is not there: the bounds are flatdyn's own, checked by nobody",
                     "install the package gappa");
-    print_diagnostics(missing, arguments.quiet);
+    print_diagnostics(missing, arguments);
   }
   if (arguments.json) {
-    fmt::print("{}\n", certificate_json(result.certificate, result.header, hash).dump(2));
-  } else {
-    fmt::print("{}", describe_certificate(result.certificate, arguments.enough / 100));
+    print_result(json_text(certificate_json(result.certificate, result.header, hash)));
+  } else if (!arguments.quiet || arguments.folder.empty()) {
+    print_result(describe_certificate(result.certificate, arguments.enough / 100));
     if (!arguments.folder.empty()) {
       fmt::print("wrote {}, its certificate, and scripts for Gappa\n",
                  (std::filesystem::path(arguments.folder) / result.header).string());
@@ -142,7 +143,7 @@ Run add_certify(CLI::App& app) {
   command
       ->add_option("-o,--output", arguments->folder,
                    "folder for the header, its certificate and the scripts; made if it is not there; default: no files")
-      ->check(kNotEmpty)
+      ->check(folder_name())
       ->type_name("FOLDER");
   add_functions_option(*command, arguments->functions,
                        "what to certify, separated by commas; default: what the scene names, else inverse_dynamics and "

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "cli/telling.hpp"
 #include "identify/motion_stream.hpp"
 #include "pipeline.hpp"
 #include "symbolic/parameters.hpp"
@@ -14,7 +15,7 @@ namespace flatdyn {
 using Run = std::function<ExitCode()>;
 
 // What every subcommand that reads a robot takes.
-struct RobotArguments {
+struct RobotArguments : Manner {
   std::string robot;
   std::string snap = "1e-5";
   std::string scene;
@@ -23,10 +24,8 @@ struct RobotArguments {
   std::string search;
   std::string tip;
   std::vector<std::string> fixed_joints;
+  std::vector<std::string> xacro;
   bool warnings_are_errors = false;
-  bool json = false;
-  bool quiet = false;
-  bool verbose = false;  // all that is otherwise counted in one line
 
   void add_to(CLI::App& command);
   void add_settings_to(CLI::App& command);  // all but the robot itself
@@ -45,12 +44,22 @@ struct RobotArguments {
   void warn_of(const std::vector<std::string>& doubts, const std::string& file) const;
 };
 
+// The argument of all subcommands that read a robot.
+inline constexpr const char* kRobotMeaning = "robot file: URDF, xacro or TOML; - reads a URDF or TOML from stdin";
+
 // For options that name something.
 inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.empty() ? "it is empty" : ""; }, "");
+
+// For folders with several files in them, for which "-" cannot stand.
+CLI::Validator folder_name();
 
 // For options that are numbers. CLI11's own let NaN pass, and print bounds with 300 digits.
 CLI::Validator positive_number();
 CLI::Validator number_between(double least, double most);
+
+// A list of names with commas between, which may have blanks around them.
+CLI::Option* add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,
+                              const std::string& meaning);
 
 // --error-budget.
 void add_error_budget_option(CLI::App& command, RobotArguments& arguments);
@@ -98,8 +107,5 @@ Run add_simulate(CLI::App& app);
 Run add_manipulability(CLI::App& app);
 Run add_man(CLI::App& app);
 Run add_completion(CLI::App& app);
-
-// Diagnostics on stderr, one each.
-void print_diagnostics(const Diagnostics& diagnostics, bool quiet);
 
 }  // namespace flatdyn

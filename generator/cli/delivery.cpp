@@ -10,6 +10,7 @@
 
 #include "cli/beside_header.hpp"
 #include "diagnostics/diagnostics.hpp"
+#include "input/sources.hpp"
 
 namespace flatdyn {
 namespace {
@@ -47,6 +48,11 @@ std::string escaped(const std::string& path) {
   return result;
 }
 
+std::vector<std::string> files_among(std::vector<std::string> inputs) {
+  std::erase(inputs, kStandardInput);
+  return inputs;
+}
+
 std::string listed(const std::vector<TextFile>& files, const char* verb) {
   std::string lines;
   for (const TextFile& file : files) lines += fmt::format("{} {}\n", verb, file.path.string());
@@ -72,10 +78,12 @@ void Delivery::add_to(CLI::App& command) {
 }
 
 std::string Delivery::deliver(std::vector<TextFile> files, const std::vector<std::string>& inputs) const {
-  const std::vector<std::filesystem::path> outdated = outdated_certificate(files.front());
+  const bool is_to_stdout = files.front().path == kStdout;
+  const std::vector<std::filesystem::path> outdated =
+      is_to_stdout ? std::vector<std::filesystem::path>() : outdated_certificate(files.front());
   std::vector<std::string> outputs;
   for (const TextFile& file : files) outputs.push_back(file.path.string());
-  if (!depfile.empty()) files.push_back({depfile, dependency_rule(outputs, inputs)});
+  if (!depfile.empty()) files.push_back({depfile, dependency_rule(outputs, files_among(inputs))});
   outputs.push_back(depfile);
   check_outputs(outputs, inputs);
   if (check) {

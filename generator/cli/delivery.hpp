@@ -15,6 +15,7 @@ struct Delivery {
   std::string depfile;  // of a build tool, in the syntax of make; empty: none
 
   void add_to(CLI::App& command);
+  bool is_only_told() const { return check || dry_run; }  // what is printed is the result
 
   // The first file is the header: a certificate of another one that is there goes away. Returns lines for people.
   // `inputs`: all files that were read. Throws Failure(outdated) if --check finds a

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "report/json_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -35,15 +36,15 @@ nlohmann::ordered_json json_of(const DerivedModel& model) {
 
 ExitCode run_derive(const DeriveArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options());
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   if (arguments.json) {
     const Notation notation = arguments.latex ? Notation::latex : Notation::text;
-    fmt::print("{}\n", json_of(derive_model(model.mechanism, arguments.derive, notation)).dump(2));
+    print_result(json_text(json_of(derive_model(model.mechanism, arguments.derive, notation))));
   } else if (arguments.latex) {
-    fmt::print("{}", derive_latex(model.mechanism, arguments.derive));
+    print_result(derive_latex(model.mechanism, arguments.derive));
   } else {
-    fmt::print("{}", derive_text(model.mechanism, arguments.derive));
+    print_result(derive_text(model.mechanism, arguments.derive));
   }
   return ExitCode::ok;
 }

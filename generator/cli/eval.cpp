@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "report/eval_plot.hpp"
+#include "report/json_text.hpp"
 #include "report/time_table.hpp"
 
 namespace flatdyn {
@@ -28,7 +29,7 @@ ExitCode run_eval(const EvalArguments& arguments) {
   PipelineOptions options = arguments.RobotArguments::options();
   options.functions = {arguments.function};
   const Model model = read_model(arguments.robot, options);
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   if (model.abbreviation && arguments.options.reference) {
     throw Failure(ExitCode::usage, "the reference knows the whole model only",
                   "leave out --reference, or the error budget");
@@ -47,8 +48,8 @@ ExitCode run_eval(const EvalArguments& arguments) {
   const CsvTable result =
       evaluate_table(model.robot, model.mechanism, functions[0], states, arguments.states, arguments.options, found);
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
-  print_diagnostics(found, arguments.quiet);
-  const std::string text = arguments.json ? json_of(result).dump(2) + "\n" : to_text(result);
+  print_diagnostics(found, arguments);
+  const std::string text = arguments.json ? json_text(json_of(result)) : to_text(result);
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back({arguments.output, text});
   if (!arguments.plot.empty()) {
@@ -56,7 +57,7 @@ ExitCode run_eval(const EvalArguments& arguments) {
     files.push_back({arguments.plot, eval_plot(title, result, states.columns.size(), picture_format(arguments.plot))});
   }
   write_files(files);
-  if (arguments.output.empty()) fmt::print("{}", text);
+  if (arguments.output.empty()) print_result(text);
   return ExitCode::ok;
 }
 

@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "diagnostics/interrupt.hpp"
 #include "emit/identifiers.hpp"
 #include "report/excitation_report.hpp"
 
@@ -31,19 +32,22 @@ ExcitationOptions plan_of(const ExciteArguments& arguments) {
 ExitCode excite(const ExciteArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
   refuse_loops(model, "excite");
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const std::string name = cpp_identifier(model.mechanism.name);  // as that of a generated header
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (name + "_excitation");
   const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg";
   check_outputs({csv, svg}, model.robot.files);
+  const Interruption interruption;  // ends the search and not the program: the best motion so far is written
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
-  const Excitation excitation = make_excitation(torques, plan_of(arguments), progress);
+  const Excitation excitation = make_excitation(torques, plan_of(arguments), progress, Interruption::happened);
   write_and_tell(
       {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}},
-      {describe_excitation(torques, excitation) + "\n", excitation_json(torques, excitation)}, arguments.json);
-  return ExitCode::ok;
+      {describe_excitation(torques, excitation) + "\n", excitation_json(torques, excitation)}, arguments);
+  if (!Interruption::happened()) return ExitCode::ok;
+  throw Failure(ExitCode::interrupted, "interrupted before the search was at its end",
+                "the best motion so far, which keeps the limits, is in " + csv);
 }
 
 void add_plan_options(CLI::App& command, ExciteArguments& arguments) {
@@ -90,6 +94,7 @@ Run add_excite(CLI::App& app) {
       ->add_option("-o,--output", arguments->folder,
                    "folder for NAME_excitation.csv and NAME_excitation.svg; made if it is not there")
       ->required()
+      ->check(folder_name())
       ->type_name("FOLDER");
   add_plan_options(*command, *arguments);
   add_parameters_option(*command, arguments->parameters, "what is to be identified: ");

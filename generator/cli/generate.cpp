@@ -11,6 +11,7 @@
 #include "python/module.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
+#include "report/json_text.hpp"
 #include "report/proof_report.hpp"
 #include "report/scene_report.hpp"
 #include "verify/snap_effect.hpp"
@@ -34,6 +35,7 @@ struct GenerateArguments : RobotArguments {
   Delivery delivery;
 
   bool is_pair() const { return form == "pair"; }
+  bool is_to_stdout() const { return folder == kStdout; }
 };
 
 struct NamedLanguage {
@@ -127,7 +129,21 @@ void check_form(const GenerateArguments& arguments) {
                        : "name one, and run it again with another --name and --namespace for the other");
 }
 
+// There is room for one file.
+void check_stdout(const GenerateArguments& arguments) {
+  if (!arguments.is_to_stdout()) return;
+  if (arguments.json) refuse_two_on_stdout();
+  if (arguments.delivery.check || arguments.delivery.dry_run || !arguments.delivery.depfile.empty()) {
+    throw Failure(ExitCode::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
+  }
+  if (arguments.language == "c" || arguments.is_pair()) {
+    throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
+                  "name a folder; a header in C++ and a module in JavaScript are one file");
+  }
+}
+
 void check_usage(const GenerateArguments& arguments) {
+  check_stdout(arguments);
   check_form(arguments);
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
@@ -249,6 +265,20 @@ std::vector<TextFile> companions(const Model& model, const std::vector<Function>
   return files;
 }
 
+// For people.
+std::string tables(const Model& model, const Made& made, const std::vector<double>& effects,
+                   const GenerateArguments& arguments, const EmittedText& read_back) {
+  std::string text =
+      describe_model(model, effects) + "\n" + describe_functions(made.functions, symbol_names(model.mechanism)) + "\n";
+  if (made.stages) text += describe_stages(*made.stages) + "\n";
+  if (made.given_up) text += describe_abbreviation(model, *made.given_up) + "\n";
+  text += describe_proofs(made.proofs, rounding_of_constants(read_back, arguments)) + "\n";
+  if (!arguments.firmware.empty()) {
+    text += fmt::format("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);
+  }
+  return text;
+}
+
 ExitCode generate(GenerateArguments arguments) {
   choose_for_firmware(arguments);
   choose_for_python(arguments);
@@ -266,24 +296,22 @@ ExitCode generate(GenerateArguments arguments) {
   }
   prove_text(read_back, made.functions, made.stages);
   const std::vector<double> effects = snap_effects(model, options.read);
-  const std::string manifest = manifest_of(model, made, emit, files, effects).dump(2) + "\n";
-  const std::filesystem::path beside_header = std::filesystem::path(files[0].path).replace_extension(".json");
-  for (TextFile& file : companions(model, functions, emit, arguments)) files.push_back(std::move(file));
-  files.push_back({beside_header, manifest});
-  const std::string done = arguments.delivery.deliver(std::move(files), model.robot.files);
-  print_diagnostics(model.diagnostics, arguments.quiet);
-  print_diagnostics(made.findings, arguments.quiet);
-  if (arguments.json) {
-    fmt::print("{}", manifest);
-    return ExitCode::ok;
+  const std::string manifest = json_text(manifest_of(model, made, emit, files, effects));
+  if (arguments.is_to_stdout()) {
+    files.front().path = kStdout;
+  } else {
+    const std::filesystem::path beside_header = std::filesystem::path(files[0].path).replace_extension(".json");
+    for (TextFile& file : companions(model, functions, emit, arguments)) files.push_back(std::move(file));
+    files.push_back({beside_header, manifest});
   }
-  fmt::print("{}\n{}\n", describe_model(model, effects),
-             describe_functions(made.functions, symbol_names(model.mechanism)));
-  if (made.stages) fmt::print("{}\n", describe_stages(*made.stages));
-  if (made.given_up) fmt::print("{}\n", describe_abbreviation(model, *made.given_up));
-  fmt::print("{}\n{}", describe_proofs(made.proofs, rounding_of_constants(read_back, arguments)), done);
-  if (!arguments.firmware.empty()) {
-    fmt::print("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);
+  const std::string done = arguments.delivery.deliver(std::move(files), model.robot.files);
+  print_diagnostics(model.diagnostics, arguments);
+  print_diagnostics(made.findings, arguments);
+  if (arguments.json) {
+    print_result(manifest);
+  } else if (!arguments.is_to_stdout()) {
+    if (!arguments.quiet) print_result(tables(model, made, effects, arguments, read_back));
+    if (!arguments.quiet || arguments.delivery.is_only_told()) print_result(done);
   }
   return ExitCode::ok;
 }
@@ -329,25 +357,19 @@ Run add_generate(CLI::App& app) {
       "  flatdyn generate robots/puma560.toml -o out/ --functions inverse_dynamics,gravity --scalar float");
   const auto arguments = std::make_shared<GenerateArguments>();
   arguments->add_to(*command);
-  command->add_option("-o,--output", arguments->folder, "folder to write to; made if it is not there")
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder to write to, made if it is not there; - writes the header alone, to stdout")
       ->required()
       ->check(kNotEmpty)
       ->type_name("FOLDER");
   add_functions_option(*command, arguments->functions);
   add_error_budget_option(*command, *arguments);
   add_search_option(*command, *arguments);
-  command
-      ->add_option(
-          "--stages", arguments->staged,
-          "these functions once more as members of what at(q) and with(qd) return: what they share at the same "
-          "positions, or positions and velocities, is computed once")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
-  command->add_option("--fuse", arguments->fused, "one more function that computes all of these at once")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
+  add_names_option(*command, "--stages", arguments->staged,
+                   "these functions once more as members of what at(q) and with(qd) return: what they share at the "
+                   "same positions, or positions and velocities, is computed once");
+  add_names_option(*command, "--fuse", arguments->fused, "one more function that computes all of these at once");
   add_form_options(*command, *arguments);
   command
       ->add_option("--namespace", arguments->name_space,

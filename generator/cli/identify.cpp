@@ -127,13 +127,13 @@ TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, cons
   return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
 }
 
-void write_results(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
-                   const Identification& found) {
+std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
+                                   const Identification& found) {
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back(robot_file(arguments, robot, model, found));
   if (!arguments.plot.empty())
     files.push_back({arguments.plot, residual_plot(model, found, picture_format(arguments.plot))});
-  write_files(files);
+  return files;
 }
 
 ExitCode identify(const IdentifyArguments& arguments) {
@@ -142,7 +142,7 @@ ExitCode identify(const IdentifyArguments& arguments) {
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   const Model robot = read_model(arguments.robot, arguments.options());
   check_files(arguments, robot.robot);
-  print_diagnostics(robot.diagnostics, arguments.quiet);
+  print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
   if (!arguments.output.empty()) arguments.settings(robot);  // what cannot be written is said before logs are read
   Identification found;
@@ -167,12 +167,8 @@ ExitCode identify(const IdentifyArguments& arguments) {
         physical_parameters(inertial_only ? model.mechanism() : robot.mechanism, model.base(), found.estimate);
     found.doubts = doubts_about(model, found);
     arguments.warn_of(found.doubts, arguments.source());
-    write_results(arguments, robot, model, found);
-    fmt::print("{}", arguments.json ? identification_json(model, found).dump(2) + "\n"
-                                    : describe_identification(model, found));
-  }
-  for (const std::string& file : {arguments.output, arguments.plot}) {
-    if (!file.empty() && !arguments.json) fmt::print("\nwrote {}\n", file);
+    write_and_tell(result_files(arguments, robot, model, found),
+                   {describe_identification(model, found), identification_json(model, found)}, arguments);
   }
   return ExitCode::ok;
 }

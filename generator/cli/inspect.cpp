@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "report/base_report.hpp"
 #include "report/describe.hpp"
+#include "report/json_text.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
@@ -15,18 +16,19 @@ struct InspectArguments : RobotArguments {
 };
 
 ExitCode inspect(const InspectArguments& arguments) {
-  const Model model = read_model(arguments.robot, arguments.options());
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  const PipelineOptions options = arguments.options();
+  const Model model = read_model(arguments.robot, options);
+  print_diagnostics(model.diagnostics, arguments);
   const ParameterSet set = parameter_set(arguments.parameters);
-  const std::vector<double> effects = snap_effects(model, arguments.options().read);
+  const std::vector<double> effects = snap_effects(model, options.read);
   if (arguments.json) {
     nlohmann::ordered_json json = model_json(model, effects);
     if (arguments.base) json.update(base_json(model.mechanism, set));
-    fmt::print("{}\n", json.dump(2));
+    print_result(json_text(json));
   } else if (arguments.base) {
-    fmt::print("{}\n{}", describe_model(model, effects), describe_base(model.mechanism, set));
+    print_result(describe_model(model, effects) + "\n" + describe_base(model.mechanism, set));
   } else {
-    fmt::print("{}\n{}", describe_model(model, effects), describe_bodies(model.mechanism));
+    print_result(describe_model(model, effects) + "\n" + describe_bodies(model.mechanism));
   }
   return ExitCode::ok;
 }

@@ -89,7 +89,7 @@ std::string picture(const ManipulabilityArguments& arguments, const std::string&
 ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
   refuse_loops(model, "manipulability");
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;
   inputs.push_back(arguments.states);
@@ -116,7 +116,7 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
     files.push_back({arguments.plot, picture(arguments, name, arm.task(), poses, spacing)});
   }
   write_and_tell(files, {describe_manipulability(arm.task(), poses), manipulability_json(name, arm.task(), poses)},
-                 arguments.json);
+                 arguments);
   return ExitCode::ok;
 }
 

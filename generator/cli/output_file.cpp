@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "diagnostics/diagnostics.hpp"
+#include "report/json_text.hpp"
 
 namespace flatdyn {
 
@@ -15,8 +17,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool is_stdout(const fs::path& path) { return path == kStdout; }
+
 // A device or a pipe is written to; only a file is replaced.
 bool is_replaced(const fs::path& path) {
+  if (is_stdout(path)) return false;
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   return !fs::exists(status) || fs::is_regular_file(status);
@@ -24,6 +29,7 @@ bool is_replaced(const fs::path& path) {
 
 // Also under two names. What is no file, such as /dev/null, loses nothing.
 bool is_one_file(const fs::path& a, const fs::path& b) {
+  if (is_stdout(a) || is_stdout(b)) return a == b;
   if (!is_replaced(a) || !is_replaced(b)) return false;
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
@@ -66,23 +72,38 @@ void write_files(const std::vector<TextFile>& wanted, const std::vector<fs::path
   std::vector<TextFile> files, streams;
   for (const TextFile& file : wanted) {
     (is_replaced(file.path) ? files : streams).push_back(followed(file));
+    if (is_stdout(file.path)) continue;
     folders.make_for(followed(file).path);
     check_writable(followed(file));
   }
   replace_files(files, outdated);
-  for (const TextFile& file : streams) write_text(file.path, file);
+  for (const TextFile& file : streams) {
+    if (is_stdout(file.path)) {
+      print_result(file.text);
+    } else {
+      write_text(file.path, file);
+    }
+  }
 }
 
-void write_and_tell(const std::vector<TextFile>& files, const Told& told, bool as_json) {
+void write_and_tell(const std::vector<TextFile>& files, const Told& told, const Manner& manner) {
+  const bool is_on_stdout =
+      std::any_of(files.begin(), files.end(), [](const TextFile& file) { return is_stdout(file.path); });
+  if (is_on_stdout && manner.json) refuse_two_on_stdout();
   write_files(files);
-  if (as_json) {
+  if (manner.json) {
     nlohmann::ordered_json json = told.json;
     for (const TextFile& file : files) json["files"].push_back(file.path.string());
-    fmt::print("{}\n", json.dump(2));
+    print_result(json_text(json));
     return;
   }
-  fmt::print("{}", told.text);
-  for (const TextFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  if (is_on_stdout || (manner.quiet && !files.empty())) return;
+  print_result(told.text);
+  for (const TextFile& file : files) print_result(fmt::format("wrote {}\n", file.path.string()));
+}
+
+void refuse_two_on_stdout() {
+  throw Failure(ExitCode::usage, "-o - and --json would both write to stdout", "leave one of them out");
 }
 
 }  // namespace flatdyn

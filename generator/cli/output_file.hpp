@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "cli/replace_files.hpp"
+#include "cli/telling.hpp"
 
 namespace flatdyn {
+
+// As a file's name it means stdout.
+inline constexpr const char* kStdout = "-";
 
 // Throws Failure(usage) if two outputs are one file, or if an output is an input, which would be lost. Outputs without
 // a name do not count.
@@ -23,7 +27,11 @@ struct Told {
   nlohmann::ordered_json json;
 };
 
-// Writes the files, then prints what is told, with their names.
-void write_and_tell(const std::vector<TextFile>& files, const Told& told, bool as_json);
+// Writes the files, then prints what is told, with their names: nothing where a file is on stdout, or, with --quiet,
+// where there are files.
+void write_and_tell(const std::vector<TextFile>& files, const Told& told, const Manner& manner);
+
+// Throws Failure(usage).
+[[noreturn]] void refuse_two_on_stdout();
 
 }  // namespace flatdyn

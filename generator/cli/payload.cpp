@@ -98,7 +98,7 @@ ExitCode payload(const PayloadArguments& arguments) {
   const Model robot = read_model(arguments.robot, arguments.options());
   refuse_loops(robot, "payload");
   check_usage(arguments, robot);
-  print_diagnostics(robot.diagnostics, arguments.quiet);
+  print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
   const std::vector<std::string> settings =
       arguments.output.empty() ? std::vector<std::string>() : arguments.settings(robot);
@@ -109,11 +109,11 @@ ExitCode payload(const PayloadArguments& arguments) {
   }
   const std::vector<std::string> doubts = doubts_about(found, hint_of(arguments));
   arguments.warn_of(doubts, arguments.logs.front());
+  std::vector<TextFile> files;
   if (!arguments.output.empty()) {
-    write_files({{arguments.output, payload_robot_text(robot, found, arguments.output, settings, doubts)}});
+    files.push_back({arguments.output, payload_robot_text(robot, found, arguments.output, settings, doubts)});
   }
-  fmt::print("{}", arguments.json ? payload_json(robot, found).dump(2) + "\n" : describe_payload(robot, found));
-  if (!arguments.output.empty() && !arguments.json) fmt::print("\nwrote {}\n", arguments.output);
+  write_and_tell(files, {describe_payload(robot, found), payload_json(robot, found)}, arguments);
   return ExitCode::ok;
 }
 

@@ -112,16 +112,10 @@ ExitCode report(const ReportArguments& arguments) {
   const PageCode code = page_code(content);
   if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
   prove_text(EmittedText::of_javascript(code.text), code.functions, std::nullopt);
-  write_files({{arguments.file, report_page(content, code)}});
-  print_diagnostics(model.diagnostics, arguments.quiet);
-  if (arguments.json) {
-    nlohmann::ordered_json json = model_json(model, content.snap_effects);
-    json["functions"] = functions_json(content.functions, symbol_names(model.mechanism));
-    json["file"] = arguments.file;
-    fmt::print("{}\n", json.dump(2));
-  } else {
-    fmt::print("wrote {}\n", arguments.file);
-  }
+  print_diagnostics(model.diagnostics, arguments);
+  nlohmann::ordered_json json = model_json(model, content.snap_effects);
+  json["functions"] = functions_json(content.functions, symbol_names(model.mechanism));
+  write_and_tell({{arguments.file, report_page(content, code)}}, {"", json}, arguments);
   return ExitCode::ok;
 }
 

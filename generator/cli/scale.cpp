@@ -178,7 +178,7 @@ class Scaling {
 ExitCode scale(const ScaleArguments& arguments) {
   check_usage(arguments);
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;
   inputs.push_back(arguments.trajectory);
@@ -192,7 +192,7 @@ ExitCode scale(const ScaleArguments& arguments) {
                                                picture_format(arguments.plot))});
   }
   write_and_tell(files, {describe_scaling(model.mechanism, motion) + "\n", scaling_json(model.mechanism, motion)},
-                 arguments.json);
+                 arguments);
   return ExitCode::ok;
 }
 
@@ -202,8 +202,8 @@ Run add_scale(CLI::App& app) {
   auto* command = app.add_subcommand(
       "scale",
       "Change the pace of a motion so that it keeps the limits of its joints.\n\n"
-      "  flatdyn scale robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml "
-      "--torque-limits 3000 -o out.csv\n"
+      "  flatdyn scale robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml \\\n"
+      "      --torque-limits 3000 -o out.csv\n"
       "  flatdyn scale robots/panda.urdf --trajectory motion.csv --time-optimal -o out.csv");
   const auto arguments = std::make_shared<ScaleArguments>();
   arguments->add_to(*command);

@@ -2,35 +2,22 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <csignal>
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "diagnostics/interrupt.hpp"
 #include "report/simulation_report.hpp"
 
 namespace flatdyn {
 namespace {
 
 struct SimulateArguments : RobotArguments {
+  const CLI::Option *tolerance_given = nullptr, *step_given = nullptr;
   std::string simulation, output, events, plot, method = "adaptive";
   double duration = 0, rate = 0, tolerance = 1e-9, step = 1e-3;  // duration, rate: 0 if not given
 };
 
 constexpr double kMostRows = 1e7;
-
-// Ctrl-C ends the simulation and not the program: what there is, is written.
-volatile std::sig_atomic_t interrupted = 0;
-
-class InterruptHandler {
- public:
-  InterruptHandler() : before_(std::signal(SIGINT, [](int) { interrupted = 1; })) {}
-  ~InterruptHandler() { std::signal(SIGINT, before_); }
-  InterruptHandler(const InterruptHandler&) = delete;
-  InterruptHandler& operator=(const InterruptHandler&) = delete;
-
- private:
-  void (*before_)(int);
-};
 
 Simulation read(const SimulateArguments& arguments, const Model& model) {
   Simulation simulation = resting(model.robot, model.mechanism);
@@ -39,7 +26,7 @@ Simulation read(const SimulateArguments& arguments, const Model& model) {
     read_simulation(arguments.simulation, model.robot, model.mechanism, simulation, found);
   }
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
-  print_diagnostics(found, arguments.quiet);
+  print_diagnostics(found, arguments);
   if (arguments.duration > 0) simulation.duration = arguments.duration;
   if (arguments.rate > 0) simulation.rate = arguments.rate;
   if (simulation.duration * simulation.rate > kMostRows) {
@@ -52,10 +39,20 @@ Simulation read(const SimulateArguments& arguments, const Model& model) {
   return simulation;
 }
 
+// An option of the other method would have no effect.
+void check_method(const SimulateArguments& arguments) {
+  const bool is_rk4 = arguments.method == "rk4";
+  if ((is_rk4 ? arguments.tolerance_given : arguments.step_given)->count() == 0) return;
+  throw Failure(ExitCode::usage,
+                fmt::format("--{} has no effect with --method {}", is_rk4 ? "tolerance" : "step", arguments.method),
+                is_rk4 ? "give --step, or leave out --method rk4" : "give --tolerance, or --method rk4");
+}
+
 ExitCode run_simulate(const SimulateArguments& arguments) {
-  const InterruptHandler handler;
+  check_method(arguments);
+  const Interruption interruption;  // ends the simulation and not the program: what there is, is written
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const Simulation simulation = read(arguments, model);
   std::vector<std::string> inputs = model.robot.files;
@@ -66,7 +63,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const SimulatedMotion motion = simulate(simulation, dynamics, [&](double time) {
     progress.step(fmt::format("simulating: {:.1f} of {} s", time, simulation.duration));
-    return interrupted != 0;
+    return Interruption::happened();
   });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const TimeTable table = simulation_table(motion);
@@ -77,11 +74,10 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   }
   write_and_tell(
       files, {describe_simulation(model.mechanism, motion, seconds), simulation_json(model.mechanism, motion, seconds)},
-      arguments.json);
+      arguments);
   if (!motion.interrupted) return ExitCode::ok;
-  fmt::print(stderr, "flatdyn: interrupted at t = {} s; what was done until then is in {}\n", motion.end,
-             arguments.output);
-  return ExitCode::interrupted;
+  throw Failure(ExitCode::interrupted, fmt::format("interrupted at t = {} s", motion.end),
+                "what was done until then is in " + arguments.output);
 }
 
 void add_integration_options(CLI::App& command, SimulateArguments& arguments) {
@@ -94,13 +90,14 @@ void add_integration_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--method", arguments.method, "steps as the tolerance lets them be, or all of one length")
       ->capture_default_str()
       ->check(CLI::IsMember({"adaptive", "rk4"}));
-  command.add_option("--tolerance", arguments.tolerance, "adaptive: of positions and speeds in a step")
-      ->capture_default_str()
-      ->check(number_between(1e-14, 0.1));
-  command.add_option("--step", arguments.step, "rk4: longest step; rows fall on steps")
-      ->capture_default_str()
-      ->type_name("S")
-      ->check(number_between(1e-7, 1.0));
+  arguments.tolerance_given =
+      command.add_option("--tolerance", arguments.tolerance, "adaptive: of positions and speeds in a step")
+          ->capture_default_str()
+          ->check(number_between(1e-14, 0.1));
+  arguments.step_given = command.add_option("--step", arguments.step, "rk4: longest step; rows fall on steps")
+                             ->capture_default_str()
+                             ->type_name("S")
+                             ->check(number_between(1e-7, 1.0));
 }
 
 }  // namespace

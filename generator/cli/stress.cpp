@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "report/family_report.hpp"
+#include "report/json_text.hpp"
 #include "report/random_robots_report.hpp"
 #include "report/stress_report.hpp"
 #include "stress/families.hpp"
@@ -25,14 +26,14 @@ struct StressArguments : RobotArguments {
 
 void write_findings(const StressArguments& arguments, const StressReport& report) {
   const std::filesystem::path folder = arguments.folder;
-  std::vector<TextFile> files = {{folder / "stress.json", stress_json(report).dump(2) + "\n"},
+  std::vector<TextFile> files = {{folder / "stress.json", json_text(stress_json(report))},
                                  {folder / "stress.svg", stress_plot(report)}};
   for (const StressRow& row : report.rows) {
     files.push_back(
         {folder / fmt::format("worst_{}_{}.csv", row.function, row.scalar), state_csv(report, row, row.worst.state)});
   }
   write_files(files);
-  if (arguments.json) return;
+  if (arguments.json || arguments.quiet) return;
   fmt::print("\nwrote {0}/stress.json, stress.svg, worst_*.csv\n{1}", arguments.folder, left_out_of_plot(report));
 }
 
@@ -45,12 +46,12 @@ ExitCode run_family(const StressArguments& arguments) {
   if (!arguments.functions.empty()) options.functions = arguments.functions;
   Progress progress(arguments.quiet);
   const FamilyReport report = stress_family(options, progress);
-  fmt::print("{}", arguments.json ? family_json(report).dump(2) + "\n" : family_text(report));
+  print_result(arguments.json ? json_text(family_json(report)) : family_text(report));
   std::fflush(stdout);
   if (!arguments.folder.empty()) {
     const std::string stem = (std::filesystem::path(arguments.folder) / ("family_" + arguments.family)).string();
-    write_files({{stem + ".json", family_json(report).dump(2) + "\n"}, {stem + ".svg", family_plot(report)}});
-    if (!arguments.json) fmt::print("\nwrote {0}.json\nwrote {0}.svg\n", stem);
+    write_files({{stem + ".json", json_text(family_json(report))}, {stem + ".svg", family_plot(report)}});
+    if (!arguments.json && !arguments.quiet) fmt::print("\nwrote {0}.json\nwrote {0}.svg\n", stem);
   }
   return report.passed() ? ExitCode::ok : ExitCode::verification_failed;
 }
@@ -64,11 +65,11 @@ ExitCode run_random(const StressArguments& arguments) {
   if (!arguments.functions.empty()) options.functions = arguments.functions;
   Progress progress(arguments.quiet);
   const RandomRobotsReport report = stress_random_robots(options, progress);
-  fmt::print("{}", arguments.json ? random_robots_json(report).dump(2) + "\n" : random_robots_text(report));
+  print_result(arguments.json ? json_text(random_robots_json(report)) : random_robots_text(report));
   std::fflush(stdout);
   if (!arguments.folder.empty()) {
     const std::filesystem::path folder = arguments.folder;
-    std::vector<TextFile> files = {{folder / "family_random.json", random_robots_json(report).dump(2) + "\n"}};
+    std::vector<TextFile> files = {{folder / "family_random.json", json_text(random_robots_json(report))}};
     for (const RandomRobotFailure& failure : report.failures) {
       files.push_back({folder / (failure.smallest.name + ".toml"), failure.file});
     }
@@ -81,7 +82,7 @@ ExitCode run_robot(const StressArguments& arguments) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   const Model model = read_model(arguments.robot, options);
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty() || model.abbreviation) {
     throw Failure(ExitCode::unsupported, "stress compares whole functions in motion",
                   "take static, error_budget and [outputs] out of the scene");
@@ -93,8 +94,8 @@ ExitCode run_robot(const StressArguments& arguments) {
     const std::vector<Function> functions = functions_of(make_functions(model, options, progress, findings));
     report = stress(model.robot, model.mechanism, functions, arguments.stress, progress);
   }
-  print_diagnostics(findings, arguments.quiet);
-  fmt::print("{}", arguments.json ? stress_json(report).dump(2) + "\n" : stress_text(report));
+  print_diagnostics(findings, arguments);
+  print_result(arguments.json ? json_text(stress_json(report)) : stress_text(report));
   std::fflush(stdout);
   if (!arguments.folder.empty()) write_findings(arguments, report);
   return report.passed() ? ExitCode::ok : ExitCode::verification_failed;
@@ -127,7 +128,7 @@ Run add_stress(CLI::App& app) {
       "  flatdyn stress robots/ur5.urdf -o out/ --states 1000000\n"
       "  flatdyn stress --family chains -o out/");
   const auto arguments = std::make_shared<StressArguments>();
-  command->add_option("robot", arguments->robot, "robot file: URDF or TOML")->type_name("FILE");
+  command->add_option("robot", arguments->robot, kRobotMeaning)->type_name("FILE");
   arguments->add_settings_to(*command);
   add_functions_option(*command, arguments->functions);
   add_search_option(*command, *arguments);
@@ -140,13 +141,9 @@ Run add_stress(CLI::App& app) {
   command->add_option("--evaluations", arguments->stress.evaluations, "of the search, per function and scalar")
       ->capture_default_str()
       ->check(CLI::Range(1, 100'000'000));
-  command
-      ->add_option(
-          "--variants", arguments->stress.variants,
-          fmt::format("ways to call, separated by commas; default: all of {}", fmt::join(stress_variant_names(), ", ")))
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
+  add_names_option(
+      *command, "--variants", arguments->stress.variants,
+      fmt::format("ways to call, separated by commas; default: all of {}", fmt::join(stress_variant_names(), ", ")));
   command->add_option("--family", arguments->family, families_text())->type_name("NAME");
   command->add_option("--robots", arguments->robots, "of the family, at most")
       ->default_str("20; of random 1000")
@@ -166,7 +163,7 @@ Run add_stress(CLI::App& app) {
   command
       ->add_option("-o,--output", arguments->folder,
                    "folder for stress.json, stress.svg and the worst states as CSV; made if it is not there")
-      ->check(kNotEmpty)
+      ->check(folder_name())
       ->type_name("FOLDER");
   return [arguments] { return run_stress(*arguments); };
 }

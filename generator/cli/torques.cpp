@@ -27,7 +27,7 @@ std::vector<TextFile> torque_files(const TorquesArguments& arguments, const Mode
 
 ExitCode torques(const TorquesArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;
   inputs.push_back(arguments.trajectory);
@@ -45,7 +45,7 @@ ExitCode torques(const TorquesArguments& arguments) {
   write_and_tell(torque_files(arguments, model, trajectory, history),
                  {describe_torques(model.mechanism, trajectory, history) + "\n",
                   torques_json(model.mechanism, trajectory, history)},
-                 arguments.json);
+                 arguments);
   return ExitCode::ok;
 }
 
@@ -55,8 +55,8 @@ Run add_torques(CLI::App& app) {
   auto* command = app.add_subcommand(
       "torques",
       "Compute the torques that a motion needs, each contribution by itself.\n\n"
-      "  flatdyn torques robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml "
-      "-o out.csv --plot out.svg\n"
+      "  flatdyn torques robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml \\\n"
+      "      -o out.csv --plot out.svg\n"
       "  flatdyn torques robots/panda.urdf --trajectory motion.csv -o out.csv --json");
   const auto arguments = std::make_shared<TorquesArguments>();
   arguments->add_to(*command);

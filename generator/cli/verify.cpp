@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "report/budget_report.hpp"
+#include "report/json_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -17,7 +18,7 @@ struct VerifyArguments : RobotArguments {
 ExitCode verify_part(const VerifyArguments& arguments, const Model& model, const std::vector<Function>& functions) {
   const AbbreviationReport report =
       verify_abbreviated(model.mechanism, *model.abbreviation, functions, model.robot.scene.at_rest);
-  fmt::print("{}\n", arguments.json ? to_json(report, model).dump(2) : to_text(report, model));
+  print_result(arguments.json ? json_text(to_json(report, model)) : to_text(report, model) + "\n");
   return report.passed ? ExitCode::ok : ExitCode::verification_failed;
 }
 
@@ -25,7 +26,7 @@ ExitCode run_verify(const VerifyArguments& arguments) {
   PipelineOptions options = arguments.RobotArguments::options();
   options.functions = arguments.functions;
   const Model model = read_model(arguments.robot, options);
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  print_diagnostics(model.diagnostics, arguments);
   VerifyReport report;
   Diagnostics findings;
   {
@@ -34,8 +35,8 @@ ExitCode run_verify(const VerifyArguments& arguments) {
     if (model.abbreviation) return verify_part(arguments, model, functions);
     report = verify(model.robot, model.mechanism, functions, arguments.options, progress);
   }
-  print_diagnostics(findings, arguments.quiet);
-  fmt::print("{}\n", arguments.json ? to_json(report).dump(2) : to_text(report));
+  print_diagnostics(findings, arguments);
+  print_result(arguments.json ? json_text(to_json(report)) : to_text(report) + "\n");
   return report.passed() ? ExitCode::ok : ExitCode::verification_failed;
 }
 

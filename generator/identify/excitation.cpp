@@ -37,8 +37,8 @@ std::vector<double> random_coefficients(std::mt19937_64& engine, int count) {
 
 class ShapeSearch {
  public:
-  ShapeSearch(const ExcitationObjective& objective, std::optional<double> seconds)
-      : objective_(objective), start_(std::chrono::steady_clock::now()), seconds_(seconds) {}
+  ShapeSearch(const ExcitationObjective& objective, std::optional<double> seconds, const std::function<bool()>& stop)
+      : objective_(objective), start_(std::chrono::steady_clock::now()), seconds_(seconds), stop_(stop) {}
 
   // Goes on from x, in place, to the best of this many evaluations. Returns its value.
   double improve(std::vector<double>& x, int evaluations) {
@@ -66,7 +66,7 @@ class ShapeSearch {
   static double evaluate(unsigned size, const double* x, double* gradient, void* search) {
     auto& self = *static_cast<ShapeSearch*>(search);
     // Not by nlopt_set_maxeval, which this method passes by one or two.
-    if (self.evaluations_ == self.last_) {
+    if (self.evaluations_ == self.last_ || self.stop_()) {
       nlopt_force_stop(self.optimiser_);
       return HUGE_VAL;
     }
@@ -83,6 +83,7 @@ class ShapeSearch {
   const ExcitationObjective& objective_;
   std::chrono::steady_clock::time_point start_;
   std::optional<double> seconds_;
+  const std::function<bool()>& stop_;
   double best_value_ = HUGE_VAL;
   std::vector<double> best_;
   nlopt_opt optimiser_ = nullptr;
@@ -165,7 +166,8 @@ FourierTrajectory within_limits(const TorqueModel& model, const std::vector<Join
 
 }  // namespace
 
-Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& options, Progress& progress) {
+Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& options, Progress& progress,
+                           const std::function<bool()>& stop) {
   const std::vector<JointLimits> limits = motion_limits(model.mechanism());
   refuse_what_cannot_move(model, limits);
   const int intervals = intervals_of(options, model);
@@ -174,7 +176,7 @@ Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& op
   std::vector<std::vector<double>> starts;
   for (int start = 0; start < kStarts; ++start) starts.push_back(random_coefficients(engine, objective.size()));
   objective.scale_by(starts);
-  ShapeSearch search(objective, options.time);
+  ShapeSearch search(objective, options.time, stop);
   std::vector<double> best = best_of(starts, search, options.evaluations / (2 * kStarts), progress);
   progress.step("improving the best start");
   search.improve(best, (options.evaluations - search.evaluations()) / 3);

@@ -4,6 +4,7 @@
 // random motions; and no limit of the robot is passed.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "diagnostics/progress.hpp"
@@ -33,6 +34,9 @@ struct Excitation {
 // From the middle of the position limits and back there. Throws Failure(unsupported) for a robot that nothing can be
 // learnt of, and for one that cannot hold itself in that posture with the torques that the file allows; Failure(usage)
 // where the samples are too few to show the motion, or more than 500,000.
-Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& options, Progress& progress);
+// stop: asked before every evaluation; once it is true, what was found until then is planned and returned.
+Excitation make_excitation(
+    const TorqueModel& model, const ExcitationOptions& options, Progress& progress,
+    const std::function<bool()>& stop = [] { return false; });
 
 }  // namespace flatdyn

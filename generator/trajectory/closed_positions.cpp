@@ -76,12 +76,18 @@ std::span<const double> ClosedPositions::of(std::span<const double> q_a) {
   return {q_.data(), static_cast<std::size_t>(q_.size())};
 }
 
+std::span<const double> ClosedPositions::at(const TrajectoryPoint& point) {
+  time_ = point.time;
+  return of(point.q);
+}
+
 void ClosedPositions::refuse_singular() const {
   throw Failure(ExitCode::input, "the loops are singular at " + place_text(q_(independent_)), kAway);
 }
 
 std::string ClosedPositions::place_text(const Eigen::VectorXd& q_a) const {
   std::vector<std::string> places;
+  if (time_) places.push_back(fmt::format("t = {:.6g} s", *time_));
   for (std::size_t i = 0; i < joints_.size(); ++i)
     places.push_back(fmt::format("{} = {:.6g}", joints_[i], q_a[static_cast<Eigen::Index>(i)]));
   return fmt::format("{}", fmt::join(places, ", "));
@@ -91,7 +97,7 @@ std::vector<std::vector<double>> positions_along(const Model& model, const Traje
   ClosedPositions positions(model);
   std::vector<std::vector<double>> all;
   for (const TrajectoryPoint& point : trajectory.points) {
-    const std::span<const double> q = positions.of(point.q);
+    const std::span<const double> q = positions.at(point);
     all.emplace_back(q.begin(), q.end());
   }
   return all;

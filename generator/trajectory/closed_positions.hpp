@@ -22,6 +22,8 @@ class ClosedPositions {
   // are; valid until the next call. Throws Failure(input) where that leads to a position in which the loops are
   // singular or cannot be closed.
   std::span<const double> of(std::span<const double> q_a);
+  // The same at a point of a motion, whose time messages then name.
+  std::span<const double> at(const TrajectoryPoint& point);
   // For functions that say so of the positions given last.
   [[noreturn]] void refuse_singular() const;
 
@@ -34,6 +36,7 @@ class ClosedPositions {
   std::optional<reference::Robot<double>> robot_;  // with loops
   double tolerance_ = 0;                           // m
   Eigen::VectorXd q_;
+  std::optional<double> time_;  // s
 };
 
 // Along a motion, by point; those of the trajectory itself where there are no loops. Throws as ClosedPositions does.

@@ -26,7 +26,7 @@ PathTorques::PathTorques(const Model& model, bool tip_force, Progress& progress)
 
 void PathTorques::run(const TrajectoryPoint& point) {
   TapeInputs given;
-  given[InputKind::q] = closed_.of(point.q);
+  given[InputKind::q] = closed_.at(point);
   given[InputKind::qd] = point.qd;
   given[InputKind::qdd] = point.qdd;
   if (!tapes_[kInverseDynamics].run(given, tau_)) closed_.refuse_singular();
@@ -41,7 +41,7 @@ PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
   for (const TrajectoryPoint& point : trajectory.points) {
     run(point);
     TapeInputs given;
-    given[InputKind::q] = closed_.of(point.q);
+    given[InputKind::q] = closed_.at(point);
     tapes_[kInertiaMatrix].run(given, B_);
     tapes_[kGravityTorques].run(given, g_);
     for (std::size_t i = 0; i < n_; ++i) {

@@ -109,7 +109,7 @@ double TorqueTerms::value_of(const TorqueTerm& term, const TrajectoryPoint& poin
 
 void TorqueTerms::evaluate(const TrajectoryPoint& point, std::span<double> values, std::span<double> tau) {
   TapeInputs given;
-  given[InputKind::q] = closed_.of(point.q);
+  given[InputKind::q] = closed_.at(point);
   given[InputKind::qd] = point.qd;
   given[InputKind::qdd] = point.qdd;
   given[InputKind::h_e] = point.h_e;

@@ -45,7 +45,7 @@ TEST(Identify, WritesARobotFileWhoseTorquesAreThoseMeasured) {
   write_log(scratch.path("log.csv"), simulated(model_of("puma560.toml"), {.samples = 1500, .noise = 0.02}));
   const std::string output = scratch.path("identified.toml");
   const Outcome outcome =
-      run_flatdyn(fmt::format("identify {} -q --data {} -o {} --sequential", kPuma, scratch.path("log.csv"), output));
+      run_flatdyn(fmt::format("identify {} --data {} -o {} --sequential", kPuma, scratch.path("log.csv"), output));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* text : {"1500 samples, 1500 used", "std dev", "joint by joint", "condition number", "wrote "}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));

@@ -22,7 +22,7 @@ class Javascript : public ::testing::Test {
 
   void generate(const std::string& arguments) const {
     const Outcome outcome =
-        run_flatdyn(fmt::format("generate {} -q --language javascript -o '{}'", arguments, folder_.path()));
+        run_flatdyn(fmt::format("generate {} --language javascript -o '{}'", arguments, folder_.path()));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("the text, read back, says the same"));
   }

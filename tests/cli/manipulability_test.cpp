@@ -47,7 +47,7 @@ TEST(ManipulabilityCommand, DrawsViewsAndPaths) {
   scratch.write("path.csv", path);
   const auto drawn = [&](const std::string& options) {
     const Outcome outcome =
-        run_flatdyn(fmt::format("manipulability robots/ur5.urdf -q --states {} --plot {} -o {} {}",
+        run_flatdyn(fmt::format("manipulability robots/ur5.urdf --states {} --plot {} -o {} {}",
                                 scratch.path("path.csv"), scratch.path("p.svg"), scratch.path("p.csv"), options));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("... and 10 more\nthe measure is from "));

@@ -40,7 +40,7 @@ std::vector<std::vector<double>> numbers_of(const std::string& csv) {
 TEST(Simulate, WritesMotionEventsAndPlot) {
   const Scratch scratch;
   const Outcome outcome =
-      run_flatdyn(fmt::format("simulate robots/puma560.toml -q --duration 3 --rate 100 -o {} --events {} --plot {}",
+      run_flatdyn(fmt::format("simulate robots/puma560.toml --duration 3 --rate 100 -o {} --events {} --plot {}",
                               scratch.path("m.csv"), scratch.path("e.csv"), scratch.path("m.svg")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("energies add up within "));

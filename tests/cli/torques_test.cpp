@@ -179,7 +179,8 @@ TEST_F(Example72, WithAForceAtTheTip) {
 
 TEST_F(Example72, ReportsPeaksForPeopleAndPrograms) {
   const std::string csv = scratch_.path("out.csv");
-  const Outcome people = run_flatdyn(kTorques + std::string("docs/examples/planar_2r_triangular.toml -o ") + csv);
+  const Outcome people = run_flatdyn(
+      "torques robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml -o " + csv);
   ASSERT_EQ(people.code, 0) << people.err;
   EXPECT_THAT(people.out, StartsWith("0.5 s, 501 samples; largest torques"));
   EXPECT_THAT(people.out, HasSubstr("\ntheta_2  N m "));

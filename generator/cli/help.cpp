@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "cli/help.hpp"
+
+#include "diagnostics/wrap.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr std::size_t kWidth = 120;
+
+}  // namespace
+
+// CLI11 puts the lines of a description under each other.
+std::string NarrowHelp::make_option_desc(const CLI::Option* option) const {
+  return wrapped(CLI::Formatter::make_option_desc(option), kWidth - get_column_width());
+}
+
+std::string NarrowHelp::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
+  return wrapped(CLI::Formatter::make_help(app, std::move(name), mode), kWidth);
+}
+
+}  // namespace flatdyn

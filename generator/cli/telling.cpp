@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "cli/telling.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnostics/progress.hpp"
+#include "report/json_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+const char* name_of(Severity severity) {
+  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
+}
+
+nlohmann::ordered_json json_of(const Diagnostic& diagnostic) {
+  nlohmann::ordered_json json = {{"severity", name_of(diagnostic.severity)}};
+  if (!diagnostic.place.file.empty()) json["file"] = diagnostic.place.file;
+  if (diagnostic.place.line > 0) json["line"] = diagnostic.place.line;
+  json["message"] = diagnostic.message;
+  if (!diagnostic.hint.empty()) json["hint"] = diagnostic.hint;
+  return json;
+}
+
+void print_errors(const Diagnostics& errors, ExitCode code) {
+  nlohmann::ordered_json json = {{"exit_code", static_cast<int>(code)}, {"errors", nlohmann::ordered_json::array()}};
+  for (const Diagnostic& diagnostic : errors.all()) json["errors"].push_back(json_of(diagnostic));
+  print_result(json_text(json));
+}
+
+void print_message(const std::string& text) {
+  std::fflush(stdout);
+  erase_progress();
+  fmt::print(stderr, "{}", text);
+}
+
+void print_failure(const std::string& message, const std::string& hint) {
+  print_message(fmt::format("flatdyn: error: {}\n{}", message, hint.empty() ? "" : "    hint: " + hint + "\n"));
+}
+
+}  // namespace
+
+void print_diagnostics(const Diagnostics& diagnostics, const Manner& manner) {
+  print_message(told(diagnostics, manner));
+}
+
+void print_result(const std::string& text) {
+  erase_progress();
+  fmt::print("{}", text);
+}
+
+ExitCode tell(const Failure& failure, const Manner& manner) {
+  print_failure(failure.what(), failure.hint());
+  if (manner.json) {
+    Diagnostics errors;
+    errors.error({}, failure.what(), failure.hint());
+    print_errors(errors, failure.code());
+  }
+  return failure.code();
+}
+
+ExitCode tell(const BadInput& bad, const Manner& manner) {
+  print_diagnostics(bad.diagnostics, manner);
+  if (!bad.diagnostics.has_errors()) print_failure("warnings are errors (-Werror)", "");
+  if (manner.json) print_errors(bad.diagnostics, bad.code());
+  return bad.code();
+}
+
+}  // namespace flatdyn
