@@ -57,6 +57,7 @@ void expect_nothing_left(int signal) {
   const TemporaryRoot root(outer.path());
   const pid_t child = ::fork();
   if (child == 0) {
+    keep_when_interrupted(outer.path());  // the parent's
     const TemporaryFolder one, two;
     write_file(one.path() / "file", "text");
     ::raise(signal);
