@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <tuple>
 
+#include "diagnostics/utf8.hpp"
 #include "input/context.hpp"
 #include "input/held_joints.hpp"
 #include "input/scene_application.hpp"
 #include "input/scene_reader.hpp"
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
-#include "input/utf8.hpp"
 #include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
 #include "model/linear_loops.hpp"
@@ -74,10 +74,24 @@ void hand_over(const Diagnostics& found, Diagnostics& diagnostics) {
   for (Diagnostic& diagnostic : sorted) diagnostics.add(std::move(diagnostic));
 }
 
+// Editors on Windows save UTF-16 under the name of "Unicode".
+std::optional<std::string> text_of(const std::string& file, Diagnostics& diagnostics) {
+  const std::optional<std::string> bytes = file_text(file, diagnostics);
+  if (!bytes || !is_utf16(*bytes)) return bytes;
+  std::optional<std::string> text = utf8_of_utf16(*bytes);
+  if (text) {
+    diagnostics.note({file, 0}, "the file is UTF-16: it is read as that", "save it as UTF-8 for other programs");
+  } else {
+    diagnostics.error({file, 0}, "the file begins as UTF-16, but is not UTF-16 throughout",
+                      "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE > robot.urdf");
+  }
+  return text;
+}
+
 void read_into(const std::filesystem::path& path, ReadContext& context, Robot& robot) {
   const std::string file = path.string();
   const FileKind kind = kind_of(path);
-  const std::optional<std::string> text = file_text(file, context.diagnostics);
+  const std::optional<std::string> text = text_of(file, context.diagnostics);
   if (!text) return;
   robot.files.push_back(file);
   if (kind == FileKind::unknown) {
