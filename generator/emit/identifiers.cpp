@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+
+#include "diagnostics/utf8.hpp"
+#include "emit/transliteration.hpp"
 
 namespace flatdyn {
 
@@ -162,6 +166,21 @@ constexpr auto kReserved = std::to_array<std::string_view>({
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
+// Robot files are UTF-8; a byte that belongs to no character separates words.
+std::string in_ascii(std::string_view name) {
+  std::string ascii;
+  bool is_last_apart = false;  // it needs a separator only where something follows
+  while (!name.empty()) {
+    const Utf8Character first = first_character(name);
+    const bool is_ascii = first.code && *first.code < 0x80;
+    ascii += is_ascii ? std::string(1, name.front()) : first.code ? transliterated(*first.code) : "-";
+    is_last_apart = !is_ascii;
+    name.remove_prefix(first.length);
+  }
+  while (is_last_apart && ascii.ends_with('-')) ascii.pop_back();
+  return ascii;
+}
+
 }  // namespace
 
 bool is_reserved_in_cpp(std::string_view word) {
@@ -170,7 +189,7 @@ bool is_reserved_in_cpp(std::string_view word) {
 
 std::string cpp_identifier(std::string_view name) {
   std::string identifier;
-  for (const char c : name) {
+  for (const char c : in_ascii(name)) {
     if (is_letter(c) || is_digit(c)) {
       identifier += c;
     } else if (!identifier.empty() && identifier.back() != '_') {

@@ -35,6 +35,34 @@ GiNaC::numeric rounded(const Number& rational) {
   return GiNaC::numeric(cln::floor1(cln::the<cln::cl_R>(half.to_cl_N())));
 }
 
+const GiNaC::numeric& smallest_number() {
+  static const GiNaC::numeric kSmallest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e-30"));
+  return kSmallest;
+}
+
+// Exporters write the rounding errors of their computations.
+Number taken_for_zero(const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
+  diagnostics.note(spot.place, spot.what + ": " + shown + " is taken for 0", "numbers below 1e-30 are rounding errors",
+                   "numbers below 1e-30 taken for 0");
+  return 0;
+}
+
+// A decimal with an exponent beyond all that is read: "-2.5e-99999".
+bool has_tiny_exponent(std::string_view text) {
+  constexpr std::size_t kMostDigits = 100;  // far fewer than that exponent takes away
+  const std::size_t e = text.find_first_of("eE");
+  if (e > kMostDigits || e + 2 >= text.size() || text[e + 1] != '-') return false;
+  const std::string_view digits = text.substr(e + 2);
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (!std::all_of(digits.begin(), digits.end(), is_digit)) return false;
+  try {
+    exact_decimal(text.substr(0, e));
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 // Of a number without symbols, for comparisons.
 GiNaC::numeric magnitude_of(const Number& value) {
   return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(is_rational(value) ? value : value.evalf()));
@@ -65,7 +93,6 @@ std::optional<int> find_link(const Robot& robot, const Reference& link, const st
 }
 
 bool check_magnitude(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
-  static const GiNaC::numeric kSmallest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e-30"));
   static const GiNaC::numeric kLargest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e30"));
   if (vanishes(value)) return true;
   const GiNaC::numeric magnitude = magnitude_of(value);
@@ -74,7 +101,7 @@ bool check_magnitude(const Number& value, const std::string& shown, const Spot& 
                       "numbers go up to 1e30; check the units (SI)");
     return false;
   }
-  if (magnitude < kSmallest) {
+  if (magnitude < smallest_number()) {
     diagnostics.error(spot.place, spot.what + ": " + shown + " is too small",
                       "numbers other than 0 go down to 1e-30; write 0 if it is only a rounding error");
     return false;
@@ -123,8 +150,10 @@ std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, D
   }
   try {
     const Number value = exact_decimal(text);
+    if (!vanishes(value) && magnitude_of(value) < smallest_number()) return taken_for_zero(shown, spot, diagnostics);
     if (check_magnitude(value, shown, spot, diagnostics)) return value;
   } catch (const std::invalid_argument& error) {
+    if (has_tiny_exponent(text)) return taken_for_zero(shown, spot, diagnostics);
     if (std::string_view(error.what()).find("too large") != std::string_view::npos) {
       diagnostics.error(spot.place, spot.what + ": " + shown + ": " + error.what(), "numbers go from 1e-30 to 1e30");
     } else {

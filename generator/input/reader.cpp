@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <tuple>
 
+#include "diagnostics/utf8.hpp"
 #include "input/context.hpp"
 #include "input/held_joints.hpp"
 #include "input/scene_application.hpp"
 #include "input/scene_reader.hpp"
 #include "input/toml_reader.hpp"
 #include "input/urdf_reader.hpp"
-#include "input/utf8.hpp"
 #include "input/xacro.hpp"
 #include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
@@ -75,9 +75,24 @@ void hand_over(const Diagnostics& found, Diagnostics& diagnostics) {
   for (Diagnostic& diagnostic : sorted) diagnostics.add(std::move(diagnostic));
 }
 
+// Editors on Windows save UTF-16 under the name of "Unicode".
+std::optional<std::string> as_utf8(const Source& source, Diagnostics& diagnostics) {
+  if (!is_utf16(source.text)) return source.text;
+  std::optional<std::string> text = utf8_of_utf16(source.text);
+  if (text) {
+    diagnostics.note({source.name, 0}, "the file is UTF-16: it is read as that", "save it as UTF-8 for other programs");
+  } else {
+    diagnostics.error({source.name, 0}, "the file begins as UTF-16, but is not UTF-16 throughout",
+                      "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE > robot.urdf");
+  }
+  return text;
+}
+
 void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   const std::optional<Source> source = context.options.sources->read(file, context.diagnostics);
   if (!source) return;
+  const std::optional<std::string> text = as_utf8(*source, context.diagnostics);
+  if (!text) return;
   robot.files.push_back(file);
   if (source->kind == FileKind::unknown) {
     context.diagnostics.error({file, 0}, "unknown kind of file", "robot files are called .urdf, .xml, .xacro or .toml");
@@ -85,9 +100,9 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   }
   Attachments attachments;
   if (source->kind == FileKind::urdf) {
-    read_urdf(source->text, source->name, context, robot);
+    read_urdf(*text, source->name, context, robot);
   } else {
-    attachments = read_toml(source->text, source->name, context, robot);
+    attachments = read_toml(*text, source->name, context, robot);
   }
   context.options.sources->check_arguments();
   if (robot.links.empty() && context.diagnostics.has_errors()) return;

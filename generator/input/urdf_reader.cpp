@@ -175,6 +175,7 @@ class UrdfReader {
     if (name.empty()) return -1;
     const auto found = link_of_name_.find(name);
     if (found != link_of_name_.end()) return found->second;
+    if (name == "world" && std::string_view(tag) == "parent") return add_world(*element, what);
     std::vector<std::string> known;
     for (const Link& link : robot_.links) known.push_back(link.name);
     diagnostics_.error(values_.place(*element), what + ": there is no " + tag + " link \"" + name + "\"",
@@ -182,10 +183,20 @@ class UrdfReader {
     return -1;
   }
 
+  // Some programs know of a link "world" without being told.
+  int add_world(const XMLElement& parent, const std::string& what) {
+    const int index = static_cast<int>(robot_.links.size());
+    robot_.links.push_back({"world", {}, values_.place(parent)});
+    link_of_name_.emplace("world", index);
+    diagnostics_.note(values_.place(parent), what + ": there is no link \"world\": it is taken for the ground",
+                      "write <link name=\"world\"/> to say so");
+    return index;
+  }
+
   void read_axis(const XMLElement& element, const std::string& what, Joint& joint) {
     joint.axis = {1, 0, 0};  // URDF's default
     if (const XMLElement* axis = element.FirstChildElement("axis")) {
-      joint.axis = values_.vector(*axis, "xyz", what + ", axis", joint.axis);
+      joint.axis = values_.required_vector(*axis, "xyz", what + ", axis").value_or(joint.axis);
     }
   }
 
@@ -199,17 +210,12 @@ class UrdfReader {
     }
     joint.limits.velocity = values_.limit(*limit, "velocity", Bound::magnitude, where);
     joint.limits.effort = values_.limit(*limit, "effort", Bound::magnitude, where);
-    for (const char* key : {"acceleration", "drake:acceleration"}) {
-      if (auto acceleration = values_.limit(*limit, key, Bound::magnitude, where))
-        joint.limits.acceleration = acceleration;
-    }
+    joint.limits.acceleration = values_.limit(*limit, "acceleration", Bound::magnitude, where);
   }
 
   void read_friction(const XMLElement& element, const std::string& what, Joint& joint) {
-    const XMLElement* dynamics = element.FirstChildElement("dynamics");
-    if (dynamics == nullptr) return;
-    if (auto damping = values_.number(*dynamics, "damping", what + ", dynamics")) joint.viscous = *damping;
-    if (auto friction = values_.number(*dynamics, "friction", what + ", dynamics")) joint.coulomb = *friction;
+    if (auto damping = values_.dynamics(element, "damping", what)) joint.viscous = *damping;
+    if (auto friction = values_.dynamics(element, "friction", what)) joint.coulomb = *friction;
   }
 
   UrdfValues values_;
@@ -247,13 +253,50 @@ const tinyxml2::XMLNode* content_beside(const XMLElement& root) {
   return nullptr;
 }
 
+// What processing instructions say concerns other programs, but the parser takes none within the robot, and no XML
+// declaration after a comment. Blanks stand in for them, so that lines keep their numbers.
+std::string without_instructions(std::string text) {
+  const auto end_of = [&text](std::size_t begin, std::string_view mark) {
+    const std::size_t end = text.find(mark, begin);
+    return end == std::string::npos ? text.size() : end + mark.size();
+  };
+  for (std::size_t k = text.find('<'); k < text.size(); k = text.find('<', k + 1)) {
+    if (text.compare(k, 4, "<!--") == 0) {
+      k = end_of(k, "-->") - 1;
+    } else if (text.compare(k, 9, "<![CDATA[") == 0) {
+      k = end_of(k, "]]>") - 1;
+    } else if (text.compare(k, 2, "<?") == 0) {
+      const std::size_t end = end_of(k, "?>");
+      for (; k < end; ++k) text[k] = text[k] == '\n' ? '\n' : ' ';
+      --k;
+    }
+  }
+  return text;
+}
+
+// Declarations in a DOCTYPE define names for texts, which the parser does not put in.
+const tinyxml2::XMLNode* doctype_with_declarations(const tinyxml2::XMLDocument& document) {
+  for (const tinyxml2::XMLNode* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    const std::string_view text = node->ToUnknown() == nullptr ? "" : node->Value();
+    if (text.starts_with("DOCTYPE") && text.find('[') != std::string_view::npos) return node;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 void read_urdf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
   tinyxml2::XMLDocument document;  // resolves no entities of its own but the five of XML; nesting is bounded (100)
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+  const std::string plain = without_instructions(text);
+  if (document.Parse(plain.data(), plain.size()) != tinyxml2::XML_SUCCESS) {
     context.diagnostics.error({file, document.ErrorLineNum()}, "not well-formed XML: " + readable(document.ErrorName()),
                               "check the tags and quotes near this line");
+    return;
+  }
+  if (const tinyxml2::XMLNode* doctype = doctype_with_declarations(document)) {
+    context.diagnostics.error({file, doctype->GetLineNum()},
+                              "a <!DOCTYPE ...> with declarations of its own is not read",
+                              "put in what it declares: xmllint --noent --dropdtd FILE > robot.urdf");
     return;
   }
   const XMLElement* root = document.RootElement();

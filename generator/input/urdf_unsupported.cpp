@@ -59,12 +59,11 @@ class Refuser {
   }
 
   void check_spring(const XMLElement& joint) {
-    const XMLElement* dynamics = joint.FirstChildElement("dynamics");
     const char* name = joint.Attribute("name");
-    if (dynamics == nullptr || is_at_rest(name)) return;
-    const std::string what = "joint \"" + std::string(name == nullptr ? "" : name) + "\", dynamics";
-    if (const auto stiffness = values_.number(*dynamics, "spring_stiffness", what)) {
-      refuse_spring(stiffness->place, what + ", spring_stiffness", stiffness->number);
+    if (is_at_rest(name)) return;
+    const std::string what = "joint \"" + std::string(name == nullptr ? "" : name) + "\"";
+    if (const auto stiffness = values_.dynamics(joint, "spring_stiffness", what)) {
+      refuse_spring(stiffness->place, what + ", dynamics, spring_stiffness", stiffness->number);
     }
   }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/urdf_values.hpp"
 
+#include <algorithm>
 #include <array>
-#include <sstream>
-#include <vector>
 
-#include "input/utf8.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace flatdyn {
 
@@ -13,16 +12,32 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-std::vector<std::string> words_of(const char* text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
+std::string trimmed(const std::string& text) {
+  const std::vector<std::string> words = words_of(text);
+  return words.size() == 1 ? words[0] : text;
 }
 
-std::string trimmed(const char* text) {
-  const std::vector<std::string> words = words_of(text);
-  return words.size() == 1 ? words[0] : std::string(text);
+// Where URDF writes the value of a key.
+bool is_usual(const XMLElement& holder, const UrdfEntry& entry, const std::string& key) {
+  const UrdfElement* known = known_urdf_element(holder.Name());
+  if (known == nullptr || has_namespace(entry.name)) return true;
+  if (std::string_view(holder.Name()) == "joint_properties") return false;
+  return entry.form == UrdfEntry::Form::text ? known->text_is_usual
+                                             : entry.form == UrdfEntry::Form::attribute && entry.name == key;
+}
+
+bool has_unknown_entry(const XMLElement& element, const UrdfElement& known) {
+  const std::vector<UrdfEntry> entries = entries_of(element);
+  return std::any_of(entries.begin(), entries.end(), [&](const UrdfEntry& entry) {
+    return key_of(known, entry).empty() && !has_namespace(entry.name);
+  });
+}
+
+std::string words_for_place(const XMLElement& holder, const UrdfEntry& entry) {
+  const std::string tag = "<" + std::string(holder.Name()) + ">";
+  if (entry.form == UrdfEntry::Form::text) return "the text of " + tag;
+  if (entry.form == UrdfEntry::Form::child) return "<" + entry.name + "> in " + tag;
+  return "\"" + entry.name + "\" of " + tag;
 }
 
 // Some files write 1e308 for infinite.
@@ -41,39 +56,99 @@ bool is_infinite(std::string_view text) {
 
 }  // namespace
 
-std::string UrdfValues::required_text(const XMLElement& element, const char* attribute, const std::string& what) const {
-  const char* text = element.Attribute(attribute);
-  if (text != nullptr && !is_utf8(text)) {
-    context_.diagnostics.error(place(element), what + ": " + attribute + " is not UTF-8",
-                               "save the file as UTF-8 (iconv -t UTF-8), or write the name in ASCII");
-    return text;
+std::optional<UrdfEntry> UrdfValues::written(const Holders& holders, const std::string& key,
+                                             const std::string& what) const {
+  std::optional<UrdfEntry> found;
+  const XMLElement* holder_of_found = nullptr;
+  for (const XMLElement* holder : holders) {
+    const UrdfElement* known = known_urdf_element(holder->Name());
+    for (const UrdfEntry& entry : entries_of(*holder)) {
+      if ((known == nullptr ? entry.name : key_of(*known, entry)) != key) continue;
+      if (found && !says_the_same(found->text, entry.text)) {
+        context_.diagnostics.error({file_, entry.line},
+                                   what + ": " + key + " is given twice, as \"" + found->text + "\" in " +
+                                       words_for_place(*holder_of_found, *found) + " and as \"" + entry.text +
+                                       "\" in " + words_for_place(*holder, entry),
+                                   "keep the one that is right");
+      }
+      if (found && (is_usual(*holder_of_found, *found, key) || !is_usual(*holder, entry, key))) continue;
+      found = entry;
+      holder_of_found = holder;
+    }
   }
-  if (text != nullptr && *text != '\0') return text;
-  context_.diagnostics.error(place(element), what + ": <" + element.Name() + "> has no attribute \"" + attribute + "\"",
-                             std::string("write <") + element.Name() + " " + attribute + "=\"...\">");
-  return "";
+  if (found && !is_usual(*holder_of_found, *found, key)) note_unusual(*holder_of_found, *found, key, what);
+  return found;
 }
 
-std::optional<Value> UrdfValues::number(const XMLElement& element, const char* attribute,
-                                        const std::string& what) const {
-  const char* text = element.Attribute(attribute);
-  if (text == nullptr) return std::nullopt;
-  const Spot spot{place(element), what + ", " + attribute};
-  return Value{checked_decimal(trimmed(text), spot, context_.diagnostics).value_or(0), spot.place};
+void UrdfValues::note_unusual(const XMLElement& holder, const UrdfEntry& entry, const std::string& key,
+                              const std::string& what) const {
+  const std::string tag = std::string_view(holder.Name()) == "joint_properties" ? "dynamics" : holder.Name();
+  context_.diagnostics.note({file_, entry.line}, what + ": " + key + " is read from " + words_for_place(holder, entry),
+                            "URDF has it as <" + tag + " " + key + "=\"...\"/>", "values read from unusual places");
 }
 
-Value UrdfValues::required_number(const XMLElement& element, const char* attribute, const std::string& what) const {
-  if (const std::optional<Value> value = number(element, attribute, what)) return *value;
-  required_text(element, attribute, what);
+Spot UrdfValues::spot(const UrdfEntry& entry, const std::string& key, const std::string& what) const {
+  return {{file_, entry.line}, entry.form == UrdfEntry::Form::text ? what : what + ", " + key};
+}
+
+void UrdfValues::report_missing(const XMLElement& element, const char* key, const std::string& what) const {
+  const std::string tag = element.Name();
+  const UrdfElement* known = known_urdf_element(tag);
+  if (known != nullptr && has_unknown_entry(element, *known)) return;  // the check of names says that it may be meant
+  if (known != nullptr && known->text_is_usual) {
+    context_.diagnostics.error(place(element), what + ": <" + tag + "> is empty",
+                               "write <" + tag + ">...</" + tag + ">");
+  } else {
+    context_.diagnostics.error(place(element), what + ": <" + tag + "> has no attribute \"" + key + "\"",
+                               "write <" + tag + " " + key + "=\"...\">");
+  }
+}
+
+std::string UrdfValues::required_text(const XMLElement& element, const char* key, const std::string& what) const {
+  const std::optional<UrdfEntry> entry = written({&element}, key, what);
+  if (!entry || entry->text.empty()) {
+    report_missing(element, key, what);
+    return "";
+  }
+  if (!is_utf8(entry->text)) {
+    context_.diagnostics.error(place(element), what + ": " + key + " is not UTF-8",
+                               "save the file as UTF-8 (iconv -t UTF-8), or write the name in ASCII");
+  }
+  return entry->form == UrdfEntry::Form::attribute ? entry->text : trimmed(entry->text);
+}
+
+std::optional<Value> UrdfValues::number(const Holders& holders, const char* key, const std::string& what) const {
+  const std::optional<UrdfEntry> entry = written(holders, key, what);
+  if (!entry) return std::nullopt;
+  const Spot where = spot(*entry, key, what);
+  return Value{checked_decimal(trimmed(entry->text), where, context_.diagnostics).value_or(0), where.place};
+}
+
+std::optional<Value> UrdfValues::number(const XMLElement& element, const char* key, const std::string& what) const {
+  return number(Holders{&element}, key, what);
+}
+
+std::optional<Value> UrdfValues::dynamics(const XMLElement& joint, const char* key, const std::string& what) const {
+  Holders holders;
+  for (const char* tag : {"dynamics", "joint_properties"}) {
+    if (const XMLElement* element = joint.FirstChildElement(tag)) holders.push_back(element);
+  }
+  return number(holders, key, what + ", dynamics");
+}
+
+Value UrdfValues::required_number(const XMLElement& element, const char* key, const std::string& what) const {
+  if (const std::optional<Value> value = number(element, key, what)) return *value;
+  report_missing(element, key, what);
   return {0, place(element)};
 }
 
-Number UrdfValues::angle(const XMLElement& element, const char* attribute, const std::string& what) const {
-  const char* text = element.Attribute(attribute);
-  if (text == nullptr) return 0;
-  const Spot spot{place(element), what + ", " + attribute};
-  const std::optional<Number> value = checked_decimal(trimmed(text), spot, context_.diagnostics);
-  return value ? snapped_angle(*value, trimmed(text), spot, context_) : Number(0);
+Number UrdfValues::angle(const XMLElement& element, const char* key, const std::string& what) const {
+  const std::optional<UrdfEntry> entry = written({&element}, key, what);
+  if (!entry) return 0;
+  const Spot where = spot(*entry, key, what);
+  const std::string text = trimmed(entry->text);
+  const std::optional<Number> value = checked_decimal(text, where, context_.diagnostics);
+  return value ? snapped_angle(*value, text, where, context_) : Number(0);
 }
 
 Number UrdfValues::number_of_text(const XMLElement& element, const std::string& what) const {
@@ -82,49 +157,64 @@ Number UrdfValues::number_of_text(const XMLElement& element, const std::string& 
       .value_or(0);
 }
 
-std::optional<Value> UrdfValues::limit(const XMLElement& element, const char* attribute, Bound bound,
+std::optional<Value> UrdfValues::limit(const XMLElement& element, const char* key, Bound bound,
                                        const std::string& what) const {
-  const char* text = element.Attribute(attribute);
-  if (text == nullptr) return std::nullopt;
-  const Spot spot{place(element), what + ", " + attribute};
-  if (is_infinite(trimmed(text))) {
-    check_infinite_limit(trimmed(text), bound, spot, context_.diagnostics);
+  const std::optional<UrdfEntry> entry = written({&element}, key, what);
+  if (!entry) return std::nullopt;
+  const Spot where = spot(*entry, key, what);
+  const std::string text = trimmed(entry->text);
+  if (is_infinite(text)) {
+    check_infinite_limit(text, bound, where, context_.diagnostics);
     return std::nullopt;
   }
-  const std::optional<Number> value = checked_decimal(trimmed(text), spot, context_.diagnostics);
-  return value ? std::optional<Value>({*value, spot.place}) : std::nullopt;
+  const std::optional<Number> value = checked_decimal(text, where, context_.diagnostics);
+  if (!value) return std::nullopt;
+  if (bound == Bound::magnitude && value->info(GiNaC::info_flags::negative)) {
+    context_.diagnostics.note(where.place, where.what + ": \"" + text + "\" is taken as not given",
+                              "a limit is a magnitude; leave it out where there is none",
+                              "negative limits taken as not given");
+    return std::nullopt;
+  }
+  return Value{*value, where.place};
 }
 
-Vec3 UrdfValues::vector(const XMLElement& element, const char* attribute, const std::string& what,
-                        const Vec3& fallback) const {
-  const char* text = element.Attribute(attribute);
-  if (text == nullptr) return fallback;
-  const std::vector<std::string> words = words_of(text);
+std::optional<Vec3> UrdfValues::vector(const UrdfEntry& entry, const Spot& spot) const {
+  const std::vector<std::string> words = words_of(entry.text);
   if (words.size() != 3) {
-    context_.diagnostics.error(place(element),
-                               what + ", " + attribute + ": three numbers are expected, not \"" + text + "\"",
+    context_.diagnostics.error(spot.place, spot.what + ": three numbers are expected, not \"" + entry.text + "\"",
                                "separate them by blanks: \"0 0 0.5\"");
-    return fallback;
+    return std::nullopt;
   }
   Vec3 values;
-  const Spot spot{place(element), what + ", " + attribute};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::optional<Number> value = checked_decimal(words[i], spot, context_.diagnostics);
-    if (!value) return fallback;
+    if (!value) return std::nullopt;
     values[i] = *value;
   }
   return values;
 }
 
-Vec3 UrdfValues::angles(const XMLElement& element, const char* attribute, const std::string& what) const {
-  const Vec3 decimals = vector(element, attribute, what, zero_vector());
-  const char* text = element.Attribute(attribute);
-  if (text == nullptr) return decimals;
-  const std::vector<std::string> words = words_of(text);
-  if (words.size() != 3) return decimals;
+std::optional<Vec3> UrdfValues::vector(const XMLElement& element, const char* key, const std::string& what) const {
+  const std::optional<UrdfEntry> entry = written({&element}, key, what);
+  return entry ? vector(*entry, spot(*entry, key, what)) : std::nullopt;
+}
+
+std::optional<Vec3> UrdfValues::required_vector(const XMLElement& element, const char* key,
+                                                const std::string& what) const {
+  const std::optional<UrdfEntry> entry = written({&element}, key, what);
+  if (!entry) report_missing(element, key, what);
+  return entry ? vector(*entry, spot(*entry, key, what)) : std::nullopt;
+}
+
+Vec3 UrdfValues::angles(const XMLElement& element, const char* key, const std::string& what) const {
+  const std::optional<UrdfEntry> entry = written({&element}, key, what);
+  if (!entry) return zero_vector();
+  const Spot where = spot(*entry, key, what);
+  const std::optional<Vec3> decimals = vector(*entry, where);
+  if (!decimals) return zero_vector();
+  const std::vector<std::string> words = words_of(entry->text);
   Vec3 values;
-  const Spot spot{place(element), what + ", " + attribute};
-  for (std::size_t i = 0; i < 3; ++i) values[i] = snapped_angle(decimals[i], words[i], spot, context_);
+  for (std::size_t i = 0; i < 3; ++i) values[i] = snapped_angle((*decimals)[i], words[i], where, context_);
   return values;
 }
 
@@ -132,12 +222,12 @@ Pose UrdfValues::origin(const XMLElement& parent, const std::string& what) const
   const XMLElement* element = parent.FirstChildElement("origin");
   if (element == nullptr) return {{}, place(parent)};
   const std::string where = what + ", origin";
-  if (element->Attribute("quat_xyzw") != nullptr || element->Attribute("quat_wxyz") != nullptr) {
+  if (written({element}, "quat_xyzw", where) || written({element}, "quat_wxyz", where)) {
     context_.diagnostics.unsupported(place(*element), where + ": a quaternion is not supported", "write rpy instead");
   }
   // One after the other: compilers differ in the order in which they evaluate arguments, and diagnostics would with
   // them.
-  const Vec3 xyz = vector(*element, "xyz", where, zero_vector());
+  const Vec3 xyz = vector(*element, "xyz", where).value_or(zero_vector());
   const Vec3 rpy = angles(*element, "rpy", where);
   return pose_from_xyz_rpy(xyz, rpy, place(*element));
 }

@@ -11,7 +11,7 @@ namespace flatdyn {
 // walks the tree may be called.
 bool validate_tree(Robot& robot, Diagnostics& diagnostics);
 
-// Axes, masses, inertias, friction, motors, limits, C++ names. Numeric values are decided exactly; symbolic ones are
+// Axes, masses, inertias, friction, motors, limits. Numeric values are decided exactly; symbolic ones are
 // not checked. Limits that say nothing (a speed or effort of 0, lower = upper = 0) are taken away, and that is noted.
 // Where there are errors already, values may be missing that could not be read: nothing is said of their absence.
 // payloads: where the inertias of payloads stand, which are among their links'.

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
-#include "emit/identifiers.hpp"
 #include "model/physical_inertia.hpp"
 
 namespace flatdyn {
@@ -187,20 +185,6 @@ void check_joint(Joint& joint, Diagnostics& diagnostics) {
   check_limits(joint, diagnostics);
 }
 
-void check_cpp_names(const Robot& robot, Diagnostics& diagnostics) {
-  std::map<std::string, const Joint*> joint_of_name;
-  for (const int index : moving_joints(robot)) {
-    const Joint& joint = robot.joints[static_cast<std::size_t>(index)];
-    const std::string identifier = cpp_identifier(joint.name);
-    const auto [first, inserted] = joint_of_name.emplace(identifier, &joint);
-    if (inserted) continue;
-    diagnostics.error(joint.place,
-                      fmt::format("joints \"{}\" (line {}) and \"{}\" have the same C++ name, {}", first->second->name,
-                                  first->second->place.line, joint.name, identifier),
-                      "rename one of them");
-  }
-}
-
 // A joint that moves neither mass nor inertia makes B(q) singular: no forward dynamics.
 void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<bool> has_inertia(robot.links.size(), false);
@@ -242,7 +226,6 @@ void validate_values(Robot& robot, const std::vector<Place>& payloads, Diagnosti
     }
   }
   for (Joint& joint : robot.joints) check_joint(joint, diagnostics);
-  check_cpp_names(robot, diagnostics);
   if (!complete) return;
   if (moving_joints(robot).empty()) {
     diagnostics.error({robot.file, 0}, "no joint of this robot moves",

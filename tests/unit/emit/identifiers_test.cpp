@@ -14,7 +14,20 @@ TEST(Identifiers, KeepsWhatIsValid) {
 TEST(Identifiers, ReplacesWhatIsNot) {
   EXPECT_EQ(cpp_identifier("arm-1/joint 2"), "arm_1_joint_2");
   EXPECT_EQ(cpp_identifier("2dof_planar"), "x2dof_planar");
-  EXPECT_EQ(cpp_identifier("größe"), "gr_e");
+}
+
+TEST(Identifiers, WritesLettersOfOtherScriptsInAscii) {
+  EXPECT_EQ(cpp_identifier("größe"), "grosse");
+  EXPECT_EQ(cpp_identifier("θ1"), "theta1");
+  EXPECT_EQ(cpp_identifier("Плечо-2"), "Plecho_2");
+  EXPECT_EQ(cpp_identifier("Łokieć"), "Lokiec");
+  EXPECT_EQ(cpp_identifier("关节一"), "u5173_u8282_u4e00");
+  EXPECT_EQ(cpp_identifier("关节二"), "u5173_u8282_u4e8c");
+  EXPECT_EQ(cpp_identifier("arm关a"), "arm_u5173_a");
+  EXPECT_EQ(cpp_identifier("45°"), "x45");
+  EXPECT_EQ(cpp_identifier("a\xFF"
+                           "b"),
+            "a_b");  // no UTF-8
 }
 
 TEST(Identifiers, AvoidsWhatCppReserves) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "model/angles.hpp"
 #include "model/coupling.hpp"
 #include "unit/input/robot_file.hpp"
@@ -116,6 +118,116 @@ TEST_F(UrdfReader, AReductionWithoutRotorChangesNothingAndSaysSo) {
   ASSERT_EQ(diagnostics_.all().size(), 1U);
   EXPECT_EQ(diagnostics_.all()[0].severity, Severity::note);
   EXPECT_NE(diagnostics_.all()[0].message.find("has no effect without a rotor inertia"), std::string::npos);
+}
+
+TEST_F(UrdfReader, ReadsRotorsWithoutNamespace) {
+  for (const std::string rotor :
+       {R"(<rotor_inertia value="1e-4"/><gear_ratio value="50"/>)",
+        R"(<rotor_inertia>1e-4</rotor_inertia><gear_ratio> -50 </gear_ratio>)",
+        R"(<actuator><motorInertia>1e-4</motorInertia><gear_ratio>50</gear_ratio></actuator>)"}) {
+    EXPECT_TRUE(joint("revolute", rotor).armature.number.is_equal(Number(1) / 4)) << rotor;
+    ASSERT_EQ(diagnostics_.all().size(), 1U);
+    EXPECT_NE(diagnostics_.all()[0].message.find("counts as armature, 0.25 kg m^2"), std::string::npos);
+  }
+  const std::string rotor = "<motorInertia>1e-4</motorInertia>";
+  const std::string end = "</actuator></transmission>";
+  EXPECT_TRUE(joint("revolute", "", kTransmission + rotor + end).armature.number.is_equal(1));
+  EXPECT_TRUE(joint("revolute", rotor, kTransmission + end).armature.number.is_equal(1));
+  // The gear of an actuator that has no rotor multiplies nothing.
+  const std::string two = "</actuator><actuator name=\"n\"><mechanicalReduction>7</mechanicalReduction>" + end;
+  EXPECT_TRUE(joint("revolute", "", kTransmission + rotor + two).armature.number.is_equal(1));
+}
+
+TEST_F(UrdfReader, FindsValuesWhereverTheyStand) {
+  for (const std::string axis : {R"(<axis xyz="0 1 0"/>)", "<axis><xyz>0 1 0</xyz></axis>", "<axis> 0\n1 0 </axis>",
+                                 R"(<axis><xyz value="0 1 0"/></axis>)", "<axis><!-- y --><xyz>0 1 0</xyz></axis>",
+                                 R"(<axis xyz="0 1 0"><xyz>0 1.0 0e3</xyz></axis>)"}) {
+    const Joint j = joint("revolute", axis);
+    EXPECT_TRUE(j.axis[1].is_equal(1) && j.axis[0].is_zero()) << axis;
+  }
+  const Joint j = joint("revolute", R"(<dynamics><damping>10</damping><friction value="2"/></dynamics>
+      <origin><xyz>0 0 1</xyz><rpy>0 0 0.3</rpy></origin>
+      <limit min="-1"><upper>2</upper></limit>)");
+  EXPECT_TRUE(j.viscous.number.is_equal(10) && j.coulomb.number.is_equal(2));
+  EXPECT_EQ(j.origin.displacements.size(), 2U);
+  EXPECT_TRUE(j.limits.lower->number.is_equal(-1) && j.limits.upper->number.is_equal(2));
+  EXPECT_TRUE(std::all_of(diagnostics_.all().begin(), diagnostics_.all().end(),
+                          [](const Diagnostic& note) { return note.kind == "values read from unusual places"; }));
+  EXPECT_EQ(diagnostics_.all().size(), 6U);
+}
+
+TEST_F(UrdfReader, ReadsFrictionOfOlderFiles) {
+  const Joint j = joint("revolute", R"(<dynamics damping="0.5"/><joint_properties damping="0.50" friction="3"/>)");
+  EXPECT_TRUE(j.viscous.number.is_equal(Number(1) / 2) && j.coulomb.number.is_equal(3));
+  EXPECT_EQ(diagnostics_.all().size(), 1U);
+}
+
+TEST_F(UrdfReader, ReadsLinksWithoutAttributes) {
+  const Robot robot = read("r.urdf", R"(<robot name="r"><link name="base"/><link name="arm"><inertial><mass>2</mass>
+      <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz><iyx>0.1</iyx></inertia></inertial></link>
+      <joint name="j" type="revolute"><parent>base</parent><child> arm </child></joint></robot>)");
+  const Inertial& inertial = robot.links.at(1).inertials.at(0);
+  EXPECT_TRUE(inertial.mass.number.is_equal(2));
+  EXPECT_TRUE(inertial.tensor[0][1].is_equal(Number(1) / 10));
+  EXPECT_EQ(robot.joints.at(0).child, 1);
+}
+
+TEST_F(UrdfReader, TakesProductsOfInertiaTwiceWhereTheyAgree) {
+  read("r.urdf", R"(<robot name="r"><link name="base"/><link name="arm"><inertial><mass value="2"/>
+      <inertia ixx="1" ixy="0.1" ixz="0" iyx="0.10" iyy="1" iyz="0" izx="0.0" izy="0" izz="1"/></inertial></link>
+      <joint name="j" type="revolute"><parent link="base"/><child link="arm"/></joint></robot>)");
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
+TEST_F(UrdfReader, TakesNegativeLimitsAndDustForNothing) {
+  const Joint j = joint("revolute", R"(<origin rpy="-4.9305E-36 0 1e-99999"/><limit effort="-1" velocity="-1"/>)");
+  EXPECT_FALSE(j.limits.effort || j.limits.velocity);
+  EXPECT_TRUE(j.origin.displacements.empty());
+  EXPECT_FALSE(diagnostics_.has_warnings());
+}
+
+TEST_F(UrdfReader, KnowsTheWorld) {
+  const Robot robot = read(
+      "r.urdf", one_joint_urdf("revolute", "",
+                               R"(<joint name="w" type="fixed"><parent link="world"/><child link="base"/></joint>)"));
+  EXPECT_EQ(robot.links.at(static_cast<std::size_t>(robot.root)).name, "world");
+  EXPECT_EQ(diagnostics_.all().size(), 1U);
+}
+
+// Little and big endian, with and without a byte order mark.
+TEST_F(UrdfReader, ReadsUtf16) {
+  const std::string ascii = one_joint_urdf("revolute", "");
+  std::string little, big;
+  for (const char c : ascii) {
+    little += {c, '\0'};
+    big += {'\0', c};
+  }
+  for (const std::string& text : {little, big, "\xFF\xFE" + little, "\xFE\xFF" + big}) {
+    EXPECT_EQ(read("r.urdf", text).joints.size(), 1U);
+    EXPECT_EQ(diagnostics_.all().at(0).message, "the file is UTF-16: it is read as that");
+  }
+  EXPECT_FALSE(read_robot(write("r.urdf", little + "x"), {}, diagnostics_).has_value());
+}
+
+TEST_F(UrdfReader, IgnoresProcessingInstructions) {
+  const std::string robot = one_joint_urdf("revolute", "<?editor a='>'?>", "<!-- <? --><?x?>");
+  const std::string declaration = "<?xml version=\"1.0\"?>\n";
+  EXPECT_EQ(read("r.urdf", "<!-- licence -->\n" + declaration + "<!DOCTYPE robot>" + robot).joints.size(), 1U);
+  EXPECT_TRUE(diagnostics_.all().empty());
+  EXPECT_FALSE(read_robot(write("r.urdf", declaration + "<robot>\n<?x?\n<link>"), {}, diagnostics_).has_value());
+}
+
+TEST_F(UrdfReader, JointsMayHaveNamesThatDifferInNoLetter) {
+  const std::string more = R"(<link name="尖"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial>
+      </link><joint name="关节 一" type="revolute"><parent link="arm"/><child link="尖"/></joint>)";
+  EXPECT_EQ(read("r.urdf", one_joint_urdf("revolute", "", more)).joints.at(1).name, "关节 一");
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
+TEST_F(UrdfReader, OfAFixedJointOnlyItsPlaceMatters) {
+  joint("revolute", "", R"(<link name="h"/><joint name="k" type="fixed"><parent link="arm"/><child link="h"/>
+      <axis/><limit uper="1"/><dynamics dampening="1"/></joint>)");
+  EXPECT_TRUE(diagnostics_.all().empty());
 }
 
 TEST_F(UrdfReader, IgnoresWhatDoesNotMove) {

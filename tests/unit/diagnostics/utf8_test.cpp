@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/utf8.hpp"
+#include "diagnostics/utf8.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What an element of a URDF says, wherever in the element it says so: <axis xyz="0 1 0"/>, and as other programs and
+// people write it, <axis><xyz>0 1 0</xyz></axis> and <axis>0 1 0</axis>.
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flatdyn {
+
+// A value of an element, under the name that it has there.
+struct UrdfEntry {
+  enum class Form { attribute, child, text };
+
+  std::string name;  // "" of the element's text
+  std::string text;
+  int line = 0;
+  Form form = Form::attribute;
+};
+
+// A value that is read: by its name in URDF, or by another one that people give it.
+struct UrdfKey {
+  std::string name;
+  std::string other_name;  // "" if there is none
+};
+
+// What is known of an element of which values are read.
+struct UrdfElement {
+  std::vector<UrdfKey> keys;
+  std::vector<std::string> decisive;   // keys that any unknown name may be meant for, where one of them is missing
+  std::string key_of_text;             // what a text in the element is; "" if that is not clear
+  bool text_is_usual = false;          // URDF itself writes a text there
+  std::vector<std::string> of_others;  // names that other programs read, and real files have: left out
+};
+
+// nullptr if no values are read of elements with this name.
+const UrdfElement* known_urdf_element(std::string_view tag);
+
+// The names of the keys, for messages.
+std::vector<std::string> key_names_of(const UrdfElement& element);
+
+bool has_key(const UrdfElement& element, std::string_view name);
+
+// The name in URDF of the key that an entry gives; "" if it gives none.
+std::string key_of(const UrdfElement& element, const UrdfEntry& entry);
+
+// The value of an element that is one value itself: <damping>10</damping> or <damping value="10"/>.
+std::string value_of(const tinyxml2::XMLElement& element);
+
+// Attributes, children and text of the element, in this order; of elements that are not known, attributes only.
+std::vector<UrdfEntry> entries_of(const tinyxml2::XMLElement& element);
+
+// Whether two texts are the same words, or words for the same numbers: "0 0 1" and "0 0 1.0".
+bool says_the_same(const std::string& a, const std::string& b);
+
+// Whether the text is zeros only: "0 0.0 0".
+bool says_zero(const std::string& text);
+
+std::vector<std::string> words_of(const std::string& text);
+
+// Whether the name is one of another program's: "drake:gear_ratio".
+inline bool has_namespace(std::string_view name) { return name.find(':') != std::string_view::npos; }
+
+}  // namespace flatdyn

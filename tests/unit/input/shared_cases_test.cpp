@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Small robot files of others that were once read wrongly, and real ones that were refused. They lie beside the
+// checkout, in ../shared, and the tests are skipped where they are not. Each file of ../shared/cases has one row here.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "flatdyn/reference/newton_euler.hpp"
+#include "input/reader.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kShared = fs::path(FLATDYN_SOURCE_DIR) / ".." / "shared";
+
+std::string all_of(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics.all()) text += to_string(diagnostic) + "\n";
+  return text;
+}
+
+// What a file of one joint gives: its torques at q = 0 in the states of ../shared/cases/states.csv.
+struct Torques {
+  const char* file;
+  double moving;        // N m, at q̇ = 1 rad/s, q̈ = 0
+  double accelerating;  // N m, at q̇ = 0, q̈ = 1 rad/s²
+};
+
+const Torques kTorques[] = {
+    {"plain.urdf", -1.962, -1.912},
+    {"axis_children.urdf", -1.962, -1.912},
+    {"axis_text.urdf", -1.962, -1.912},
+    {"nine.urdf", -1.962, -1.912},
+    {"dynamics_children.urdf", 18.038, -1.912},
+    {"joint_properties.urdf", 18.038, -1.912},
+    {"motorInertia1.urdf", -1.962, -1.892},
+    {"motorInertia100.urdf", -1.962, 0.088},
+};
+
+// A file that is refused: in which line, and what the message says among others.
+struct Refusal {
+  const char* file;
+  int line;
+  const char* says;
+};
+
+const Refusal kRefusals[] = {
+    {"ratio0.urdf", 1, "the gear ratio of its rotor is zero"},
+    {"reduction0.urdf", 1, "the gear ratio of its rotor is zero"},
+    {"twomotors.urdf", 1, "two actuators with a rotor each"},
+};
+
+std::string name_of(const std::string& file) {
+  std::string name = fs::path(file).stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+  return name;
+}
+
+template <class Case>
+std::string name_of_case(const ::testing::TestParamInfo<Case>& info) {
+  return name_of(info.param.file);
+}
+
+class SharedTorques : public ::testing::TestWithParam<Torques> {};
+
+TEST_P(SharedTorques, AreThoseOfTheRobotThatIsMeant) {
+  const fs::path path = kShared / "cases" / GetParam().file;
+  if (!fs::exists(path)) GTEST_SKIP() << "there is no ../shared/cases";
+  Diagnostics diagnostics;
+  const std::optional<Robot> robot = read_robot(path, {}, diagnostics);
+  ASSERT_TRUE(robot.has_value()) << all_of(diagnostics);
+  const reference::Robot<double> numbers = reference_robot<double>(*robot, {});
+  using Vector = Eigen::VectorXd;
+  const Vector zero = Vector::Zero(1), one = Vector::Ones(1);
+  EXPECT_NEAR(reference::inverse_dynamics<double>(numbers, zero, one, zero)(0), GetParam().moving, 1e-12);
+  EXPECT_NEAR(reference::inverse_dynamics<double>(numbers, zero, zero, one)(0), GetParam().accelerating, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, SharedTorques, ::testing::ValuesIn(kTorques), name_of_case<Torques>);
+
+class SharedRefusals : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(SharedRefusals, NameTheLine) {
+  const fs::path path = kShared / "cases" / GetParam().file;
+  if (!fs::exists(path)) GTEST_SKIP() << "there is no ../shared/cases";
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_robot(path, {}, diagnostics).has_value());
+  const std::vector<Diagnostic>& all = diagnostics.all();
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Diagnostic& found) {
+    return found.severity == Severity::error && found.place.line == GetParam().line &&
+           found.message.find(GetParam().says) != std::string::npos;
+  })) << all_of(diagnostics);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, SharedRefusals, ::testing::ValuesIn(kRefusals), name_of_case<Refusal>);
+
+std::vector<std::string> urdf_files() {
+  std::vector<std::string> files;
+  for (const fs::path folder : {"robots", "robots/strict"}) {
+    if (!fs::is_directory(kShared / folder)) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(kShared / folder)) {
+      if (entry.path().extension() == ".urdf") files.push_back((folder / entry.path().filename()).string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class SharedRobots : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(SharedRobots, AreRead) {
+  Diagnostics diagnostics;
+  EXPECT_TRUE(read_robot(kShared / GetParam(), {}, diagnostics).has_value()) << all_of(diagnostics);
+}
+
+std::string name_of_robot(const ::testing::TestParamInfo<std::string>& info) { return name_of(info.param); }
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(SharedRobots);  // where the files are not there
+INSTANTIATE_TEST_SUITE_P(Files, SharedRobots, ::testing::ValuesIn(urdf_files()), name_of_robot);
+
+}  // namespace
+}  // namespace flatdyn
