@@ -38,7 +38,8 @@ const std::map<std::string_view, Attributes> kAttributes = {
       {"D", "K", "mu_coulomb", "mu_viscous"}}},
 };
 
-const Names kOfRobot = {"link", "joint", "transmission"};
+const Names kOfRobot = {"link",     "joint",      "transmission",    "loop",
+                        "coupling", "constraint", "loop_constraint", "joint_constraint"};
 const Names kOfLink = {"inertial"};
 const Names kOfInertial = {"origin", "mass", "inertia"};
 const Names kOfJoint = {"origin", "axis", "parent", "child", "limit", "dynamics", "mimic"};

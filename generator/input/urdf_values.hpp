@@ -40,8 +40,9 @@ class UrdfValues {
   Vec3 vector(const tinyxml2::XMLElement& element, const char* attribute, const std::string& what,
               const Vec3& fallback) const;
 
-  // <origin xyz rpy> of an element that may have one: xyz, then Rz(yaw) Ry(pitch) Rx(roll).
-  Pose origin(const tinyxml2::XMLElement& parent, const std::string& what) const;
+  // <origin xyz rpy> of an element that may have one: xyz, then Rz(yaw) Ry(pitch) Rx(roll). tag: what else it is
+  // called.
+  Pose origin(const tinyxml2::XMLElement& parent, const std::string& what, const char* tag = "origin") const;
 
   ReadContext& context() const { return context_; }
 
