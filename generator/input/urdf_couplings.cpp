@@ -125,9 +125,9 @@ class CouplingReader {
 
   void refuse_way(const XMLElement& element, const std::string& what, const std::string& tag) {
     diagnostics_.error(values_.place(element),
-                       what + ": no joint moves its " + tag +
-                           " against the nearest link that carries both, so that the ratio is one to nothing",
-                       "name links of two branches; in a joint that follows one below it, write <mimic joint=\"...\" "
+                       what + ": there is no joint between its " + tag +
+                           " and the nearest link that carries both links, and so no position that the ratio is about",
+                       "name links of two branches; where a joint follows one below it, write <mimic joint=\"...\" "
                        "multiplier=\"...\"/>");
   }
 

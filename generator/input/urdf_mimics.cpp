@@ -250,8 +250,8 @@ void couple_joint(Joint& joint, const Coupled& coupled, const std::string& what,
     joint.coupled = coupled;
   } else if (!says_same(*joint.coupled, coupled)) {
     diagnostics.error(coupled.place,
-                      what + ": joint \"" + joint.name + "\" follows in another way in line " +
-                          std::to_string(joint.coupled->place.line),
+                      what + ": line " + std::to_string(joint.coupled->place.line) + " lets joint \"" + joint.name +
+                          "\" follow in another way",
                       "make them agree, or delete one of them");
   }
 }

@@ -205,7 +205,7 @@ class LoopSettler {
     std::copy_if(b.begin(), b.end(), std::back_inserter(bodies), [&](int body) { return !is_on(a, body); });
     std::sort(bodies.begin(), bodies.end());
     if (bodies.empty()) {
-      diagnostics_.error(loop.place, "loop: no joint moves its two ends against each other",
+      diagnostics_.error(loop.place, name_of(loop) + ": no joint moves its two ends against each other",
                          "name two links that joints hold apart");
       return false;
     }
@@ -289,13 +289,18 @@ class LoopSettler {
 
 void settle_loops(Robot& robot, Diagnostics& diagnostics) {
   close_at_zero(robot);
-  find_dependent_joints(robot, diagnostics);
-  if (diagnostics.has_errors()) return;
+  Diagnostics choices;
+  find_dependent_joints(robot, choices);
+  const auto tell = [&] {
+    for (const Diagnostic& choice : choices.all()) diagnostics.add(choice);
+  };
+  if (choices.has_errors()) return tell();
   const Robot written = robot;
   std::erase_if(robot.loops, [&](const Loop& loop) { return LoopSettler(robot, diagnostics).settle(loop); });
   if (diagnostics.has_errors()) return;
   if (!robot.loops.empty()) check_loops(robot, open_mechanism(robot), diagnostics);
   if (!diagnostics.has_errors()) check_loop_axes(written, diagnostics);
+  if (!diagnostics.has_errors()) tell();
 }
 
 }  // namespace flatdyn
