@@ -16,7 +16,8 @@ namespace {
 using tinyxml2::XMLElement;
 using Names = std::vector<std::string>;
 
-const Names kOfRobot = {"link", "joint", "transmission"};
+const Names kOfRobot = {"link",     "joint",      "transmission",    "loop",
+                        "coupling", "constraint", "loop_constraint", "joint_constraint"};
 const Names kOfLink = {"inertial"};
 const Names kOfInertial = {"origin", "mass", "inertia"};
 const Names kOfEveryJoint = {"origin", "parent", "child"};

@@ -6,6 +6,9 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/urdf_actuators.hpp"
+#include "input/urdf_couplings.hpp"
+#include "input/urdf_loops.hpp"
+#include "input/urdf_mimics.hpp"
 #include "input/urdf_names.hpp"
 #include "input/urdf_unsupported.hpp"
 #include "input/urdf_values.hpp"
@@ -33,6 +36,10 @@ class UrdfReader {
     for (const XMLElement* e = root.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
       read_joint(*e);
     }
+    read_urdf_mimics(root, values_, robot_);
+    read_urdf_marks(root, values_, robot_);
+    read_urdf_couplings(root, values_, robot_);
+    read_urdf_loops(root, values_, robot_);
     check_urdf_names(root, values_);
     refuse_unread_dynamics(root, values_, robot_);
     read_urdf_actuators(root, values_, robot_);
@@ -95,7 +102,6 @@ class UrdfReader {
       read_axis(element, what, joint);
       read_limits(element, what, joint);
       read_friction(element, what, joint);
-      read_mimic(element, what, joint);
     } else if (joint.held) {
       read_axis(element, what, joint);
       read_limits(element, what, joint);
@@ -133,35 +139,6 @@ class UrdfReader {
       diagnostics_.error(values_.place(element), what + ": unknown type \"" + type + "\"",
                          hint_for_unknown(type, {"fixed", "revolute", "continuous", "prismatic"}, "types"));
     }
-  }
-
-  // Drake writes its own tag where other readers of the file are not to see the coupling.
-  void read_mimic(const XMLElement& element, const std::string& what, Joint& joint) {
-    const XMLElement* mimic = element.FirstChildElement("mimic");
-    const XMLElement* drakes = element.FirstChildElement("drake:mimic");
-    if (mimic != nullptr && drakes != nullptr) {
-      diagnostics_.error(values_.place(*drakes), what + ": it has both <mimic> and <drake:mimic>", "keep one of them");
-    }
-    if (mimic == nullptr) mimic = drakes;
-    if (mimic == nullptr) return;
-    const std::string where = what + ", mimic";
-    const Place place = values_.place(*mimic);
-    const std::string leader = values_.required_text(*mimic, "joint", where);
-    const std::size_t before = diagnostics_.all().size();
-    const Number factor = values_.number(*mimic, "multiplier", where).value_or(Value{1, place}).number;
-    const Number offset = joint.type == JointType::prismatic
-                              ? values_.number(*mimic, "offset", where).value_or(Value{0, place}).number
-                              : values_.angle(*mimic, "offset", where);
-    if (leader.empty() || diagnostics_.all().size() > before) return;
-    if (leader == joint.name) {
-      diagnostics_.error(place, what + " mimics itself", "name the joint that it follows");
-      return;
-    }
-    if (vanishes(factor)) {
-      diagnostics_.error(place, what + " mimics by a multiplier of 0", "make it type=\"fixed\" if it does not move");
-      return;
-    }
-    joint.coupled = Coupled{{{{leader, place}, factor}}, offset, place};
   }
 
   int read_link_name(const XMLElement& joint, const char* tag, const std::string& what) {

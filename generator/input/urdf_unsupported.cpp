@@ -2,7 +2,6 @@
 #include "input/urdf_unsupported.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace flatdyn {
@@ -11,13 +10,24 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr std::array<std::string_view, 7> kForcesAndConstraints = {"loop_joint",
-                                                                   "drake:joint",
-                                                                   "drake:linear_bushing_rpy",
-                                                                   "drake:linear_spring_damper",
-                                                                   "drake:ball_constraint",
-                                                                   "drake:distance_constraint",
-                                                                   "drake:tendon_constraint"};
+constexpr const char* kJointHint = "supported joints: revolute, continuous, prismatic, fixed, in a tree";
+constexpr const char* kLoopHint =
+    "write it as <loop name=\"...\" type=\"revolute\"> with <predecessor link=\"...\">, <successor link=\"...\">, an "
+    "<origin> "
+    "in each, and <axis>";
+constexpr const char* kConstraintHint = "supported: <loop> of type revolute or spherical, <coupling>, <mimic>";
+constexpr const char* kForceHint = "delete it, or add its forces to what the generated code returns";
+
+// What to do instead of a constraint or force element; nullptr for all other elements.
+const char* hint_instead_of(std::string_view name) {
+  const auto has = [name](std::string_view part) { return name.find(part) != std::string_view::npos; };
+  if (name == "loop_joint") return kLoopHint;
+  if (name == "force_element") return kForceHint;
+  if (!name.starts_with("drake:")) return nullptr;
+  if (name == "drake:joint") return kJointHint;
+  if (has("constraint")) return kConstraintHint;
+  return has("spring") || has("bushing") ? kForceHint : nullptr;
+}
 
 class Refuser {
  public:
@@ -26,8 +36,8 @@ class Refuser {
 
   void check(const XMLElement& element) {
     const std::string_view name = element.Name();
-    if (std::find(kForcesAndConstraints.begin(), kForcesAndConstraints.end(), name) != kForcesAndConstraints.end()) {
-      refuse_joint(element, "");
+    if (const char* hint = hint_instead_of(name)) {
+      refuse(element, "", hint);
     } else if (name == "joint") {
       check_spring(element);
     } else if (name == "gazebo") {
@@ -36,13 +46,13 @@ class Refuser {
   }
 
  private:
-  void refuse_joint(const XMLElement& element, const std::string& where) {
+  void refuse(const XMLElement& element, const std::string& where, const char* hint) {
     const char* name = element.Attribute("name");
     diagnostics_.unsupported(values_.place(element),
                              "<" + std::string(element.Name()) +
                                  (name == nullptr ? "" : " name=\"" + std::string(name) + "\"") + ">" + where +
                                  " is not supported yet",
-                             "supported joints: revolute, continuous, prismatic, fixed, in a tree");
+                             hint);
   }
 
   // A spring at a joint that does not move does nothing.
@@ -71,7 +81,7 @@ class Refuser {
   void check_gazebo(const XMLElement& gazebo) {
     for (const XMLElement* e = gazebo.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
       const bool joins = e->FirstChildElement("parent") != nullptr || e->FirstChildElement("child") != nullptr;
-      if (joins) refuse_joint(*e, " in <gazebo>");
+      if (joins) refuse(*e, " in <gazebo>", kLoopHint);
     }
     const XMLElement* spring = gazebo.FirstChildElement("springStiffness");
     const char* joint = gazebo.Attribute("reference");

@@ -218,10 +218,10 @@ Vec3 UrdfValues::angles(const XMLElement& element, const char* key, const std::s
   return values;
 }
 
-Pose UrdfValues::origin(const XMLElement& parent, const std::string& what) const {
-  const XMLElement* element = parent.FirstChildElement("origin");
+Pose UrdfValues::origin(const XMLElement& parent, const std::string& what, const char* tag) const {
+  const XMLElement* element = parent.FirstChildElement(tag);
   if (element == nullptr) return {{}, place(parent)};
-  const std::string where = what + ", origin";
+  const std::string where = what + ", " + tag;
   if (written({element}, "quat_xyzw", where) || written({element}, "quat_wxyz", where)) {
     context_.diagnostics.unsupported(place(*element), where + ": a quaternion is not supported", "write rpy instead");
   }

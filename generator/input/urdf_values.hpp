@@ -48,8 +48,9 @@ class UrdfValues {
   std::optional<Vec3> required_vector(const tinyxml2::XMLElement& element, const char* key,
                                       const std::string& what) const;
 
-  // <origin xyz rpy> of an element that may have one: xyz, then Rz(yaw) Ry(pitch) Rx(roll).
-  Pose origin(const tinyxml2::XMLElement& parent, const std::string& what) const;
+  // <origin xyz rpy> of an element that may have one: xyz, then Rz(yaw) Ry(pitch) Rx(roll). tag: what else it is
+  // called.
+  Pose origin(const tinyxml2::XMLElement& parent, const std::string& what, const char* tag = "origin") const;
 
   ReadContext& context() const { return context_; }
 

@@ -8,7 +8,10 @@
 #include "diagnostics/nearest.hpp"
 #include "graph/mod_p.hpp"
 #include "model/body_poses.hpp"
+#include "model/dependent_joints.hpp"
+#include "model/loop_axes.hpp"
 #include "model/loop_closure.hpp"
+#include "model/loop_sample.hpp"
 
 namespace flatdyn {
 namespace {
@@ -150,10 +153,9 @@ class LoopSettler {
     // Folded, opposite links lie on each other and turn as one: that is not what the loop is there for.
     std::erase_if(solutions, holds_a_joint_still);
     if (solutions.size() > 1) {
-      diagnostics_.error(loop.place,
-                         "loop between \"" + loop.links[0].name + "\" and \"" + loop.links[1].name +
-                             "\": it does not determine its dependent joints: it stays closed in several ways",
-                         "check its points and lengths, and which joints depend on the others");
+      diagnostics_.error(
+          loop.place, name_of(loop) + ": it does not determine its dependent joints: it stays closed in several ways",
+          "check its points and lengths, and which joints depend on the others");
     }
     if (solutions.size() != 1) return false;
     for (std::size_t d = 0; d < cut.dependent.size(); ++d) couple(loop, cut, d, solutions[0][d]);
@@ -203,7 +205,7 @@ class LoopSettler {
     std::copy_if(b.begin(), b.end(), std::back_inserter(bodies), [&](int body) { return !is_on(a, body); });
     std::sort(bodies.begin(), bodies.end());
     if (bodies.empty()) {
-      diagnostics_.error(loop.place, "loop: no joint moves its two ends against each other",
+      diagnostics_.error(loop.place, name_of(loop) + ": no joint moves its two ends against each other",
                          "name two links that joints hold apart");
       return false;
     }
@@ -242,8 +244,9 @@ class LoopSettler {
 
   bool check_dependent(const Loop& loop, const CutLoop& cut) {
     if (loop.dependent.empty()) {
-      diagnostics_.error(loop.place, "loop: no joint depends on the others",
-                         "write dependent = [\"...\"]: the joints of the loop that are not driven");
+      diagnostics_.error(loop.place, name_of(loop) + ": no joint depends on the others",
+                         loop.is_marked ? "mark joints of the loop independent=\"false\": those that are not driven"
+                                        : "write dependent = [\"...\"]: the joints of the loop that are not driven");
       return false;
     }
     for (const int body : cut.dependent) {
@@ -285,11 +288,19 @@ class LoopSettler {
 }  // namespace
 
 void settle_loops(Robot& robot, Diagnostics& diagnostics) {
+  close_at_zero(robot);
+  Diagnostics choices;
+  find_dependent_joints(robot, choices);
+  const auto tell = [&] {
+    for (const Diagnostic& choice : choices.all()) diagnostics.add(choice);
+  };
+  if (choices.has_errors()) return tell();
+  const Robot written = robot;
   std::erase_if(robot.loops, [&](const Loop& loop) { return LoopSettler(robot, diagnostics).settle(loop); });
-  if (diagnostics.has_errors() || robot.loops.empty()) return;
-  Robot open = robot;
-  open.loops.clear();
-  check_loops(robot, make_mechanism(open), diagnostics);
+  if (diagnostics.has_errors()) return;
+  if (!robot.loops.empty()) check_loops(robot, open_mechanism(robot), diagnostics);
+  if (!diagnostics.has_errors()) check_loop_axes(written, diagnostics);
+  if (!diagnostics.has_errors()) tell();
 }
 
 }  // namespace flatdyn

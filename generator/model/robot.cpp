@@ -29,4 +29,9 @@ std::vector<int> moving_joints(const Robot& robot) {
   return order;
 }
 
+std::string name_of(const Loop& loop) {
+  return "loop " + (loop.name.empty() ? "" : "\"" + loop.name + "\" ") + "between \"" + loop.links[0].name +
+         "\" and \"" + loop.links[1].name + "\"";
+}
+
 }  // namespace flatdyn

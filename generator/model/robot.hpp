@@ -65,18 +65,27 @@ struct Joint {
   Value coulomb;   // F_s, N·m or N
   Value armature;  // reflected inertia added to b_ii only, kg m^2 or kg
   std::optional<Motor> motor;
-  std::optional<Coupled> coupled;  // of a moving joint only
+  std::optional<Coupled> coupled;   // of a moving joint only
+  std::optional<bool> independent;  // whether it has a coordinate of its own, as URDF+ marks it
   Limits limits;
   Place place;
 };
 
-// A closed chain, cut at the joint that closes it: a point of one link stays on a point of another.
+// A closed chain, cut at the joint that closes it: a point of one link stays on a point of another, and where there are
+// axes, the line through the point along the one stays on the line along the other.
 struct Loop {
+  std::string name;  // of the joint that closes it; may be empty
   std::array<Reference, 2> links;
   std::array<Vec3, 2> points = {zero_vector(), zero_vector()};  // in the links' frames, m
-  std::vector<Reference> dependent;                             // joints whose positions follow from the others'
+  bool meets_at_zero = false;               // the second point is where the first one is when all joints are at 0
+  std::optional<std::array<Vec3, 2>> axes;  // in the links' frames, of any length
+  std::vector<Reference> dependent;         // joints whose positions follow from the others'
+  bool is_marked = false;                   // these are found from the joints' marks, Joint::independent
   Place place;
 };
+
+// "loop \"C\" between \"coupler\" and \"rocker\"", for messages.
+std::string name_of(const Loop& loop);
 
 struct FreeSymbol {
   GiNaC::symbol symbol;

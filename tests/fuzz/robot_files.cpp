@@ -69,7 +69,7 @@ void carry_further(const Robot& robot) {
   try {
     const Mechanism mechanism = make_mechanism(robot);
     require_canonical(mechanism);
-    require_torques(robot, mechanism.size());
+    if (!mechanism.has_loops()) require_torques(robot, mechanism.size());  // loops may be open there, or singular
   } catch (const Failure& failure) {
     if (failure.code() != ExitCode::unsupported) throw;
   }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One closed loop in the tree, its joints at a position like any other, in 50 digits: where what is zero for all
+// positions is told from what is not.
+#pragma once
+
+#include <vector>
+
+#include "flatdyn/reference/real50.hpp"
+#include "graph/arithmetic.hpp"
+#include "model/field_loops.hpp"
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+// Every joint a coordinate: as where joints are coupled, with A = 1. Those of a coupled tree stay as they are.
+Mechanism with_coupling(Mechanism tree);
+
+// The tree that is left when the robot's loops are cut. Its mimicking joints stay coupled.
+Mechanism open_mechanism(const Robot& robot);
+
+// A written loop in a tree that has gone through with_coupling().
+LoopClosure closure_of(const Loop& written, const Mechanism& tree);
+
+class LoopSample {
+ public:
+  using Real = reference::Real50;
+
+  // Frames that are turned by any angles are rational to 40 digits, so what is zero in a plane is nearly so.
+  static bool is_zero(const Real& x);
+
+  // Where the joints are, and what free symbols stand for: none a multiple of another.
+  static Real drawn(const Input& input);
+
+  LoopSample(const Mechanism& tree, const LoopClosure& loop);
+
+  Matrix<Real> jacobian() const;  // of all three components, m or 1 per rad or m of an entry of q
+  Matrix<Real> rows() const;      // of those that the joints change
+  Vector3<Real> gap() const;      // m
+
+ private:
+  LoopGeometry<Real, Real> geometry() const { return {field_, points_}; }
+
+  RealArithmetic<Real> arithmetic_;
+  FieldMechanism<Real> field_;
+  std::vector<JointPoint<Real>> points_;
+};
+
+// Whether an entry of q has a part in the rows.
+bool depends_on(const Matrix<LoopSample::Real>& J, int position);
+
+}  // namespace flatdyn
