@@ -25,6 +25,13 @@ nlohmann::ordered_json json_of(const CsvTable& table) {
   return json;
 }
 
+// Empty if the states have none.
+std::vector<double> times_to_draw(const CsvTable& states, const std::string& file, const Mechanism& mechanism,
+                                  Diagnostics& found) {
+  const std::optional<CsvTime> time = states.heading(file, mechanism, found).find_time();
+  return time ? times_of(states, *time, file, found) : std::vector<double>();
+}
+
 ExitCode run_eval(const EvalArguments& arguments) {
   PipelineOptions options = arguments.RobotArguments::options();
   options.functions = {arguments.function};
@@ -42,19 +49,21 @@ ExitCode run_eval(const EvalArguments& arguments) {
   if (states.rows.empty() && !arguments.plot.empty()) {
     found.error({arguments.states, 0}, "there is no row to draw", "write at least one state, or leave out --plot");
   }
+  std::vector<double> times;
+  if (!arguments.plot.empty()) times = times_to_draw(states, arguments.states, model.mechanism, found);
   if (found.has_errors()) throw BadInput(ExitCode::input, found);
   Progress progress(arguments.quiet);
   const std::vector<Function> functions = functions_of(make_functions(model, options, progress, found));
   const CsvTable result =
       evaluate_table(model.robot, model.mechanism, functions[0], states, arguments.states, arguments.options, found);
-  if (found.has_errors()) throw BadInput(ExitCode::input, found);
-  print_diagnostics(found, arguments);
+  arguments.report(found);
   const std::string text = arguments.json ? json_text(json_of(result)) : to_text(result);
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back({arguments.output, text});
   if (!arguments.plot.empty()) {
     const std::string title = model.mechanism.name + ": " + arguments.function;
-    files.push_back({arguments.plot, eval_plot(title, result, states.columns.size(), picture_format(arguments.plot))});
+    files.push_back(
+        {arguments.plot, eval_plot(title, result, states.columns.size(), times, picture_format(arguments.plot))});
   }
   write_files(files);
   if (arguments.output.empty()) print_result(text);

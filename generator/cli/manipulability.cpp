@@ -5,10 +5,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "input/csv_table.hpp"
 #include "manipulability/workspace_map.hpp"
 #include "report/manipulability_plot.hpp"
 #include "report/time_table.hpp"
-#include "verify/csv.hpp"
 
 namespace flatdyn {
 namespace {
@@ -30,21 +30,23 @@ Positions read_positions(const ManipulabilityArguments& arguments, const Mechani
   const std::string& file = arguments.states;
   Diagnostics found;
   const CsvTable table = read_csv(file, found);
-  const std::vector<std::size_t> columns = joint_columns(table, "q", mechanism, file, found);
+  CsvHeading heading = table.heading(file, mechanism, found);
+  const std::vector<CsvSource> columns = heading.require(CsvQuantity::q, "positions");
+  const std::optional<CsvTime> time = heading.find_time();
+  heading.finish();
+  check_entries(table, columns, heading, file, found);
   if (table.rows.empty()) found.error({file, 0}, "there is no row", "write a heading and at least one position");
   if (!arguments.map.empty() && table.rows.size() > 1) {
     found.error({file, table.lines[1]}, "a map starts at one position", "leave one row, or leave out --map");
   }
-  if (found.has_errors()) throw BadInput(ExitCode::input, found);
-  const auto time = std::find(table.columns.begin(), table.columns.end(), "t");
   Positions positions;
+  if (time) positions.t = times_of(table, *time, file, found);
+  arguments.report(found);
   positions.first_line = table.lines.front();
-  for (const std::vector<std::string>& row : table.rows) {
-    const auto number = [&](std::size_t column) { return nearest_double(exact_decimal(row[column])); };
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
     positions.q.emplace_back();
-    for (const std::size_t column : columns) positions.q.back().push_back(number(column));
-    if (time != table.columns.end())
-      positions.t.push_back(number(static_cast<std::size_t>(time - table.columns.begin())));
+    for (const CsvSource& source : columns)
+      positions.q.back().push_back(nearest_double(exact_value(table, row, source)));
   }
   return positions;
 }

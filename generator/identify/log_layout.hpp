@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnostics/diagnostics.hpp"
+#include "input/csv_clock.hpp"
 #include "model/mechanism.hpp"
 
 namespace flatdyn {
@@ -30,23 +31,38 @@ struct LogLayout {
   bool operator==(const LogLayout&) const = default;
 };
 
-// One column of the file: its channel (-1: not used) and the factor that makes its unit SI.
+// One column of the file.
 struct LogColumn {
+  enum class Role {
+    unused,
+    number,       // goes into its channel, times its factor, which makes its unit SI
+    time,         // of more digits than a double has: the clock's text
+    nanoseconds,  // the clock's other text
+    fixed_text    // says which joint is meant, and must not change
+  };
+
   std::string name;  // as written
+  Role role = Role::unused;
   int channel = -1;
   double factor = 1;
+  std::string text{};  // the fixed one
 };
 
 struct LogHeading {
   LogLayout layout;
   std::vector<LogColumn> columns;
+  char separator = ',';
+  CsvClock clock{};
+  bool has_nanoseconds = false;  // in a column of their own
+
+  // Times are read as text, and the first one is subtracted from them.
+  bool has_exact_time() const { return has_nanoseconds || clock.origin; }
 };
 
-// Reads "t, q1 [deg], q_elbow, tau1, …": joints by number or by name, units in brackets, SI where there are none:
-// s, rad or m, N m or N. What is wrong (missing, twice, unknown unit) goes into `diagnostics`; columns with other names
-// are left out with a note, or a warning if they are of joints that the robot does not have. Torques may be missing,
-// and are not read, if `torques` is false.
-LogHeading read_heading(const std::string& line, const Place& place, const Mechanism& mechanism, bool torques,
-                        Diagnostics& diagnostics);
+// Reads "t, q1 [deg], q_elbow, tau1, …" as docs/csv.md has it; `first_row` is the line below it. What is wrong
+// (missing, twice, unknown unit) goes into `diagnostics`, and so does what is not used. Torques may be missing, and are
+// not read, if `torques` is false.
+LogHeading read_heading(const std::string& line, const std::string& first_row, const Place& place,
+                        const Mechanism& mechanism, bool torques, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

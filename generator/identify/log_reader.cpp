@@ -7,21 +7,16 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <utility>
+
+#include "input/utf8.hpp"
 
 namespace flatdyn {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 20;
 constexpr int kMostErrors = 20;
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-bool is_comment_or_empty(std::string_view line) {
-  const auto first = line.find_first_not_of(" \t");
-  return first == std::string_view::npos || line[first] == '#';
-}
 
 // What from_chars() takes, and what other programs write besides: a plus sign, and numbers too small for a double.
 // Where the number ends; null if there is none.
@@ -45,69 +40,32 @@ const char* read_number(const char* at, const char* end, double& value) {
 
 }  // namespace
 
-LineReader::LineReader(const std::filesystem::path& path) : file_(path, std::ios::binary), buffer_(kBlock) {
-  if (!file_ || std::filesystem::is_directory(path)) {
-    throw Failure(ExitCode::io, fmt::format("{}: cannot be read", path.string()));
-  }
-  if (!std::filesystem::is_regular_file(path)) {
-    throw Failure(ExitCode::io, fmt::format("{}: cannot be read: it is no regular file", path.string()),
-                  "logs are read twice: write it to a file first");
-  }
-}
-
-// Keeps what is left of a line and reads behind it; a line longer than the buffer makes it grow.
-bool LineReader::refill() {
-  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
-  end_ -= begin_;
-  begin_ = 0;
-  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-  file_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
-  const auto count = static_cast<std::size_t>(file_.gcount());
-  end_ += count;
-  return count > 0;
-}
-
-bool LineReader::next(std::string_view& line) {
-  std::size_t searched = 0;
-  const char* newline = nullptr;
-  while (true) {
-    const char* from = buffer_.data() + begin_ + searched;
-    newline = static_cast<const char*>(std::memchr(from, '\n', end_ - begin_ - searched));
-    if (newline != nullptr) break;
-    searched = end_ - begin_;
-    if (!refill()) break;
-  }
-  if (newline == nullptr && begin_ == end_) return false;
-  const char* first = buffer_.data() + begin_;
-  const char* last = newline != nullptr ? newline : buffer_.data() + end_;
-  begin_ = static_cast<std::size_t>(last - buffer_.data()) + (newline != nullptr ? 1 : 0);
-  line = {first, static_cast<std::size_t>(last - first)};
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  ++number_;
-  return true;
-}
-
 LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques,
                      Diagnostics& diagnostics)
-    : path_(path.string()), lines_(path), diagnostics_(diagnostics) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF", kGzip = "\x1F\x8B";
+    : path_(path.string()), lines_(path, LineReader::Reading::again), diagnostics_(diagnostics) {
   std::string_view line;
-  if (!next_line(line)) {
+  if (!lines_.next_row(line)) {
     complain("no samples in the file", "a heading such as t,q1,q2,tau1,tau2 and a line for each sample");
     return;
   }
-  if (line.substr(0, kGzip.size()) == kGzip) {
-    complain("the log is compressed", "unpack it first: gunzip -k FILE");
-    return;
-  }
-  if (line.substr(0, kByteOrderMark.size()) == kByteOrderMark) line.remove_prefix(kByteOrderMark.size());
-  heading_ = read_heading(std::string(line), place(), mechanism, torques, diagnostics);
+  if (!is_csv_heading(line, place(), diagnostics)) return;
+  const std::string heading(line);
+  LineReader again(path, LineReader::Reading::again);
+  std::string_view first_row;
+  again.next_row(first_row);
+  if (!again.next_row(first_row)) first_row = {};
+  heading_ = read_heading(heading, std::string(first_row), place(), mechanism, torques, diagnostics);
+  marks_ = DecimalMarks(heading_.separator);
 }
 
 LogReader::LogReader(const std::filesystem::path& path, LogHeading heading, Diagnostics& diagnostics)
-    : path_(path.string()), lines_(path), diagnostics_(diagnostics), heading_(std::move(heading)) {
+    : path_(path.string()),
+      lines_(path, LineReader::Reading::again),
+      diagnostics_(diagnostics),
+      heading_(std::move(heading)),
+      marks_(heading_.separator) {
   std::string_view line;
-  next_line(line);
+  lines_.next_row(line);
 }
 
 bool LogReader::complain(const std::string& message, const std::string& hint) {
@@ -115,24 +73,17 @@ bool LogReader::complain(const std::string& message, const std::string& hint) {
   return ++errors_ < kMostErrors;
 }
 
-bool LogReader::next_line(std::string_view& line) {
-  while (lines_.next(line)) {
-    if (!is_comment_or_empty(line)) return true;
-  }
-  return false;
-}
-
 long LogReader::skip(long count) {
   std::string_view line;
   long done = 0;
-  while (done < count && next_line(line)) ++done;
+  while (done < count && lines_.next_row(line)) ++done;
   return done;
 }
 
 bool LogReader::next(double* channels) {
   std::string_view line;
-  while (errors_ < kMostErrors && next_line(line)) {
-    if (!parse(line, channels)) continue;
+  while (errors_ < kMostErrors && lines_.next_row(line)) {
+    if (!parse(line, channels) || !set_time(channels)) continue;
     const double time = channels[LogLayout::time()];
     if (time > last_time_) {
       last_time_ = time;
@@ -150,13 +101,86 @@ void LogReader::complain_about(std::string_view entry, const LogColumn& column) 
   if (entry.empty()) {
     complain(fmt::format("column \"{}\": missing value", column.name), "leave out lines that are not complete");
   } else {
-    complain(fmt::format("column \"{}\": \"{}\" is not a finite number", column.name, entry),
-             "numbers have a decimal point, columns are separated by commas");
+    complain(fmt::format("column \"{}\": \"{}\" is not a finite number", column.name,
+                         is_utf8(entry) ? entry : "(text that is not UTF-8)"),
+             marks_.may_be_commas() ? "numbers have decimal points, or all of them decimal commas"
+                                    : "numbers have a decimal point, columns are separated by commas");
   }
+}
+
+bool LogReader::read_marked_number(std::string_view entry, double& value) {
+  std::string text = unquoted(entry);
+  if (!marks_.normalise(text)) return false;
+  const char* const end = text.data() + text.size();
+  return read_unquoted(text.data(), end, value) == end;
+}
+
+const char* LogReader::parse_number(const LogColumn& column, const char* at, const char* end, double* channels) {
+  double value = 0;
+  const char* last = at;
+  bool is_number = false;
+  if (marks_.may_be_commas()) {
+    last = end_of_entry(at, end, heading_.separator);
+    is_number = read_marked_number({at, static_cast<std::size_t>(last - at)}, value);
+  } else {
+    const char* const stop = read_number(at, end, value);
+    last = stop != nullptr ? stop : at;
+    while (last < end && is_blank(*last)) ++last;
+    is_number = stop != nullptr && (last == end || *last == ',');
+    if (!is_number) last = end_of_entry(at, end, ',');
+  }
+  if (!is_number) {
+    complain_about({at, static_cast<std::size_t>(last - at)}, column);
+    return nullptr;
+  }
+  channels[column.channel] = value * column.factor;
+  return last;
+}
+
+const char* LogReader::parse_entry(const LogColumn& column, const char* at, const char* end, double* channels) {
+  if (column.role == LogColumn::Role::number) return parse_number(column, at, end, channels);
+  const char* const last = end_of_entry(at, end, heading_.separator);
+  if (column.role == LogColumn::Role::unused) return last;
+  std::string text = unquoted({at, static_cast<std::size_t>(last - at)});
+  if (column.role == LogColumn::Role::fixed_text) {
+    if (text == column.text) return last;
+    complain(fmt::format("column \"{}\" is not \"{}\", as in the first row", column.name, column.text),
+             "the joints change their order, or these are messages of several senders: keep one of them");
+    return nullptr;
+  }
+  if (!marks_.normalise(text)) {
+    complain_about(text, column);
+    return nullptr;
+  }
+  (column.role == LogColumn::Role::time ? time_ : nanoseconds_) = std::move(text);
+  return last;
+}
+
+bool LogReader::set_time(double* channels) {
+  const CsvClock& clock = heading_.clock;
+  double& time = channels[LogLayout::time()];
+  if (!heading_.has_exact_time()) {
+    time /= clock.per_second;
+    return true;
+  }
+  const std::optional<double> seconds =
+      heading_.has_nanoseconds ? clock.seconds(time_, nanoseconds_) : clock.seconds(time_);
+  if (seconds) {
+    time = *seconds;
+    return true;
+  }
+  const auto column = std::find_if(heading_.columns.begin(), heading_.columns.end(),
+                                   [](const LogColumn& each) { return each.role == LogColumn::Role::time; });
+  const std::string text = heading_.has_nanoseconds ? fmt::format("{}, {}", time_, nanoseconds_) : time_;
+  complain(
+      fmt::format("column \"{}\": \"{}\" is no time", column->name, is_utf8(text) ? text : "(text that is not UTF-8)"),
+      "whole numbers of seconds and nanoseconds, or a decimal number");
+  return false;
 }
 
 bool LogReader::parse(std::string_view line, double* channels) {
   const std::vector<LogColumn>& columns = heading_.columns;
+  const bool tabs = heading_.separator == '\t';
   const char* at = line.data();
   const char* const end = at + line.size();
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -165,20 +189,9 @@ bool LogReader::parse(std::string_view line, double* channels) {
                "leave out lines that are not complete");
       return false;
     }
-    while (at < end && is_blank(*at)) ++at;
-    double value = 0;
-    const char* const stop = read_number(at, end, value);
-    const char* last = stop != nullptr ? stop : at;
-    while (last < end && is_blank(*last)) ++last;
-    const bool is_number = stop != nullptr && (last == end || *last == ',');
-    if (!is_number) last = std::find(at, end, ',');
-    if (columns[k].channel >= 0) {
-      if (!is_number) {
-        complain_about({at, static_cast<std::size_t>(last - at)}, columns[k]);
-        return false;
-      }
-      channels[columns[k].channel] = value * columns[k].factor;
-    }
+    while (at < end && is_blank(*at) && !tabs) ++at;
+    const char* const last = parse_entry(columns[k], at, end, channels);
+    if (last == nullptr) return false;
     at = last + 1;
   }
   if (at <= end)

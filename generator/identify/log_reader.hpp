@@ -3,35 +3,15 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "identify/log_layout.hpp"
+#include "input/csv_text.hpp"
 
 namespace flatdyn {
-
-// The lines of a file, by blocks; a line is a view that holds until the next one.
-class LineReader {
- public:
-  // Throws Failure(io) if the file cannot be read, or is no file that can be read twice.
-  explicit LineReader(const std::filesystem::path& path);
-
-  // False at the end. Without the line's end (\n or \r\n).
-  bool next(std::string_view& line);
-  // Of the line last read, counted from 1.
-  int number() const { return number_; }
-
- private:
-  bool refill();
-
-  std::ifstream file_;
-  std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;
-  int number_ = 0;
-};
 
 class LogReader {
  public:
@@ -46,14 +26,18 @@ class LogReader {
   Place place() const { return {path_, lines_.number()}; }
 
   // The next sample's channels (layout().channels() numbers, SI) into `channels`. False at the end, and after the 20th
-  // error: entries missing or too many, no numbers, time that does not grow.
+  // error: entries missing or too many, no numbers, names of joints that change, time that does not grow.
   bool next(double* channels);
   // Passes over up to `count` samples without reading their numbers; how many there were.
   long skip(long count);
 
  private:
-  bool next_line(std::string_view& line);
   bool parse(std::string_view line, double* channels);
+  // One entry, from `at` on; where it ends, or null after an error.
+  const char* parse_entry(const LogColumn& column, const char* at, const char* end, double* channels);
+  const char* parse_number(const LogColumn& column, const char* at, const char* end, double* channels);
+  bool read_marked_number(std::string_view entry, double& value);
+  bool set_time(double* channels);
   void complain_about(std::string_view entry, const LogColumn& column);
   bool complain(const std::string& message, const std::string& hint = {});
 
@@ -61,6 +45,8 @@ class LogReader {
   LineReader lines_;
   Diagnostics& diagnostics_;
   LogHeading heading_;
+  DecimalMarks marks_{','};
+  std::string time_, nanoseconds_;  // of the line, where the clock reads text
   int errors_ = 0;
   double last_time_ = -std::numeric_limits<double>::infinity();
 };

@@ -6,6 +6,11 @@
 #include <numbers>
 
 namespace flatdyn {
+namespace {
+
+bool is_near(double value, double expected) { return value > expected / 2 && value < expected * 2; }
+
+}  // namespace
 
 RateCheck::RateCheck(const Mechanism& mechanism, const LogLayout& layout, double dt)
     : dt_(dt), last_(static_cast<std::size_t>(layout.channels())) {
@@ -20,26 +25,37 @@ RateCheck::RateCheck(const Mechanism& mechanism, const LogLayout& layout, double
 }
 
 void RateCheck::finish(const Place& place, Diagnostics& diagnostics) const {
+  if (dt_ >= kFarApart) return;
   for (const RatePair& pair : pairs_) pair.finish(place, diagnostics);
 }
 
-// Slope of the differences of one channel over the mean of the other: 1 if that is its derivative.
+const char* RateCheck::unit_of_times() const {
+  for (const auto& [unit, seconds] : {std::pair{"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}) {
+    const auto is_odd = [seconds = seconds](const RatePair& pair) {
+      return pair.squares > 0 && !is_near(pair.slope(), seconds);
+    };
+    const auto is_moved = [](const RatePair& pair) { return pair.squares > 0; };
+    if (std::any_of(pairs_.begin(), pairs_.end(), is_moved) && std::none_of(pairs_.begin(), pairs_.end(), is_odd)) {
+      return unit;
+    }
+  }
+  return nullptr;
+}
+
 void RateCheck::RatePair::finish(const Place& place, Diagnostics& diagnostics) const {
   constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
   if (squares == 0) return;
-  const double slope = products / squares;
-  const auto near = [slope](double value) { return slope > value / 2 && slope < value * 2; };
   const std::string what =
       fmt::format("{0}{1} is not the rate of change of {2}{1}: {2}{1} changes {3:.3g} times as fast", rate_name,
-                  joint + 1, name, slope);
+                  joint + 1, name, slope());
   const auto in_degrees = [&](const char* column) {
     return fmt::format("is {}{} in degrees? Write its unit into the heading", column, joint + 1);
   };
-  if (near(kDegreesPerRadian)) {
+  if (is_near(slope(), kDegreesPerRadian)) {
     diagnostics.error(place, what, in_degrees(name));
-  } else if (near(1 / kDegreesPerRadian)) {
+  } else if (is_near(slope(), 1 / kDegreesPerRadian)) {
     diagnostics.error(place, what, in_degrees(rate_name));
-  } else if (!near(1)) {
+  } else if (!is_near(slope(), 1)) {
     diagnostics.warning(place, what, "check units, signs and delays of the columns");
   }
 }

@@ -36,8 +36,14 @@ class RateCheck {
   }
   // The next sample does not follow the last one.
   void restart() { samples_ = 0; }
-  // Rates that are 57.3 times too large or too small are errors, others that are far off are warnings.
+  // Rates that are 57.3 times too large or too small are errors, others that are far off are warnings. Nothing is said
+  // of poses that are far apart: their rates do not tell what happens between them.
   void finish(const Place& place, Diagnostics& diagnostics) const;
+  // The unit, "ms", "us" or "ns", in which times would agree with all rates; nullptr if there is none, or no motion.
+  const char* unit_of_times() const;
+
+  // s from sample to sample, from where on they are far apart.
+  static constexpr double kFarApart = 1;
 
  private:
   // No robot's joint turns so fast, but many degrees pass in a second.
@@ -54,6 +60,8 @@ class RateCheck {
       products += (after[channel] - before[channel]) * expected;
       squares += expected * expected;
     }
+    // Of the differences of one channel over the mean of the other: 1 if that is its derivative.
+    double slope() const { return products / squares; }
     void finish(const Place& place, Diagnostics& diagnostics) const;
   };
 

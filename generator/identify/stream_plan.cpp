@@ -53,9 +53,22 @@ double jitter_of(const std::vector<double>& steps, double dt) {
   return std::sqrt(sum / count) / dt;
 }
 
-// Errors alone, so that they are said before a long log is read: what is a warning is said when all of it is.
+// The time between samples is long for a log. Where rates tell the unit, it is that one; rates that agree with none, or
+// that are all zero, are those of poses, which may be as far apart as they like. Else it is told by the size.
+void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& place, Diagnostics& diagnostics) {
+  const double dt = plan.filter.dt;
+  if (dt < RateCheck::kFarApart) return;
+  const char* const by_size = dt < 1e3 ? "ms" : dt < 1e6 ? "us" : "ns";
+  const char* const unit = plan.layout().has_rates ? rates.unit_of_times() : by_size;
+  if (unit == nullptr) return;
+  diagnostics.warning(place, fmt::format("from one sample to the next, {:.6g} s pass", dt),
+                      fmt::format("is the time in {0}? Then write the column's heading as t [{0}]", unit));
+}
+
+// Of positions and rates errors alone, so that they are said before a long log is read: what is a warning is said when
+// all of it is.
 void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::vector<SurveyedSample>& samples,
-                 Diagnostics& diagnostics) {
+                 const Place& heading, Diagnostics& diagnostics) {
   PositionCheck positions(mechanism);
   RateCheck rates(mechanism, plan.layout(), plan.filter.dt);
   Diagnostics found;
@@ -68,13 +81,7 @@ void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::
   for (const Diagnostic& each : found.all()) {
     if (each.severity == Severity::error) diagnostics.add(each);
   }
-}
-
-void check_time(double dt, const Place& place, Diagnostics& diagnostics) {
-  constexpr double kSlow = 1;
-  if (dt < kSlow) return;
-  diagnostics.warning(place, fmt::format("from one sample to the next, {:.6g} s pass", dt),
-                      "are these milliseconds? Then write the column's heading as t [ms]");
+  check_time(rates, plan, heading, diagnostics);
 }
 
 void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& place, Diagnostics& diagnostics) {
@@ -135,8 +142,7 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   const std::vector<double> steps = time_steps(samples);
   plan.filter.dt = median(steps);
   plan.jitter = jitter_of(steps, plan.filter.dt);
-  check_units(mechanism, plan, samples, diagnostics);
-  check_time(plan.filter.dt, {log.string(), 1}, diagnostics);
+  check_units(mechanism, plan, samples, {log.string(), 1}, diagnostics);
   choose_filter(plan, options, {log.string(), 1}, diagnostics);
   return plan;
 }

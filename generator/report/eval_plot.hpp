@@ -2,14 +2,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "input/csv_table.hpp"
 #include "report/plot.hpp"
-#include "verify/csv.hpp"
 
 namespace flatdyn {
 
-// What `eval` has computed: the columns from `first` on, over the column t or time, else over the rows' numbers. One
-// panel per vector, or per row of a matrix.
-std::string eval_plot(const std::string& title, const CsvTable& table, std::size_t first, PictureFormat format);
+// What `eval` has computed: the columns from `first` on, over `times` (s; of each row), or over the rows' numbers if
+// there are none. One panel per vector, or per row of a matrix.
+std::string eval_plot(const std::string& title, const CsvTable& table, std::size_t first,
+                      const std::vector<double>& times, PictureFormat format);
 
 }  // namespace flatdyn

@@ -6,11 +6,11 @@
 #include <map>
 
 #include "diagnostics/nearest.hpp"
+#include "input/csv_table.hpp"
 #include "input/toml_table.hpp"
 #include "model/assembly.hpp"
 #include "simulate/simulation.hpp"
 #include "trajectory/read_trajectory.hpp"
-#include "verify/csv.hpp"
 
 namespace flatdyn {
 namespace {
@@ -186,26 +186,25 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
   TorqueSamples samples;
   Diagnostics found;
   const CsvTable table = read_csv(file, found);
-  const auto time = std::find_if(table.columns.begin(), table.columns.end(),
-                                 [](const std::string& column) { return column == "time" || column == "t"; });
-  if (time == table.columns.end()) found.error({file, 1}, "there is no column time", "seconds, as the first one");
-  const std::vector<std::size_t> torques = joint_columns(table, "tau", mechanism, file, found);
-  if (table.rows.empty()) found.error({file, 0}, "there is no sample", "write a heading and at least one row");
+  CsvHeading heading = table.heading(file, mechanism, found);
+  const std::optional<CsvTime> time = heading.require_time();
+  const std::vector<CsvSource> torques = heading.require(CsvQuantity::tau, "torques");
+  heading.finish();
+  check_entries(table, torques, heading, file, found);
+  if (time) samples.times = times_of(table, *time, file, found);
   for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
   if (found.has_errors()) return samples;
-  const auto number = [](const std::string& text) { return nearest_double(exact_decimal(text)); };
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const std::vector<std::string>& entries = table.rows[row];
-    const double now = number(entries[static_cast<std::size_t>(time - table.columns.begin())]);
-    if (!samples.times.empty() && now <= samples.times.back()) {
+    if (row > 0 && samples.times[row] <= samples.times[row - 1]) {
       diagnostics.error({file, table.lines[row]},
-                        fmt::format("time {} does not come after {}", now, samples.times.back()),
+                        fmt::format("time {} does not come after {}", samples.times[row], samples.times[row - 1]),
                         "sort the rows by time");
       return samples;
     }
-    samples.times.push_back(now);
     samples.torques.emplace_back();
-    for (const std::size_t column : torques) samples.torques.back().push_back(number(entries[column]));
+    for (const CsvSource& source : torques) {
+      samples.torques.back().push_back(nearest_double(exact_value(table, row, source)));
+    }
   }
   return samples;
 }

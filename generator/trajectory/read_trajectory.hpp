@@ -11,7 +11,7 @@
 
 namespace flatdyn {
 
-// By its extension. CSV: the columns of a log (docs/identification.md): t, q, and here also q̇ and q̈, which a trajectory
+// By its extension. CSV: the columns of a log (docs/csv.md): t, q, and here also q̇ and q̈, which a trajectory
 // has; h_e where the tip pushes. TOML: docs/trajectory-format.md. What is wrong goes into `diagnostics`; after an error
 // the result means nothing. A plan is sampled at its rate, or with so many intervals (plan_motion.hpp). Throws
 // Failure(io) for a missing file.

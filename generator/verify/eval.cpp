@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 
 #include "emit/arguments.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
+#include "input/csv_text.hpp"
 #include "verify/regressor_outputs.hpp"
 #include "verify/regressor_reference.hpp"
 #include "verify/values.hpp"
@@ -16,39 +16,78 @@
 namespace flatdyn {
 namespace {
 
+CsvQuantity quantity_of(InputKind kind) {
+  switch (kind) {
+    case InputKind::qd:
+      return CsvQuantity::qd;
+    case InputKind::qdd:
+      return CsvQuantity::qdd;
+    case InputKind::tau:
+      return CsvQuantity::tau;
+    case InputKind::h_e:
+      return CsvQuantity::h_e;
+    case InputKind::qd_r:
+      return CsvQuantity::qd_r;
+    case InputKind::qdd_r:
+      return CsvQuantity::qdd_r;
+    case InputKind::pi_b:
+      return CsvQuantity::pi_b;
+    case InputKind::parameter:
+      return CsvQuantity::symbol;
+    case InputKind::q:
+    case InputKind::stored:  // between stages: in no file
+      break;
+  }
+  return CsvQuantity::q;
+}
+
 // Where each input is found: a column, or nowhere.
 class Columns {
  public:
-  Columns(const Mechanism& mechanism, const CsvTable& table) : mechanism_(mechanism) {
-    for (std::size_t k = 0; k < table.columns.size(); ++k) index_[table.columns[k]] = k;
+  Columns(const Mechanism& mechanism, CsvHeading& heading, const std::vector<Input>& inputs, int base_parameters)
+      : mechanism_(mechanism) {
+    for (const Input& input : inputs) add(input.kind, heading, base_parameters);
+    if (mechanism.has_loops()) add(InputKind::q, heading, base_parameters);
   }
 
   std::vector<std::string> names_of(const Input& input) const {
     const auto k = static_cast<std::size_t>(input.index);
     if (input.kind == InputKind::parameter) return {mechanism_.symbols[k].name};
-    const std::string stem = input_argument(input.kind, JointCounts(mechanism_)).name;
+    const CsvQuantity quantity = quantity_of(input.kind);
+    const std::string stem = stem_of(quantity);
     std::vector<std::string> names = {stem + std::to_string(input.index + 1)};
     if (input.kind == InputKind::pi_b) return names;
     static constexpr const char* kForceNames[] = {"fx", "fy", "fz", "mx", "my", "mz"};
-    names.push_back(input.kind == InputKind::h_e ? kForceNames[k] : stem + "_" + joint_of(input));
+    names.push_back(input.kind == InputKind::h_e ? kForceNames[k]
+                                                 : stem + "_" + joint_of(quantity, input.index, mechanism_).joint);
     return names;
   }
 
-  std::optional<std::size_t> find(const Input& input) const {
-    for (const std::string& name : names_of(input)) {
-      const auto found = index_.find(name);
-      if (found != index_.end()) return found->second;
+  const std::optional<CsvSource>& find(const Input& input) const {
+    static const std::optional<CsvSource> none;
+    const auto found = sources_.find(input.kind);
+    return found == sources_.end() ? none : found->second[static_cast<std::size_t>(input.index)];
+  }
+
+  std::vector<CsvSource> sources() const {
+    std::vector<CsvSource> all;
+    for (const auto& [kind, sources] : sources_) {
+      for (const std::optional<CsvSource>& source : sources) {
+        if (source) all.push_back(*source);
+      }
     }
-    return std::nullopt;
+    return all;
   }
 
  private:
-  const std::string& joint_of(const Input& input) const {
-    return (input.kind == InputKind::q ? mechanism_.joint_at(input.index) : mechanism_.joint(input.index)).joint;
+  void add(InputKind kind, CsvHeading& heading, int base_parameters) {
+    if (sources_.count(kind) > 0) return;
+    const CsvQuantity quantity = quantity_of(kind);
+    sources_[kind] = kind == InputKind::pi_b ? heading.find(quantity, base_parameters) : heading.find(quantity);
   }
 
   const Mechanism& mechanism_;
-  std::map<std::string, std::size_t> index_;
+  std::map<InputKind, std::vector<std::optional<CsvSource>>> sources_;
 };
 
 std::vector<std::string> all_columns(const Output& output) {
@@ -129,7 +168,8 @@ class Evaluator {
     state.pi_b.assign(static_cast<std::size_t>(function_.base_parameters), S(0));
     symbols_.assign(mechanism_.symbols.size(), 0);
     for (const Input& input : inputs) {
-      const Number value = exact_decimal(entries[*columns.find(input)]);
+      const std::optional<CsvSource>& source = columns.find(input);
+      const Number value = exact_decimal(entries[source->column]) * source->factor;
       const auto index = static_cast<std::size_t>(input.index);
       state.of(input.kind)[index] = to_scalar<S>(value, {});
       if (input.kind == InputKind::parameter) symbols_[index] = value;
@@ -189,21 +229,6 @@ void append_values(Evaluator<S> evaluation, const Columns& columns, const std::v
   }
 }
 
-// Where loops are closed, rates and torques are fewer than positions: columns of all joints would be taken for others.
-void check_rate_columns(const Mechanism& mechanism, const CsvTable& states, const std::string& file,
-                        Diagnostics& diagnostics) {
-  for (const char* stem : {"qd", "qdd", "tau", "qd_r", "qdd_r"}) {
-    for (int k = mechanism.size() + 1; k <= mechanism.position_count(); ++k) {
-      const std::string name = fmt::format("{}{}", stem, k);
-      if (std::find(states.columns.begin(), states.columns.end(), name) == states.columns.end()) continue;
-      diagnostics.error(
-          {file, 1},
-          fmt::format("column {}: {} has {} entries, of the independent joints", name, stem, mechanism.size()),
-          fmt::format("name columns by joint, the first one {}_{}", stem, mechanism.joint(0).joint));
-    }
-  }
-}
-
 // Functions hold where loops are closed: a wrong sign of a dependent joint, or degrees, show in the gap.
 void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const CsvTable& states, const Columns& columns,
                         const std::string& file, Diagnostics& diagnostics) {
@@ -214,9 +239,9 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
   for (std::size_t k = 0; k < states.rows.size(); ++k) {
     Eigen::VectorXd q(mechanism.position_count());
     for (int p = 0; p < mechanism.position_count(); ++p) {
-      const auto column = columns.find({InputKind::q, p});
-      if (!column) return;  // the function does not read it
-      q[p] = nearest_double(exact_decimal(states.rows[k][*column]));
+      const std::optional<CsvSource>& source = columns.find({InputKind::q, p});
+      if (!source) return;  // the function does not read it
+      q[p] = nearest_double(exact_value(states, k, *source));
     }
     const double gap = reference::loop_closure(reference, q).norm();
     if (!(gap > most)) continue;
@@ -230,20 +255,34 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
                       "loop_closure and loop_step lead to positions that close them");
 }
 
+void say_what_is_missing(const Columns& columns, const std::vector<Input>& inputs, const Function& function,
+                         const Place& heading, Diagnostics& diagnostics) {
+  for (const Input& input : inputs) {
+    if (columns.find(input)) continue;
+    diagnostics.error(heading, fmt::format("column {} is missing; {} reads it",
+                                           fmt::join(columns.names_of(input), " or "), function.name));
+  }
+}
+
+std::string line_of(const std::vector<std::string>& entries) {
+  std::vector<std::string> written;
+  for (const std::string& entry : entries) written.push_back(csv_entry(entry));
+  return fmt::format("{}\n", fmt::join(written, ","));
+}
+
 }  // namespace
 
 CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Function& function,
                         const CsvTable& states, const std::string& file, const EvalOptions& options,
                         Diagnostics& diagnostics) {
-  const Columns columns(mechanism, states);
   const std::vector<Input> inputs = inputs_of(mechanism, function, options.reference);
-  for (const Input& input : inputs) {
-    if (!columns.find(input)) {
-      diagnostics.error({file, 1}, fmt::format("column {} is missing; {} reads it",
-                                               fmt::join(columns.names_of(input), " or "), function.name));
-    }
-  }
-  check_rate_columns(mechanism, states, file, diagnostics);
+  CsvHeading heading = states.heading(file, mechanism, diagnostics);
+  const Columns columns(mechanism, heading, inputs, function.base_parameters);
+  if (!diagnostics.has_errors())
+    say_what_is_missing(columns, inputs, function, {file, states.heading_line}, diagnostics);
+  heading.pass_over(CsvQuantity::time);
+  heading.finish();
+  check_entries(states, columns.sources(), heading, file, diagnostics);
   if (diagnostics.has_errors()) return {};
   warn_of_open_loops(robot, mechanism, states, columns, file, diagnostics);
   CsvTable result = states;
@@ -264,8 +303,8 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
 }
 
 std::string to_text(const CsvTable& table) {
-  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
-  for (const auto& row : table.rows) text += fmt::format("{}\n", fmt::join(row, ","));
+  std::string text = line_of(table.columns);
+  for (const auto& row : table.rows) text += line_of(row);
   return text;
 }
 

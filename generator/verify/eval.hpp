@@ -3,9 +3,9 @@
 #pragma once
 
 #include "graph/function.hpp"
+#include "input/csv_table.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
-#include "verify/csv.hpp"
 
 namespace flatdyn {
 
@@ -14,10 +14,9 @@ struct EvalOptions {
   int digits = 17;         // significant digits, up to 50; 17: in double, the shortest text that says it exactly
 };
 
-// Columns: q1…, qd1…, qdd1…, tau1…, h_e1…h_e6 (or fx…mz), or q_<joint>, qd_<joint>, …; free symbols by their names.
-// Columns that the function does not read are passed on. The result is the table with the output's columns behind it,
-// matrices row by row and in full: tau_1, B_1_2, c_1_2_3. What is missing or unreadable goes to `diagnostics` (then the
-// result is empty).
+// Columns are those of docs/csv.md, and free symbols by their names. Columns that the function does not read are passed
+// on, and named in a note. The result is the table with the output's columns behind it, matrices row by row and in
+// full: tau_1, B_1_2, c_1_2_3. What is missing or unreadable goes to `diagnostics` (then the result is empty).
 CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Function& function,
                         const CsvTable& states, const std::string& file, const EvalOptions& options,
                         Diagnostics& diagnostics);

@@ -155,5 +155,18 @@ TEST_F(IdentifyFiles, AWristNeedsNoTorques) {
   expect("payload {0}/rob.toml --data {0}/wrist.csv", 3, "no column for the torques");
 }
 
+// Ten seconds from pose to pose are no milliseconds: the robot stands still in them.
+TEST_F(IdentifyFiles, AWristTakesPosesThatAreFarApart) {
+  std::string log = "t,q0,q1,qd0,qd1,qdd0,qdd1,fx,fy,fz,mx,my,mz\n";
+  for (int k = 0; k < 40; ++k) {
+    log += fmt::format("{},{},{},0,0,0,0,1,2,3,4,5,6\n", 10 * k, std::sin(3 * k), std::cos(2 * k));
+  }
+  scratch.write("poses.csv", log);
+  const Outcome outcome = run("payload {0}/rob.toml --wrist --data {0}/poses.csv");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("note: columns counted from 0: q0 to q1, qd0 to qd1, qdd0 to qdd1"));
+  EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("s pass")));
+}
+
 }  // namespace
 }  // namespace flatdyn::testing

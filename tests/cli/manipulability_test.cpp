@@ -100,10 +100,9 @@ TEST(ManipulabilityCommand, DiagnosesBadInput) {
   scratch.write("columns.csv", "q1,q\n0,0\n");
   scratch.write("infinite.csv", "q1,q2\n0,1\n0,nan\n");
   const auto run = [&](const char* file) { return run_flatdyn(kManipulability + scratch.path(file)); };
-  for (const auto& [file, message] :
-       {std::pair{"empty.csv", "empty.csv: error: there is no row"},
-        std::pair{"columns.csv", "columns.csv:1: error: there is no column q2 or q_theta_2"},
-        std::pair{"infinite.csv", "infinite.csv:3: error: column \"q2\": \"nan\""}}) {
+  for (const auto& [file, message] : {std::pair{"empty.csv", "empty.csv: error: there is no row"},
+                                      std::pair{"columns.csv", "columns.csv:1: error: no column for the positions: q2"},
+                                      std::pair{"infinite.csv", "infinite.csv:3: error: column \"q2\": \"nan\""}}) {
     const Outcome outcome = run(file);
     EXPECT_EQ(outcome.code, 3) << file;
     EXPECT_THAT(outcome.err, HasSubstr(message));

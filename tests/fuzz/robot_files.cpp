@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
 
-#include "diagnostics/temporary_folder.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
+#include "fuzz/byte_files.hpp"
 #include "fuzz/readers.hpp"
 #include "input/reader.hpp"
 #include "model/mechanism.hpp"
@@ -15,18 +13,6 @@ namespace {
 
 constexpr std::size_t kMostLinks = 8;  // of a robot that is carried further
 constexpr int kMostBits = 1 << 16;     // of a number that comes from a file; a rotation has some hundreds
-
-void require(bool holds, const char* what) {
-  if (!holds) throw std::logic_error(what);
-}
-
-// Readers take paths. One file, written again and again.
-std::string file_of(std::string_view bytes, const char* name) {
-  static const TemporaryFolder folder;
-  const std::string path = (folder.path() / name).string();
-  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return path;
-}
 
 bool is_small(const Number& value) {
   if (!is_rational(value)) return true;  // free symbols: of their numbers the reader knows the size
@@ -88,18 +74,6 @@ void read(const std::string& path, const ReadOptions& options) {
   for (const Diagnostic& found : diagnostics.all()) require(!found.message.empty(), "a diagnostic without a message");
   if (robot) carry_further(*robot);
 }
-
-constexpr const char* kArm = R"(
-[[link]]
-mass = 1
-com = [0.5, 0, 0]
-[[link]]
-xyz = [1, 0, 0]
-mass = 1
-com = [0.5, 0, 0]
-inertia = { xx = 1, yy = 1, zz = 1 }
-limits = { lower = -1, upper = 1, velocity = 5, effort = 10 }
-)";
 
 }  // namespace
 

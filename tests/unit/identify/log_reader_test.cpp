@@ -81,11 +81,13 @@ TEST_F(LogTest, WhatIsWrongWithTheHeadingIsSaid) {
       {"t,q1,tau1,tau2\n", "1: no column for the positions: q2"},
       {"q1,q2,tau1,tau2\n", "1: no column for the time: t"},
       {"t,q1,q2,tau1,tau2,qd2\n", "1: no column for qd1"},
-      {"t,q1,q2,tau1,tau2,q_theta_1\n", "1: column \"q_theta_1\" is there twice"},
+      {"t,q1,q2,tau1,tau2,q_theta_1\n", "1: columns \"q1\" and \"q_theta_1\" are the same quantity"},
+      {"t,q1,q1,q2,tau1,tau2\n", "1: column \"q1\" is there twice"},
+      {"t,q0,q1,q2,tau0,tau1\n", "1: columns q0, q1, q2: the robot has 2 such quantities, q0 to q1, or q1 to q2"},
+      {"# t,q1,q2,tau1,tau2\n0,1,2,3,4\n", "2: there is a row of numbers where the heading is expected"},
       {"t,q1 [grad],q2,tau1,tau2\n", "1: column \"q1\": unknown unit \"grad\""},
-      {"t;q1;q2;tau1;tau2\n", "1: columns are separated by semicolons"},
-      {"t\tq1\tq2\ttau1\ttau2\n", "1: columns are separated by tabs"},
-      {"\x1F\x8B\b,", "1: the log is compressed"},
+      {"t q1 q2 tau1 tau2\n", "1: no column for the time: t"},
+      {"\x1F\x8B\b,", "1: the file is compressed"},
       {"", "0: no samples in the file"},
   };
   for (const auto& [text, message] : cases) {
@@ -113,6 +115,61 @@ TEST_F(LogTest, WhatIsWrongWithALineIsSaid) {
     read(std::string("t,q1,q2,tau1,tau2\n") + lines);
     EXPECT_EQ(error(), message) << lines;
   }
+}
+
+TEST_F(LogTest, ColumnsMayBeCountedFromZero) {
+  const auto samples = read("t,q0,q1,tau1,tau2\n0,1,2,3,4\n");
+  ASSERT_EQ(samples.size(), 1u);
+  EXPECT_THAT(samples[0], ElementsAre(0, 1, 2, 3, 4));
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_EQ(found.all()[0].message, "columns counted from 0: q0 to q1");
+}
+
+TEST_F(LogTest, OtherSeparatorsAndDecimalCommasAreRead) {
+  for (const char* text :
+       {"\xEF\xBB\xBFt;q1;q2;\"tau1\";tau2;room\r\n0,5;1;+2,0;\"3\";-4e0;\"a;b\"\r\n",
+        "t\tq1\tq2\ttau1\ttau2\n0.5\t1\t 2\t3\t-4\n", "t,q1,q2,tau1,tau2,room\n0.5,1,2,3,-4,\"a,b\"\n"}) {
+    found = {};
+    const auto samples = read(text);
+    EXPECT_EQ(error(), "none") << text;
+    ASSERT_EQ(samples.size(), 1u) << text;
+    EXPECT_THAT(samples[0], ElementsAre(0.5, 1, 2, 3, -4)) << text;
+  }
+  read("t;q1;q2;tau1;tau2\n0;1,5;2;3;4\n1;1.234;2;3;4\n");
+  EXPECT_EQ(error(), "3: column \"q1\": \"1.234\" is not a finite number");
+  EXPECT_THAT(found.all().back().hint, HasSubstr("decimal points, or all of them decimal commas"));
+}
+
+// A double tells 1.4e18 from 1.4e18 + 256.
+TEST_F(LogTest, ClocksKeepTheirDigits) {
+  const std::pair<const char*, const char*> logs[] = {
+      {"timestamp,q1,q2,tau1,tau2\n1400000000000000001,0,0,0,0\n1400000000001000002,0,0,0,0\n",
+       "column \"timestamp\": nanoseconds since 1970, by the size of 1400000000000000001; times count from the first "
+       "row"},
+      {"header.stamp.secs,header.stamp.nsecs,q1,q2,tau1,tau2\n1400000000,999999999,0,0,0,0\n1400000001,1000000,0,0,0,"
+       "0\n",
+       "column \"header.stamp.secs\": seconds, and header.stamp.nsecs nanoseconds; times count from the first row"}};
+  for (const auto& [text, message] : logs) {
+    found = {};
+    const auto samples = read(text);
+    ASSERT_EQ(samples.size(), 2u) << text;
+    EXPECT_DOUBLE_EQ(samples[0][0], 0);
+    EXPECT_DOUBLE_EQ(samples[1][0], 0.001000001) << text;
+    ASSERT_EQ(found.all().size(), 1u);
+    EXPECT_EQ(found.all()[0].message, message);
+  }
+  read("timestamp,q1,q2,tau1,tau2\n1400000000000000001,0,0,0,0\nnow,0,0,0,0\n");
+  EXPECT_EQ(error(), "3: column \"timestamp\": \"now\" is no time");
+}
+
+TEST_F(LogTest, JointsOfAMessageKeepTheirOrder) {
+  const std::string heading =
+      "%time,field.name0,field.name1,field.position0,field.position1,field.effort0,field.effort1\n";
+  const auto samples = read(heading + "0,theta_2,theta_1,1,2,3,4\n1000000,theta_2,theta_1,1,2,3,4\n");
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_THAT(samples[1], ElementsAre(0.001, 2, 1, 4, 3));
+  read(heading + "0,theta_2,theta_1,1,2,3,4\n1000000,theta_1,theta_2,1,2,3,4\n");
+  EXPECT_EQ(error(), "3: column \"field.name0\" is not \"theta_2\", as in the first row");
 }
 
 TEST_F(LogTest, NumbersMayHaveAPlusOrQuotationMarksOrBeNearlyZero) {
@@ -242,6 +299,25 @@ TEST_F(LogTest, MillisecondsAreAWarning) {
   plan_stream(file, planar_arm(), {}, found);
   ASSERT_EQ(found.all().size(), 1u);
   EXPECT_THAT(found.all()[0].hint, HasSubstr("t [ms]"));
+}
+
+// Poses may be as far apart as they like, and rates that an encoder's noise makes tell nothing of what is between them.
+// Milliseconds are told by rates that agree with them.
+TEST_F(LogTest, PosesThatAreFarApartAreNoMilliseconds) {
+  const auto poses = [](const std::function<double(int)>& rate, double scale) {
+    std::string text = "t,q1,q2,tau1,tau2,qd1,qd2,qdd1,qdd2\n";
+    for (int k = 0; k < 40; ++k) text += fmt::format("{},{},0,0,0,{},0,0,0\n", 5 * k, std::sin(scale * k), rate(k));
+    return text;
+  };
+  write(poses([](int) { return 0; }, 1));
+  read_all();
+  write(poses([](int k) { return k % 2 == 0 ? 1e-3 : -2e-3; }, 1));
+  read_all();
+  EXPECT_TRUE(found.all().empty());
+  write(poses([](int k) { return 20 * std::cos(0.1 * k); }, 0.1));  // 5 ms from line to line
+  plan_stream(file, planar_arm(), {}, found);
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_THAT(found.all()[0].hint, HasSubstr("is the time in ms? Then write the column's heading as t [ms]"));
 }
 
 // Limits are kept by every line, not just by those that the plan is made from.

@@ -76,6 +76,29 @@ TEST_F(Eval, TakesJointNames) {
   EXPECT_EQ(evaluate("inertia_matrix", named).rows.at(0).at(4), evaluate("inertia_matrix", states).rows.at(1).at(5));
 }
 
+// What the function does not read must not shift what it reads.
+TEST_F(Eval, TakesColumnsCountedFromZero) {
+  const CsvTable zero{{"q0", "q1", "m"}, {{"7", "0.5", "0.5"}}, {2}};
+  EXPECT_EQ(evaluate("inertia_matrix", zero).rows.at(0).at(4), evaluate("inertia_matrix", states).rows.at(1).at(5));
+  EXPECT_EQ(messages.at(0), "states.csv:1: note: columns counted from 0: q0 to q1");
+  messages.clear();
+  for (const CsvTable& unclear : {CsvTable{{"q0", "m"}, {{"7", "0.5"}}, {2}},
+                                  CsvTable{{"q0", "q1", "q2", "m"}, {{"7", "0.5", "1", "0.5"}}, {2}}}) {
+    EXPECT_TRUE(evaluate("inertia_matrix", unclear).rows.empty());
+  }
+  ASSERT_EQ(messages.size(), 2u);
+  EXPECT_THAT(messages[1],
+              ::testing::HasSubstr("error: columns q0, q1, q2: the robot has 2 such quantities, q0 to q1, "));
+}
+
+TEST_F(Eval, ConvertsDegreesExactlyAndPassesThemOn) {
+  const CsvTable degrees{{"q1 [mm]", "q2 [deg]", "m"}, {{"7", "30", "1"}}, {2}};
+  const CsvTable result = evaluate("inertia_matrix", degrees, {.digits = 50});
+  EXPECT_THAT(result.columns, ElementsAre("q1 [mm]", "q2 [deg]", "m", "B_1_1", "B_1_2", "B_2_1", "B_2_2"));
+  ASSERT_EQ(result.rows.size(), 1u);
+  EXPECT_LE(abs(Real50(Real50(result.rows[0][4]) + Real50("0.5"))), Real50("1e-49"));  // -m sin 30°
+}
+
 TEST_F(Eval, TakesTipForcesByBothNames) {
   CsvTable numbered{{"m", "q1", "q2", "qd1", "qd2", "qdd1", "qdd2", "h_e1", "h_e2", "h_e3", "h_e4", "h_e5", "h_e6"},
                     {{"1", "0", "0", "0", "0", "0", "0", "10", "20", "30", "1", "2", "3"}},
@@ -109,6 +132,7 @@ TEST_F(Eval, RefusesAnIndefiniteInertiaMatrix) {
 }
 
 TEST_F(Eval, WritesCsv) {
+  EXPECT_EQ(to_text(CsvTable{{"a", "b, c"}, {{"say \"x\"", "1"}}, {2}}), "a,\"b, c\"\n\"say \"\"x\"\"\",1\n");
   EXPECT_EQ(to_text(CsvTable{{"a", "b"}, {{"1", "2.50"}, {"3", "-4e-9"}}, {2, 3}}), "a,b\n1,2.50\n3,-4e-9\n");
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/csv.hpp"
+#include "input/csv_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
+
+#include "support/robot_models.hpp"
 
 namespace flatdyn {
 namespace {
@@ -18,6 +20,13 @@ class Csv : public ::testing::Test {
     std::ofstream(path_, std::ios::binary) << text;
     Diagnostics diagnostics;
     CsvTable table = read_csv(path_, diagnostics);
+    const Model arm = testing::model_of("planar_2r_example_7_2.toml");
+    CsvHeading heading = table.heading(path_.string(), arm.mechanism, diagnostics);
+    std::vector<CsvSource> sources;
+    for (const auto& source : heading.find(CsvQuantity::q)) {
+      if (source) sources.push_back(*source);
+    }
+    check_entries(table, sources, heading, path_.string(), diagnostics);
     for (const Diagnostic& each : diagnostics.all()) {
       EXPECT_EQ(each.place.file, path_.string());
       messages.push_back(std::to_string(each.place.line) + ": " + each.message);
@@ -57,8 +66,39 @@ TEST_F(Csv, CountsColumns) {
 }
 
 TEST_F(Csv, WantsDifferentNames) {
-  read("q1,q1,\n1,2,3\n");
-  EXPECT_THAT(messages, ElementsAre("1: column \"q1\" is there twice", "1: a column has no name"));
+  read("# a comment\nq1,q1,\n1,2,3\n");
+  EXPECT_THAT(messages, ElementsAre("2: column \"q1\" is there twice"));
+}
+
+// As a spreadsheet of another country writes it.
+TEST_F(Csv, TakesSemicolonsDecimalCommasQuotesAndTabs) {
+  for (const char* text :
+       {"\xEF\xBB\xBFroom;\"q1\";q2\r\nkitchen, small;\"1,5\";-2\r\n", "room\tq1\tq2\nkitchen, small\t1.5\t-2\n",
+        "room, q1, q2\n\"kitchen, small\", 1.5, \"-2\"\n"}) {
+    const CsvTable table = read(text);
+    EXPECT_THAT(messages, ElementsAre()) << text;
+    EXPECT_THAT(table.columns, ElementsAre("room", "q1", "q2")) << text;
+    EXPECT_THAT(table.rows, ElementsAre(ElementsAre("kitchen, small", "1.5", "-2"))) << text;
+  }
+}
+
+TEST_F(Csv, DoesNotGuessWhatAPointIs) {
+  read("q1;q2\n1,5;2\n1.234;2\n1.234,5;0\n");
+  EXPECT_THAT(messages, ElementsAre("3: \"1.234\": decimal commas and decimal points in one file",
+                                    "4: \"1.234,5\": decimal commas and decimal points in one file",
+                                    "4: column \"q1\": \"1.234,5\" is not a finite number"));
+}
+
+TEST_F(Csv, NoticesJointsThatChangeTheirOrder) {
+  read("name[0],name[1],position[0],position[1]\ntheta_2,theta_1,0,1\ntheta_1,theta_2,1,0\n");
+  EXPECT_THAT(messages, ElementsAre("3: column \"name[0]\": \"theta_1\" is not \"theta_2\", as in the first row",
+                                    "3: column \"name[1]\": \"theta_2\" is not \"theta_1\", as in the first row"));
+}
+
+TEST_F(Csv, SaysWhatIsNoCsv) {
+  read(std::string("\xFF\xFEq\0001\0", 6));
+  read("q1,room\n0,K\xFC\x63he\n");
+  EXPECT_THAT(messages, ElementsAre("1: the text is UTF-16, not UTF-8", "2: the line is not UTF-8"));
 }
 
 TEST_F(Csv, SaysThatThereIsNothing) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the name of a column says by itself. The headings that are read are listed in docs/csv.md.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/mechanism.hpp"
+
+namespace flatdyn {
+
+enum class CsvQuantity {
+  time,
+  seconds,      // of a time that is in two columns
+  nanoseconds,  // the other one
+  q,
+  qd,
+  qdd,
+  tau,
+  h_e,
+  qd_r,
+  qdd_r,
+  pi_b,
+  symbol,     // a free symbol of the robot
+  joint_name  // not a number: which joint an array's entry belongs to
+};
+
+// Where several ways to write a quantity are in one file, the one that comes first here counts.
+enum class CsvStyle {
+  named,       // q1, q_elbow, q[0], tau_3, t, time
+  plot,        // __time
+  message,     // /joint_states/elbow/position, header.stamp
+  array,       // position[0], field.position0
+  timestamp,   // timestamp
+  message_bag  // %time
+};
+
+struct CsvName {
+  std::string name;  // as written, without unit and quotation marks
+  std::string unit;  // as written in brackets
+  std::optional<CsvQuantity> quantity{};
+  CsvStyle style = CsvStyle::named;
+  // Which entry of the quantity: by its number as written, counted from 0 or from 1; or, where it is told by the name
+  // of a joint, a force's letter or a symbol, the entry itself, from 0.
+  std::optional<int> number{}, entry{};
+  std::string prefix{};  // of an array, what stands before "position"
+};
+
+// How many entries a quantity has for this robot; 0 for pi_b, whose number it does not tell.
+int length_of(CsvQuantity quantity, const Mechanism& mechanism);
+// The joint that entry k of a joint's quantity belongs to.
+const Body& joint_of(CsvQuantity quantity, int entry, const Mechanism& mechanism);
+bool is_of_joints(CsvQuantity quantity);
+// "q" of the columns q1, …
+std::string stem_of(CsvQuantity quantity);
+// The entry of a joint's quantity that belongs to a joint.
+std::optional<int> entry_of_joint(CsvQuantity quantity, const std::string& joint, const Mechanism& mechanism);
+
+CsvName read_csv_name(const std::string& entry, const Mechanism& mechanism);
+
+}  // namespace flatdyn
