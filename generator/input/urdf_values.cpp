@@ -5,7 +5,9 @@
 #include <sstream>
 #include <vector>
 
+#include "input/units.hpp"
 #include "input/utf8.hpp"
+#include "model/unit_doubts.hpp"
 
 namespace flatdyn {
 
@@ -73,7 +75,7 @@ Number UrdfValues::angle(const XMLElement& element, const char* attribute, const
   if (text == nullptr) return 0;
   const Spot spot{place(element), what + ", " + attribute};
   const std::optional<Number> value = checked_decimal(trimmed(text), spot, context_.diagnostics);
-  return value ? snapped_angle(*value, trimmed(text), spot, context_) : Number(0);
+  return value ? angle_of(*value, trimmed(text), spot) : Number(0);
 }
 
 Number UrdfValues::number_of_text(const XMLElement& element, const std::string& what) const {
@@ -124,8 +126,17 @@ Vec3 UrdfValues::angles(const XMLElement& element, const char* attribute, const 
   if (words.size() != 3) return decimals;
   Vec3 values;
   const Spot spot{place(element), what + ", " + attribute};
-  for (std::size_t i = 0; i < 3; ++i) values[i] = snapped_angle(decimals[i], words[i], spot, context_);
+  for (std::size_t i = 0; i < 3; ++i) values[i] = angle_of(decimals[i], words[i], spot);
   return values;
+}
+
+Number UrdfValues::angle_of(const Number& decimal, const std::string& written, const Spot& spot) const {
+  const Number angle = snapped_angle(decimal, written, spot, context_);
+  if (may_be_degrees(angle)) {
+    const std::string hint = "if so, write " + radians_text(decimal, AngleText::decimal) + ": URDF has radians";
+    ask_for_degrees(angle, spot, hint, context_.diagnostics);
+  }
+  return angle;
 }
 
 Pose UrdfValues::origin(const XMLElement& parent, const std::string& what) const {
@@ -138,6 +149,7 @@ Pose UrdfValues::origin(const XMLElement& parent, const std::string& what) const
   // One after the other: compilers differ in the order in which they evaluate arguments, and diagnostics would with
   // them.
   const Vec3 xyz = vector(*element, "xyz", where, zero_vector());
+  for (const Number& length : xyz) note_length(length, {place(*element), where + ", xyz"}, {}, context_);
   const Vec3 rpy = angles(*element, "rpy", where);
   return pose_from_xyz_rpy(xyz, rpy, place(*element));
 }

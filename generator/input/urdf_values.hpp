@@ -46,6 +46,8 @@ class UrdfValues {
   ReadContext& context() const { return context_; }
 
  private:
+  // Snapped, and asked about where it may be in degrees.
+  Number angle_of(const Number& decimal, const std::string& written, const Spot& spot) const;
   Vec3 angles(const tinyxml2::XMLElement& element, const char* attribute, const std::string& what) const;
 
   std::string file_;
