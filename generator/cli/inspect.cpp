@@ -5,6 +5,7 @@
 #include "report/base_report.hpp"
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
+#include "report/links_in_file.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
@@ -23,12 +24,14 @@ ExitCode inspect(const InspectArguments& arguments) {
   const std::vector<double> effects = snap_effects(model, options.read);
   if (arguments.json) {
     nlohmann::ordered_json json = model_json(model, effects);
+    json.update(links_json(model));
     if (arguments.base) json.update(base_json(model.mechanism, set));
     print_result(json_text(json));
   } else if (arguments.base) {
-    print_result(describe_model(model, effects) + "\n" + describe_base(model.mechanism, set));
+    print_result(describe_model(model, effects) + "\n" + describe_bodies(model.mechanism) + "\n" +
+                 describe_base(model.mechanism, set));
   } else {
-    print_result(describe_model(model, effects) + "\n" + describe_bodies(model.mechanism));
+    print_result(describe_model(model, effects) + "\n" + describe_links(model));
   }
   return ExitCode::ok;
 }
@@ -38,7 +41,7 @@ ExitCode inspect(const InspectArguments& arguments) {
 Run add_inspect(CLI::App& app) {
   auto* command =
       app.add_subcommand("inspect",
-                         "Print the robot as understood: joints in the order of q, frames, inertias, motors.\n\n"
+                         "Print the robot as understood: joints in the order of q, links, inertias, motors.\n\n"
                          "  flatdyn inspect robots/panda.urdf\n"
                          "  flatdyn inspect robots/planar_2r.toml --base --parameters nonzero");
   const auto arguments = std::make_shared<InspectArguments>();

@@ -25,8 +25,7 @@ Simulation read(const SimulateArguments& arguments, const Model& model) {
   if (!arguments.simulation.empty()) {
     read_simulation(arguments.simulation, model.robot, model.mechanism, simulation, found);
   }
-  if (found.has_errors()) throw BadInput(ExitCode::input, found);
-  print_diagnostics(found, arguments);
+  arguments.report(found);
   if (arguments.duration > 0) simulation.duration = arguments.duration;
   if (arguments.rate > 0) simulation.rate = arguments.rate;
   if (simulation.duration * simulation.rate > kMostRows) {

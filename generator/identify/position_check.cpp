@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "model/number.hpp"
+#include "model/unit_doubts.hpp"
 
 namespace flatdyn {
 namespace {
@@ -20,7 +21,6 @@ double upper_of(const Body& body) { return nearest_double(body.limits.upper->num
 
 // Twice the limits is no overshoot. A joint that slides between 0 and 0 has limits that nobody has filled in.
 double largest_of(const Body& body) {
-  constexpr double kManyTurns = 50;
   if (!body.limits.lower || !body.limits.upper) return body.prismatic ? kNone : kManyTurns;
   const double reach = std::max(std::abs(lower_of(body)), std::abs(upper_of(body)));
   if (body.prismatic) return reach > 0 ? 2 * reach : kNone;

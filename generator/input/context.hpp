@@ -17,24 +17,43 @@
 
 namespace flatdyn {
 
-struct ReadContext {
-  const ReadOptions& options;
-  Diagnostics& diagnostics;
-  SymbolTable symbols;
-  std::vector<Snap> snaps;
-  std::size_t angles_near = 0;  // to a multiple of pi/12, so far
-  std::vector<JointPosition>
-      held_joints;                     // that options, scene or robot file want held; of two for one joint the first
-  std::set<std::string> rotor_joints;  // whose armature is gear_ratio^2 rotor_inertia of a URDF
-};
-
-bool is_held(const std::string& joint, const ReadContext& context);
-
 // What a number stands for in messages, and where it is: `joint "shoulder", origin rpy`.
 struct Spot {
   Place place;
   std::string what;
 };
+
+// What a file's angles and lengths are written in.
+struct Units {
+  bool degrees = false;
+  bool millimetres = false;
+  bool has_keys = false;  // a file of this kind says so by `angles` and `lengths`
+};
+
+// In the units of the file that holds it.
+struct HeldJoint : JointPosition {
+  Units units = {};
+};
+
+// A length that is perhaps in millimetres (input/units.hpp).
+struct LongLength {
+  Number metres;
+  Spot spot;
+  bool has_key = false;  // its file may say lengths = "mm"
+};
+
+struct ReadContext {
+  const ReadOptions& options;
+  Diagnostics& diagnostics;
+  SymbolTable symbols;
+  std::vector<Snap> snaps;
+  std::size_t angles_near = 0;         // to a multiple of pi/12, so far
+  std::vector<HeldJoint> held_joints;  // that options, scene or robot file want held; of two for one joint the first
+  std::set<std::string> rotor_joints;  // whose armature is gear_ratio^2 rotor_inertia of a URDF
+  std::vector<LongLength> long_lengths = {};
+};
+
+bool is_held(const std::string& joint, const ReadContext& context);
 
 // "line 3", or "arm.urdf:3" where the place is in another file than the message is about.
 std::string line_seen_from(const Place& here, const Place& place);

@@ -5,7 +5,9 @@
 #include <set>
 
 #include "diagnostics/nearest.hpp"
+#include "input/units.hpp"
 #include "model/coupling.hpp"
+#include "model/unit_doubts.hpp"
 
 namespace flatdyn {
 
@@ -40,13 +42,34 @@ void hold_rotor(Joint& joint, Robot& robot) {
 
 std::string held_at(const JointPosition& lock) { return "joint \"" + lock.joint + "\", held at " + lock.written; }
 
-Number position_of(const JointPosition& lock, JointType type, ReadContext& context) {
+Number position_of(const HeldJoint& lock, JointType type, ReadContext& context) {
   const Spot spot{lock.place, held_at(lock)};
   const Quantity quantity = type == JointType::prismatic ? Quantity::length : Quantity::angle;
   context.symbols.check_quantity(lock.position, quantity, lock.place, context.diagnostics);
-  if (type == JointType::prismatic) return lock.position;
-  if (lock.is_decimal) return snapped_angle(lock.position, lock.written, spot, context);
-  return canonical_angle(lock.position, spot, context.diagnostics);
+  if (type == JointType::prismatic) return in_metres(lock.position, lock.units, spot, context.diagnostics);
+  if (lock.is_decimal) return decimal_angle(lock.position, lock.written, lock.units, spot, context);
+  return canonical_angle(in_radians(lock.position, lock.units, spot, context.diagnostics), spot, context.diagnostics);
+}
+
+std::string hint_for_degrees(const HeldJoint& position) {
+  if (position.units.has_keys) return degrees_hint(position.position);
+  const std::string radians = radians_text(position.position, AngleText::expression);
+  if (!position.place.file.empty()) return "if so, write " + radians + ": a scene's positions are in radians";
+  std::string bare = radians;
+  std::erase(bare, '"');
+  return "if so, write --fix " + position.joint + "=" + bare;
+}
+
+// position: in rad or m. True if it was asked whether degrees were meant.
+bool ask_about(const Number& position, const HeldJoint& written, const Joint& joint, JointType type, const Spot& spot,
+               ReadContext& context) {
+  if (type == JointType::prismatic) {
+    note_length(position, spot, written.units, context);
+    return false;
+  }
+  if (!may_be_degrees(position, joint.limits, type == JointType::continuous)) return false;
+  ask_for_degrees(position, spot, hint_for_degrees(written), context.diagnostics);
+  return true;
 }
 
 bool is_below(const Number& a, const Number& b) {
@@ -117,7 +140,7 @@ void end_coupling(const JointPosition& lock, const Joint& joint, const Coupled& 
                            "held joints that follow no other joint any more");
 }
 
-void hold(const JointPosition& lock, Joint& joint, ReadContext& context, Robot& robot) {
+void hold(const HeldJoint& lock, Joint& joint, ReadContext& context, Robot& robot) {
   const JointType type = joint.held ? joint.held->type : joint.type;
   const std::optional<Coupled> coupled = joint.coupled;
   joint.type = JointType::fixed;
@@ -128,6 +151,7 @@ void hold(const JointPosition& lock, Joint& joint, ReadContext& context, Robot& 
   if (!vanishes(lock.position) && !can_move(lock, joint, type, context.diagnostics)) return;
   joint.held = Held{type, position_of(lock, type, context)};
   if (coupled) end_coupling(lock, joint, *coupled, context, robot);
+  if (ask_about(joint.held->position, lock, joint, type, {lock.place, held_at(lock)}, context)) return;
   warn_outside_limits(lock, joint, context.diagnostics);
 }
 
@@ -154,12 +178,20 @@ std::vector<JointPosition> read_locked(TomlTable table) {
   return all;
 }
 
+Number assembled(const HeldJoint& written, const Joint& joint, const Spot& spot, ReadContext& context) {
+  const Number position = joint.type == JointType::prismatic
+                              ? in_metres(written.position, written.units, spot, context.diagnostics)
+                              : in_radians(written.position, written.units, spot, context.diagnostics);
+  ask_about(position, written, joint, joint.type, spot, context);
+  return position;
+}
+
 void hold_joints(ReadContext& context, Robot& robot) {
   const bool couplings_are_valid = validate_couplings(robot, context.diagnostics);
   std::vector<std::string> known;
   for (const Joint& joint : robot.joints) known.push_back(joint.name);
   std::set<std::string> done;
-  for (const JointPosition& lock : context.held_joints) {
+  for (const HeldJoint& lock : context.held_joints) {
     if (!done.insert(lock.joint).second) continue;
     const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
                                     [&lock](const Joint& joint) { return joint.name == lock.joint; });

@@ -5,6 +5,8 @@
 #include <map>
 
 #include "input/expression.hpp"
+#include "input/units.hpp"
+#include "model/unit_doubts.hpp"
 
 namespace flatdyn {
 
@@ -74,8 +76,8 @@ bool check_magnitudes(const Coupled& coupled, const Spot& spot, Diagnostics& dia
 
 }  // namespace
 
-std::optional<Coupled> read_linear_position(const std::string& text, JointType type, const Spot& spot,
-                                            ReadContext& context) {
+std::optional<Coupled> read_linear_position(const std::string& text, JointType type, const Units& units,
+                                            const Spot& spot, ReadContext& context) {
   const char* const hint =
       "write a sum of joints with numbers as factors, e.g. \"elbow - shoulder\", \"2*drive + pi/4\"";
   NamedSymbols symbols;
@@ -99,7 +101,15 @@ std::optional<Coupled> read_linear_position(const std::string& text, JointType t
     return std::nullopt;
   }
   if (!check_magnitudes(*coupled, spot, context.diagnostics)) return std::nullopt;
-  if (type != JointType::prismatic) coupled->offset = canonical_angle(coupled->offset, spot, context.diagnostics);
+  if (type == JointType::prismatic) {
+    coupled->offset = in_metres(coupled->offset, units, spot, context.diagnostics);
+    return coupled;
+  }
+  const Number written = coupled->offset, angle = in_radians(written, units, spot, context.diagnostics);
+  coupled->offset = canonical_angle(angle, spot, context.diagnostics);
+  if (!units.degrees && may_be_degrees(coupled->offset)) {
+    ask_for_degrees(coupled->offset, spot, degrees_hint(written), context.diagnostics);
+  }
   return coupled;
 }
 

@@ -11,7 +11,7 @@ namespace flatdyn {
 
 // The names are those of joints; whether there are such joints is not asked here. nullopt, and a diagnostic, if the
 // text is no linear expression of names with numbers as factors.
-std::optional<Coupled> read_linear_position(const std::string& text, JointType type, const Spot& spot,
-                                            ReadContext& context);
+std::optional<Coupled> read_linear_position(const std::string& text, JointType type, const Units& units,
+                                            const Spot& spot, ReadContext& context);
 
 }  // namespace flatdyn

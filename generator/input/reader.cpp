@@ -10,6 +10,7 @@
 #include "input/scene_application.hpp"
 #include "input/scene_reader.hpp"
 #include "input/toml_reader.hpp"
+#include "input/units.hpp"
 #include "input/urdf_reader.hpp"
 #include "input/xacro.hpp"
 #include "model/assembly.hpp"
@@ -111,6 +112,7 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   if (!validate_tree(robot, context.diagnostics)) return;
   attach(attachments, context, robot);
   validate_values(robot, payload_places(attachments, robot.scene), context.diagnostics);
+  ask_about_units(robot, context);
 }
 
 // "arm" of arm.toml and of arm.urdf.xacro; stdin has no name.
@@ -131,7 +133,7 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   robot.file = path == "-" ? kStandardInput : path.string();
   robot.scene = options.scene;
   if (!options.scene_file.empty()) add_scene(read_scene(options.scene_file, context), robot.scene);
-  context.held_joints = robot.scene.locked;
+  for (const JointPosition& lock : robot.scene.locked) context.held_joints.push_back({lock});
   read_into(robot.file, context, robot);
   if (!options.scene_file.empty()) robot.files.push_back(options.scene_file);
   robot.symbols = context.symbols.in_order();

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/toml_parts.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnostics/nearest.hpp"
+
 namespace flatdyn {
 
 namespace {
@@ -91,6 +97,16 @@ void replace_if_given(T& old, const T& given) {
 
 }  // namespace
 
+std::string read_choice(TomlTable& table, const std::string& key, const std::vector<std::string>& known,
+                        Diagnostics& diagnostics) {
+  const std::optional<std::string> text = table.text(key);
+  if (!text || std::find(known.begin(), known.end(), *text) != known.end()) return text.value_or("");
+  diagnostics.error(table.place_of(key),
+                    key + ": " + quoted(*text) + " is none of " + fmt::format("{}", fmt::join(known, ", ")),
+                    hint_for_unknown(*text, known, "values"));
+  return "";
+}
+
 void Carriers::add(const std::string& joint, const Reference& link, const std::string& what) {
   carriers_[joint] = {link, what};
 }
@@ -124,8 +140,8 @@ Limits read_limits(TomlTable& table, JointType type) {
   Limits limits;
   limits.lower = table.limit("lower", position, Bound::lower);
   limits.upper = table.limit("upper", position, Bound::upper);
-  limits.velocity = table.limit("velocity", Quantity::other, Bound::magnitude);
-  limits.acceleration = table.limit("acceleration", Quantity::other, Bound::magnitude);
+  limits.velocity = table.limit("velocity", position, Bound::magnitude);
+  limits.acceleration = table.limit("acceleration", position, Bound::magnitude);
   limits.effort = table.limit("effort", Quantity::other, Bound::magnitude);
   table.reject_unknown_keys();
   return limits;

@@ -25,6 +25,10 @@ struct Attachments {
   std::optional<Payload> payload;
 };
 
+// The text of a key that has few; empty where it is not there, or, with an error, where it is none of them.
+std::string read_choice(TomlTable& table, const std::string& key, const std::vector<std::string>& known,
+                        Diagnostics& diagnostics);
+
 // The links that carry motors, as the file names them: they are looked up when all links are known.
 class Carriers {
  public:

@@ -9,6 +9,7 @@
 #include "input/held_joints.hpp"
 #include "input/toml_overlay.hpp"
 #include "input/toml_parts.hpp"
+#include "input/units.hpp"
 #include "input/urdf_values.hpp"
 
 namespace flatdyn {
@@ -39,7 +40,7 @@ void add(Pose& pose, const Vec3& p) {
 
 class TomlReader {
  public:
-  TomlReader(const TomlSource& source, std::string file, Robot& robot)
+  TomlReader(TomlSource& source, std::string file, Robot& robot)
       : source_(source),
         file_(std::move(file)),
         context_(source.context()),
@@ -49,6 +50,7 @@ class TomlReader {
   // The robot in `robot`, and what is attached to it.
   Attachments read(const toml::table& root) {
     TomlTable table(root, "", source_);
+    source_.set_units(read_units(table, diagnostics_));
     const std::optional<std::string> name = table.text("name");
     table.text("description");
     table.text("source");
@@ -63,7 +65,7 @@ class TomlReader {
     robot_.gravity = table.vector("gravity", Quantity::acceleration, robot_.gravity);
     read_attachments(table, attachments);
     for (TomlTable& row : table.tables("loop")) read_loop(row);
-    if (const std::optional<TomlTable> positions = table.table("assembly")) robot_.assembly = read_locked(*positions);
+    if (const std::optional<TomlTable> positions = table.table("assembly")) read_assembly(*positions);
     table.reject_unknown_keys();
     carriers_.find_in(robot_, diagnostics_);
     return attachments;
@@ -72,12 +74,13 @@ class TomlReader {
  private:
   // A list of joints, held at 0, or a table with their positions.
   void read_fixed(TomlTable& table) {
-    std::vector<JointPosition>& held = context_.held_joints;
+    std::vector<HeldJoint>& held = context_.held_joints;
     if (!table.is_table("fixed")) {
-      for (const Reference& joint : table.references("fixed")) held.push_back({joint.name, 0, "0", true, joint.place});
+      for (const Reference& joint : table.references("fixed"))
+        held.push_back({{joint.name, 0, "0", true, joint.place}});
       return;
     }
-    for (const JointPosition& lock : read_locked(*table.table("fixed"))) held.push_back(lock);
+    for (const JointPosition& lock : read_locked(*table.table("fixed"))) held.push_back({lock, source_.units()});
   }
 
   // ---- links of the file itself
@@ -208,6 +211,17 @@ class TomlReader {
     }
   }
 
+  void read_assembly(const TomlTable& positions) {
+    robot_.assembly = read_locked(positions);
+    for (JointPosition& position : robot_.assembly) {
+      const Spot spot{position.place, "assembly, joint \"" + position.joint + "\""};
+      for (const Joint& joint : robot_.joints) {
+        if (joint.name == position.joint)
+          position.position = assembled({position, source_.units()}, joint, spot, context_);
+      }
+    }
+  }
+
   void read_loop(TomlTable& row) {
     const std::vector<Reference> links = row.references("links"), dependent = row.references("dependent");
     Loop loop;
@@ -225,7 +239,7 @@ class TomlReader {
     robot_.loops.push_back(std::move(loop));
   }
 
-  const TomlSource& source_;
+  TomlSource& source_;
   std::string file_;
   ReadContext& context_;
   Diagnostics& diagnostics_;
@@ -238,7 +252,7 @@ class TomlReader {
 }  // namespace
 
 Attachments read_toml(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
-  const TomlSource source(text, file, context);
+  TomlSource source(text, file, context);
   const std::optional<toml::table> root = source.parse();
   if (!root) return {};
   return TomlReader(source, file, robot).read(*root);

@@ -7,6 +7,8 @@
 #include "diagnostics/nearest.hpp"
 #include "input/expression.hpp"
 #include "input/linear_position.hpp"
+#include "input/units.hpp"
+#include "model/unit_doubts.hpp"
 
 namespace flatdyn {
 
@@ -153,7 +155,8 @@ std::optional<JointPosition> TomlTable::locked_joint(const std::string& joint) {
 std::optional<Coupled> TomlTable::linear_position(std::string_view key, JointType type) {
   const std::optional<std::string> expression = text(key);
   if (!expression) return std::nullopt;
-  return read_linear_position(*expression, type, {place_of(key), with_key(what_, key)}, source_.context());
+  return read_linear_position(*expression, type, source_.units(), {place_of(key), with_key(what_, key)},
+                              source_.context());
 }
 
 std::optional<Number> TomlTable::expression_of(const toml::node& node, const std::string& text, const Spot& spot) {
@@ -190,13 +193,27 @@ std::optional<Number> TomlTable::number_of(const toml::node& node, std::string_v
   return checked_decimal(text, where, source_.context().diagnostics);
 }
 
-std::optional<Value> TomlTable::number(std::string_view key, Quantity quantity) {
+Number TomlTable::in_si(const Number& written, Quantity quantity, const Spot& spot) {
+  ReadContext& context = source_.context();
+  context.symbols.check_quantity(written, quantity, spot.place, context.diagnostics);
+  if (quantity == Quantity::angle) return in_radians(written, source_.units(), spot, context.diagnostics);
+  return quantity == Quantity::length ? in_metres(written, source_.units(), spot, context.diagnostics) : written;
+}
+
+std::optional<Value> TomlTable::value_in_si(std::string_view key, Quantity quantity) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const std::optional<Number> exact = number_of(*node, key);
   if (!exact) return std::nullopt;
-  const Value value{*exact, source_.place(node->source())};
-  source_.context().symbols.check_quantity(value.number, quantity, value.place, source_.context().diagnostics);
+  const Spot where = spot(*node, key);
+  return Value{in_si(*exact, quantity, where), where.place};
+}
+
+std::optional<Value> TomlTable::number(std::string_view key, Quantity quantity) {
+  std::optional<Value> value = value_in_si(key, quantity);
+  if (value && quantity == Quantity::length) {
+    note_length(value->number, {value->place, with_key(what_, key)}, source_.units(), source_.context());
+  }
   return value;
 }
 
@@ -211,7 +228,7 @@ std::optional<Value> TomlTable::limit(std::string_view key, Quantity quantity, B
     check_infinite_limit(source_.text_of(node->source()), bound, spot(*node, key), source_.context().diagnostics);
     return std::nullopt;
   }
-  std::optional<Value> value = number(key, quantity);
+  std::optional<Value> value = value_in_si(key, quantity);
   if (!value || !has_symbols(value->number)) return value;
   source_.context().diagnostics.unsupported(value->place,
                                             with_key(what_, key) + ": a symbol as a limit is not supported",
@@ -236,9 +253,9 @@ Vec3 TomlTable::vector(std::string_view key, Quantity quantity, const Vec3& fall
     const toml::node& node = *array->get(i);
     const std::optional<Number> value = number_of(node, key);
     if (!value) return fallback;
-    values[i] = *value;
-    source_.context().symbols.check_quantity(values[i], quantity, source_.place(node.source()),
-                                             source_.context().diagnostics);
+    const Spot where = spot(node, key);
+    values[i] = in_si(*value, quantity, where);
+    if (quantity == Quantity::length) note_length(values[i], where, source_.units(), source_.context());
   }
   return values;
 }
@@ -294,10 +311,14 @@ std::optional<std::vector<Value>> TomlTable::numbers(std::string_view key) {
 Number TomlTable::angle_of(const toml::node& node, std::string_view key) {
   ReadContext& context = source_.context();
   const Spot where = spot(node, key);
-  const Number value = number_of(node, key).value_or(0);
-  context.symbols.check_quantity(value, Quantity::angle, where.place, context.diagnostics);
-  if (node.is_string()) return canonical_angle(value, where, context.diagnostics);
-  return snapped_angle(value, source_.text_of(node.source()), where, context);
+  const Number written = number_of(node, key).value_or(0);
+  const Number angle = node.is_string()
+                           ? canonical_angle(in_si(written, Quantity::angle, where), where, context.diagnostics)
+                           : decimal_angle(written, source_.text_of(node.source()), source_.units(), where, context);
+  if (!source_.units().degrees && may_be_degrees(angle)) {
+    ask_for_degrees(angle, where, degrees_hint(written), context.diagnostics);
+  }
+  return angle;
 }
 
 Number TomlTable::angle(std::string_view key) {

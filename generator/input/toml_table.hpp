@@ -28,6 +28,9 @@ class TomlSource {
   // What stands between the region's begin and end, which are in one line.
   std::string text_of(const toml::source_region& region) const;
   ReadContext& context() const { return context_; }
+  // What the file's numbers are in; files of a kind that has no keys for that leave it as it is.
+  void set_units(const Units& units) { units_ = units; }
+  const Units& units() const { return units_; }
   const std::string& documentation() const { return documentation_; }
 
  private:
@@ -36,6 +39,7 @@ class TomlSource {
   ReadContext& context_;
   std::string documentation_;
   std::vector<std::size_t> line_starts_;
+  Units units_;
 };
 
 class TomlTable {
@@ -65,6 +69,7 @@ class TomlTable {
   // The position of a coupled joint, linear in the coordinates of others.
   std::optional<Coupled> linear_position(std::string_view key, JointType type);
 
+  // Lengths and angles are brought to m and rad. Of limits, `quantity` is that of the joint's position.
   // nullopt if the key is not there, or, with an error, if it is no number or expression.
   std::optional<Value> number(std::string_view key, Quantity quantity);
   Value number_or_zero(std::string_view key, Quantity quantity);
@@ -94,6 +99,8 @@ class TomlTable {
   std::optional<Number> number_of(const toml::node& node, std::string_view key);
   std::optional<Number> expression_of(const toml::node& node, const std::string& text, const Spot& spot);
   Number angle_of(const toml::node& node, std::string_view key);
+  std::optional<Value> value_in_si(std::string_view key, Quantity quantity);
+  Number in_si(const Number& written, Quantity quantity, const Spot& spot);
   const toml::array* three(std::string_view key);
   std::optional<Value> plain_number(const toml::node& node, std::string_view key);
   void report_kind(const toml::node& node, std::string_view key, const std::string& expected,

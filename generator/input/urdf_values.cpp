@@ -5,6 +5,8 @@
 #include <array>
 
 #include "diagnostics/utf8.hpp"
+#include "input/units.hpp"
+#include "model/unit_doubts.hpp"
 
 namespace flatdyn {
 
@@ -148,7 +150,7 @@ Number UrdfValues::angle(const XMLElement& element, const char* key, const std::
   const Spot where = spot(*entry, key, what);
   const std::string text = trimmed(entry->text);
   const std::optional<Number> value = checked_decimal(text, where, context_.diagnostics);
-  return value ? snapped_angle(*value, text, where, context_) : Number(0);
+  return value ? angle_of(*value, text, where) : Number(0);
 }
 
 Number UrdfValues::number_of_text(const XMLElement& element, const std::string& what) const {
@@ -214,8 +216,17 @@ Vec3 UrdfValues::angles(const XMLElement& element, const char* key, const std::s
   if (!decimals) return zero_vector();
   const std::vector<std::string> words = words_of(entry->text);
   Vec3 values;
-  for (std::size_t i = 0; i < 3; ++i) values[i] = snapped_angle((*decimals)[i], words[i], where, context_);
+  for (std::size_t i = 0; i < 3; ++i) values[i] = angle_of((*decimals)[i], words[i], where);
   return values;
+}
+
+Number UrdfValues::angle_of(const Number& decimal, const std::string& written, const Spot& spot) const {
+  const Number angle = snapped_angle(decimal, written, spot, context_);
+  if (may_be_degrees(angle)) {
+    const std::string hint = "if so, write " + radians_text(decimal, AngleText::decimal) + ": URDF has radians";
+    ask_for_degrees(angle, spot, hint, context_.diagnostics);
+  }
+  return angle;
 }
 
 Pose UrdfValues::origin(const XMLElement& parent, const std::string& what, const char* tag) const {
@@ -228,6 +239,7 @@ Pose UrdfValues::origin(const XMLElement& parent, const std::string& what, const
   // One after the other: compilers differ in the order in which they evaluate arguments, and diagnostics would with
   // them.
   const Vec3 xyz = vector(*element, "xyz", where).value_or(zero_vector());
+  for (const Number& length : xyz) note_length(length, {place(*element), where + ", xyz"}, {}, context_);
   const Vec3 rpy = angles(*element, "rpy", where);
   return pose_from_xyz_rpy(xyz, rpy, place(*element));
 }

@@ -65,6 +65,8 @@ class UrdfValues {
   Spot spot(const UrdfEntry& entry, const std::string& key, const std::string& what) const;
   std::optional<Value> number(const Holders& holders, const char* key, const std::string& what) const;
   std::optional<Vec3> vector(const UrdfEntry& entry, const Spot& spot) const;
+  // Snapped, and asked about where it may be in degrees.
+  Number angle_of(const Number& decimal, const std::string& written, const Spot& spot) const;
   Vec3 angles(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
 
   std::string file_;

@@ -8,6 +8,7 @@
 
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
+#include "report/number_json.hpp"
 #include "report/scene_report.hpp"
 #include "symbolic/coupled_text.hpp"
 #include "symbolic/number_text.hpp"
@@ -108,31 +109,22 @@ std::string describe_body(const Body& body, int i, const NumberText& number) {
   text += fmt::format("  I = xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2 about the origin\n",
                       number(b.inertia[0][0]), number(b.inertia[1][1]), number(b.inertia[2][2]),
                       number(b.inertia[0][1]), number(b.inertia[0][2]), number(b.inertia[1][2]));
-  text += fmt::format("  friction F_v = {}, F_s = {}\n", number(body.viscous), number(body.coulomb));
-  if (!vanishes(body.armature)) text += fmt::format("  reflected inertia {}\n", number(body.armature));
-  if (body.rotor) {
-    text += fmt::format("  rotor: k_r = {}, I_m = {} kg m^2, axis {} on {}\n", number(body.rotor->gear_ratio),
-                        number(body.rotor->inertia), number(body.rotor->axis),
-                        body.rotor->carrier < 0 ? "the base" : fmt::format("link {}", body.rotor->carrier + 1));
-  }
   return text;
 }
 
-// A number, or the text of an expression in the free symbols.
-nlohmann::ordered_json number_json(const Number& number, const NumberText& text) {
-  if (has_symbols(number)) return text(number);
-  return nearest_double(number);
-}
-
-template <class Numbers>
-nlohmann::ordered_json list_json(const Numbers& numbers, const NumberText& text) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const Number& number : numbers) json.push_back(number_json(number, text));
+// In frames that the program chooses.
+nlohmann::ordered_json canonical_json(const Body& body, const NumberText& text) {
+  const InertialParameters& b = body.inertia;
+  nlohmann::ordered_json json;
+  json["origin"] = {{"p", list_json(body.p, text)}, {"R", matrix_json(constant_rotation(body), text)}};
+  json["mass"] = number_json(b.mass, text);
+  json["first_moment"] = list_json(b.first_moment, text);
+  json["inertia_about_origin"] = matrix_json(b.inertia, text);
+  if (body.rotor) json["rotor_axis"] = list_json(body.rotor->axis, text);
   return json;
 }
 
 nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
-  const InertialParameters& b = body.inertia;
   nlohmann::ordered_json joint = {
       {"name", body.joint}, {"type", type_of(body)}, {"link", body.link}, {"parent", body.parent}};
   const auto add_limit = [&](const char* key, const std::optional<Value>& value) {
@@ -143,22 +135,15 @@ nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
   add_limit("velocity", body.limits.velocity);
   add_limit("acceleration", body.limits.acceleration);
   add_limit("effort", body.limits.effort);
-  const Mat3 R = constant_rotation(body);
-  joint["origin"] = {{"p", list_json(body.p, text)}, {"R", nlohmann::ordered_json::array()}};
-  for (const Vec3& row : R) joint["origin"]["R"].push_back(list_json(row, text));
-  joint["mass"] = number_json(b.mass, text);
-  joint["first_moment"] = list_json(b.first_moment, text);
-  joint["inertia_about_origin"] = nlohmann::ordered_json::array();
-  for (const Vec3& row : b.inertia) joint["inertia_about_origin"].push_back(list_json(row, text));
   joint["viscous_friction"] = number_json(body.viscous, text);
   joint["coulomb_friction"] = number_json(body.coulomb, text);
   joint["armature"] = number_json(body.armature, text);
   if (body.rotor) {
     joint["rotor"] = {{"gear_ratio", number_json(body.rotor->gear_ratio, text)},
                       {"inertia", number_json(body.rotor->inertia, text)},
-                      {"axis", list_json(body.rotor->axis, text)},
                       {"carrier", body.rotor->carrier}};
   }
+  joint["canonical"] = canonical_json(body, text);
   return joint;
 }
 
@@ -177,7 +162,9 @@ nlohmann::ordered_json position_json(const Mechanism& mechanism, std::size_t bod
 
 std::string describe_bodies(const Mechanism& mechanism) {
   const NumberText number(mechanism);
-  std::string text;
+  std::string text =
+      "links in the frames of their parameters, which flatdyn chooses so that most constants are 0 or 1: z along the "
+      "joint's axis\n";
   for (int i = 0; i < mechanism.body_count(); ++i) {
     text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i, number);
   }

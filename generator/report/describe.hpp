@@ -8,12 +8,13 @@
 
 namespace flatdyn {
 
-// Joints, merged links, snapped angles with what each changes (verify/snap_effect.hpp). In JSON also frames and
-// inertial parameters: numbers, or the text of an expression in the free symbols.
+// Joints, merged links, snapped angles with what each changes (verify/snap_effect.hpp). In JSON also the canonical
+// frames and inertial parameters in them: numbers, or the text of an expression in the free symbols.
 std::string describe_model(const Model& model, const std::vector<double>& snap_effects);
 nlohmann::ordered_json model_json(const Model& model, const std::vector<double>& snap_effects);
 
-// The canonical bodies: where their frames are, inertial parameters about the frames' origins, motors, friction.
+// The canonical bodies, which the names of parameters belong to: where their frames are, and inertial parameters about
+// the frames' origins. In the frames of the file: report/links_in_file.hpp.
 std::string describe_bodies(const Mechanism& mechanism);
 
 // Per function: operation counts, inputs read, structural zeros.

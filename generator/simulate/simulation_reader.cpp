@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <numbers>
 
 #include "diagnostics/nearest.hpp"
 #include "input/csv_table.hpp"
+#include "input/toml_parts.hpp"
 #include "input/toml_table.hpp"
+#include "input/units.hpp"
 #include "model/assembly.hpp"
 #include "simulate/simulation.hpp"
 #include "trajectory/read_trajectory.hpp"
@@ -31,6 +34,7 @@ class SimulationReader {
 
   void read(TomlTable table) {
     table.text("description");
+    in_degrees_ = read_choice(table, "angles", {"rad", "deg"}, diagnostics_) == "deg";
     positive(table, "duration", 0, simulation_.duration);
     positive(table, "rate", 0, simulation_.rate);
     simulation_.at_limits =
@@ -66,6 +70,25 @@ class SimulationReader {
     if (const auto given = table.numbers(key, joints())) result = doubles(*given);
   }
 
+  // rad or m
+  void positions(TomlTable& table, const char* key, std::vector<double>& result) {
+    const auto given = table.numbers(key, joints());
+    if (!given) return;
+    for (std::size_t i = 0; i < joints() && !in_degrees_; ++i) {
+      const Body& body = mechanism_.joints()[i];
+      const Spot spot{(*given)[i].place, fmt::format("{}, joint \"{}\"", key, body.joint)};
+      ask_about_position((*given)[i].number, body, spot, diagnostics_);
+    }
+    result = doubles(*given);
+    bring_to_rad(result);
+  }
+
+  void bring_to_rad(std::vector<double>& values) const {
+    for (std::size_t i = 0; i < joints() && in_degrees_; ++i) {
+      if (!mechanism_.joints()[i].prismatic) values[i] *= std::numbers::pi / 180;
+    }
+  }
+
   template <class Choice>
   std::optional<Choice> choice(TomlTable& table, const char* key, const std::map<std::string, Choice>& choices) {
     const std::optional<std::string> text = table.text(key);
@@ -80,8 +103,9 @@ class SimulationReader {
   }
 
   void read_start(TomlTable table) {
-    by_joint(table, "q", simulation_.q);
+    positions(table, "q", simulation_.q);
     by_joint(table, "qd", simulation_.qd);
+    if (table.has("qd")) bring_to_rad(simulation_.qd);
     table.reject_unknown_keys();
   }
 
@@ -125,7 +149,7 @@ class SimulationReader {
     law.kd = law.kp;
     by_joint(table, "kp", law.kp);
     by_joint(table, "kd", law.kd);
-    by_joint(table, "position", law.position);
+    positions(table, "position", law.position);
     if (const std::optional<std::string> name = table.text("trajectory")) {
       if (table.has("position")) {
         diagnostics_.error(table.place_of("trajectory"), "trajectory and position: one of them", "leave one out");
@@ -178,6 +202,7 @@ class SimulationReader {
   const Mechanism& mechanism_;
   Simulation& simulation_;
   Diagnostics& diagnostics_;
+  bool in_degrees_ = false;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/toml_parts.hpp"
+#include "input/units.hpp"
 
 namespace flatdyn {
 namespace {
@@ -49,15 +50,8 @@ class PlanReader {
     return 0;
   }
 
-  // The text of a key that has few; empty where it is not there.
   std::string choice(TomlTable& table, const std::string& key, const std::vector<std::string>& known) {
-    const std::optional<std::string> text = table.text(key);
-    if (!text) return "";
-    if (std::find(known.begin(), known.end(), *text) != known.end()) return *text;
-    diagnostics_.error(table.place_of(key),
-                       key + ": " + quoted(*text) + " is none of " + fmt::format("{}", fmt::join(known, ", ")),
-                       hint_for_unknown(*text, known, "values"));
-    return "";
+    return read_choice(table, key, known, diagnostics_);
   }
 
   std::optional<double> positive(TomlTable& table, const std::string& key, double most) {
@@ -85,7 +79,7 @@ class PlanReader {
   JointPosture of_joints(TomlTable& table, const std::string& key) {
     JointPosture values(joints());
     if (table.is_table(key)) {
-      by_name(*table.table(key), values);
+      by_name(*table.table(key), key, values);
       return values;
     }
     const std::optional<std::vector<Value>> list = table.numbers(key);
@@ -96,11 +90,19 @@ class PlanReader {
                          "one for each, in the order of flatdyn inspect; or a table, { JOINT = NUMBER, ... }");
       return values;
     }
-    for (std::size_t i = 0; i < joints(); ++i) values[i] = real((*list)[i], key) * unit_of(i);
+    for (std::size_t i = 0; i < joints(); ++i) values[i] = position((*list)[i], key, i);
     return values;
   }
 
-  void by_name(TomlTable table, JointPosture& values) {
+  // Of a joint, or a way that it goes: rad or m.
+  double position(const Value& value, const std::string& key, std::size_t joint) {
+    const Body& body = mechanism_.joints()[joint];
+    const Spot spot{value.place, key + ", joint " + quoted(body.joint)};
+    if (!in_degrees_) ask_about_position(value.number, body, spot, diagnostics_);
+    return real(value, key) * unit_of(joint);
+  }
+
+  void by_name(TomlTable table, const std::string& key, JointPosture& values) {
     std::vector<std::string> names;
     for (const Body& body : mechanism_.joints()) names.push_back(body.joint);
     for (const std::string& joint : table.keys()) {
@@ -112,7 +114,7 @@ class PlanReader {
       }
       const auto i = static_cast<std::size_t>(found - names.begin());
       const std::optional<Value> value = table.number(joint, Quantity::other);
-      if (value) values[i] = real(*value, joint) * unit_of(i);
+      if (value) values[i] = position(*value, key, i);
     }
   }
 

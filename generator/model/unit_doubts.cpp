@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/unit_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace flatdyn {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kRounded = 1e-3;  // of a turn: 6.2832 and 6.29 are one, too
+constexpr double kNoLimit = 1e4;   // rad
+
+bool is_multiple_of_15(const Number& degrees) {
+  constexpr int kTwelfth = 15;
+  return !degrees.is_zero() && (degrees / kTwelfth).info(GiNaC::info_flags::integer);
+}
+
+double magnitude(const Number& number) { return std::abs(nearest_double(number)); }
+
+bool is_beyond_a_turn(double angle) { return angle > kTurn * (1 + kRounded); }
+
+}  // namespace
+
+bool may_be_degrees(const Number& angle) { return is_rational(angle) && is_beyond_a_turn(magnitude(angle)); }
+
+bool may_be_degrees(const Number& position, const Limits& limits, bool continuous) {
+  if (!may_be_degrees(position)) return false;
+  const double size = magnitude(position);
+  if (limits.lower && limits.upper) {
+    return size > std::max(magnitude(limits.lower->number), magnitude(limits.upper->number));
+  }
+  return !continuous || size > kManyTurns || is_multiple_of_15(position);
+}
+
+bool limit_may_be_degrees(const Number& limit) {
+  if (!is_rational(limit)) return false;
+  const double size = magnitude(limit);
+  return size <= kNoLimit && (size > kManyTurns || is_multiple_of_15(limit));
+}
+
+std::string degrees_question(const Number& angle) {
+  constexpr double kFew = 10;
+  const double turns = magnitude(angle) / kTurn;
+  return fmt::format("{:.6g} rad is {:.{}f} turns; were degrees meant?", nearest_double(angle), turns,
+                     turns < kFew ? 1 : 0);
+}
+
+std::string radians_text(const Number& degrees, AngleText form) {
+  constexpr int kDigits = 17, kTenTurns = 3600;
+  const Number angle = degrees * GiNaC::Pi / 180;
+  const bool is_nice = is_multiple_of_15(degrees) && magnitude(degrees) <= kTenTurns;
+  if (form == AngleText::decimal || !is_nice) return to_decimal(angle, kDigits);
+  const GiNaC::numeric half_turns = GiNaC::ex_to<GiNaC::numeric>(degrees / 180);
+  const int above = half_turns.numer().to_int(), below = half_turns.denom().to_int();
+  const std::string factor = above == 1 ? "" : above == -1 ? "-" : fmt::format("{}*", above);
+  return fmt::format("\"{}pi{}\"", factor, below == 1 ? "" : fmt::format("/{}", below));
+}
+
+std::string degrees_hint(const Number& angle) {
+  return "if so, write angles = \"deg\" at the top of the file, or " + radians_text(angle, AngleText::expression);
+}
+
+}  // namespace flatdyn

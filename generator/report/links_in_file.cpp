@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/links_in_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "flatdyn/reference/kinematics.hpp"
+#include "model/physical_inertia.hpp"
+#include "report/number_json.hpp"
+#include "symbolic/number_text.hpp"
+#include "verify/reference_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Vector = reference::Vector3<double>;
+using NumericRobot = reference::Robot<double>;
+using NumericJoint = reference::Joint<double>;
+
+const LinkFrame& frame_of(const Mechanism& mechanism, int body) {
+  const std::string& link = mechanism.bodies[static_cast<std::size_t>(body)].link;
+  return *std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                       [&](const LinkFrame& frame) { return frame.body == body && frame.link == link; });
+}
+
+// The joints' points of the numeric robot: a link's own joint, those on it, and the tip, all in the link's frame.
+class Lengths {
+ public:
+  explicit Lengths(const NumericRobot& robot) : robot_(robot) {}
+
+  const NumericJoint* joint_of(int link) const {
+    const auto found = std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                                    [link](const NumericJoint& joint) { return joint.child == link; });
+    return found == robot_.joints.end() ? nullptr : &*found;
+  }
+
+  // Nothing where the link carries neither a joint that moves nor the tip.
+  std::optional<double> of(int link) const {
+    const NumericJoint* joint = joint_of(link);
+    farthest_.reset();
+    from_ = joint == nullptr ? Vector(Vector::Zero()) : Vector(-joint->R_1.transpose() * joint->p_1);
+    visit(link, reference::Matrix3<double>::Identity(), Vector::Zero());
+    return farthest_;
+  }
+
+ private:
+  void visit(int link, const reference::Matrix3<double>& R, const Vector& p) const {
+    if (link == robot_.tip) measure(p + R * robot_.p_tip);
+    for (const NumericJoint& joint : robot_.joints) {
+      if (joint.parent != link) continue;
+      if (joint.index >= 0) {
+        measure(p + R * joint.p_0);
+      } else {
+        const reference::Matrix3<double> R_0 = R * joint.R_0;
+        visit(joint.child, R_0 * joint.R_1, p + R * joint.p_0 + R_0 * joint.p_1);
+      }
+    }
+  }
+  void measure(const Vector& point) const { farthest_ = std::max(farthest_.value_or(0), (point - from_).norm()); }
+
+  const NumericRobot& robot_;
+  mutable Vector from_ = Vector::Zero();
+  mutable std::optional<double> farthest_;
+};
+
+int written_link(const Robot& robot, const std::string& name) {
+  const auto found =
+      std::find_if(robot.links.begin(), robot.links.end(), [&](const Link& link) { return link.name == name; });
+  return static_cast<int>(found - robot.links.begin());
+}
+
+bool has_values(const Model& model) { return model.robot.symbols.empty(); }
+
+std::string moment_text(const Mat3& I, const NumberText& number) {
+  return fmt::format("xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2", number(I[0][0]), number(I[1][1]),
+                     number(I[2][2]), number(I[0][1]), number(I[0][2]), number(I[1][2]));
+}
+
+// With symbols the centre of mass would be a quotient of sums; products are read more easily.
+std::string inertia_text(const InertialParameters& b, const NumberText& number) {
+  if (has_symbols(b.mass)) {
+    return fmt::format("  m = {} kg, m r = {} kg m\n  I = {} about the link's origin\n", number(b.mass),
+                       number(b.first_moment), moment_text(b.inertia, number));
+  }
+  return fmt::format("  m = {} kg, com = {} m\n  I = {} about com\n", number(b.mass), number(centre_of_mass(b)),
+                     moment_text(central_tensor(b), number));
+}
+
+std::string friction_text(const Body& body, const Mechanism& mechanism, const NumberText& number) {
+  std::string text = fmt::format("  friction F_v = {}, F_s = {}\n", number(body.viscous), number(body.coulomb));
+  if (!vanishes(body.armature)) text += fmt::format("  reflected inertia {}\n", number(body.armature));
+  if (!body.rotor) return text;
+  const int carrier = body.rotor->carrier;
+  const Mat3 R = carrier < 0 ? identity_matrix() : frame_of(mechanism, carrier).R;
+  return text + fmt::format("  rotor: k_r = {}, I_m = {} kg m^2, axis {} on {}\n", number(body.rotor->gear_ratio),
+                            number(body.rotor->inertia), number(expanded(transpose(R) * body.rotor->axis)),
+                            carrier < 0 ? "the base" : mechanism.bodies[static_cast<std::size_t>(carrier)].link);
+}
+
+std::string mass_text(const Mechanism& mechanism, const NumberText& number) {
+  Number moving = 0;
+  for (const Body& body : mechanism.bodies) moving += body.inertia.mass;
+  std::string text = fmt::format("masses {} kg in all", number((moving + mechanism.base.mass).expand()));
+  if (!vanishes(mechanism.base.mass)) text += fmt::format(", of which {} do not move", number(mechanism.base.mass));
+  return text;
+}
+
+std::string reach_text(const Reach& reach, const std::string& tip) {
+  std::string text = fmt::format("; the tip, {}, is within {:.6g} m of joint {}", tip, reach.links, reach.first_joint);
+  if (!reach.without.empty()) text += fmt::format(", beside the way of {}", fmt::join(reach.without, ", "));
+  if (!reach.at_zero) return text;
+  const auto& [x, y, z] = *reach.at_zero;
+  return text + fmt::format(", at q = 0 at ({:.6g}, {:.6g}, {:.6g}) m", x, y, z);
+}
+
+// Sums that are 0 but for their rounding.
+double without_dust(double x) {
+  constexpr double kDust = 1e-12;  // m
+  return std::abs(x) < kDust ? 0 : x;
+}
+
+}  // namespace
+
+std::vector<LinkInFile> links_in_file(const Model& model) {
+  const Mechanism& mechanism = model.mechanism;
+  std::vector<LinkInFile> links;
+  std::optional<NumericRobot> numeric;
+  if (has_values(model)) numeric = reference_robot<double>(model.robot, {});
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    const LinkFrame& frame = frame_of(mechanism, i);
+    const Mat3 back = transpose(frame.R);
+    LinkInFile link;
+    link.body = i;
+    link.inertia = transformed(body.inertia, back, expanded(Number(-1) * (back * frame.p)));
+    for (const LinkFrame& other : mechanism.links) {
+      if (other.body == i && other.link != body.link) link.with.push_back(other.link);
+    }
+    if (numeric) link.length = Lengths(*numeric).of(written_link(model.robot, body.link));
+    links.push_back(std::move(link));
+  }
+  return links;
+}
+
+std::optional<Reach> reach_of(const Model& model) {
+  const Mechanism& mechanism = model.mechanism;
+  if (!has_values(model) || mechanism.tip.body < 0) return std::nullopt;
+  const std::vector<LinkInFile> links = links_in_file(model);
+  const std::vector<int> way = way_to(mechanism, mechanism.tip.body);
+  Reach reach;
+  reach.first_joint = mechanism.bodies[static_cast<std::size_t>(way.front())].joint;
+  for (const int i : way) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    reach.links += links[static_cast<std::size_t>(i)].length.value_or(0);
+    if (!body.prismatic) continue;
+    if (body.limits.lower && body.limits.upper) {
+      reach.links += std::max(std::abs(nearest_double(body.limits.lower->number)),
+                              std::abs(nearest_double(body.limits.upper->number)));
+    } else {
+      reach.without.push_back(body.joint);
+    }
+  }
+  if (mechanism.has_loops()) return reach;
+  const NumericRobot numeric = reference_robot<double>(model.robot, {});
+  const reference::VectorX<double> zero = reference::VectorX<double>::Zero(numeric.position_count());
+  const Vector p = reference::tip_pose(numeric, zero).p;
+  reach.at_zero = {without_dust(p.x()), without_dust(p.y()), without_dust(p.z())};
+  return reach;
+}
+
+std::string describe_links(const Model& model) {
+  const Mechanism& mechanism = model.mechanism;
+  const NumberText number(mechanism);
+  std::string text = mass_text(mechanism, number);
+  if (const std::optional<Reach> reach = reach_of(model)) text += reach_text(*reach, mechanism.tip.link);
+  text +=
+      "\n\nlinks in the file's frames: origin and axes are those of the link in the file; a link is as long as from "
+      "its "
+      "joint to the farthest\njoint on it, or to the tip\n";
+  for (const LinkInFile& link : links_in_file(model)) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(link.body)];
+    text += fmt::format("link {} ({}), moved by {}", link.body + 1, body.link, body.joint);
+    if (link.length) text += fmt::format(", {:.6g} m long", *link.length);
+    if (!link.with.empty()) text += fmt::format(", with {}", fmt::join(link.with, ", "));
+    text += "\n" + inertia_text(link.inertia, number) + friction_text(body, mechanism, number);
+  }
+  return text;
+}
+
+nlohmann::ordered_json links_json(const Model& model) {
+  const Mechanism& mechanism = model.mechanism;
+  const NumberText text(mechanism);
+  nlohmann::ordered_json json;
+  Number mass = mechanism.base.mass;
+  for (const Body& body : mechanism.bodies) mass += body.inertia.mass;
+  json["mass"] = number_json(mass.expand(), text);
+  if (const std::optional<Reach> reach = reach_of(model)) {
+    json["reach"] = {{"joint", reach->first_joint}, {"at_most", reach->links}, {"without_strokes_of", reach->without}};
+    if (reach->at_zero) json["tip_at_zero"] = *reach->at_zero;
+  }
+  json["links"] = nlohmann::ordered_json::array();
+  for (const LinkInFile& link : links_in_file(model)) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(link.body)];
+    nlohmann::ordered_json item = {{"name", body.link}, {"joint", body.joint}, {"with", link.with}};
+    if (link.length) item["length"] = *link.length;
+    item["mass"] = number_json(link.inertia.mass, text);
+    item["first_moment"] = list_json(link.inertia.first_moment, text);
+    if (!has_symbols(link.inertia.mass)) {
+      item["com"] = list_json(centre_of_mass(link.inertia), text);
+      item["inertia_about_com"] = matrix_json(central_tensor(link.inertia), text);
+    }
+    item["inertia_about_origin"] = matrix_json(link.inertia.inertia, text);
+    json["links"].push_back(item);
+  }
+  return json;
+}
+
+}  // namespace flatdyn
