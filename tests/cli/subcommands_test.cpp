@@ -176,7 +176,9 @@ TEST(Json, InspectHasTheModelInNumbers) {
   EXPECT_EQ(model["joints"][3]["name"], "panda_joint4");
   EXPECT_EQ(model["joints"][3]["upper"], -0.0698);
   EXPECT_EQ(model["gravity"], json({0.0, 0.0, -9.81}));
-  EXPECT_EQ(model["joints"][0]["inertia_about_origin"].size(), 3u);
+  EXPECT_EQ(model["joints"][0]["canonical"]["inertia_about_origin"].size(), 3u);
+  EXPECT_EQ(model["links"][1]["name"], "panda_link2");
+  EXPECT_NEAR(model["links"][1]["length"].get<double>(), 0.316, 1e-12);
 }
 
 TEST(Help, OpensWithTwoRunnableExamples) {
