@@ -169,17 +169,18 @@ bool CsvHeading::is_counted_well(CsvQuantity quantity, const std::vector<std::si
   const auto zero = std::find_if(columns_.begin(), columns_.end(), is_zero);
   const bool has_zero = *numbers.begin() == 0;
   if (!has_zero && (zero == columns_.end() || !is_of_joints(quantity))) return true;
+  const std::string why =
+      has_zero ? fmt::format("the robot has {}", length) : fmt::format("and {} is counted from 0", zero->name);
   const std::string stem = stem_of(quantity);
-  const std::string expected =
-      fmt::format("{}, or {}", set_of_columns(stem, 0, length), set_of_columns(stem, 1, length));
+  const std::string first =
+      is_of_joints(quantity) && length > 0 ? joint_of(quantity, 0, mechanism_).joint : std::string("JOINT");
   diagnostics_.error(
       place_,
-      has_zero ? fmt::format("columns {}: the robot has {} such quantities, {}", names_of(columns), length, expected)
-               : fmt::format("columns {} are not all of {}, and {} is counted from 0", names_of(columns), expected,
-                             zero->name),
-      fmt::format("it is not clear which column is which joint's: give all of one set and no more, or "
-                  "name columns by joint, {}_{}",
-                  stem, is_of_joints(quantity) && length > 0 ? joint_of(quantity, 0, mechanism_).joint : "JOINT"));
+      fmt::format("columns {} are neither {} nor {}, {}", names_of(columns), set_of_columns(stem, 0, length),
+                  set_of_columns(stem, 1, length), why),
+      fmt::format("give all of one set and no more, or name columns by joint, {}_{}: else it is not clear "
+                  "which column is which joint's",
+                  stem, first));
   return false;
 }
 

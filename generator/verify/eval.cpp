@@ -280,6 +280,7 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
   const Columns columns(mechanism, heading, inputs, function.base_parameters);
   if (!diagnostics.has_errors())
     say_what_is_missing(columns, inputs, function, {file, states.heading_line}, diagnostics);
+  for (const InputKind kind : function.inputs) heading.pass_over(quantity_of(kind));
   heading.pass_over(CsvQuantity::time);
   heading.finish();
   check_entries(states, columns.sources(), heading, file, diagnostics);

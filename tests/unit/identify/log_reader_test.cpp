@@ -83,7 +83,7 @@ TEST_F(LogTest, WhatIsWrongWithTheHeadingIsSaid) {
       {"t,q1,q2,tau1,tau2,qd2\n", "1: no column for qd1"},
       {"t,q1,q2,tau1,tau2,q_theta_1\n", "1: columns \"q1\" and \"q_theta_1\" are the same quantity"},
       {"t,q1,q1,q2,tau1,tau2\n", "1: column \"q1\" is there twice"},
-      {"t,q0,q1,q2,tau0,tau1\n", "1: columns q0, q1, q2: the robot has 2 such quantities, q0 to q1, or q1 to q2"},
+      {"t,q0,q1,q2,tau0,tau1\n", "1: columns q0, q1, q2 are neither q0 to q1 nor q1 to q2, the robot has 2"},
       {"# t,q1,q2,tau1,tau2\n0,1,2,3,4\n", "2: there is a row of numbers where the heading is expected"},
       {"t,q1 [grad],q2,tau1,tau2\n", "1: column \"q1\": unknown unit \"grad\""},
       {"t q1 q2 tau1 tau2\n", "1: no column for the time: t"},

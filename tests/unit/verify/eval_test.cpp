@@ -76,6 +76,12 @@ TEST_F(Eval, TakesJointNames) {
   EXPECT_EQ(evaluate("inertia_matrix", named).rows.at(0).at(4), evaluate("inertia_matrix", states).rows.at(1).at(5));
 }
 
+// An argument that this robot's function does not need is no column that nobody knows.
+TEST_F(Eval, NamesColumnsThatTheFunctionDoesNotTake) {
+  evaluate("gravity", {{"m", "q1", "q2", "qd1", "room", "time"}, {{"1", "1", "2", "3", "kitchen", "x"}}, {2}});
+  EXPECT_THAT(messages, ElementsAre("states.csv:1: note: columns that are not used: qd1, room"));
+}
+
 // What the function does not read must not shift what it reads.
 TEST_F(Eval, TakesColumnsCountedFromZero) {
   const CsvTable zero{{"q0", "q1", "m"}, {{"7", "0.5", "0.5"}}, {2}};
@@ -87,8 +93,7 @@ TEST_F(Eval, TakesColumnsCountedFromZero) {
     EXPECT_TRUE(evaluate("inertia_matrix", unclear).rows.empty());
   }
   ASSERT_EQ(messages.size(), 2u);
-  EXPECT_THAT(messages[1],
-              ::testing::HasSubstr("error: columns q0, q1, q2: the robot has 2 such quantities, q0 to q1, "));
+  EXPECT_THAT(messages[1], ::testing::HasSubstr("error: columns q0, q1, q2 are neither q0 to q1 nor q1 to q2, "));
 }
 
 TEST_F(Eval, ConvertsDegreesExactlyAndPassesThemOn) {
