@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "input/context.hpp"
 #include "model/pivot_share.hpp"
 #include "plan.hpp"
 #include "plan_together.hpp"
 #include "search/search.hpp"
+#include "symbolic/factorisation.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 
@@ -72,6 +74,23 @@ void note_lost_pivots(const Model& model, const std::vector<Plan>& plans, Diagno
                 "B(q) is singular to the last place of a double at some positions: what divides by its pivots, such as "
                 "forward dynamics, returns false there",
                 "give the links between its joints their inertia");
+}
+
+// Which link is to be mended before a function can divide by B(q), and where it stands.
+Diagnostics mending(const Robot& robot, const std::string& function, const SingularInertia& failure) {
+  Diagnostics found;
+  for (const Joint& joint : robot.joints) {
+    if (joint.name != failure.joint) continue;
+    const Link& link = robot.links[static_cast<std::size_t>(joint.child)];
+    found.unsupported(
+        link.place,
+        fmt::format("{}: B(q) is singular, because joint \"{}\" ({}) moves no inertia: link \"{}\" has {}", function,
+                    joint.name, line_seen_from(link.place, joint.place), link.name,
+                    joint.type == JointType::prismatic ? "no mass" : "none about its axis"),
+        "give the link its mass and inertia, or the joint an armature or a motor, or hold it still: --fix " +
+            joint.name);
+  }
+  return found;
 }
 
 std::vector<std::string> names_of_functions(bool on_request, const Mechanism& mechanism) {
@@ -202,6 +221,10 @@ std::vector<OptimisedFunction> make_functions(const Model& model, const Pipeline
   for (const std::string& name : names) {
     try {
       plans.push_back(planned(model, name, progress));
+    } catch (const SingularInertia& failure) {
+      Diagnostics found = mending(model.robot, name, failure);
+      if (asked) throw BadInput(ExitCode::unsupported, std::move(found));
+      for (const Diagnostic& each : found.all()) findings.warning(each.place, "left out " + each.message, each.hint);
     } catch (const Failure& failure) {
       if (asked || failure.code() != ExitCode::unsupported) throw;
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());

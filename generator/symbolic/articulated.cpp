@@ -147,7 +147,7 @@ class ArticulatedRecursion {
     j.moment = prismatic ? column(transpose(all.G), 2) : column(all.J, 2);
     j.pivot = d_.named(
         (prismatic ? all.M[2][2] : all.J[2][2]) + d_.named(reflected_inertia(frames_.body(i)), "I_r" + n), "D_" + n);
-    if (vanishes(j.pivot)) fail_as_singular(frames_.body(i));
+    if (vanishes(j.pivot)) throw SingularInertia(frames_.body(i));
     j.inverse = d_.quotient(1, j.pivot, "d_" + n);
     j.rest = d_.named(driving_torque(i) - (prismatic ? F[2] : N[2]), "rest_" + n);
     if (parent(i) < 0) return;

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "diagnostics/diagnostics.hpp"
-
 namespace flatdyn {
 
 namespace {
@@ -13,18 +11,18 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-void fail_as_singular(const Body& body) {
-  throw Failure(ExitCode::unsupported,
-                fmt::format("forward_dynamics: B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
-                "give the links that it moves their inertia, or its motor a rotor");
-}
+SingularInertia::SingularInertia(const Body& body)
+    : Failure(ExitCode::unsupported,
+              fmt::format("forward_dynamics: B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
+              "give the links that it moves their inertia, or its motor a rotor"),
+      joint(body.joint) {}
 
 Factorisation::Factorisation(Frames& frames, Rows B)
     : derivation_(frames.derivation()), L_(std::move(B)), inverse_(L_.size()) {
   const Mechanism& mechanism = frames.mechanism();
   // Coupled joints on different branches feel each other: then zeros are found one by one.
   for (int k = 0; k < mechanism.size(); ++k) parents_.push_back(mechanism.is_coupled() ? k - 1 : frames.body(k).parent);
-  factorise([&mechanism](std::size_t k) { fail_as_singular(mechanism.joint(static_cast<int>(k))); });
+  factorise([&mechanism](std::size_t k) { throw SingularInertia(mechanism.joint(static_cast<int>(k))); });
 }
 
 Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, Rows matrix, const std::string& what,

@@ -7,16 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/diagnostics.hpp"
 #include "symbolic/newton_euler.hpp"
 
 namespace flatdyn {
 
-// What to say of a joint whose pivot is exactly zero.
-[[noreturn]] void fail_as_singular(const Body& body);
+// B(q) is singular at every q, because the pivot of a joint is exactly zero.
+class SingularInertia : public Failure {
+ public:
+  explicit SingularInertia(const Body& body);
+  std::string joint;  // its name
+};
 
 class Factorisation {
  public:
-  // B as from inertia_matrix. Throws Failure(unsupported) if a pivot is exactly zero.
+  // B as from inertia_matrix. Throws SingularInertia if a pivot is exactly zero.
   Factorisation(Frames& frames, Rows B);
   // Of any symmetric matrix; parents[k] < k, below -1: those entries of row k are zero that are not on the way from k
   // to -1. `what` is the matrix, for messages; `prefix` sets its names apart from those of B.

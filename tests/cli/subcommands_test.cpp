@@ -128,7 +128,10 @@ TEST(Generate, LeavesOutForwardDynamicsWhereBIsSingular) {
   EXPECT_THAT(all.err, HasSubstr("warning: left out forward_dynamics: B(q) is singular, because joint \"joint1\""));
   EXPECT_THAT(scratch.read("empty.hpp"), Not(HasSubstr("void forward_dynamics(")));
   EXPECT_THAT(scratch.read("empty.hpp"), HasSubstr("void inverse_dynamics("));
-  EXPECT_EQ(run_flatdyn(generate + " --functions forward_dynamics").code, 4);
+  const Outcome asked = run_flatdyn(generate + " --functions forward_dynamics");
+  EXPECT_EQ(asked.code, 4);
+  EXPECT_THAT(asked.err, HasSubstr("empty.toml:1: error: forward_dynamics: B(q) is singular, because joint \"joint1\" "
+                                   "(line 1) moves no inertia: link \"link1\" has none about its axis"));
   EXPECT_EQ(run_flatdyn("verify " + scratch.path("empty.toml") + " --states 5").code, 0);
 }
 
