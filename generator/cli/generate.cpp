@@ -13,6 +13,7 @@
 #include "report/describe.hpp"
 #include "report/proof_report.hpp"
 #include "report/scene_report.hpp"
+#include "verify/rounded_angles.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
@@ -265,6 +266,7 @@ ExitCode generate(GenerateArguments arguments) {
     if (options.warnings_are_errors && made.findings.has_warnings()) throw BadInput(ExitCode::input, made.findings);
   }
   prove_text(read_back, made.functions, made.stages);
+  if (!arguments.quiet) ask_for_rounded_angles(model, options, made.functions, made.findings);
   const std::vector<double> effects = snap_effects(model, options.read);
   const std::string manifest = manifest_of(model, made, emit, files, effects).dump(2) + "\n";
   const std::filesystem::path beside_header = std::filesystem::path(files[0].path).replace_extension(".json");
@@ -277,7 +279,7 @@ ExitCode generate(GenerateArguments arguments) {
     fmt::print("{}", manifest);
     return ExitCode::ok;
   }
-  fmt::print("{}\n{}\n", describe_model(model, effects),
+  fmt::print("{}\n{}\n", describe_model(model, effects, arguments.verbose ? SnapDetail::each : SnapDetail::one_line),
              describe_functions(made.functions, symbol_names(model.mechanism)));
   if (made.stages) fmt::print("{}\n", describe_stages(*made.stages));
   if (made.given_up) fmt::print("{}\n", describe_abbreviation(model, *made.given_up));

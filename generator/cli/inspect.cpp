@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "report/base_report.hpp"
 #include "report/describe.hpp"
+#include "verify/rounded_angles.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
@@ -16,7 +17,9 @@ struct InspectArguments : RobotArguments {
 
 ExitCode inspect(const InspectArguments& arguments) {
   const Model model = read_model(arguments.robot, arguments.options());
-  print_diagnostics(model.diagnostics, arguments.quiet);
+  Diagnostics findings = model.diagnostics;
+  ask_for_rounded_angles(model, arguments.options(), {}, findings);
+  print_diagnostics(findings, arguments.quiet);
   const ParameterSet set = parameter_set(arguments.parameters);
   const std::vector<double> effects = snap_effects(model, arguments.options().read);
   if (arguments.json) {
@@ -24,9 +27,9 @@ ExitCode inspect(const InspectArguments& arguments) {
     if (arguments.base) json.update(base_json(model.mechanism, set));
     fmt::print("{}\n", json.dump(2));
   } else if (arguments.base) {
-    fmt::print("{}\n{}", describe_model(model, effects), describe_base(model.mechanism, set));
+    fmt::print("{}\n{}", describe_model(model, effects, SnapDetail::each), describe_base(model.mechanism, set));
   } else {
-    fmt::print("{}\n{}", describe_model(model, effects), describe_bodies(model.mechanism));
+    fmt::print("{}\n{}", describe_model(model, effects, SnapDetail::each), describe_bodies(model.mechanism));
   }
   return ExitCode::ok;
 }

@@ -20,6 +20,9 @@ struct ReadOptions {
   Scene scene;                                    // --gravity, --fix: goes before what the scene file says
 };
 
+// What is smaller than this part of its neighbours is dust: 1e-9, or less if that is asked of angles.
+Number dust_part(const ReadOptions& options);
+
 // Reads a URDF (tinyxml2) or TOML (toml++) file, by its content's kind (extension .urdf/.xml or .toml), checks it
 // (validate.hpp) and orders nothing. All findings go to `diagnostics`; nullopt if any of them is an error.
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
