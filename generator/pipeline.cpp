@@ -8,6 +8,7 @@
 
 #include "input/context.hpp"
 #include "model/pivot_share.hpp"
+#include "model/snap_cancelled.hpp"
 #include "plan.hpp"
 #include "plan_together.hpp"
 #include "search/search.hpp"
@@ -164,7 +165,7 @@ Model read_model(const std::filesystem::path& path, const PipelineOptions& optio
     const ExitCode code = code_of(diagnostics);
     throw BadInput(code, std::move(diagnostics));
   }
-  Mechanism mechanism = make_mechanism(*robot);
+  Mechanism mechanism = snap_cancelled(dust_part(options.read), *robot);
   std::string hash = options.read.sources->hash(robot->files);
   std::optional<Abbreviation> abbreviation;
   if (!options.whole_functions) abbreviation = abbreviation_of(*robot, mechanism, options);

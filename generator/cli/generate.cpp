@@ -14,6 +14,7 @@
 #include "report/json_text.hpp"
 #include "report/proof_report.hpp"
 #include "report/scene_report.hpp"
+#include "verify/rounded_angles.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
@@ -268,8 +269,9 @@ std::vector<TextFile> companions(const Model& model, const std::vector<Function>
 // For people.
 std::string tables(const Model& model, const Made& made, const std::vector<double>& effects,
                    const GenerateArguments& arguments, const EmittedText& read_back) {
-  std::string text =
-      describe_model(model, effects) + "\n" + describe_functions(made.functions, symbol_names(model.mechanism)) + "\n";
+  const SnapDetail detail = arguments.verbose ? SnapDetail::each : SnapDetail::one_line;
+  std::string text = describe_model(model, effects, detail) + "\n" +
+                     describe_functions(made.functions, symbol_names(model.mechanism)) + "\n";
   if (made.stages) text += describe_stages(*made.stages) + "\n";
   if (made.given_up) text += describe_abbreviation(model, *made.given_up) + "\n";
   text += describe_proofs(made.proofs, rounding_of_constants(read_back, arguments)) + "\n";
@@ -295,6 +297,7 @@ ExitCode generate(GenerateArguments arguments) {
     if (options.warnings_are_errors && made.findings.has_warnings()) throw BadInput(ExitCode::input, made.findings);
   }
   prove_text(read_back, made.functions, made.stages);
+  if (!arguments.quiet) ask_for_rounded_angles(model, options, made.functions, made.findings);
   const std::vector<double> effects = snap_effects(model, options.read);
   const std::string manifest = json_text(manifest_of(model, made, emit, files, effects));
   if (arguments.is_to_stdout()) {

@@ -6,6 +6,7 @@
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
 #include "report/links_in_file.hpp"
+#include "verify/rounded_angles.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
@@ -19,7 +20,9 @@ struct InspectArguments : RobotArguments {
 ExitCode inspect(const InspectArguments& arguments) {
   const PipelineOptions options = arguments.options();
   const Model model = read_model(arguments.robot, options);
-  print_diagnostics(model.diagnostics, arguments);
+  Diagnostics findings = model.diagnostics;
+  ask_for_rounded_angles(model, options, {}, findings);
+  print_diagnostics(findings, arguments);
   const ParameterSet set = parameter_set(arguments.parameters);
   const std::vector<double> effects = snap_effects(model, options.read);
   if (arguments.json) {
@@ -28,10 +31,10 @@ ExitCode inspect(const InspectArguments& arguments) {
     if (arguments.base) json.update(base_json(model.mechanism, set));
     print_result(json_text(json));
   } else if (arguments.base) {
-    print_result(describe_model(model, effects) + "\n" + describe_bodies(model.mechanism) + "\n" +
+    print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_bodies(model.mechanism) + "\n" +
                  describe_base(model.mechanism, set));
   } else {
-    print_result(describe_model(model, effects) + "\n" + describe_links(model));
+    print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_links(model));
   }
   return ExitCode::ok;
 }

@@ -63,9 +63,15 @@ bool has_tiny_exponent(std::string_view text) {
   }
 }
 
-// Of a number without symbols, for comparisons.
-GiNaC::numeric magnitude_of(const Number& value) {
-  return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(is_rational(value) ? value : value.evalf()));
+// Whether a decimal that is off by so much is another number rounded, or cut off, to two to four digits: 1.57, 0.785.
+bool has_few_digits_of(const GiNaC::numeric& distance, std::string_view written) {
+  const std::size_t point = written.find('.');
+  if (point == std::string_view::npos || written.find_first_of("eE") != std::string_view::npos) return false;
+  const std::size_t first = written.find_first_of("123456789");
+  const std::size_t decimals = written.size() - point - 1;
+  const std::size_t digits = written.size() - first - (first < point ? 1 : 0);
+  return digits >= 2 && digits <= 4 && distance < GiNaC::pow(GiNaC::numeric(10), -static_cast<int>(decimals)) &&
+         distance <= GiNaC::numeric(2, 1000);
 }
 
 }  // namespace
@@ -95,13 +101,13 @@ std::optional<int> find_link(const Robot& robot, const Reference& link, const st
 bool check_magnitude(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
   static const GiNaC::numeric kLargest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e30"));
   if (vanishes(value)) return true;
-  const GiNaC::numeric magnitude = magnitude_of(value);
-  if (magnitude > kLargest) {
+  const GiNaC::numeric size = magnitude(value);
+  if (size > kLargest) {
     diagnostics.error(spot.place, spot.what + ": " + shown + " is too large",
                       "numbers go up to 1e30; check the units (SI)");
     return false;
   }
-  if (magnitude < smallest_number()) {
+  if (size < smallest_number()) {
     diagnostics.error(spot.place, spot.what + ": " + shown + " is too small",
                       "numbers other than 0 go down to 1e-30; write 0 if it is only a rounding error");
     return false;
@@ -150,7 +156,7 @@ std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, D
   }
   try {
     const Number value = exact_decimal(text);
-    if (!vanishes(value) && magnitude_of(value) < smallest_number()) return taken_for_zero(shown, spot, diagnostics);
+    if (!vanishes(value) && magnitude(value) < smallest_number()) return taken_for_zero(shown, spot, diagnostics);
     if (check_magnitude(value, shown, spot, diagnostics)) return value;
   } catch (const std::invalid_argument& error) {
     if (has_tiny_exponent(text)) return taken_for_zero(shown, spot, diagnostics);
@@ -166,19 +172,20 @@ std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, D
 Number snapped_angle(const Number& angle, std::string_view written, const Spot& spot, ReadContext& context) {
   constexpr int kDigitsOfPi = 100;  // above the tolerance of any decimal that can be meant for a multiple of pi/12
   constexpr int kDigitsReported = 50;
-  if (angle.is_zero()) return angle;
+  if (angle.is_zero() || context.options.snap_tolerance.is_zero()) return angle;
   static const Number kTwelfth = exact_decimal(to_decimal(GiNaC::Pi, kDigitsOfPi)) / 12;
   const GiNaC::numeric multiple = rounded(angle / kTwelfth);
   const Number difference = multiple * kTwelfth - angle;
-  const Number distance = GiNaC::abs(difference);
-  if (GiNaC::ex_to<GiNaC::numeric>(distance) > GiNaC::ex_to<GiNaC::numeric>(context.options.snap_tolerance))
+  const Snap snap{spot.place, spot.what, std::string(written), multiple * GiNaC::Pi / 12,
+                  exact_decimal(to_decimal(difference, kDigitsReported))};
+  if (magnitude(difference) > magnitude(context.options.snap_tolerance)) {
+    if (!multiple.is_zero() && has_few_digits_of(magnitude(difference), written))
+      context.rounded_angles.push_back(snap);
     return angle;
-  if (context.options.snap_tolerance.is_zero()) return angle;
+  }
   if (context.angles_near++ == context.options.left_unsnapped) return angle;
-  const Number exact = multiple * GiNaC::Pi / 12;
-  context.snaps.push_back(
-      {spot.place, spot.what, std::string(written), exact, exact_decimal(to_decimal(difference, kDigitsReported))});
-  return exact;
+  context.snaps.push_back(snap);
+  return snap.exact;
 }
 
 bool check_size(std::uintmax_t size, const std::string& path, Diagnostics& diagnostics) {

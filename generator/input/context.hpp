@@ -51,6 +51,7 @@ struct ReadContext {
   std::vector<HeldJoint> held_joints;  // that options, scene or robot file want held; of two for one joint the first
   std::set<std::string> rotor_joints;  // whose armature is gear_ratio^2 rotor_inertia of a URDF
   std::vector<LongLength> long_lengths = {};
+  std::vector<Snap> rounded_angles = {};  // multiples of pi/12 to a few digits
 };
 
 bool is_held(const std::string& joint, const ReadContext& context);
@@ -66,7 +67,8 @@ std::optional<int> find_link(const Robot& robot, const Reference& link, const st
 std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, Diagnostics& diagnostics);
 
 // A decimal angle: the exact multiple of pi/12 if it is within the tolerance of one, which is then recorded, else
-// the decimal as it is. `written` is the text that `angle` was read from.
+// the decimal as it is; recorded, too, if it is such a multiple to a few digits. `written` is the text that `angle` was
+// read from.
 Number snapped_angle(const Number& angle, std::string_view written, const Spot& spot, ReadContext& context);
 
 // The number that an expression stands for, if it may be an angle: a multiple of Pi by a rational, a rational, or a

@@ -16,6 +16,7 @@
 #include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
 #include "model/linear_loops.hpp"
+#include "model/snap_dust.hpp"
 #include "model/validate.hpp"
 
 namespace flatdyn {
@@ -26,13 +27,11 @@ const Place kCommandLine;
 
 // The last link in depth-first order of those that move: a sensor that is fixed to the base is nobody's tip.
 int last_moving_link(const Robot& robot) {
-  std::vector<bool> moves(robot.links.size(), false);
+  const std::vector<bool> moves = moving_links(robot);
   int last = robot.root;
   for (const int j : depth_first_joints(robot)) {
-    const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
-    const auto child = static_cast<std::size_t>(joint.child);
-    moves[child] = joint.type != JointType::fixed || moves[static_cast<std::size_t>(joint.parent)];
-    if (moves[child]) last = joint.child;
+    const int child = robot.joints[static_cast<std::size_t>(j)].child;
+    if (moves[static_cast<std::size_t>(child)]) last = child;
   }
   return last;
 }
@@ -111,6 +110,10 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   hold_joints(context, robot);
   if (!validate_tree(robot, context.diagnostics)) return;
   attach(attachments, context, robot);
+  if (robot.scene.gravity) robot.gravity = *robot.scene.gravity;
+  robot.snaps = context.snaps;
+  robot.rounded_angles = context.rounded_angles;
+  snap_dust(dust_part(context.options), robot);
   validate_values(robot, payload_places(attachments, robot.scene), context.diagnostics);
   ask_about_units(robot, context);
 }
@@ -125,6 +128,11 @@ void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnosti
 
 }  // namespace
 
+Number dust_part(const ReadOptions& options) {
+  const GiNaC::numeric tolerance = magnitude(options.snap_tolerance), usual = magnitude(exact_decimal("1e-9"));
+  return tolerance < usual ? tolerance : usual;
+}
+
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
                                 Diagnostics& diagnostics) {
   Diagnostics found;
@@ -137,9 +145,7 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   read_into(robot.file, context, robot);
   if (!options.scene_file.empty()) robot.files.push_back(options.scene_file);
   robot.symbols = context.symbols.in_order();
-  robot.snaps = context.snaps;
   if (robot.name.empty()) take_name_of_file(robot.file, found, robot);
-  if (robot.scene.gravity) robot.gravity = *robot.scene.gravity;
   if (!found.has_errors()) settle_loops(robot, found);
   if (!found.has_errors()) check_assembly(robot, found);
   if (!found.has_errors()) check_coordinates(robot, found);

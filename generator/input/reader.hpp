@@ -23,6 +23,9 @@ struct ReadOptions {
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
 };
 
+// What is smaller than this part of its neighbours is dust: 1e-9, or less if that is asked of angles.
+Number dust_part(const ReadOptions& options);
+
 // Reads a URDF (tinyxml2), a xacro template of one, or a TOML (toml++) file, as its extension says (.urdf or .xml,
 // .xacro, .toml), or, from stdin ("-"), as its content does; checks it (validate.hpp) and orders nothing. All findings
 // go to `diagnostics`; nullopt if any of them is an error.

@@ -22,18 +22,7 @@ struct Transform {
 Transform compose(const Transform& a, const Transform& b) { return {expanded(a.R * b.R), expanded(a.p + a.R * b.p)}; }
 
 Transform exact_transform(const Displacement& displacement) {
-  const auto turn = [&] { return planar_rotation(displacement.angle); };
-  switch (displacement.kind) {
-    case Displacement::Kind::translation:
-      return {identity_matrix(), rationalised(displacement.translation)};
-    case Displacement::Kind::rotation_x:
-      return {rotation_x(turn()), zero_vector()};
-    case Displacement::Kind::rotation_y:
-      return {rotation_y(turn()), zero_vector()};
-    case Displacement::Kind::rotation_z:
-      return {rotation_z(turn()), zero_vector()};
-  }
-  return {};
+  return {exact_rotation(displacement), rationalised(displacement.translation)};
 }
 
 Transform exact_transform(const Pose& pose) {

@@ -89,6 +89,10 @@ bool has_symbols(const Number& a) {
   return std::any_of(a.begin(), a.end(), has_symbols);
 }
 
+GiNaC::numeric magnitude(const Number& a) {
+  return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(is_rational(a) ? a : a.evalf()));
+}
+
 namespace {
 
 // The digits at `position`, which moves past them.

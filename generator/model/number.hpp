@@ -43,6 +43,7 @@ Vec3 expanded(const Vec3& a);
 Mat3 expanded(const Mat3& a);
 bool is_rational(const Number& a);  // a plain rational number: no symbol, no Pi, no root
 bool has_symbols(const Number& a);
+GiNaC::numeric magnitude(const Number& a);  // of a number without symbols: exact if it is rational
 
 // The exact rational of a decimal such as "-1.5e-3" (no double in between).
 // Throws std::invalid_argument if the text is not a finite decimal.

@@ -135,6 +135,26 @@ Mat3 rotation_y(const PlanarRotation& a) { return {Vec3{a.c, 0, a.s}, Vec3{0, 1,
 
 Mat3 rotation_z(const PlanarRotation& a) { return {Vec3{a.c, -a.s, 0}, Vec3{a.s, a.c, 0}, Vec3{0, 0, 1}}; }
 
+Mat3 exact_rotation(const Displacement& displacement) {
+  switch (displacement.kind) {
+    case Displacement::Kind::rotation_x:
+      return rotation_x(planar_rotation(displacement.angle));
+    case Displacement::Kind::rotation_y:
+      return rotation_y(planar_rotation(displacement.angle));
+    case Displacement::Kind::rotation_z:
+      return rotation_z(planar_rotation(displacement.angle));
+    case Displacement::Kind::translation:
+      break;
+  }
+  return identity_matrix();
+}
+
+Mat3 exact_rotation(const Pose& pose) {
+  Mat3 R = identity_matrix();
+  for (const Displacement& displacement : pose.displacements) R = expanded(R * exact_rotation(displacement));
+  return R;
+}
+
 namespace {
 
 // Rotation matrix of the quaternion (w; v), which need not be normalised: rational entries, exactly orthonormal.
@@ -162,7 +182,7 @@ Mat3 signed_permutation(int axis, bool positive) {
 Vec3 unit(const Vec3& axis) {
   const Number square = dot(axis, axis).expand();
   Number norm;
-  if (rational_root(square, norm)) return Number(1 / norm) * axis;
+  if (rational_root(square, norm)) return rationalised(Number(1 / norm) * axis);
   const cln::cl_F length = cln::sqrt(to_float(square));
   Vec3 result;
   for (std::size_t k = 0; k < 3; ++k) {

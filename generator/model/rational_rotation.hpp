@@ -42,6 +42,10 @@ Mat3 rotation_x(const PlanarRotation& a);
 Mat3 rotation_y(const PlanarRotation& a);
 Mat3 rotation_z(const PlanarRotation& a);
 
+// Of a displacement, the identity for a translation; of a pose, without what it translates.
+Mat3 exact_rotation(const Displacement& displacement);
+Mat3 exact_rotation(const Pose& pose);
+
 // A rotation that takes z to the direction of `axis` (not zero), by the shortest way. Signed permutation for an axis
 // along x, y or z. A symbolic axis must be along one of them.
 Mat3 rotation_onto(const Vec3& axis);

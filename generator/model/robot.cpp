@@ -3,6 +3,36 @@
 
 namespace flatdyn {
 
+namespace {
+
+struct KindOfSnap {
+  const char* name;
+  const char* unit;
+};
+
+KindOfSnap words_for(Snap::Kind kind) {
+  switch (kind) {
+    case Snap::Kind::angle:
+      return {"angle", "rad"};
+    case Snap::Kind::axis:
+      return {"axis", "1"};
+    case Snap::Kind::length:
+      return {"length", "m"};
+    case Snap::Kind::product_of_inertia:
+      return {"product of inertia", "kg m^2"};
+    case Snap::Kind::first_moment:
+      return {"first moment", "kg m"};
+    case Snap::Kind::gravity:
+      return {"gravity", "m/s^2"};
+  }
+  return {"", ""};
+}
+
+}  // namespace
+
+const char* name_of(Snap::Kind kind) { return words_for(kind).name; }
+const char* unit_of(Snap::Kind kind) { return words_for(kind).unit; }
+
 std::vector<int> depth_first_joints(const Robot& robot) {
   std::vector<std::vector<int>> joints_of_link(robot.links.size());
   // Pushed from the last to the first, so that the first in the file is on top of the stack.
@@ -19,6 +49,16 @@ std::vector<int> depth_first_joints(const Robot& robot) {
     stack.insert(stack.end(), joints_of_link[child].begin(), joints_of_link[child].end());
   }
   return order;
+}
+
+std::vector<bool> moving_links(const Robot& robot) {
+  std::vector<bool> moves(robot.links.size(), false);
+  for (const int j : depth_first_joints(robot)) {
+    const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
+    moves[static_cast<std::size_t>(joint.child)] =
+        joint.type != JointType::fixed || moves[static_cast<std::size_t>(joint.parent)];
+  }
+  return moves;
 }
 
 std::vector<int> moving_joints(const Robot& robot) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -93,14 +94,23 @@ struct FreeSymbol {
   Place place;  // where it first appears
 };
 
-// An angle of the file that was taken for a multiple of pi/12.
+struct Robot;
+
+// A number that was taken for an exact one: an angle for a multiple of pi/12 (input/context.hpp), or what is tiny
+// beside its neighbours for zero (model/snap_dust.hpp).
 struct Snap {
+  enum class Kind { angle, axis, length, product_of_inertia, first_moment, gravity };
   Place place;
-  std::string what;     // e.g. "joint \"shoulder\", origin rpy"
+  std::string what;     // e.g. "joint \"shoulder\", origin, rpy"
   std::string written;  // the decimal as written
-  Number exact;         // the multiple of Pi it became
-  Number difference;    // exact - written, rad (as a rational, to 50 digits)
+  Number exact;         // what it became; components of axes are those of the unit vector
+  Number difference;    // exact - written, in the unit of its kind (as a rational, to 50 digits)
+  Kind kind = Kind::angle;
+  std::function<void(Robot&)> undo{};  // puts the number back as it was written; none for an angle
 };
+
+const char* name_of(Snap::Kind kind);  // "product of inertia"
+const char* unit_of(Snap::Kind kind);  // "kg m^2"; "1" for an axis
 
 struct Robot {
   std::string name;
@@ -117,11 +127,15 @@ struct Robot {
   Vec3 gravity = {0, 0, Number(-981) / 100};  // g_0 in the base frame, m/s^2
   std::vector<FreeSymbol> symbols;            // in order of first appearance
   std::vector<Snap> snaps;
-  Scene scene;  // what the user wants of this robot; applied as far as it concerns the robot
+  std::vector<Snap> rounded_angles;  // left as they are, but multiples of pi/12 to two to four digits: 1.57
+  Scene scene;                       // what the user wants of this robot; applied as far as it concerns the robot
 };
 
 // Indices of all joints, fixed ones too, in depth-first file order. Defined for a valid tree.
 std::vector<int> depth_first_joints(const Robot& robot);
+
+// For each link, whether a joint before it moves. Defined for a valid tree.
+std::vector<bool> moving_links(const Robot& robot);
 
 // Indices of the moving joints in depth-first file order: the order of q. Defined for a valid tree.
 std::vector<int> moving_joints(const Robot& robot);

@@ -30,12 +30,6 @@ std::string range_text(const Limits& limits, const NumberText& text) {
   return "[" + limit_text(limits.lower, text) + ", " + limit_text(limits.upper, text) + "]";
 }
 
-std::string snap_text(const Snap& snap, double torque_change) {
-  return fmt::format("  {}:{}: {}: {} taken for {}: off by {:.1e} rad, changes torques by up to {:.1e}\n",
-                     snap.place.file, snap.place.line, snap.what, snap.written, plain_number_text(snap.exact),
-                     nearest_double(snap.difference), torque_change);
-}
-
 std::vector<std::string> independent_names(const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const Body& body : mechanism.joints()) names.push_back(body.joint);
@@ -44,7 +38,7 @@ std::vector<std::string> independent_names(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::string describe_model(const Model& model, const std::vector<double>& snap_effects) {
+std::string describe_model(const Model& model, const std::vector<double>& snap_effects, SnapDetail detail) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText number(mechanism);
   std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name, joints_text(mechanism),
@@ -81,11 +75,7 @@ std::string describe_model(const Model& model, const std::vector<double>& snap_e
     for (const FreeSymbol& symbol : mechanism.symbols) text += " " + symbol.name;
     text += "\n";
   }
-  if (!model.robot.snaps.empty())
-    text +=
-        "\nangles taken for multiples of pi/12 (--snap 0 leaves them; torques in N m, at random states within "
-        "limits):\n";
-  for (std::size_t k = 0; k < snap_effects.size(); ++k) text += snap_text(model.robot.snaps[k], snap_effects[k]);
+  text += describe_snaps(model.robot.snaps, snap_effects, detail);
   return text;
 }
 
@@ -200,15 +190,7 @@ nlohmann::ordered_json model_json(const Model& model, const std::vector<double>&
   json["merged_links"] = model.mechanism.merged;
   if (const std::vector<std::string> scene = scene_items(model); !scene.empty()) json["scene"] = scene;
   json["symbols"] = symbol_names(model.mechanism);
-  json["snapped"] = nlohmann::ordered_json::array();
-  for (std::size_t k = 0; k < snap_effects.size(); ++k) {
-    const Snap& snap = model.robot.snaps[k];
-    json["snapped"].push_back({{"line", snap.place.line},
-                               {"what", snap.what},
-                               {"written", snap.written},
-                               {"taken_for", plain_number_text(snap.exact)},
-                               {"largest_torque_change", snap_effects[k]}});
-  }
+  json["snapped"] = snaps_json(model.robot.snaps, snap_effects);
   return json;
 }
 

@@ -5,12 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline.hpp"
+#include "report/snap_report.hpp"
 
 namespace flatdyn {
 
-// Joints, merged links, snapped angles with what each changes (verify/snap_effect.hpp). In JSON also the canonical
+// Joints, merged links, snapped numbers with what each changes (verify/snap_effect.hpp). In JSON also the canonical
 // frames and inertial parameters in them: numbers, or the text of an expression in the free symbols.
-std::string describe_model(const Model& model, const std::vector<double>& snap_effects);
+std::string describe_model(const Model& model, const std::vector<double>& snap_effects, SnapDetail detail);
 nlohmann::ordered_json model_json(const Model& model, const std::vector<double>& snap_effects);
 
 // The canonical bodies, which the names of parameters belong to: where their frames are, and inertial parameters about

@@ -25,6 +25,29 @@ std::vector<Vector50> torques(const Robot& robot, const std::vector<State>& stat
   return result;
 }
 
+Robot undone(const Snap& snap, Robot robot) {
+  snap.undo(robot);
+  return robot;
+}
+
+// The torques of the file's robot with all of its snaps but one angle, the k-th; none: with all.
+std::vector<Vector50> torques_as_read(const Robot& robot, ReadOptions options, std::optional<std::size_t> k,
+                                      const std::vector<State>& states) {
+  options.left_unsnapped = k;
+  Diagnostics ignored;  // the same as of the model
+  const std::optional<Robot> read = read_robot(robot.file, options, ignored);
+  return read ? torques(*read, states) : std::vector<Vector50>();
+}
+
+double largest_difference(const std::vector<Vector50>& a, const std::vector<Vector50>& b) {
+  double largest = 0;
+  for (std::size_t s = 0; s < std::min(a.size(), b.size()); ++s) {
+    if (a[s].size() != b[s].size()) continue;  // a loop closes in another way
+    largest = std::max(largest, (a[s] - b[s]).cwiseAbs().maxCoeff().convert_to<double>());
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::vector<double> snap_effects(const Model& model, const ReadOptions& options) {
@@ -32,19 +55,12 @@ std::vector<double> snap_effects(const Model& model, const ReadOptions& options)
   if (model.robot.snaps.empty()) return effects;
   const std::vector<State> states = random_states(model.mechanism, kStates, kSeed);
   const std::vector<Vector50> snapped = torques(model.robot, states);
+  // An angle is part of many numbers: the file is read again. What is snapped after reading is left out on both sides.
+  const std::vector<Vector50> as_read = torques_as_read(model.robot, options, {}, states);
   for (std::size_t k = 0; k < model.robot.snaps.size(); ++k) {
-    ReadOptions without = options;
-    without.left_unsnapped = k;
-    Diagnostics ignored;  // the same as of the model
-    const std::optional<Robot> robot = read_robot(model.robot.file, without, ignored);
-    double largest = 0;
-    if (robot) {
-      const std::vector<Vector50> written = torques(*robot, states);
-      for (std::size_t s = 0; s < states.size(); ++s) {
-        largest = std::max(largest, (written[s] - snapped[s]).cwiseAbs().maxCoeff().convert_to<double>());
-      }
-    }
-    effects.push_back(largest);
+    const Snap& snap = model.robot.snaps[k];
+    effects.push_back(!snap.undo ? largest_difference(torques_as_read(model.robot, options, k, states), as_read)
+                                 : largest_difference(torques(undone(snap, model.robot), states), snapped));
   }
   return effects;
 }

@@ -179,13 +179,10 @@ data joint_rows(const ordered_json& joints) {
   return rows;
 }
 
-std::vector<std::string> snap_lines(const ordered_json& snaps) {
+std::vector<std::string> snap_lines(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes) {
   std::vector<std::string> lines;
-  for (const ordered_json& snap : snaps) {
-    lines.push_back(fmt::format("line {}: {}: {} taken for {}; changes torques by up to {:.1e} N m",
-                                snap.at("line").get<int>(), snap.at("what").get<std::string>(),
-                                snap.at("written").get<std::string>(), snap.at("taken_for").get<std::string>(),
-                                snap.at("largest_torque_change").get<double>()));
+  for (std::size_t k = 0; k < snaps.size(); ++k) {
+    lines.push_back(fmt::format("line {}: {} N m", snaps[k].place.line, snap_text(snaps[k], torque_changes[k])));
   }
   return lines;
 }
@@ -197,8 +194,8 @@ void write_model(data& page, const Model& model, const std::vector<double>& snap
   page["joints"] = joint_rows(json.at("joints"));
   page["scene?"] = json.contains("scene");
   if (json.contains("scene")) page["scene"] = list_of(json.at("scene").get<std::vector<std::string>>());
-  page["snaps?"] = !json.at("snapped").empty();
-  page["snaps"] = list_of(snap_lines(json.at("snapped")));
+  page["snaps?"] = !model.robot.snaps.empty();
+  page["snaps"] = list_of(snap_lines(model.robot.snaps, snap_effects));
 }
 
 void write_notes(data& page, const Model& model, const Diagnostics& findings) {

@@ -25,7 +25,7 @@ void write_certificate(kainjow::mustache::data& page, const std::optional<Certif
 // Where rounding errors were largest, if a search for such states was given.
 void write_worst_states(kainjow::mustache::data& page, const std::optional<WorstStates>& states);
 
-// Joints with their limits, what a scene fixed, snapped angles.
+// Joints with their limits, what a scene fixed, snapped numbers.
 void write_model(kainjow::mustache::data& page, const Model& model, const std::vector<double>& snap_effects);
 
 // What was found while reading and deriving. Of files their names only, so that the page is the same from any folder.

@@ -13,14 +13,15 @@ namespace {
 constexpr const char* kPendulum =
     "<robot name='p'><link name='b'/><link name='l'><inertial><origin xyz='1 0 0'/><mass value='2'/>"
     "<inertia ixx='0.1' iyy='0.1' izz='0.1' ixy='0' ixz='0' iyz='0'/></inertial></link>"
-    "<joint name='j' type='continuous'><parent link='b'/><child link='l'/><axis xyz='0 0 1'/>"
+    "<joint name='j' type='continuous'><parent link='b'/><child link='l'/><axis xyz='AXIS'/>"
     "<origin rpy='RPY'/></joint></robot>";
 
-std::vector<double> effects_of(const std::string& rpy) {
-  const auto path =
-      std::filesystem::path(::testing::TempDir()) / ("snap_effect_" + std::to_string(rpy.size()) + ".urdf");
+std::vector<double> effects_of(const std::string& rpy, const std::string& axis = "0 0 1") {
+  const auto path = std::filesystem::path(::testing::TempDir()) /
+                    ("snap_effect_" + std::to_string(rpy.size()) + "_" + std::to_string(axis.size()) + ".urdf");
   std::string text = kPendulum;
   text.replace(text.find("RPY"), 3, rpy);
+  text.replace(text.find("AXIS"), 4, axis);
   std::ofstream(path) << text;
   const Model model = read_model(path, {});
   std::vector<double> effects = snap_effects(model, {});
@@ -40,6 +41,14 @@ TEST(SnapEffects, AreOfEachAngleApart) {
   ASSERT_EQ(effects.size(), 2u);
   EXPECT_GT(effects[0], 1e-6);
   EXPECT_EQ(effects[1], 0);  // a turn about gravity
+}
+
+TEST(SnapEffects, AreOfDustToo) {
+  const std::vector<double> effects = effects_of("0.000001 0 0", "0 1e-10 1");
+  ASSERT_EQ(effects.size(), 2u);
+  EXPECT_GT(effects[0], 1e-6);
+  EXPECT_GT(effects[1], 1e-10);
+  EXPECT_LT(effects[1], 2 * 9.81 * 1e-10);
 }
 
 TEST(SnapEffects, AreNoneWhereNothingIsSnapped) { EXPECT_TRUE(effects_of("0.5 0 0").empty()); }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Numbers of the robot file that were taken for exact ones, with what each changes (verify/snap_effect.hpp).
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+// How much is said of them where people read.
+enum class SnapDetail { one_line, each };
+
+// "" if there are none. torque_changes: of each snap, N m; N for prismatic joints.
+std::string describe_snaps(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes,
+                           SnapDetail detail);
+
+// 'joint "j", origin, rpy: 1.5708 taken for pi/2: off by -3.7e-06 rad, changes torques by up to 1e-05', without its
+// place.
+std::string snap_text(const Snap& snap, double torque_change);
+
+nlohmann::ordered_json snaps_json(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes);
+
+}  // namespace flatdyn
