@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "input/utf8.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace flatdyn {
 namespace {

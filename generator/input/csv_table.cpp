@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "diagnostics/utf8.hpp"
 #include "input/csv_text.hpp"
-#include "input/utf8.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "input/utf8.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace flatdyn {
 namespace {

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uintptr_t kDigits = 70;  // of angles that turn by less than 1e-9: what is left of them is below 1e-40
 
 // Of a number without symbols that is rational.
-cln::cl_F to_float(const Number& a) {
+cln::cl_F float_of(const Number& a) {
   return cln::cl_float(cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(a).to_cl_N()), cln::float_format(kDigits));
 }
 
@@ -25,7 +25,7 @@ Number exact(const cln::cl_F& a) { return GiNaC::numeric(cln::cl_N(cln::rational
 // R = Rz(yaw) Ry(pitch) Rx(roll), for a small rotation.
 std::vector<Displacement> small_turn(const Mat3& R) {
   using Kind = Displacement::Kind;
-  const auto entry = [&R](std::size_t i, std::size_t j) { return to_float(R[i][j]); };
+  const auto entry = [&R](std::size_t i, std::size_t j) { return float_of(R[i][j]); };
   const cln::cl_F yaw = cln::atan(entry(0, 0), entry(1, 0)), roll = cln::atan(entry(2, 2), entry(2, 1));
   const cln::cl_F pitch = cln::atan(cln::sqrt(cln::square(entry(0, 0)) + cln::square(entry(1, 0))), -entry(2, 0));
   std::vector<Displacement> turns;

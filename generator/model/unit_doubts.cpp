@@ -19,32 +19,32 @@ bool is_multiple_of_15(const Number& degrees) {
   return !degrees.is_zero() && (degrees / kTwelfth).info(GiNaC::info_flags::integer);
 }
 
-double magnitude(const Number& number) { return std::abs(nearest_double(number)); }
+double size_of(const Number& number) { return std::abs(nearest_double(number)); }
 
 bool is_beyond_a_turn(double angle) { return angle > kTurn * (1 + kRounded); }
 
 }  // namespace
 
-bool may_be_degrees(const Number& angle) { return is_rational(angle) && is_beyond_a_turn(magnitude(angle)); }
+bool may_be_degrees(const Number& angle) { return is_rational(angle) && is_beyond_a_turn(size_of(angle)); }
 
 bool may_be_degrees(const Number& position, const Limits& limits, bool continuous) {
   if (!may_be_degrees(position)) return false;
-  const double size = magnitude(position);
+  const double size = size_of(position);
   if (limits.lower && limits.upper) {
-    return size > std::max(magnitude(limits.lower->number), magnitude(limits.upper->number));
+    return size > std::max(size_of(limits.lower->number), size_of(limits.upper->number));
   }
   return !continuous || size > kManyTurns || is_multiple_of_15(position);
 }
 
 bool limit_may_be_degrees(const Number& limit) {
   if (!is_rational(limit)) return false;
-  const double size = magnitude(limit);
+  const double size = size_of(limit);
   return size <= kNoLimit && (size > kManyTurns || is_multiple_of_15(limit));
 }
 
 std::string degrees_question(const Number& angle) {
   constexpr double kFew = 10;
-  const double turns = magnitude(angle) / kTurn;
+  const double turns = size_of(angle) / kTurn;
   return fmt::format("{:.6g} rad is {:.{}f} turns; were degrees meant?", nearest_double(angle), turns,
                      turns < kFew ? 1 : 0);
 }
@@ -52,7 +52,7 @@ std::string degrees_question(const Number& angle) {
 std::string radians_text(const Number& degrees, AngleText form) {
   constexpr int kDigits = 17, kTenTurns = 3600;
   const Number angle = degrees * GiNaC::Pi / 180;
-  const bool is_nice = is_multiple_of_15(degrees) && magnitude(degrees) <= kTenTurns;
+  const bool is_nice = is_multiple_of_15(degrees) && size_of(degrees) <= kTenTurns;
   if (form == AngleText::decimal || !is_nice) return to_decimal(angle, kDigits);
   const GiNaC::numeric half_turns = GiNaC::ex_to<GiNaC::numeric>(degrees / 180);
   const int above = half_turns.numer().to_int(), below = half_turns.denom().to_int();

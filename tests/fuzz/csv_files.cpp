@@ -7,7 +7,7 @@
 #include "identify/log_reader.hpp"
 #include "input/csv_table.hpp"
 #include "input/reader.hpp"
-#include "input/utf8.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace flatdyn::testing {
 namespace {
