@@ -76,8 +76,7 @@ LogHeading read_heading(const std::string& line, const std::string& first_row, c
   heading.separator = separator_of(line);
   const std::vector<std::string> names = csv_entries(line, heading.separator);
   std::vector<std::string> entries = csv_entries(first_row, heading.separator);
-  DecimalMarks marks(heading.separator);
-  for (std::string& entry : entries) marks.normalise(entry);
+  for (std::string& entry : entries) DecimalMarks(heading.separator).normalise(entry);
   Diagnostics found;
   CsvHeading columns(names, std::move(entries), place, mechanism, found);
   for (std::size_t c = 0; c < names.size(); ++c) heading.columns.push_back({.name = columns.name(c)});

@@ -65,8 +65,7 @@ void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& pla
                       fmt::format("is the time in {0}? Then write the column's heading as t [{0}]", unit));
 }
 
-// Of positions and rates errors alone, so that they are said before a long log is read: what is a warning is said when
-// all of it is.
+// Only errors of positions and rates are told here, before a long log is read; warnings are told when all of it is.
 void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::vector<SurveyedSample>& samples,
                  const Place& heading, Diagnostics& diagnostics) {
   PositionCheck positions(mechanism);
