@@ -70,6 +70,14 @@ class LayoutReader {
 
 }  // namespace
 
+std::vector<std::string> LogHeading::channel_names() const {
+  std::vector<std::string> names(static_cast<std::size_t>(layout.channels()));
+  for (const LogColumn& column : columns) {
+    if (column.channel >= 0) names[static_cast<std::size_t>(column.channel)] = column.name;
+  }
+  return names;
+}
+
 LogHeading read_heading(const std::string& line, const std::string& first_row, const Place& place,
                         const Mechanism& mechanism, bool torques, Diagnostics& diagnostics) {
   LogHeading heading;
