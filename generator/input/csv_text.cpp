@@ -120,8 +120,10 @@ bool LineReader::next(std::string_view& line) {
 }
 
 bool LineReader::next_row(std::string_view& line) {
-  constexpr std::string_view kBag = "#ROSBAG";  // no comment
+  constexpr std::string_view kBag = "#ROSBAG";       // no comment
+  constexpr std::string_view kSpreadsheet = "sep=";  // which separator follows, for spreadsheets alone
   while (next(line)) {
+    if (number_ == 1 && line.substr(0, kSpreadsheet.size()) == kSpreadsheet) continue;
     const auto first = line.find_first_not_of(" \t");
     if (first != std::string_view::npos && (line[first] != '#' || line.substr(0, kBag.size()) == kBag)) return true;
   }
