@@ -26,7 +26,7 @@ nlohmann::ordered_json json_of(const CsvTable& table) {
 }
 
 // Empty if the states have none.
-std::vector<double> times_to_draw(const CsvTable& states, const std::string& file, const Mechanism& mechanism,
+std::vector<double> times_to_draw(CsvTable states, const std::string& file, const Mechanism& mechanism,
                                   Diagnostics& found) {
   const std::optional<CsvTime> time = states.heading(file, mechanism, found).find_time();
   return time ? times_of(states, *time, file, found) : std::vector<double>();

@@ -29,7 +29,7 @@ struct Positions {
 Positions read_positions(const ManipulabilityArguments& arguments, const Mechanism& mechanism) {
   const std::string& file = arguments.states;
   Diagnostics found;
-  const CsvTable table = read_csv(file, found);
+  CsvTable table = read_csv(file, found);
   CsvHeading heading = table.heading(file, mechanism, found);
   const std::vector<CsvSource> columns = heading.require(CsvQuantity::q, "positions");
   const std::optional<CsvTime> time = heading.find_time();

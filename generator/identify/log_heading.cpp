@@ -70,14 +70,21 @@ class LayoutReader {
 
 }  // namespace
 
+std::vector<std::string> LogHeading::channel_names() const {
+  std::vector<std::string> names(static_cast<std::size_t>(layout.channels()));
+  for (const LogColumn& column : columns) {
+    if (column.channel >= 0) names[static_cast<std::size_t>(column.channel)] = column.name;
+  }
+  return names;
+}
+
 LogHeading read_heading(const std::string& line, const std::string& first_row, const Place& place,
                         const Mechanism& mechanism, bool torques, Diagnostics& diagnostics) {
   LogHeading heading;
   heading.separator = separator_of(line);
   const std::vector<std::string> names = csv_entries(line, heading.separator);
   std::vector<std::string> entries = csv_entries(first_row, heading.separator);
-  DecimalMarks marks(heading.separator);
-  for (std::string& entry : entries) marks.normalise(entry);
+  for (std::string& entry : entries) DecimalMarks(heading.separator).normalise(entry);
   Diagnostics found;
   CsvHeading columns(names, std::move(entries), place, mechanism, found);
   for (std::size_t c = 0; c < names.size(); ++c) heading.columns.push_back({.name = columns.name(c)});

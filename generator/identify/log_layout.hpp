@@ -57,6 +57,8 @@ struct LogHeading {
 
   // Times are read as text, and the first one is subtracted from them.
   bool has_exact_time() const { return has_nanoseconds || clock.origin; }
+  // By channel, as written: what messages call a column.
+  std::vector<std::string> channel_names() const;
 };
 
 // Reads "t, q1 [deg], q_elbow, tau1, …" as docs/csv.md has it; `first_row` is the line below it. What is wrong

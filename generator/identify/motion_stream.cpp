@@ -117,8 +117,8 @@ class Stream {
          Diagnostics& diagnostics)
       : reader_(log, plan.heading, diagnostics),
         diagnostics_(diagnostics),
-        positions_(mechanism),
-        rates_(mechanism, plan.layout(), plan.filter.dt),
+        positions_(mechanism, plan.heading),
+        rates_(mechanism, plan.heading, plan.filter.dt),
         plan_(plan),
         half_window_(plan.filter.half_window()),
         shares_(shares),

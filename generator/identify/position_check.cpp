@@ -29,7 +29,8 @@ double largest_of(const Body& body) {
 
 }  // namespace
 
-PositionCheck::PositionCheck(const Mechanism& mechanism) : mechanism_(mechanism) {
+PositionCheck::PositionCheck(const Mechanism& mechanism, const LogHeading& heading)
+    : mechanism_(mechanism), names_(heading.channel_names()) {
   for (int i = 0; i < mechanism.position_count(); ++i) {
     const Body& body = mechanism.joint_at(i);
     largest_.push_back(largest_of(body));
@@ -40,21 +41,23 @@ PositionCheck::PositionCheck(const Mechanism& mechanism) : mechanism_(mechanism)
 bool PositionCheck::accepts(const double* channels, const Place& place, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < largest_.size(); ++i) {
     const Body& body = mechanism_.joint_at(static_cast<int>(i));
-    const double q = channels[static_cast<std::size_t>(LogLayout::q()) + i];
+    const std::size_t channel = static_cast<std::size_t>(LogLayout::q()) + i;
+    const double q = channels[channel];
     if (std::abs(q) <= largest_[i]) continue;
+    const std::string& name = names_[channel];
     const char* unit = body.prismatic ? "m" : "rad";
     const std::string hint =
-        fmt::format("are these {}? Then write the column's heading as q{} [{}]",
-                    body.prismatic ? "millimetres" : "degrees", i + 1, body.prismatic ? "mm" : "deg");
+        fmt::format("are these {}? Then write the column's heading as {} [{}]",
+                    body.prismatic ? "millimetres" : "degrees", name, body.prismatic ? "mm" : "deg");
     if (limited_[i]) {
       diagnostics.error(place,
-                        fmt::format("q{} = {} {} is far outside the limits of joint \"{}\", {} to {} {}", i + 1, q,
-                                    unit, body.joint, lower_of(body), upper_of(body), unit),
+                        fmt::format("{} = {} {} is far outside the limits of joint \"{}\", {} to {} {}", name, q, unit,
+                                    body.joint, lower_of(body), upper_of(body), unit),
                         hint);
       return false;
     }
     diagnostics.warning(place,
-                        fmt::format("q{} = {:.6g} rad: joint \"{}\" has turned {:.0f} times", i + 1, q, body.joint,
+                        fmt::format("{} = {:.6g} rad: joint \"{}\" has turned {:.0f} times", name, q, body.joint,
                                     std::abs(q) / (2 * std::numbers::pi)),
                         hint);
     largest_[i] = kNone;

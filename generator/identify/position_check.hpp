@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "identify/log_layout.hpp"
@@ -11,7 +12,7 @@ namespace flatdyn {
 
 class PositionCheck {
  public:
-  explicit PositionCheck(const Mechanism& mechanism);
+  PositionCheck(const Mechanism& mechanism, const LogHeading& heading);
 
   // A position of this sample is outside what its joint is expected to do. Cheap: asked of every sample.
   bool is_odd(const double* channels) const {
@@ -25,7 +26,8 @@ class PositionCheck {
 
  private:
   const Mechanism& mechanism_;
-  std::vector<double> largest_;  // magnitudes
+  std::vector<std::string> names_;  // of the channels
+  std::vector<double> largest_;     // magnitudes
   std::vector<bool> limited_;
 };
 

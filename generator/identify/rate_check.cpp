@@ -12,15 +12,20 @@ bool is_near(double value, double expected) { return value > expected / 2 && val
 
 }  // namespace
 
-RateCheck::RateCheck(const Mechanism& mechanism, const LogLayout& layout, double dt)
-    : dt_(dt), last_(static_cast<std::size_t>(layout.channels())) {
+RateCheck::RateCheck(const Mechanism& mechanism, const LogHeading& heading, double dt)
+    : dt_(dt), names_(heading.channel_names()), last_(names_.size()) {
+  const LogLayout& layout = heading.layout;
   for (int i = 0; i < mechanism.position_count(); ++i) {
     if (!mechanism.joint_at(i).prismatic) angles_.push_back(LogLayout::q() + i);
   }
   if (!layout.has_rates) return;
+  const auto add_pair = [this](int channel, int rate) {
+    pairs_.push_back(
+        {channel, rate, names_[static_cast<std::size_t>(channel)], names_[static_cast<std::size_t>(rate)]});
+  };
   for (int i = 0; i < mechanism.size(); ++i) {
-    pairs_.push_back({LogLayout::q() + mechanism.position_of(i), layout.qd() + i, i, "q", "qd"});
-    if (layout.has_accelerations) pairs_.push_back({layout.qd() + i, layout.qdd() + i, i, "qd", "qdd"});
+    add_pair(LogLayout::q() + mechanism.position_of(i), layout.qd() + i);
+    if (layout.has_accelerations) add_pair(layout.qd() + i, layout.qdd() + i);
   }
 }
 
@@ -46,10 +51,9 @@ void RateCheck::RatePair::finish(const Place& place, Diagnostics& diagnostics) c
   constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
   if (squares == 0) return;
   const std::string what =
-      fmt::format("{0}{1} is not the rate of change of {2}{1}: {2}{1} changes {3:.3g} times as fast", rate_name,
-                  joint + 1, name, slope());
-  const auto in_degrees = [&](const char* column) {
-    return fmt::format("is {}{} in degrees? Write its unit into the heading", column, joint + 1);
+      fmt::format("{0} is not the rate of change of {1}: {1} changes {2:.3g} times as fast", rate_name, name, slope());
+  const auto in_degrees = [](const std::string& column) {
+    return fmt::format("is {} in degrees? Write its unit into the heading", column);
   };
   if (is_near(slope(), kDegreesPerRadian)) {
     diagnostics.error(place, what, in_degrees(name));
@@ -63,13 +67,12 @@ void RateCheck::RatePair::finish(const Place& place, Diagnostics& diagnostics) c
 void RateCheck::complain_about_jump(int channel, const double* channels, const Place& place,
                                     Diagnostics& diagnostics) const {
   const auto q = static_cast<std::size_t>(channel);
-  const std::size_t number = q - static_cast<std::size_t>(LogLayout::q()) + 1;
   diagnostics.warning(
       place,
-      fmt::format("q{} changes by {:.3g} rad in {:.3g} s", number, channels[q] - last_[q], channels[0] - last_[0]),
-      fmt::format("are these degrees? Then write the column's heading as q{} [deg]; and an angle must not jump by "
+      fmt::format("{} changes by {:.3g} rad in {:.3g} s", names_[q], channels[q] - last_[q], channels[0] - last_[0]),
+      fmt::format("are these degrees? Then write the column's heading as {} [deg]; and an angle must not jump by "
                   "whole turns",
-                  number));
+                  names_[q]));
 }
 
 }  // namespace flatdyn

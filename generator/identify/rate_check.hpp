@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "identify/log_layout.hpp"
@@ -14,7 +15,7 @@ namespace flatdyn {
 class RateCheck {
  public:
   // dt: what usually passes from sample to sample, s.
-  RateCheck(const Mechanism& mechanism, const LogLayout& layout, double dt);
+  RateCheck(const Mechanism& mechanism, const LogHeading& heading, double dt);
 
   // The next sample. Its place is asked for where an angle jumps, which is a warning, once for each joint.
   template <class PlaceOf>
@@ -51,8 +52,8 @@ class RateCheck {
 
   // A channel, and one that should be its rate of change.
   struct RatePair {
-    int channel, rate, joint;
-    const char *name, *rate_name;
+    int channel, rate;
+    std::string name, rate_name;
     double products = 0, squares = 0;
 
     void add(const double* before, const double* after) {
@@ -68,6 +69,7 @@ class RateCheck {
   void complain_about_jump(int channel, const double* channels, const Place& place, Diagnostics& diagnostics) const;
 
   double dt_;
+  std::vector<std::string> names_;  // of the channels
   std::vector<RatePair> pairs_;
   std::vector<int> angles_;  // channels of those that have not jumped
   std::vector<double> last_;

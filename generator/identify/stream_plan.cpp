@@ -62,15 +62,15 @@ void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& pla
   const char* const unit = plan.layout().has_rates ? rates.unit_of_times() : by_size;
   if (unit == nullptr) return;
   diagnostics.warning(place, fmt::format("from one sample to the next, {:.6g} s pass", dt),
-                      fmt::format("is the time in {0}? Then write the column's heading as t [{0}]", unit));
+                      fmt::format("is the time in {0}? Then write the column's heading as {1} [{0}]", unit,
+                                  plan.heading.channel_names().front()));
 }
 
-// Of positions and rates errors alone, so that they are said before a long log is read: what is a warning is said when
-// all of it is.
+// Only errors of positions and rates are told here, before a long log is read; warnings are told when all of it is.
 void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::vector<SurveyedSample>& samples,
                  const Place& heading, Diagnostics& diagnostics) {
-  PositionCheck positions(mechanism);
-  RateCheck rates(mechanism, plan.layout(), plan.filter.dt);
+  PositionCheck positions(mechanism, plan.heading);
+  RateCheck rates(mechanism, plan.heading, plan.filter.dt);
   Diagnostics found;
   for (const SurveyedSample& sample : samples) {
     if (!positions.accepts(sample.channels.data(), sample.place, found)) break;

@@ -72,7 +72,7 @@ std::string CsvHeading::names_of(const std::vector<std::size_t>& columns) const 
   return some_of(names);
 }
 
-// Those of one style: the first that the file has.
+// A quantity may be written in several styles; the columns of the first style that the file has are its columns.
 std::vector<std::size_t> CsvHeading::columns_of(CsvQuantity quantity) const {
   std::optional<CsvStyle> first;
   for (const CsvName& column : columns_) {
@@ -155,8 +155,8 @@ void CsvHeading::place_numbered(CsvQuantity quantity, const std::vector<std::siz
   if (is_array && length > 1) in_file_order_.insert(in_file_order_.end(), columns.begin(), columns.end());
 }
 
-// Counted from 1; or from 0, but then all of them are there and no others. Where others of the file are counted from 0,
-// what lacks some may be too, from 0 or from 1.
+// A set is clear if it is all of the robot's, counted from 0 or from 1. It may lack some or have more only if nothing
+// in the file is counted from 0: else it may be counted from either.
 bool CsvHeading::is_counted_well(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length) {
   std::set<int> numbers;
   for (const std::size_t column : columns) numbers.insert(*columns_[column].number);

@@ -18,7 +18,7 @@ constexpr std::pair<const char*, CsvQuantity> kStems[] = {
     {"qdd_r", CsvQuantity::qdd_r}, {"qd_r", CsvQuantity::qd_r}, {"qdd", CsvQuantity::qdd},   {"qd", CsvQuantity::qd},
     {"tau", CsvQuantity::tau},     {"h_e", CsvQuantity::h_e},   {"pi_b", CsvQuantity::pi_b}, {"q", CsvQuantity::q}};
 
-// What messages call it.
+// Messages use these words.
 std::optional<CsvQuantity> quantity_of_word(const std::string& word) {
   static const std::map<std::string, CsvQuantity> words = {
       {"position", CsvQuantity::q},    {"positions", CsvQuantity::q},      {"velocity", CsvQuantity::qd},

@@ -10,6 +10,7 @@ namespace flatdyn {
 namespace {
 
 constexpr std::size_t kMostMessages = 20;
+constexpr const char* kOneMark = "write all numbers with one of them, and none between thousands";
 
 bool is_exact_decimal(const std::string& text) {
   try {
@@ -33,11 +34,10 @@ class TableReader {
     if (!is_csv_heading(line, place(), diagnostics_)) return table;
     const char separator = separator_of(line);
     table.columns = csv_entries(line, separator);
-    DecimalMarks marks(separator);
+    table.marks = DecimalMarks(separator);
     while (diagnostics_.all().size() < kMostMessages && lines_.next_row(line)) {
       std::vector<std::string> entries = csv_entries(line, separator);
       if (!is_good(line, entries.size(), table.columns.size())) continue;
-      for (std::string& entry : entries) normalise(entry, marks);
       table.rows.push_back(std::move(entries));
       table.lines.push_back(lines_.number());
     }
@@ -58,12 +58,6 @@ class TableReader {
     return false;
   }
 
-  void normalise(std::string& entry, DecimalMarks& marks) {
-    if (marks.normalise(entry)) return;
-    diagnostics_.error(place(), fmt::format("\"{}\": decimal commas and decimal points in one file", entry),
-                       "write all numbers with one of them, and none between thousands");
-  }
-
   std::string file_;
   LineReader lines_;
   Diagnostics& diagnostics_;
@@ -72,8 +66,9 @@ class TableReader {
 }  // namespace
 
 CsvHeading CsvTable::heading(const std::string& file, const Mechanism& mechanism, Diagnostics& diagnostics) const {
-  return {
-      columns, rows.empty() ? std::vector<std::string>() : rows.front(), {file, heading_line}, mechanism, diagnostics};
+  std::vector<std::string> first_row = rows.empty() ? std::vector<std::string>() : rows.front();
+  for (std::string& entry : first_row) DecimalMarks(marks).normalise(entry);
+  return {columns, std::move(first_row), {file, heading_line}, mechanism, diagnostics};
 }
 
 CsvTable read_csv(const std::filesystem::path& path, Diagnostics& diagnostics) {
@@ -85,16 +80,20 @@ CsvTable read_csv(const std::filesystem::path& path, Diagnostics& diagnostics) {
   return table;
 }
 
-void check_entries(const CsvTable& table, const std::vector<CsvSource>& sources, const CsvHeading& heading,
+void check_entries(CsvTable& table, const std::vector<CsvSource>& sources, const CsvHeading& heading,
                    const std::string& file, Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.all().size();
   for (std::size_t row = 0; row < table.rows.size() && diagnostics.all().size() < before + kMostMessages; ++row) {
     const Place place{file, table.lines[row]};
     for (const CsvSource& source : sources) {
-      const std::string& entry = table.rows[row][source.column];
-      if (is_exact_decimal(entry)) continue;
+      std::string& entry = table.rows[row][source.column];
+      const bool is_marked_well = table.marks.normalise(entry);
+      if (is_marked_well && is_exact_decimal(entry)) continue;
       diagnostics.error(
-          place, fmt::format("column \"{}\": \"{}\" is not a finite number", heading.name(source.column), entry));
+          place,
+          fmt::format("column \"{}\": \"{}\"{}", heading.name(source.column), entry,
+                      is_marked_well ? " is not a finite number" : ": decimal commas and decimal points in one file"),
+          is_marked_well ? "" : kOneMark);
     }
     for (const auto& [column, text] : heading.fixed_texts()) {
       const std::string& entry = table.rows[row][column];
@@ -107,17 +106,18 @@ void check_entries(const CsvTable& table, const std::vector<CsvSource>& sources,
   }
 }
 
-std::vector<double> times_of(const CsvTable& table, const CsvTime& time, const std::string& file,
-                             Diagnostics& diagnostics) {
+std::vector<double> times_of(CsvTable& table, const CsvTime& time, const std::string& file, Diagnostics& diagnostics) {
   std::vector<double> times;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const std::string& text = table.rows[row][time.column];
+    std::string& text = table.rows[row][time.column];
+    const bool is_marked_well = table.marks.normalise(text);
     const std::optional<double> seconds =
         time.nanoseconds ? time.clock.seconds(text, table.rows[row][*time.nanoseconds]) : time.clock.seconds(text);
     times.push_back(seconds.value_or(0));
-    if (seconds) continue;
+    if (seconds && is_marked_well) continue;
     diagnostics.error({file, table.lines[row]},
-                      fmt::format("column \"{}\": \"{}\" is no time", table.columns[time.column], text));
+                      fmt::format("column \"{}\": \"{}\" is no time", table.columns[time.column], text),
+                      is_marked_well ? "" : kOneMark);
     if (diagnostics.all().size() >= kMostMessages) break;
   }
   return times;

@@ -7,6 +7,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "input/csv_heading.hpp"
+#include "input/csv_text.hpp"
 
 namespace flatdyn {
 
@@ -16,14 +17,15 @@ struct CsvTable {
   std::vector<std::vector<std::string>> rows;
   std::vector<int> lines;  // of each row in the file
   int heading_line = 1;
+  DecimalMarks marks{','};
 
   // Of file `file`, which diagnostics name. The table must outlive the heading.
   CsvHeading heading(const std::string& file, const Mechanism& mechanism, Diagnostics& diagnostics) const;
 };
 
 // Text of columns, separated by commas, semicolons or tabs; blanks and quotation marks around entries, empty lines and
-// lines that begin with # are left out, and decimal commas become points. Wrong column counts and text that is not
-// UTF-8 go to `diagnostics`, with their line. Throws Failure(io) for a missing file.
+// lines that begin with # are left out. Wrong column counts and text that is not UTF-8 go to `diagnostics`, with their
+// line. Throws Failure(io) for a missing file.
 CsvTable read_csv(const std::filesystem::path& path, Diagnostics& diagnostics);
 
 // Entries of these columns that are no finite decimals go to `diagnostics`, and so do entries of `heading`'s fixed

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kLargestBlock = 1 << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// Files of other kinds by their first bytes.
+// A file of another kind is told by its first bytes.
 struct OtherFile {
   std::string_view beginning;
   const char *what, *hint;
@@ -50,14 +50,14 @@ bool has_outside_quotes(std::string_view text, char wanted) {
   });
 }
 
-// Of a small file no more than its size.
+// A small file needs no more than its size.
 std::size_t block_for(const std::filesystem::path& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   return error ? kLargestBlock : static_cast<std::size_t>(std::clamp<std::uintmax_t>(size + 1, 64, kLargestBlock));
 }
 
-// A number, but for what its decimal mark may be.
+// The entry is a number, whatever its decimal mark is.
 bool looks_like_number(const std::string& entry) {
   return entry.find_first_not_of("0123456789+-.,eE") == std::string::npos;
 }
@@ -120,8 +120,10 @@ bool LineReader::next(std::string_view& line) {
 }
 
 bool LineReader::next_row(std::string_view& line) {
-  constexpr std::string_view kBag = "#ROSBAG";  // no comment
+  constexpr std::string_view kBag = "#ROSBAG";       // no comment
+  constexpr std::string_view kSpreadsheet = "sep=";  // which separator follows, for spreadsheets alone
   while (next(line)) {
+    if (number_ == 1 && line.substr(0, kSpreadsheet.size()) == kSpreadsheet) continue;
     const auto first = line.find_first_not_of(" \t");
     if (first != std::string_view::npos && (line[first] != '#' || line.substr(0, kBag.size()) == kBag)) return true;
   }

@@ -22,7 +22,7 @@ class LineReader {
 
   // False at the end. Without the line's end (\n or \r\n), and the first line without its byte order mark.
   bool next(std::string_view& line);
-  // The same, but lines that are empty or begin with # are left out.
+  // The same, but lines that are empty or begin with # are left out, and so is a first line "sep=;".
   bool next_row(std::string_view& line);
   // Of the line last read, counted from 1.
   int number() const { return number_; }

@@ -11,7 +11,7 @@ namespace {
 
 double per_second(const std::string& unit) { return nearest_double(1 / *unit_factor(unit, CsvDimension::time)); }
 
-// What ROS writes as whole numbers are nanoseconds, however few: simulated time begins with 0.
+// Whole numbers in these columns are nanoseconds, however small: simulated time begins with 0.
 bool is_of_bag(const CsvName& column) {
   return column.style == CsvStyle::message_bag || column.name == "field.header.stamp";
 }

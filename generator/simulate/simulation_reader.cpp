@@ -210,7 +210,7 @@ class SimulationReader {
 TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, Diagnostics& diagnostics) {
   TorqueSamples samples;
   Diagnostics found;
-  const CsvTable table = read_csv(file, found);
+  CsvTable table = read_csv(file, found);
   CsvHeading heading = table.heading(file, mechanism, found);
   const std::optional<CsvTime> time = heading.require_time();
   const std::vector<CsvSource> torques = heading.require(CsvQuantity::tau, "torques");

@@ -276,17 +276,18 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
                         const CsvTable& states, const std::string& file, const EvalOptions& options,
                         Diagnostics& diagnostics) {
   const std::vector<Input> inputs = inputs_of(mechanism, function, options.reference);
+  CsvTable result = states;
   CsvHeading heading = states.heading(file, mechanism, diagnostics);
   const Columns columns(mechanism, heading, inputs, function.base_parameters);
-  if (!diagnostics.has_errors())
+  if (!diagnostics.has_errors()) {
     say_what_is_missing(columns, inputs, function, {file, states.heading_line}, diagnostics);
+  }
   for (const InputKind kind : function.inputs) heading.pass_over(quantity_of(kind));
   heading.pass_over(CsvQuantity::time);
   heading.finish();
-  check_entries(states, columns.sources(), heading, file, diagnostics);
+  check_entries(result, columns.sources(), heading, file, diagnostics);
   if (diagnostics.has_errors()) return {};
-  warn_of_open_loops(robot, mechanism, states, columns, file, diagnostics);
-  CsvTable result = states;
+  warn_of_open_loops(robot, mechanism, result, columns, file, diagnostics);
   for (const Output& output : function.outputs) {
     for (const std::string& name : output_columns(output)) result.columns.push_back(name);
   }

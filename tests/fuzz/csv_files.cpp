@@ -34,7 +34,7 @@ void require_messages(const Diagnostics& diagnostics) {
 Samples read_table(const std::string& file) {
   Diagnostics found;
   Samples rows;
-  const CsvTable table = read_csv(file, found);
+  CsvTable table = read_csv(file, found);
   CsvHeading heading = table.heading(file, arm(), found);
   const std::optional<CsvTime> time = heading.require_time();
   const std::vector<CsvSource> q = heading.require(CsvQuantity::q, "positions");

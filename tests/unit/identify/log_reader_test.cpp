@@ -263,6 +263,16 @@ TEST_F(LogTest, DegreesOfAJointWithoutLimitsAreAWarning) {
   }
 }
 
+TEST_F(LogTest, MessagesNameColumnsAsTheyAreWritten) {
+  std::string text = motion_log(200, 0.01, [](double t) { return 150 * std::sin(t); });
+  text.replace(0, text.find('\n'), "t,q0,q1,tau0,tau1");
+  write(text);
+  const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
+  stream(
+      file, planar_arm(), plan, [](const MeasuredMotion&) {}, found);
+  EXPECT_THAT(found.all().back().hint, HasSubstr("q0 [deg]"));
+}
+
 // Long after the lines that the plan is made from.
 TEST_F(LogTest, AnAngleThatJumpsIsFoundWhereverItIs) {
   write(motion_log(20000, 0.01, [](double t) { return std::sin(t) + (t < 150 ? 0 : 2 * std::numbers::pi); }));
