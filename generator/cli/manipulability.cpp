@@ -5,7 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "input/csv_table.hpp"
+#include "input/csv_positions.hpp"
 #include "manipulability/workspace_map.hpp"
 #include "report/manipulability_plot.hpp"
 #include "report/time_table.hpp"
@@ -42,6 +42,10 @@ Positions read_positions(const ManipulabilityArguments& arguments, const Mechani
   Positions positions;
   if (time) positions.t = times_of(table, *time, file, found);
   arguments.report(found);
+  Diagnostics asked;
+  const std::vector<std::optional<CsvSource>> q(columns.begin(), columns.end());
+  ask_about_positions(table, q, mechanism, file, asked);
+  arguments.report(asked);
   positions.first_line = table.lines.front();
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     positions.q.emplace_back();

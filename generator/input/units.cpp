@@ -148,9 +148,16 @@ void ask_for_degrees(const Number& angle, const Spot& spot, const std::string& h
   diagnostics.warning(spot.place, spot.what + ": " + degrees_question(angle), hint, kAngleDoubts);
 }
 
-void ask_about_position(const Number& position, const Body& joint, const Spot& spot, Diagnostics& diagnostics) {
-  if (joint.prismatic || !may_be_degrees(position, joint.limits, joint.continuous)) return;
-  ask_for_degrees(position, spot, degrees_hint(position), diagnostics);
+Number rate_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,
+                  Diagnostics& diagnostics) {
+  return joint.prismatic ? written : in_radians(written, units, spot, diagnostics);
+}
+
+Number position_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,
+                      Diagnostics& diagnostics) {
+  const bool is_odd = !joint.prismatic && !units.degrees && may_be_degrees(written, joint.limits, joint.continuous);
+  if (is_odd) ask_for_degrees(written, spot, degrees_hint(written), diagnostics);
+  return rate_in_si(written, joint, units, spot, diagnostics);
 }
 
 void note_length(const Number& metres, const Spot& spot, const Units& units, ReadContext& context) {

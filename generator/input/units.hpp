@@ -8,8 +8,9 @@
 
 namespace flatdyn {
 
-// `angles` and `lengths` at the top of a file: "rad" or "deg", "m" or "mm".
 class TomlTable;
+
+// `angles` and `lengths` at the top of a file: "rad" or "deg", "m" or "mm".
 Units read_units(TomlTable& table, Diagnostics& diagnostics);
 
 // A length in m. A symbol is in m whatever the file's unit: an expression that adds a number to one is an error.
@@ -25,8 +26,11 @@ Number decimal_angle(const Number& decimal, std::string_view written, const Unit
 // A warning that asks whether an angle, rad, was meant in degrees. hint: what to do then.
 void ask_for_degrees(const Number& angle, const Spot& spot, const std::string& hint, Diagnostics& diagnostics);
 
-// The same of where a motion takes a joint that turns, in a file that has the key `angles` and is in radians.
-void ask_about_position(const Number& position, const Body& joint, const Spot& spot, Diagnostics& diagnostics);
+// What a motion's file says of a joint, with the key `angles`, in rad (m): a rate, or a position, which is asked about.
+Number rate_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,
+                  Diagnostics& diagnostics);
+Number position_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,
+                      Diagnostics& diagnostics);
 
 // Remembers a length, m, that is long for a robot: whether it is odd depends on the masses beside it.
 void note_length(const Number& metres, const Spot& spot, const Units& units, ReadContext& context);

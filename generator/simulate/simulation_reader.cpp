@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <numbers>
 
 #include "diagnostics/nearest.hpp"
 #include "input/csv_table.hpp"
@@ -34,7 +33,7 @@ class SimulationReader {
 
   void read(TomlTable table) {
     table.text("description");
-    in_degrees_ = read_choice(table, "angles", {"rad", "deg"}, diagnostics_) == "deg";
+    units_.degrees = read_choice(table, "angles", {"rad", "deg"}, diagnostics_) == "deg";
     positive(table, "duration", 0, simulation_.duration);
     positive(table, "rate", 0, simulation_.rate);
     simulation_.at_limits =
@@ -70,23 +69,18 @@ class SimulationReader {
     if (const auto given = table.numbers(key, joints())) result = doubles(*given);
   }
 
-  // rad or m
-  void positions(TomlTable& table, const char* key, std::vector<double>& result) {
-    const auto given = table.numbers(key, joints());
+  // Positions or rates, which `in_si` brings to rad (m).
+  using InSi = Number (*)(const Number&, const Body&, const Units&, const Spot&, Diagnostics&);
+  void motion(TomlTable& table, const char* key, InSi in_si, std::vector<double>& result) {
+    auto given = table.numbers(key, joints());
     if (!given) return;
-    for (std::size_t i = 0; i < joints() && !in_degrees_; ++i) {
+    for (std::size_t i = 0; i < joints(); ++i) {
+      Value& value = (*given)[i];
       const Body& body = mechanism_.joints()[i];
-      const Spot spot{(*given)[i].place, fmt::format("{}, joint \"{}\"", key, body.joint)};
-      ask_about_position((*given)[i].number, body, spot, diagnostics_);
+      const Spot spot{value.place, fmt::format("{}, joint \"{}\"", key, body.joint)};
+      value.number = in_si(value.number, body, units_, spot, diagnostics_);
     }
     result = doubles(*given);
-    bring_to_rad(result);
-  }
-
-  void bring_to_rad(std::vector<double>& values) const {
-    for (std::size_t i = 0; i < joints() && in_degrees_; ++i) {
-      if (!mechanism_.joints()[i].prismatic) values[i] *= std::numbers::pi / 180;
-    }
   }
 
   template <class Choice>
@@ -103,9 +97,8 @@ class SimulationReader {
   }
 
   void read_start(TomlTable table) {
-    positions(table, "q", simulation_.q);
-    by_joint(table, "qd", simulation_.qd);
-    if (table.has("qd")) bring_to_rad(simulation_.qd);
+    motion(table, "q", position_in_si, simulation_.q);
+    motion(table, "qd", rate_in_si, simulation_.qd);
     table.reject_unknown_keys();
   }
 
@@ -149,7 +142,7 @@ class SimulationReader {
     law.kd = law.kp;
     by_joint(table, "kp", law.kp);
     by_joint(table, "kd", law.kd);
-    positions(table, "position", law.position);
+    motion(table, "position", position_in_si, law.position);
     if (const std::optional<std::string> name = table.text("trajectory")) {
       if (table.has("position")) {
         diagnostics_.error(table.place_of("trajectory"), "trajectory and position: one of them", "leave one out");
@@ -202,7 +195,7 @@ class SimulationReader {
   const Mechanism& mechanism_;
   Simulation& simulation_;
   Diagnostics& diagnostics_;
-  bool in_degrees_ = false;
+  Units units_;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "diagnostics/nearest.hpp"
 #include "input/toml_parts.hpp"
@@ -24,7 +23,7 @@ class PlanReader {
     TrajectoryPlan plan;
     plan.file = table.place().file;
     table.text("description");
-    in_degrees_ = choice(table, "angles", {"rad", "deg"}) == "deg";
+    units_.degrees = choice(table, "angles", {"rad", "deg"}) == "deg";
     plan.rate = positive(table, "rate", kHighestRate).value_or(plan.rate);
     if (table.has("start")) {
       plan.start = posture(table, "start");
@@ -71,10 +70,6 @@ class PlanReader {
     return result;
   }
 
-  double unit_of(std::size_t joint) const {
-    return in_degrees_ && !mechanism_.joints()[joint].prismatic ? std::numbers::pi / 180 : 1;
-  }
-
   // A list with a number for each joint, or a table by their names, in which joints may be missing.
   JointPosture of_joints(TomlTable& table, const std::string& key) {
     JointPosture values(joints());
@@ -98,8 +93,7 @@ class PlanReader {
   double position(const Value& value, const std::string& key, std::size_t joint) {
     const Body& body = mechanism_.joints()[joint];
     const Spot spot{value.place, key + ", joint " + quoted(body.joint)};
-    if (!in_degrees_) ask_about_position(value.number, body, spot, diagnostics_);
-    return real(value, key) * unit_of(joint);
+    return real({position_in_si(value.number, body, units_, spot, diagnostics_), value.place}, key);
   }
 
   void by_name(TomlTable table, const std::string& key, JointPosture& values) {
@@ -183,7 +177,14 @@ class PlanReader {
                          "one number for all, or one for each");
       return values;
     }
-    for (std::size_t i = 0; i < count; ++i) values[i] = real((*written)[i], key) * (is_angle ? unit_of(i) : 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      Value value = (*written)[i];
+      if (is_angle) {
+        const Body& body = mechanism_.joints()[i];
+        value.number = rate_in_si(value.number, body, units_, {value.place, key}, diagnostics_);
+      }
+      values[i] = real(value, key);
+    }
     return values;
   }
 
@@ -218,7 +219,7 @@ class PlanReader {
 
   const Mechanism& mechanism_;
   Diagnostics& diagnostics_;
-  bool in_degrees_ = false;
+  Units units_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "emit/arguments.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
+#include "input/csv_positions.hpp"
 #include "input/csv_text.hpp"
 #include "verify/regressor_outputs.hpp"
 #include "verify/regressor_reference.hpp"
@@ -67,6 +68,12 @@ class Columns {
     static const std::optional<CsvSource> none;
     const auto found = sources_.find(input.kind);
     return found == sources_.end() ? none : found->second[static_cast<std::size_t>(input.index)];
+  }
+
+  // By entries of q; none where the function reads none.
+  std::vector<std::optional<CsvSource>> positions() const {
+    const auto found = sources_.find(InputKind::q);
+    return found == sources_.end() ? std::vector<std::optional<CsvSource>>() : found->second;
   }
 
   std::vector<CsvSource> sources() const {
@@ -287,6 +294,7 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
   heading.finish();
   check_entries(result, columns.sources(), heading, file, diagnostics);
   if (diagnostics.has_errors()) return {};
+  ask_about_positions(result, columns.positions(), mechanism, file, diagnostics);
   warn_of_open_loops(robot, mechanism, result, columns, file, diagnostics);
   for (const Output& output : function.outputs) {
     for (const std::string& name : output_columns(output)) result.columns.push_back(name);

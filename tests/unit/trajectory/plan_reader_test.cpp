@@ -77,6 +77,17 @@ TEST(TrajectoryUnits, DegreesThatAreSaidAndExpressionsInPiAreNot) {
   EXPECT_THAT(asked_of_start("[0, \"-10*pi\", 0, 0]"), IsEmpty());
 }
 
+TEST(TrajectoryUnits, PiInDegreesIsAnError) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "plan.toml";
+  std::ofstream(file) << "angles = \"deg\"\nstart = [90, \"pi/2\", 0, 0]\n[[segment]]\ndwell = 1\n";
+  Diagnostics found;
+  read_plan(file, arm().mechanism, found);
+  ASSERT_EQ(found.all().size(), 1U);
+  EXPECT_EQ(found.all()[0].message,
+            "start, joint \"b\": an expression with pi in a file in degrees: which are meant?");
+}
+
 TEST(SimulationUnits, PositionsThatMayBeInDegreesAreAskedAbout) {
   EXPECT_THAT(simulation_of("[start]\nq = [0, -90, 90, 90]\n").asked,
               ElementsAre("q, joint \"b\": -90 rad is 14 turns; were degrees meant?",
