@@ -30,17 +30,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_ANDREWS_SQUEEZER_HPP
-#define FLATDYN_ANDREWS_SQUEEZER_HPP
+#ifndef FLATDYN_ANDREWS_SQUEEZER_HPP_78710CB4
+#define FLATDYN_ANDREWS_SQUEEZER_HPP_78710CB4
 
 #include <cmath>
 
@@ -64,8 +69,18 @@ inline constexpr int independent_positions[joint_count] = {0};
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -76,6 +91,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -97,7 +114,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -113,7 +129,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -129,6 +144,7 @@ struct GivenSinCos {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   Scalar sine[position_count], cosine[position_count];
@@ -242,6 +258,7 @@ inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
@@ -365,6 +382,7 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 // Reads q[0..6]. Operations: 73 mul, 43 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -439,6 +457,7 @@ inline constexpr bool christoffel_nonzero[1] = {
 // Reads q[0..6]. Operations: 125 mul, 66 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -545,6 +564,7 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
@@ -657,6 +677,7 @@ inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
@@ -763,6 +784,7 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar tau_1 = tau[0];
   Scalar sine[position_count], cosine[position_count];
@@ -886,6 +908,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
@@ -971,6 +994,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<2>(), sine, cosine);
   const Scalar s_3 = sine[2], c_3 = cosine[2];
@@ -1002,6 +1026,7 @@ inline constexpr bool jacobian_nonzero[6] = {
 // Reads q[0..2]. Operations: 21 mul, 9 add, 1 div, 6 sin/cos. Always zero: 3 of the 6 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -1036,6 +1061,7 @@ inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2>(), sine, cosine);
@@ -1080,6 +1106,7 @@ inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
 // Reads q[0..6]. Operations: 26 mul, 22 add, 14 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_closure(const Scalar* q, Scalar* phi, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -1117,6 +1144,7 @@ inline constexpr bool loop_jacobian_nonzero[42] = {
 // phi_q.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -1158,6 +1186,7 @@ inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos 
 // Reads q[0..6]. Operations: 55 mul, 42 add, 3 div, 14 sin/cos. Always zero: dq[0].
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -1233,6 +1262,7 @@ inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) n
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
     Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   Scalar sine[position_count], cosine[position_count];
@@ -1331,6 +1361,139 @@ inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Sc
   return positive;
 }
 
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[1], const Scalar (&qdd)[1],
+      Scalar (&tau)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[1], const Scalar (&qdd)[1],
+      const Scalar (&h_e)[6], Scalar (&tau)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept {
+    return ::andrews_squeezer::inverse_dynamics_tip_force(of...);
+  }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], Scalar (&B)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], Scalar (&c)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[1], Scalar (&C)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&g)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[1], Scalar (&n)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[1], const Scalar (&tau)[1],
+      Scalar (&qdd)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[1], Scalar (&T)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&R)[3][3], Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept {
+    return ::andrews_squeezer::forward_kinematics(of...);
+  }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], Scalar (&J)[6][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[1], Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::jacobian_dot_qd(of...); }
+};
+
+struct loop_closure {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&phi)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::loop_closure(of...); }
+};
+
+struct loop_jacobian {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&phi_q)[6][7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::loop_jacobian(of...); }
+};
+
+struct loop_step {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], Scalar (&dq)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::loop_step(of...); }
+};
+
+struct loop_motion {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[1], const Scalar (&qdd)[1],
+      Scalar (&rates)[7], Scalar (&accelerations)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::andrews_squeezer::loop_motion(of...); }
+};
+
+}  // namespace functions
+
 // Moves the dependent joints of q until the loops are closed, by Newton's method with halved steps
 // where a full one does not lessen the gap. Returns false, and leaves q as it was, where the gap is
 // larger than `tolerance` (m) after `most_steps`: the loops cannot be closed from there, or are
@@ -1386,4 +1549,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace andrews_squeezer
 
-#endif  // FLATDYN_ANDREWS_SQUEEZER_HPP
+#endif  // FLATDYN_ANDREWS_SQUEEZER_HPP_78710CB4

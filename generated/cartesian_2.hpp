@@ -20,17 +20,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_CARTESIAN_2_HPP
-#define FLATDYN_CARTESIAN_2_HPP
+#ifndef FLATDYN_CARTESIAN_2_HPP_F3D6E501
+#define FLATDYN_CARTESIAN_2_HPP_F3D6E501
 
 #include <cmath>
 
@@ -60,8 +65,18 @@ struct Parameters {
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -72,6 +87,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -342,6 +359,112 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */, const Sc
   a[0] = a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
 
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
+      const Scalar (&qdd)[2], Scalar (&tau)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
+      const Scalar (&qdd)[2], const Scalar (&h_e)[6], Scalar (&tau)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::inverse_dynamics_tip_force(of...);
+  }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&B)[2][2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&c)[2][3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
+      Scalar (&C)[2][2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&g)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
+      Scalar (&n)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
+      const Scalar (&tau)[2], Scalar (&qdd)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&R)[3][3],
+      Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&J)[6][2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
+      Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::jacobian_dot_qd(of...); }
+};
+
+}  // namespace functions
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
 // into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
 // What certificates say of rounding errors holds for builds in which this is true. It speaks of the
@@ -366,4 +489,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace cartesian_2
 
-#endif  // FLATDYN_CARTESIAN_2_HPP
+#endif  // FLATDYN_CARTESIAN_2_HPP_F3D6E501

@@ -20,11 +20,11 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
 
-#ifndef FLATDYN_EXAMPLE_7_2_PAIR_HPP
-#define FLATDYN_EXAMPLE_7_2_PAIR_HPP
+#ifndef FLATDYN_EXAMPLE_7_2_PAIR_HPP_BA8597B1
+#define FLATDYN_EXAMPLE_7_2_PAIR_HPP_BA8597B1
 
 #include <cmath>
 
@@ -135,6 +135,43 @@ struct Configuration {
 template <class Scalar, class SinCos = LibrarySinCos>
 Configuration<Scalar> at(const Scalar* q, const SinCos& sin_cos = {}) noexcept;
 
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[2], const Scalar (&qd)[2], const Scalar (&qdd)[2],
+      Scalar (&tau)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::example_7_2_pair::inverse_dynamics(of...); }
+  template <class Scalar, class... Of>
+  auto operator()(const Motion<Scalar>& stage, Of&&... of) const noexcept {
+    return stage.inverse_dynamics(of...);
+  }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[2], Scalar (&g)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::example_7_2_pair::gravity(of...); }
+  template <class Scalar, class... Of>
+  auto operator()(const Configuration<Scalar>& stage, Of&&... of) const noexcept {
+    return stage.gravity(of...);
+  }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[2], const Scalar (&qd)[2], const Scalar (&tau)[2],
+      Scalar (&qdd)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::example_7_2_pair::forward_dynamics(of...); }
+};
+
+}  // namespace functions
+
 // Whether example_7_2_pair.cpp was compiled so that it rounds every operation as it is written, to
 // nearest: compilers fuse products into sums unless they are given -ffp-contract=off, and
 // -ffast-math or x87 registers change more. What certificates say of rounding errors holds if this
@@ -176,4 +213,4 @@ extern template bool rounding_is_as_written<float>();
 
 }  // namespace example_7_2_pair
 
-#endif  // FLATDYN_EXAMPLE_7_2_PAIR_HPP
+#endif  // FLATDYN_EXAMPLE_7_2_PAIR_HPP_BA8597B1

@@ -21,17 +21,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_FINGER_HPP
-#define FLATDYN_FINGER_HPP
+#ifndef FLATDYN_FINGER_HPP_D97471FE
+#define FLATDYN_FINGER_HPP_D97471FE
 
 #include <cmath>
 
@@ -66,8 +71,18 @@ inline constexpr Real effort_limit[joint_count] = {Real(0.5), Real(0.5), Real(0.
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -78,6 +93,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -99,7 +116,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -115,7 +131,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -142,6 +157,7 @@ void angles(const Scalar* q, Scalar* angle) noexcept {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2];
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
@@ -205,6 +221,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_3 = h_e[2], h_e_4 = h_e[3], h_e_5 = h_e[4],
@@ -284,6 +301,7 @@ inline constexpr bool inertia_matrix_nonzero[9] = {
 // Reads q[1..2]. Operations: 30 mul, 18 add, 6 sin/cos. Always zero: 4 of the 9 entries of B.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
   sin_cos(angle, Joints<1, 2, 3>(), sine, cosine);
@@ -319,6 +337,7 @@ inline constexpr bool christoffel_nonzero[18] = {
 // Reads q[1..2]. Operations: 41 mul, 24 add, 6 sin/cos. Always zero: 10 of the 18 entries of c.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
   sin_cos(angle, Joints<1, 2, 3>(), sine, cosine);
@@ -373,6 +392,7 @@ inline constexpr bool coriolis_matrix_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2];
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
@@ -423,6 +443,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
 // Reads q[1..2]. Operations: 11 mul, 6 add, 6 sin/cos. Always zero: g[0].
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
   sin_cos(angle, Joints<1, 2, 3>(), sine, cosine);
@@ -445,6 +466,7 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2];
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
@@ -498,6 +520,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2];
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
@@ -567,6 +590,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2];
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
@@ -602,6 +626,7 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
 // Reads q[1..2]. Operations: 10 mul, 5 add, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
   sin_cos(angle, Joints<1, 2, 3>(), sine, cosine);
@@ -629,6 +654,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
   sin_cos(angle, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -674,6 +700,7 @@ inline constexpr bool jacobian_nonzero[18] = {
 // Reads q[0..2]. Operations: 29 mul, 12 add, 8 sin/cos. Always zero: 5 of the 18 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
   sin_cos(angle, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -714,6 +741,7 @@ inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2];
   Scalar angle[angle_count], sine[angle_count], cosine[angle_count];
   detail::angles(q, angle);
@@ -763,6 +791,106 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   a[2] = -s_1 * t26 - c_1 * t28;
 }
 
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], const Scalar (&qd)[3], const Scalar (&qdd)[3],
+      Scalar (&tau)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], const Scalar (&qd)[3], const Scalar (&qdd)[3],
+      const Scalar (&h_e)[6], Scalar (&tau)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::inverse_dynamics_tip_force(of...); }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&B)[3][3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&c)[3][6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], const Scalar (&qd)[3], Scalar (&C)[3][3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&g)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], const Scalar (&qd)[3], Scalar (&n)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[3], const Scalar (&tau)[3],
+      Scalar (&qdd)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[3], const Scalar (&qd)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&R)[3][3], Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&J)[6][3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], const Scalar (&qd)[3], Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::finger::jacobian_dot_qd(of...); }
+};
+
+}  // namespace functions
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
 // into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
 // What certificates say of rounding errors holds for builds in which this is true. It speaks of the
@@ -787,4 +915,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace finger
 
-#endif  // FLATDYN_FINGER_HPP
+#endif  // FLATDYN_FINGER_HPP_D97471FE

@@ -27,17 +27,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_FIVE_BAR_HPP
-#define FLATDYN_FIVE_BAR_HPP
+#ifndef FLATDYN_FIVE_BAR_HPP_E15D8AA1
+#define FLATDYN_FIVE_BAR_HPP_E15D8AA1
 
 #include <cmath>
 
@@ -61,8 +66,18 @@ inline constexpr int independent_positions[joint_count] = {0, 2};
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -73,6 +88,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -94,7 +111,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -110,7 +126,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -126,6 +141,7 @@ struct GivenSinCos {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   Scalar sine[position_count], cosine[position_count];
@@ -185,6 +201,7 @@ inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
@@ -259,6 +276,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 // Reads q[0..3]. Operations: 38 mul, 28 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -308,6 +326,7 @@ inline constexpr bool christoffel_nonzero[6] = {
 // Reads q[0..3]. Operations: 92 mul, 60 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -396,6 +415,7 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -482,6 +502,7 @@ inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -536,6 +557,7 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
   Scalar sine[position_count], cosine[position_count];
@@ -612,6 +634,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -668,6 +691,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
@@ -703,6 +727,7 @@ inline constexpr bool jacobian_nonzero[12] = {
 // J.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -751,6 +776,7 @@ inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -803,6 +829,7 @@ inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
 // Reads q[0..3]. Operations: 10 mul, 9 add, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_closure(const Scalar* q, Scalar* phi, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -827,6 +854,7 @@ inline constexpr bool loop_jacobian_nonzero[8] = {
 // Reads q[0..3]. Operations: 16 mul, 8 add, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -854,6 +882,7 @@ inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos 
 // Reads q[0..3]. Operations: 20 mul, 15 add, 1 div, 8 sin/cos. Always zero: dq[0], dq[2].
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -888,6 +917,7 @@ inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) n
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
     Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   Scalar sine[position_count], cosine[position_count];
@@ -939,6 +969,137 @@ inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Sc
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
+
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], const Scalar (&qd)[2], const Scalar (&qdd)[2],
+      Scalar (&tau)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], const Scalar (&qd)[2], const Scalar (&qdd)[2],
+      const Scalar (&h_e)[6], Scalar (&tau)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept {
+    return ::five_bar::inverse_dynamics_tip_force(of...);
+  }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], Scalar (&B)[2][2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], Scalar (&c)[2][3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], const Scalar (&qd)[2], Scalar (&C)[2][2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[4], Scalar (&g)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], const Scalar (&qd)[2], Scalar (&n)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], const Scalar (&qd)[2], const Scalar (&tau)[2],
+      Scalar (&qdd)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], const Scalar (&qd)[2], Scalar (&T)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[4], Scalar (&R)[3][3], Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], Scalar (&J)[6][2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], const Scalar (&qd)[2], Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::jacobian_dot_qd(of...); }
+};
+
+struct loop_closure {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[4], Scalar (&phi)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::loop_closure(of...); }
+};
+
+struct loop_jacobian {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[4], Scalar (&phi_q)[2][4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::loop_jacobian(of...); }
+};
+
+struct loop_step {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], Scalar (&dq)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::loop_step(of...); }
+};
+
+struct loop_motion {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[4], const Scalar (&qd)[2], const Scalar (&qdd)[2],
+      Scalar (&rates)[4], Scalar (&accelerations)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::five_bar::loop_motion(of...); }
+};
+
+}  // namespace functions
 
 // Moves the dependent joints of q until the loops are closed, by Newton's method with halved steps
 // where a full one does not lessen the gap. Returns false, and leaves q as it was, where the gap is
@@ -995,4 +1156,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace five_bar
 
-#endif  // FLATDYN_FIVE_BAR_HPP
+#endif  // FLATDYN_FIVE_BAR_HPP_E15D8AA1

@@ -27,17 +27,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_FOUR_BAR_HPP
-#define FLATDYN_FOUR_BAR_HPP
+#ifndef FLATDYN_FOUR_BAR_HPP_7D0B404B
+#define FLATDYN_FOUR_BAR_HPP_7D0B404B
 
 #include <cmath>
 
@@ -80,8 +85,18 @@ struct Parameters {
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -92,6 +107,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -113,7 +130,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -129,7 +145,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -148,6 +163,7 @@ struct GivenSinCos {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar g = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, I_1 = parameters.I_1,
@@ -215,6 +231,7 @@ template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
@@ -289,6 +306,7 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar m_1 = parameters.m_1, l_1 = parameters.l_1, I_1 = parameters.I_1, a = parameters.a,
       m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2, I_2 = parameters.I_2,
       m_3 = parameters.m_3, l_3 = parameters.l_3, I_3 = parameters.I_3, b = parameters.b,
@@ -334,6 +352,7 @@ inline constexpr bool christoffel_nonzero[1] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2,
       I_2 = parameters.I_2, m_3 = parameters.m_3, l_3 = parameters.l_3, I_3 = parameters.I_3,
       b = parameters.b, c_2 = parameters.c;
@@ -392,6 +411,7 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     Scalar* C, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar a = parameters.a, m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2,
       I_2 = parameters.I_2, m_3 = parameters.m_3, l_3 = parameters.l_3, I_3 = parameters.I_3,
@@ -445,6 +465,7 @@ inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, a = parameters.a,
       m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2, m_3 = parameters.m_3,
       l_3 = parameters.l_3, b = parameters.b, c = parameters.c;
@@ -478,6 +499,7 @@ inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar g = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, a = parameters.a,
       m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2, I_2 = parameters.I_2,
@@ -538,6 +560,7 @@ inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar tau_1 = tau[0];
   const Scalar g = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, I_1 = parameters.I_1,
@@ -606,6 +629,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     Scalar* T, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar m_1 = parameters.m_1, l_1 = parameters.l_1, I_1 = parameters.I_1, a = parameters.a,
       m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2, I_2 = parameters.I_2,
@@ -644,6 +668,7 @@ inline bool kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar g = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, a = parameters.a,
       m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2, m_3 = parameters.m_3,
       l_3 = parameters.l_3;
@@ -672,6 +697,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
     Scalar* p, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, b = parameters.b;
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -709,6 +735,7 @@ inline constexpr bool jacobian_nonzero[6] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, b = parameters.b, c = parameters.c;
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2>(), sine, cosine);
@@ -747,6 +774,7 @@ inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     Scalar* a, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar a_2 = parameters.a, b = parameters.b, c = parameters.c;
   Scalar sine[position_count], cosine[position_count];
@@ -792,6 +820,7 @@ inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_closure(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* phi,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, d = parameters.d, b = parameters.b, c = parameters.c;
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2>(), sine, cosine);
@@ -819,6 +848,7 @@ inline constexpr bool loop_jacobian_nonzero[6] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* phi_q,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, b = parameters.b, c = parameters.c;
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2>(), sine, cosine);
@@ -845,6 +875,7 @@ inline void loop_jacobian(const Parameters<Scalar>& parameters, const Scalar* q,
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* dq,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, d = parameters.d, b = parameters.b, c = parameters.c;
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2>(), sine, cosine);
@@ -881,6 +912,7 @@ inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar* q, Sca
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_motion(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     const Scalar* qdd, Scalar* rates, Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar a = parameters.a, b = parameters.b, c = parameters.c;
@@ -921,6 +953,142 @@ inline bool loop_motion(const Parameters<Scalar>& parameters, const Scalar* q, c
   bool positive = t5 * t5 - Scalar(1e-12) * t20 * t20 > Scalar(0.0);
   return positive;
 }
+
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], const Scalar (&qd)[1],
+      const Scalar (&qdd)[1], Scalar (&tau)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], const Scalar (&qd)[1],
+      const Scalar (&qdd)[1], const Scalar (&h_e)[6], Scalar (&tau)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept {
+    return ::four_bar::inverse_dynamics_tip_force(of...);
+  }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], Scalar (&B)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], Scalar (&c)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], const Scalar (&qd)[1],
+      Scalar (&C)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], Scalar (&g)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], const Scalar (&qd)[1],
+      Scalar (&n)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], const Scalar (&qd)[1],
+      const Scalar (&tau)[1], Scalar (&qdd)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], const Scalar (&qd)[1],
+      Scalar (&T)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[3], Scalar (&R)[3][3],
+      Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], Scalar (&J)[6][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], const Scalar (&qd)[1],
+      Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::jacobian_dot_qd(of...); }
+};
+
+struct loop_closure {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[3], Scalar (&phi)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::loop_closure(of...); }
+};
+
+struct loop_jacobian {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[3], Scalar (&phi_q)[2][3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::loop_jacobian(of...); }
+};
+
+struct loop_step {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], Scalar (&dq)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::loop_step(of...); }
+};
+
+struct loop_motion {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[3], const Scalar (&qd)[1],
+      const Scalar (&qdd)[1], Scalar (&rates)[3], Scalar (&accelerations)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::four_bar::loop_motion(of...); }
+};
+
+}  // namespace functions
 
 // Moves the dependent joints of q until the loops are closed, by Newton's method with halved steps
 // where a full one does not lessen the gap. Returns false, and leaves q as it was, where the gap is
@@ -978,4 +1146,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace four_bar
 
-#endif  // FLATDYN_FOUR_BAR_HPP
+#endif  // FLATDYN_FOUR_BAR_HPP_7D0B404B

@@ -26,17 +26,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_PANDA_HPP
-#define FLATDYN_PANDA_HPP
+#ifndef FLATDYN_PANDA_HPP_118E1594
+#define FLATDYN_PANDA_HPP_118E1594
 
 #include <cmath>
 
@@ -76,8 +81,18 @@ inline constexpr Real effort_limit[joint_count] = {
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -88,6 +103,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -109,7 +126,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -125,7 +141,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -139,6 +154,7 @@ struct GivenSinCos {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
@@ -377,6 +393,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
@@ -660,6 +677,7 @@ inline constexpr bool inertia_matrix_nonzero[49] = {
 // Reads q[1..6]. Operations: 157 mul, 147 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
@@ -820,6 +838,7 @@ inline constexpr bool christoffel_nonzero[196] = {
 // Reads q[1..6]. Operations: 698 mul, 594 add, 12 sin/cos. Always zero: 28 of the 196 entries of c.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
@@ -1440,6 +1459,7 @@ inline constexpr bool coriolis_matrix_nonzero[49] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   Scalar sine[joint_count], cosine[joint_count];
@@ -1932,6 +1952,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
 // Reads q[1..6]. Operations: 43 mul, 29 add, 12 sin/cos. Always zero: g[0].
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
@@ -1976,6 +1997,7 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   Scalar sine[joint_count], cosine[joint_count];
@@ -2193,6 +2215,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2], tau_4 = tau[3], tau_5 = tau[4],
@@ -2572,6 +2595,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   Scalar sine[joint_count], cosine[joint_count];
@@ -2668,6 +2692,7 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
 // Reads q[1..6]. Operations: 21 mul, 20 add, 12 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
@@ -2708,6 +2733,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -2779,6 +2805,7 @@ inline constexpr bool jacobian_nonzero[42] = {
 // Reads q[0..5]. Operations: 121 mul, 67 add, 12 sin/cos. Always zero: 4 of the 42 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -2884,6 +2911,7 @@ inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6];
   Scalar sine[joint_count], cosine[joint_count];
@@ -2998,6 +3026,106 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   a[1] = c_1 * t74 - s_1 * t73;
 }
 
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], const Scalar (&qd)[7], const Scalar (&qdd)[7],
+      Scalar (&tau)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], const Scalar (&qd)[7], const Scalar (&qdd)[7],
+      const Scalar (&h_e)[6], Scalar (&tau)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::inverse_dynamics_tip_force(of...); }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&B)[7][7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&c)[7][28]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], const Scalar (&qd)[7], Scalar (&C)[7][7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&g)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], const Scalar (&qd)[7], Scalar (&n)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[7], const Scalar (&qd)[7], const Scalar (&tau)[7],
+      Scalar (&qdd)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[7], const Scalar (&qd)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&R)[3][3], Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], Scalar (&J)[6][7]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[7], const Scalar (&qd)[7], Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::panda::jacobian_dot_qd(of...); }
+};
+
+}  // namespace functions
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
 // into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
 // What certificates say of rounding errors holds for builds in which this is true. It speaks of the
@@ -3022,4 +3150,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace panda
 
-#endif  // FLATDYN_PANDA_HPP
+#endif  // FLATDYN_PANDA_HPP_118E1594

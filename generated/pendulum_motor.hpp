@@ -19,17 +19,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_PENDULUM_MOTOR_HPP
-#define FLATDYN_PENDULUM_MOTOR_HPP
+#ifndef FLATDYN_PENDULUM_MOTOR_HPP_E5F76919
+#define FLATDYN_PENDULUM_MOTOR_HPP_E5F76919
 
 #include <cmath>
 
@@ -58,8 +63,18 @@ struct Parameters {
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -70,6 +85,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -91,7 +108,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -107,7 +123,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -122,6 +137,7 @@ struct GivenSinCos {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l, I = parameters.I,
@@ -148,6 +164,7 @@ template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar h_e_6 = h_e[5];
@@ -219,6 +236,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Sc
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, m = parameters.m, l = parameters.l;
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0>(), sine, cosine);
@@ -235,6 +253,7 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l, F = parameters.F,
       F_m = parameters.F_m, k_r = parameters.k_r;
@@ -256,6 +275,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar tau_1 = tau[0];
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l, I = parameters.I,
@@ -292,6 +312,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l;
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0>(), sine, cosine);
@@ -315,6 +336,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Parameters<Scalar>& /* parameters */, const Scalar* q,
     Scalar* R, Scalar* p, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0];
@@ -359,6 +381,112 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */, const Sc
   a[0] = a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
 
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], const Scalar (&qd)[1],
+      const Scalar (&qdd)[1], Scalar (&tau)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], const Scalar (&qd)[1],
+      const Scalar (&qdd)[1], const Scalar (&h_e)[6], Scalar (&tau)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept {
+    return ::pendulum_motor::inverse_dynamics_tip_force(of...);
+  }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], Scalar (&B)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], Scalar (&c)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], const Scalar (&qd)[1],
+      Scalar (&C)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], Scalar (&g)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], const Scalar (&qd)[1],
+      Scalar (&n)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[1], const Scalar (&qd)[1],
+      const Scalar (&tau)[1], Scalar (&qdd)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[1], const Scalar (&qd)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], Scalar (&R)[3][3],
+      Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], Scalar (&J)[6][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[1], const Scalar (&qd)[1],
+      Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::pendulum_motor::jacobian_dot_qd(of...); }
+};
+
+}  // namespace functions
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
 // into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
 // What certificates say of rounding errors holds for builds in which this is true. It speaks of the
@@ -383,4 +511,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace pendulum_motor
 
-#endif  // FLATDYN_PENDULUM_MOTOR_HPP
+#endif  // FLATDYN_PENDULUM_MOTOR_HPP_E5F76919

@@ -17,7 +17,7 @@
 const char* const planar_2r_joint_names[PLANAR_2R_JOINT_COUNT] = {"theta_1", "theta_2"};
 
 // Of the positions of these joints, both ends included.
-static void planar_2r_sines_and_cosines(const double* restrict q, int first, int last,
+static void planar_2r_sines_and_cosines(const double* q, int first, int last,
     double* restrict sine, double* restrict cosine) {
   for (int joint = first; joint <= last; ++joint) {
     sine[joint] = sin(q[joint]);
@@ -26,9 +26,8 @@ static void planar_2r_sines_and_cosines(const double* restrict q, int first, int
 }
 
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
-void planar_2r_inverse_dynamics_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, const double* restrict qd,
-    const double* restrict qdd, double* restrict tau) {
+void planar_2r_inverse_dynamics_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, const double* qd, const double* qdd, double* restrict tau) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double qdd_1 = qdd[0], qdd_2 = qdd[1];
   const double g = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
@@ -56,18 +55,17 @@ void planar_2r_inverse_dynamics_given(const planar_2r_parameters* restrict param
   tau[1] = t7 * (qdd_1 + k_r2 * qdd_2) + N_2_z;
 }
 
-void planar_2r_inverse_dynamics(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, const double* restrict qd, const double* restrict qdd,
-    double* restrict tau) {
+void planar_2r_inverse_dynamics(const planar_2r_parameters* parameters, const double* q,
+    const double* qd, const double* qdd, double* restrict tau) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_inverse_dynamics_given(parameters, sine, cosine, qd, qdd, tau);
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
-void planar_2r_inverse_dynamics_tip_force_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, const double* restrict qd,
-    const double* restrict qdd, const double* restrict h_e, double* restrict tau) {
+void planar_2r_inverse_dynamics_tip_force_given(const planar_2r_parameters* parameters,
+    const double* sine, const double* cosine, const double* qd, const double* qdd,
+    const double* h_e, double* restrict tau) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double qdd_1 = qdd[0], qdd_2 = qdd[1];
   const double h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
@@ -100,9 +98,8 @@ void planar_2r_inverse_dynamics_tip_force_given(const planar_2r_parameters* rest
   tau[0] = t3 * mr_1_x + qdd_2 * t5 + mu_2_z - t7 + t10;
 }
 
-void planar_2r_inverse_dynamics_tip_force(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, const double* restrict qd, const double* restrict qdd,
-    const double* restrict h_e, double* restrict tau) {
+void planar_2r_inverse_dynamics_tip_force(const planar_2r_parameters* parameters, const double* q,
+    const double* qd, const double* qdd, const double* h_e, double* restrict tau) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_inverse_dynamics_tip_force_given(parameters, sine, cosine, qd, qdd, h_e, tau);
@@ -113,8 +110,8 @@ const bool planar_2r_inertia_matrix_nonzero[4] = {
     1, 1};
 
 // Joint-space inertia matrix B(q) (7.32).
-void planar_2r_inertia_matrix_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, double* restrict B) {
+void planar_2r_inertia_matrix_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, double* restrict B) {
   (void)sine;
   const double a_1 = parameters->a_1, m_l1 = parameters->m_l1, l_1 = parameters->l_1,
       I_l1 = parameters->I_l1, I_m1 = parameters->I_m1, k_r1 = parameters->k_r1,
@@ -131,8 +128,8 @@ void planar_2r_inertia_matrix_given(const planar_2r_parameters* restrict paramet
   B[1] = B[2] = t2 + Ic_2_zz + t4;
 }
 
-void planar_2r_inertia_matrix(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, double* restrict B) {
+void planar_2r_inertia_matrix(const planar_2r_parameters* parameters, const double* q,
+    double* restrict B) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 1, 1, sine, cosine);
   planar_2r_inertia_matrix_given(parameters, sine, cosine, B);
@@ -143,8 +140,8 @@ const bool planar_2r_christoffel_nonzero[6] = {
     1, 0, 0};
 
 // Christoffel symbols of the first kind c_ijk(q) (7.45).
-void planar_2r_christoffel_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, double* restrict c) {
+void planar_2r_christoffel_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, double* restrict c) {
   (void)cosine;
   const double a_1 = parameters->a_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2;
   const double s_2 = sine[1];
@@ -154,8 +151,8 @@ void planar_2r_christoffel_given(const planar_2r_parameters* restrict parameters
   c[0] = c[4] = c[5] = 0.0;
 }
 
-void planar_2r_christoffel(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, double* restrict c) {
+void planar_2r_christoffel(const planar_2r_parameters* parameters, const double* q,
+    double* restrict c) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 1, 1, sine, cosine);
   planar_2r_christoffel_given(parameters, sine, cosine, c);
@@ -166,9 +163,8 @@ const bool planar_2r_coriolis_matrix_nonzero[4] = {
     1, 0};
 
 // C(q, qd) from the Christoffel symbols (7.44).
-void planar_2r_coriolis_matrix_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, const double* restrict qd,
-    double* restrict C) {
+void planar_2r_coriolis_matrix_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, const double* qd, double* restrict C) {
   (void)cosine;
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double a_1 = parameters->a_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2;
@@ -182,16 +178,16 @@ void planar_2r_coriolis_matrix_given(const planar_2r_parameters* restrict parame
   C[3] = 0.0;
 }
 
-void planar_2r_coriolis_matrix(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, const double* restrict qd, double* restrict C) {
+void planar_2r_coriolis_matrix(const planar_2r_parameters* parameters, const double* q,
+    const double* qd, double* restrict C) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 1, 1, sine, cosine);
   planar_2r_coriolis_matrix_given(parameters, sine, cosine, qd, C);
 }
 
 // Gravity torques g(q) (7.39).
-void planar_2r_gravity_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, double* restrict g) {
+void planar_2r_gravity_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, double* restrict g) {
   const double g_2 = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
       l_1 = parameters->l_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2,
       m_m2 = parameters->m_m2;
@@ -201,7 +197,7 @@ void planar_2r_gravity_given(const planar_2r_parameters* restrict parameters,
   g[0] = -g_2 * (t1 - c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2)));
 }
 
-void planar_2r_gravity(const planar_2r_parameters* restrict parameters, const double* restrict q,
+void planar_2r_gravity(const planar_2r_parameters* parameters, const double* q,
     double* restrict g) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
@@ -209,9 +205,8 @@ void planar_2r_gravity(const planar_2r_parameters* restrict parameters, const do
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
-void planar_2r_bias_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, const double* restrict qd,
-    double* restrict n) {
+void planar_2r_bias_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, const double* qd, double* restrict n) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double g = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
       l_1 = parameters->l_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2,
@@ -227,17 +222,16 @@ void planar_2r_bias_given(const planar_2r_parameters* restrict parameters,
   n[0] = t1 * mr_1_x + N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2;
 }
 
-void planar_2r_bias(const planar_2r_parameters* restrict parameters, const double* restrict q,
-    const double* restrict qd, double* restrict n) {
+void planar_2r_bias(const planar_2r_parameters* parameters, const double* q, const double* qd,
+    double* restrict n) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_bias_given(parameters, sine, cosine, qd, n);
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
-bool planar_2r_forward_dynamics_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, const double* restrict qd,
-    const double* restrict tau, double* restrict qdd) {
+bool planar_2r_forward_dynamics_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, const double* qd, const double* tau, double* restrict qdd) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double tau_1 = tau[0], tau_2 = tau[1];
   const double g = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
@@ -274,17 +268,16 @@ bool planar_2r_forward_dynamics_given(const planar_2r_parameters* restrict param
   return positive;
 }
 
-bool planar_2r_forward_dynamics(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, const double* restrict qd, const double* restrict tau,
-    double* restrict qdd) {
+bool planar_2r_forward_dynamics(const planar_2r_parameters* parameters, const double* q,
+    const double* qd, const double* tau, double* restrict qdd) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   return planar_2r_forward_dynamics_given(parameters, sine, cosine, qd, tau, qdd);
 }
 
 // Kinetic energy of links and rotors (7.31).
-double planar_2r_kinetic_energy_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, const double* restrict qd) {
+double planar_2r_kinetic_energy_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, const double* qd) {
   (void)sine;
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double a_1 = parameters->a_1, m_l1 = parameters->m_l1, l_1 = parameters->l_1,
@@ -305,16 +298,16 @@ double planar_2r_kinetic_energy_given(const planar_2r_parameters* restrict param
   return 0.5 * T_2;
 }
 
-double planar_2r_kinetic_energy(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, const double* restrict qd) {
+double planar_2r_kinetic_energy(const planar_2r_parameters* parameters, const double* q,
+    const double* qd) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 1, 1, sine, cosine);
   return planar_2r_kinetic_energy_given(parameters, sine, cosine, qd);
 }
 
 // Potential energy of links and rotors (7.36).
-double planar_2r_potential_energy_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine) {
+double planar_2r_potential_energy_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine) {
   const double g = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
       l_1 = parameters->l_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2,
       m_m2 = parameters->m_m2;
@@ -325,8 +318,7 @@ double planar_2r_potential_energy_given(const planar_2r_parameters* restrict par
   return g * hu_1_t_y;
 }
 
-double planar_2r_potential_energy(const planar_2r_parameters* restrict parameters,
-    const double* restrict q) {
+double planar_2r_potential_energy(const planar_2r_parameters* parameters, const double* q) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   return planar_2r_potential_energy_given(parameters, sine, cosine);
@@ -338,9 +330,8 @@ const bool planar_2r_forward_kinematics_R_nonzero[9] = {
     0, 0, 1};
 
 // Pose of the tip (2.50).
-void planar_2r_forward_kinematics_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, double* restrict R,
-    double* restrict p) {
+void planar_2r_forward_kinematics_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, double* restrict R, double* restrict p) {
   const double a_1 = parameters->a_1, a_2 = parameters->a_2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const double t1 = c_1 * s_2;
@@ -356,8 +347,8 @@ void planar_2r_forward_kinematics_given(const planar_2r_parameters* restrict par
   R[2] = R[5] = R[6] = R[7] = p[2] = 0.0;
 }
 
-void planar_2r_forward_kinematics(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, double* restrict R, double* restrict p) {
+void planar_2r_forward_kinematics(const planar_2r_parameters* parameters, const double* q,
+    double* restrict R, double* restrict p) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_forward_kinematics_given(parameters, sine, cosine, R, p);
@@ -372,8 +363,8 @@ const bool planar_2r_jacobian_nonzero[12] = {
     1, 1};
 
 // Geometric Jacobian of the tip (7.14), (7.15).
-void planar_2r_jacobian_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, double* restrict J) {
+void planar_2r_jacobian_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, double* restrict J) {
   const double a_1 = parameters->a_1, a_2 = parameters->a_2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const double p_2_x = a_2 * c_2 + a_1;
@@ -388,7 +379,7 @@ void planar_2r_jacobian_given(const planar_2r_parameters* restrict parameters,
   J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = 0.0;
 }
 
-void planar_2r_jacobian(const planar_2r_parameters* restrict parameters, const double* restrict q,
+void planar_2r_jacobian(const planar_2r_parameters* parameters, const double* q,
     double* restrict J) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
@@ -396,9 +387,8 @@ void planar_2r_jacobian(const planar_2r_parameters* restrict parameters, const d
 }
 
 // (dJ/dt) qd of the tip.
-void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* restrict parameters,
-    const double* restrict sine, const double* restrict cosine, const double* restrict qd,
-    double* restrict a) {
+void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, const double* sine,
+    const double* cosine, const double* qd, double* restrict a) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double a_1 = parameters->a_1, a_2 = parameters->a_2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
@@ -412,8 +402,8 @@ void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* restrict parame
   a[2] = a[3] = a[4] = a[5] = 0.0;
 }
 
-void planar_2r_jacobian_dot_qd(const planar_2r_parameters* restrict parameters,
-    const double* restrict q, const double* restrict qd, double* restrict a) {
+void planar_2r_jacobian_dot_qd(const planar_2r_parameters* parameters, const double* q,
+    const double* qd, double* restrict a) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_jacobian_dot_qd_given(parameters, sine, cosine, qd, a);

@@ -19,7 +19,11 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too.
-// Arrays must not overlap: the definitions say "restrict". Nothing allocates, traps, or keeps state.
+// Inputs may share memory with each other. An output must overlap no other argument: the
+// definitions say "restrict" of outputs. Nothing allocates, traps, or keeps state.
+//
+// Matrices come row by row: Eigen's types that are filled with them say Eigen::RowMajor.
+//
 // C++ may include this header, too. Compiled with -ffp-contract=off, results have the same bits as
 // those of the C++ form.
 //
@@ -27,8 +31,8 @@
 // table) calls the functions that end in _given: they take sine and cosine, by index, in place of
 // q, and q itself only where the position of a prismatic joint is read.
 
-#ifndef FLATDYN_PLANAR_2R_H
-#define FLATDYN_PLANAR_2R_H
+#ifndef FLATDYN_PLANAR_2R_H_3C295271
+#define FLATDYN_PLANAR_2R_H_3C295271
 
 #include <stdbool.h>
 
@@ -250,4 +254,4 @@ bool planar_2r_rounding_is_as_written(void);
 }
 #endif
 
-#endif  // FLATDYN_PLANAR_2R_H
+#endif  // FLATDYN_PLANAR_2R_H_3C295271

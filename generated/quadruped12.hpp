@@ -30,17 +30,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_QUADRUPED12_HPP
-#define FLATDYN_QUADRUPED12_HPP
+#ifndef FLATDYN_QUADRUPED12_HPP_21DA106A
+#define FLATDYN_QUADRUPED12_HPP_21DA106A
 
 #include <cmath>
 
@@ -78,8 +83,18 @@ inline constexpr Real effort_limit[joint_count] = {
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -90,6 +105,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -111,7 +128,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -127,7 +143,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -141,6 +156,7 @@ struct GivenSinCos {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
@@ -314,6 +330,7 @@ inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3], qdd_5 = qdd[4],
@@ -519,6 +536,7 @@ inline constexpr bool inertia_matrix_nonzero[144] = {
 // 108 of the 144 entries of B.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1, 2, 4, 5, 7, 8, 10, 11>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_5 = sine[4],
@@ -633,6 +651,7 @@ inline constexpr bool christoffel_nonzero[936] = {
 // 896 of the 936 entries of c.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1, 2, 4, 5, 7, 8, 10, 11>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_5 = sine[4],
@@ -851,6 +870,7 @@ inline constexpr bool coriolis_matrix_nonzero[144] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   Scalar sine[joint_count], cosine[joint_count];
@@ -975,6 +995,7 @@ inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
 // Reads q[0..11]. Operations: 52 mul, 24 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -1024,6 +1045,7 @@ inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noex
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   Scalar sine[joint_count], cosine[joint_count];
@@ -1162,6 +1184,7 @@ inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2], tau_4 = tau[3], tau_5 = tau[4],
@@ -1379,6 +1402,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3], qd_5 = qd[4], qd_6 = qd[5],
       qd_7 = qd[6], qd_8 = qd[7], qd_9 = qd[8], qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   Scalar sine[joint_count], cosine[joint_count];
@@ -1450,6 +1474,7 @@ inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
 // Reads q[0..11]. Operations: 22 mul, 19 add, 24 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
@@ -1488,6 +1513,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<9, 10, 11>(), sine, cosine);
   const Scalar s_10 = sine[9], c_10 = cosine[9], s_11 = sine[10], c_11 = cosine[10],
@@ -1529,6 +1555,7 @@ inline constexpr bool jacobian_nonzero[72] = {
 // Reads q[9..11]. Operations: 21 mul, 10 add, 6 sin/cos. Always zero: 59 of the 72 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<9, 10, 11>(), sine, cosine);
   const Scalar s_10 = sine[9], c_10 = cosine[9], s_11 = sine[10], c_11 = cosine[10],
@@ -1570,6 +1597,7 @@ inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_10 = qd[9], qd_11 = qd[10], qd_12 = qd[11];
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<9, 10, 11>(), sine, cosine);
@@ -1604,6 +1632,108 @@ inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   a[2] = s_10 * t20 - c_10 * t19;
 }
 
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], const Scalar (&qd)[12], const Scalar (&qdd)[12],
+      Scalar (&tau)[12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], const Scalar (&qd)[12], const Scalar (&qdd)[12],
+      const Scalar (&h_e)[6], Scalar (&tau)[12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept {
+    return ::quadruped12::inverse_dynamics_tip_force(of...);
+  }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], Scalar (&B)[12][12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], Scalar (&c)[12][78]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], const Scalar (&qd)[12], Scalar (&C)[12][12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], Scalar (&g)[12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], const Scalar (&qd)[12], Scalar (&n)[12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[12], const Scalar (&qd)[12], const Scalar (&tau)[12],
+      Scalar (&qdd)[12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[12], const Scalar (&qd)[12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], Scalar (&R)[3][3], Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], Scalar (&J)[6][12]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[12], const Scalar (&qd)[12], Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::quadruped12::jacobian_dot_qd(of...); }
+};
+
+}  // namespace functions
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
 // into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
 // What certificates say of rounding errors holds for builds in which this is true. It speaks of the
@@ -1628,4 +1758,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace quadruped12
 
-#endif  // FLATDYN_QUADRUPED12_HPP
+#endif  // FLATDYN_QUADRUPED12_HPP_21DA106A

@@ -22,17 +22,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_SCARA_HPP
-#define FLATDYN_SCARA_HPP
+#ifndef FLATDYN_SCARA_HPP_5DE29C7E
+#define FLATDYN_SCARA_HPP_5DE29C7E
 
 #include <cmath>
 
@@ -78,8 +83,18 @@ struct Parameters {
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -90,6 +105,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -111,7 +128,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -127,7 +143,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -146,6 +161,7 @@ struct GivenSinCos {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
@@ -202,6 +218,7 @@ template <class Scalar, class SinCos = LibrarySinCos>
 inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1], qdd_3 = qdd[2], qdd_4 = qdd[3];
   const Scalar h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_3 = h_e[2], h_e_6 = h_e[5];
@@ -272,6 +289,7 @@ inline constexpr bool inertia_matrix_nonzero[16] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1, a_2 = parameters.a_2,
       m_l2 = parameters.m_l2, l_2 = parameters.l_2, I_l2 = parameters.I_l2, m_m2 = parameters.m_m2,
@@ -320,6 +338,7 @@ inline constexpr bool christoffel_nonzero[40] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2, m_l2 = parameters.m_l2,
       l_2 = parameters.l_2, m_l3 = parameters.m_l3, m_m3 = parameters.m_m3, m_l4 = parameters.m_l4,
       m_m4 = parameters.m_m4;
@@ -355,6 +374,7 @@ inline constexpr bool coriolis_matrix_nonzero[16] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     Scalar* C, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2, m_l2 = parameters.m_l2,
       l_2 = parameters.l_2, m_l3 = parameters.m_l3, m_m3 = parameters.m_m3, m_l4 = parameters.m_l4,
@@ -399,6 +419,7 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar g = parameters.g, a_1 = parameters.a_1, a_2 = parameters.a_2, m_l2 = parameters.m_l2,
       l_2 = parameters.l_2, m_l3 = parameters.m_l3, m_m3 = parameters.m_m3, m_l4 = parameters.m_l4,
@@ -431,6 +452,7 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar tau_1 = tau[0], tau_2 = tau[1], tau_3 = tau[2], tau_4 = tau[3];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
@@ -501,6 +523,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 template <class Scalar, class SinCos = LibrarySinCos>
 inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1], qd_3 = qd[2], qd_4 = qd[3];
   const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
       I_l1 = parameters.I_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1, a_2 = parameters.a_2,
@@ -566,6 +589,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
     Scalar* p, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_3 = q[2];
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
   Scalar sine[joint_count], cosine[joint_count];
@@ -605,6 +629,7 @@ inline constexpr bool jacobian_nonzero[24] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -636,6 +661,7 @@ inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     Scalar* a, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
   Scalar sine[joint_count], cosine[joint_count];
@@ -656,6 +682,110 @@ inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
   a[1] = -s_1 * t7 - c_1 * t6;
   a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
+
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], const Scalar (&qd)[4],
+      const Scalar (&qdd)[4], Scalar (&tau)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], const Scalar (&qd)[4],
+      const Scalar (&qdd)[4], const Scalar (&h_e)[6], Scalar (&tau)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::inverse_dynamics_tip_force(of...); }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], Scalar (&B)[4][4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], Scalar (&c)[4][10]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], const Scalar (&qd)[4],
+      Scalar (&C)[4][4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], Scalar (&g)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], const Scalar (&qd)[4],
+      Scalar (&n)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[4], const Scalar (&qd)[4],
+      const Scalar (&tau)[4], Scalar (&qdd)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[4], const Scalar (&qd)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], Scalar (&R)[3][3],
+      Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], Scalar (&J)[6][4]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[4], const Scalar (&qd)[4],
+      Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::scara::jacobian_dot_qd(of...); }
+};
+
+}  // namespace functions
 
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
 // into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
@@ -681,4 +811,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace scara
 
-#endif  // FLATDYN_SCARA_HPP
+#endif  // FLATDYN_SCARA_HPP_5DE29C7E

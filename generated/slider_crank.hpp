@@ -26,17 +26,22 @@
 //
 // Entries come in the order of the table. Units are SI; "rad or m" goes by the type of the joint.
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
-// an output may overlap an input, but outputs must not overlap each other. Nothing allocates,
-// throws, or keeps state. In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its
-// sine, c_1 its cosine, s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn.
-// Of link i: omega_i and domega_i are its angular velocity and acceleration, ddp_i the acceleration
-// of its frame's origin less gravity, f_i and mu_i the force and moment that it gets from the link
-// before, hc_i and hu_i the first moment of all that its joint carries (in gravity() times the size
-// of gravity); t1, t2, ... are parts of sums. A distance between joints may be the unit of length
-// inside functions, though not of arguments.
+// inputs may share memory with each other and with outputs, but outputs must not overlap each
+// other. Nothing allocates, throws, or keeps state.
+//
+// Matrices come row by row. Eigen's lie column by column unless their type says Eigen::RowMajor:
+// what is written to data() of others gets mixed up. flatdyn/eigen.hpp returns either kind.
+//
+// In the code, names count from 1 as in the textbook: q_1 is q[0], s_1 its sine, c_1 its cosine,
+// s_2_3 the sine of the angle by which parallel joints 2 and 3 together turn. Of link i: omega_i
+// and domega_i are its angular velocity and acceleration, ddp_i the acceleration of its frame's
+// origin less gravity, f_i and mu_i the force and moment that it gets from the link before, hc_i
+// and hu_i the first moment of all that its joint carries (in gravity() times the size of gravity);
+// t1, t2, ... are parts of sums. A distance between joints may be the unit of length inside
+// functions, though not of arguments.
 
-#ifndef FLATDYN_SLIDER_CRANK_HPP
-#define FLATDYN_SLIDER_CRANK_HPP
+#ifndef FLATDYN_SLIDER_CRANK_HPP_EFB864B6
+#define FLATDYN_SLIDER_CRANK_HPP_EFB864B6
 
 #include <cmath>
 
@@ -59,8 +64,18 @@ inline constexpr int independent_positions[joint_count] = {0};
 
 namespace detail {
 
-// Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
+// What every function asks of its scalar.
 struct Interface {
+  // Integers would cut off what follows the point. Classes know what they do.
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept {
+    return true;
+  }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept {
+    return Scalar(1.5) > Scalar(1.0);
+  }
+  // Scalars of flatdyn's runtime say which version of generated code they are for. Others fit.
   template <class Scalar>
   static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
     return Scalar::flatdyn_interface == 1;
@@ -71,6 +86,8 @@ struct Interface {
   }
   template <class Scalar>
   static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
     static_assert(fits<Scalar>(nullptr),
         "this scalar is of another version of flatdyn's runtime than this generated code: generate "
         "it again, with the flatdyn that the runtime came with");
@@ -92,7 +109,6 @@ struct Joints {
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
@@ -108,7 +124,6 @@ struct GivenSinCos {
 
   template <int... joint>
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    static_assert(detail::Interface::checked<Scalar>());
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
 };
@@ -124,6 +139,7 @@ struct GivenSinCos {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   Scalar sine[position_count], cosine[position_count];
@@ -167,6 +183,7 @@ inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   const Scalar h_e_1 = h_e[0];
@@ -212,6 +229,7 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 // Reads q[0..1]. Operations: 21 mul, 12 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
@@ -246,6 +264,7 @@ inline constexpr bool christoffel_nonzero[1] = {
 // Reads q[0..1]. Operations: 28 mul, 13 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
@@ -288,6 +307,7 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -336,6 +356,7 @@ inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -371,6 +392,7 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar tau_1 = tau[0];
   Scalar sine[position_count], cosine[position_count];
@@ -420,6 +442,7 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -491,6 +514,7 @@ inline constexpr bool jacobian_nonzero[6] = {
 // Reads q[0..1]. Operations: 12 mul, 6 add, 1 div, 4 sin/cos. Always zero: 5 of the 6 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
@@ -516,6 +540,7 @@ inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -545,6 +570,7 @@ inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
 // Reads q[0..2]. Operations: 8 mul, 5 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_closure(const Scalar* q, Scalar* phi, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_3 = q[2];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -569,6 +595,7 @@ inline constexpr bool loop_jacobian_nonzero[6] = {
 // Reads q[0..1]. Operations: 8 mul, 4 add, 4 sin/cos. Always zero: 1 of the 6 entries of phi_q.
 template <class Scalar, class SinCos = LibrarySinCos>
 inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
@@ -591,6 +618,7 @@ inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos 
 // Reads q[0..2]. Operations: 14 mul, 7 add, 1 div, 4 sin/cos. Always zero: dq[0].
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_3 = q[2];
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -621,6 +649,7 @@ inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) n
 template <class Scalar, class SinCos = LibrarySinCos>
 inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
     Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
+  static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
   Scalar sine[position_count], cosine[position_count];
@@ -653,6 +682,137 @@ inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Sc
   bool positive = regular_l1 > Scalar(0.0);
   return positive;
 }
+
+// The functions by type, with the shapes of their arguments: what adapters such as
+// flatdyn/eigen.hpp are given.
+namespace functions {
+
+struct inverse_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], const Scalar (&qdd)[1],
+      Scalar (&tau)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::inverse_dynamics(of...); }
+};
+
+struct inverse_dynamics_tip_force {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], const Scalar (&qdd)[1],
+      const Scalar (&h_e)[6], Scalar (&tau)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::inverse_dynamics_tip_force(of...);
+  }
+};
+
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], Scalar (&B)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::inertia_matrix(of...); }
+};
+
+struct christoffel {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], Scalar (&c)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::christoffel(of...); }
+};
+
+struct coriolis_matrix {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], Scalar (&C)[1][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::coriolis_matrix(of...); }
+};
+
+struct gravity {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&g)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::gravity(of...); }
+};
+
+struct bias {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], Scalar (&n)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::bias(of...); }
+};
+
+struct forward_dynamics {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], const Scalar (&tau)[1],
+      Scalar (&qdd)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::forward_dynamics(of...); }
+};
+
+struct kinetic_energy {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], Scalar (&T)[1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::kinetic_energy(of...); }
+};
+
+struct potential_energy {
+  template <class Scalar>
+  using Shape = Scalar(const Scalar (&q)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::potential_energy(of...); }
+};
+
+struct forward_kinematics {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&R)[3][3], Scalar (&p)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::forward_kinematics(of...); }
+};
+
+struct jacobian {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], Scalar (&J)[6][1]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::jacobian(of...); }
+};
+
+struct jacobian_dot_qd {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], Scalar (&a)[6]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::jacobian_dot_qd(of...); }
+};
+
+struct loop_closure {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&phi)[2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::loop_closure(of...); }
+};
+
+struct loop_jacobian {
+  template <class Scalar>
+  using Shape = void(const Scalar (&q)[3], Scalar (&phi_q)[2][3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::loop_jacobian(of...); }
+};
+
+struct loop_step {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], Scalar (&dq)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::loop_step(of...); }
+};
+
+struct loop_motion {
+  template <class Scalar>
+  using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], const Scalar (&qdd)[1],
+      Scalar (&rates)[3], Scalar (&accelerations)[3]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::slider_crank::loop_motion(of...); }
+};
+
+}  // namespace functions
 
 // Moves the dependent joints of q until the loops are closed, by Newton's method with halved steps
 // where a full one does not lessen the gap. Returns false, and leaves q as it was, where the gap is
@@ -709,4 +869,4 @@ static bool rounding_is_as_written() noexcept {
 
 }  // namespace slider_crank
 
-#endif  // FLATDYN_SLIDER_CRANK_HPP
+#endif  // FLATDYN_SLIDER_CRANK_HPP_EFB864B6

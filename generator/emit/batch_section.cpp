@@ -41,7 +41,7 @@ class BatchFunction {
  private:
   std::string signature() const {
     std::vector<std::string> parameters = {"size_t count"};
-    if (has_parameters_) parameters.push_back(dialect_.parameters_argument(false));
+    if (has_parameters_) parameters.push_back(dialect_.parameters_argument());
     for (const ArrayArgument& input : text_.inputs) {
       parameters.push_back(fmt::format("const {}* {}", dialect_.number(), input.name));
       parameters.push_back(fmt::format("size_t {}_step", input.name));

@@ -60,28 +60,14 @@ std::vector<std::string> Dialect::reserved() const {
             "typeof", "var",          "with",       "yield",     "joint_count", "joint_names", "parameter_names"};
   }
   if (is_cpp()) {
-    return {"Scalar",
-            "Real",
-            "Parameters",
-            "SinCos",
-            "Joints",
-            "LibrarySinCos",
-            "GivenSinCos",
-            "at",
-            "Configuration",
-            "Motion",
-            "detail",
-            "std",
-            "sin",
-            "cos",
-            "joint_count",
-            "joint_names",
-            "rounding_is_as_written"};
+    return {"Scalar",      "Real", "Parameters",    "SinCos",      "Joints",      "LibrarySinCos",
+            "GivenSinCos", "at",   "Configuration", "Motion",      "detail",      "functions",
+            "std",         "sin",  "cos",           "joint_count", "joint_names", "rounding_is_as_written"};
   }
   std::vector<std::string> words = {"restrict", "sin",  "cos",   "sqrt",
                                     "sinf",     "cosf", "sqrtf", count_name("joint_count")};
   for (const char* name :
-       {"joint_names", "parameters", "sign", "is_zero", "sines_and_cosines", "rounding_is_as_written"}) {
+       {"joint_names", "parameters", "sign", "is_zero", "sines_and_cosines", "rounding_is_as_written", "text_hash"}) {
     words.push_back(global(name));
   }
   return words;
@@ -131,22 +117,19 @@ std::string Dialect::parameter(const std::string& member) const {
   return is_c() ? spread("parameters->" + member) : "parameters." + member;
 }
 
-std::string Dialect::restricted(const std::string& type, const std::string& name, bool restricts) const {
-  if (is_javascript()) return name;
-  return type + (is_c() && restricts ? "* restrict " : "* ") + name;
+std::string Dialect::pointer(const std::string& type, const std::string& name) const {
+  return is_javascript() ? name : type + "* " + name;
 }
 
-std::string Dialect::input(const std::string& name, bool restricts) const {
-  return restricted("const " + scalar_, name, restricts);
-}
+std::string Dialect::input(const std::string& name) const { return pointer("const " + scalar_, name); }
 
 std::string Dialect::output(const std::string& name, bool restricts) const {
-  return restricted(scalar_, name, restricts);
+  return pointer(scalar_, (is_c() && restricts ? "restrict " : "") + name);
 }
 
-std::string Dialect::parameters_argument(bool restricts) const {
+std::string Dialect::parameters_argument() const {
   if (is_cpp()) return "const Parameters<Scalar>& parameters";
-  return restricted("const " + exported("parameters"), "parameters", restricts);
+  return pointer("const " + exported("parameters"), "parameters");
 }
 
 std::string Dialect::number_output(const std::string& name) const {

@@ -70,10 +70,11 @@ class Dialect {
   // A free symbol of the robot: "parameters.m_1", "parameters->m_1".
   std::string parameter(const std::string& member) const;
 
-  // Arguments of functions. In C their definitions say `restrict`, their declarations, which C++ reads too, do not.
-  std::string input(const std::string& name, bool restricts = true) const;   // "const Scalar* q"
+  // Arguments of functions. In C, definitions say `restrict` of outputs; declarations, which C++ reads too, do not.
+  // Inputs may be one array.
+  std::string input(const std::string& name) const;                          // "const Scalar* q"
   std::string output(const std::string& name, bool restricts = true) const;  // "Scalar* tau"
-  std::string parameters_argument(bool restricts = true) const;              // "const Parameters<Scalar>& parameters"
+  std::string parameters_argument() const;                                   // "const Parameters<Scalar>& parameters"
   std::string number_output(const std::string& name) const;                  // "Scalar& result", an array of one in C
   std::string number_definition(const std::string& name) const;              // "result", "result[1]"
   std::string number_use(const std::string& name) const;                     // "result", "result[0]"
@@ -105,7 +106,7 @@ class Dialect {
   static constexpr const char* kLanes = "lanes_";
 
   std::string spread(const std::string& number) const;
-  std::string restricted(const std::string& type, const std::string& name, bool restricts) const;
+  std::string pointer(const std::string& type, const std::string& name) const;
   std::string type_of(const ConstantArray& array) const;
 
   Language language_ = Language::cpp;

@@ -23,7 +23,9 @@
 #include "emit/page.hpp"
 #include "emit/pair_section.hpp"
 #include "emit/sections.hpp"
+#include "emit/shape_section.hpp"
 #include "emit/stage_section.hpp"
+#include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
 #include "emit/written.hpp"
 #include "flatdyn/interface.hpp"
@@ -81,6 +83,7 @@ class PageWriter {
     write_constants(header);
     write_functions(header);
     write_stages(header);
+    if (dialect_.is_cpp()) write_shapes(header, shapes_, namespace_);
     write_loop_closing(header);
     write_angles(header);
     if (is_pair()) write_instantiations(header);
@@ -136,7 +139,8 @@ class PageWriter {
   void write_documentation(data& header) const {
     header["robot"] = comment_text(mechanism_.name);
     header["summary"] = joints_text(mechanism_);
-    header["version"] = std::string(FLATDYN_VERSION);
+    const std::string version = FLATDYN_VERSION;
+    header["version"] = version;
     std::vector<std::string> stamp;
     if (!options_.options_stamp.empty()) stamp.push_back("Options: " + comment_text(options_.options_stamp));
     if (!options_.input_hash.empty()) stamp.push_back("Input: " + comment_text(options_.input_hash));
@@ -147,7 +151,11 @@ class PageWriter {
     header["joint_table"] = list_of(joint_table(mechanism_));
     header["writes"] = list_of(writing_rule(functions_, !dialect_.is_cpp()));
     header["facts"] = list_of(wrapped_words(facts_of(mechanism_, options_.scene_facts), kCommentWidth));
-    header["guard"] = guard_of(namespace_, dialect_.is_c() ? "H" : "HPP");
+    header["guard"] = guard_of(namespace_, dialect_.is_c() ? "H" : "HPP",
+                               {version, options_.options_stamp, options_.input_hash, options_.scene_stamp});
+    header["matrices?"] = std::any_of(functions_.begin(), functions_.end(), [](const Function& function) {
+      return std::any_of(function.outputs.begin(), function.outputs.end(), is_array_of_arrays);
+    });
     header["namespace"] = namespace_;
     header["scalar"] = options_.scalar;
     header["float?"] = options_.scalar == "float";
@@ -176,11 +184,23 @@ class PageWriter {
       write_base_constants(header);
     }
     header["parameters?"] = !scope_.parameters.empty();
-    header["parameters"] = list_of(scope_.parameters);
+    header["parameters"] = list_of(members_with_units());
     if (!scope_.parameters.empty()) exports_.emplace_back("parameter_names");
     std::vector<std::string> names;
     for (const std::string& name : scope_.parameters) names.push_back(dialect_.text(name));
     header["parameter_names"] = without_newline(dialect_.definition({"const char*", "parameter_names", "", names}));
+  }
+
+  // "m_1;  // kg", in JavaScript "m_1 - kg".
+  std::vector<std::string> members_with_units() const {
+    std::vector<std::string> members = scope_.parameters;
+    const bool is_statement = !dialect_.is_javascript();
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const std::string& unit = std::string();
+      if (is_statement) members[k] += ";";
+      if (!unit.empty()) members[k] += (is_statement ? "  // " : " - ") + unit;
+    }
+    return members;
   }
 
   // q is longer than qd: which of its entries are independent.
@@ -256,11 +276,11 @@ class PageWriter {
       item["comment"] = list_of(function_comment(functions_[k], text));
       item["header_parameters"] = template_parameters(text);
       item["signature"] = signature(text);
-      item["asks_scalar?"] = asks_scalar(text);
       item["body"] = without_newline(text.body);
       if (dialect_.is_c()) write_c_function(item, functions_[k], text, dialect_.is_lanes() ? "static " : "");
       if (dialect_.is_lanes()) write_batch_function(item, functions_[k], text, dialect_);
       if (is_pair()) write_pair_function(item, functions_[k], text);
+      if (dialect_.is_cpp()) shapes_.push_back(shaped(functions_[k], text, scope_));
       if (dialect_.is_javascript()) write_javascript_function(item, functions_[k], text);
       list << item;
       exports_.push_back(names_.functions[k]);
@@ -281,6 +301,7 @@ class PageWriter {
     if (!stages_) return;
     const std::vector<StageText> stages = stage_texts(*stages_, scope_);
     flatdyn::write_stages(header, stages, namespace_);
+    add_stages(shapes_, stages, scope_);
     if (is_pair()) instantiations_.add(stages, scope_.compiled);
     for (const StageText& stage : stages) {
       note_needs(stage.make);
@@ -371,6 +392,7 @@ class PageWriter {
   HeaderScope scope_;
   std::vector<std::string> exports_;
   Instantiations instantiations_;  // of C++ in header and source
+  std::vector<ShapedFunction> shapes_;
   bool uses_sign_ = false, uses_sqrt_ = false, uses_trigonometry_ = false;
 };
 
@@ -425,6 +447,8 @@ std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>
   const std::optional<Stages> none;
   const Dialect lanes = Dialect::c_lanes(options.scalar, namespace_of(mechanism.name, options.name_space));
   data page = PageWriter(mechanism, functions, options, none, lanes).page();
+  page["prefix"] = lanes.exported("");
+  page["hash"] = std::string(kHash);
   page["sines"] = without_newline(rendered(templates::batch_sines_c, page));
   return squeezed(rendered(templates::batch_c, page));
 }

@@ -60,7 +60,8 @@ std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::
                                          const EmitOptions& options);
 
 // The same functions over arrays of states, several states at a time in the lanes of SIMD registers: a source of GNU C
-// that goes with the C form's header. The same statements, and the same bits but for sines and cosines.
+// that goes with the C form's header. The same statements, and the same bits but for sines and cosines. Where it says
+// the hash of all texts of the library there is kHash (emit/text_hash.hpp).
 std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,
                          const EmitOptions& options);
 

@@ -96,8 +96,8 @@ class FunctionWriter {
   std::vector<std::string> c_parameters(bool given, bool restricts) const {
     std::vector<std::string> list;
     for (const CArgument& argument : c_arguments(given)) {
-      list.push_back(argument.kind == CArgument::Kind::parameters ? dialect_.parameters_argument(restricts)
-                     : argument.kind == CArgument::Kind::input    ? dialect_.input(argument.name, restricts)
+      list.push_back(argument.kind == CArgument::Kind::parameters ? dialect_.parameters_argument()
+                     : argument.kind == CArgument::Kind::input    ? dialect_.input(argument.name)
                                                                   : dialect_.output(argument.name, restricts));
     }
     return list;

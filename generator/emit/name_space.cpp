@@ -9,6 +9,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/identifiers.hpp"
+#include "input/content_hash.hpp"
 
 namespace flatdyn {
 namespace {
@@ -65,10 +66,14 @@ std::string namespace_of(const std::string& robot, const std::string& wanted) {
   return wanted;
 }
 
-std::string guard_of(const std::string& name_space, const std::string& ending) {
+std::string guard_of(const std::string& name_space, const std::string& ending, const std::vector<std::string>& origin) {
+  constexpr std::size_t kDigits = 8;
   std::string guard = "FLATDYN";
   for (const std::string& part : parts_of_namespace(name_space)) guard += "_" + part;
-  return in_capitals(guard + "_" + ending);
+  std::vector<std::string> hashed = {name_space};
+  for (const std::string& text : origin) hashed.push_back("\n" + text);
+  const std::string hash = content_hash(hashed);  // "sha1:…"
+  return in_capitals(guard + "_" + ending + "_" + hash.substr(hash.find(':') + 1, kDigits));
 }
 
 std::string in_capitals(std::string text) {

@@ -77,10 +77,6 @@ std::string template_parameters(const FunctionText& text) {
   return text.uses_trigonometry ? "class Scalar, class SinCos = LibrarySinCos" : "class Scalar";
 }
 
-bool asks_scalar(const FunctionText& text, const std::string& stage) {
-  return !text.uses_trigonometry && stage.empty();
-}
-
 std::string signature(const FunctionText& text, const std::string& stage) {
   const std::string scope = stage.empty() ? "" : stage + "<Scalar>::";
   const char* const begin = is_declared_apart(text) ? "" : "inline ";

@@ -26,10 +26,6 @@ std::string template_parameters(const FunctionText& text);
 // const". What is declared in a header and defined in a source is not inline.
 std::string signature(const FunctionText& text, const std::string& stage = "");
 
-// Whether its first statement asks if the scalar is of the same version. What uses sines is asked by their source, and
-// a member of a stage by what made the stage.
-bool asks_scalar(const FunctionText& text, const std::string& stage = "");
-
 // In C: "void panda_gravity(const double* q, double* g)", and what stands behind it: " {" or ";".
 std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
                         const std::string& end);

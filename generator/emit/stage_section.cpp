@@ -84,7 +84,7 @@ data definition(const FunctionText& text, const std::vector<std::string>& commen
   item["header_comment"] = list_of(is_in_header ? comment : std::vector<std::string>{});
   item["header_parameters"] = template_parameters(text);
   item["signature"] = signature(text, stage);
-  item["asks_scalar?"] = asks_scalar(text, stage);
+  item["asks_scalar?"] = stage.empty();  // of a member that was asked when its stage was made
   item["body"] = without_newline(text.body);
   write_declaration(item, text);
   return item;

@@ -9,7 +9,8 @@
 
 namespace flatdyn {
 
-// Lines for the head of the header. In C no arguments overlap, so nothing depends on what is read first.
+// Lines for the head of the header. In C and JavaScript no output overlaps an input, so nothing depends on what is
+// read first.
 std::vector<std::string> writing_rule(const std::vector<Function>& functions, bool in_c);
 
 // " Written: tau[0..2], and nothing else of tau." of each output of which entries are left out; `outputs`: its arrays.

@@ -11,7 +11,9 @@
 #include "emit/identifiers.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
+#include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
+#include "python/module_names.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -52,7 +54,11 @@ class ModuleWriter {
     page["robot"] = comment_text(mechanism_.name);
     page["version"] = std::string(FLATDYN_VERSION);
     page["name"] = module_name(mechanism_, options_);
-    page["header"] = header_name(mechanism_, options_);
+    page["compile"] =
+        fmt::format("cc -std=c99 -O3 -march=native -ffp-contract=off -shared -fPIC {0}.c {0}_batch.c -o lib{0}.so -lm",
+                    module_name(mechanism_, options_));
+    page["hash"] = std::string(kHash);
+    page["library"] = std::string("_library_") + kShortHash;
     page["prefix"] = dialect_.global("");
     page["scalar"] = options_.scalar;
     page["is_float"] = options_.scalar == "float";
@@ -62,7 +68,12 @@ class ModuleWriter {
     page["joint_names"] = without_newline(list_line("joint_names = (", names, names.size() == 1 ? ",)" : ")", 0));
     page["parameters?"] = has_parameters();
     data symbols(data::type::list);
-    for (const FreeSymbol& symbol : mechanism_.symbols) symbols << data("symbol", symbol.name);
+    for (const FreeSymbol& symbol : mechanism_.symbols) {
+      data item("symbol", symbol.name);
+      item["unit"] = std::string();
+      item["has_unit?"] = false;
+      symbols << item;
+    }
     page["symbols"] = data(symbols);
     page["functions"] = functions();
     page["closes_loops?"] = closes_loops();
@@ -144,16 +155,24 @@ class ModuleWriter {
 std::string module_name(const Mechanism& mechanism, const EmitOptions& options) {
   const std::string header = header_name(mechanism, options);
   const std::string name = header.substr(0, header.find_last_of('.'));
-  if (cpp_identifier(name) != name) {
+  if (cpp_identifier(name) != name || is_keyword_of_python(name)) {
     throw Failure(ExitCode::usage, fmt::format("--python: \"{}\" is no name of a module", name),
                   "use letters, digits and _ for --name");
+  }
+  if (is_module_of_python(name)) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--python: Python has a module \"{}\", in whose place this one would be imported", name),
+                  fmt::format("choose another name, such as --name {}_robot", name));
   }
   return name;
 }
 
 PythonModule python_module(const Mechanism& mechanism, const std::vector<Function>& functions,
                            const EmitOptions& options) {
-  return ModuleWriter(mechanism, functions, options).written();
+  PythonModule texts = ModuleWriter(mechanism, functions, options).written();
+  HeaderAndSource c_form = emit_c(mechanism, functions, options);
+  fill_in_hash({&c_form.header, &c_form.source, &texts.module, &texts.batch});
+  return texts;
 }
 
 }  // namespace flatdyn

@@ -43,6 +43,10 @@ const tau = new Float64Array(panda.joint_count), back = [], B = new Float64Array
 panda.inverse_dynamics(q, qd, qdd, tau);
 assert.equal(panda.forward_dynamics(q, qd, tau, back), true);
 back.forEach((value, k) => assert(Math.abs(value - qdd[k]) < 1e-9));
+const zero = new Float64Array(7), zeros = new Float64Array(7), apart = [], together = [];
+panda.inverse_dynamics(q, zero, zeros, apart);
+panda.inverse_dynamics(q, zero, zero, together);
+assert.deepEqual(together, apart);
 panda.inertia_matrix(q, B);
 let T = 0;
 for (let i = 0; i < 7; ++i) for (let j = 0; j < 7; ++j) T += qd[i] * B[7 * i + j] * qd[j] / 2;

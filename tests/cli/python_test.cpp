@@ -8,44 +8,12 @@
 #include <regex>
 #include <utility>
 
-#include "cli/program.hpp"
+#include "cli/python.hpp"
 
 namespace flatdyn::testing {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr const char* kPython = "/usr/bin/python3";  // Debian's, which has Debian's numpy
-
-class Python : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (std::system(fmt::format("{} -c 'import numpy' 2> /dev/null", kPython).c_str()) != 0) {
-      GTEST_SKIP() << "numpy is not installed: scripts/setup";
-    }
-  }
-
-  void generate(const std::string& arguments) const {
-    const Outcome outcome = run_flatdyn(fmt::format("generate {} -q --python -o '{}'", arguments, folder_.path()));
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-  }
-
-  // With the command that the module's own text names.
-  void build(const std::string& name) const {
-    const std::string text = folder_.read(name + ".py");
-    const std::size_t begin = text.find("cc -std=c99");
-    const std::string command = text.substr(begin, text.find('\n', begin) - begin);
-    ASSERT_EQ(std::system(fmt::format("cd '{}' && {} -Wall -Wextra -Werror", folder_.path(), command).c_str()), 0);
-  }
-
-  int run(const std::string& script) const {
-    folder_.write("script.py", script);
-    return std::system(
-        fmt::format("cd '{}' && {} script.py > '{}' 2>&1", folder_.path(), kPython, folder_.path("log")).c_str());
-  }
-
-  Scratch folder_;
-};
 
 TEST_F(Python, ComputesOneStateAndBatches) {
   generate(
@@ -88,11 +56,12 @@ TEST_F(Python, TakesParametersAndSaysWhereThereIsNoResult) {
   generate("robots/planar_2r.toml --scalar float --functions gravity,forward_dynamics --name arm --namespace arm");
   build("arm");
   EXPECT_EQ(run(R"py(import numpy as np, arm
-level = arm.Parameters(g=9.81, m_l1=2, l_1=1, a_1=1, m_l2=1, l_2=1)
+level = arm.Parameters(g=9.81, m_l1=2, l_1=1, a_1=1, m_l2=1, l_2=1, **dict.fromkeys(("a_2", "I_l1", "m_m1", "I_m1", "k_r1", "I_l2", "m_m2", "I_m2", "k_r2"), 0))
 g = arm.gravity(level, np.zeros(2))
 assert g.dtype == np.float32 and np.allclose(g, [4 * 9.81, 9.81], rtol=1e-6)
 assert np.isfinite(arm.forward_dynamics(level, [0, 1], np.zeros(2), g)).all()
-assert np.isnan(arm.forward_dynamics(arm.Parameters(), np.zeros((3, 2)), np.zeros(2), np.zeros(2))).all()
+none = arm.Parameters(**{name: 0 for name, _ in arm.Parameters._fields_})
+assert np.isnan(arm.forward_dynamics(none, np.zeros((3, 2)), np.zeros(2), np.zeros(2))).all()
 )py"),
             0)
       << folder_.read("log");
@@ -102,10 +71,13 @@ assert np.isnan(arm.forward_dynamics(arm.Parameters(), np.zeros((3, 2)), np.zero
 constexpr const char* kSingleCalls = R"py(import ctypes
 import numpy as np
 
+def library(module):
+    return next(value for name, value in vars(module).items() if name.startswith("_library_"))
+
 def single(module, name, shapes, *rows, parameters=None):
-    function = getattr(module._library, module.__name__ + "_" + name)
-    rows = [np.ascontiguousarray(row, module._number) for row in rows]
-    results = [np.empty(shape, module._number) for shape in shapes]
+    function = getattr(library(module).c, module.__name__ + "_" + name)
+    rows = [np.ascontiguousarray(row, module.number) for row in rows]
+    results = [np.empty(shape, module.number) for shape in shapes]
     given = [] if parameters is None else [ctypes.byref(parameters)]
     function(*given, *(ctypes.c_void_p(array.ctypes.data) for array in rows + results))
     return results[0] if len(results) == 1 else results
@@ -123,9 +95,9 @@ TEST_F(Python, BatchesAreWhatSingleCallsAre) {
     EXPECT_EQ(run(kSingleCalls + std::string(R"py(
 import panda
 rng = np.random.default_rng(1)
-close = 1e3 * np.finfo(panda._number).eps
+close = 1e3 * np.finfo(panda.number).eps
 for n in (1, 7, 8, 9, 1000):
-    q, qd, qdd = rng.uniform(-1, 1, (3, n, 7)).astype(panda._number)
+    q, qd, qdd = rng.uniform(-1, 1, (3, n, 7)).astype(panda.number)
     tau, B = panda.inverse_dynamics(q, qd, qdd), panda.inertia_matrix(q)
     alone = [panda.inverse_dynamics(q[k], qd[k], qdd[k]) for k in range(n)]
     assert same_bits(tau, alone) and same_bits(B, [panda.inertia_matrix(row) for row in q])
@@ -177,25 +149,25 @@ TEST_F(Python, SinesOfBatchesAreRightToOneUlpAndLargeAnglesAreTheLibrarys) {
     build("pendulum_motor");
     EXPECT_EQ(run(kSingleCalls + std::string(R"py(
 import pendulum_motor as arm
-p = arm.Parameters()
+p = arm.Parameters(**dict.fromkeys((name for name, _ in arm.Parameters._fields_), 0))
 rng = np.random.default_rng(1)
 for size in (1e-8, 1, 4, 60, 1e3, 1e5):
     q = rng.uniform(-size, size, 100_000)
     q[1::2] = np.clip(np.rint(q[1::2] / (np.pi / 4)) * (np.pi / 4), -size, size)  # zeros, maxima, the seam
-    q = q.astype(arm._number)
+    q = q.astype(arm.number)
     R, _ = arm.forward_kinematics(p, q[:, None])
     for value, exact in ((R[:, 1, 0], np.sin(q.astype(np.longdouble))), (R[:, 0, 0], np.cos(q.astype(np.longdouble)))):
-        ulp = np.spacing(np.abs(exact).astype(arm._number)).astype(np.longdouble)
+        ulp = np.spacing(np.abs(exact).astype(arm.number)).astype(np.longdouble)
         assert (np.abs(value - exact) / ulp).max() < 1, size
-most = 1e5 if arm._number == np.float64 else 6400
-q = np.array([0.5, most, np.nextafter(arm._number(most), np.inf), 1e5, 1e8, np.inf, -np.inf, np.nan, -1e30, 0.25, -1.1e5, 1, 2, 3, 4, -0.0, 0, 5, 6, 7, 8], arm._number)
+most = 1e5 if arm.number == np.float64 else 6400
+q = np.array([0.5, most, np.nextafter(arm.number(most), np.inf), 1e5, 1e8, np.inf, -np.inf, np.nan, -1e30, 0.25, -1.1e5, 1, 2, 3, 4, -0.0, 0, 5, 6, 7, 8], arm.number)
 R, _ = arm.forward_kinematics(p, q[:, None])
 alone = np.array([single(arm, "forward_kinematics", [(3, 3), 3], [angle], parameters=p)[0] for angle in q])
 for k, angle in enumerate(q):
     if not abs(angle) <= most:
         assert same_bits(R[k], alone[k]), angle
     else:
-        assert np.abs(R[k] - alone[k]).max() <= 1.5 * np.finfo(arm._number).eps, angle
+        assert np.abs(R[k] - alone[k]).max() <= 1.5 * np.finfo(arm.number).eps, angle
 assert (np.isnan(R[:, 0, 0]) == ~np.isfinite(q)).all() and (R[q == 0, 1, 0] == 0).all() and (R[q == 0, 0, 0] == 1).all()
 )py")),
               0)
@@ -208,7 +180,7 @@ TEST_F(Python, SinesOfFloatsAreRightToOneUlpAtAllAngles) {
   generate("robots/pendulum_motor.toml --functions forward_kinematics --scalar float");
   build("pendulum_motor");
   EXPECT_EQ(run(R"py(import numpy as np, pendulum_motor as arm
-p = arm.Parameters()
+p = arm.Parameters(**dict.fromkeys((name for name, _ in arm.Parameters._fields_), 0))
 def bits(x):
     return int(np.float32(x).view(np.uint32))
 
@@ -240,7 +212,7 @@ TEST_F(Python, RowsOfAllLengthsAreReadAndWrittenWhole) {
       EXPECT_EQ(run(fmt::format(R"py(import numpy as np, {0} as arm
 rng = np.random.default_rng(1)
 p = [arm.Parameters(**{{name: 1.5 for name, _ in arm.Parameters._fields_}})] if hasattr(arm, "Parameters") else []
-q = rng.uniform(-1, 1, (67, len(arm.joint_names))).astype(arm._number)
+q = rng.uniform(-1, 1, (67, len(arm.joint_names))).astype(arm.number)
 for function in (arm.inertia_matrix, arm.gravity):
     assert np.array_equal(function(*p, q), [function(*p, row) for row in q])
     assert np.array_equal(function(*p, np.tile(q[5], (67, 1))), [function(*p, q[5])] * 67)
@@ -388,6 +360,14 @@ TEST_F(Python, SaysHowTheLibraryIsMade) {
 TEST_F(Python, RefusesWhatItCannotImport) {
   EXPECT_EQ(run_flatdyn("generate robots/pendulum_motor.toml --python --name a-b -o /nowhere/at/all").code, 2);
   EXPECT_EQ(run_flatdyn("generate robots/pendulum_motor.toml --python --language c++ -o /nowhere/at/all").code, 2);
+  EXPECT_EQ(run_flatdyn("generate robots/pendulum_motor.toml --python --name lambda -o /nowhere/at/all").code, 2);
+  for (const std::string name : {"numpy", "ctypes", "random"}) {
+    const Outcome outcome =
+        run_flatdyn("generate robots/pendulum_motor.toml --python --name " + name + " -o /nowhere/at/all");
+    EXPECT_EQ(outcome.code, 2) << name;
+    EXPECT_THAT(outcome.err, HasSubstr("Python has a module \"" + name + "\", in whose place")) << name;
+    EXPECT_THAT(outcome.err, HasSubstr("--name " + name + "_robot")) << name;
+  }
 }
 
 }  // namespace

@@ -173,5 +173,40 @@ TEST(CFormInParts, HasTheBitsOfTheCppForm) {
   }
 }
 
+// The header says so; `restrict` is of outputs only. Of every function, with inputs apart and in one array.
+TEST(CFormsInputs, MayBeOneArray) {
+  const Model model = model_of("ur5.urdf");
+  const std::vector<Function> functions = functions_to_compare(model);
+  const TemporaryFolder folder;
+  const HeaderAndSource text = emit_c(model.mechanism, functions, options_of("double", Language::c, 0));
+  write(folder.path() / "ur5.h", text.header);
+  write(folder.path() / "ur5.c", text.source);
+  std::string program =
+      "#include <stdio.h>\n#include <string.h>\n#include \"ur5.h\"\nint main(void) {\n  const double one[6] = {0.3, "
+      "-1, 2, "
+      "0.5, 1, -2}, q[6] = {0.3, -1, 2, 0.5, 1, -2}, qd[6] = {0.3, -1, 2, 0.5, 1, -2}, "
+      "qdd[6] = {0.3, -1, 2, 0.5, 1, -2}, tau[6] = {0.3, -1, 2, 0.5, 1, -2};\n  static double a[99], b[99];\n";
+  for (const Function& function : functions) {
+    if (returns_value(function)) continue;
+    std::vector<std::string> apart, together;
+    for (const InputKind kind : function.inputs) {
+      apart.push_back(input_argument(kind, 0).name);
+      together.emplace_back("one");
+    }
+    const std::string name = "in_double_" + cpp_identifier(function.name);
+    program += fmt::format("  {0}({1}, a), {0}({2}, b);\n  if (memcmp(a, b, sizeof a)) puts(\"{0}\");\n", name,
+                           joined(apart), joined(together));
+  }
+  write(folder.path() / "main.c", program + "  puts(\"done\");\n  return 0;\n}\n");
+  for (const char* compiler : {"gcc -O3 -flto", "gcc -O2", "clang -O3"}) {
+    EXPECT_EQ(
+        output_of(folder.path(), fmt::format("{} -std=c99 -Wall -Wextra -Wrestrict -Werror -Wno-unknown-warning-option "
+                                             "-ffp-contract=off main.c ur5.c -o main -lm && ./main",
+                                             compiler)),
+        "done\n")
+        << compiler;
+  }
+}
+
 }  // namespace
 }  // namespace flatdyn::testing

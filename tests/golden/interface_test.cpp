@@ -57,6 +57,14 @@ int main() {
 }
 )";
 
+// Positions in whole numbers: of a function with sines, without, with sines of the caller's, in stages.
+constexpr const char* kIntegers[] = {"ur5::gravity(q, g);",
+                                     "cartesian_2::inertia_matrix(cartesian_2::Parameters<int>(), q, g);",
+                                     "ur5::gravity(q, g, ur5::GivenSinCos<int>{q, q});",
+                                     "ur5::gravity(q, g, [](auto...) {});",
+                                     "const long p[6] = {};\n  long tau[6];\n  ur5::gravity(p, tau);",
+                                     "const bool p[6] = {};\n  bool tau[6];\n  ur5::gravity(p, tau);"};
+
 // A folder with the runtime and a generated header, either of which may be changed.
 class Interface : public ::testing::TestWithParam<const char*> {
  protected:
@@ -96,6 +104,44 @@ TEST_P(Interface, FitsWithinAVersion) {
   for (const char* program : {kTogether, kLanes, kOwnScalar, kLanesWithoutSines, kGivenLanes}) {
     EXPECT_EQ(complaint(program), "");
   }
+}
+
+TEST_P(Interface, IntegersAreRefused) {
+  for (const char* call : kIntegers) {
+    const std::string program = fmt::format(
+        "#include \"ur5.hpp\"\n#include \"cartesian_2.hpp\"\n"
+        "int main() {{\n  const int q[6] = {{}};\n  int g[6];\n  {}\n}}\n",
+        call);
+    EXPECT_THAT(complaint(program.c_str()), HasSubstr("integers cannot hold positions, velocities or torques")) << call;
+  }
+  EXPECT_THAT(complaint("#include \"flatdyn/batch.hpp\"\nint main() { flatdyn::Lanes<int> q; }\n"),
+              HasSubstr("lanes are of float or double"));
+}
+
+// Classes may be made of integers, as fixed-point numbers are, and know what they do.
+TEST_P(Interface, ScalarsOfOthersFit) {
+  EXPECT_EQ(complaint(R"(#include "ur5.hpp"
+struct Fixed {
+  long n = 0;
+  Fixed() = default;
+  explicit Fixed(double x) : n(static_cast<long>(x * 65536)) {}
+  friend Fixed operator+(Fixed a, Fixed b) { a.n += b.n; return a; }
+  friend Fixed operator-(Fixed a, Fixed b) { a.n -= b.n; return a; }
+  friend Fixed operator-(Fixed a) { a.n = -a.n; return a; }
+  friend Fixed operator*(Fixed a, Fixed b) { a.n = a.n * b.n / 65536; return a; }
+  friend Fixed sin(Fixed a) { return Fixed(std::sin(double(a.n) / 65536)); }
+  friend Fixed cos(Fixed a) { return Fixed(std::cos(double(a.n) / 65536)); }
+};
+int main() {
+  const Fixed q[6] = {};
+  Fixed g[6];
+  ur5::gravity(q, g);
+  const __float128 p[6] = {};
+  __float128 tau[6];
+  ur5::gravity(p, tau, [](const __float128*, auto, __float128*, __float128*) {});
+}
+)"),
+            "");
 }
 
 TEST_P(Interface, OfANewerRuntimeIsRefused) {

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
@@ -26,6 +27,8 @@ namespace flatdyn {
 // A scalar type for generated code: as many numbers of type T as a register has.
 template <class T>
 class Lanes {
+  static_assert(std::is_floating_point_v<T>, "lanes are of float or double");
+
  public:
   using Batch = xsimd::batch<T>;
   static constexpr std::size_t width = Batch::size;
@@ -150,9 +153,9 @@ bool at_lanes(Call& call, std::size_t state, std::size_t count, std::index_seque
 
 }  // namespace detail
 
-// call(a, b, …) with pointers to Lanes<T>, for all `states`; the arrays as its arguments come. Outputs may overlap
-// neither inputs nor each other. False if the call was false for any state, as forward_dynamics is where B is not
-// positive definite.
+// call(a, b, …) with pointers to Lanes<T>, for all `states`; the arrays as its arguments come. Inputs may be
+// the same array; outputs may overlap neither inputs nor each other. False if the call was false for any state, as
+// forward_dynamics is where B is not positive definite.
 template <class T, class Call, class... Arrays>
 bool for_each_state(std::size_t states, Call call, const Arrays&... arrays) noexcept {
   constexpr std::size_t width = Lanes<T>::width;

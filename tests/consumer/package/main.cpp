@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "flatdyn/eigen.hpp"
 #include "my_arm.hpp"
 #include "my_arm_as_pair.hpp"
 #include "my_arm_in_c.h"
@@ -22,10 +23,12 @@ int main() {
   my_arm::inverse_dynamics(q, zero, zero, tau);
   my_arm_in_c_inverse_dynamics(q, zero, zero, in_c);
   my_arm_as_pair::inverse_dynamics(q, zero, zero, as_pair);
+  const Eigen::Vector2d of_eigen = flatdyn::eigen<my_arm::functions::gravity>(Eigen::Vector2d(0, 0));
   std::printf("gravity: %g %g N m\n", g[0], g[1]);
   const bool right = close(g[0], 4 * kGravity) && close(g[1], kGravity);
   const bool alike = close(tau[0], g[0]) && close(tau[1], g[1]);
-  const bool same = in_c[0] == tau[0] && in_c[1] == tau[1] && as_pair[0] == tau[0] && as_pair[1] == tau[1];  // bits
+  const bool same = in_c[0] == tau[0] && in_c[1] == tau[1] && as_pair[0] == tau[0] && as_pair[1] == tau[1] &&
+                    of_eigen[0] == g[0] && of_eigen[1] == g[1];  // bits
   const bool rounded = my_arm::rounding_is_as_written() && my_arm_as_pair::rounding_is_as_written<float>();
   return right && alike && same && rounded ? 0 : 1;
 }

@@ -53,7 +53,7 @@ TEST(Dialect, SpreadsNumbersOverLanes) {
   EXPECT_EQ(lanes.number(), "float");
   EXPECT_EQ(lanes.literal(Rational(-1, 4)), "arm_lanes_all(-0.25f)");
   EXPECT_EQ(lanes.parameter("m_1"), "arm_lanes_all(parameters->m_1)");
-  EXPECT_EQ(lanes.parameters_argument(), "const arm_parameters* restrict parameters");
+  EXPECT_EQ(lanes.parameters_argument(), "const arm_parameters* parameters");
   EXPECT_EQ(lanes.sqrt("x"), "arm_lanes_sqrt(x)");
   EXPECT_EQ(lanes.conditions_begin() + lanes.always(), "arm_lanes_mask positive = ~(arm_lanes_mask){0}");
   EXPECT_EQ(Dialect::c("float", "arm").conditions_begin() + Dialect().always(), "bool positive = true");

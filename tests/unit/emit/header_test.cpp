@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
@@ -106,7 +107,7 @@ TEST(Header, FloatConstantsAndOtherNamespaceCompile) {
   options.name_space = "acme::arm";
   const std::string text = emit_cpp(testing::two_link_mechanism({"m1"}), all_functions(), options);
   EXPECT_THAT(text, HasSubstr("namespace acme::arm {"));
-  EXPECT_THAT(text, HasSubstr("#ifndef FLATDYN_ACME_ARM_HPP"));
+  EXPECT_THAT(text, HasSubstr("#ifndef FLATDYN_ACME_ARM_HPP_"));
   const char* main = R"(#include "robot.hpp"
 int main() {
   float parameters_default = acme::arm::Parameters<>{1.25F}.m1;
@@ -118,6 +119,76 @@ int main() {
     EXPECT_TRUE(run.built) << run.output;
     EXPECT_EQ(run.output, "");
   }
+}
+
+EmitOptions in_namespace(const std::string& name) {
+  EmitOptions options;
+  options.name_space = name;
+  return options;
+}
+
+std::string guard_in(const std::string& text) {
+  const std::size_t begin = text.find("#ifndef ") + 8;
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+// Names that have the same letters in capitals; and one name for two robots, where the second must not vanish.
+TEST(Header, HasAGuardOfItsOwn) {
+  std::map<std::string, std::string> owners;
+  for (const Language language : {Language::cpp, Language::c}) {
+    for (const char* name : {"acme::arm", "acme_arm", "Acme::arm", "acme::Arm"}) {
+      for (const char* hash : {"sha1:1", "sha1:2"}) {
+        EmitOptions options = in_namespace(name);
+        options.language = language;
+        options.input_hash = hash;
+        const Mechanism mechanism = testing::two_link_mechanism({"m1"});
+        const std::string text = language == Language::c ? emit_c(mechanism, all_functions(), options).header
+                                                         : emit_cpp(mechanism, all_functions(), options);
+        const std::string owner = std::string(name) + hash + (language == Language::c ? ".h" : ".hpp");
+        EXPECT_TRUE(owners.emplace(guard_in(text), owner).second) << owner << " and " << owners[guard_in(text)];
+        EXPECT_THAT(text, HasSubstr("#define " + guard_in(text) + "\n"));
+        EXPECT_THAT(text, HasSubstr("#endif  // " + guard_in(text) + "\n"));
+      }
+    }
+  }
+}
+
+TEST(Header, WithALikeNameDoesNotHideAnother) {
+  const EmitOptions nested = in_namespace("acme::arm"), flat = in_namespace("acme_arm");
+  const Mechanism mechanism = testing::two_link_mechanism({"m1"});
+  const std::vector<Function> functions = {testing::pendulum_gravity()};
+  const char* main = R"(#include "nested.hpp"
+#include "flat.hpp"
+int main() {
+  const double q[2] = {0.3, 0.4};
+  double a[2], b[2];
+  acme::arm::gravity(acme::arm::Parameters<>{1.25}, q, a);
+  acme_arm::gravity(acme_arm::Parameters<>{1.25}, q, b);
+  return a[0] - b[0] > 0 || a[0] - b[0] < 0 ? 1 : 0;
+}
+)";
+  const testing::Run run = testing::build_and_run("g++", {{"nested.hpp", emit_cpp(mechanism, functions, nested)},
+                                                          {"flat.hpp", emit_cpp(mechanism, functions, flat)},
+                                                          {"main.cpp", main}});
+  EXPECT_TRUE(run.built) << run.output;
+  EXPECT_EQ(run.output, "");
+}
+
+TEST(Header, TellsAdaptersTheShapes) {
+  const EmitOptions options = in_namespace("acme::arm");
+  EXPECT_THAT(emit_cpp(testing::two_link_mechanism({"m1"}), all_functions(), options), HasSubstr(R"(
+struct inertia_matrix {
+  template <class Scalar>
+  using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&B)[2][2],
+      Scalar (&D)[2][2]);
+  template <class... Of>
+  auto operator()(Of&&... of) const noexcept { return ::acme::arm::inertia_matrix(of...); }
+};
+)"));
+  Function few = testing::two_link_inverse_dynamics();
+  few.outputs[0].left_out = {true, false};
+  EXPECT_THAT(emit_cpp(testing::two_link_mechanism({"m1"}), {few}, options),
+              HasSubstr("  static constexpr bool leaves_out = true;"));
 }
 
 TEST(Header, IsTheSameEveryTime) { EXPECT_EQ(header(), header()); }
