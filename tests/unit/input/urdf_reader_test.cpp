@@ -238,7 +238,7 @@ TEST_F(UrdfReader, IgnoresWhatDoesNotMove) {
 }
 
 TEST_F(UrdfReader, TakesSpringsThatDoNothing) {
-  joint("revolute", R"(<dynamics spring_stiffness="0" spring_reference="1"/>)",
+  joint("revolute", R"(<dynamics spring_stiffness="0" stiffness="0.0" spring_reference="1"/>)",
         R"(<gazebo reference="j"><springStiffness>0.0</springStiffness><springReference>1</springReference></gazebo>)");
   EXPECT_TRUE(diagnostics_.all().empty());
   joint("revolute", "", R"(<link name="h"/><joint name="k" type="fixed"><parent link="arm"/><child link="h"/>
