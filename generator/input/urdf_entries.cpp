@@ -17,8 +17,8 @@ using tinyxml2::XMLElement;
 using tinyxml2::XMLNode;
 using Form = UrdfEntry::Form;
 
-const std::vector<UrdfKey> kOfDynamics = {
-    {"damping", ""}, {"friction", ""}, {"armature", ""}, {"spring_stiffness", ""}, {"spring_reference", ""}};
+const std::vector<UrdfKey> kOfDynamics = {{"damping", ""},          {"friction", ""},  {"armature", ""},
+                                          {"spring_stiffness", ""}, {"stiffness", ""}, {"spring_reference", ""}};
 const std::vector<std::string> kOfFranka = {"D", "K", "mu_coulomb", "mu_viscous"};
 const UrdfElement kOneValue = {{{"value", ""}}, {"value"}, "value", true, {}};  // <motorInertia>0.02</motorInertia>
 const UrdfElement kDrakesValue = {{{"value", ""}}, {"value"}, "value", false, {}};

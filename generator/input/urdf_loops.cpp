@@ -176,12 +176,11 @@ class LoopReader {
   }
 
   void refuse_friction(const XMLElement& dynamics, const std::string& what) {
-    for (const tinyxml2::XMLAttribute* a = dynamics.FirstAttribute(); a != nullptr; a = a->Next()) {
-      const auto value = values_.number(dynamics, a->Name(), what + ", dynamics");
+    for (const std::string& key : key_names_of(*known_urdf_element("dynamics"))) {
+      const auto value = values_.number(dynamics, key.c_str(), what + ", dynamics");
       if (!value || vanishes(value->number)) continue;
       diagnostics_.unsupported(
-          value->place,
-          what + ", dynamics, " + a->Name() + ": friction in the joint that closes a loop is not supported yet",
+          value->place, what + ", dynamics, " + key + ": friction in the joint that closes a loop is not supported yet",
           "cut the loop at a joint without friction, or leave it out");
       return;
     }

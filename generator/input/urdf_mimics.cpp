@@ -17,9 +17,9 @@ using tinyxml2::XMLElement;
 constexpr const char* kMimicHint =
     "write <mimic joint=\"...\" multiplier=\"...\" offset=\"...\"/> in the joint that follows";
 
-// A number, and where it stands; text is nullptr where it is left out.
+// A number, and where it stands; no text where it is left out.
 struct MimicNumber {
-  const char* text = nullptr;
+  std::optional<std::string> text;
   Spot spot;
 };
 
@@ -86,7 +86,8 @@ class MimicReader {
   }
 
   MimicNumber attribute(const XMLElement& element, const char* name, const std::string& where) const {
-    return {element.Attribute(name), {values_.place(element), where + ", " + name}};
+    const std::optional<UrdfText> written = values_.text(element, name, where);
+    return written ? MimicNumber{written->text, written->spot} : MimicNumber{};
   }
 
   // The text of a child.
@@ -97,8 +98,8 @@ class MimicReader {
   }
 
   std::optional<Number> number_of(const MimicNumber& number, int if_left_out) {
-    if (number.text == nullptr) return if_left_out;
-    return checked_decimal(trimmed(number.text), number.spot, diagnostics_);
+    if (!number.text) return if_left_out;
+    return checked_decimal(trimmed(*number.text), number.spot, diagnostics_);
   }
 
   static std::string trimmed(const std::string& text) {
@@ -112,8 +113,8 @@ class MimicReader {
     const std::optional<Number> factor = number_of(words.multiplier, 1);
     std::optional<Number> offset = number_of(words.offset, 0);
     if (!factor || !offset) return;
-    if (joint.type != JointType::prismatic && words.offset.text != nullptr) {
-      offset = snapped_angle(*offset, trimmed(words.offset.text), words.offset.spot, values_.context());
+    if (joint.type != JointType::prismatic && words.offset.text) {
+      offset = snapped_angle(*offset, trimmed(*words.offset.text), words.offset.spot, values_.context());
     }
     if (words.leader == joint.name) {
       diagnostics_.error(words.place, words.what + ": \"" + joint.name + "\" mimics itself",

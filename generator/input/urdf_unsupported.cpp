@@ -72,8 +72,10 @@ class Refuser {
     const char* name = joint.Attribute("name");
     if (is_at_rest(name)) return;
     const std::string what = "joint \"" + std::string(name == nullptr ? "" : name) + "\"";
-    if (const auto stiffness = values_.dynamics(joint, "spring_stiffness", what)) {
-      refuse_spring(stiffness->place, what + ", dynamics, spring_stiffness", stiffness->number);
+    for (const char* key : {"spring_stiffness", "stiffness"}) {
+      if (const auto stiffness = values_.dynamics(joint, key, what)) {
+        refuse_spring(stiffness->place, what + ", dynamics, " + key, stiffness->number);
+      }
     }
   }
 

@@ -119,6 +119,12 @@ std::string UrdfValues::required_text(const XMLElement& element, const char* key
   return entry->form == UrdfEntry::Form::attribute ? entry->text : trimmed(entry->text);
 }
 
+std::optional<UrdfText> UrdfValues::text(const XMLElement& element, const char* key, const std::string& what) const {
+  const std::optional<UrdfEntry> entry = written({&element}, key, what);
+  if (!entry) return std::nullopt;
+  return UrdfText{entry->text, spot(*entry, key, what)};
+}
+
 std::optional<Value> UrdfValues::number(const Holders& holders, const char* key, const std::string& what) const {
   const std::optional<UrdfEntry> entry = written(holders, key, what);
   if (!entry) return std::nullopt;

@@ -15,6 +15,11 @@
 
 namespace flatdyn {
 
+struct UrdfText {
+  std::string text;
+  Spot spot;
+};
+
 class UrdfValues {
  public:
   UrdfValues(std::string file, ReadContext& context) : file_(std::move(file)), context_(context) {}
@@ -23,6 +28,9 @@ class UrdfValues {
 
   // The value's text, "" and an error if it is missing or empty; an error if it is not UTF-8.
   std::string required_text(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+
+  // The value's text as written, and where; nullopt if it is not there.
+  std::optional<UrdfText> text(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
 
   // The number; nullopt if it is not there, 0 and an error if it is no number.
   std::optional<Value> number(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;

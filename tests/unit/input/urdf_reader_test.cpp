@@ -156,6 +156,15 @@ TEST_F(UrdfReader, FindsValuesWhereverTheyStand) {
   EXPECT_EQ(diagnostics_.all().size(), 6U);
 }
 
+TEST_F(UrdfReader, FindsMimicsValuesWhereverTheyStand) {
+  const std::string follower = R"(<link name="hand"/><joint name="k" type="revolute"><parent link="arm"/>
+      <child link="hand"/><mimic><joint>j</joint><multiplier>-2</multiplier><offset value="0.1"/></mimic></joint>)";
+  const Robot robot = read("r.urdf", one_joint_urdf("revolute", "", follower));
+  const std::optional<Coupled>& coupled = robot.joints.at(1).coupled;
+  ASSERT_TRUE(coupled.has_value());
+  EXPECT_TRUE(coupled->terms.at(0).factor.is_equal(-2) && coupled->offset.is_equal(Number(1) / 10));
+}
+
 TEST_F(UrdfReader, ReadsFrictionOfOlderFiles) {
   const Joint j = joint("revolute", R"(<dynamics damping="0.5"/><joint_properties damping="0.50" friction="3"/>)");
   EXPECT_TRUE(j.viscous.number.is_equal(Number(1) / 2) && j.coulomb.number.is_equal(3));
@@ -238,7 +247,7 @@ TEST_F(UrdfReader, IgnoresWhatDoesNotMove) {
 }
 
 TEST_F(UrdfReader, TakesSpringsThatDoNothing) {
-  joint("revolute", R"(<dynamics spring_stiffness="0" spring_reference="1"/>)",
+  joint("revolute", R"(<dynamics spring_stiffness="0" stiffness="0.0" spring_reference="1"/>)",
         R"(<gazebo reference="j"><springStiffness>0.0</springStiffness><springReference>1</springReference></gazebo>)");
   EXPECT_TRUE(diagnostics_.all().empty());
   joint("revolute", "", R"(<link name="h"/><joint name="k" type="fixed"><parent link="arm"/><child link="h"/>
