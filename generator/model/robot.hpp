@@ -119,7 +119,7 @@ struct Robot {
   std::vector<FreeSymbol> symbols;            // in order of first appearance
   std::vector<Snap> snaps;
   std::vector<Snap> rounded_angles;  // left as they are, but multiples of pi/12 to two to four digits: 1.57
-  Scene scene;  // what the user wants of this robot; applied as far as it concerns the robot
+  Scene scene;                       // what the user wants of this robot; applied as far as it concerns the robot
 };
 
 // Indices of all joints, fixed ones too, in depth-first file order. Defined for a valid tree.
