@@ -23,6 +23,7 @@ SymbolValues random_symbol_values(const Robot& robot, unsigned seed) {
 template <class S>
 S to_scalar(const Number& a, const GiNaC::exmap& values) {
   constexpr int kDigits = 60;
+  if (a.is_zero()) return S(0);  // which most numbers of a robot are
   const std::string text = to_decimal(a.subs(values), kDigits);
   if constexpr (std::is_floating_point_v<S>) {
     return Real50(text).convert_to<S>();

@@ -55,12 +55,14 @@ std::vector<double> snap_effects(const Model& model, const ReadOptions& options)
   if (model.robot.snaps.empty()) return effects;
   const std::vector<State> states = random_states(model.mechanism, kStates, kSeed);
   const std::vector<Vector50> snapped = torques(model.robot, states);
+  Robot without_list = model.robot;  // of which copies are made
+  without_list.snaps.clear();
   // An angle is part of many numbers: the file is read again. What is snapped after reading is left out on both sides.
   const std::vector<Vector50> as_read = torques_as_read(model.robot, options, {}, states);
   for (std::size_t k = 0; k < model.robot.snaps.size(); ++k) {
     const Snap& snap = model.robot.snaps[k];
     effects.push_back(!snap.undo ? largest_difference(torques_as_read(model.robot, options, k, states), as_read)
-                                 : largest_difference(torques(undone(snap, model.robot), states), snapped));
+                                 : largest_difference(torques(undone(snap, without_list), states), snapped));
   }
   return effects;
 }

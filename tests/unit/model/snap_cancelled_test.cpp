@@ -93,14 +93,14 @@ TEST_F(CancelledDust, AxesThatMeetButForDust) {
 }
 
 // Two joints whose axes are at a right angle, by a frame that is turned by 0.3 and -0.3 rad on the way.
-std::string turned_arm(const std::string& back) {
+std::string turned_arm(const std::string& back, const std::string& axis = "0 1 0") {
   return "<robot name='r'><link name='base'/><link name='a'/><link name='b'><inertial><origin xyz='0 0.1 0.2'/><mass "
          "value='3'/><inertia ixx='0.1' iyy='0.1' izz='0.1' ixy='0' ixz='0' iyz='0'/></inertial></link>\n<joint "
          "name='i' "
          "type='continuous'><parent link='base'/><child link='m'/><axis xyz='0 0 1'/></joint><link name='m'/>\n<joint "
          "name='f' type='fixed'><parent link='m'/><child link='a'/><origin rpy='0.3 0 0'/></joint>\n<joint name='j' "
          "type='continuous'><parent link='a'/><child link='b'/><origin xyz='0.1 0.2 0.3' rpy='" +
-         back + " 0 0'/><axis xyz='0 1 0'/></joint></robot>";
+         back + " 0 0'/><axis xyz='" + axis + "'/></joint></robot>";
 }
 
 TEST_F(CancelledDust, AxesAtARightAngleButForDust) {
@@ -116,6 +116,14 @@ TEST_F(CancelledDust, AxesAtARightAngleButForDust) {
   Robot undone = robot;
   robot.snaps[0].undo(undone);
   EXPECT_NEAR(nearest_double(make_mechanism(undone).bodies[1].alpha.c - before.bodies[1].alpha.c), 0, 1e-40);
+}
+
+TEST_F(CancelledDust, ParallelAxesButForDust) {
+  Robot robot = read("r.urdf", turned_arm("-0.29999999999999", "0 0 1"));
+  const Mechanism before = make_mechanism(robot), after = snapped(robot);
+  EXPECT_FALSE(before.bodies[1].alpha.is_identity());
+  EXPECT_TRUE(after.bodies[1].alpha.is_identity());
+  EXPECT_EQ(robot.snaps.size(), 1U);
 }
 
 TEST_F(CancelledDust, OtherAnglesStay) {
