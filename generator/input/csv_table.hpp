@@ -28,14 +28,13 @@ struct CsvTable {
 // line. Throws Failure(io) for a missing file.
 CsvTable read_csv(const std::filesystem::path& path, Diagnostics& diagnostics);
 
-// Entries of these columns that are no finite decimals go to `diagnostics`, and so do entries of `heading`'s fixed
-// texts that change.
-void check_entries(const CsvTable& table, const std::vector<CsvSource>& sources, const CsvHeading& heading,
+// Entries of these columns get a decimal point. Those that are no finite decimals go to `diagnostics`, and so do entries
+// of `heading`'s fixed texts that change.
+void check_entries(CsvTable& table, const std::vector<CsvSource>& sources, const CsvHeading& heading,
                    const std::string& file, Diagnostics& diagnostics);
 
 // The times of the rows, s. What is no time goes to `diagnostics`.
-std::vector<double> times_of(const CsvTable& table, const CsvTime& time, const std::string& file,
-                             Diagnostics& diagnostics);
+std::vector<double> times_of(CsvTable& table, const CsvTime& time, const std::string& file, Diagnostics& diagnostics);
 
 // An entry in SI, exactly.
 Number exact_value(const CsvTable& table, std::size_t row, const CsvSource& source);

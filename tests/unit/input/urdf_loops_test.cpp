@@ -76,7 +76,9 @@ const Dialect kDialects[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(All, MimicDialects, ::testing::ValuesIn(kDialects),
-                         [](const ::testing::TestParamInfo<Dialect>& info) { return std::string(info.param.name); });
+                         [](const ::testing::TestParamInfo<Dialect>& dialect) {
+                           return std::string(dialect.param.name);
+                         });
 
 TEST_F(UrdfLoops, MimicsThatAgreeAreOne) {
   std::string all;
