@@ -28,7 +28,15 @@ bool is_usual(const XMLElement& holder, const UrdfEntry& entry, const std::strin
                                              : entry.form == UrdfEntry::Form::attribute && entry.name == key;
 }
 
-bool has_unknown_entry(const XMLElement& element, const UrdfElement& known) {
+bool is_in(const tinyxml2::XMLNode* node, std::string_view tag) {
+  const tinyxml2::XMLNode* parent = node == nullptr ? nullptr : node->Parent();
+  return parent != nullptr && parent->ToElement() != nullptr && parent->Value() == tag;
+}
+
+// Whether the check of names has an error for something in the element that may be meant for what is missing.
+bool is_refused_by_names(const XMLElement& element, const UrdfElement& known) {
+  const bool is_checked = is_in(&element, "inertial") || (is_in(&element, "joint") && is_in(element.Parent(), "robot"));
+  if (!is_checked) return false;
   const std::vector<UrdfEntry> entries = entries_of(element);
   return std::any_of(entries.begin(), entries.end(), [&](const UrdfEntry& entry) {
     return key_of(known, entry).empty() && !has_namespace(entry.name);
@@ -96,7 +104,7 @@ Spot UrdfValues::spot(const UrdfEntry& entry, const std::string& key, const std:
 void UrdfValues::report_missing(const XMLElement& element, const char* key, const std::string& what) const {
   const std::string tag = element.Name();
   const UrdfElement* known = known_urdf_element(tag);
-  if (known != nullptr && has_unknown_entry(element, *known)) return;  // the check of names says that it may be meant
+  if (known != nullptr && is_refused_by_names(element, *known)) return;
   if (known != nullptr && known->text_is_usual) {
     context_.diagnostics.error(place(element), what + ": <" + tag + "> is empty",
                                "write <" + tag + ">...</" + tag + ">");
