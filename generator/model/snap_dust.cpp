@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "model/physical_inertia.hpp"
@@ -215,10 +216,25 @@ class DustSnapper {
     put(robot_, 0);
   }
 
+  // A loop that has become coupled joints is no longer in the robot by the time that a snap is undone: nothing depends
+  // on its points then, and a copy that belongs to no robot stands in for it.
+  std::function<Loop&(Robot&)> loop_at(std::size_t l) const {
+    return [copy = std::make_shared<Loop>(robot_.loops[l])](Robot& robot) -> Loop& {
+      const auto found = std::find_if(robot.loops.begin(), robot.loops.end(), [&copy](const Loop& loop) {
+        return loop.place == copy->place && name_of(loop) == name_of(*copy);
+      });
+      return found == robot.loops.end() ? *copy : *found;
+    };
+  }
+
   void snap_loop(std::size_t l) {
+    const auto at = loop_at(l);
+    const Place place = robot_.loops[l].place;
     for (std::size_t e = 0; e < 2; ++e) {
-      snap_lengths([l, e](Robot& robot) -> Vec3& { return robot.loops[l].points[e]; },
-                   std::string("loop, ") + (e == 0 ? "from" : "to"), robot_.loops[l].place);
+      const std::string what = std::string("loop, ") + (e == 0 ? "from" : "to");
+      snap_lengths([at, e](Robot& robot) -> Vec3& { return at(robot).points[e]; }, what, place);
+      if (!robot_.loops[l].axes) continue;
+      snap_axis([at, e](Robot& robot) -> Vec3& { return (*at(robot).axes)[e]; }, what + ", axis", place);
     }
   }
 

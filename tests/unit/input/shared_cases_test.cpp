@@ -10,6 +10,7 @@
 
 #include "flatdyn/reference/newton_euler.hpp"
 #include "input/reader.hpp"
+#include "model/coupling.hpp"
 #include "verify/reference_model.hpp"
 
 namespace flatdyn {
@@ -41,6 +42,8 @@ const Torques kTorques[] = {
     {"joint_properties.urdf", 18.038, -1.912},
     {"motorInertia1.urdf", -1.962, -1.892},
     {"motorInertia100.urdf", -1.962, 0.088},
+    {"gear.urdf", 0, 0.0536},
+    {"fourbar.urdf", 5.886, 5.994},  // at 60° half of it: UrdfLoops.AParallelogramHasOneCoordinate
 };
 
 // A file that is refused: in which line, and what the message says among others.
@@ -51,6 +54,9 @@ struct Refusal {
 };
 
 const Refusal kRefusals[] = {
+    {"loop_constraint.urdf", 10, "its points can never meet"},
+    {"loop_independent.urdf", 8, "joint \"j2\" is marked independent=\"false\""},
+    {"loop_urdfplus_coupling.urdf", 10, "coupling \"cp\": there is no joint between its predecessor"},
     {"ratio0.urdf", 1, "the gear ratio of its rotor is zero"},
     {"reduction0.urdf", 1, "the gear ratio of its rotor is zero"},
     {"twomotors.urdf", 1, "two actuators with a rotor each"},
@@ -100,6 +106,15 @@ TEST_P(SharedRefusals, NameTheLine) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, SharedRefusals, ::testing::ValuesIn(kRefusals), name_of_case<Refusal>);
+
+TEST(SharedCases, AMimicPluginLetsTheMimicJointFollow) {
+  const fs::path path = kShared / "cases" / "loop_gz_mimic_plugin.urdf";
+  if (!fs::exists(path)) GTEST_SKIP() << "there is no ../shared/cases";
+  Diagnostics diagnostics;
+  const std::optional<Robot> robot = read_robot(path, {}, diagnostics);
+  ASSERT_TRUE(robot.has_value()) << all_of(diagnostics);
+  EXPECT_EQ(joint_positions(*robot)[2].factors, (std::map<int, Number>{{1, -1}}));  // j3 = -j2
+}
 
 std::vector<std::string> urdf_files() {
   std::vector<std::string> files;

@@ -299,6 +299,19 @@ TEST_F(UrdfLoops, AxesInATiltedPlaneAreParallel) {
   EXPECT_EQ(found.loops[0].rows.size(), 2U);
 }
 
+// What CAD leaves of zeros would make of a mechanism in a plane one in space.
+TEST_F(UrdfLoops, DustInAxesAndPointsIsNone) {
+  const std::string text =
+      robot(link("crank") + link("coupler") + link("rocker") + joint("A", {"base", "crank", "0 0 0", "1.2e-15 0 1"}) +
+            joint("B", {"crank", "coupler", "0.3 0 0", "0 -3e-16 1"}, kDependent) +
+            joint("C", {"base", "rocker", "0.5 0 1e-17"}, kDependent) + "<loop name=\"D\" type=\"revolute\">" +
+            end("predecessor", "coupler", "xyz=\"0.6 0 -2.1e-18\"") +
+            end("successor", "rocker", "xyz=\"0.4 1e-17 0\"") + "<axis xyz=\"0 -1.2e-15 1\"/></loop>");
+  const Mechanism found = make_mechanism(read("r.urdf", text));
+  ASSERT_EQ(found.loops.size(), 1U);
+  EXPECT_EQ(found.loops[0].rows.size(), 2U);
+}
+
 // A ball joint in space: three joints follow.
 TEST_F(UrdfLoops, ABallJointInSpaceTakesThreeJoints) {
   const std::string text =
