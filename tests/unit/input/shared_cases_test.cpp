@@ -11,6 +11,7 @@
 #include "flatdyn/reference/newton_euler.hpp"
 #include "input/reader.hpp"
 #include "model/coupling.hpp"
+#include "model/mechanism.hpp"
 #include "verify/reference_model.hpp"
 
 namespace flatdyn {
@@ -42,6 +43,7 @@ const Torques kTorques[] = {
     {"joint_properties.urdf", 18.038, -1.912},
     {"motorInertia1.urdf", -1.962, -1.892},
     {"motorInertia100.urdf", -1.962, 0.088},
+    {"dust.urdf", -1.962, -1.912},
     {"gear.urdf", 0, 0.0536},
     {"fourbar.urdf", 5.886, 5.994},  // at 60° half of it: UrdfLoops.AParallelogramHasOneCoordinate
 };
@@ -60,6 +62,19 @@ const Refusal kRefusals[] = {
     {"ratio0.urdf", 1, "the gear ratio of its rotor is zero"},
     {"reduction0.urdf", 1, "the gear ratio of its rotor is zero"},
     {"twomotors.urdf", 1, "two actuators with a rotor each"},
+    {"xacro.urdf", 2, "is of a xacro template"},
+};
+
+// What a file of several joints has: coordinates. Their dynamics are tested where loops and dust are.
+struct Coordinates {
+  const char* file;
+  int count;
+};
+
+const Coordinates kCoordinates[] = {
+    {"loop_gz_mimic_plugin.urdf", 2},
+    {"ax_a.urdf", 6},
+    {"iner_a.urdf", 6},
 };
 
 std::string name_of(const std::string& file) {
@@ -114,6 +129,31 @@ TEST(SharedCases, AMimicPluginLetsTheMimicJointFollow) {
   const std::optional<Robot> robot = read_robot(path, {}, diagnostics);
   ASSERT_TRUE(robot.has_value()) << all_of(diagnostics);
   EXPECT_EQ(joint_positions(*robot)[2].factors, (std::map<int, Number>{{1, -1}}));  // j3 = -j2
+}
+
+class SharedCoordinates : public ::testing::TestWithParam<Coordinates> {};
+
+TEST_P(SharedCoordinates, AreAsMany) {
+  const fs::path path = kShared / "cases" / GetParam().file;
+  if (!fs::exists(path)) GTEST_SKIP() << "there is no ../shared/cases";
+  Diagnostics diagnostics;
+  const std::optional<Robot> robot = read_robot(path, {}, diagnostics);
+  ASSERT_TRUE(robot.has_value()) << all_of(diagnostics);
+  EXPECT_EQ(make_mechanism(*robot).size(), GetParam().count);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, SharedCoordinates, ::testing::ValuesIn(kCoordinates), name_of_case<Coordinates>);
+
+TEST(SharedCases, EachHasARow) {
+  if (!fs::is_directory(kShared / "cases")) GTEST_SKIP() << "there is no ../shared/cases";
+  std::set<std::string> rows;
+  for (const Torques& row : kTorques) rows.insert(row.file);
+  for (const Refusal& row : kRefusals) rows.insert(row.file);
+  for (const Coordinates& row : kCoordinates) rows.insert(row.file);
+  for (const fs::directory_entry& entry : fs::directory_iterator(kShared / "cases")) {
+    if (entry.path().extension() != ".urdf") continue;
+    EXPECT_TRUE(rows.contains(entry.path().filename().string())) << entry;
+  }
 }
 
 std::vector<std::string> urdf_files() {
