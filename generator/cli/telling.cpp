@@ -51,7 +51,8 @@ void print_result(const std::string& text) {
 
 ExitCode tell(const Failure& failure, const Manner& manner) {
   print_failure(failure.what(), failure.hint());
-  if (manner.json) {
+  // A run that was interrupted has told its result.
+  if (manner.json && failure.code() != ExitCode::interrupted) {
     Diagnostics errors;
     errors.error({}, failure.what(), failure.hint());
     print_errors(errors, failure.code());

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -49,6 +50,8 @@ int run_command(const std::string& command, const fs::path& folder, bool pinned)
     if (errno != EINTR) throw Failure(ExitCode::io, "a process was lost");
   }
   forget_when_interrupted(child);
+  // Ctrl-C is for this program, too, which may get it a moment later than the process that it has started.
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) throw Failure(ExitCode::interrupted, "interrupted");
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -8,7 +8,7 @@
 namespace flatdyn {
 
 // Runs a shell's command in `folder`; `pinned`: on one core only, the last one that this process may use. Returns what
-// a shell says: 128 + n after signal n.
+// a shell says: 128 + n after signal n. Throws Failure(interrupted) if Ctrl-C has ended it.
 int run_command(const std::string& command, const std::filesystem::path& folder, bool pinned = false);
 
 // The text as one word of such a command, whatever is in it.

@@ -113,8 +113,8 @@ bool refuse_template(const XMLElement& root, const std::string& file, Diagnostic
   Signs signs;
   look_for_signs(root, false, signs);
   if (signs.count == 0) return false;
-  const std::string others = signs.count == 1 ? "" : ", as " + std::to_string(signs.count - 1) + " more elements are";
-  diagnostics.error({file, signs.line}, signs.first + " is of a xacro template, not of a URDF" + others,
+  const std::string places = signs.count == 1 ? "" : " (" + std::to_string(signs.count) + " places in all)";
+  diagnostics.error({file, signs.line}, signs.first + ": this is a xacro template, not a URDF" + places,
                     "expand it first: xacro FILE > robot.urdf; a file that is called .xacro is expanded as it is read");
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostics/diagnostics.hpp"
 #include "diagnostics/temporary_folder.hpp"
 
 namespace flatdyn::testing {
@@ -12,6 +13,16 @@ TEST(RunCommand, SaysHowItEnded) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_command("exit 3", folder.path()), 3);
   EXPECT_EQ(run_command("kill -TERM $$", folder.path()), 128 + 15);
+}
+
+TEST(RunCommand, EndsTheRunWhereCtrlCHasEndedIt) {
+  const TemporaryFolder folder;
+  try {
+    run_command("kill -INT $$", folder.path());
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::interrupted);
+  }
 }
 
 TEST(RunCommand, RunsInTheFolder) {

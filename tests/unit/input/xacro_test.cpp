@@ -99,7 +99,7 @@ std::string refused(const std::string& elements) {
 
 TEST(Template, IsAnErrorAtAnyDepthAndWithoutPrefix) {
   EXPECT_EQ(refused("<link name='a'>\n<xacro:rod mass='3'/></link><xacro:b/>"),
-            "f:3: error: <xacro:rod> is of a xacro template, not of a URDF, as 1 more elements are");
+            "f:3: error: <xacro:rod>: this is a xacro template, not a URDF (2 places in all)");
   for (const char* element :
        {"<joint><xacro:insert_block name='origin'/></joint>", "<gazebo><xacro:a/></gazebo>",
         "<macro name='leg' params='side'/>", "<property name='mass' value='3'/>", "<include filename='$(find a)/b'/>",
