@@ -101,9 +101,13 @@ std::string read_choice(TomlTable& table, const std::string& key, const std::vec
                         Diagnostics& diagnostics) {
   const std::optional<std::string> text = table.text(key);
   if (!text || std::find(known.begin(), known.end(), *text) != known.end()) return text.value_or("");
-  diagnostics.error(table.place_of(key),
-                    key + ": " + quoted(*text) + " is none of " + fmt::format("{}", fmt::join(known, ", ")),
-                    hint_for_unknown(*text, known, "values"));
+  // Where all are as short as units are, the nearest one need not be meant.
+  constexpr std::size_t kShort = 3;
+  const bool are_short =
+      std::all_of(known.begin(), known.end(), [](const std::string& each) { return each.size() <= kShort; });
+  diagnostics.error(
+      table.place_of(key), key + ": " + quoted(*text) + " is none of " + fmt::format("{}", fmt::join(known, ", ")),
+      are_short ? fmt::format("write \"{}\"", fmt::join(known, "\" or \"")) : hint_for_unknown(*text, known, "values"));
   return "";
 }
 

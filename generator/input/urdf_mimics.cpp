@@ -114,7 +114,7 @@ class MimicReader {
     std::optional<Number> offset = number_of(words.offset, 0);
     if (!factor || !offset) return;
     if (joint.type != JointType::prismatic && words.offset.text) {
-      offset = snapped_angle(*offset, trimmed(*words.offset.text), words.offset.spot, values_.context());
+      offset = values_.angle_of(*offset, trimmed(*words.offset.text), words.offset.spot);
     }
     if (words.leader == joint.name) {
       diagnostics_.error(words.place, words.what + ": \"" + joint.name + "\" mimics itself",

@@ -37,6 +37,9 @@ class UrdfValues {
   // The same, an error if it is not there.
   Value required_number(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
 
+  // The angle of a decimal: snapped, and asked about where it may be in degrees.
+  Number angle_of(const Number& decimal, const std::string& written, const Spot& spot) const;
+
   // An angle, 0 if it is not there; near a multiple of pi/12 it is that.
   Number angle(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
 
@@ -73,8 +76,6 @@ class UrdfValues {
   Spot spot(const UrdfEntry& entry, const std::string& key, const std::string& what) const;
   std::optional<Value> number(const Holders& holders, const char* key, const std::string& what) const;
   std::optional<Vec3> vector(const UrdfEntry& entry, const Spot& spot) const;
-  // Snapped, and asked about where it may be in degrees.
-  Number angle_of(const Number& decimal, const std::string& written, const Spot& spot) const;
   Vec3 angles(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
 
   std::string file_;

@@ -50,10 +50,10 @@ std::string degrees_question(const Number& angle) {
 }
 
 std::string radians_text(const Number& degrees, AngleText form) {
-  constexpr int kDigits = 17, kTenTurns = 3600;
+  constexpr int kTenTurns = 3600;
   const Number angle = degrees * GiNaC::Pi / 180;
   const bool is_nice = is_multiple_of_15(degrees) && size_of(degrees) <= kTenTurns;
-  if (form == AngleText::decimal || !is_nice) return to_decimal(angle, kDigits);
+  if (form == AngleText::decimal || !is_nice) return fmt::format("{}", nearest_double(angle));
   const GiNaC::numeric half_turns = GiNaC::ex_to<GiNaC::numeric>(degrees / 180);
   const int above = half_turns.numer().to_int(), below = half_turns.denom().to_int();
   const std::string factor = above == 1 ? "" : above == -1 ? "-" : fmt::format("{}*", above);

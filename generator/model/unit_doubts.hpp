@@ -25,7 +25,7 @@ bool limit_may_be_degrees(const Number& limit);
 std::string degrees_question(const Number& angle);
 
 // The angle, rad, of so many degrees, as text: "pi/2" with quotes if it is a multiple of pi/12 and expressions are
-// allowed, else a decimal of 17 digits.
+// allowed, else the nearest double.
 enum class AngleText { decimal, expression };
 std::string radians_text(const Number& degrees, AngleText form);
 

@@ -33,7 +33,7 @@ std::string describe_base(const Mechanism& mechanism, ParameterSet set) {
   const NumberText value_text(mechanism);
   std::string text = fmt::format(
       "{} base parameters of {} parameters; link i is moved by the i-th joint {}, its parameters are "
-      "about the origin of its canonical frame, which inspect without --base prints\n\n",
+      "about the origin of its canonical frame, as above\n\n",
       base.size(), std::count(present.begin(), present.end(), true),
       mechanism.is_coupled() ? "that moves, in depth-first order" : "of q");
   std::vector<std::vector<std::string>> rows = {{"pi_b", "value", "combination"}};

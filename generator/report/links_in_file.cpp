@@ -71,6 +71,13 @@ int written_link(const Robot& robot, const std::string& name) {
   return static_cast<int>(found - robot.links.begin());
 }
 
+// Of all links, those that do not move too.
+Number total_mass(const Mechanism& mechanism) {
+  Number mass = mechanism.base.mass;
+  for (const Body& body : mechanism.bodies) mass += body.inertia.mass;
+  return mass.expand();
+}
+
 bool has_values(const Model& model) { return model.robot.symbols.empty(); }
 
 std::string moment_text(const Mat3& I, const NumberText& number) {
@@ -89,7 +96,9 @@ std::string inertia_text(const InertialParameters& b, const NumberText& number) 
 }
 
 std::string friction_text(const Body& body, const Mechanism& mechanism, const NumberText& number) {
-  std::string text = fmt::format("  friction F_v = {}, F_s = {}\n", number(body.viscous), number(body.coulomb));
+  const std::string unit = torque_unit(body), rate = body.prismatic ? " s/m" : " s/rad";
+  std::string text = fmt::format("  friction F_v = {} {}{}, F_s = {} {}\n", number(body.viscous), unit, rate,
+                                 number(body.coulomb), unit);
   if (!vanishes(body.armature)) text += fmt::format("  reflected inertia {}\n", number(body.armature));
   if (!body.rotor) return text;
   const int carrier = body.rotor->carrier;
@@ -100,19 +109,18 @@ std::string friction_text(const Body& body, const Mechanism& mechanism, const Nu
 }
 
 std::string mass_text(const Mechanism& mechanism, const NumberText& number) {
-  Number moving = 0;
-  for (const Body& body : mechanism.bodies) moving += body.inertia.mass;
-  std::string text = fmt::format("masses {} kg in all", number((moving + mechanism.base.mass).expand()));
-  if (!vanishes(mechanism.base.mass)) text += fmt::format(", of which {} do not move", number(mechanism.base.mass));
-  return text;
+  const Number& still = mechanism.base.mass;
+  std::string text = fmt::format("total mass {} kg", number(total_mass(mechanism)));
+  if (!vanishes(still)) text += fmt::format(", of which {} kg do not move", number(still));
+  return text + "\n";
 }
 
 std::string reach_text(const Reach& reach, const std::string& tip) {
-  std::string text = fmt::format("; the tip, {}, is within {:.6g} m of joint {}", tip, reach.links, reach.first_joint);
-  if (!reach.without.empty()) text += fmt::format(", beside the way of {}", fmt::join(reach.without, ", "));
-  if (!reach.at_zero) return text;
-  const auto& [x, y, z] = *reach.at_zero;
-  return text + fmt::format(", at q = 0 at ({:.6g}, {:.6g}, {:.6g}) m", x, y, z);
+  const auto& [x, y, z] = reach.at_zero;
+  std::string text = fmt::format("tip {}: at ({:.6g}, {:.6g}, {:.6g}) m at q = 0, within {:.6g} m of joint {}", tip, x,
+                                 y, z, reach.links, reach.first_joint);
+  if (!reach.without.empty()) text += fmt::format(", beside the strokes of {}", fmt::join(reach.without, ", "));
+  return text + "\n";
 }
 
 // Sums that are 0 but for their rounding.
@@ -146,7 +154,7 @@ std::vector<LinkInFile> links_in_file(const Model& model) {
 
 std::optional<Reach> reach_of(const Model& model) {
   const Mechanism& mechanism = model.mechanism;
-  if (!has_values(model) || mechanism.tip.body < 0) return std::nullopt;
+  if (!has_values(model) || mechanism.has_loops() || mechanism.tip.body < 0) return std::nullopt;
   const std::vector<LinkInFile> links = links_in_file(model);
   const std::vector<int> way = way_to(mechanism, mechanism.tip.body);
   Reach reach;
@@ -162,7 +170,6 @@ std::optional<Reach> reach_of(const Model& model) {
       reach.without.push_back(body.joint);
     }
   }
-  if (mechanism.has_loops()) return reach;
   const NumericRobot numeric = reference_robot<double>(model.robot, {});
   const reference::VectorX<double> zero = reference::VectorX<double>::Zero(numeric.position_count());
   const Vector p = reference::tip_pose(numeric, zero).p;
@@ -176,9 +183,8 @@ std::string describe_links(const Model& model) {
   std::string text = mass_text(mechanism, number);
   if (const std::optional<Reach> reach = reach_of(model)) text += reach_text(*reach, mechanism.tip.link);
   text +=
-      "\n\nlinks in the file's frames: origin and axes are those of the link in the file; a link is as long as from "
-      "its "
-      "joint to the farthest\njoint on it, or to the tip\n";
+      "\nlinks in the file's frames: origin and axes are those of the link in the file; a link is as long as from its\n"
+      "joint to the farthest joint on it, or to the tip\n";
   for (const LinkInFile& link : links_in_file(model)) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(link.body)];
     text += fmt::format("link {} ({}), moved by {}", link.body + 1, body.link, body.joint);
@@ -193,12 +199,10 @@ nlohmann::ordered_json links_json(const Model& model) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText text(mechanism);
   nlohmann::ordered_json json;
-  Number mass = mechanism.base.mass;
-  for (const Body& body : mechanism.bodies) mass += body.inertia.mass;
-  json["mass"] = number_json(mass.expand(), text);
+  json["mass"] = number_json(total_mass(mechanism), text);
   if (const std::optional<Reach> reach = reach_of(model)) {
     json["reach"] = {{"joint", reach->first_joint}, {"at_most", reach->links}, {"without_strokes_of", reach->without}};
-    if (reach->at_zero) json["tip_at_zero"] = *reach->at_zero;
+    json["tip_at_zero"] = reach->at_zero;
   }
   json["links"] = nlohmann::ordered_json::array();
   for (const LinkInFile& link : links_in_file(model)) {

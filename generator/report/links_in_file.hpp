@@ -24,11 +24,11 @@ std::vector<LinkInFile> links_in_file(const Model& model);
 // How far the tip can be from the first joint that moves it: no farther than links and strokes are long together.
 struct Reach {
   std::string first_joint;
-  double links = 0;                              // m
-  std::vector<std::string> without;              // joints that slide, and have no limits
-  std::optional<std::array<double, 3>> at_zero;  // where the tip is at q = 0, base frame, m; not where loops are closed
+  double links = 0;                    // m
+  std::vector<std::string> without;    // joints that slide, and have no limits
+  std::array<double, 3> at_zero = {};  // where the tip is at q = 0, base frame, m
 };
-// Nothing for a robot with free symbols, or whose tip does not move.
+// Nothing for a robot with free symbols or closed loops, or whose tip does not move.
 std::optional<Reach> reach_of(const Model& model);
 
 std::string describe_links(const Model& model);

@@ -61,7 +61,7 @@ TEST(UnitDoubts, SayHowManyTurnsItIsAndWhatToWrite) {
   EXPECT_EQ(radians_text(360, AngleText::expression), "\"2*pi\"");
   EXPECT_EQ(radians_text(75, AngleText::expression), "\"5*pi/12\"");
   EXPECT_EQ(radians_text(90, AngleText::decimal), "1.5707963267948966");
-  EXPECT_EQ(radians_text(170, AngleText::expression), "2.9670597283903602");
+  EXPECT_EQ(radians_text(170, AngleText::expression), "2.9670597283903604");
   EXPECT_EQ(radians_text(exact_decimal("1.5e30"), AngleText::expression).substr(0, 4), "2.61");
 }
 
