@@ -140,7 +140,9 @@ Number decimal_angle(const Number& decimal, std::string_view written, const Unit
   const Number exact = in_radians(decimal, units, spot, context.diagnostics);
   if ((decimal / kTwelfth).info(GiNaC::info_flags::integer)) return exact;
   const Number rational = exact_decimal(to_decimal(exact, kDigits));
+  const std::size_t rounded = context.rounded_angles.size();
   const Number snapped = snapped_angle(rational, written, spot, context);
+  context.rounded_angles.resize(rounded);  // the text's digits are of degrees
   return snapped.is_equal(rational) ? exact : snapped;
 }
 

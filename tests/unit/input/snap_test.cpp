@@ -69,6 +69,17 @@ TEST_F(Snapping, HoldsForTomlDecimalsNotForExpressions) {
   EXPECT_TRUE(angle_of(alpha("\"1.5708\"")).is_equal(exact_decimal("1.5708")));
 }
 
+TEST_F(Snapping, RemembersMultiplesThatAreRounded) {
+  const auto rounded = [&](const std::string& alpha, const std::string& top = "") {
+    return read("r.toml", top + "dh = \"modified\"\n[[link]]\nmass = 1\nalpha = " + alpha + "\n").rounded_angles.size();
+  };
+  for (const char* angle : {"1.57", "-0.785", "3.14", "1.571", "0.524"}) EXPECT_EQ(rounded(angle), 1U) << angle;
+  for (const char* angle : {"1.5708", "1.6", "1.56", "0.52", "0.001", "1.57100", "\"1.57\""}) {
+    EXPECT_EQ(rounded(angle), 0U) << angle;
+  }
+  EXPECT_EQ(rounded("45.1", "angles = \"deg\"\n"), 0U);
+}
+
 TEST_F(Snapping, OtherIrrationalAnglesBecomeRational) {
   const Robot robot = read("r.toml", "dh = \"modified\"\n[[link]]\nmass = 1\nalpha = \"pi/2 - 0.1\"\n");
   EXPECT_TRUE(is_rational(angle_of(robot)));
