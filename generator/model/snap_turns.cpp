@@ -103,11 +103,11 @@ class TurnSnapper {
 
   void record(const Joint& joint, const char* what, const Number& angle, const PlanarRotation& missing,
               std::size_t first) {
-    constexpr int kDigitsShown = 17, kDigitsReported = 50;
+    constexpr int kDigitsReported = 50;
     const Number difference = exact_decimal(to_decimal(missing.s, kDigitsReported));  // so small a sine is the angle
     const auto index = static_cast<std::size_t>(&joint - robot_.joints.data());
     robot_.snaps.push_back({joint.place, fmt::format("joint \"{}\", {}", joint.name, what),
-                            to_decimal(angle - difference, kDigitsShown), angle, difference, Snap::Kind::angle,
+                            fmt::format("{}", nearest_double(angle - difference)), angle, difference, Snap::Kind::angle,
                             [index, first](Robot& robot) {
                               for (std::size_t k = 0; k < 3; ++k) {
                                 robot.joints[index].origin.displacements[first + k].angle = 0;
