@@ -172,7 +172,10 @@ void RobotArguments::add_to(CLI::App& command) {
 }
 
 void RobotArguments::add_settings_to(CLI::App& command) {
-  command.add_option("--snap", snap, "take angles this near to a multiple of pi/12 for it; 0: never")
+  command
+      .add_option(
+          "--snap", snap,
+          "take angles this near to a multiple of pi/12 for it, and what is tiny beside its neighbours for 0; 0: never")
       ->capture_default_str()
       ->type_name("RAD");
   command.add_option("--scene", scene, "what is wanted of the robot here: docs/scene-format.md (TOML)")
