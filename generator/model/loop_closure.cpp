@@ -56,7 +56,8 @@ class LoopCheck {
     const LoopSample sample(tree_, loop_);
     if (!can_close(sample.gap())) {
       error("its points can never meet: they lie apart in a direction in which no joint moves them",
-            "check from and to: in a loop in a plane, both have the same height above it");
+            std::string("check ") + (written_.is_marked ? "the origins of its two ends" : "from and to") +
+                ": in a loop in a plane, both have the same height above it");
     } else if (moving_joints(sample.rows()) < loop_.rows.size()) {
       error(fmt::format("it takes {} coordinates, which is more than it has joints", loop_.rows.size()),
             "name links that more joints hold apart; joints that move both ends do not count");
