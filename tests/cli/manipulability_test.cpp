@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr const char* kManipulability = "manipulability robots/planar_2r_example_7_2.toml -q --states ";
+constexpr const char* kManipulability = "manipulability robots/planar_2r_example_7_2.toml --states ";
 
 TEST(ManipulabilityCommand, WritesTableAndPicture) {
   const Scratch scratch;

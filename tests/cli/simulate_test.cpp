@@ -231,7 +231,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"joint_limits = \"stopp\"\n", "run.toml:1: error: joint_limits: \"stopp\" is none of its values"},
         BadInput{"[start]\nq = [1, 2, 3]\n", "run.toml:2: error: start, q: a list of 2 numbers, or one number"},
         BadInput{"[start]\nq = \"a_1\"\n", "run.toml:2: error: start, q: a symbol stands for no number here"},
-        BadInput{"[torque]\nsamples = \"empty.csv\"\n", "empty.csv: error: there is no sample"},
+        BadInput{"[torque]\nsamples = \"empty.csv\"\n", "empty.csv: error: no states in the file"},
         BadInput{"[torque]\nsamples = \"unsorted.csv\"\n", "unsorted.csv:4: error: time 1 does not come after 1"},
         BadInput{"[torque]\nsamples = \"infinite.csv\"\n", "infinite.csv:2: error: column \"tau1\": \"inf\""},
         BadInput{"[torque]\nsamples = \"columns.csv\"\n", "columns.csv:1: error: no column for the torques: tau2"},

@@ -190,7 +190,7 @@ TEST(Help, OpensWithTwoRunnableExamples) {
     const Outcome outcome = run_flatdyn(command + "--help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_THAT(outcome.out.substr(0, outcome.out.find("Usage")),
-                MatchesRegex("[^\n]+\n\n  flatdyn [a-z]+ [^\n]+\n  flatdyn [a-z]+ [^\n]+\n(.|\n)*"));
+                MatchesRegex("[^\n]+\n\n  flatdyn [a-z]+ [^\n]+\n(      [^\n]+\n)?  flatdyn [a-z]+ [^\n]+\n(.|\n)*"));
   }
   EXPECT_THAT(run_flatdyn("--version").out, StartsWith("flatdyn "));
 }
