@@ -52,14 +52,14 @@ inline constexpr const char* joint_names[joint_count] = {"d_1", "d_2"};
 // What the robot file leaves open: an argument of every function. Units as in the file.
 template <class Scalar = Real>
 struct Parameters {
-  Scalar g;
-  Scalar m_l1;
-  Scalar m_m1;
-  Scalar I_m1;
+  Scalar g;  // m/s^2
+  Scalar m_l1;  // kg
+  Scalar m_m1;  // kg
+  Scalar I_m1;  // kg m^2
   Scalar k_r1;
-  Scalar m_l2;
-  Scalar m_m2;
-  Scalar I_m2;
+  Scalar m_l2;  // kg
+  Scalar m_m2;  // kg
+  Scalar I_m2;  // kg m^2
   Scalar k_r2;
 };
 

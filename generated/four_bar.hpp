@@ -66,21 +66,21 @@ inline constexpr int independent_positions[joint_count] = {0};
 // What the robot file leaves open: an argument of every function. Units as in the file.
 template <class Scalar = Real>
 struct Parameters {
-  Scalar g;
-  Scalar m_1;
-  Scalar l_1;
-  Scalar I_1;
-  Scalar a;
-  Scalar m_2;
-  Scalar l_2;
-  Scalar h_2;
-  Scalar I_2;
-  Scalar d;
-  Scalar m_3;
-  Scalar l_3;
-  Scalar I_3;
-  Scalar b;
-  Scalar c;
+  Scalar g;  // m/s^2
+  Scalar m_1;  // kg
+  Scalar l_1;  // m
+  Scalar I_1;  // kg m^2
+  Scalar a;  // m
+  Scalar m_2;  // kg
+  Scalar l_2;  // m
+  Scalar h_2;  // m
+  Scalar I_2;  // kg m^2
+  Scalar d;  // m
+  Scalar m_3;  // kg
+  Scalar l_3;  // m
+  Scalar I_3;  // kg m^2
+  Scalar b;  // m
+  Scalar c;  // m
 };
 
 namespace detail {

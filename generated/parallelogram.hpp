@@ -54,21 +54,21 @@ inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_1b"};
 // What the robot file leaves open: an argument of every function. Units as in the file.
 template <class Scalar = Real>
 struct Parameters {
-  Scalar g;
-  Scalar m_l1;
-  Scalar l_1;
-  Scalar I_l1;
-  Scalar a_1;
-  Scalar m_l2;
-  Scalar l_2;
-  Scalar I_l2;
-  Scalar a_1b;
-  Scalar m_l3;
-  Scalar l_3;
-  Scalar I_l3;
-  Scalar m_l1b;
-  Scalar l_1b;
-  Scalar I_l1b;
+  Scalar g;  // m/s^2
+  Scalar m_l1;  // kg
+  Scalar l_1;  // m
+  Scalar I_l1;  // kg m^2
+  Scalar a_1;  // m
+  Scalar m_l2;  // kg
+  Scalar l_2;  // m
+  Scalar I_l2;  // kg m^2
+  Scalar a_1b;  // m
+  Scalar m_l3;  // kg
+  Scalar l_3;  // m
+  Scalar I_l3;  // kg m^2
+  Scalar m_l1b;  // kg
+  Scalar l_1b;  // m
+  Scalar I_l1b;  // kg m^2
 };
 
 namespace detail {

@@ -51,14 +51,14 @@ inline constexpr const char* joint_names[joint_count] = {"theta"};
 // What the robot file leaves open: an argument of every function. Units as in the file.
 template <class Scalar = Real>
 struct Parameters {
-  Scalar g;
-  Scalar m;
-  Scalar l;
-  Scalar I;
-  Scalar F;
+  Scalar g;  // m/s^2
+  Scalar m;  // kg
+  Scalar l;  // m
+  Scalar I;  // kg m^2
+  Scalar F;  // N m s/rad or N s/m
   Scalar F_m;
   Scalar k_r;
-  Scalar I_m;
+  Scalar I_m;  // kg m^2
 };
 
 namespace detail {

@@ -47,20 +47,20 @@ extern const char* const planar_2r_joint_names[PLANAR_2R_JOINT_COUNT];
 
 // What the robot file leaves open: an argument of every function. Units as in the file.
 typedef struct {
-  double g;
-  double a_1;
-  double m_l1;
-  double l_1;
-  double I_l1;
-  double m_m1;
-  double I_m1;
+  double g;  // m/s^2
+  double a_1;  // m
+  double m_l1;  // kg
+  double l_1;  // m
+  double I_l1;  // kg m^2
+  double m_m1;  // kg
+  double I_m1;  // kg m^2
   double k_r1;
-  double a_2;
-  double m_l2;
-  double l_2;
-  double I_l2;
-  double m_m2;
-  double I_m2;
+  double a_2;  // m
+  double m_l2;  // kg
+  double l_2;  // m
+  double I_l2;  // kg m^2
+  double m_m2;  // kg
+  double I_m2;  // kg m^2
   double k_r2;
 } planar_2r_parameters;
 

@@ -54,30 +54,30 @@ inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2", "
 // What the robot file leaves open: an argument of every function. Units as in the file.
 template <class Scalar = Real>
 struct Parameters {
-  Scalar g;
-  Scalar a_1;
-  Scalar m_l1;
-  Scalar l_1;
-  Scalar I_l1;
-  Scalar m_m1;
-  Scalar I_m1;
+  Scalar g;  // m/s^2
+  Scalar a_1;  // m
+  Scalar m_l1;  // kg
+  Scalar l_1;  // m
+  Scalar I_l1;  // kg m^2
+  Scalar m_m1;  // kg
+  Scalar I_m1;  // kg m^2
   Scalar k_r1;
-  Scalar a_2;
-  Scalar m_l2;
-  Scalar l_2;
-  Scalar I_l2;
-  Scalar m_m2;
-  Scalar I_m2;
+  Scalar a_2;  // m
+  Scalar m_l2;  // kg
+  Scalar l_2;  // m
+  Scalar I_l2;  // kg m^2
+  Scalar m_m2;  // kg
+  Scalar I_m2;  // kg m^2
   Scalar k_r2;
-  Scalar m_l3;
-  Scalar I_l3;
-  Scalar m_m3;
-  Scalar I_m3;
+  Scalar m_l3;  // kg
+  Scalar I_l3;  // kg m^2
+  Scalar m_m3;  // kg
+  Scalar I_m3;  // kg m^2
   Scalar k_r3;
-  Scalar m_l4;
-  Scalar I_l4;
-  Scalar m_m4;
-  Scalar I_m4;
+  Scalar m_l4;  // kg
+  Scalar I_l4;  // kg m^2
+  Scalar m_m4;  // kg
+  Scalar I_m4;  // kg m^2
   Scalar k_r4;
 };
 

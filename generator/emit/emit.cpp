@@ -196,7 +196,7 @@ class PageWriter {
     std::vector<std::string> members = scope_.parameters;
     const bool is_statement = !dialect_.is_javascript();
     for (std::size_t k = 0; k < members.size(); ++k) {
-      const std::string& unit = std::string();
+      const std::string& unit = mechanism_.symbols[k].unit;
       if (is_statement) members[k] += ";";
       if (!unit.empty()) members[k] += (is_statement ? "  // " : " - ") + unit;
     }

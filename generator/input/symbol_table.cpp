@@ -35,6 +35,30 @@ std::string with_article(Quantity quantity) {
   throw std::logic_error("unknown quantity");
 }
 
+// Where it goes by the type of a joint that is not known here, both.
+const char* unit_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::length:
+      return "m";
+    case Quantity::angle:
+      return "rad";
+    case Quantity::mass:
+      return "kg";
+    case Quantity::inertia:
+      return "kg m^2";
+    case Quantity::acceleration:
+      return "m/s^2";
+    case Quantity::viscous_friction:
+      return "N m s/rad or N s/m";
+    case Quantity::coulomb_friction:
+      return "N m or N";
+    case Quantity::gear_ratio:
+    case Quantity::other:
+      return "";
+  }
+  throw std::logic_error("unknown quantity");
+}
+
 // The symbols among the terms of a sum, numeric factors left aside.
 void add_linear_symbols(const Number& value, std::vector<GiNaC::symbol>& symbols) {
   if (GiNaC::is_a<GiNaC::symbol>(value)) {
@@ -117,7 +141,10 @@ std::vector<FreeSymbol> SymbolTable::in_order() const {
     return rank(a.symbol.place, a.column) < rank(b.symbol.place, b.column);
   });
   std::vector<FreeSymbol> symbols;
-  for (const Entry& entry : sorted) symbols.push_back(entry.symbol);
+  for (const Entry& entry : sorted) {
+    symbols.push_back(entry.symbol);
+    symbols.back().unit = unit_of(entry.quantity);
+  }
   return symbols;
 }
 

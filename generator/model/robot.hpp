@@ -91,7 +91,8 @@ std::string name_of(const Loop& loop);
 struct FreeSymbol {
   GiNaC::symbol symbol;
   std::string name;
-  Place place;  // where it first appears
+  Place place;         // where it first appears
+  std::string unit{};  // "kg"; empty where the file does not show it: symbols in products, and pure numbers
 };
 
 struct Robot;

@@ -70,8 +70,8 @@ class ModuleWriter {
     data symbols(data::type::list);
     for (const FreeSymbol& symbol : mechanism_.symbols) {
       data item("symbol", symbol.name);
-      item["unit"] = std::string();
-      item["has_unit?"] = false;
+      item["unit"] = symbol.unit;
+      item["has_unit?"] = !symbol.unit.empty();
       symbols << item;
     }
     page["symbols"] = data(symbols);

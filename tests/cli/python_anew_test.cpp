@@ -109,7 +109,7 @@ compile()
 import arm
 given = arm.Parameters(g=10, self=1, m_1=2, c=0, m_0=0)
 assert arm.gravity(given, [0.0]) == [20.0]
-assert repr(given) == "Parameters(g=10.0, self=1.0, m_1=2.0, c=0.0, m_0=0.0)", repr(given)
+assert repr(given) == "Parameters(g=10.0 m/s^2, self=1.0 m, m_1=2.0 kg, c=0.0, m_0=0.0)", repr(given)
 refused(lambda: arm.Parameters(g=10, self=1, m_11=2, c=0, m_0=0), TypeError, "unknown: m_11", "missing: m_1")
 refused(lambda: arm.Parameters(), TypeError, "missing: g, self, m_1, c, m_0")
 refused(lambda: arm.Parameters(10, 1, 2, 0, 0), TypeError)
