@@ -227,8 +227,8 @@ TEST(Output, IsRefusedWhereNothingCanBeWritten) {
 
 TEST(Output, SaysSoWhenStandardOutputIsFull) {
   const Scratch scratch;
-  const std::string command = fmt::format("cd '{}' && '{}' {} > /dev/full 2> '{}'", FLATDYN_SOURCE_DIR, FLATDYN_PROGRAM,
-                                          options(false, scratch.path("out")), scratch.path("err"));
+  const std::string command = fmt::format("cd '{}' && '{}' {} --json > /dev/full 2> '{}'", FLATDYN_SOURCE_DIR,
+                                          FLATDYN_PROGRAM, options(false, scratch.path("out")), scratch.path("err"));
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 6);
   EXPECT_THAT(scratch.read("err"), HasSubstr("No space left on device"));
 }

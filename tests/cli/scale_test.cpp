@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 constexpr const char* kScale =
-    "scale robots/planar_2r_example_7_2.toml -q --trajectory docs/examples/planar_2r_triangular.toml ";
+    "scale robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml ";
 
 std::vector<std::vector<double>> rows_of(const std::string& csv) {
   std::vector<std::vector<double>> rows;
