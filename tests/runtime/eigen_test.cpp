@@ -15,9 +15,10 @@ namespace flatdyn {
 namespace {
 
 namespace arm = panda::functions;
-using Vector = Eigen::Matrix<double, 7, 1>;
+using JointVector = Eigen::Matrix<double, 7, 1>;
 
-const Vector kQ = Vector::LinSpaced(-0.9, 1.1), kQd = Vector::LinSpaced(0.7, -0.8), kQdd = Vector::LinSpaced(0.2, 2.1);
+const JointVector kQ = JointVector::LinSpaced(-0.9, 1.1), kQd = JointVector::LinSpaced(0.7, -0.8),
+                  kQdd = JointVector::LinSpaced(0.2, 2.1);
 
 // Entry (i, j) of either kind is the one that the function has at columns * i + j.
 template <class Matrix>
@@ -77,21 +78,21 @@ TEST(InEigen, NumbersAndVectorsComeAsTheyAre) {
   const auto B = eigen<arm::inertia_matrix>(kQ);
   const double energy = eigen<arm::kinetic_energy>(kQ, kQd);
   EXPECT_NEAR(energy, 0.5 * kQd.dot(B * kQd), 1e-13);
-  const Vector tau = eigen<arm::inverse_dynamics>(kQ, kQd, kQdd);
+  const JointVector tau = eigen<arm::inverse_dynamics>(kQ, kQd, kQdd);
   EXPECT_LT((tau - B * kQdd - eigen<arm::bias>(kQ, kQd)).norm(), 1e-12);
-  const std::optional<Vector> solved = eigen<arm::forward_dynamics>(kQ, kQd, tau);
+  const std::optional<JointVector> solved = eigen<arm::forward_dynamics>(kQ, kQd, tau);
   ASSERT_TRUE(solved);
   EXPECT_LT((*solved - kQdd).norm(), 1e-10);
 }
 
 // Expressions, parts of longer vectors, vectors of a Map; in float.
 TEST(InEigen, TakesWhatHasTheLength) {
-  const Vector g = eigen<arm::gravity>(kQ);
+  const JointVector g = eigen<arm::gravity>(kQ);
   Eigen::VectorXd longer = Eigen::VectorXd::Constant(9, 5.0);
   longer.segment<7>(1) = kQ;
   EXPECT_EQ(eigen<arm::gravity>(longer.segment<7>(1)), g);
-  EXPECT_EQ(eigen<arm::gravity>(Eigen::Map<const Vector>(longer.data() + 1)), g);
-  EXPECT_EQ(eigen<arm::gravity>(2.0 * kQ - kQ), eigen<arm::gravity>(Vector(2.0 * kQ - kQ)));
+  EXPECT_EQ(eigen<arm::gravity>(Eigen::Map<const JointVector>(longer.data() + 1)), g);
+  EXPECT_EQ(eigen<arm::gravity>(2.0 * kQ - kQ), eigen<arm::gravity>(JointVector(2.0 * kQ - kQ)));
   const Eigen::Matrix<double, 9, 9> wide = longer.asDiagonal();
   EXPECT_EQ(eigen<arm::gravity>(wide.diagonal().segment<7>(1)), g);
   const Eigen::Matrix<float, 7, 1> in_float = eigen<arm::gravity>(kQ.cast<float>());
