@@ -12,7 +12,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* kShort = " -q --states 50 --edges 30 --evaluations 50";
+constexpr const char* kFew = " --states 50 --edges 30 --evaluations 50";
+const std::string kShort = std::string(" -q") + kFew;
 
 TEST(Stress, FindsWorstStatesThatEvalRepeats) {
   const Scratch scratch;
@@ -38,7 +39,7 @@ TEST(Stress, FindsWorstStatesThatEvalRepeats) {
 // Zero has no place on a logarithmic axis, and a scalar that was not asked for has no panel.
 TEST(Stress, SaysThatErrorsOfZeroCannotBePlotted) {
   const Scratch scratch;
-  const std::string command = "stress robots/pendulum_motor.toml --variants double -o " + scratch.path() + kShort;
+  const std::string command = "stress robots/pendulum_motor.toml --variants double -o " + scratch.path() + kFew;
   const Outcome outcome = run_flatdyn(command + " --functions inertia_matrix,jacobian");
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("no error above zero in double: nothing to plot\n"));

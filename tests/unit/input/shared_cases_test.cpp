@@ -62,7 +62,7 @@ const Refusal kRefusals[] = {
     {"ratio0.urdf", 1, "the gear ratio of its rotor is zero"},
     {"reduction0.urdf", 1, "the gear ratio of its rotor is zero"},
     {"twomotors.urdf", 1, "two actuators with a rotor each"},
-    {"xacro.urdf", 2, "is of a xacro template"},
+    {"xacro.urdf", 2, "this is a xacro template"},
 };
 
 // What a file of several joints has: coordinates. Their dynamics are tested where loops and dust are.
