@@ -32,6 +32,9 @@ std::vector<Function> functions_for(const Model& model, const FamilyMember& memb
     Diagnostics findings;
     try {
       functions.push_back(functions_of(make_functions(model, one, progress, findings)).front());
+    } catch (const BadInput& bad) {
+      if (bad.code() != ExitCode::unsupported) throw;
+      report.left_out.push_back(fmt::format("{}: {}", member.label, bad.diagnostics.all().front().message));
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::unsupported) throw;
       report.left_out.push_back(fmt::format("{}: {}", member.label, failure.what()));
