@@ -67,7 +67,7 @@ class CancelledDust {
   }
 
   void move_origin(int body, std::size_t k, const Number& found) {
-    const std::string& name = mechanism_.bodies[static_cast<std::size_t>(body)].joint;
+    const std::string name = mechanism_.bodies[static_cast<std::size_t>(body)].joint;
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
                                     [&name](const Joint& each) { return each.name == name; });
     Pose& origin = joint->origin;

@@ -262,13 +262,24 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
                       "loop_closure and loop_step lead to positions that close them");
 }
 
+// One message for all: a file made for another robot lacks many.
 void say_what_is_missing(const Columns& columns, const std::vector<Input>& inputs, const Function& function,
                          const Place& heading, Diagnostics& diagnostics) {
+  std::vector<std::string> missing, by_joint;
   for (const Input& input : inputs) {
     if (columns.find(input)) continue;
-    diagnostics.error(heading, fmt::format("column {} is missing; {} reads it",
-                                           fmt::join(columns.names_of(input), " or "), function.name));
+    const std::vector<std::string> names = columns.names_of(input);
+    missing.push_back(names.front());
+    by_joint.push_back(names.back());
   }
+  if (missing.empty()) return;
+  const bool is_one = missing.size() == 1;
+  diagnostics.error(heading,
+                    fmt::format("{} {} {} missing; {} reads {}", is_one ? "column" : "columns",
+                                fmt::join(missing, ", "), is_one ? "is" : "are", function.name, is_one ? "it" : "them"),
+                    missing == by_joint ? ""
+                                        : fmt::format("by joint, {} called {}", is_one ? "it is" : "they are",
+                                                      fmt::join(by_joint, ", ")));
 }
 
 std::string line_of(const std::vector<std::string>& entries) {

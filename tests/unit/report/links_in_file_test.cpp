@@ -100,7 +100,7 @@ TEST(LinksInFile, AreInJson) {
   EXPECT_EQ(json["mass"], 4);
   EXPECT_NEAR(json["reach"]["at_most"].get<double>(), 1.35, 1e-12);
   EXPECT_EQ(json["tip_at_zero"].size(), 3U);
-  EXPECT_EQ(json["links"][1]["com"], nlohmann::json({0.0, 0.05, 0.0}));
+  EXPECT_EQ(json["links"][1]["com"], nlohmann::ordered_json({0.0, 0.05, 0.0}));
   EXPECT_EQ(json["links"][1]["joint"], "second");
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using testing::joint;
+using ::testing::StartsWith;
 
 // A slide that carries a pendulum of mass m: b_11 = 2 + m, b_12 = -m sin(q_2) for a lever of 1 m.
 class Eval : public ::testing::Test {
@@ -123,7 +124,13 @@ TEST_F(Eval, NamesColumnsThatAreMissing) {
   evaluate("gravity", {{"q1", "q2"}, {{"1", "2"}}, {2}});
   evaluate("inertia_matrix", {{"m", "q1"}, {{"1", "2"}}, {2}});
   EXPECT_THAT(messages, ElementsAre("states.csv:1: error: column m is missing; gravity reads it",
-                                    "states.csv:1: error: column q2 or q_swing is missing; inertia_matrix reads it"));
+                                    "states.csv:1: error: column q2 is missing; inertia_matrix reads it\n"
+                                    "    hint: by joint, it is called q_swing"));
+  messages.clear();
+  evaluate("kinetic_energy", {{"m", "q1", "q2"}, {{"1", "1", "2"}}, {2}});
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_THAT(messages[0], StartsWith("states.csv:1: error: columns qd1, qd2 are missing; kinetic_energy reads them\n"
+                                      "    hint: by joint, they are called qd_"));
 }
 
 // Without the bob's mass the second joint moves nothing: there is no acceleration to give.
