@@ -28,8 +28,8 @@ struct CsvTable {
 // line. Throws Failure(io) for a missing file.
 CsvTable read_csv(const std::filesystem::path& path, Diagnostics& diagnostics);
 
-// Entries of these columns get a decimal point. Those that are no finite decimals go to `diagnostics`, and so do entries
-// of `heading`'s fixed texts that change.
+// Entries of these columns get a decimal point. Those that are no finite decimals go to `diagnostics`, and so do
+// entries of `heading`'s fixed texts that change.
 void check_entries(CsvTable& table, const std::vector<CsvSource>& sources, const CsvHeading& heading,
                    const std::string& file, Diagnostics& diagnostics);
 

@@ -2,12 +2,12 @@
 // CSV as the table that eval takes, and as the stream that identify takes: what both accept, they read as the same.
 #include <cmath>
 
+#include "diagnostics/utf8.hpp"
 #include "fuzz/byte_files.hpp"
 #include "fuzz/readers.hpp"
 #include "identify/log_reader.hpp"
 #include "input/csv_table.hpp"
 #include "input/reader.hpp"
-#include "diagnostics/utf8.hpp"
 
 namespace flatdyn::testing {
 namespace {

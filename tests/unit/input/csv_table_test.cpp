@@ -73,8 +73,8 @@ TEST_F(Csv, WantsDifferentNames) {
 // As a spreadsheet of another country writes it.
 TEST_F(Csv, TakesSemicolonsDecimalCommasQuotesAndTabs) {
   for (const char* text :
-       {"\xEF\xBB\xBFsep=;\r\nroom;\"q1\";q2\r\nkitchen, small;\"1,5\";-2\r\n", "room\tq1\tq2\nkitchen, small\t1.5\t-2\n",
-        "room, q1, q2\n\"kitchen, small\", 1.5, \"-2\"\n"}) {
+       {"\xEF\xBB\xBFsep=;\r\nroom;\"q1\";q2\r\nkitchen, small;\"1,5\";-2\r\n",
+        "room\tq1\tq2\nkitchen, small\t1.5\t-2\n", "room, q1, q2\n\"kitchen, small\", 1.5, \"-2\"\n"}) {
     const CsvTable table = read(text);
     EXPECT_THAT(messages, ElementsAre()) << text;
     EXPECT_THAT(table.columns, ElementsAre("room", "q1", "q2")) << text;

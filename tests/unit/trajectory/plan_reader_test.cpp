@@ -84,8 +84,7 @@ TEST(TrajectoryUnits, PiInDegreesIsAnError) {
   Diagnostics found;
   read_plan(file, arm().mechanism, found);
   ASSERT_EQ(found.all().size(), 1U);
-  EXPECT_EQ(found.all()[0].message,
-            "start, joint \"b\": an expression with pi in a file in degrees: which are meant?");
+  EXPECT_EQ(found.all()[0].message, "start, joint \"b\": an expression with pi in a file in degrees: which are meant?");
 }
 
 TEST(SimulationUnits, PositionsThatMayBeInDegreesAreAskedAbout) {
