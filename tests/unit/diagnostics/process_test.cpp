@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/temporary_folder.hpp"
 
@@ -16,6 +18,7 @@ TEST(RunCommand, SaysHowItEnded) {
 }
 
 TEST(RunCommand, EndsTheRunWhereCtrlCHasEndedIt) {
+  const auto before = std::signal(SIGINT, SIG_DFL);  // a process in the background ignores it
   const TemporaryFolder folder;
   try {
     run_command("kill -INT $$", folder.path());
@@ -23,6 +26,7 @@ TEST(RunCommand, EndsTheRunWhereCtrlCHasEndedIt) {
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::interrupted);
   }
+  std::signal(SIGINT, before);
 }
 
 TEST(RunCommand, RunsInTheFolder) {
