@@ -71,7 +71,7 @@ inline constexpr Real effort_limit[joint_count] = {Real(0.5), Real(0.5), Real(0.
 
 namespace detail {
 
-// What every function asks of its scalar.
+// Every function checks its scalar by these.
 struct Interface {
   // Integers would cut off what follows the point. Classes know what they do.
   template <class Scalar>

@@ -66,7 +66,7 @@ inline constexpr int independent_positions[joint_count] = {0, 2};
 
 namespace detail {
 
-// What every function asks of its scalar.
+// Every function checks its scalar by these.
 struct Interface {
   // Integers would cut off what follows the point. Classes know what they do.
   template <class Scalar>

@@ -73,7 +73,7 @@ struct Parameters {
 
 namespace detail {
 
-// What every function asks of its scalar.
+// Every function checks its scalar by these.
 struct Interface {
   // Integers would cut off what follows the point. Classes know what they do.
   template <class Scalar>

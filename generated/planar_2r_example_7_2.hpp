@@ -50,7 +50,7 @@ inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
 
 namespace detail {
 
-// What every function asks of its scalar.
+// Every function checks its scalar by these.
 struct Interface {
   // Integers would cut off what follows the point. Classes know what they do.
   template <class Scalar>

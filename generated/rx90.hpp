@@ -55,7 +55,7 @@ inline constexpr const char* joint_names[joint_count] = {
 
 namespace detail {
 
-// What every function asks of its scalar.
+// Every function checks its scalar by these.
 struct Interface {
   // Integers would cut off what follows the point. Classes know what they do.
   template <class Scalar>

@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// What a text in UTF-8 begins with.
+// The first character of a text in UTF-8.
 struct Utf8Character {
   std::optional<char32_t> code;  // nullopt if no character begins there
   std::size_t length = 1;        // bytes to go on after

@@ -23,7 +23,7 @@ struct Spot {
   std::string what;
 };
 
-// What a file's angles and lengths are written in.
+// The units of a file's angles and lengths.
 struct Units {
   bool degrees = false;
   bool millimetres = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the name of a column says by itself. The headings that are read are listed in docs/csv.md.
+// The name of a column says this by itself. The headings that are read are listed in docs/csv.md.
 #pragma once
 
 #include <optional>

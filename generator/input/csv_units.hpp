@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-// What a column measures.
+// The quantity that a column measures.
 enum class CsvDimension {
   none,  // nothing that is known: no unit is
   time,
@@ -28,7 +28,7 @@ enum class CsvDimension {
 // "Nm", "N*m". nullopt for what is none of the dimension's.
 std::optional<Number> unit_factor(const std::string& unit, CsvDimension dimension);
 
-// Of the dimension, SI first.
+// The units of the dimension, SI first.
 std::vector<std::string> known_units(CsvDimension dimension);
 
 }  // namespace flatdyn

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "diagnostics/nearest.hpp"
+#include "input/urdf_children.hpp"
 
 namespace flatdyn {
 
@@ -30,14 +31,6 @@ struct Reflected {
 };
 
 using ReflectedByJoint = std::map<std::string, Reflected>;
-
-std::vector<const XMLElement*> children_of(const XMLElement& parent, const char* name) {
-  std::vector<const XMLElement*> children;
-  for (const XMLElement* e = parent.FirstChildElement(name); e != nullptr; e = e->NextSiblingElement(name)) {
-    children.push_back(e);
-  }
-  return children;
-}
 
 // The names that programs have for the two numbers; Drake's have its namespace.
 constexpr std::array<const char*, 3> kRotorInertias = {"drake:rotor_inertia", "rotor_inertia", "motorInertia"};
@@ -86,7 +79,7 @@ void read_joint(const XMLElement& element, const UrdfValues& values, ReflectedBy
   Reflected& reflected = all[name];
   const std::string what = "joint \"" + std::string(name) + "\"";
   read_rotor(element, values, what, name, reflected);
-  for (const XMLElement* actuator : children_of(element, "actuator")) {
+  for (const XMLElement* actuator : elements_in(element, "actuator")) {
     read_rotor(*actuator, values, what, name, reflected);
   }
   reflected.armature = values.dynamics(element, "armature", what);
@@ -97,7 +90,7 @@ using Elements = std::vector<const XMLElement*>;
 // <mechanicalReduction> stands in the actuator, in the joint, or (older files) in the transmission itself.
 Elements reductions_of(const XMLElement& transmission, const Elements& actuators) {
   Elements holders = actuators;
-  for (const XMLElement* joint : children_of(transmission, "joint")) holders.push_back(joint);
+  for (const XMLElement* joint : elements_in(transmission, "joint")) holders.push_back(joint);
   holders.push_back(&transmission);
   Elements reductions;
   for (const XMLElement* holder : holders) {
@@ -107,7 +100,7 @@ Elements reductions_of(const XMLElement& transmission, const Elements& actuators
 }
 
 bool is_simple(const XMLElement& transmission) {
-  if (children_of(transmission, "joint").size() != 1) return false;
+  if (elements_in(transmission, "joint").size() != 1) return false;
   const XMLElement* element = transmission.FirstChildElement("type");
   const char* type = element != nullptr ? element->GetText() : transmission.Attribute("type");
   return type == nullptr || std::string_view(type).find("SimpleTransmission") != std::string_view::npos;
@@ -115,7 +108,7 @@ bool is_simple(const XMLElement& transmission) {
 
 // Those that have a rotor, if any has one: the others' gears are none of it. Two are an error.
 Elements actuators_of(const XMLElement& transmission, const std::string& joint, const UrdfValues& values) {
-  const Elements all = children_of(transmission, "actuator");
+  const Elements all = elements_in(transmission, "actuator");
   Elements with_rotor;
   std::copy_if(all.begin(), all.end(), std::back_inserter(with_rotor),
                [](const XMLElement* actuator) { return rotor_in(*actuator) != nullptr; });
@@ -132,8 +125,8 @@ Elements actuators_of(const XMLElement& transmission, const std::string& joint, 
 
 // Each of several motors drives each of several joints: one of them shows that it is so.
 void read_coupling(const XMLElement& transmission, const UrdfValues& values, ReflectedByJoint& all) {
-  const Elements joints = children_of(transmission, "joint");
-  Elements holders = children_of(transmission, "actuator");
+  const Elements joints = elements_in(transmission, "joint");
+  Elements holders = elements_in(transmission, "actuator");
   holders.insert(holders.end(), joints.begin(), joints.end());
   holders.push_back(&transmission);
   const auto rotor =
@@ -259,8 +252,8 @@ void report_rotors_of_nobody(const ReflectedByJoint& all, const UrdfValues& valu
 
 void read_urdf_actuators(const XMLElement& root, const UrdfValues& values, Robot& robot) {
   ReflectedByJoint all;
-  for (const XMLElement* element : children_of(root, "joint")) read_joint(*element, values, all);
-  for (const XMLElement* element : children_of(root, "transmission")) read_transmission(*element, values, all);
+  for (const XMLElement* element : elements_in(root, "joint")) read_joint(*element, values, all);
+  for (const XMLElement* element : elements_in(root, "transmission")) read_transmission(*element, values, all);
   report_rotors_of_nobody(all, values, robot);
   for (Joint& joint : robot.joints) {
     if (const auto found = all.find(joint.name); found != all.end()) {

@@ -22,7 +22,7 @@ struct CouplingEquation {
   std::vector<int> preferred;  // joints that may follow, the best one first
 };
 
-// What the two ends and the ratio of a coupling are called.
+// The names of the two ends and the ratio of a coupling.
 struct CouplingTags {
   const char* element;
   const char* predecessor;

@@ -27,7 +27,7 @@ struct UrdfKey {
   std::string other_name;  // "" if there is none
 };
 
-// What is known of an element of which values are read.
+// The known keys of an element of which values are read.
 struct UrdfElement {
   std::vector<UrdfKey> keys;
   std::vector<std::string> decisive;   // keys that any unknown name may be meant for, where one of them is missing

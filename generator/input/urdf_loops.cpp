@@ -28,7 +28,7 @@ Cut cut_of(const std::string& type) {
   return kOthers.count(name) > 0 ? Cut::unsupported : Cut::unknown;
 }
 
-// What one of the two ends is called: <predecessor>, <predecessor_origin>, <predecessor_axis>.
+// The names of one of the two ends: <predecessor>, <predecessor_origin>, <predecessor_axis>.
 struct EndTags {
   std::string link, origin, axis;
 

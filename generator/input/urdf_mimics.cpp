@@ -23,7 +23,7 @@ struct MimicNumber {
   Spot spot;
 };
 
-// What one element says of one follower.
+// One element says this of one follower.
 struct MimicWords {
   std::string what;  // who says it
   Place place;

@@ -58,7 +58,7 @@ std::string shown(const UrdfEntry& entry) {
 
 }  // namespace
 
-// What is known of an element, and what of that is not there.
+// The known keys of an element, and those that are not there.
 struct UnknownEntries::Known {
   Known(const UrdfElement& known, const std::vector<UrdfEntry>& entries)
       : element(known), missing(key_names_of(known)) {

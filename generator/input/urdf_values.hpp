@@ -68,7 +68,7 @@ class UrdfValues {
  private:
   using Holders = std::vector<const tinyxml2::XMLElement*>;
 
-  // What the elements say for a key, wherever they say it; nullopt if they do not.
+  // The value of a key, wherever in the elements it stands; nullopt if it stands nowhere.
   std::optional<UrdfEntry> written(const Holders& holders, const std::string& key, const std::string& what) const;
   void note_unusual(const tinyxml2::XMLElement& holder, const UrdfEntry& entry, const std::string& key,
                     const std::string& what) const;

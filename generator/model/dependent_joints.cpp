@@ -43,7 +43,7 @@ OpenLoop open_loop(Loop& written, const Mechanism& tree) {
   return loop;
 }
 
-// What is left of a column of the rows without its parts along unit vectors.
+// The rest of a column of the rows without its parts along unit vectors.
 std::vector<Real> rest_of(const Matrix<Real>& rows, int column, const std::vector<std::vector<Real>>& units) {
   std::vector<Real> rest;
   for (int i = 0; i < rows.rows(); ++i) rest.push_back(rows(i, column));

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uintptr_t kDigits = 70;  // of angles that turn by less than 1e-9: what is left of them is below 1e-40
 
-// Of a number without symbols that is rational.
+// The number is rational and has no symbols.
 cln::cl_F float_of(const Number& a) {
   return cln::cl_float(cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(a).to_cl_N()), cln::float_format(kDigits));
 }

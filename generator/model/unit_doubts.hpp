@@ -29,10 +29,10 @@ std::string degrees_question(const Number& angle);
 enum class AngleText { decimal, expression };
 std::string radians_text(const Number& degrees, AngleText form);
 
-// What to do in a file that has the key `angles`.
+// This is the hint for a file that has the key `angles`.
 std::string degrees_hint(const Number& angle);
 
-// What the warnings are told together by.
+// The kind by which these warnings are told together.
 inline constexpr const char *kAngleDoubts = "angles that may be in degrees",
                             *kLimitDoubts = "limits that may be in degrees",
                             *kLengthDoubts = "lengths that may be in millimetres";

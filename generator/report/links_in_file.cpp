@@ -71,7 +71,7 @@ int written_link(const Robot& robot, const std::string& name) {
   return static_cast<int>(found - robot.links.begin());
 }
 
-// Of all links, those that do not move too.
+// This holds of all links, also of those that do not move.
 Number total_mass(const Mechanism& mechanism) {
   Number mass = mechanism.base.mass;
   for (const Body& body : mechanism.bodies) mass += body.inertia.mass;

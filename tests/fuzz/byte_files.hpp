@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What readers of files share when they are given bytes.
+// Readers of files share this when they are given bytes.
 #pragma once
 
 #include <fstream>

@@ -34,7 +34,7 @@ namespace flatdyn {
 
 namespace eigen_detail {
 
-// Of a function's parameters: the results that it stands for, and the vectors that are passed.
+// A parameter of a function stands for results, or for vectors that are passed.
 template <class Parameter, int order>
 struct Shaped {
   using Results = std::tuple<>;
@@ -200,7 +200,7 @@ constexpr auto vector_at() noexcept {
   }
 }
 
-// What is returned of one result, of several, or of none.
+// The type that is returned for one result, several, or none.
 template <class Results>
 struct ValueOf {
   using Type = Results;

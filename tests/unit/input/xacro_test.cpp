@@ -88,7 +88,7 @@ TEST_F(Xacro, ArgumentsWithoutATemplateAreRefused) {
   EXPECT_THROW(read_robot(folder_.path() / "arm.urdf", options, diagnostics_), Failure);
 }
 
-// What the first and only error says, or nothing.
+// The message of the first and only error, or nothing.
 std::string refused(const std::string& elements) {
   tinyxml2::XMLDocument document;
   document.Parse(("<robot>\n" + elements + "\n</robot>").c_str());
