@@ -4,7 +4,8 @@
 #include <algorithm>
 
 #include "graph/count.hpp"
-#include "symbolic/formulations.hpp"
+#include "planning/formulations.hpp"
+#include "planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -30,7 +31,7 @@ std::vector<Function> cheaper(const std::vector<Function>& abbreviated, const st
   return result;
 }
 
-std::vector<Function> abbreviated_functions(Model model, const std::vector<Function>& functions,
+std::vector<Function> abbreviated_functions(LoadedRobot model, const std::vector<Function>& functions,
                                             const ErrorBudget& budget, Progress& progress) {
   model.abbreviation = abbreviated(model.mechanism, budget);
   PipelineOptions options;
@@ -43,7 +44,7 @@ std::vector<Function> abbreviated_functions(Model model, const std::vector<Funct
 
 }  // namespace
 
-Abbreviations abbreviations(const Model& model, const std::vector<Function>& functions,
+Abbreviations abbreviations(const LoadedRobot& model, const std::vector<Function>& functions,
                             const std::vector<BenchVariant>& variants, Progress& progress) {
   Abbreviations result;
   const auto may_be_cheaper = [&model](const Function& function) {

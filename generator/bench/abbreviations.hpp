@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "bench/subject.hpp"
-#include "pipeline.hpp"
+#include "diagnostics/progress.hpp"
+#include "load/loaded_robot.hpp"
 
 namespace flatdyn {
 
@@ -16,7 +17,7 @@ struct Abbreviations {
 };
 
 // For all budgets of `variants`.
-Abbreviations abbreviations(const Model& model, const std::vector<Function>& functions,
+Abbreviations abbreviations(const LoadedRobot& model, const std::vector<Function>& functions,
                             const std::vector<BenchVariant>& variants, Progress& progress);
 
 }  // namespace flatdyn

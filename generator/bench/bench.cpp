@@ -10,7 +10,7 @@
 #include "bench/program.hpp"
 #include "bench/stage_steps.hpp"
 #include "diagnostics/nearest.hpp"
-#include "diagnostics/temporary_folder.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -82,7 +82,7 @@ void check_peer(const BenchCase& peer, const std::string& name, const BenchError
                                            name, errors.scaled.largest));
 }
 
-BenchRow row_of(const BenchCase& of, const BenchErrors& errors, const std::vector<double>& samples, long bytes) {
+BenchRow bench_row(const BenchCase& of, const BenchErrors& errors, const std::vector<double>& samples, long bytes) {
   BenchRow row;
   row.variant = of.variant;
   row.is_peer = of.is_peer;
@@ -121,7 +121,8 @@ void sort_rows(std::vector<BenchRow>& rows) {
 // One run of a robot's program, in its steps.
 class BenchRun {
  public:
-  BenchRun(const Model& model, const std::vector<Function>& functions, const BenchOptions& options, Progress& progress)
+  BenchRun(const LoadedRobot& model, const std::vector<Function>& functions, const BenchOptions& options,
+           Progress& progress)
       : model_(model),
         functions_(functions),
         options_(options),
@@ -181,14 +182,14 @@ class BenchRun {
     }
     for (std::size_t k = 0; k < cases.size(); ++k) {
       const std::vector<double>& samples = times.at(cases[k].name(functions_));
-      report.functions[cases[k].function].rows.push_back(row_of(cases[k], errors[k], samples, sizes[k]));
+      report.functions[cases[k].function].rows.push_back(bench_row(cases[k], errors[k], samples, sizes[k]));
     }
     std::erase_if(report.functions, [](const BenchFunction& function) { return function.rows.empty(); });
     for (BenchFunction& function : report.functions) sort_rows(function.rows);
     return report;
   }
 
-  const Model& model_;
+  const LoadedRobot& model_;
   const std::vector<Function>& functions_;
   BenchOptions options_;
   Progress& progress_;
@@ -209,7 +210,7 @@ std::vector<std::string> bench_variant_names() {
   return names;
 }
 
-BenchReport bench(const Model& model, const std::vector<Function>& functions, const BenchOptions& options,
+BenchReport bench(const LoadedRobot& model, const std::vector<Function>& functions, const BenchOptions& options,
                   Progress& progress) {
   check_variants(options);
   return BenchRun(model, functions, options, progress).run();

@@ -8,8 +8,8 @@
 #include "bench/statistics.hpp"
 #include "diagnostics/progress.hpp"
 #include "graph/count.hpp"
-#include "pipeline.hpp"
-#include "verify/expected.hpp"
+#include "load/loaded_robot.hpp"
+#include "reference/expected.hpp"
 
 namespace flatdyn {
 
@@ -67,7 +67,7 @@ struct BenchReport {
 
 // Throws Failure(usage) for an unknown variant, Failure(bug) if a peer's numbers are others than those of the reference
 // in 50 digits.
-BenchReport bench(const Model& model, const std::vector<Function>& functions, const BenchOptions& options,
+BenchReport bench(const LoadedRobot& model, const std::vector<Function>& functions, const BenchOptions& options,
                   Progress& progress);
 
 }  // namespace flatdyn

@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "emit/arguments.hpp"
-#include "emit/identifiers.hpp"
 #include "graph/count.hpp"
+#include "model/identifiers.hpp"
 
 namespace flatdyn {
 namespace {
@@ -101,7 +101,7 @@ std::string single_call(const Mechanism& mechanism, const CalledFunction& called
   }
   append(arguments, sin_cos);
   const std::string call = call_text(called, arguments);
-  return function.positive.empty() ? call : "keep(" + call + ")";
+  return function.validity_conditions.empty() ? call : "keep(" + call + ")";
 }
 
 std::string at_call(const Mechanism& mechanism, const BenchVariant& variant) {
@@ -135,9 +135,9 @@ BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, c
   }
   append(arguments, sin_cos_argument(variant, "s, c"));
   const std::string call = call_text(called, arguments);
-  const std::string body = returns_value(function)     ? "*result = " + call
-                           : function.positive.empty() ? call
-                                                       : "return " + call;
+  const std::string body = returns_value(function)                ? "*result = " + call
+                           : function.validity_conditions.empty() ? call
+                                                                  : "return " + call;
   return {mechanism.symbols.empty() ? "" : "&x", joined(parameters), body,
           fmt::format("{}", fmt::join(columns, ",\n        "))};
 }
@@ -185,7 +185,7 @@ PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& c
     for (const char* name : {"s", "c"}) parameters.push_back(fmt::format("const {}* {}", scalar, name));
   }
   append(arguments, sin_cos_argument(variant, "s, c"));
-  const bool conditional = !function.positive.empty();
+  const bool conditional = !function.validity_conditions.empty();
   return {conditional ? "bool" : "void", plain_symbol(function, variant.name), joined(parameters),
           (returns_value(function) ? "*result = "
            : conditional           ? "return "

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
-#include "verify/judge.hpp"
+#include "reference/judge.hpp"
 
 namespace flatdyn {
 namespace {

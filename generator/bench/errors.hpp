@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/program.hpp"
-#include "verify/expected.hpp"
+#include "reference/expected.hpp"
 
 namespace flatdyn {
 

@@ -8,9 +8,9 @@
 
 #include "bench/errors.hpp"
 #include "bench/program.hpp"
-#include "diagnostics/temporary_folder.hpp"
-#include "model/drawn_robot.hpp"
-#include "pipeline.hpp"
+#include "model/random_robot.hpp"
+#include "planning/make_functions.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -32,7 +32,7 @@ struct Generated {
   double seconds = 0;
 };
 
-Generated generated(const Model& model, const std::string& function, Progress& progress) {
+Generated generated(const LoadedRobot& model, const std::string& function, Progress& progress) {
   PipelineOptions options;
   options.functions = {function};
   Diagnostics findings;
@@ -41,7 +41,7 @@ Generated generated(const Model& model, const std::string& function, Progress& p
   return {functions_of(made), std::chrono::duration<double>(Clock::now() - start).count()};
 }
 
-GrowthRow measured(const Model& model, const std::string& function, const Toolchain& toolchain, double seconds,
+GrowthRow measured(const LoadedRobot& model, const std::string& function, const Toolchain& toolchain, double seconds,
                    Progress& progress) {
   const Generated made = generated(model, function, progress);
   const ExpectedValues expected(model.robot, model.mechanism, 1);
@@ -102,7 +102,7 @@ GrowthReport bench_growth(const GrowthOptions& options, Progress& progress) {
       for (const int joints : sizes) {
         Robot robot = random_robot(chain, joints, options.seed);
         Mechanism mechanism = make_mechanism(robot);
-        const Model model{std::move(robot), std::move(mechanism), std::nullopt, {}, ""};
+        const LoadedRobot model{std::move(robot), std::move(mechanism), std::nullopt, {}, ""};
         curve.rows.push_back(measured(model, function, toolchain, seconds, progress));
       }
       fit(curve);

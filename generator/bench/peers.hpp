@@ -8,7 +8,7 @@
 
 #include "bench/toolchain.hpp"
 #include "model/mechanism.hpp"
-#include "verify/reference_model.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 

@@ -42,8 +42,8 @@ std::map<std::string, long> bytes_by_symbol(const std::string& text) {
     std::string address, size, type, name;
     std::istringstream words(line);
     if (!(words >> address >> size >> type) || !std::getline(words >> std::ws, name)) continue;
-    const std::size_t inner = name.find(kBenchNamespace + std::string("::"));
-    const std::size_t first = inner == std::string::npos ? 0 : inner;
+    const std::size_t dot = name.find(kBenchNamespace + std::string("::"));
+    const std::size_t first = dot == std::string::npos ? 0 : dot;
     bytes[name.substr(first, name.find('(') - first)] = std::stol(size, nullptr, 16);
   }
   return bytes;

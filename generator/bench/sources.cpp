@@ -7,9 +7,9 @@
 #include "bench/stage_steps.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
-#include "emit/identifiers.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
+#include "model/identifiers.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -64,7 +64,7 @@ data main_page(const BenchSubject& subject) {
   return page;
 }
 
-data row_of(const CalledFunction& called, const BenchVariant& variant) {
+data source_row(const CalledFunction& called, const BenchVariant& variant) {
   data row;
   row["name"] = called.function.name + "/" + variant.name;
   row["scalar"] = std::string(variant.scalar);
@@ -73,7 +73,7 @@ data row_of(const CalledFunction& called, const BenchVariant& variant) {
 }
 
 data single_row(const BenchSubject& subject, const CalledFunction& called, const BenchVariant& variant) {
-  data row = row_of(called, variant);
+  data row = source_row(called, variant);
   row["call"] = single_call(subject.mechanism, called, variant);
   return row;
 }
@@ -88,7 +88,7 @@ data staged_row(const BenchSubject& subject, const CalledFunction& called, const
 
 data batch_row(const BenchSubject& subject, const CalledFunction& called, const BenchVariant& variant) {
   const BatchCall call = batch_call(subject.mechanism, called, variant);
-  data row = row_of(called, variant);
+  data row = source_row(called, variant);
   row["capture"] = call.capture;
   row["parameters"] = call.parameters;
   row["call"] = call.call;

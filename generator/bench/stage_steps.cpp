@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
+#include "planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -80,7 +81,7 @@ class StepWriter {
 
 }  // namespace
 
-std::optional<Stages> bench_stages(const Model& model, const std::vector<Function>& functions,
+std::optional<Stages> bench_stages(const LoadedRobot& model, const std::vector<Function>& functions,
                                    const std::vector<BenchVariant>& variants, Progress& progress) {
   const bool any_staged = std::any_of(variants.begin(), variants.end(),
                                       [](const BenchVariant& variant) { return variant.calling == Calling::staged; });

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "bench/subject.hpp"
+#include "diagnostics/progress.hpp"
 #include "graph/count.hpp"
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
 
 namespace flatdyn {
 
 // Of all functions of positions; nothing where there is none, or no variant is staged.
-std::optional<Stages> bench_stages(const Model& model, const std::vector<Function>& functions,
+std::optional<Stages> bench_stages(const LoadedRobot& model, const std::vector<Function>& functions,
                                    const std::vector<BenchVariant>& variants, Progress& progress);
 
 struct StageStep {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "emit/identifiers.hpp"
+#include "model/identifiers.hpp"
 
 namespace flatdyn {
 namespace {

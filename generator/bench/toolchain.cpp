@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
-#include "diagnostics/temporary_folder.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {

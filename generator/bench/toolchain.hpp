@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/process.hpp"
+#include "system/process.hpp"
 
 namespace flatdyn {
 

@@ -11,7 +11,7 @@
 #include "certify/gappa_script.hpp"
 #include "certify/model_constants.hpp"
 #include "diagnostics/diagnostics.hpp"
-#include "verify/emitted_text.hpp"
+#include "readback/emitted_text.hpp"
 
 namespace flatdyn {
 namespace {

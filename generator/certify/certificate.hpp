@@ -12,7 +12,7 @@
 #include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
-#include "verify/straight_line.hpp"
+#include "readback/straight_line.hpp"
 
 namespace flatdyn {
 

@@ -8,8 +8,8 @@
 #include <future>
 #include <thread>
 
-#include "diagnostics/process.hpp"
-#include "diagnostics/temporary_folder.hpp"
+#include "system/process.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {

@@ -13,8 +13,8 @@
 #include "certify/rounding.hpp"
 #include "graph/arithmetic.hpp"
 #include "model/states.hpp"
-#include "verify/execute.hpp"
-#include "verify/straight_line.hpp"
+#include "readback/execute.hpp"
+#include "readback/straight_line.hpp"
 
 namespace flatdyn {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "certify/input_limits.hpp"
-#include "model/field_motion.hpp"
+#include "definition/field_motion.hpp"
 
 namespace flatdyn {
 

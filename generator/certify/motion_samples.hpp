@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "certify/motions.hpp"
+#include "definition/field_motion.hpp"
 #include "graph/arithmetic.hpp"
 #include "graph/mod_p.hpp"
-#include "model/field_motion.hpp"
-#include "verify/execute.hpp"
+#include "readback/execute.hpp"
 
 namespace flatdyn {
 
@@ -112,7 +112,7 @@ class MotionSample {
 
   MotionSample(const Mechanism& mechanism, const Point& point, const ReadInputs& read) : arithmetic_(point) {
     auto arithmetic = point.arithmetic();
-    mechanism_ = field_mechanism(mechanism, arithmetic);
+    mechanism_ = mechanism_over(mechanism, arithmetic);
     const auto drawn = [&](InputKind kind, int i) {
       return read.count({kind, i}) != 0 ? point.input({kind, i}) : F(0);
     };
@@ -132,7 +132,7 @@ class MotionSample {
 
   // u and u × r of the joint's axis in the link's frame.
   std::vector<F> entries_of_axis(int joint, int link) const {
-    FieldMechanism<F> weightless = mechanism_;
+    MechanismOver<F> weightless = mechanism_;
     weightless.gravity = {F(0), F(0), F(0)};
     const std::vector<F> at_rest(q_.size(), F(0));
     std::vector<F> alone = at_rest;
@@ -145,7 +145,7 @@ class MotionSample {
 
  private:
   PointArithmetic<Point> arithmetic_;
-  FieldMechanism<F> mechanism_;
+  MechanismOver<F> mechanism_;
   std::vector<JointPoint<F>> q_;
   std::vector<F> qd_, qdd_, values_;
   std::vector<FieldMotion<F>> motions_;

@@ -15,7 +15,7 @@
 
 #include "certify/motion_bounds.hpp"
 #include "graph/rational.hpp"
-#include "verify/straight_line.hpp"
+#include "readback/straight_line.hpp"
 
 namespace flatdyn {
 

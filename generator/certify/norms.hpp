@@ -31,7 +31,7 @@
 #include "certify/motions.hpp"
 #include "certify/rounding.hpp"
 #include "certify/vector_bounds.hpp"
-#include "verify/straight_line.hpp"
+#include "readback/straight_line.hpp"
 
 namespace flatdyn {
 

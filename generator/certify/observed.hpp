@@ -10,7 +10,7 @@
 #include "certify/rounding.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
-#include "verify/straight_line.hpp"
+#include "readback/straight_line.hpp"
 
 namespace flatdyn {
 

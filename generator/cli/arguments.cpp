@@ -9,11 +9,11 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "diagnostics/table.hpp"
-#include "input/expression.hpp"
-#include "input/name_list.hpp"
+#include "input/common/expression.hpp"
+#include "input/common/name_list.hpp"
 #include "report/toml_string.hpp"
 #include "symbolic/functions.hpp"
-#include "symbolic/number_text.hpp"
+#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -321,7 +321,7 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
                 {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))}});
 }
 
-std::vector<std::string> RobotArguments::settings(const Model& model) const {
+std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) const {
   if (model.robot.file == kStandardInput || !xacro.empty()) {
     throw Failure(ExitCode::usage, "a robot file cannot name a robot that comes from stdin, or with --xacro",
                   "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
@@ -349,7 +349,7 @@ std::vector<std::string> RobotArguments::settings(const Model& model) const {
   return lines;
 }
 
-void RobotArguments::note_function_keys(const Model& model) const {
+void RobotArguments::note_function_keys(const LoadedRobot& model) const {
   const Scene& wanted = model.robot.scene;
   if (!wanted.at_rest && wanted.functions.empty() && wanted.outputs.empty() && !wanted.error_budget) return;
   Diagnostics notes;
@@ -369,9 +369,9 @@ void RobotArguments::warn_of(const std::vector<std::string>& doubts, const std::
   report(warnings);
 }
 
-PipelineOptions RobotArguments::options_of_whole_functions() const {
+PipelineOptions RobotArguments::options_without_error_budget() const {
   PipelineOptions whole = options();
-  whole.whole_functions = true;
+  whole.skip_error_budget = true;
   return whole;
 }
 

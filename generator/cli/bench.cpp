@@ -38,7 +38,7 @@ void deliver(const BenchArguments& arguments, const std::string& name, const nlo
 BenchReport bench_robot(const BenchArguments& arguments, const std::string& robot) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
-  const Model model = read_model(robot, options);
+  const LoadedRobot model = load_robot(robot, options);
   refuse_loops(model, "bench");
   print_diagnostics(model.diagnostics, arguments);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty()) {

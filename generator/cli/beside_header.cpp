@@ -18,7 +18,7 @@ std::string text_of(const fs::path& file) {
 
 bool stays(const TextFile& header) { return fs::exists(header.path) && text_of(header.path) == header.text; }
 
-fs::path beside(const TextFile& header, const char* extension) {
+fs::path beside_the_header(const TextFile& header, const char* extension) {
   return fs::path(header.path).replace_extension(extension);
 }
 
@@ -32,7 +32,7 @@ bool is_of(const fs::path& json_file, const TextFile& header) {
 std::vector<fs::path> scripts(const TextFile& header) {
   std::vector<fs::path> found;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(beside(header, "gappa"), ignored)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(beside_the_header(header, "gappa"), ignored)) {
     if (entry.path().extension() == ".g") found.push_back(entry.path());
   }
   return found;
@@ -41,17 +41,17 @@ std::vector<fs::path> scripts(const TextFile& header) {
 }  // namespace
 
 std::vector<fs::path> outdated_certificate(const TextFile& header) {
-  const fs::path certificate = beside(header, "certificate.json");
+  const fs::path certificate = beside_the_header(header, "certificate.json");
   if (!is_of(certificate, header) || stays(header)) return {};
   std::vector<fs::path> files = scripts(header);
   files.push_back(certificate);
-  files.push_back(beside(header, "certificate.md"));
+  files.push_back(beside_the_header(header, "certificate.md"));
   return files;
 }
 
 std::vector<fs::path> outdated_manifest_and_scripts(const TextFile& header) {
   std::vector<fs::path> files = scripts(header);
-  const fs::path manifest = beside(header, "json");
+  const fs::path manifest = beside_the_header(header, "json");
   if (is_of(manifest, header) && !stays(header)) files.push_back(manifest);
   return files;
 }

@@ -7,7 +7,8 @@
 #include "cli/beside_header.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "input/content_hash.hpp"
+#include "emit/emit.hpp"
+#include "input/common/content_hash.hpp"
 #include "report/certificate_report.hpp"
 #include "report/json_text.hpp"
 #include "report/scene_report.hpp"
@@ -31,7 +32,7 @@ PipelineOptions pipeline_options(const CertifyArguments& arguments) {
   return options;
 }
 
-std::string stamp_of(const CertifyArguments& arguments, const std::vector<OptimisedFunction>& functions) {
+std::string certify_stamp(const CertifyArguments& arguments, const std::vector<OptimisedFunction>& functions) {
   std::vector<std::string> names;
   for (const OptimisedFunction& each : functions) names.push_back(each.function.name);
   const std::string of_functions =
@@ -46,17 +47,17 @@ struct Certified {
   std::string header, text;  // the name of the header, and its content
 };
 
-Certified certified(const CertifyArguments& arguments, const Model& model, PipelineOptions options) {
+Certified certified(const CertifyArguments& arguments, const LoadedRobot& model, PipelineOptions options) {
   const Scene& scene = model.robot.scene;
   if (options.functions.empty() && scene.functions.empty() && scene.outputs.empty()) options.functions = kUsual;
   Progress progress(arguments.quiet);
   Diagnostics findings;
   const std::vector<OptimisedFunction> functions = make_functions(model, options, progress, findings);
   progress.step("proving");
-  prove(derived_from(model), functions, std::nullopt, std::nullopt);
+  prove(effective_mechanism(model), functions, std::nullopt, std::nullopt);
   const EmitOptions emit{"",
                          arguments.options.scalar,
-                         stamp_of(arguments, functions),
+                         certify_stamp(arguments, functions),
                          model.input_hash,
                          scene_stamp(model),
                          scene_facts(model),
@@ -101,7 +102,7 @@ void check_trigonometry(const CertifyOptions& options) {
 ExitCode run_certify(const CertifyArguments& arguments) {
   check_trigonometry(arguments.options);
   const PipelineOptions options = pipeline_options(arguments);
-  const Model model = read_model(arguments.robot, options);
+  const LoadedRobot model = load_robot(arguments.robot, options);
   refuse_loops(model, "certify");
   print_diagnostics(model.diagnostics, arguments);
   const Certified result = certified(arguments, model, options);

@@ -7,8 +7,8 @@
 
 #include "cli/telling.hpp"
 #include "identify/motion_stream.hpp"
-#include "pipeline.hpp"
-#include "symbolic/parameters.hpp"
+#include "planning/make_functions.hpp"
+#include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
 
@@ -30,14 +30,14 @@ struct RobotArguments : Manner {
   void add_to(CLI::App& command);
   void add_settings_to(CLI::App& command);  // all but the robot itself
   PipelineOptions options() const;
-  PipelineOptions options_of_whole_functions() const;  // for subcommands that do not make functions for others
+  PipelineOptions options_without_error_budget() const;  // for subcommands that do not make functions for others
   // TOML lines that repeat --gravity, --tip and --fix, and what the scene says of these, for a file over the robot
   // file. Throws Failure(unsupported) if the scene says more.
-  std::vector<std::string> settings(const Model& model) const;
+  std::vector<std::string> settings(const LoadedRobot& model) const;
   // Those of these options that shape emitted text, for its stamp; behind others. Of a search, how far it went.
   std::string stamp_of_settings(const std::vector<OptimisedFunction>& functions) const;
   // For subcommands that make no functions: what of the scene has no effect.
-  void note_function_keys(const Model& model) const;
+  void note_function_keys(const LoadedRobot& model) const;
   // Ends the run with BadInput after an error, or after a warning if these are errors; else prints what was found.
   void report(const Diagnostics& found) const;
   // Of what was found in a file, none of its lines in particular.

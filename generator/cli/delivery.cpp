@@ -10,7 +10,7 @@
 
 #include "cli/beside_header.hpp"
 #include "diagnostics/diagnostics.hpp"
-#include "input/sources.hpp"
+#include "input/common/sources.hpp"
 
 namespace flatdyn {
 namespace {

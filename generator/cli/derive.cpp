@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "symbolic/derive.hpp"
+#include "symbolic/notation/derive.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ struct DeriveArguments : RobotArguments {
   bool latex = false;
 };
 
-nlohmann::ordered_json json_of(const std::vector<DerivedLine>& lines) {
+nlohmann::ordered_json derived_json(const std::vector<DerivedLine>& lines) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const DerivedLine& line : lines) {
     json.push_back({{"name", line.name}, {"text", line.text}, {"terms", line.terms}, {"left_out", line.left_out}});
@@ -24,23 +24,23 @@ nlohmann::ordered_json json_of(const std::vector<DerivedLine>& lines) {
   return json;
 }
 
-nlohmann::ordered_json json_of(const DerivedModel& model) {
-  return {{"joints", json_of(model.joints)},
-          {"inertia", json_of(model.inertia)},
-          {"shared", json_of(model.shared)},
-          {"christoffel", json_of(model.christoffel)},
-          {"gravity", json_of(model.gravity)},
-          {"equations", json_of(model.equations)},
+nlohmann::ordered_json derived_json(const DerivedModel& model) {
+  return {{"joints", derived_json(model.joints)},
+          {"inertia", derived_json(model.inertia)},
+          {"shared", derived_json(model.shared)},
+          {"christoffel", derived_json(model.christoffel)},
+          {"gravity", derived_json(model.gravity)},
+          {"equations", derived_json(model.equations)},
           {"notes", model.notes}};
 }
 
 ExitCode run_derive(const DeriveArguments& arguments) {
-  const Model model = read_model(arguments.robot, arguments.options());
+  const LoadedRobot model = load_robot(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   if (arguments.json) {
     const Notation notation = arguments.latex ? Notation::latex : Notation::text;
-    print_result(json_text(json_of(derive_model(model.mechanism, arguments.derive, notation))));
+    print_result(json_text(derived_json(derive_model(model.mechanism, arguments.derive, notation))));
   } else if (arguments.latex) {
     print_result(derive_latex(model.mechanism, arguments.derive));
   } else {

@@ -7,9 +7,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "plot/time_table.hpp"
 #include "report/eval_plot.hpp"
 #include "report/json_text.hpp"
-#include "report/time_table.hpp"
 
 namespace flatdyn {
 namespace {
@@ -19,7 +19,7 @@ struct EvalArguments : RobotArguments {
   EvalOptions options;
 };
 
-nlohmann::ordered_json json_of(const CsvTable& table) {
+nlohmann::ordered_json table_json(const CsvTable& table) {
   nlohmann::ordered_json json = {{"columns", table.columns}, {"rows", nlohmann::ordered_json::array()}};
   for (const auto& row : table.rows) json["rows"].push_back(row);
   return json;
@@ -35,7 +35,7 @@ std::vector<double> times_to_draw(CsvTable states, const std::string& file, cons
 ExitCode run_eval(const EvalArguments& arguments) {
   PipelineOptions options = arguments.RobotArguments::options();
   options.functions = {arguments.function};
-  const Model model = read_model(arguments.robot, options);
+  const LoadedRobot model = load_robot(arguments.robot, options);
   print_diagnostics(model.diagnostics, arguments);
   if (model.abbreviation && arguments.options.reference) {
     throw Failure(ExitCode::usage, "the reference knows the whole model only",
@@ -57,7 +57,7 @@ ExitCode run_eval(const EvalArguments& arguments) {
   const CsvTable result =
       evaluate_table(model.robot, model.mechanism, functions[0], states, arguments.states, arguments.options, found);
   arguments.report(found);
-  const std::string text = arguments.json ? json_text(json_of(result)) : to_text(result);
+  const std::string text = arguments.json ? json_text(table_json(result)) : to_text(result);
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back({arguments.output, text});
   if (!arguments.plot.empty()) {

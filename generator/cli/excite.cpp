@@ -3,9 +3,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "diagnostics/interrupt.hpp"
-#include "emit/identifiers.hpp"
+#include "model/identifiers.hpp"
 #include "report/excitation_report.hpp"
+#include "system/interrupt.hpp"
 
 namespace flatdyn {
 namespace {
@@ -30,7 +30,7 @@ ExcitationOptions plan_of(const ExciteArguments& arguments) {
 }
 
 ExitCode excite(const ExciteArguments& arguments) {
-  const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
+  const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);

@@ -5,15 +5,14 @@
 
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
-#include "emit/narrowed.hpp"
 #include "firmware/folder.hpp"
-#include "input/content_hash.hpp"
+#include "input/common/content_hash.hpp"
+#include "pipeline/generation.hpp"
 #include "python/module.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
 #include "report/proof_report.hpp"
-#include "report/scene_report.hpp"
 #include "verify/rounded_angles.hpp"
 #include "verify/snap_effect.hpp"
 
@@ -67,31 +66,6 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines)}});
   const std::string of_robot = arguments.stamp_of_settings(functions);
   return of_functions + (of_functions.empty() || of_robot.empty() ? "" : " ") + of_robot;
-}
-
-struct Emitted {
-  std::vector<TextFile> files;  // the header first
-  EmittedText read_back;
-};
-
-Emitted emitted(const Model& model, const std::vector<Function>& functions, const EmitOptions& options,
-                const std::optional<Stages>& stages, const std::filesystem::path& folder) {
-  const std::filesystem::path header = folder / header_name(model.mechanism, options);
-  const std::filesystem::path source = folder / source_name(model.mechanism, options);
-  if (options.language == Language::cpp && options.form == Form::pair) {
-    const HeaderAndSource text = emit_cpp_pair(model.mechanism, functions, options, stages);
-    return {{{header, text.header}, {source, text.source}}, EmittedText(text.header + text.source)};
-  }
-  if (options.language == Language::cpp) {
-    const std::string text = emit_cpp(model.mechanism, functions, options, stages);
-    return {{{header, text}}, EmittedText(text)};
-  }
-  if (options.language == Language::javascript) {
-    const std::string text = emit_javascript(model.mechanism, functions, options);
-    return {{{header, text}}, EmittedText::of_javascript(text)};
-  }
-  const HeaderAndSource text = emit_c(model.mechanism, functions, options);
-  return {{{header, text.header}, {source, text.source}}, EmittedText(text.header, text.source, options.scalar)};
 }
 
 void choose_c(GenerateArguments& arguments, const char* option) {
@@ -164,117 +138,96 @@ void check_usage(const GenerateArguments& arguments) {
   }
 }
 
-// What is made of the robot, all of it proven.
-struct Made {
-  std::vector<OptimisedFunction> functions;  // the fused one last
-  std::optional<Stages> stages;
-  std::vector<Proof> proofs;
-  std::optional<GivenUp> given_up;  // to an error budget
-  Diagnostics findings;
-};
+GenerationOptions generation_options(const GenerateArguments& arguments) {
+  GenerationOptions options{arguments.options(), arguments.staged, arguments.fused, {}, {}};
+  options.functions = arguments.functions;
+  options.form.name_space = arguments.name_space;
+  options.form.scalar = arguments.scalars.front();
+  options.form.most_lines = arguments.most_lines;
+  options.form.language = kLanguages.at(arguments.language).language;
+  options.form.file_name = arguments.file_name;
+  options.form.form = arguments.is_pair() ? Form::pair : Form::header;
+  options.form.more_scalars = {arguments.scalars.begin() + 1, arguments.scalars.end()};
+  options.options_stamp = [&arguments](const std::vector<OptimisedFunction>& functions) {
+    return stamp_of(arguments, functions);
+  };
+  return options;
+}
 
-Made make(const Model& model, const PipelineOptions& options, const GenerateArguments& arguments) {
+GenerationResult generated(const GenerateArguments& arguments, const GenerationOptions& options) {
   Progress progress(arguments.quiet);
-  Made made;
-  std::optional<OptimisedFusion> fused;
-  made.functions = make_functions(model, options, progress, made.findings);
-  if (!arguments.fused.empty()) fused = make_fusion(model, arguments.fused, progress);
-  if (!arguments.staged.empty()) made.stages = stages_of(make_fusion(model, arguments.staged, progress).fusion);
-  progress.step("proving");
-  made.proofs = prove(derived_from(model), made.functions, fused, made.stages);
-  if (fused) made.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
-  if (model.abbreviation) {
-    made.given_up = given_up(model.mechanism, derived_from(model), model.robot.scene.at_rest);
-  }
-  return made;
+  return generate_code(arguments.robot, options, progress);
 }
 
-bool is_for_float(const GenerateArguments& arguments) {
-  return std::find(arguments.scalars.begin(), arguments.scalars.end(), "float") != arguments.scalars.end();
+// How the text's constants are rounded, and once more where C++ is compiled for float.
+std::string rounding_of_constants(const GenerationResult& result, const GenerationOptions& options) {
+  const std::string written = result.read_back->constants();
+  return written == "double" && options.is_for_float() ? "double, and float rounds these once more" : written;
 }
 
-// What the text says of constants, and what becomes of them where C++ is compiled for float.
-std::string rounding_of_constants(const EmittedText& text, const GenerateArguments& arguments) {
-  const std::string written = text.constants();
-  return written == "double" && is_for_float(arguments) ? "double, and float rounds these once more" : written;
-}
-
-// All that is written, in stages and on its own.
-std::vector<Function> functions_written(const Made& made) {
-  std::vector<Function> functions = functions_of(made.functions);
-  if (!made.stages) return functions;
-  for (const Stage* stage : {&made.stages->configuration, &made.stages->motion}) {
-    functions.push_back(stage->make);
-    functions.insert(functions.end(), stage->members.begin(), stage->members.end());
-  }
-  return functions;
-}
-
-EmitOptions emit_options(const Model& model, const Made& made, const GenerateArguments& arguments) {
-  return {arguments.name_space,
-          arguments.scalars.front(),
-          stamp_of(arguments, made.functions),
-          model.input_hash,
-          scene_stamp(model),
-          scene_facts(model),
-          arguments.most_lines,
-          kLanguages.at(arguments.language).language,
-          arguments.file_name,
-          arguments.is_pair() ? Form::pair : Form::header,
-          {arguments.scalars.begin() + 1, arguments.scalars.end()}};
-}
-
-// `files`: the header, and the source if there is one.
-nlohmann::ordered_json manifest_of(const Model& model, const Made& made, const EmitOptions& options,
-                                   const std::vector<TextFile>& files, const std::vector<double>& effects) {
-  nlohmann::ordered_json manifest = {{"flatdyn", FLATDYN_VERSION},
-                                     {"options", options.options_stamp},
-                                     {"header", header_name(model.mechanism, options)}};
-  manifest.update(model_json(model, effects));
-  manifest["functions"] = functions_json(made.functions, symbol_names(model.mechanism));
-  if (made.given_up) manifest["error_budget"] = abbreviation_json(model, *made.given_up);
-  if (made.stages) manifest["stages"] = stages_json(*made.stages);
-  manifest["proof"] = proofs_json(made.proofs);
+nlohmann::ordered_json manifest_of(const GenerationResult& result, const std::vector<double>& effects) {
+  const LoadedRobot& robot = result.robot;
+  const std::vector<GeneratedFile>& files = result.files;
+  nlohmann::ordered_json manifest = {
+      {"flatdyn", FLATDYN_VERSION}, {"options", result.form.options_stamp}, {"header", files[0].name}};
+  manifest.update(model_json(robot, effects));
+  manifest["functions"] = functions_json(result.functions, symbol_names(robot.mechanism));
+  if (result.torque_deviation) manifest["error_budget"] = abbreviation_json(robot, *result.torque_deviation);
+  if (result.stages) manifest["stages"] = stages_json(*result.stages);
+  manifest["proof"] = proofs_json(result.proofs);
   // So that a reader sees whether the files belong together.
   manifest["header_hash"] = content_hash({files[0].text});
   if (files.size() > 1) {
-    manifest["source"] = files[1].path.filename().string();
+    manifest["source"] = files[1].name;
     manifest["source_hash"] = content_hash({files[1].text});
   }
   return manifest;
 }
 
-// What is asked for beside header and source.
-std::vector<TextFile> companions(const Model& model, const std::vector<Function>& functions, const EmitOptions& options,
-                                 const GenerateArguments& arguments) {
-  const std::filesystem::path folder = arguments.folder;
-  std::vector<TextFile> files;
+// The files that were asked for beside header and source.
+std::vector<GeneratedFile> companions(const GenerationResult& result, const GenerateArguments& arguments) {
+  const LoadedRobot& robot = result.robot;
+  const std::vector<Function> functions = functions_of(result);
+  std::vector<GeneratedFile> files;
   if (!arguments.firmware.empty()) {
     Progress progress(arguments.quiet);
     const FirmwareTarget& target = firmware_target(arguments.firmware);
     for (const FirmwareFile& file :
-         firmware_files(model.robot, model.mechanism, functions, options, target, progress)) {
-      files.push_back({folder / file.name, file.text});
+         firmware_files(robot.robot, robot.mechanism, functions, result.form, target, progress)) {
+      files.push_back({file.name, file.text});
     }
   }
   if (arguments.python) {
-    const std::string name = module_name(model.mechanism, options);
-    const PythonModule module = python_module(model.mechanism, functions, options);
-    files.push_back({folder / (name + ".py"), module.module});
-    files.push_back({folder / (name + "_batch.c"), module.batch});
+    const std::string name = module_name(robot.mechanism, result.form);
+    const PythonModule module = python_module(robot.mechanism, functions, result.form);
+    files.push_back({name + ".py", module.module});
+    files.push_back({name + "_batch.c", module.batch});
   }
   return files;
 }
 
-// For people.
-std::string tables(const Model& model, const Made& made, const std::vector<double>& effects,
-                   const GenerateArguments& arguments, const EmittedText& read_back) {
+// All files, where they go.
+std::vector<TextFile> files_to_write(const GenerationResult& result, const std::string& manifest,
+                                     const GenerateArguments& arguments) {
+  if (arguments.is_to_stdout()) return {{kStdout, result.files.front().text}};
+  const std::filesystem::path folder = arguments.folder;
+  std::vector<TextFile> files;
+  for (const GeneratedFile& file : result.files) files.push_back({folder / file.name, file.text});
+  for (const GeneratedFile& file : companions(result, arguments)) files.push_back({folder / file.name, file.text});
+  files.push_back({(folder / result.files[0].name).replace_extension(".json"), manifest});
+  return files;
+}
+
+// The tables that people read.
+std::string tables(const GenerationResult& result, const std::vector<double>& effects,
+                   const GenerateArguments& arguments, const std::string& rounding) {
+  const LoadedRobot& robot = result.robot;
   const SnapDetail detail = arguments.verbose ? SnapDetail::each : SnapDetail::one_line;
-  std::string text = describe_model(model, effects, detail) + "\n" +
-                     describe_functions(made.functions, symbol_names(model.mechanism)) + "\n";
-  if (made.stages) text += describe_stages(*made.stages) + "\n";
-  if (made.given_up) text += describe_abbreviation(model, *made.given_up) + "\n";
-  text += describe_proofs(made.proofs, rounding_of_constants(read_back, arguments)) + "\n";
+  std::string text = describe_model(robot, effects, detail) + "\n" +
+                     describe_functions(result.functions, symbol_names(robot.mechanism)) + "\n";
+  if (result.stages) text += describe_stages(*result.stages) + "\n";
+  if (result.torque_deviation) text += describe_abbreviation(robot, *result.torque_deviation) + "\n";
+  text += describe_proofs(result.proofs, rounding) + "\n";
   if (!arguments.firmware.empty()) {
     text += fmt::format("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);
   }
@@ -285,35 +238,21 @@ ExitCode generate(GenerateArguments arguments) {
   choose_for_firmware(arguments);
   choose_for_python(arguments);
   check_usage(arguments);
-  PipelineOptions options = arguments.options();
-  options.functions = arguments.functions;
-  const Model model = read_model(arguments.robot, options);
-  Made made = make(model, options, arguments);
-  const EmitOptions emit = emit_options(model, made, arguments);
-  const std::vector<Function> functions = functions_of(made.functions);
-  auto [files, read_back] = emitted(model, functions, emit, made.stages, arguments.folder);
-  if (is_for_float(arguments)) {
-    warn_of_narrowed(narrowed_constants(functions_written(made)), {model.robot.file, 0}, made.findings);
-    if (options.warnings_are_errors && made.findings.has_warnings()) throw BadInput(ExitCode::input, made.findings);
-  }
-  prove_text(read_back, made.functions, made.stages);
-  if (!arguments.quiet) ask_for_rounded_angles(model, options, made.functions, made.findings);
-  const std::vector<double> effects = snap_effects(model, options.read);
-  const std::string manifest = json_text(manifest_of(model, made, emit, files, effects));
-  if (arguments.is_to_stdout()) {
-    files.front().path = kStdout;
-  } else {
-    const std::filesystem::path beside_header = std::filesystem::path(files[0].path).replace_extension(".json");
-    for (TextFile& file : companions(model, functions, emit, arguments)) files.push_back(std::move(file));
-    files.push_back({beside_header, manifest});
-  }
-  const std::string done = arguments.delivery.deliver(std::move(files), model.robot.files);
-  print_diagnostics(model.diagnostics, arguments);
-  print_diagnostics(made.findings, arguments);
+  const GenerationOptions options = generation_options(arguments);
+  GenerationResult result = generated(arguments, options);
+  const LoadedRobot& robot = result.robot;
+  if (!arguments.quiet) ask_for_rounded_angles(robot, options, result.functions, result.findings);
+  const std::vector<double> effects = snap_effects(robot, options.read);
+  const std::string manifest = json_text(manifest_of(result, effects));
+  const std::string done = arguments.delivery.deliver(files_to_write(result, manifest, arguments), robot.robot.files);
+  print_diagnostics(robot.diagnostics, arguments);
+  print_diagnostics(result.findings, arguments);
   if (arguments.json) {
     print_result(manifest);
   } else if (!arguments.is_to_stdout()) {
-    if (!arguments.quiet) print_result(tables(model, made, effects, arguments, read_back));
+    if (!arguments.quiet) {
+      print_result(tables(result, effects, arguments, rounding_of_constants(result, options)));
+    }
     if (!arguments.quiet || arguments.delivery.is_only_told()) print_result(done);
   }
   return ExitCode::ok;

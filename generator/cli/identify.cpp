@@ -6,10 +6,10 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "identify/part_file.hpp"
+#include "plot/time_table.hpp"
 #include "report/identification_report.hpp"
 #include "report/identified_robot.hpp"
 #include "report/residual_plot.hpp"
-#include "report/time_table.hpp"
 
 namespace flatdyn {
 namespace {
@@ -41,7 +41,7 @@ void read_part(const std::string& text, StreamOptions& options) {
   options.parts = parts;
 }
 
-void check_usage(const IdentifyArguments& arguments) {
+void check_identify_usage(const IdentifyArguments& arguments) {
   if (arguments.logs.empty() == arguments.parts.empty()) {
     throw Failure(ExitCode::usage, "identify needs --data LOG.csv, or --merge PART..., and not both");
   }
@@ -116,7 +116,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
+TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot, const TorqueModel& model,
                     const Identification& found) {
   IdentifiedRobot about{arguments.output,
                         {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""},
@@ -127,8 +127,8 @@ TextFile robot_file(const IdentifyArguments& arguments, const Model& robot, cons
   return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
 }
 
-std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Model& robot, const TorqueModel& model,
-                                   const Identification& found) {
+std::vector<TextFile> result_files(const IdentifyArguments& arguments, const LoadedRobot& robot,
+                                   const TorqueModel& model, const Identification& found) {
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back(robot_file(arguments, robot, model, found));
   if (!arguments.plot.empty())
@@ -137,10 +137,10 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Mod
 }
 
 ExitCode identify(const IdentifyArguments& arguments) {
-  check_usage(arguments);
+  check_identify_usage(arguments);
   StreamOptions stream = arguments.stream;
   if (!arguments.part.empty()) read_part(arguments.part, stream);
-  const Model robot = read_model(arguments.robot, arguments.options());
+  const LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);

@@ -19,7 +19,7 @@ struct InspectArguments : RobotArguments {
 
 ExitCode inspect(const InspectArguments& arguments) {
   const PipelineOptions options = arguments.options();
-  const Model model = read_model(arguments.robot, options);
+  const LoadedRobot model = load_robot(arguments.robot, options);
   Diagnostics findings = model.diagnostics;
   ask_for_rounded_angles(model, options, {}, findings);
   print_diagnostics(findings, arguments);

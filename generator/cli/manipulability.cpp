@@ -5,10 +5,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "input/csv_positions.hpp"
+#include "input/csv/positions.hpp"
 #include "manipulability/workspace_map.hpp"
+#include "plot/time_table.hpp"
 #include "report/manipulability_plot.hpp"
-#include "report/time_table.hpp"
 
 namespace flatdyn {
 namespace {
@@ -69,8 +69,8 @@ bool has_turns(const std::vector<int>& task) {
 }
 
 // Instead of the start, all places on a grid that the tip gets to from there.
-void spread(const ManipulabilityArguments& arguments, const Model& model, const std::vector<int>& task, double spacing,
-            Positions& positions) {
+void spread(const ManipulabilityArguments& arguments, const LoadedRobot& model, const std::vector<int>& task,
+            double spacing, Positions& positions) {
   const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(positions.q.front().data(), model.mechanism.size());
   if (!is_within_limits(model.mechanism, start)) {
     Diagnostics found;
@@ -93,7 +93,7 @@ std::string picture(const ManipulabilityArguments& arguments, const std::string&
 }
 
 ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
-  const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
+  const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "manipulability");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);

@@ -11,7 +11,7 @@ std::vector<std::string> choices_of(const std::string& type) {
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
-ListedOption listed(const CLI::Option& option) {
+ListedOption listed_option(const CLI::Option& option) {
   ListedOption result;
   for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
@@ -30,7 +30,7 @@ ListedOption listed(const CLI::Option& option) {
 std::vector<ListedOption> listed_options(const CLI::App& command) {
   std::vector<ListedOption> result;
   for (const CLI::Option* option : command.get_options([](const CLI::Option* each) { return each->nonpositional(); })) {
-    result.push_back(listed(*option));
+    result.push_back(listed_option(*option));
   }
   return result;
 }

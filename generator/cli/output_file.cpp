@@ -86,7 +86,7 @@ void write_files(const std::vector<TextFile>& wanted, const std::vector<fs::path
   }
 }
 
-void write_and_tell(const std::vector<TextFile>& files, const Told& told, const Manner& manner) {
+void write_and_tell(const std::vector<TextFile>& files, const CommandOutput& told, const Manner& manner) {
   const bool is_on_stdout =
       std::any_of(files.begin(), files.end(), [](const TextFile& file) { return is_stdout(file.path); });
   if (is_on_stdout && manner.json) refuse_two_on_stdout();

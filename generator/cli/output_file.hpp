@@ -22,14 +22,14 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
 void write_files(const std::vector<TextFile>& wanted, const std::vector<std::filesystem::path>& outdated = {});
 
 // What a subcommand tells on stdout: for people, or as JSON.
-struct Told {
+struct CommandOutput {
   std::string text;  // ends its last line
   nlohmann::ordered_json json;
 };
 
 // Writes the files, then prints what is told, with their names: nothing where a file is on stdout, or, with --quiet,
 // where there are files.
-void write_and_tell(const std::vector<TextFile>& files, const Told& told, const Manner& manner);
+void write_and_tell(const std::vector<TextFile>& files, const CommandOutput& told, const Manner& manner);
 
 // Throws Failure(usage).
 [[noreturn]] void refuse_two_on_stdout();

@@ -19,7 +19,7 @@ struct PayloadArguments : RobotArguments {
   StreamOptions stream;
 };
 
-void check_usage(const PayloadArguments& arguments, const Model& robot) {
+void check_payload_usage(const PayloadArguments& arguments, const LoadedRobot& robot) {
   if (arguments.wrist && !arguments.without.empty()) {
     throw Failure(ExitCode::usage, "--wrist and --without exclude each other",
                   "a sensor at the wrist measures the payload alone");
@@ -55,7 +55,7 @@ Observations observed(const TorqueModel& model, const std::vector<std::string>& 
 }
 
 // The change of the last link against the log without payload, or against the robot file.
-PayloadEstimate from_torques(const Model& robot, const PayloadArguments& arguments, Progress& progress) {
+PayloadEstimate from_torques(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
   const TorqueModel model(robot, ParameterSet::given, progress);
   const Eigen::VectorXd file = Eigen::Map<const Eigen::VectorXd>(model.file_values().data(), model.parameters());
   const Observations with_payload = observed(model, arguments.logs, arguments, progress);
@@ -63,7 +63,7 @@ PayloadEstimate from_torques(const Model& robot, const PayloadArguments& argumen
   return estimate_payload(model, with_payload, observed(model, arguments.without, arguments, progress), file);
 }
 
-PayloadEstimate from_wrist(const Model& robot, const PayloadArguments& arguments, Progress& progress) {
+PayloadEstimate from_wrist(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
   WristObserver observer(robot.robot);
   StreamOptions options = arguments.stream;
   options.torques = false;
@@ -95,9 +95,9 @@ std::string hint_of(const PayloadArguments& arguments) {
 }
 
 ExitCode payload(const PayloadArguments& arguments) {
-  const Model robot = read_model(arguments.robot, arguments.options());
+  const LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   refuse_loops(robot, "payload");
-  check_usage(arguments, robot);
+  check_payload_usage(arguments, robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
   const std::vector<std::string> settings =

@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "emit/emit.hpp"
 #include "report/describe.hpp"
 #include "report/html/page.hpp"
 #include "verify/proof.hpp"
@@ -32,7 +33,7 @@ std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
 }
 
 // As many of them as the robot allows; what is left out is a warning in `findings`.
-std::vector<OptimisedFunction> functions_for(const Model& model, PipelineOptions options, Progress& progress,
+std::vector<OptimisedFunction> functions_for(const LoadedRobot& model, PipelineOptions options, Progress& progress,
                                              Diagnostics& findings) {
   std::vector<OptimisedFunction> functions;
   for (const std::string& name : wanted_functions(model.mechanism)) {
@@ -56,7 +57,7 @@ std::string proof_text(const std::vector<Proof>& proofs) {
       proofs.size());
 }
 
-std::optional<WorstStates> worst_states(const std::string& file, const Model& model) {
+std::optional<WorstStates> worst_states(const std::string& file, const LoadedRobot& model) {
   if (file.empty()) return std::nullopt;
   Diagnostics diagnostics;
   WorstStates states = read_worst_states(file, model.mechanism.name, diagnostics);
@@ -65,7 +66,8 @@ std::optional<WorstStates> worst_states(const std::string& file, const Model& mo
 }
 
 // By flatdyn's own bounds: what Gappa proves in a given time depends on the computer.
-Certificate certificate_of(const Model& model, const std::vector<OptimisedFunction>& functions, Progress& progress) {
+Certificate certificate_of(const LoadedRobot& model, const std::vector<OptimisedFunction>& functions,
+                           Progress& progress) {
   const std::vector<OptimisedFunction> torques = {functions.front()};
   CertifyOptions options;
   options.observed.states = 100'000;
@@ -80,8 +82,8 @@ Certificate certificate_of(const Model& model, const std::vector<OptimisedFuncti
 
 ExitCode report(const ReportArguments& arguments) {
   const PipelineOptions options = arguments.options();
-  const Model model = with_whole_functions([&] {
-    Model read = read_model(arguments.robot, options);
+  const LoadedRobot model = without_scene_restrictions([&] {
+    LoadedRobot read = load_robot(arguments.robot, options);
     refuse_loops(read, "report");
     arguments.note_function_keys(read);
     return read;

@@ -24,7 +24,7 @@ struct ScaleArguments : RobotArguments {
   std::optional<int> grid;
 };
 
-void check_usage(const ScaleArguments& arguments) {
+void check_scale_usage(const ScaleArguments& arguments) {
   if (arguments.grid && !arguments.time_optimal) {
     throw Failure(ExitCode::usage, "--grid has no effect without --time-optimal");
   }
@@ -53,7 +53,7 @@ std::vector<double> torque_limits_option(const std::string& text, std::size_t jo
                 "one for all joints, or one for each in the order of flatdyn inspect, inf for none");
 }
 
-PaceLimits limits_of(const ScaleArguments& arguments, const Model& model) {
+PaceLimits limits_of(const ScaleArguments& arguments, const LoadedRobot& model) {
   PaceLimits limits = given_limits(model.mechanism);
   if (!arguments.torque_limits.empty()) {
     limits.torque = torque_limits_option(arguments.torque_limits, model.mechanism.joints().size());
@@ -65,8 +65,8 @@ PaceLimits limits_of(const ScaleArguments& arguments, const Model& model) {
   return limits;
 }
 
-[[noreturn]] void refuse_static_load(const ScaleArguments& arguments, const Model& model, const ScaledMotion& motion,
-                                     const PathCoefficients& path) {
+[[noreturn]] void refuse_static_load(const ScaleArguments& arguments, const LoadedRobot& model,
+                                     const ScaledMotion& motion, const PathCoefficients& path) {
   const LimitUsed load = most_static_load(path, motion.limits);
   Diagnostics found;
   found.error(
@@ -90,7 +90,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 class Scaling {
  public:
-  Scaling(const ScaleArguments& arguments, const Model& model) : arguments_(arguments), model_(model) {
+  Scaling(const ScaleArguments& arguments, const LoadedRobot& model) : arguments_(arguments), model_(model) {
     motion_.limits = limits_of(arguments, model);
   }
 
@@ -170,14 +170,14 @@ class Scaling {
   }
 
   const ScaleArguments& arguments_;
-  const Model& model_;
+  const LoadedRobot& model_;
   ScaledMotion motion_;
   Trajectory finer_;
 };
 
 ExitCode scale(const ScaleArguments& arguments) {
-  check_usage(arguments);
-  const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
+  check_scale_usage(arguments);
+  const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

@@ -5,8 +5,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "diagnostics/interrupt.hpp"
 #include "report/simulation_report.hpp"
+#include "system/interrupt.hpp"
 
 namespace flatdyn {
 namespace {
@@ -19,7 +19,7 @@ struct SimulateArguments : RobotArguments {
 
 constexpr double kMostRows = 1e7;
 
-Simulation read(const SimulateArguments& arguments, const Model& model) {
+Simulation read(const SimulateArguments& arguments, const LoadedRobot& model) {
   Simulation simulation = resting(model.robot, model.mechanism);
   Diagnostics found;
   if (!arguments.simulation.empty()) {
@@ -50,7 +50,7 @@ void check_method(const SimulateArguments& arguments) {
 ExitCode run_simulate(const SimulateArguments& arguments) {
   check_method(arguments);
   const Interruption interruption;  // ends the simulation and not the program: what there is, is written
-  const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
+  const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const Simulation simulation = read(arguments, model);

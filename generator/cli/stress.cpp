@@ -81,7 +81,7 @@ ExitCode run_random(const StressArguments& arguments) {
 ExitCode run_robot(const StressArguments& arguments) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
-  const Model model = read_model(arguments.robot, options);
+  const LoadedRobot model = load_robot(arguments.robot, options);
   print_diagnostics(model.diagnostics, arguments);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty() || model.abbreviation) {
     throw Failure(ExitCode::unsupported, "stress compares whole functions in motion",

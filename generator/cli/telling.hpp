@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "diagnostics/told.hpp"
-#include "pipeline.hpp"
+#include "diagnostics/command_output.hpp"
+#include "load/bad_input.hpp"
 
 namespace flatdyn {
 

@@ -14,8 +14,8 @@ struct TorquesArguments : RobotArguments {
   std::string trajectory, output, plot;
 };
 
-std::vector<TextFile> torque_files(const TorquesArguments& arguments, const Model& model, const Trajectory& trajectory,
-                                   const TorqueHistory& history) {
+std::vector<TextFile> torque_files(const TorquesArguments& arguments, const LoadedRobot& model,
+                                   const Trajectory& trajectory, const TorqueHistory& history) {
   const ByPoint q = positions_along(model, trajectory);
   std::vector<TextFile> files = {{arguments.output, csv_text(torque_table(trajectory, q, history))}};
   if (!arguments.plot.empty()) {
@@ -26,7 +26,7 @@ std::vector<TextFile> torque_files(const TorquesArguments& arguments, const Mode
 }
 
 ExitCode torques(const TorquesArguments& arguments) {
-  const Model model = read_model(arguments.robot, arguments.options_of_whole_functions());
+  const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "diagnostics/told.hpp"
+#include "diagnostics/command_output.hpp"
 
 namespace flatdyn {
 

@@ -15,7 +15,8 @@ struct VerifyArguments : RobotArguments {
   VerifyOptions options;
 };
 
-ExitCode verify_part(const VerifyArguments& arguments, const Model& model, const std::vector<Function>& functions) {
+ExitCode verify_part(const VerifyArguments& arguments, const LoadedRobot& model,
+                     const std::vector<Function>& functions) {
   const AbbreviationReport report =
       verify_abbreviated(model.mechanism, *model.abbreviation, functions, model.robot.scene.at_rest);
   print_result(arguments.json ? json_text(to_json(report, model)) : to_text(report, model) + "\n");
@@ -25,7 +26,7 @@ ExitCode verify_part(const VerifyArguments& arguments, const Model& model, const
 ExitCode run_verify(const VerifyArguments& arguments) {
   PipelineOptions options = arguments.RobotArguments::options();
   options.functions = arguments.functions;
-  const Model model = read_model(arguments.robot, options);
+  const LoadedRobot model = load_robot(arguments.robot, options);
   print_diagnostics(model.diagnostics, arguments);
   VerifyReport report;
   Diagnostics findings;

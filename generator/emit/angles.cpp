@@ -8,7 +8,7 @@
 
 #include "emit/writer.hpp"
 #include "model/field_mechanism.hpp"
-#include "symbolic/number_text.hpp"
+#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 namespace {

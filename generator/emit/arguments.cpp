@@ -82,7 +82,8 @@ std::string layout_text(const Output& output) {
 }
 
 bool returns_value(const Function& function) {
-  return function.positive.empty() && function.outputs.size() == 1 && function.outputs[0].layout == Layout::scalar;
+  return function.validity_conditions.empty() && function.outputs.size() == 1 &&
+         function.outputs[0].layout == Layout::scalar;
 }
 
 }  // namespace flatdyn

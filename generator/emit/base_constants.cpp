@@ -7,7 +7,7 @@
 
 #include "emit/joints.hpp"
 #include "emit/writer.hpp"
-#include "symbolic/combination_text.hpp"
+#include "symbolic/notation/combination_text.hpp"
 
 namespace flatdyn {
 namespace {

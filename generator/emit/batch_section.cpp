@@ -90,7 +90,7 @@ class BatchFunction {
     return list_line(receiver + text_.name + "(", arguments, ");", kInLoop);
   }
 
-  bool is_checked() const { return !function_.positive.empty(); }
+  bool is_checked() const { return !function_.validity_conditions.empty(); }
 
   std::string write(const ArrayArgument& result) const {
     const std::string checked = is_checked()
@@ -122,7 +122,7 @@ void write_batch_names(data& page, const std::vector<Function>& functions, const
   page["first_halves"] = std::string(is_float ? "0, 4, 1, 5" : "0, 2");
   page["second_halves"] = std::string(is_float ? "2, 6, 3, 7" : "1, 3");
   page["checks?"] = std::any_of(functions.begin(), functions.end(),
-                                [](const Function& function) { return !function.positive.empty(); });
+                                [](const Function& function) { return !function.validity_conditions.empty(); });
 }
 
 void write_batch_function(data& item, const Function& function, const FunctionText& text, const Dialect& dialect) {

@@ -15,7 +15,6 @@
 #include "emit/facts.hpp"
 #include "emit/function_text.hpp"
 #include "emit/global_names.hpp"
-#include "emit/identifiers.hpp"
 #include "emit/javascript_section.hpp"
 #include "emit/joints.hpp"
 #include "emit/name_space.hpp"
@@ -30,8 +29,9 @@
 #include "emit/written.hpp"
 #include "flatdyn/interface.hpp"
 #include "graph/count.hpp"
-#include "symbolic/coupled_text.hpp"
-#include "symbolic/number_text.hpp"
+#include "model/identifiers.hpp"
+#include "symbolic/notation/coupled_text.hpp"
+#include "symbolic/notation/number_text.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {

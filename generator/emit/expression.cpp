@@ -21,7 +21,7 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
       return {code, starts_with_minus(code) ? Binding::sum : Binding::atom};
     }
     case Op::sum:
-      if (const Node* inner = negated_sum(node)) return sum(*inner, true);
+      if (const Node* dot = negated_sum(node)) return sum(*dot, true);
       return sum(node, false);
     case Op::product:
       return product(node);
@@ -42,9 +42,9 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
 // The sum that `node` is the negative of, if it is written out: its signs are changed instead.
 const Node* ExpressionPrinter::negated_sum(const Node& node) const {
   if (!is_scaled(node) || node.terms[0].coefficient != -1) return nullptr;
-  const NodeId inner = node.terms[0].node;
-  const bool written_out = names_[static_cast<std::size_t>(inner)].empty() && graph_[inner].op == Op::sum;
-  return written_out ? &graph_[inner] : nullptr;
+  const NodeId dot = node.terms[0].node;
+  const bool written_out = names_[static_cast<std::size_t>(dot)].empty() && graph_[dot].op == Op::sum;
+  return written_out ? &graph_[dot] : nullptr;
 }
 
 ExpressionPrinter::Text ExpressionPrinter::reference(NodeId id) const {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "emit/writer.hpp"
-#include "symbolic/coupled_text.hpp"
-#include "symbolic/number_text.hpp"
+#include "symbolic/notation/coupled_text.hpp"
+#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 namespace {

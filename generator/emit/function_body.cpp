@@ -96,7 +96,7 @@ class BodyWriter {
 
   // The same statements in functions of their own. All inputs are read by the first ones.
   void write_parts(FunctionBody& body) const {
-    const std::string name = scope_.stored_in.empty() ? name_ : scope_.stored_in + "_" + name_;
+    const std::string name = scope_.enclosing_stage.empty() ? name_ : scope_.enclosing_stage + "_" + name_;
     LongBody long_body{name, input_steps(), variables_, sources(), part_arguments(), scope_.most_lines, dialect_};
     if (long_body.most_lines == 0) long_body.most_lines = kLongPart;
     for (const std::vector<PartStep>& more : {steps(true), pivot_steps()}) {
@@ -177,7 +177,7 @@ class BodyWriter {
 
   std::vector<PartArgument> part_arguments() const {
     std::vector<PartArgument> list = {{"parameters", dialect_.parameters_argument(), "parameters"}};
-    list.push_back({kStored, fmt::format("const {}<Scalar>& {}", scope_.stored_in, kStored), "*this"});
+    list.push_back({kStored, fmt::format("const {}<Scalar>& {}", scope_.enclosing_stage, kStored), "*this"});
     const auto add_input = [&](const std::string& name) { list.push_back({name, dialect_.input(name), name}); };
     const auto add_output = [&](const std::string& name) { list.push_back({name, dialect_.output(name), name}); };
     for (InputKind kind : function_.inputs) add_input(input_argument(kind, 0).name);
@@ -394,7 +394,7 @@ class BodyWriter {
   // Not a number compares false; & does not branch.
   std::string condition() const {
     if (makes_stage()) return code_line(fmt::format("return {};", output_names_[0]), kStatementIndent);
-    if (function_.positive.empty()) return "";
+    if (function_.validity_conditions.empty()) return "";
     const std::string zero = dialect_.literal(0);
     std::string text;
     for (const Checked& pivot : pivots_to_check()) {
@@ -414,10 +414,10 @@ class BodyWriter {
 
   std::vector<Checked> pivots_to_check() const {
     std::vector<Checked> pivots;
-    for (std::size_t k = 0; k < function_.positive.size(); ++k) {
+    for (std::size_t k = 0; k < function_.validity_conditions.size(); ++k) {
       if (always_holds(function_, k)) continue;
-      pivots.push_back({function_.positive[k], {}});
-      if (k < function_.scales.size()) pivots.back().scale = function_.scales[k];
+      pivots.push_back({function_.validity_conditions[k], {}});
+      if (k < function_.pivot_diagonals.size()) pivots.back().scale = function_.pivot_diagonals[k];
     }
     return pivots;
   }

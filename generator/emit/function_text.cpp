@@ -148,7 +148,9 @@ class FunctionWriter {
 
   std::string return_type(const std::string& scalar) const {
     if (makes_stage()) return scope_.made + "<" + scalar + ">";
-    return returns_value(function_) ? scalar : function_.positive.empty() ? "void" : dialect_.condition_type();
+    return returns_value(function_)                ? scalar
+           : function_.validity_conditions.empty() ? "void"
+                                                   : dialect_.condition_type();
   }
 
   bool reads(InputKind kind) const {
@@ -194,7 +196,7 @@ class FunctionWriter {
   void set_apart(FunctionText& text) const {
     text.declared = parameters({"Scalar", "SinCos", true, true});
     text.parameters = parameters({"Scalar", "SinCos", false, false});
-    if (!scope_.stored_in.empty()) return;  // a member: its struct is instantiated as a whole
+    if (!scope_.enclosing_stage.empty()) return;  // a member: its struct is instantiated as a whole
     for (const std::string& scalar : scope_.compiled) {
       text.compiled.push_back({return_type(scalar), parameters({scalar, "LibrarySinCos", true, false})});
       if (!body_.uses_trigonometry()) continue;
@@ -248,13 +250,13 @@ class FunctionWriter {
       const Output& output = function_.outputs[0];
       return output.name + (output.meaning.empty() ? "" : ": " + output.meaning);
     }
-    if (function_.positive.empty()) return "";
+    if (function_.validity_conditions.empty()) return "";
     const std::string also = function_.task.empty()       ? ""
                              : function_.task.is_damped() ? " or of J B^-1 J^T + lambda^2 1"
                                                           : " or of J B^-1 J^T";
     const bool asks_loops = function_.loop_conditions > 0;
-    const bool asks_pivots = function_.positive.size() > static_cast<std::size_t>(function_.loop_conditions);
-    const char* const lost = function_.scales.empty() ? "not positive" : "not positive, lost in rounding,";
+    const bool asks_pivots = function_.validity_conditions.size() > static_cast<std::size_t>(function_.loop_conditions);
+    const char* const lost = function_.pivot_diagonals.empty() ? "not positive" : "not positive, lost in rounding,";
     return fmt::format("false if the result means nothing, because {}{}{}",
                        asks_loops ? "a closed loop is within 1e-6 of being singular" : "",
                        asks_loops && asks_pivots ? ", or " : "",

@@ -25,7 +25,7 @@ struct HeaderScope {
   int most_lines = 0;                      // of a function; 0: no limit but that of compilers
   std::vector<std::string> parameters;     // members of Parameters, by index of the free symbol
   std::set<std::string> names;             // taken at namespace scope
-  std::string stored_in;                   // the stage whose member a function is, if it is one: its name,
+  std::string enclosing_stage;             // the stage whose member a function is, if it is one: its name,
   std::vector<std::string> stored;         // and those of its fields, by index
   std::string made;                        // the stage that a function makes, if it does: its name,
   std::vector<std::string> fields;         // and those of its fields

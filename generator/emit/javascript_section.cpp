@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "emit/identifiers.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
+#include "model/identifiers.hpp"
 
 namespace flatdyn {
 

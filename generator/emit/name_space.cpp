@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/identifiers.hpp"
-#include "input/content_hash.hpp"
+#include "input/common/content_hash.hpp"
+#include "model/identifiers.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "emit/arguments.hpp"
-#include "emit/identifiers.hpp"
+#include "model/identifiers.hpp"
 
 namespace flatdyn {
 

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr const char* kKept = "kept";
+constexpr const char* kKeptValue = "kept";
 
 int lines_of(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
 
@@ -110,20 +110,20 @@ class Cutter {
   std::string place_text(NodeId id) const {
     // Before it has one, the longest that it could be.
     const auto place = place_.find(id);
-    return place == place_.end() ? fmt::format("{}[{}]", kKept, last_use_.size())
-                                 : fmt::format("{}[{}]", kKept, place->second);
+    return place == place_.end() ? fmt::format("{}[{}]", kKeptValue, last_use_.size())
+                                 : fmt::format("{}[{}]", kKeptValue, place->second);
   }
 
   std::set<std::string> arguments(std::size_t first, std::size_t last) const {
     std::set<std::string> names;
     for (const NodeId id : given(first, last)) {
       const auto known = body_.sources.find(id);
-      names.insert(known == body_.sources.end() ? kKept : known->second.argument);
+      names.insert(known == body_.sources.end() ? kKeptValue : known->second.argument);
     }
     for (std::size_t k = first; k < last; ++k) {
       const PartStep& step = body_.steps[k];
       names.insert(step.arguments.begin(), step.arguments.end());
-      if (step.makes && is_kept(*step.makes, last)) names.insert(kKept);
+      if (step.makes && is_kept(*step.makes, last)) names.insert(kKeptValue);
     }
     return names;
   }

@@ -50,8 +50,8 @@ class Scheduler {
     choose_variables();
     order_trigonometry();
     order_outputs();
-    for (NodeId id : function_.positive) visit(id);
-    for (NodeId id : function_.scales) visit(id);
+    for (NodeId id : function_.validity_conditions) visit(id);
+    for (NodeId id : function_.pivot_diagonals) visit(id);
     return std::move(schedule_);
   }
 
@@ -64,11 +64,11 @@ class Scheduler {
   // A sign change is free, so it is written wherever it is used: its uses are uses of what it negates.
   void count_uses() {
     for (const auto& [id, targets] : stores_) ++at(uses_, id);
-    for (NodeId id : function_.positive) ++at(uses_, id);
+    for (NodeId id : function_.validity_conditions) ++at(uses_, id);
     // Written twice, and its pivot within a sum: both have names.
-    for (std::size_t k = 0; k < function_.scales.size(); ++k) {
-      at(uses_, function_.scales[k]) += 2;
-      ++at(uses_, function_.positive[k]);
+    for (std::size_t k = 0; k < function_.pivot_diagonals.size(); ++k) {
+      at(uses_, function_.pivot_diagonals[k]) += 2;
+      ++at(uses_, function_.validity_conditions[k]);
     }
     for (NodeId id = graph_.size() - 1; id >= 0; --id) {
       if (!at(alive_, id)) continue;

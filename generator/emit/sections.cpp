@@ -7,7 +7,7 @@
 #include "emit/writer.hpp"
 #include "emit/written.hpp"
 #include "graph/count.hpp"
-#include "symbolic/euler_angles.hpp"
+#include "symbolic/dynamics/euler_angles.hpp"
 
 namespace flatdyn {
 

@@ -3,10 +3,10 @@
 
 #include <map>
 
-#include "emit/identifiers.hpp"
 #include "emit/names.hpp"
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
+#include "model/identifiers.hpp"
 
 namespace flatdyn {
 namespace {
@@ -31,7 +31,7 @@ void rename_fields(Stages& stages, const HeaderScope& scope) {
 StageText stage_text(const Stage& stage, const std::string& name, HeaderScope make_scope) {
   HeaderScope member_scope = make_scope;
   member_scope.parameters.clear();  // what a member needs of them is stored
-  member_scope.stored_in = name;
+  member_scope.enclosing_stage = name;
   member_scope.stored = stage.fields;
   make_scope.made = name;
   make_scope.fields = stage.fields;
@@ -53,7 +53,7 @@ std::vector<StageText> stage_texts(Stages stages, const HeaderScope& scope) {
   if (stages.motion.members.empty()) return texts;
   HeaderScope motion_scope = scope;
   motion_scope.parameters.clear();
-  motion_scope.stored_in = texts.front().name;
+  motion_scope.enclosing_stage = texts.front().name;
   motion_scope.stored = stages.configuration.fields;
   texts.push_back(stage_text(stages.motion, "Motion", motion_scope));
   return texts;

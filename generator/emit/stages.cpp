@@ -160,7 +160,7 @@ class Splitter {
             .inputs = std::move(inputs),
             .graph = std::move(made.graph),
             .outputs = {output},
-            .positive = {}};
+            .validity_conditions = {}};
   }
 
   Function member(const Function& part, const FieldPlaces& given) const {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "emit/writer.hpp"
-#include "input/content_hash.hpp"
+#include "input/common/content_hash.hpp"
 
 namespace flatdyn {
 

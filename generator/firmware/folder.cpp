@@ -8,12 +8,12 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/arguments.hpp"
-#include "emit/identifiers.hpp"
 #include "emit/literals.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 #include "firmware/test_vectors.hpp"
+#include "model/identifiers.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -175,7 +175,7 @@ class FolderWriter {
       if (!returns_value(function)) arguments.push_back(offset == 0 ? "out" : fmt::format("out + {}", offset));
       offset += output.entries.size();
     }
-    const bool gives_bool = !function.positive.empty();
+    const bool gives_bool = !function.validity_conditions.empty();
     const std::string begin = returns_value(function) ? "out[0] = " : gives_bool ? "return " : "";
     const std::string name = dialect_.global(cpp_identifier(function.name));
     const std::string line = list_line(begin + name + "(", arguments, ");", kIndent);

@@ -10,7 +10,7 @@
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/states.hpp"
-#include "verify/emitted_text.hpp"
+#include "readback/emitted_text.hpp"
 
 namespace flatdyn {
 

@@ -13,9 +13,9 @@
 #include "firmware/proven_bounds.hpp"
 #include "firmware/worst_state_found.hpp"
 #include "model/angles.hpp"
-#include "verify/emitted_text.hpp"
-#include "verify/expected.hpp"
-#include "verify/values.hpp"
+#include "readback/emitted_text.hpp"
+#include "reference/expected.hpp"
+#include "reference/values.hpp"
 
 namespace flatdyn {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "readback/straight_line_values.hpp"
+#include "reference/values.hpp"
 #include "stress/worst_state.hpp"
-#include "verify/straight_line_values.hpp"
-#include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "graph/function.hpp"
-#include "verify/expected.hpp"
-#include "verify/straight_line.hpp"
+#include "readback/straight_line.hpp"
+#include "reference/expected.hpp"
 
 namespace flatdyn {
 

@@ -14,8 +14,8 @@ bool Output::is_written() const {
 std::vector<NodeId> roots(const Function& function) {
   std::vector<NodeId> all;
   for (const Output& output : function.outputs) all.insert(all.end(), output.entries.begin(), output.entries.end());
-  all.insert(all.end(), function.positive.begin(), function.positive.end());
-  all.insert(all.end(), function.scales.begin(), function.scales.end());
+  all.insert(all.end(), function.validity_conditions.begin(), function.validity_conditions.end());
+  all.insert(all.end(), function.pivot_diagonals.begin(), function.pivot_diagonals.end());
   return all;
 }
 
@@ -30,23 +30,23 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
                   .task = function.task,
                   .graph = std::move(graph),
                   .outputs = function.outputs,
-                  .positive = function.positive,
-                  .scales = function.scales,
+                  .validity_conditions = function.validity_conditions,
+                  .pivot_diagonals = function.pivot_diagonals,
                   .loop_conditions = function.loop_conditions};
   const auto replace = [&image](NodeId& id) { id = image[static_cast<std::size_t>(id)]; };
   for (Output& output : result.outputs) std::for_each(output.entries.begin(), output.entries.end(), replace);
-  std::for_each(result.positive.begin(), result.positive.end(), replace);
-  std::for_each(result.scales.begin(), result.scales.end(), replace);
+  std::for_each(result.validity_conditions.begin(), result.validity_conditions.end(), replace);
+  std::for_each(result.pivot_diagonals.begin(), result.pivot_diagonals.end(), replace);
   return result;
 }
 
 bool always_holds(const Function& function, std::size_t k) {
   const Rational safe_share{1, 1 << 16};
   const Graph& graph = function.graph;
-  const NodeId id = function.positive[k];
+  const NodeId id = function.validity_conditions[k];
   if (!graph.is_constant(id) || graph[id].value <= 0) return false;
-  if (k >= function.scales.size()) return true;
-  const NodeId scale = function.scales[k];
+  if (k >= function.pivot_diagonals.size()) return true;
+  const NodeId scale = function.pivot_diagonals[k];
   return graph.is_constant(scale) && graph[id].value >= safe_share * graph[scale].value;
 }
 

@@ -46,10 +46,10 @@ struct Function {
   std::vector<Output> outputs;
   // Values that must all be positive for the result to mean anything (pivots of B, loops); then the function returns
   // bool.
-  std::vector<NodeId> positive;
+  std::vector<NodeId> validity_conditions;
   // Of the first ones of these: what a pivot is the rest of (b_kk), where rounding may leave nothing of the rest. It
   // counts as positive only if kLeastShare of it is not lost beside that in the scalar's arithmetic.
-  std::vector<NodeId> scales{};
+  std::vector<NodeId> pivot_diagonals{};
   int loop_conditions = 0;  // the last ones of these: closed loops that must not be singular
 };
 

@@ -35,16 +35,17 @@ Fusion fused(const std::vector<Function>& functions) {
       output.entries = images(output.entries, image);
       whole.outputs.push_back(std::move(output));
     }
-    const std::vector<NodeId> conditions = images(function.positive, image), scales = images(function.scales, image);
-    whole.positive.insert(whole.positive.end(), conditions.begin(), conditions.end());
-    whole.scales.insert(whole.scales.end(), scales.begin(), scales.end());
+    const std::vector<NodeId> conditions = images(function.validity_conditions, image),
+                              scales = images(function.pivot_diagonals, image);
+    whole.validity_conditions.insert(whole.validity_conditions.end(), conditions.begin(), conditions.end());
+    whole.pivot_diagonals.insert(whole.pivot_diagonals.end(), scales.begin(), scales.end());
     inputs.insert(function.inputs.begin(), function.inputs.end());
     whole.base_parameters = std::max(whole.base_parameters, function.base_parameters);
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
     fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
-                            function.task, function.outputs.size(), function.positive.size(), function.scales.size(),
-                            function.loop_conditions});
+                            function.task, function.outputs.size(), function.validity_conditions.size(),
+                            function.pivot_diagonals.size(), function.loop_conditions});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
   return fusion;
@@ -55,7 +56,7 @@ Function function_of(const Fusion& fusion, std::size_t k) {
   for (std::size_t before = 0; before < k; ++before) {
     output += fusion.parts[before].outputs;
     condition += fusion.parts[before].conditions;
-    scale += fusion.parts[before].scales;
+    scale += fusion.parts[before].pivot_diagonals;
   }
   const FusedFunction& part = fusion.parts[k];
   const auto slice = [](const auto& all, std::size_t first, std::size_t count) {
@@ -71,8 +72,8 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .task = part.task,
           .graph = fusion.function.graph,
           .outputs = slice(fusion.function.outputs, output, part.outputs),
-          .positive = slice(fusion.function.positive, condition, part.conditions),
-          .scales = slice(fusion.function.scales, scale, part.scales),
+          .validity_conditions = slice(fusion.function.validity_conditions, condition, part.conditions),
+          .pivot_diagonals = slice(fusion.function.pivot_diagonals, scale, part.pivot_diagonals),
           .loop_conditions = part.loop_conditions};
 }
 

@@ -15,7 +15,7 @@ struct FusedFunction {
   std::vector<InputKind> inputs;
   bool at_rest = false;
   Task task{};
-  std::size_t outputs = 0, conditions = 0, scales = 0;  // how many of these of the Function are its own
+  std::size_t outputs = 0, conditions = 0, pivot_diagonals = 0;  // how many of these of the Function are its own
   int loop_conditions = 0;
 };
 

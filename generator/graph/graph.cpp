@@ -90,22 +90,22 @@ NodeId Graph::sum(std::vector<Term> terms, const Rational& constant) {
   for (Term& term : terms) {
     // A scaled node may stand over another one only if a pass kept it there.
     while (is_scaled(term.node)) {
-      const Term& inner = (*this)[term.node].terms.front();
-      term.coefficient *= inner.coefficient;
-      term.node = inner.node;
+      const Term& dot = (*this)[term.node].terms.front();
+      term.coefficient *= dot.coefficient;
+      term.node = dot.node;
     }
   }
   return make_sum(std::move(terms), constant);
 }
 
-NodeId Graph::kept_sum(std::vector<Term> terms, const Rational& constant) {
+NodeId Graph::sum_without_folding(std::vector<Term> terms, const Rational& constant) {
   const bool alone = terms.size() == 1 && constant.is_zero();
   for (Term& term : terms) {
     while (is_scaled(term.node)) {
-      const Term& inner = (*this)[term.node].terms.front();
-      if (!alone && abs(term.coefficient) == 1 && abs(inner.coefficient) != 1) break;
-      term.coefficient *= inner.coefficient;
-      term.node = inner.node;
+      const Term& dot = (*this)[term.node].terms.front();
+      if (!alone && abs(term.coefficient) == 1 && abs(dot.coefficient) != 1) break;
+      term.coefficient *= dot.coefficient;
+      term.node = dot.node;
     }
   }
   return make_sum(std::move(terms), constant);
@@ -190,9 +190,9 @@ NodeId Graph::quotient(NodeId numerator, NodeId denominator) {
   Rational coefficient = 1;
   const auto strip = [this](NodeId& id, Rational& factor) {
     while (is_scaled(id)) {
-      const Term& inner = (*this)[id].terms.front();
-      factor *= inner.coefficient;
-      id = inner.node;
+      const Term& dot = (*this)[id].terms.front();
+      factor *= dot.coefficient;
+      id = dot.node;
     }
   };
   Rational divisor = 1;
@@ -237,9 +237,9 @@ NodeId Graph::cos(NodeId angle) {
 NodeId Graph::sign(NodeId argument) {
   if (is_constant(argument)) return constant((*this)[argument].value.sign());
   if (is_scaled(argument)) {
-    const Term& inner = (*this)[argument].terms.front();
-    const int factor = inner.coefficient.sign();
-    return scaled(factor, sign(inner.node));
+    const Term& dot = (*this)[argument].terms.front();
+    const int factor = dot.coefficient.sign();
+    return scaled(factor, sign(dot.node));
   }
   if ((*this)[argument].op == Op::sign) return argument;
   // Multiples of a sum have its sign: of all of them, that with whole numbers and no common divisor stands for it.
@@ -273,7 +273,7 @@ NodeId Graph::copy(const Node& node, const std::vector<NodeId>& image) {
     case Op::sum: {
       std::vector<Term> terms = node.terms;
       for (Term& term : terms) term.node = at(term.node);
-      return kept_sum(std::move(terms), node.value);
+      return sum_without_folding(std::move(terms), node.value);
     }
     case Op::product: {
       std::vector<NodeId> factors = node.operands;

@@ -85,7 +85,7 @@ class Graph {
 
   // As sum and product, but operands that are scaled nodes or products stay as they are instead of being folded in:
   // for passes, which make such a node an operand where several uses share it, and for copies of their results.
-  NodeId kept_sum(std::vector<Term> terms, const Rational& constant = 0);
+  NodeId sum_without_folding(std::vector<Term> terms, const Rational& constant = 0);
   NodeId kept_product(const std::vector<NodeId>& factors);
 
   // The node that `node`, of any graph, becomes here, its operands being `image[operand]` here. Nothing is unfolded.

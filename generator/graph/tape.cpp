@@ -24,7 +24,8 @@ class TapeWriter {
     for (const Output& output : function.outputs) {
       for (const NodeId entry : output.entries) tape_.results_.push_back(cell_of(entry));
     }
-    for (std::size_t k = 0; k < function.positive.size(); ++k) tape_.positive_.push_back(condition(function, k));
+    for (std::size_t k = 0; k < function.validity_conditions.size(); ++k)
+      tape_.positive_.push_back(condition(function, k));
   }
 
  private:
@@ -76,9 +77,9 @@ class TapeWriter {
 
   // (scale + kLeastShare · pivot) - scale, or the value itself.
   std::uint32_t condition(const Function& function, std::size_t k) {
-    const std::uint32_t value = cell_of(function.positive[k]);
-    if (k >= function.scales.size()) return value;
-    const std::uint32_t scale = cell_of(function.scales[k]);
+    const std::uint32_t value = cell_of(function.validity_conditions[k]);
+    if (k >= function.pivot_diagonals.size()) return value;
+    const std::uint32_t scale = cell_of(function.pivot_diagonals[k]);
     return add(Code::subtract, add(Code::add_multiple, scale, constant(kLeastShare), value), scale);
   }
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "symbolic/parameters.hpp"
+#include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
 

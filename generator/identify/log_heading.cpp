@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/log_layout.hpp"
-#include "input/csv_heading.hpp"
-#include "input/csv_text.hpp"
+#include "input/csv/heading.hpp"
+#include "input/csv/text.hpp"
 
 namespace flatdyn {
 namespace {

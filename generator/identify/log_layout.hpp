@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnostics/diagnostics.hpp"
-#include "input/csv_clock.hpp"
+#include "input/csv/clock.hpp"
 #include "model/mechanism.hpp"
 
 namespace flatdyn {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "identify/log_layout.hpp"
-#include "input/csv_text.hpp"
+#include "input/csv/text.hpp"
 
 namespace flatdyn {
 

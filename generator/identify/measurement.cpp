@@ -7,7 +7,7 @@
 #include <fstream>
 #include <tuple>
 
-#include "input/content_hash.hpp"
+#include "input/common/content_hash.hpp"
 
 namespace flatdyn {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "identify/least_squares.hpp"
-#include "symbolic/base_parameters.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
 

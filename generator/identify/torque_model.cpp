@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "input/content_hash.hpp"
-#include "symbolic/number_text.hpp"
+#include "emit/emit.hpp"
+#include "input/common/content_hash.hpp"
+#include "planning/make_functions.hpp"
+#include "symbolic/notation/number_text.hpp"
 #include "verify/compiled.hpp"
 
 namespace flatdyn {
@@ -13,8 +15,8 @@ namespace {
 constexpr std::size_t kRegressor = 0;
 constexpr std::size_t kJacobian = 1;
 
-Model with_mechanism(const Model& model, Mechanism mechanism) {
-  Model changed = model;
+LoadedRobot with_mechanism(const LoadedRobot& model, Mechanism mechanism) {
+  LoadedRobot changed = model;
   changed.mechanism = std::move(mechanism);
   return changed;
 }
@@ -33,7 +35,7 @@ std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
 
 }  // namespace
 
-TorqueModel::TorqueModel(const Model& model, ParameterSet set, Progress& progress)
+TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& progress)
     : model_(with_mechanism(model, carrying(model.mechanism, set))) {
   require_numbers(model.robot, "measured motion");
   base_ = base_parameters(model_.mechanism);

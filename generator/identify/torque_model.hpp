@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "diagnostics/progress.hpp"
-#include "pipeline.hpp"
-#include "symbolic/base_parameters.hpp"
+#include "load/loaded_robot.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
 
@@ -18,7 +18,7 @@ class TorqueModel {
  public:
   // Derives, emits and compiles. Throws Failure(unsupported) for a robot with free symbols, Failure(io) where there is
   // no compiler.
-  TorqueModel(const Model& model, ParameterSet set, Progress& progress);
+  TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& progress);
   ~TorqueModel();
   TorqueModel(const TorqueModel&) = delete;
   TorqueModel& operator=(const TorqueModel&) = delete;
@@ -43,7 +43,7 @@ class TorqueModel {
   const std::string& fingerprint() const { return fingerprint_; }
 
  private:
-  Model model_;
+  LoadedRobot model_;
   BaseParameters base_;
   std::vector<double> file_values_;
   std::vector<std::vector<int>> columns_;

@@ -2,7 +2,7 @@
 #include "identify/wrist.hpp"
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "verify/reference_model.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,14 +5,14 @@
 #include <tuple>
 
 #include "diagnostics/utf8.hpp"
-#include "input/context.hpp"
-#include "input/held_joints.hpp"
+#include "input/common/context.hpp"
+#include "input/common/units.hpp"
+#include "input/common/xacro.hpp"
 #include "input/scene_application.hpp"
 #include "input/scene_reader.hpp"
-#include "input/toml_reader.hpp"
-#include "input/units.hpp"
-#include "input/urdf_reader.hpp"
-#include "input/xacro.hpp"
+#include "input/toml/held_joints.hpp"
+#include "input/toml/reader.hpp"
+#include "input/urdf/reader.hpp"
 #include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
 #include "model/linear_loops.hpp"
@@ -127,11 +127,6 @@ void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnosti
 }
 
 }  // namespace
-
-Number dust_part(const ReadOptions& options) {
-  const GiNaC::numeric tolerance = magnitude(options.snap_tolerance), usual = magnitude(exact_decimal("1e-9"));
-  return tolerance < usual ? tolerance : usual;
-}
 
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
                                 Diagnostics& diagnostics) {

@@ -3,28 +3,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "diagnostics/diagnostics.hpp"
-#include "input/sources.hpp"
+#include "input/common/read_options.hpp"
 #include "model/robot.hpp"
 
 namespace flatdyn {
-
-struct ReadOptions {
-  Number snap_tolerance = exact_decimal("1e-5");  // rad; 0 turns snapping off
-  std::optional<std::size_t> left_unsnapped;      // index of the one angle that keeps its decimal: what did it change?
-  std::optional<std::string> tip;                 // --tip: name of the tip link
-  std::string scene_file;                         // --scene; empty: none
-  Scene scene;                                    // --gravity, --fix: goes before what the scene file says
-  std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
-};
-
-// What is smaller than this part of its neighbours is dust: 1e-9, or less if that is asked of angles.
-Number dust_part(const ReadOptions& options);
 
 // Reads a URDF (tinyxml2), a xacro template of one, or a TOML (toml++) file, as its extension says (.urdf or .xml,
 // .xacro, .toml), or, from stdin ("-"), as its content does; checks it (validate.hpp) and orders nothing. All findings

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "input/held_joints.hpp"
-#include "input/toml_parts.hpp"
+#include "input/toml/held_joints.hpp"
+#include "input/toml/parts.hpp"
 #include "model/field_mechanism.hpp"
 
 namespace flatdyn {

@@ -2,7 +2,7 @@
 // Scene files (docs/scene-format.md) → Scene.
 #pragma once
 
-#include "input/context.hpp"
+#include "input/common/context.hpp"
 #include "model/scene.hpp"
 
 namespace flatdyn {

@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "symbolic/task_rows.hpp"
+#include "planning/make_functions.hpp"
+#include "symbolic/dynamics/task_rows.hpp"
 #include "trajectory/pace_limits.hpp"
 
 namespace flatdyn {
@@ -92,13 +93,13 @@ double length_of(const std::vector<Eigen::Vector3d>& skeleton) {
   return length;
 }
 
-Manipulability::Manipulability(const Model& model, TorqueNorm norm, double radius, Progress& progress)
+Manipulability::Manipulability(const LoadedRobot& model, TorqueNorm norm, double radius, Progress& progress)
     : task_(directions(model.mechanism)),
       rank_(rank_of(model.mechanism)),
       torque_unit_(radius * torque_units(model.mechanism, norm)) {
   std::vector<std::string> names = {"inertia_matrix", "gravity", "jacobian"};
   for (const std::string& pose : poses_to_tip(model.mechanism)) names.push_back(pose);
-  const std::vector<Function> functions = whole_functions(model, names, "an ellipsoid", progress);
+  const std::vector<Function> functions = derive_numeric_functions(model, names, "an ellipsoid", progress);
   inertia_.emplace(functions[0]);
   gravity_.emplace(functions[1]);
   jacobian_.emplace(functions[2]);

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/progress.hpp"
 #include "graph/tape.hpp"
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
 
 namespace flatdyn {
 
@@ -41,7 +42,7 @@ class Manipulability {
   // The task is the scene's, else those of x, y, z that the tip can move along. Throws Failure(unsupported) where the
   // robot has free symbols, or has no effort limits though they are asked for.
   // radius: of the torques' sphere, N m, or of their parts of the limits.
-  Manipulability(const Model& model, TorqueNorm norm, double radius, Progress& progress);
+  Manipulability(const LoadedRobot& model, TorqueNorm norm, double radius, Progress& progress);
 
   const std::vector<int>& task() const { return task_; }
 

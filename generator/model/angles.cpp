@@ -6,19 +6,19 @@
 namespace flatdyn {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+std::size_t at_index(int i) { return static_cast<std::size_t>(i); }
 
-Number size_of(const Number& factor) { return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(factor)); }
+Number absolute_factor(const Number& factor) { return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(factor)); }
 
 // Twice is made by three multiplications. A multiple loses that many last places: to ask for its sine costs none.
 bool is_small_whole(const Number& factor) {
   constexpr int kMostTurns = 2;
-  return factor.info(GiNaC::info_flags::integer) && GiNaC::ex_to<GiNaC::numeric>(size_of(factor)) <= kMostTurns;
+  return factor.info(GiNaC::info_flags::integer) && GiNaC::ex_to<GiNaC::numeric>(absolute_factor(factor)) <= kMostTurns;
 }
 
 std::size_t place_of(const std::vector<CoordinateMultiple>& angles, int position, const Number& factor) {
   const auto is_same = [&](const CoordinateMultiple& angle) {
-    return angle.position == position && angle.factor.is_equal(size_of(factor));
+    return angle.position == position && angle.factor.is_equal(absolute_factor(factor));
   };
   return static_cast<std::size_t>(std::find_if(angles.begin(), angles.end(), is_same) - angles.begin());
 }
@@ -30,9 +30,9 @@ std::vector<CoordinateMultiple> further_angles(const Mechanism& mechanism) {
   for (std::size_t i = 0; i < mechanism.coupling.size(); ++i) {
     if (mechanism.bodies[i].prismatic) continue;
     for (int k = 0; k < mechanism.position_count(); ++k) {
-      const Number& factor = mechanism.coupling[i][index(k)];
+      const Number& factor = mechanism.coupling[i][at_index(k)];
       const bool is_known = is_small_whole(factor) || place_of(angles, k, factor) < angles.size();
-      if (!is_known) angles.push_back({k, size_of(factor)});
+      if (!is_known) angles.push_back({k, absolute_factor(factor)});
     }
   }
   return angles;
@@ -45,8 +45,8 @@ double largest_turn(const Mechanism& mechanism) {
 }
 
 std::vector<Number> turns_of(const Mechanism& mechanism, int i) {
-  std::vector<Number> turns(index(mechanism.angle_count()), 0);
-  const std::vector<Number>& factors = mechanism.coupling[index(i)];
+  std::vector<Number> turns(at_index(mechanism.angle_count()), 0);
+  const std::vector<Number>& factors = mechanism.coupling[at_index(i)];
   for (std::size_t k = 0; k < factors.size(); ++k) {
     if (is_small_whole(factors[k])) {
       turns[k] = factors[k];

@@ -36,7 +36,7 @@ struct Pose3 {
 
 // Poses of all bodies in the base frame.
 template <class S, class F>
-std::vector<Pose3<S>> body_poses(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q) {
+std::vector<Pose3<S>> body_poses(const MechanismOver<F>& mechanism, const std::vector<JointPoint<S>>& q) {
   const S zero = S(F(0)), one = S(F(1));
   std::vector<Pose3<S>> poses;
   for (std::size_t i = 0; i < q.size(); ++i) {

@@ -109,20 +109,20 @@ Mat3 rotation_by(const ZxzAngles& angles) {
 }
 
 // A rotation whose entries are 0 and 1 where they would be but for rests.
-Mat3 without_rests(const Mat3& R) {
+Mat3 snap_residues_to_zero(const Mat3& R) {
   for (const Vec3& row : R) {
-    const Vec3 cleared = without_rest(row, 1);
+    const Vec3 cleared = snap_residue_to_zero(row, 1);
     if (row[0].is_equal(cleared[0]) && row[1].is_equal(cleared[1]) && row[2].is_equal(cleared[2])) continue;
     return rotation_by(zxz_angles(R));
   }
   return R;
 }
 
-InertialParameters without_rests(InertialParameters body, const Number& reach) {
+InertialParameters snap_residues_to_zero(InertialParameters body, const Number& reach) {
   const Number of_moments = body.mass * reach;
   const Number of_inertia = of_moments * reach + body.inertia[0][0] + body.inertia[1][1] + body.inertia[2][2];
-  body.first_moment = without_rest(body.first_moment, of_moments);
-  for (Vec3& row : body.inertia) row = without_rest(row, of_inertia);
+  body.first_moment = snap_residue_to_zero(body.first_moment, of_moments);
+  for (Vec3& row : body.inertia) row = snap_residue_to_zero(row, of_inertia);
   return body;
 }
 
@@ -131,11 +131,11 @@ InertialParameters without_rests(InertialParameters body, const Number& reach) {
 Mat3 from_zxz(const Mat3& R) { return rotation_by(zxz_angles(R)); }
 
 bool is_along_z(const Mat3& R) {
-  const Vec3 axis = without_rest(Vec3{R[0][2], R[1][2], R[2][2]}, 1);
+  const Vec3 axis = snap_residue_to_zero(Vec3{R[0][2], R[1][2], R[2][2]}, 1);
   return vanishes(axis[0]) && vanishes(axis[1]);
 }
 
-bool is_across_z(const Mat3& R) { return vanishes(without_rest(R[2][2], 1)); }
+bool is_across_z(const Mat3& R) { return vanishes(snap_residue_to_zero(R[2][2], 1)); }
 
 bool is_symbolic(const Mat3& R) {
   return std::any_of(R.begin(), R.end(), [](const Vec3& row) {
@@ -195,7 +195,8 @@ class RawTree {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
       const Transform raw = compose(compose(frame, onto_axis),
                                     offset_motion(joint, position_[static_cast<std::size_t>(joint_index)].offset));
-      raw_.push_back({from_zxz(without_rest_past_slides(raw.R, body_of_[parent])), without_rest(raw.p, reach_)});
+      raw_.push_back(
+          {from_zxz(without_rest_past_slides(raw.R, body_of_[parent])), snap_residue_to_zero(raw.p, reach_)});
       parent_.push_back(body_of_[parent]);
       joint_of_.push_back(joint_index);
       body_of_[child] = static_cast<int>(raw_.size()) - 1;
@@ -253,9 +254,9 @@ class Placer {
   Vec3 displacement(std::size_t i) const {
     const Vec3 raw = raw_displacement(i) + tree_.raw_[i].R * placements_[i].shift;
     const int parent = tree_.parent_[i];
-    if (parent < 0) return without_rest(expanded(raw), tree_.reach_);
+    if (parent < 0) return snap_residue_to_zero(expanded(raw), tree_.reach_);
     const Mat3 back = rotation_z(inverse(placements_[static_cast<std::size_t>(parent)].phase));
-    return without_rest(expanded(back * raw), tree_.reach_);
+    return snap_residue_to_zero(expanded(back * raw), tree_.reach_);
   }
 
  private:
@@ -297,7 +298,7 @@ class Placer {
     } else {
       placement.shift = {0, 0, child ? foot_of_common_normal(i, *child) : nearest_to_parent(i)};
     }
-    placement.shift = without_rest(placement.shift, tree_.reach_);
+    placement.shift = snap_residue_to_zero(placement.shift, tree_.reach_);
   }
 
   // Along the axis of body i, from its raw origin: where the common normal to the child's axis meets it.
@@ -345,12 +346,12 @@ Body make_body(const RawTree& tree, const Placer& placer, std::size_t i) {
   const ZxzAngles angles = zxz_angles(tree.raw_[i].R);
   body.beta = angles.beta;
   if (body.parent >= 0) {
-    body.beta = without_rest(inverse(placer[static_cast<std::size_t>(body.parent)].phase) * angles.beta);
+    body.beta = snap_residue_to_zero(inverse(placer[static_cast<std::size_t>(body.parent)].phase) * angles.beta);
   }
   body.alpha = angles.alpha;
-  body.theta = without_rest(angles.theta * placer[i].phase);
+  body.theta = snap_residue_to_zero(angles.theta * placer[i].phase);
   if (vanishes(body.alpha.s) && body.alpha.c.is_equal(1)) {
-    body.theta = without_rest(body.beta * body.theta);  // parallel axes: one phase is enough
+    body.theta = snap_residue_to_zero(body.beta * body.theta);  // parallel axes: one phase is enough
     body.beta = {};
   }
   body.p = placer.displacement(i);
@@ -368,7 +369,8 @@ Transform final_pose(const RawTree& tree, const Placer& placer, int link) {
   if (body < 0) return raw;
   const Placement& placement = placer[static_cast<std::size_t>(body)];
   const Mat3 back = rotation_z(inverse(placement.phase));
-  return {without_rests(expanded(back * raw.R)), without_rest(expanded(back * (raw.p - placement.shift)), tree.reach_)};
+  return {snap_residues_to_zero(expanded(back * raw.R)),
+          snap_residue_to_zero(expanded(back * (raw.p - placement.shift)), tree.reach_)};
 }
 
 bool carries(const Mechanism& mechanism, int carrier, int body) {
@@ -399,7 +401,7 @@ void add_motor(const RawTree& tree, const Placer& placer, int body_index, Mechan
   carrying = carrying + still;
   body.rotor =
       Rotor{carrier, rationalised(joint.motor->gear_ratio.number), rationalised(joint.motor->inertia_axial.number),
-            without_rest(expanded(pose.R * unit(joint.motor->axis)), 1)};
+            snap_residue_to_zero(expanded(pose.R * unit(joint.motor->axis)), 1)};
 }
 
 void add_links(const RawTree& tree, const Placer& placer, Mechanism& mechanism) {
@@ -454,7 +456,7 @@ Mechanism make_mechanism(const Robot& robot) {
   for (std::size_t i = 0; i < tree.raw_.size(); ++i) mechanism.bodies.push_back(make_body(tree, placer, i));
   add_links(tree, placer, mechanism);
   for (int i = 0; i < mechanism.body_count(); ++i) add_motor(tree, placer, i, mechanism);
-  for (Body& body : mechanism.bodies) body.inertia = without_rests(body.inertia, tree.reach_);
+  for (Body& body : mechanism.bodies) body.inertia = snap_residues_to_zero(body.inertia, tree.reach_);
   add_coupling(tree, mechanism);
   add_loops(robot, mechanism);
   return mechanism;

@@ -37,7 +37,7 @@ void tighten(const Limits& joint, const LinearPosition& position, Limits& limits
   take_lower(limits.acceleration, rate_of(joint.acceleration));
 }
 
-void check_range(const Robot& robot, int owner, const Limits& limits, Diagnostics& diagnostics) {
+void check_coordinate_range(const Robot& robot, int owner, const Limits& limits, Diagnostics& diagnostics) {
   if (!limits.lower || !limits.upper) return;
   if (nearest_double(limits.lower->number) <= nearest_double(limits.upper->number)) return;
   diagnostics.error(limits.lower->place,
@@ -99,7 +99,7 @@ void check_coordinates(const Robot& robot, Diagnostics& diagnostics) {
   if (!has_coupled_joints(robot)) return;
   const std::vector<LinearPosition> positions = joint_positions(robot);
   const std::vector<int> owners = joints_with_coordinates(robot);
-  for (const int owner : owners) check_range(robot, owner, coordinate_limits(robot, positions, owner), diagnostics);
+  for (const int owner : owners) check_coordinate_range(robot, owner, coordinate_limits(robot, positions, owner), diagnostics);
   for (std::size_t j = 0; j < positions.size(); ++j) {
     if (positions[j].factors.size() > 1) note_idle_limits(robot.joints[j], diagnostics);
   }

@@ -14,7 +14,7 @@ namespace flatdyn {
 template <class S, class F>
 class LoopGeometry {
  public:
-  LoopGeometry(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q)
+  LoopGeometry(const MechanismOver<F>& mechanism, const std::vector<JointPoint<S>>& q)
       : mechanism_(mechanism), poses_(body_poses(mechanism, q)) {}
 
   // All components of the way from the first end to the second, those that the joints do not change, too.
@@ -63,7 +63,7 @@ class LoopGeometry {
   Vector3<S> moved_by(int i, const Vector3<S>& p) const {
     const Pose3<S>& pose = poses_[static_cast<std::size_t>(i)];
     const Vector3<S> z = {pose.R[0][2], pose.R[1][2], pose.R[2][2]};
-    return mechanism_.bodies[static_cast<std::size_t>(i)].prismatic ? z : outer(z, minus(p, pose.p));
+    return mechanism_.bodies[static_cast<std::size_t>(i)].prismatic ? z : cross(z, minus(p, pose.p));
   }
 
   Vector3<S> in_axes(const FieldLoop<F>& loop, Vector3<S> v) const {
@@ -71,7 +71,7 @@ class LoopGeometry {
     return times(transposed(loop.axes), v);
   }
 
-  const FieldMechanism<F>& mechanism_;
+  const MechanismOver<F>& mechanism_;
   std::vector<Pose3<S>> poses_;
 };
 
@@ -118,7 +118,7 @@ std::vector<S> solved(const Matrix<S>& A, const std::vector<S>& b) {
 
 // G, m × n, loop by loop.
 template <class S, class F>
-Matrix<S> loop_motion(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q) {
+Matrix<S> loop_motion(const MechanismOver<F>& mechanism, const std::vector<JointPoint<S>>& q) {
   const LoopGeometry<S, F> geometry(mechanism, q);
   Matrix<S> G(mechanism.position_count(), static_cast<int>(mechanism.independent.size()));
   for (int a = 0; a < G.cols(); ++a) G(mechanism.independent[static_cast<std::size_t>(a)], a) = S(F(1));
@@ -137,7 +137,7 @@ Matrix<S> loop_motion(const FieldMechanism<F>& mechanism, const std::vector<Join
 
 // A G: how the bodies' joints move with the independent coordinates.
 template <class S, class F>
-std::vector<std::vector<S>> closed_coupling(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<S>>& q) {
+std::vector<std::vector<S>> closed_coupling(const MechanismOver<F>& mechanism, const std::vector<JointPoint<S>>& q) {
   const Matrix<S> G = loop_motion(mechanism, q);
   std::vector<std::vector<S>> result;
   for (const std::vector<F>& row : mechanism.tree_coupling) {
@@ -153,7 +153,7 @@ std::vector<std::vector<S>> closed_coupling(const FieldMechanism<F>& mechanism, 
 
 // With the loops closed at these positions of the joints.
 template <class F>
-FieldMechanism<F> closed_at(FieldMechanism<F> mechanism, const std::vector<JointPoint<F>>& q) {
+MechanismOver<F> closed_at(MechanismOver<F> mechanism, const std::vector<JointPoint<F>>& q) {
   if (mechanism.has_loops()) mechanism.coupling = closed_coupling(mechanism, q);
   return mechanism;
 }
@@ -161,7 +161,7 @@ FieldMechanism<F> closed_at(FieldMechanism<F> mechanism, const std::vector<Joint
 // Accelerations of the joints that independent rates q̇_r have while the joints move at these rates and q̈ is zero:
 // d(A G)/dt q̇_r.
 template <class F>
-std::vector<F> joint_drift(const FieldMechanism<F>& mechanism, const std::vector<JointPoint<F>>& q,
+std::vector<F> joint_drift(const MechanismOver<F>& mechanism, const std::vector<JointPoint<F>>& q,
                            const std::vector<F>& joint_rates, const std::vector<F>& qd_r) {
   std::vector<F> drift(q.size(), F(0));
   if (!mechanism.has_loops()) return drift;

@@ -54,7 +54,7 @@ struct FieldLoop {
 };
 
 template <class F>
-struct FieldMechanism {
+struct MechanismOver {
   std::vector<FieldBody<F>> bodies;
   std::vector<FieldFrame<F>> links;
   FieldFrame<F> tip;
@@ -75,7 +75,7 @@ struct FieldMechanism {
 
 // Σ_k coupling[i][k] q_k of every body i: rates or accelerations of the joints.
 template <class F>
-std::vector<F> joint_values(const FieldMechanism<F>& mechanism, const std::vector<F>& coordinates) {
+std::vector<F> joint_values(const MechanismOver<F>& mechanism, const std::vector<F>& coordinates) {
   if (!mechanism.is_coupled()) return coordinates;
   std::vector<F> result;
   for (const std::vector<F>& row : mechanism.coupling) {
@@ -88,7 +88,7 @@ std::vector<F> joint_values(const FieldMechanism<F>& mechanism, const std::vecto
 
 // Aᵀ M, for a row of M for every body.
 template <class F>
-Matrix<F> rows_at_coordinates(const FieldMechanism<F>& mechanism, const Matrix<F>& M) {
+Matrix<F> rows_at_coordinates(const MechanismOver<F>& mechanism, const Matrix<F>& M) {
   if (!mechanism.is_coupled()) return M;
   Matrix<F> result(mechanism.size(), M.cols());
   for (int k = 0; k < result.rows(); ++k) {
@@ -102,7 +102,7 @@ Matrix<F> rows_at_coordinates(const FieldMechanism<F>& mechanism, const Matrix<F
 
 // M A, for a column of M for every body.
 template <class F>
-Matrix<F> columns_at_coordinates(const FieldMechanism<F>& mechanism, const Matrix<F>& M) {
+Matrix<F> columns_at_coordinates(const MechanismOver<F>& mechanism, const Matrix<F>& M) {
   if (!mechanism.is_coupled()) return M;
   Matrix<F> result(M.rows(), mechanism.size());
   for (int i = 0; i < M.rows(); ++i) {
@@ -117,13 +117,13 @@ Matrix<F> columns_at_coordinates(const FieldMechanism<F>& mechanism, const Matri
 
 // Aᵀ M A.
 template <class F>
-Matrix<F> at_coordinates(const FieldMechanism<F>& mechanism, const Matrix<F>& M) {
+Matrix<F> at_coordinates(const MechanismOver<F>& mechanism, const Matrix<F>& M) {
   return columns_at_coordinates(mechanism, rows_at_coordinates(mechanism, M));
 }
 
 // Aᵀ τ.
 template <class F>
-std::vector<F> at_coordinates(const FieldMechanism<F>& mechanism, const std::vector<F>& tau) {
+std::vector<F> at_coordinates(const MechanismOver<F>& mechanism, const std::vector<F>& tau) {
   if (!mechanism.is_coupled()) return tau;
   return rows_at_coordinates(mechanism, Matrix<F>(1, tau)).entries();
 }
@@ -196,8 +196,8 @@ class MechanismMap {
   MechanismMap(const Mechanism& mechanism, Arithmetic& arithmetic)
       : mechanism_(mechanism), number_(mechanism.symbols, arithmetic) {}
 
-  FieldMechanism<F> operator()() const {
-    FieldMechanism<F> result;
+  MechanismOver<F> operator()() const {
+    MechanismOver<F> result;
     for (const Body& body : mechanism_.bodies) result.bodies.push_back(mapped(body));
     for (const LinkFrame& link : mechanism_.links) result.links.push_back(mapped(link));
     result.tip = mapped(mechanism_.tip);
@@ -255,7 +255,7 @@ class MechanismMap {
 };
 
 template <class Arithmetic>
-FieldMechanism<typename Arithmetic::Scalar> field_mechanism(const Mechanism& mechanism, Arithmetic& arithmetic) {
+MechanismOver<typename Arithmetic::Scalar> mechanism_over(const Mechanism& mechanism, Arithmetic& arithmetic) {
   return MechanismMap<Arithmetic>(mechanism, arithmetic)();
 }
 

@@ -63,18 +63,18 @@ Vector3<Product<A, B>> scaled(const A& a, const Vector3<B>& b) {
 }
 
 template <class A, class B>
-Product<A, B> inner(const Vector3<A>& a, const Vector3<B>& b) {
+Product<A, B> dot(const Vector3<A>& a, const Vector3<B>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 template <class A, class B>
-Vector3<Product<A, B>> outer(const Vector3<A>& a, const Vector3<B>& b) {  // a × b
+Vector3<Product<A, B>> cross(const Vector3<A>& a, const Vector3<B>& b) {  // a × b
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 template <class A, class B>
 Vector3<Product<A, B>> times(const Matrix3<A>& a, const Vector3<B>& b) {
-  return {inner(a[0], b), inner(a[1], b), inner(a[2], b)};
+  return {dot(a[0], b), dot(a[1], b), dot(a[2], b)};
 }
 
 template <class F>

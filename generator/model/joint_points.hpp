@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "graph/evaluate.hpp"
-#include "model/lagrangian.hpp"
+#include "model/body_poses.hpp"
 
 namespace flatdyn {
 

@@ -69,7 +69,7 @@ std::vector<Candidate> all_candidates(std::size_t joints) {
 class RandomPosition {
  public:
   RandomPosition(const CutLoop& loop, std::uint64_t seed)
-      : loop_(loop), arithmetic_(seed), field_(field_mechanism(loop.tree, arithmetic_)) {
+      : loop_(loop), arithmetic_(seed), field_(mechanism_over(loop.tree, arithmetic_)) {
     for (int i = 0; i < field_.body_count(); ++i) {
       const F value = arithmetic_.input({InputKind::q, i});
       const Point turned = arithmetic_.point(value);
@@ -105,7 +105,7 @@ class RandomPosition {
 
   const CutLoop& loop_;
   Arithmetic arithmetic_;
-  FieldMechanism<F> field_;
+  MechanismOver<F> field_;
   std::vector<JointPoint<F>> points_;
 };
 

@@ -47,9 +47,9 @@ ExactPose link_at_zero(const Mechanism& tree, const std::string& link) {
 struct AxisPair {
   std::array<Vector3<Real>, 2> axes;
 
-  Real cosine() const { return inner(axes[0], axes[1]); }
+  Real cosine() const { return dot(axes[0], axes[1]); }
   bool is_parallel() const {
-    const Vector3<Real> across = outer(axes[0], axes[1]);
+    const Vector3<Real> across = cross(axes[0], axes[1]);
     return std::all_of(across.begin(), across.end(), LoopSample::is_zero);
   }
 };
@@ -59,7 +59,7 @@ Real at_zero(const Input& input) { return input.kind == InputKind::q ? Real(0) :
 AxisPair axes_at(const Mechanism& tree, const Loop& loop, Real (*value_of)(const Input&)) {
   RealArithmetic<Real> arithmetic(value_of);
   const NumberMap<RealArithmetic<Real>> number(tree.symbols, arithmetic);
-  const std::vector<Pose3<Real>> poses = body_poses(field_mechanism(tree, arithmetic), joint_points(tree, arithmetic));
+  const std::vector<Pose3<Real>> poses = body_poses(mechanism_over(tree, arithmetic), joint_points(tree, arithmetic));
   AxisPair pair;
   for (std::size_t e = 0; e < 2; ++e) {
     const LinkFrame& link = frame_of(tree, loop.links[e].name);

@@ -121,7 +121,7 @@ Real LoopSample::drawn(const Input& input) {
 
 LoopSample::LoopSample(const Mechanism& tree, const LoopClosure& loop)
     : arithmetic_(drawn),
-      field_(field_mechanism(with_loop(tree, loop), arithmetic_)),
+      field_(mechanism_over(with_loop(tree, loop), arithmetic_)),
       points_(joint_points(tree, arithmetic_)) {}
 
 Matrix<Real> LoopSample::jacobian() const { return geometry().jacobian(field_.loops.front()); }

@@ -41,7 +41,7 @@ class LoopSample {
   LoopGeometry<Real, Real> geometry() const { return {field_, points_}; }
 
   RealArithmetic<Real> arithmetic_;
-  FieldMechanism<Real> field_;
+  MechanismOver<Real> field_;
   std::vector<JointPoint<Real>> points_;
 };
 

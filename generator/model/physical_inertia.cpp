@@ -9,14 +9,14 @@ namespace flatdyn {
 
 namespace {
 
-bool is_negative(const Number& a) { return a.info(GiNaC::info_flags::negative); }
+bool is_below_zero(const Number& a) { return a.info(GiNaC::info_flags::negative); }
 
 // A symmetric rational matrix is positive semidefinite if and only if no principal minor is negative.
 bool is_positive_semidefinite(const Mat3& a) {
   const auto minor = [&](std::size_t i, std::size_t j) { return Number(a[i][i] * a[j][j] - a[i][j] * a[j][i]); };
   const Number determinant = dot(a[0], cross(a[1], a[2]));
-  return !is_negative(a[0][0]) && !is_negative(a[1][1]) && !is_negative(a[2][2]) && !is_negative(minor(0, 1)) &&
-         !is_negative(minor(0, 2)) && !is_negative(minor(1, 2)) && !is_negative(determinant);
+  return !is_below_zero(a[0][0]) && !is_below_zero(a[1][1]) && !is_below_zero(a[2][2]) && !is_below_zero(minor(0, 1)) &&
+         !is_below_zero(minor(0, 2)) && !is_below_zero(minor(1, 2)) && !is_below_zero(determinant);
 }
 
 }  // namespace

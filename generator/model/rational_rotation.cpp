@@ -33,7 +33,7 @@ PlanarRotation from_half_tangent(const Number& t) {
 }
 
 // The rotation by quarter · pi/2.
-PlanarRotation quarter_turns(const cln::cl_I& quarter) {
+PlanarRotation quarter_rotation(const cln::cl_I& quarter) {
   static const PlanarRotation kTurns[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   return kTurns[cln::cl_I_to_int(cln::mod(quarter, 4))];
 }
@@ -62,7 +62,7 @@ Number coefficient_of(const Number& term) {
 
 }  // namespace
 
-Number without_rest(const Number& a, const Number& whole) {
+Number snap_residue_to_zero(const Number& a, const Number& whole) {
   if (is_rational(a)) return is_rest(a, whole) ? Number(0) : a;
   const Number sum = a.expand();
   if (!GiNaC::is_a<GiNaC::add>(sum)) return is_rest(coefficient_of(sum), 1) ? Number(0) : a;
@@ -73,8 +73,8 @@ Number without_rest(const Number& a, const Number& whole) {
   return result;
 }
 
-Vec3 without_rest(const Vec3& a, const Number& whole) {
-  return {without_rest(a[0], whole), without_rest(a[1], whole), without_rest(a[2], whole)};
+Vec3 snap_residue_to_zero(const Vec3& a, const Number& whole) {
+  return {snap_residue_to_zero(a[0], whole), snap_residue_to_zero(a[1], whole), snap_residue_to_zero(a[2], whole)};
 }
 
 Number rationalised(const Number& a) {
@@ -93,14 +93,14 @@ PlanarRotation planar_rotation(const Number& angle) {
   if (has_symbols(angle)) return {GiNaC::cos(angle), GiNaC::sin(angle)};
   const Number turns = (2 * angle / GiNaC::Pi).expand();
   if (turns.info(GiNaC::info_flags::integer)) {
-    return quarter_turns(cln::the<cln::cl_I>(GiNaC::ex_to<GiNaC::numeric>(turns).to_cl_N()));
+    return quarter_rotation(cln::the<cln::cl_I>(GiNaC::ex_to<GiNaC::numeric>(turns).to_cl_N()));
   }
   // The nearest quarter turn is exact; what is left is below pi/4, so its half tangent is below 1/2.
   const cln::cl_F value = to_float(angle);
   const cln::cl_F half_pi = cln::pi(value) / 2;
   const cln::cl_I quarter = cln::round1(value / half_pi);
   const cln::cl_F rest = value - half_pi * cln::cl_float(quarter, value);
-  return quarter_turns(quarter) * from_half_tangent(rational_near(cln::tan(rest / 2)));
+  return quarter_rotation(quarter) * from_half_tangent(rational_near(cln::tan(rest / 2)));
 }
 
 PlanarRotation direction_of(const Number& x, const Number& y) {
@@ -111,10 +111,10 @@ PlanarRotation direction_of(const Number& x, const Number& y) {
   const cln::cl_F half_pi = cln::pi(angle) / 2;
   const cln::cl_I quarter = cln::round1(angle / half_pi);
   const cln::cl_F rest = angle - half_pi * cln::cl_float(quarter, angle);
-  return quarter_turns(quarter) * from_half_tangent(rational_near(cln::tan(rest / 2)));
+  return quarter_rotation(quarter) * from_half_tangent(rational_near(cln::tan(rest / 2)));
 }
 
-PlanarRotation without_rest(const PlanarRotation& a) {
+PlanarRotation snap_residue_to_zero(const PlanarRotation& a) {
   const auto sign = [](const Number& x) { return x.info(GiNaC::info_flags::negative) ? -1 : 1; };
   if (is_rest(a.c, a.s)) return {0, sign(a.s)};
   if (is_rest(a.s, a.c)) return {sign(a.c), 0};
@@ -208,7 +208,7 @@ namespace {
 
 // (x, y) as a rotation, if its length is 1 but for rests that are left out here and there.
 PlanarRotation on_circle(const Number& x, const Number& y) {
-  const PlanarRotation found = without_rest(PlanarRotation{x, y});
+  const PlanarRotation found = snap_residue_to_zero(PlanarRotation{x, y});
   if (has_symbols(x) || has_symbols(y) || vanishes(found.c * found.c + found.s * found.s - 1)) return found;
   return direction_of(x, y);
 }
@@ -216,7 +216,7 @@ PlanarRotation on_circle(const Number& x, const Number& y) {
 }  // namespace
 
 ZxzAngles zxz_angles(const Mat3& R) {
-  const Vec3 axis = without_rest(Vec3{R[0][2], R[1][2], R[2][2]}, 1);
+  const Vec3 axis = snap_residue_to_zero(Vec3{R[0][2], R[1][2], R[2][2]}, 1);
   const Number &x = axis[0], &y = axis[1], &z = axis[2];  // Rz(beta) Rx(alpha) z = (s_b s_a, -c_b s_a, c_a)
   ZxzAngles angles;
   if (vanishes(x)) {
@@ -237,8 +237,8 @@ ZxzAngles zxz_angles(const Mat3& R) {
   }
   angles.beta = direction_of(-y, x);
   const Number sin_alpha = (angles.beta.s * x - angles.beta.c * y).expand();
-  angles.alpha = without_rest(direction_of(z, sin_alpha));
-  angles.theta = without_rest(direction_of(R[2][1], R[2][0]));  // s_a (s_t, c_t), s_a > 0
+  angles.alpha = snap_residue_to_zero(direction_of(z, sin_alpha));
+  angles.theta = snap_residue_to_zero(direction_of(R[2][1], R[2][0]));  // s_a (s_t, c_t), s_a > 0
   return angles;
 }
 

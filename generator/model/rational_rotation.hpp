@@ -22,8 +22,8 @@ inline constexpr int kRestDigits = 40;
 
 // `a`, or 0 if it may be a rest of `whole`; of an expression in free symbols, terms are left out whose coefficients may
 // be rests of 1.
-Number without_rest(const Number& a, const Number& whole);
-Vec3 without_rest(const Vec3& a, const Number& whole);
+Number snap_residue_to_zero(const Number& a, const Number& whole);
+Vec3 snap_residue_to_zero(const Vec3& a, const Number& whole);
 
 // (cos, sin) of an angle: exact for quarter turns, rational for other numbers, cos(x) and sin(x) of a symbolic x.
 PlanarRotation planar_rotation(const Number& angle);
@@ -32,7 +32,7 @@ PlanarRotation planar_rotation(const Number& angle);
 PlanarRotation direction_of(const Number& x, const Number& y);
 
 // The same, a quarter turn if it is one but for a rest.
-PlanarRotation without_rest(const PlanarRotation& a);
+PlanarRotation snap_residue_to_zero(const PlanarRotation& a);
 
 PlanarRotation operator*(const PlanarRotation& a, const PlanarRotation& b);  // sum of the angles
 PlanarRotation inverse(const PlanarRotation& a);

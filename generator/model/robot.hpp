@@ -97,8 +97,8 @@ struct FreeSymbol {
 
 struct Robot;
 
-// A number that was taken for an exact one: an angle for a multiple of pi/12 (input/context.hpp), or what is tiny
-// beside its neighbours for zero (model/snap_dust.hpp).
+// A number that was taken for an exact one: an angle for a multiple of pi/12 (input/common/context.hpp), or what is
+// tiny beside its neighbours for zero (model/snap_dust.hpp).
 struct Snap {
   enum class Kind { angle, axis, length, product_of_inertia, first_moment, gravity };
   Place place;

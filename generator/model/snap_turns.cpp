@@ -37,7 +37,7 @@ std::vector<Displacement> small_turn(const Mat3& R) {
 }
 
 // The nearest multiple of pi/12 to a rotation in a plane.
-Number twelfth_near(const PlanarRotation& turn) {
+Number angle_near(const PlanarRotation& turn) {
   const double angle = std::atan2(nearest_double(turn.s), nearest_double(turn.c));
   return static_cast<int>(std::lround(angle * 12 / std::numbers::pi)) * GiNaC::Pi / 12;
 }
@@ -47,7 +47,7 @@ PlanarRotation missing_to(const Number& angle, const PlanarRotation& turn) {
   return planar_rotation(angle) * inverse(turn);
 }
 
-bool is_number(const PlanarRotation& turn) { return is_rational(turn.c) && is_rational(turn.s); }
+bool is_rational_turn(const PlanarRotation& turn) { return is_rational(turn.c) && is_rational(turn.s); }
 
 class TurnSnapper {
  public:
@@ -69,8 +69,8 @@ class TurnSnapper {
 
   void snap(std::size_t index, PlanarRotation Body::*turn, const char* what) {
     const Body body = mechanism_.bodies[index];
-    if (!is_number(body.*turn) || !is_number(body.theta)) return;
-    const Number angle = twelfth_near(body.*turn);
+    if (!is_rational_turn(body.*turn) || !is_rational_turn(body.theta)) return;
+    const Number angle = angle_near(body.*turn);
     const PlanarRotation missing = missing_to(angle, body.*turn);
     if (!is_dust(missing)) return;
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),

@@ -17,12 +17,12 @@ int sum_cost(const std::vector<Term>& terms, const Rational& constant) {
 }
 
 // `outer` with its term k, which is the sum `inner`, written out.
-Node merged(const Node& outer, std::size_t k, const Node& inner) {
-  Node result = outer;
-  const Rational factor = outer.terms[k].coefficient;
+Node merged(const Node& cross, std::size_t k, const Node& dot) {
+  Node result = cross;
+  const Rational factor = cross.terms[k].coefficient;
   result.terms.erase(result.terms.begin() + static_cast<std::ptrdiff_t>(k));
-  result.value += factor * inner.value;
-  for (const Term& term : inner.terms) {
+  result.value += factor * dot.value;
+  for (const Term& term : dot.terms) {
     const auto place = std::lower_bound(result.terms.begin(), result.terms.end(), term.node,
                                         [](const Term& a, NodeId node) { return a.node < node; });
     if (place == result.terms.end() || place->node != term.node) {
@@ -38,15 +38,15 @@ Node merged(const Node& outer, std::size_t k, const Node& inner) {
 void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses, Merging merging) {
   for (std::size_t k = 0; k < draft.at(id).terms.size();) {
     const NodeId operand = draft.at(id).terms[k].node;
-    const Node& inner = draft.at(operand);
-    if (inner.op != Op::sum) {
+    const Node& dot = draft.at(operand);
+    if (dot.op != Op::sum) {
       ++k;
       continue;
     }
-    const Node& outer = draft.at(id);
-    Node candidate = merged(outer, k, inner);
+    const Node& cross = draft.at(id);
+    Node candidate = merged(cross, k, dot);
     const bool only_use = uses[static_cast<std::size_t>(operand)] == 1;
-    const int before = sum_cost(outer.terms, outer.value) + (only_use ? sum_cost(inner.terms, inner.value) : 0);
+    const int before = sum_cost(cross.terms, cross.value) + (only_use ? sum_cost(dot.terms, dot.value) : 0);
     const int after = sum_cost(candidate.terms, candidate.value);
     const bool may_be_equal = only_use || merging == Merging::where_it_costs_nothing;
     if (may_be_equal ? after > before : after >= before) {
@@ -54,7 +54,7 @@ void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses, Merging mer
       continue;
     }
     --uses[static_cast<std::size_t>(operand)];
-    for (const Term& term : inner.terms) uses[static_cast<std::size_t>(term.node)] += only_use ? 0 : 1;
+    for (const Term& term : dot.terms) uses[static_cast<std::size_t>(term.node)] += only_use ? 0 : 1;
     draft.at(id) = std::move(candidate);
     k = 0;
   }

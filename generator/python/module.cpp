@@ -8,11 +8,11 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/arguments.hpp"
-#include "emit/identifiers.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
+#include "model/identifiers.hpp"
 #include "python/module_names.hpp"
 #include "templates.hpp"
 
@@ -117,7 +117,8 @@ class ModuleWriter {
       shapes.push_back(shape_of(output));
       results << line_of(output.name, "of one state " + shape_of(output), output.meaning);
     }
-    if (!function.positive.empty()) results << data("line", "Not a number where " + condition_of(function) + ".");
+    if (!function.validity_conditions.empty())
+      results << data("line", "Not a number where " + condition_of(function) + ".");
     row["arguments"] = fmt::format("{}{}", has_parameters() ? "parameters, " : "", fmt::join(names, ", "));
     row["given"] = tuple_of(names);
     row["lengths"] = tuple_of(lengths);
@@ -128,7 +129,7 @@ class ModuleWriter {
 
   static std::string condition_of(const Function& function) {
     const auto loops = static_cast<std::size_t>(function.loop_conditions);
-    if (loops == function.positive.size()) return "a closed loop is within 1e-6 of being singular";
+    if (loops == function.validity_conditions.size()) return "a closed loop is within 1e-6 of being singular";
     return std::string("B is not positive definite") + (function.task.empty() ? "" : ", or the task is singular") +
            (loops > 0 ? ", or a closed loop" : "");
   }

@@ -5,9 +5,9 @@
 
 #include "diagnostics/table.hpp"
 #include "report/numbers.hpp"
-#include "symbolic/combination_text.hpp"
-#include "symbolic/number_text.hpp"
-#include "symbolic/unidentifiable.hpp"
+#include "symbolic/notation/combination_text.hpp"
+#include "symbolic/notation/number_text.hpp"
+#include "symbolic/parameters/unidentifiable.hpp"
 
 namespace flatdyn {
 namespace {

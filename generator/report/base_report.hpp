@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "symbolic/base_parameters.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
 

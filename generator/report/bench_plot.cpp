@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "report/scatter_plot.hpp"
+#include "plot/scatter_plot.hpp"
 
 namespace flatdyn {
 namespace {

@@ -40,21 +40,21 @@ std::string table_of(const BenchStages& stages) {
   return fmt::format("stages of {}\n{}\n", fmt::join(stages.functions, ", "), aligned_table(rows));
 }
 
-ordered_json json_of(const Quartiles& time) {
+ordered_json bench_json_of(const Quartiles& time) {
   return {{"low", time.low}, {"median", time.median}, {"high", time.high}};
 }
 
-ordered_json json_of(const OperationCount& count) {
+ordered_json bench_json_of(const OperationCount& count) {
   return {{"mul", count.multiplications},
           {"add", count.additions},
           {"div", count.divisions},
           {"sincos", count.trigonometric}};
 }
 
-ordered_json json_of(const BenchRow& row) {
+ordered_json bench_json_of(const BenchRow& row) {
   ordered_json json = {{"variant", row.variant}, {"peer", row.is_peer}, {"whole", row.is_whole}};
-  if (!row.is_peer) json["operations"] = json_of(row.operations);
-  json["ns"] = json_of(row.time);
+  if (!row.is_peer) json["operations"] = bench_json_of(row.operations);
+  json["ns"] = bench_json_of(row.time);
   json["rounds"] = row.rounds;
   json["ratio"] = row.ratio;
   json["scaled_error"] = {{"p99", row.scaled.percentile_99}, {"max", row.scaled.largest}};
@@ -65,19 +65,19 @@ ordered_json json_of(const BenchRow& row) {
   return json;
 }
 
-ordered_json json_of(const BenchFunction& function) {
+ordered_json bench_json_of(const BenchFunction& function) {
   ordered_json json = {{"name", function.name}, {"unit", function.unit}};
-  json["operations"] = json_of(function.operations);
+  json["operations"] = bench_json_of(function.operations);
   json["variants"] = ordered_json::array();
-  for (const BenchRow& row : function.rows) json["variants"].push_back(json_of(row));
+  for (const BenchRow& row : function.rows) json["variants"].push_back(bench_json_of(row));
   return json;
 }
 
-ordered_json json_of(const BenchStages& stages) {
+ordered_json bench_json_of(const BenchStages& stages) {
   ordered_json json = {{"functions", stages.functions}, {"steps", ordered_json::array()}};
   for (const BenchStep& step : stages.steps) {
     json["steps"].push_back(
-        {{"name", step.name}, {"operations", json_of(step.operations)}, {"ns", json_of(step.time)}});
+        {{"name", step.name}, {"operations", bench_json_of(step.operations)}, {"ns", bench_json_of(step.time)}});
   }
   return json;
 }
@@ -115,8 +115,8 @@ ordered_json bench_json(const BenchReport& report) {
                        {"seconds", report.seconds},
                        {"left_out", report.left_out}};
   json["functions"] = ordered_json::array();
-  for (const BenchFunction& function : report.functions) json["functions"].push_back(json_of(function));
-  if (!report.stages.steps.empty()) json["stages"] = json_of(report.stages);
+  for (const BenchFunction& function : report.functions) json["functions"].push_back(bench_json_of(function));
+  if (!report.stages.steps.empty()) json["stages"] = bench_json_of(report.stages);
   return json;
 }
 

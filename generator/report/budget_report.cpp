@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-std::vector<std::string> names_of(const Abbreviation& abbreviation) {
+std::vector<std::string> dropped_names(const Abbreviation& abbreviation) {
   std::vector<std::string> names;
   for (const DroppedParameter& dropped : abbreviation.dropped) names.push_back(dropped.name);
   return names;
@@ -35,10 +35,10 @@ std::string abbreviation_fact(const Abbreviation& abbreviation) {
   return fmt::format(
       "Left out for an error budget, of the base parameters: {}. Within the limits of velocity and "
       "acceleration this changes the joints' torques by at most {} N m (N for prismatic joints).",
-      fmt::join(names_of(abbreviation), ", "), fmt::join(bounds, ", "));
+      fmt::join(dropped_names(abbreviation), ", "), fmt::join(bounds, ", "));
 }
 
-std::string describe_abbreviation(const Model& model, const GivenUp& seen) {
+std::string describe_abbreviation(const LoadedRobot& model, const TorqueDeviation& seen) {
   const Abbreviation& abbreviation = *model.abbreviation;
   std::vector<std::vector<std::string>> rows = {{"joint", "budget", "proven bound", "largest seen", "unit"}};
   for (std::size_t i = 0; i < abbreviation.bound.size(); ++i) {
@@ -48,10 +48,10 @@ std::string describe_abbreviation(const Model& model, const GivenUp& seen) {
   }
   return fmt::format("error budget {}: left out {}{}\n{}(largest seen: of {} random states)\n",
                      model.robot.scene.error_budget->written, abbreviation.dropped.empty() ? "nothing" : "",
-                     fmt::join(names_of(abbreviation), ", "), aligned_table(rows), seen.states);
+                     fmt::join(dropped_names(abbreviation), ", "), aligned_table(rows), seen.states);
 }
 
-nlohmann::ordered_json abbreviation_json(const Model& model, const GivenUp& seen) {
+nlohmann::ordered_json abbreviation_json(const LoadedRobot& model, const TorqueDeviation& seen) {
   const Abbreviation& abbreviation = *model.abbreviation;
   nlohmann::ordered_json dropped = nlohmann::ordered_json::array();
   for (const DroppedParameter& parameter : abbreviation.dropped) {
@@ -64,7 +64,7 @@ nlohmann::ordered_json abbreviation_json(const Model& model, const GivenUp& seen
           {"left_out", dropped}};
 }
 
-std::string to_text(const AbbreviationReport& report, const Model& model) {
+std::string to_text(const AbbreviationReport& report, const LoadedRobot& model) {
   std::vector<std::vector<std::string>> rows = {{"function", "exactly, the abbreviated model"}};
   for (const AbbreviationReport::Entry& entry : report.exactly) {
     rows.push_back({entry.function, entry.result.equal ? "equal" : entry.result.summary()});
@@ -72,7 +72,7 @@ std::string to_text(const AbbreviationReport& report, const Model& model) {
   return aligned_table(rows) + "\n" + describe_abbreviation(model, report.seen);
 }
 
-nlohmann::ordered_json to_json(const AbbreviationReport& report, const Model& model) {
+nlohmann::ordered_json to_json(const AbbreviationReport& report, const LoadedRobot& model) {
   nlohmann::ordered_json exactly = nlohmann::ordered_json::object();
   for (const AbbreviationReport::Entry& entry : report.exactly) exactly[entry.function] = entry.result.summary();
   return {{"passed", report.passed}, {"exactly", exactly}, {"error_budget", abbreviation_json(model, report.seen)}};

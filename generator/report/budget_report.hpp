@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "pipeline.hpp"
-#include "verify/given_up.hpp"
+#include "load/loaded_robot.hpp"
+#include "verify/torque_deviation.hpp"
 
 namespace flatdyn {
 
@@ -14,11 +14,11 @@ namespace flatdyn {
 std::string abbreviation_fact(const Abbreviation& abbreviation);
 
 // A table of the proven bounds beside what was seen.
-std::string describe_abbreviation(const Model& model, const GivenUp& seen);
-nlohmann::ordered_json abbreviation_json(const Model& model, const GivenUp& seen);
+std::string describe_abbreviation(const LoadedRobot& model, const TorqueDeviation& seen);
+nlohmann::ordered_json abbreviation_json(const LoadedRobot& model, const TorqueDeviation& seen);
 
 // Of `verify`, with that table below the functions.
-std::string to_text(const AbbreviationReport& report, const Model& model);
-nlohmann::ordered_json to_json(const AbbreviationReport& report, const Model& model);
+std::string to_text(const AbbreviationReport& report, const LoadedRobot& model);
+nlohmann::ordered_json to_json(const AbbreviationReport& report, const LoadedRobot& model);
 
 }  // namespace flatdyn

@@ -10,8 +10,8 @@
 #include "emit/arguments.hpp"
 #include "report/number_json.hpp"
 #include "report/scene_report.hpp"
-#include "symbolic/coupled_text.hpp"
-#include "symbolic/number_text.hpp"
+#include "symbolic/notation/coupled_text.hpp"
+#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -38,7 +38,7 @@ std::vector<std::string> independent_names(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::string describe_model(const Model& model, const std::vector<double>& snap_effects, SnapDetail detail) {
+std::string describe_model(const LoadedRobot& model, const std::vector<double>& snap_effects, SnapDetail detail) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText number(mechanism);
   std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name, joints_text(mechanism),
@@ -161,7 +161,7 @@ std::string describe_bodies(const Mechanism& mechanism) {
   return text;
 }
 
-nlohmann::ordered_json model_json(const Model& model, const std::vector<double>& snap_effects) {
+nlohmann::ordered_json model_json(const LoadedRobot& model, const std::vector<double>& snap_effects) {
   const NumberText text(model.mechanism);
   nlohmann::ordered_json json;
   json["robot"] = model.mechanism.name;

@@ -4,15 +4,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline.hpp"
+#include "emit/stages.hpp"
+#include "load/loaded_robot.hpp"
+#include "planning/optimised_function.hpp"
 #include "report/snap_report.hpp"
 
 namespace flatdyn {
 
 // Joints, merged links, snapped numbers with what each changes (verify/snap_effect.hpp). In JSON also the canonical
 // frames and inertial parameters in them: numbers, or the text of an expression in the free symbols.
-std::string describe_model(const Model& model, const std::vector<double>& snap_effects, SnapDetail detail);
-nlohmann::ordered_json model_json(const Model& model, const std::vector<double>& snap_effects);
+std::string describe_model(const LoadedRobot& model, const std::vector<double>& snap_effects, SnapDetail detail);
+nlohmann::ordered_json model_json(const LoadedRobot& model, const std::vector<double>& snap_effects);
 
 // The canonical bodies, which the names of parameters belong to: where their frames are, and inertial parameters about
 // the frames' origins. In the frames of the file: report/links_in_file.hpp.

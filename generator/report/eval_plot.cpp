@@ -2,7 +2,7 @@
 #include "report/eval_plot.hpp"
 
 #include "model/number.hpp"
-#include "report/time_table.hpp"
+#include "plot/time_table.hpp"
 
 namespace flatdyn {
 namespace {

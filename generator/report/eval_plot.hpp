@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "input/csv_table.hpp"
-#include "report/plot.hpp"
+#include "input/csv/table.hpp"
+#include "plot/plot.hpp"
 
 namespace flatdyn {
 

@@ -9,7 +9,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr double kRounding = 1e-9;  // relative: a limit that is reached is not exceeded
+constexpr double kReachedLimit = 1e-9;  // relative: a limit that is reached is not exceeded
 
 // One quantity of one joint: how far it is beyond its limit (not, if negative), worst over the trajectory.
 struct Excess {
@@ -21,8 +21,8 @@ using ValueAt = std::function<double(std::size_t)>;
 Excess worst_excess(const Trajectory& trajectory, const ValueAt& value, double lower, double upper) {
   Excess result;
   for (std::size_t p = 0; p < trajectory.points.size(); ++p) {
-    const double x = value(p),
-                 beyond = std::max(x - upper - kRounding * std::abs(upper), lower - kRounding * std::abs(lower) - x);
+    const double x = value(p), beyond = std::max(x - upper - kReachedLimit * std::abs(upper),
+                                                 lower - kReachedLimit * std::abs(lower) - x);
     if (beyond > result.beyond) result = {x, trajectory.points[p].time, beyond};
   }
   return result;

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "diagnostics/table.hpp"
-#include "report/time_table.hpp"
-#include "symbolic/combination_text.hpp"
+#include "plot/time_table.hpp"
+#include "symbolic/notation/combination_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -77,7 +77,7 @@ void append(std::string& line, const std::vector<double>& values) {
   for (const double value : values) line += fmt::format(",{}", value + 0.0);
 }
 
-Panel panel_of(const Mechanism& mechanism, const std::string& title, const std::string& label,
+Panel motion_panel(const Mechanism& mechanism, const std::string& title, const std::string& label,
                const std::vector<double>& times) {
   Panel panel{title, "t in s", label, {}};
   for (const Body& body : mechanism.joints()) panel.series.push_back({body.joint, times, {}});
@@ -165,9 +165,9 @@ std::string excitation_plot(const Mechanism& mechanism, const PlannedMotion& mot
   std::vector<double> times;
   for (std::size_t k = 0; k < motion.samples.size(); k += step) times.push_back(motion.time(k));
   std::vector<Panel> panels = {
-      panel_of(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), times),
-      panel_of(mechanism, "speeds", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), times),
-      panel_of(mechanism, "expected torques", "tau in " + unit_of(mechanism, "N m", "N"), times)};
+      motion_panel(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), times),
+      motion_panel(mechanism, "speeds", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), times),
+      motion_panel(mechanism, "expected torques", "tau in " + unit_of(mechanism, "N m", "N"), times)};
   for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
     for (std::size_t k = 0; k < motion.samples.size(); k += step) {
       panels[0].series[i].y.push_back(motion.samples[k].q[i]);

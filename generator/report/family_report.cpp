@@ -7,7 +7,7 @@
 #include <map>
 
 #include "diagnostics/table.hpp"
-#include "report/plot.hpp"
+#include "plot/plot.hpp"
 
 namespace flatdyn {
 namespace {
@@ -21,7 +21,7 @@ std::string verdict(const FamilyReport& report, const StressRow& row) {
   return row.refused > 0 ? fmt::format("{} ({} of {} refused)", text, row.refused, row.tried) : text;
 }
 
-std::vector<std::string> names_of(const FamilyReport& report, const std::string& scalar) {
+std::vector<std::string> series_names(const FamilyReport& report, const std::string& scalar) {
   std::vector<std::string> names;
   for (const FamilyRow& row : report.rows) {
     if (row.found.scalar != scalar) continue;
@@ -93,7 +93,7 @@ std::string family_plot(const FamilyReport& report) {
   std::vector<Panel> panels;
   for (const char* scalar : {"double", "float"}) {
     Panel panel{fmt::format("worst scaled error, {}", scalar), "", "last places of the terms", {}, PanelStyle::marked};
-    for (const std::string& function : names_of(report, scalar)) {
+    for (const std::string& function : series_names(report, scalar)) {
       for (const bool reference : {false, true}) {
         panel.series.push_back(series_of(report, function, scalar, reference));
       }

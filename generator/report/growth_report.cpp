@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "diagnostics/table.hpp"
-#include "report/plot.hpp"
+#include "plot/plot.hpp"
 
 namespace flatdyn {
 namespace {
@@ -35,7 +35,7 @@ std::string text_of(const GrowthCurve& curve) {
   return fmt::format("{}, {}: {}{}\n", curve.shape, curve.function, exponents_of(curve), aligned_table(rows));
 }
 
-ordered_json json_of(const GrowthRow& row) {
+ordered_json curve_json(const GrowthRow& row) {
   return {{"joints", row.joints},
           {"mul", row.operations.multiplications},
           {"add", row.operations.additions},
@@ -47,20 +47,20 @@ ordered_json json_of(const GrowthRow& row) {
           {"compiler_kilobytes", row.peak_kilobytes}};
 }
 
-ordered_json json_of(const GrowthCurve& curve) {
+ordered_json curve_json(const GrowthCurve& curve) {
   ordered_json json = {{"shape", curve.shape}, {"function", curve.function}};
   const auto exponent = [&](double fitted) { return is_fitted(curve) ? ordered_json(fitted) : ordered_json(); };
   json["fitted_from"] = is_fitted(curve) ? ordered_json(curve.fitted_from) : ordered_json();
   json["operation_exponent"] = exponent(curve.operation_exponent);
   json["time_exponent"] = exponent(curve.time_exponent);
   json["sizes"] = ordered_json::array();
-  for (const GrowthRow& row : curve.rows) json["sizes"].push_back(json_of(row));
+  for (const GrowthRow& row : curve.rows) json["sizes"].push_back(curve_json(row));
   return json;
 }
 
 using Quantity = double (*)(const GrowthRow&);
 
-Panel panel_of(const GrowthReport& report, const std::string& title, Quantity quantity) {
+Panel growth_panel(const GrowthReport& report, const std::string& title, Quantity quantity) {
   Panel panel{title, "", "", {}, PanelStyle::marked};
   for (const GrowthCurve& curve : report.curves) {
     Series series{curve.shape + ", " + curve.function, {}, {}};
@@ -85,17 +85,17 @@ std::string growth_text(const GrowthReport& report) {
 
 ordered_json growth_json(const GrowthReport& report) {
   ordered_json json = {{"compiler", report.compiler}, {"flags", report.flags}, {"growth", ordered_json::array()}};
-  for (const GrowthCurve& curve : report.curves) json["growth"].push_back(json_of(curve));
+  for (const GrowthCurve& curve : report.curves) json["growth"].push_back(curve_json(curve));
   return json;
 }
 
 std::string growth_plot(const GrowthReport& report) {
-  std::vector<Panel> panels = {panel_of(report, "multiplications and additions",
+  std::vector<Panel> panels = {growth_panel(report, "multiplications and additions",
                                         [](const GrowthRow& r) { return 1.0 * r.operations.arithmetic(); }),
-                               panel_of(report, "one call, ns", [](const GrowthRow& r) { return r.time.median; }),
-                               panel_of(report, "generation, s", [](const GrowthRow& r) { return r.generation; }),
-                               panel_of(report, "compilation, s", [](const GrowthRow& r) { return r.compilation; }),
-                               panel_of(report, "compiler's memory, MB", megabytes)};
+                               growth_panel(report, "one call, ns", [](const GrowthRow& r) { return r.time.median; }),
+                               growth_panel(report, "generation, s", [](const GrowthRow& r) { return r.generation; }),
+                               growth_panel(report, "compilation, s", [](const GrowthRow& r) { return r.compilation; }),
+                               growth_panel(report, "compiler's memory, MB", megabytes)};
   panels.back().x_label = "joints";
   return svg_plot("Growth with the number of joints", panels);
 }

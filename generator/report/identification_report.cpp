@@ -8,7 +8,7 @@
 
 #include "diagnostics/table.hpp"
 #include "report/numbers.hpp"
-#include "symbolic/combination_text.hpp"
+#include "symbolic/notation/combination_text.hpp"
 
 namespace flatdyn {
 namespace {

@@ -19,7 +19,7 @@ std::string number(const Number& value) {
 
 class RobotText {
  public:
-  RobotText(const Model& model, ParameterSet set, const PhysicalParameters& parameters)
+  RobotText(const LoadedRobot& model, ParameterSet set, const PhysicalParameters& parameters)
       : model_(model), present_(parameters_in(model.mechanism, set)), pi_(parameters.pi) {}
 
   std::string text(const IdentifiedRobot& about) {
@@ -112,7 +112,7 @@ class RobotText {
     if (!values.empty()) text_ += "\n[[joint]]\nname = " + toml_string(body.joint) + "\n" + values;
   }
 
-  const Model& model_;
+  const LoadedRobot& model_;
   std::vector<bool> present_;
   const std::vector<double>& pi_;
   std::string text_;
@@ -120,7 +120,7 @@ class RobotText {
 
 }  // namespace
 
-std::string identified_robot_text(const Model& model, ParameterSet set, const PhysicalParameters& parameters,
+std::string identified_robot_text(const LoadedRobot& model, ParameterSet set, const PhysicalParameters& parameters,
                                   const IdentifiedRobot& about) {
   return RobotText(model, set, parameters).text(about);
 }

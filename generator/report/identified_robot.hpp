@@ -6,7 +6,7 @@
 #include <string>
 
 #include "identify/physical_parameters.hpp"
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
 
 namespace flatdyn {
 
@@ -18,7 +18,7 @@ struct IdentifiedRobot {
 
 // Mass, centre of mass and inertia of every moving link; I_m, F_v and F_s where `set` has them. What else moves with a
 // link (merged links, rotors' masses, a payload) is part of it and gets no mass of its own.
-std::string identified_robot_text(const Model& model, ParameterSet set, const PhysicalParameters& parameters,
+std::string identified_robot_text(const LoadedRobot& model, ParameterSet set, const PhysicalParameters& parameters,
                                   const IdentifiedRobot& about);
 
 }  // namespace flatdyn

@@ -8,9 +8,9 @@
 
 #include "flatdyn/reference/kinematics.hpp"
 #include "model/physical_inertia.hpp"
+#include "reference/reference_model.hpp"
 #include "report/number_json.hpp"
-#include "symbolic/number_text.hpp"
-#include "verify/reference_model.hpp"
+#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -78,7 +78,7 @@ Number total_mass(const Mechanism& mechanism) {
   return mass.expand();
 }
 
-bool has_values(const Model& model) { return model.robot.symbols.empty(); }
+bool has_values(const LoadedRobot& model) { return model.robot.symbols.empty(); }
 
 std::string moment_text(const Mat3& I, const NumberText& number) {
   return fmt::format("xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2", number(I[0][0]), number(I[1][1]),
@@ -131,7 +131,7 @@ double without_dust(double x) {
 
 }  // namespace
 
-std::vector<LinkInFile> links_in_file(const Model& model) {
+std::vector<LinkInFile> links_in_file(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
   std::vector<LinkInFile> links;
   std::optional<NumericRobot> numeric;
@@ -152,7 +152,7 @@ std::vector<LinkInFile> links_in_file(const Model& model) {
   return links;
 }
 
-std::optional<Reach> reach_of(const Model& model) {
+std::optional<Reach> reach_of(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
   if (!has_values(model) || mechanism.has_loops() || mechanism.tip.body < 0) return std::nullopt;
   const std::vector<LinkInFile> links = links_in_file(model);
@@ -177,7 +177,7 @@ std::optional<Reach> reach_of(const Model& model) {
   return reach;
 }
 
-std::string describe_links(const Model& model) {
+std::string describe_links(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText number(mechanism);
   std::string text = mass_text(mechanism, number);
@@ -195,7 +195,7 @@ std::string describe_links(const Model& model) {
   return text;
 }
 
-nlohmann::ordered_json links_json(const Model& model) {
+nlohmann::ordered_json links_json(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText text(mechanism);
   nlohmann::ordered_json json;

@@ -6,7 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
 
 namespace flatdyn {
 
@@ -19,7 +19,7 @@ struct LinkInFile {
 };
 
 // In the order of the mechanism's bodies.
-std::vector<LinkInFile> links_in_file(const Model& model);
+std::vector<LinkInFile> links_in_file(const LoadedRobot& model);
 
 // How far the tip can be from the first joint that moves it: no farther than links and strokes are long together.
 struct Reach {
@@ -29,10 +29,10 @@ struct Reach {
   std::array<double, 3> at_zero = {};  // where the tip is at q = 0, base frame, m
 };
 // Nothing for a robot with free symbols or closed loops, or whose tip does not move.
-std::optional<Reach> reach_of(const Model& model);
+std::optional<Reach> reach_of(const LoadedRobot& model);
 
-std::string describe_links(const Model& model);
+std::string describe_links(const LoadedRobot& model);
 // To be added to model_json() of report/describe.hpp.
-nlohmann::ordered_json links_json(const Model& model);
+nlohmann::ordered_json links_json(const LoadedRobot& model);
 
 }  // namespace flatdyn

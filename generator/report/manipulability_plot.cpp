@@ -65,7 +65,7 @@ Series arm_line(const ManipulablePose& pose, const View& view) {
   return line;
 }
 
-std::string name_of(const std::vector<ManipulablePose>& poses, std::size_t k) {
+std::string pose_name(const std::vector<ManipulablePose>& poses, std::size_t k) {
   const ManipulablePose& pose = poses[k];
   if (pose.t) return fmt::format("t = {:.3g} s", *pose.t);
   if (pose.q.size() > kJointsInNames) return fmt::format("pose {}", k + 1);
@@ -125,7 +125,7 @@ Panel view_panel(const Drawing& drawing, const View& view, bool is_half) {
   for (const std::size_t k : drawing.chosen) {
     const ManipulablePose& pose = drawing.poses[k];
     const Eigen::Vector2d centre = view.onto * pose.skeleton.back() + drawing.scale * (onto * pose.ellipsoid.centre);
-    Series curve{name_of(drawing.poses, k), {}, {}};
+    Series curve{pose_name(drawing.poses, k), {}, {}};
     for (const auto& axes : ellipses(pose.ellipsoid, onto, view))
       add_outline(curve, centre, drawing.scale * axes, kOutlinePoints);
     panel.series.push_back(std::move(curve));

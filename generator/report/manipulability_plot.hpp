@@ -2,9 +2,9 @@
 // Arms with their dynamic manipulability ellipsoids as pictures, as in Figure 7.15.
 #pragma once
 
+#include "plot/plot.hpp"
+#include "plot/view.hpp"
 #include "report/manipulability_report.hpp"
-#include "report/plot.hpp"
-#include "report/view.hpp"
 
 namespace flatdyn {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "diagnostics/table.hpp"
-#include "symbolic/task_rows.hpp"
+#include "symbolic/dynamics/task_rows.hpp"
 
 namespace flatdyn {
 namespace {
@@ -20,7 +20,7 @@ const char* direction(int row) {
 }
 
 // Where the measure is smallest and largest.
-std::string range_text(const std::vector<ManipulablePose>& poses) {
+std::string measure_range(const std::vector<ManipulablePose>& poses) {
   const auto [least, most] = std::minmax_element(poses.begin(), poses.end(), [](const auto& a, const auto& b) {
     return a.ellipsoid.measure < b.ellipsoid.measure;
   });
@@ -73,7 +73,7 @@ std::string describe_manipulability(const std::vector<int>& task, const std::vec
   }
   std::string text = aligned_table(rows);
   if (poses.size() > kPosesShown)
-    text += fmt::format("... and {} more\n", poses.size() - kPosesShown) + range_text(poses);
+    text += fmt::format("... and {} more\n", poses.size() - kPosesShown) + measure_range(poses);
   return text;
 }
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "symbolic/number_text.hpp"
+#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 

@@ -46,7 +46,7 @@ std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std:
   return doubts;
 }
 
-std::string describe_payload(const Model& robot, const PayloadEstimate& payload) {
+std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& payload) {
   std::vector<std::vector<std::string>> rows = {{"payload", "value", "std dev", "nearest body", "unit"}};
   for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
     rows.push_back({kNames[k], fmt::format("{:.6g}", payload.values(k)), deviation_text(payload.standard_deviations(k)),
@@ -59,7 +59,7 @@ std::string describe_payload(const Model& robot, const PayloadEstimate& payload)
       robot.mechanism.tip.link, aligned_table(rows), payload.largest_misfit);
 }
 
-nlohmann::ordered_json payload_json(const Model& robot, const PayloadEstimate& payload) {
+nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstimate& payload) {
   nlohmann::ordered_json json = {{"link", robot.mechanism.tip.link}};
   for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
     json["parameters"].push_back({{"name", kNames[k]},
@@ -72,8 +72,9 @@ nlohmann::ordered_json payload_json(const Model& robot, const PayloadEstimate& p
   return json;
 }
 
-std::string payload_robot_text(const Model& robot, const PayloadEstimate& payload, const std::filesystem::path& file,
-                               const std::vector<std::string>& settings, const std::vector<std::string>& doubts) {
+std::string payload_robot_text(const LoadedRobot& robot, const PayloadEstimate& payload,
+                               const std::filesystem::path& file, const std::vector<std::string>& settings,
+                               const std::vector<std::string>& doubts) {
   const Centred body = centred(payload.body);
   const auto& I = body.inertia;
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();

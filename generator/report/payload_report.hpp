@@ -13,12 +13,13 @@ namespace flatdyn {
 // mass.
 std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std::string& hint);
 
-std::string describe_payload(const Model& robot, const PayloadEstimate& payload);
-nlohmann::ordered_json payload_json(const Model& robot, const PayloadEstimate& payload);
+std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& payload);
+nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstimate& payload);
 
 // TOML over the robot file: `doubts` as comments, `settings` (lines that repeat the options that shaped the model) and
 // [payload] on the tip's link.
-std::string payload_robot_text(const Model& robot, const PayloadEstimate& payload, const std::filesystem::path& file,
-                               const std::vector<std::string>& settings, const std::vector<std::string>& doubts);
+std::string payload_robot_text(const LoadedRobot& robot, const PayloadEstimate& payload,
+                               const std::filesystem::path& file, const std::vector<std::string>& settings,
+                               const std::vector<std::string>& doubts);
 
 }  // namespace flatdyn

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-const char* name_of(LimitKind kind) {
+const char* name_of_limit(LimitKind kind) {
   switch (kind) {
     case LimitKind::speed:
       return "speed";
@@ -71,7 +71,7 @@ std::string optimal_text(const OptimalPace& pace, const LinearScaling& linear) {
 
 nlohmann::ordered_json use_json(const Mechanism& mechanism, const LimitUsed& used, const Trajectory& trajectory) {
   return {{"joint", mechanism.joints()[used.joint].joint},
-          {"limit", name_of(used.kind)},
+          {"limit", name_of_limit(used.kind)},
           {"part", used.part},
           {"at", trajectory.points[used.point].time}};
 }
@@ -80,7 +80,7 @@ nlohmann::ordered_json use_json(const Mechanism& mechanism, const LimitUsed& use
 
 std::string limit_text(const Mechanism& mechanism, const PaceLimits& limits, LimitKind kind, std::size_t joint) {
   const Body& body = mechanism.joints()[joint];
-  return fmt::format("{} limit {:.6g} {} of joint \"{}\"", name_of(kind), limit_of(limits, kind, joint),
+  return fmt::format("{} limit {:.6g} {} of joint \"{}\"", name_of_limit(kind), limit_of(limits, kind, joint),
                      unit_of_limit(body, kind), body.joint);
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "report/budget_report.hpp"
-#include "symbolic/number_text.hpp"
-#include "symbolic/task_rows.hpp"
+#include "symbolic/dynamics/task_rows.hpp"
+#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -80,14 +80,16 @@ class SceneText {
 
 }  // namespace
 
-std::vector<std::string> scene_items(const Model& model) { return SceneText(model.mechanism).items(model.robot.scene); }
+std::vector<std::string> scene_items(const LoadedRobot& model) {
+  return SceneText(model.mechanism).items(model.robot.scene);
+}
 
-std::string scene_stamp(const Model& model) {
+std::string scene_stamp(const LoadedRobot& model) {
   if (model.robot.scene.file.empty()) return "";
   return fmt::format("Scene: {}", fmt::join(scene_items(model), "; "));
 }
 
-std::string scene_facts(const Model& model) {
+std::string scene_facts(const LoadedRobot& model) {
   std::vector<std::string> facts;
   for (const Joint& joint : model.robot.joints) {
     if (!joint.held) continue;

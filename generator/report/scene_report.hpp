@@ -5,18 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
 
 namespace flatdyn {
 
 // One text per key, by content and never by path: "gravity = [0, 0, 0]", "locked.elbow = pi/2", "static = true". Of
 // --gravity and --fix, too. Empty if nothing is fixed.
-std::vector<std::string> scene_items(const Model& model);
+std::vector<std::string> scene_items(const LoadedRobot& model);
 
 // The same of a scene file as one text, "Scene: gravity = [0, 0, 0]; static = true"; empty if there is no such file.
-std::string scene_stamp(const Model& model);
+std::string scene_stamp(const LoadedRobot& model);
 
 // Sentences for the header: "Joint elbow is held at pi/2 rad. Friction is left out." Empty if there is nothing to say.
-std::string scene_facts(const Model& model);
+std::string scene_facts(const LoadedRobot& model);
 
 }  // namespace flatdyn

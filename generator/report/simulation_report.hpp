@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "report/time_table.hpp"
+#include "plot/time_table.hpp"
 #include "simulate/simulator.hpp"
 
 namespace flatdyn {

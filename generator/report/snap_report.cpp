@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-#include "symbolic/number_text.hpp"
+#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 namespace {

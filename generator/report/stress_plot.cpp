@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/plot.hpp"
+#include "plot/plot.hpp"
 #include "report/stress_report.hpp"
 
 namespace flatdyn {

@@ -34,7 +34,7 @@ std::vector<std::string> table_row(const StressReport& report, const StressRow& 
           row.refused > 0 ? fmt::format("{} ({} of {} refused)", verdict, row.refused, row.tried) : verdict};
 }
 
-ordered_json json_of(const StressReport& report, const StressRow& row, const StressFinding& finding) {
+ordered_json stress_row_json(const StressReport& report, const StressRow& row, const StressFinding& finding) {
   return {{"found", finding.where},
           {"variant", finding.variant},
           {"scaled_error", finding.error.scaled},
@@ -46,15 +46,15 @@ ordered_json json_of(const StressReport& report, const StressRow& row, const Str
           {"state", state_csv(report, row, finding.state)}};
 }
 
-ordered_json json_of(const StressReport& report, const StressRow& row) {
+ordered_json stress_row_json(const StressReport& report, const StressRow& row) {
   ordered_json json = {
       {"function", row.function}, {"scalar", row.scalar},
       {"states", row.states},     {"tried", row.tried},
       {"refused", row.refused},   {"random", {{"p99", row.random.percentile_99}, {"max", row.random.largest}}},
       {"edge_max", row.edge}};
   for (const auto& [name, largest] : row.variants) json["variants"][name] = largest;
-  json["worst"] = json_of(report, row, row.worst);
-  json["lost"] = json_of(report, row, row.lost);
+  json["worst"] = stress_row_json(report, row, row.worst);
+  json["lost"] = stress_row_json(report, row, row.lost);
   json["histogram"] = row.histogram;
   json["passed"] = row.passed;
   return json;
@@ -130,7 +130,7 @@ ordered_json stress_json(const StressReport& report) {
   ordered_json json = {{"robot", report.robot},         {"seed", report.options.seed}, {"bound", report.options.bound},
                        {"ratio", report.options.ratio}, {"passed", report.passed()},   {"left_out", report.left_out}};
   json["rows"] = ordered_json::array();
-  for (const StressRow& row : report.rows) json["rows"].push_back(json_of(report, row));
+  for (const StressRow& row : report.rows) json["rows"].push_back(stress_row_json(report, row));
   return json;
 }
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "report/time_table.hpp"
+#include "plot/time_table.hpp"
 #include "trajectory/torque_terms.hpp"
 
 namespace flatdyn {

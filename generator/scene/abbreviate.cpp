@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "definition/lagrangian.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "graph/arithmetic.hpp"
-#include "model/lagrangian.hpp"
 #include "model/states.hpp"
-#include "symbolic/base_parameters.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
 namespace {
@@ -131,7 +131,7 @@ class InertiaCheck {
 
   bool is_positive(const Mechanism& mechanism) const {
     RealArithmetic<double> numbers([](const Input&) { return 0.0; });
-    const FieldMechanism<double> field = field_mechanism(mechanism, numbers);
+    const MechanismOver<double> field = mechanism_over(mechanism, numbers);
     return std::all_of(positions_.begin(), positions_.end(), [&field](const std::vector<JointPoint<double>>& q) {
       Lagrangian<double> at_position(field, q);
       const Matrix<double>& B = at_position.inertia();

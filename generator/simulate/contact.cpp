@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "simulate/vectors.hpp"
+
 namespace flatdyn {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostSweeps = 10000;
 constexpr double kRounding = 1e-12;  // of a force that is as large as it can be
 
@@ -55,7 +56,7 @@ std::vector<Eigen::Index> free_joints(const Contacts& contacts) {
 }  // namespace
 
 HoldingRange holding_range(const JointContact& contact, double coulomb) {
-  return {contact.stop > 0 ? -kInfinity : -coulomb, contact.stop < 0 ? kInfinity : coulomb};
+  return {contact.stop > 0 ? -kUnbounded : -coulomb, contact.stop < 0 ? kUnbounded : coulomb};
 }
 
 ContactMotion motion_of(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, const Eigen::VectorXd& coulomb,

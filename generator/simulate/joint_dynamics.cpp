@@ -2,30 +2,28 @@
 #include "simulate/joint_dynamics.hpp"
 
 #include "model/joint_friction.hpp"
+#include "planning/make_functions.hpp"
+#include "simulate/vectors.hpp"
 
 namespace flatdyn {
 namespace {
 
-Model without_dry_friction(Model model) {
+LoadedRobot without_dry_friction(LoadedRobot model) {
   require_numbers(model.robot, "a simulation");
   for (Body& body : model.mechanism.bodies) body.coulomb = 0;
   return model;
 }
 
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 }  // namespace
 
-JointDynamics::JointDynamics(const Model& model, Progress& progress)
-    : model_(without_dry_friction(with_whole_functions(model))), closed_(model_) {
+JointDynamics::JointDynamics(const LoadedRobot& model, Progress& progress)
+    : model_(without_dry_friction(without_scene_restrictions(model))), closed_(model_) {
   const JointFriction friction = joint_friction(model.mechanism);
   viscous_ = vector_of(friction.viscous);
   coulomb_ = vector_of(friction.coulomb);
   terms_.emplace(make_fusion(model_, {"inertia_matrix", "bias"}, progress).fusion.function);
   const std::vector<Function> functions =
-      whole_functions(model_, {"gravity", "potential_energy"}, "a simulation", progress);
+      derive_numeric_functions(model_, {"gravity", "potential_energy"}, "a simulation", progress);
   gravity_.emplace(functions[0]);
   potential_.emplace(functions[1]);
   entries_.resize(terms_->results());

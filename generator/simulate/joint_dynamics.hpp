@@ -5,8 +5,9 @@
 #include <Eigen/Dense>
 #include <optional>
 
+#include "diagnostics/progress.hpp"
 #include "graph/tape.hpp"
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
 #include "trajectory/closed_positions.hpp"
 
 namespace flatdyn {
@@ -21,7 +22,7 @@ class JointDynamics {
  public:
   // Of the whole model: an error budget, entries left out and "static" of a scene do not count. Throws
   // Failure(unsupported) where the robot has free symbols.
-  JointDynamics(const Model& model, Progress& progress);
+  JointDynamics(const LoadedRobot& model, Progress& progress);
 
   const Mechanism& mechanism() const { return model_.mechanism; }
   Eigen::Index joints() const { return viscous_.size(); }
@@ -40,7 +41,7 @@ class JointDynamics {
  private:
   TapeInputs inputs(const double* q, const double* qd);
 
-  Model model_;  // without dry friction
+  LoadedRobot model_;  // without dry friction
   ClosedPositions closed_;
   Eigen::VectorXd viscous_, coulomb_;
   std::optional<Tape> terms_, gravity_, potential_;

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "simulate/vectors.hpp"
+
 namespace flatdyn {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Beyond an event by so much it has happened: rad/s, rad (m/s, m), and a part of the force that friction holds. It is
 // far below what integration leaves uncertain, and far above rounding.
 constexpr double kSpeedSlack = 1e-11, kPositionSlack = 1e-11, kForceSlack = 1e-9;
@@ -27,8 +28,8 @@ MotionEquation::MotionEquation(const Simulation& simulation, JointDynamics& dyna
   contacts_.resize(static_cast<std::size_t>(n_));
   for (const Body& body : dynamics.mechanism().joints()) {
     const Limits& limits = body.limits;
-    ranges_.push_back({limits.lower ? nearest_double(limits.lower->number) : -kInfinity,
-                       limits.upper ? nearest_double(limits.upper->number) : kInfinity});
+    ranges_.push_back({limits.lower ? nearest_double(limits.lower->number) : -kUnbounded,
+                       limits.upper ? nearest_double(limits.upper->number) : kUnbounded});
   }
 }
 
@@ -72,10 +73,10 @@ bool MotionEquation::has_events() const {
 }
 
 double MotionEquation::limit_margin(const MotionState& x, std::size_t i) const {
-  if (simulation_.at_limits == AtLimits::go_on) return kInfinity;
+  if (simulation_.at_limits == AtLimits::go_on) return kUnbounded;
   const int stop = contacts_[i].stop;
-  const double below = stop < 0 ? kInfinity : x[i] - ranges_[i].lower;
-  const double above = stop > 0 ? kInfinity : ranges_[i].upper - x[i];
+  const double below = stop < 0 ? kUnbounded : x[i] - ranges_[i].lower;
+  const double above = stop > 0 ? kUnbounded : ranges_[i].upper - x[i];
   return std::min(below, above) + kPositionSlack;
 }
 
@@ -84,7 +85,7 @@ double MotionEquation::rest_margin(const MotionState& x, const Eigen::VectorXd& 
   const JointContact& contact = contacts_[i];
   const auto row = static_cast<Eigen::Index>(i);
   if (contact.sliding != 0) return contact.sliding * x[static_cast<std::size_t>(n_) + i] + kSpeedSlack;
-  if (!contact.held) return kInfinity;
+  if (!contact.held) return kUnbounded;
   const double coulomb = dynamics_.coulomb()(row);
   const HoldingRange range = holding_range(contact, coulomb);
   return std::min(lambda(row) - range.least, range.most - lambda(row)) + kForceSlack * (1 + coulomb);
@@ -93,7 +94,7 @@ double MotionEquation::rest_margin(const MotionState& x, const Eigen::VectorXd& 
 double MotionEquation::margin(const MotionState& x, double t) {
   const bool holds = std::any_of(contacts_.begin(), contacts_.end(), [](const JointContact& c) { return c.held; });
   const Eigen::VectorXd lambda = holds ? motion(x, t).lambda : Eigen::VectorXd();
-  double least = kInfinity;
+  double least = kUnbounded;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     least = std::min({least, limit_margin(x, i), rest_margin(x, lambda, i)});
   }

@@ -6,10 +6,10 @@
 #include <map>
 
 #include "diagnostics/nearest.hpp"
-#include "input/csv_table.hpp"
-#include "input/toml_parts.hpp"
-#include "input/toml_table.hpp"
-#include "input/units.hpp"
+#include "input/common/units.hpp"
+#include "input/csv/table.hpp"
+#include "input/toml/parts.hpp"
+#include "input/toml/table.hpp"
 #include "model/assembly.hpp"
 #include "simulate/simulation.hpp"
 #include "trajectory/read_trajectory.hpp"

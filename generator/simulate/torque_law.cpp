@@ -5,19 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "simulate/vectors.hpp"
 #include "trajectory/interpolation.hpp"
 #include "trajectory/pace_limits.hpp"
 
 namespace flatdyn {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TorqueLaw::TorqueLaw(const Simulation& simulation, JointDynamics& dynamics)
     : simulation_(simulation),
@@ -37,10 +30,10 @@ double TorqueLaw::next_knot(double t) const {
     // The one at t, if the division makes it a little less than it is, is not the next.
     return (std::floor(t / simulation_.period * (1 + 1e-12)) + 1) * simulation_.period;
   }
-  if (!simulation_.samples) return kInfinity;
+  if (!simulation_.samples) return kUnbounded;
   const std::vector<double>& times = simulation_.samples->times;
   const auto next = std::upper_bound(times.begin(), times.end(), t);
-  return next == times.end() ? kInfinity : *next;
+  return next == times.end() ? kUnbounded : *next;
 }
 
 void TorqueLaw::start(double t, const double* q, const double* qd) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "diagnostics/nearest.hpp"
-#include "pipeline.hpp"
+#include "planning/make_functions.hpp"
 #include "stress/random_robots.hpp"
 
 namespace flatdyn {
@@ -23,7 +23,7 @@ const FamilyEntry& entry_of(const std::string& family) {
 }
 
 // Those that the robot can have: B of one that moves no mass somewhere cannot be inverted.
-std::vector<Function> functions_for(const Model& model, const FamilyMember& member, const FamilyOptions& options,
+std::vector<Function> functions_for(const LoadedRobot& model, const FamilyMember& member, const FamilyOptions& options,
                                     Progress& progress, FamilyReport& report) {
   std::vector<Function> functions;
   for (const std::string& name : options.functions) {
@@ -54,7 +54,7 @@ FamilyReport stress_family(const FamilyOptions& options, Progress& progress) {
   const FamilySize size{options.robots, options.joints, options.stress.seed};
   for (FamilyMember& member : entry_of(options.family).members(size)) {
     Mechanism mechanism = make_mechanism(member.robot);
-    const Model model{std::move(member.robot), std::move(mechanism), std::nullopt, {}, ""};
+    const LoadedRobot model{std::move(member.robot), std::move(mechanism), std::nullopt, {}, ""};
     const std::vector<Function> functions = functions_for(model, member, options, progress, report);
     for (StressRow& row : stress(model.robot, model.mechanism, functions, options.stress, progress).rows) {
       report.rows.push_back({member.label, member.parameter, model.mechanism.size(), std::move(row)});

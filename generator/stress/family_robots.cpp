@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/drawn_robot.hpp"
+#include "model/random_robot.hpp"
 #include "stress/families.hpp"
 
 namespace flatdyn {
@@ -46,7 +46,7 @@ std::vector<FamilyMember> gear_ratios(const FamilySize& size) {
   for (int k = 0; k < size.robots; ++k) {
     const int exponent = 5 - k % 5;
     Robot robot = random_robot(true, size.joints, size.seed + static_cast<unsigned>(k));
-    Hundredths draw(size.seed + static_cast<unsigned>(k));
+    RandomHundredths draw(size.seed + static_cast<unsigned>(k));
     for (Joint& joint : robot.joints) {
       Motor motor;
       motor.gear_ratio.number = power_of_ten(exponent) * draw.between(50, 100);
@@ -119,12 +119,12 @@ std::vector<FamilyMember> chains(const FamilySize& size) {
 }
 
 // On the joint's parent or on a link before it.
-int random_carrier(const Robot& robot, int link, Hundredths& draw) {
+int random_carrier(const Robot& robot, int link, RandomHundredths& draw) {
   while (link != robot.root && draw.integer(0, 1) == 0) link = robot.joints[static_cast<std::size_t>(link - 1)].parent;
   return link;
 }
 
-Motor random_motor(const Robot& robot, int parent, Hundredths& draw) {
+Motor random_motor(const Robot& robot, int parent, RandomHundredths& draw) {
   Motor motor;
   motor.mass.number = draw.between(10, 99);
   motor.inertia_axial.number = draw.between(1, 99) / 1000;
@@ -140,7 +140,7 @@ Motor random_motor(const Robot& robot, int parent, Hundredths& draw) {
 std::vector<FamilyMember> trees(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
-    Hundredths draw(size.seed + static_cast<unsigned>(k));
+    RandomHundredths draw(size.seed + static_cast<unsigned>(k));
     const int joints = draw.integer(2, size.joints + 2);
     Robot robot;
     robot.name = fmt::format("tree_{}", size.seed + static_cast<unsigned>(k));

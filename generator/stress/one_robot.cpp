@@ -6,25 +6,25 @@
 #include <algorithm>
 #include <random>
 
-#include "diagnostics/process.hpp"
 #include "emit/emit.hpp"
 #include "passes/passes.hpp"
+#include "planning/formulations.hpp"
+#include "readback/emitted_text.hpp"
+#include "readback/straight_line_values.hpp"
 #include "symbolic/closed_functions.hpp"
-#include "symbolic/formulations.hpp"
-#include "verify/emitted_text.hpp"
-#include "verify/straight_line_values.hpp"
+#include "system/process.hpp"
 
 namespace flatdyn {
 namespace {
 
-Model model_of(const PlainRobot& robot, const std::filesystem::path& folder) {
+LoadedRobot model_of(const PlainRobot& robot, const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "robot.toml";
   write_file(path, robot_file(robot));
-  return read_model(path, {});
+  return load_robot(path, {});
 }
 
 // As `generate` makes it.
-Function usual(const Model& model, const std::string& name) {
+Function usual(const LoadedRobot& model, const std::string& name) {
   PipelineOptions options;
   options.functions = {name};
   Progress quiet(true);
@@ -46,10 +46,10 @@ Choices drawn_choices(const Mechanism& mechanism, std::mt19937& engine) {
 
 // In one of the ways that a search tries, too; of robots of one or two joints one in four from the closed form. A
 // quarter of them go through the passes, which take most of the time.
-Function drawn(const Model& model, const std::string& name, std::mt19937& engine) {
+Function drawn(const LoadedRobot& model, const std::string& name, std::mt19937& engine) {
   const Mechanism& mechanism = model.mechanism;
   const Choices choices = drawn_choices(mechanism, engine);
-  std::optional<Function> derived = formulation(mechanism, name, engine() % kWays, choices);
+  std::optional<Function> derived = formulation(mechanism, name, engine() % kFormulationCount, choices);
   if (!derived) derived = formulation(mechanism, name, 0, choices);
   if (mechanism.size() <= 2 && engine() % 4 == 0) {
     if (std::optional<Function> closed = closed_variant(mechanism, *derived)) derived = std::move(closed);

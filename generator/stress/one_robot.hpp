@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "readback/straight_line.hpp"
+#include "reference/expected.hpp"
 #include "stress/random_robots.hpp"
-#include "verify/expected.hpp"
-#include "verify/straight_line.hpp"
 
 namespace flatdyn {
 
@@ -19,7 +19,7 @@ class OneRobot {
   OneRobot(const PlainRobot& robot, unsigned seed, bool is_usual, const RandomRobotsOptions& options,
            const std::filesystem::path& folder);
 
-  const Model& model() const { return model_; }
+  const LoadedRobot& model() const { return model_; }
   const std::vector<Function>& functions() const { return functions_; }
   const std::vector<State>& states() const { return states_; }
   const std::string& name_space() const { return name_space_; }
@@ -31,7 +31,7 @@ class OneRobot {
   double error(std::size_t k, const State& state, const std::vector<double>& values) const;
 
  private:
-  Model model_;
+  LoadedRobot model_;
   std::string name_space_, header_;
   std::vector<Function> functions_;
   std::vector<StraightLine> lines_;

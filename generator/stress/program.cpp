@@ -7,10 +7,10 @@
 
 #include "bench/calls.hpp"
 #include "bench/toolchain.hpp"
-#include "diagnostics/process.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
 #include "emit/page.hpp"
+#include "system/process.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -31,7 +31,7 @@ std::string symbol_of(std::size_t function, const BenchVariant& variant) {
   return name;
 }
 
-data row_of(const Mechanism& mechanism, const Function& function, std::size_t k, const BenchVariant& variant) {
+data variant_row(const Mechanism& mechanism, const Function& function, std::size_t k, const BenchVariant& variant) {
   const CalledFunction called{function, kBenchNamespace, std::string(kBenchNamespace) + "::"};
   data row;
   row["symbol"] = symbol_of(k, variant);
@@ -82,7 +82,7 @@ StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Funct
   for (std::size_t k = 0; k < functions.size(); ++k) {
     for (const BenchVariant& variant : stress_variants()) {
       if (!is_wanted(variant, wanted) || !is_made(variant, functions[k], has_xsimd_)) continue;
-      rows << row_of(mechanism, functions[k], k, variant);
+      rows << variant_row(mechanism, functions[k], k, variant);
       calls_[k].push_back({variant});
     }
   }

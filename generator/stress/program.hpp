@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "bench/variants.hpp"
-#include "diagnostics/shared_library.hpp"
-#include "diagnostics/temporary_folder.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/states.hpp"
+#include "system/shared_library.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "diagnostics/temporary_folder.hpp"
 #include "stress/one_robot.hpp"
 #include "stress/robot_group.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {

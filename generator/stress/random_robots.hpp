@@ -10,8 +10,8 @@
 
 #include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
+#include "load/loaded_robot.hpp"
 #include "model/states.hpp"
-#include "pipeline.hpp"
 #include "stress/plain_robot.hpp"
 
 namespace flatdyn {
@@ -21,7 +21,7 @@ inline constexpr const char* kRandomFamily = "random";
 
 // What a robot's functions come to at a state: entries of all outputs, by function.
 struct RandomRobotValues {
-  const Model& model;
+  const LoadedRobot& model;
   const std::vector<Function>& functions;
   const State& state;
   std::vector<std::vector<double>> values;

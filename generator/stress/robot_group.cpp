@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnostics/process.hpp"
+#include "system/process.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "diagnostics/shared_library.hpp"
-#include "diagnostics/temporary_folder.hpp"
 #include "stress/one_robot.hpp"
+#include "system/shared_library.hpp"
+#include "system/temporary_folder.hpp"
 #include "verify/compiled.hpp"
 
 namespace flatdyn {

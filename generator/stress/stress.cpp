@@ -9,9 +9,9 @@
 #include "bench/calls.hpp"
 #include "diagnostics/nearest.hpp"
 #include "model/angles.hpp"
+#include "reference/extreme_states.hpp"
 #include "stress/program.hpp"
 #include "stress/worst_state.hpp"
-#include "verify/extreme_states.hpp"
 
 namespace flatdyn {
 namespace {

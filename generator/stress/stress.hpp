@@ -12,7 +12,7 @@
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
 #include "model/states.hpp"
-#include "verify/judge.hpp"
+#include "reference/judge.hpp"
 
 namespace flatdyn {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "symbolic/closed_form.hpp"
-#include "symbolic/derivation.hpp"
-#include "symbolic/readable_sum.hpp"
+#include "symbolic/closed_form/closed_form.hpp"
+#include "symbolic/kernel/derivation.hpp"
+#include "symbolic/notation/readable_sum.hpp"
 
 namespace flatdyn {
 namespace {

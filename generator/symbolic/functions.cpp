@@ -4,18 +4,18 @@
 #include <functional>
 #include <optional>
 
-#include "symbolic/accelerations.hpp"
-#include "symbolic/articulated.hpp"
-#include "symbolic/composite.hpp"
-#include "symbolic/composite_bias.hpp"
-#include "symbolic/derivative_functions.hpp"
-#include "symbolic/derivatives.hpp"
-#include "symbolic/energy.hpp"
-#include "symbolic/kinematics.hpp"
-#include "symbolic/loop_functions.hpp"
-#include "symbolic/operational.hpp"
-#include "symbolic/regressor_functions.hpp"
-#include "symbolic/workbench.hpp"
+#include "symbolic/dynamics/accelerations.hpp"
+#include "symbolic/dynamics/articulated.hpp"
+#include "symbolic/dynamics/composite.hpp"
+#include "symbolic/dynamics/composite_bias.hpp"
+#include "symbolic/dynamics/derivative_functions.hpp"
+#include "symbolic/dynamics/derivatives.hpp"
+#include "symbolic/dynamics/energy.hpp"
+#include "symbolic/dynamics/kinematics.hpp"
+#include "symbolic/dynamics/loop_functions.hpp"
+#include "symbolic/dynamics/operational.hpp"
+#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/parameters/regressor_functions.hpp"
 
 namespace flatdyn {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
-#include "symbolic/choices.hpp"
+#include "symbolic/kernel/choices.hpp"
 
 namespace flatdyn {
 

@@ -8,7 +8,7 @@
 
 #include "flatdyn/reference/closed_loops.hpp"
 #include "model/assembly.hpp"
-#include "verify/reference_model.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {
@@ -30,7 +30,7 @@ double reach(const reference::Robot<double>& robot) {
 
 }  // namespace
 
-ClosedPositions::ClosedPositions(const Model& model) : independent_(model.mechanism.independent) {
+ClosedPositions::ClosedPositions(const LoadedRobot& model) : independent_(model.mechanism.independent) {
   if (!model.mechanism.has_loops()) return;
   for (const Body& body : model.mechanism.joints()) joints_.push_back(body.joint);
   require_numbers(model.robot, "closing loops");
@@ -93,7 +93,7 @@ std::string ClosedPositions::place_text(const Eigen::VectorXd& q_a) const {
   return fmt::format("{}", fmt::join(places, ", "));
 }
 
-std::vector<std::vector<double>> positions_along(const Model& model, const Trajectory& trajectory) {
+std::vector<std::vector<double>> positions_along(const LoadedRobot& model, const Trajectory& trajectory) {
   ClosedPositions positions(model);
   std::vector<std::vector<double>> all;
   for (const TrajectoryPoint& point : trajectory.points) {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "flatdyn/reference/robot.hpp"
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace flatdyn {
@@ -15,7 +15,7 @@ class ClosedPositions {
  public:
   // Starts at the robot's assembly. Throws Failure(unsupported) for a robot with loops and free symbols, Failure(input)
   // where the loops cannot be closed near it.
-  explicit ClosedPositions(const Model& model);
+  explicit ClosedPositions(const LoadedRobot& model);
 
   // q, rad or m, for that of the independent joints (n numbers, which it may be itself where there are no loops). The
   // dependent ones follow continuously from where they were the last time, so that the loops stay assembled as they
@@ -40,6 +40,6 @@ class ClosedPositions {
 };
 
 // Along a motion, by point; those of the trajectory itself where there are no loops. Throws as ClosedPositions does.
-std::vector<std::vector<double>> positions_along(const Model& model, const Trajectory& trajectory);
+std::vector<std::vector<double>> positions_along(const LoadedRobot& model, const Trajectory& trajectory);
 
 }  // namespace flatdyn

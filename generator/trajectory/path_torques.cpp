@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "trajectory/path_torques.hpp"
 
+#include "planning/make_functions.hpp"
 #include "trajectory/tip_torque.hpp"
 
 namespace flatdyn {
@@ -10,7 +11,7 @@ enum : std::size_t { kInverseDynamics, kInertiaMatrix, kGravityTorques, kTipJaco
 
 }  // namespace
 
-PathTorques::PathTorques(const Model& model, bool tip_force, Progress& progress)
+PathTorques::PathTorques(const LoadedRobot& model, bool tip_force, Progress& progress)
     : n_(static_cast<std::size_t>(model.mechanism.size())),
       closed_(model),
       tau_(n_),
@@ -19,7 +20,7 @@ PathTorques::PathTorques(const Model& model, bool tip_force, Progress& progress)
       J_(tip_force ? 6 * n_ : 0) {
   std::vector<std::string> names = {"inverse_dynamics", "inertia_matrix", "gravity"};
   if (tip_force) names.emplace_back("jacobian");
-  for (const Function& function : whole_functions(model, names, "a trajectory", progress))
+  for (const Function& function : derive_numeric_functions(model, names, "a trajectory", progress))
     tapes_.emplace_back(function);
   friction_ = joint_friction(model.mechanism);
 }

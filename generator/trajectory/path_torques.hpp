@@ -10,8 +10,8 @@
 
 #include "diagnostics/progress.hpp"
 #include "graph/tape.hpp"
+#include "load/loaded_robot.hpp"
 #include "model/joint_friction.hpp"
-#include "pipeline.hpp"
 #include "trajectory/closed_positions.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -29,7 +29,7 @@ struct PathCoefficients {
 class PathTorques {
  public:
   // Throws Failure(unsupported) for a robot with free symbols.
-  PathTorques(const Model& model, bool tip_force, Progress& progress);
+  PathTorques(const LoadedRobot& model, bool tip_force, Progress& progress);
 
   // Not from two threads at once.
   PathCoefficients coefficients(const Trajectory& trajectory);

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "diagnostics/nearest.hpp"
-#include "input/toml_parts.hpp"
-#include "input/units.hpp"
+#include "input/common/units.hpp"
+#include "input/toml/parts.hpp"
 
 namespace flatdyn {
 namespace {
@@ -114,31 +114,31 @@ class PlanReader {
 
   Posture posture(TomlTable& table, const std::string& key) {
     if (!table.is_table(key)) return of_joints(table, key);
-    TomlTable inner = *table.table(key);
-    if (!inner.has("tip")) return of_joints(table, key);
-    TipPosture posture{vector(inner, "tip"), {}, {}, inner.place()};
-    const std::string elbow = choice(inner, "elbow", {"down", "up"});
+    TomlTable dot = *table.table(key);
+    if (!dot.has("tip")) return of_joints(table, key);
+    TipPosture posture{vector(dot, "tip"), {}, {}, dot.place()};
+    const std::string elbow = choice(dot, "elbow", {"down", "up"});
     if (!elbow.empty()) posture.elbow = elbow == "down" ? Elbow::down : Elbow::up;
-    const JointPosture guess = of_joints(inner, "guess");
-    if (inner.has("guess")) posture.guess = guess;
-    inner.reject_unknown_keys();
+    const JointPosture guess = of_joints(dot, "guess");
+    if (dot.has("guess")) posture.guess = guess;
+    dot.reject_unknown_keys();
     return posture;
   }
 
   std::optional<TipForce> tip_force(TomlTable& table) {
-    std::optional<TomlTable> inner = table.table("tip_force");
-    if (!inner) return std::nullopt;
+    std::optional<TomlTable> dot = table.table("tip_force");
+    if (!dot) return std::nullopt;
     TipForce force;
-    const Eigen::Vector3d f = vector(*inner, "force"), mu = vector(*inner, "moment");
+    const Eigen::Vector3d f = vector(*dot, "force"), mu = vector(*dot, "moment");
     for (std::size_t i = 0; i < 3; ++i) {
       force.h_e[i] = f[static_cast<Eigen::Index>(i)];
       force.h_e[3 + i] = mu[static_cast<Eigen::Index>(i)];
     }
-    force.in_tip_axes = choice(*inner, "axes", {"base", "tip"}) == "tip";
-    if (!inner->has("axes")) {
-      diagnostics_.error(inner->place(), "tip_force: axes is missing", "axes = \"base\" or axes = \"tip\"");
+    force.in_tip_axes = choice(*dot, "axes", {"base", "tip"}) == "tip";
+    if (!dot->has("axes")) {
+      diagnostics_.error(dot->place(), "tip_force: axes is missing", "axes = \"base\" or axes = \"tip\"");
     }
-    inner->reject_unknown_keys();
+    dot->reject_unknown_keys();
     return force;
   }
 

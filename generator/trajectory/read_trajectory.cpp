@@ -2,7 +2,7 @@
 #include "trajectory/read_trajectory.hpp"
 
 #include "identify/motion_stream.hpp"
-#include "input/context.hpp"
+#include "input/common/context.hpp"
 #include "trajectory/plan_motion.hpp"
 #include "trajectory/plan_reader.hpp"
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline.hpp"
-#include "verify/reference_model.hpp"
+#include "load/loaded_robot.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

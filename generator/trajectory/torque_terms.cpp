@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planning/make_functions.hpp"
 #include "trajectory/tip_torque.hpp"
 
 namespace flatdyn {
@@ -45,12 +46,12 @@ std::string TorqueTerm::name() const {
   return text;
 }
 
-TorqueTerms::TorqueTerms(const Model& model, bool tip_force, Progress& progress)
+TorqueTerms::TorqueTerms(const LoadedRobot& model, bool tip_force, Progress& progress)
     : n_(model.mechanism.size()), closed_(model) {
   std::vector<std::string> names = {"inertia_matrix", "christoffel", "gravity",
                                     tip_force ? "inverse_dynamics_tip_force" : "inverse_dynamics"};
   if (tip_force) names.emplace_back("jacobian");
-  const std::vector<Function> functions = whole_functions(model, names, "a trajectory", progress);
+  const std::vector<Function> functions = derive_numeric_functions(model, names, "a trajectory", progress);
   for (const Function& function : functions) {
     tapes_.emplace_back(function);
     results_.emplace_back(tapes_.back().results());

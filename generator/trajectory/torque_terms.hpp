@@ -11,8 +11,8 @@
 
 #include "diagnostics/progress.hpp"
 #include "graph/tape.hpp"
+#include "load/loaded_robot.hpp"
 #include "model/joint_friction.hpp"
-#include "pipeline.hpp"
 #include "trajectory/closed_positions.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -35,7 +35,7 @@ const char* name_of(TermKind kind);
 class TorqueTerms {
  public:
   // Derives; terms that are zero at every motion are left out. Throws Failure(unsupported) for free symbols.
-  TorqueTerms(const Model& model, bool tip_force, Progress& progress);
+  TorqueTerms(const LoadedRobot& model, bool tip_force, Progress& progress);
 
   int joints() const { return n_; }
   // Joint by joint, in the order of the formula above.

@@ -7,12 +7,12 @@
 #include <limits>
 #include <optional>
 
-#include "diagnostics/process.hpp"
-#include "diagnostics/shared_library.hpp"
-#include "diagnostics/temporary_folder.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
-#include "emit/identifiers.hpp"
+#include "model/identifiers.hpp"
+#include "system/process.hpp"
+#include "system/shared_library.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 
@@ -44,9 +44,9 @@ std::string call_text(const Mechanism& mechanism, const Function& function, cons
 std::string plain_entry_text(const Mechanism& mechanism, const Function& function, const std::string& name_space,
                              const std::string& symbol) {
   const std::string call = call_text(mechanism, function, name_space);
-  const std::string body = returns_value(function)     ? "out[0] = " + call + ";\n  return true;"
-                           : function.positive.empty() ? call + ";\n  return true;"
-                                                       : "return " + call + ";";
+  const std::string body = returns_value(function)                ? "out[0] = " + call + ";\n  return true;"
+                           : function.validity_conditions.empty() ? call + ";\n  return true;"
+                                                                  : "return " + call + ";";
   return fmt::format("extern \"C\" bool {}([[maybe_unused]] const double* const* in, double* out) {{\n  {}\n}}\n",
                      symbol, body);
 }

@@ -6,13 +6,13 @@
 #include <map>
 #include <optional>
 
+#include "definition/regressor_outputs.hpp"
 #include "emit/arguments.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
-#include "input/csv_positions.hpp"
-#include "input/csv_text.hpp"
-#include "verify/regressor_outputs.hpp"
-#include "verify/regressor_reference.hpp"
-#include "verify/values.hpp"
+#include "input/csv/positions.hpp"
+#include "input/csv/text.hpp"
+#include "reference/regressor_reference.hpp"
+#include "reference/values.hpp"
 
 namespace flatdyn {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "graph/function.hpp"
-#include "input/csv_table.hpp"
+#include "input/csv/table.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is known of emitted functions before they are written: that they are what the Lagrangian says, and what they
-// were before the passes, conditions included. In exact arithmetic (verify/exact.hpp).
+// were before the passes, conditions included. In exact arithmetic (definition/exact.hpp).
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "definition/exact.hpp"
 #include "emit/stages.hpp"
 #include "graph/fusion.hpp"
-#include "pipeline.hpp"
-#include "verify/emitted_text.hpp"
-#include "verify/exact.hpp"
+#include "planning/optimised_function.hpp"
+#include "readback/emitted_text.hpp"
 
 namespace flatdyn {
 

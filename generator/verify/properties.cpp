@@ -7,7 +7,7 @@
 #include <map>
 
 #include "graph/arithmetic.hpp"
-#include "verify/reference_model.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

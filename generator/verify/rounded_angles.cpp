@@ -21,21 +21,21 @@ const char* tolerance_for(const std::vector<Snap>& angles) {
 }
 
 // Additions and multiplications of inverse dynamics if the angles are taken for multiples of pi/12.
-std::optional<int> operations_with(const char* tolerance, const Model& model, PipelineOptions options) {
+std::optional<int> operations_with(const char* tolerance, const LoadedRobot& model, PipelineOptions options) {
   options.read.snap_tolerance = exact_decimal(tolerance);
   options.functions = {kInverseDynamics};
   options.search.reset();
   Progress silent(true);
   Diagnostics ignored;
   try {
-    const Model other = read_model(model.robot.file, options);
+    const LoadedRobot other = load_robot(model.robot.file, options);
     return count_operations(make_functions(other, options, silent, ignored).front().function).arithmetic();
   } catch (const Failure&) {
     return std::nullopt;  // that robot has other problems: nothing can be promised
   }
 }
 
-std::string saving(const char* tolerance, const Model& model, const PipelineOptions& options,
+std::string saving(const char* tolerance, const LoadedRobot& model, const PipelineOptions& options,
                    const std::vector<OptimisedFunction>& functions) {
   constexpr int kMostBodies = 12;
   const auto made = std::find_if(functions.begin(), functions.end(),
@@ -49,7 +49,7 @@ std::string saving(const char* tolerance, const Model& model, const PipelineOpti
 
 }  // namespace
 
-void ask_for_rounded_angles(const Model& model, const PipelineOptions& options,
+void ask_for_rounded_angles(const LoadedRobot& model, const PipelineOptions& options,
                             const std::vector<OptimisedFunction>& functions, Diagnostics& findings) {
   const std::vector<Snap>& angles = model.robot.rounded_angles;
   if (angles.empty()) return;

@@ -2,8 +2,9 @@
 #include "verify/snap_effect.hpp"
 
 #include "flatdyn/reference/newton_euler.hpp"
+#include "input/reader.hpp"
 #include "model/states.hpp"
-#include "verify/reference_model.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {
@@ -50,7 +51,7 @@ double largest_difference(const std::vector<Vector50>& a, const std::vector<Vect
 
 }  // namespace
 
-std::vector<double> snap_effects(const Model& model, const ReadOptions& options) {
+std::vector<double> snap_effects(const LoadedRobot& model, const ReadOptions& options) {
   std::vector<double> effects;
   if (model.robot.snaps.empty()) return effects;
   const std::vector<State> states = random_states(model.mechanism, kStates, kSeed);

@@ -8,12 +8,12 @@
 #include <functional>
 #include <limits>
 
+#include "definition/exact.hpp"
 #include "diagnostics/table.hpp"
 #include "model/angles.hpp"
+#include "reference/values.hpp"
 #include "verify/compiled.hpp"
-#include "verify/exact.hpp"
 #include "verify/properties.hpp"
-#include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -97,7 +97,7 @@ class Comparison {
   }
 
   static bool says_that_pivots_are_lost(const Function& function, const std::vector<double>& written) {
-    return !function.scales.empty() &&
+    return !function.pivot_diagonals.empty() &&
            std::all_of(written.begin(), written.end(), [](double entry) { return std::isnan(entry); });
   }
 

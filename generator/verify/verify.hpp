@@ -10,7 +10,7 @@
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
-#include "verify/expected.hpp"
+#include "reference/expected.hpp"
 
 namespace flatdyn {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "graph/count.hpp"
-#include "pipeline.hpp"
+#include "planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -21,7 +21,7 @@ TEST_P(OperationCounts, AreNotAbove) {
   PipelineOptions options;
   options.functions = {GetParam().function};
   if (GetParam().candidates > 0) options.search = SearchLimit{GetParam().candidates, std::nullopt};
-  const Model model = read_model(std::string(FLATDYN_SOURCE_DIR "/robots/") + GetParam().robot, options);
+  const LoadedRobot model = load_robot(std::string(FLATDYN_SOURCE_DIR "/robots/") + GetParam().robot, options);
   Progress quiet(true);
   Diagnostics left_out;
   const OperationCount count = count_operations(make_functions(model, options, quiet, left_out).at(0).function);
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Torques are B q̈ and the bias, where both are at hand: two operations for each entry of B.
 TEST(FusedOperationCounts, AreThoseOfBAndOfTheBias) {
-  const Model model = read_model(FLATDYN_SOURCE_DIR "/robots/panda.urdf", {});
+  const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/robots/panda.urdf", {});
   Progress quiet(true);
   const auto operations = [&](const std::vector<std::string>& functions) {
     return count_operations(make_fusion(model, functions, quiet).fusion.function).arithmetic();

@@ -2,7 +2,7 @@
 // The compiled text of real robots against 50 digits: what the README promises.
 #include <gtest/gtest.h>
 
-#include "pipeline.hpp"
+#include "planning/make_functions.hpp"
 #include "verify/verify.hpp"
 
 namespace flatdyn {
@@ -13,7 +13,7 @@ constexpr const char* kRobots = FLATDYN_SOURCE_DIR "/robots/";
 VerifyReport report_of(const std::string& robot, const std::vector<std::string>& functions) {
   PipelineOptions options;
   options.functions = functions;
-  const Model model = read_model(kRobots + robot, options);
+  const LoadedRobot model = load_robot(kRobots + robot, options);
   Progress quiet(true);
   Diagnostics left_out;
   const std::vector<Function> made = functions_of(make_functions(model, options, quiet, left_out));

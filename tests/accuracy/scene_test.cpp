@@ -5,10 +5,10 @@
 
 #include <fstream>
 
-#include "diagnostics/temporary_folder.hpp"
 #include "graph/count.hpp"
-#include "pipeline.hpp"
-#include "verify/values.hpp"
+#include "planning/make_functions.hpp"
+#include "reference/values.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -39,7 +39,7 @@ class InAScene : public ::testing::TestWithParam<Case> {
     const std::string robot = std::string(FLATDYN_SOURCE_DIR "/robots/") + GetParam().robot;
     std::ofstream file(path());
     file << "robot = \"" << robot << "\"\n";
-    for (const Body& body : read_model(robot, {}).mechanism.bodies) {
+    for (const Body& body : load_robot(robot, {}).mechanism.bodies) {
       file << "[[joint]]\nname = \"" << body.joint << "\"\nviscous = 0.3\ncoulomb = 0.2\n";
     }
   }
@@ -50,7 +50,7 @@ class InAScene : public ::testing::TestWithParam<Case> {
     PipelineOptions options;
     options.functions = {function};
     options.read.scene = scene;
-    model_ = read_model(path(), options);
+    model_ = load_robot(path(), options);
     Progress quiet(true);
     Diagnostics findings;
     return make_functions(*model_, options, quiet, findings).at(0).function;
@@ -84,7 +84,7 @@ class InAScene : public ::testing::TestWithParam<Case> {
 
  private:
   TemporaryFolder folder_;
-  std::optional<Model> model_;
+  std::optional<LoadedRobot> model_;
 };
 
 TEST_P(InAScene, AJointIsHeld) {
@@ -199,7 +199,7 @@ TEST(ExampleScene, TakesNoMoreOperations) {
   const std::string folder = FLATDYN_SOURCE_DIR;
   PipelineOptions options;
   options.read.scene_file = folder + "/docs/examples/panda_scene.toml";
-  const Model model = read_model(folder + "/robots/panda.urdf", options);
+  const LoadedRobot model = load_robot(folder + "/robots/panda.urdf", options);
   Progress quiet(true);
   Diagnostics findings;
   const std::vector<Function> functions = functions_of(make_functions(model, options, quiet, findings));

@@ -3,8 +3,8 @@
 
 #include "benchmark/harness.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
-#include "pipeline.hpp"
-#include "verify/reference_model.hpp"
+#include "load/load_robot.hpp"
+#include "reference/reference_model.hpp"
 #ifdef FLATDYN_KDL
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainfdsolver_recursive_newton_euler.hpp>
@@ -20,7 +20,7 @@ using Vector = reference::VectorX<double>;
 
 const reference::Robot<double>& robot() {
   static const reference::Robot<double> panda =
-      reference_robot<double>(read_model(FLATDYN_SOURCE_DIR "/robots/panda.urdf", {}).robot, {});
+      reference_robot<double>(load_robot(FLATDYN_SOURCE_DIR "/robots/panda.urdf", {}).robot, {});
   return panda;
 }
 

@@ -122,14 +122,14 @@ TEST_F(IdentifyFiles, PayloadKeepsTheSettingsAndQuotesNames) {
   const Outcome outcome = run("payload '{0}/we\"ird/rob.toml' -q --gravity 1,-2,3 --data {0}/n.csv -o {0}/loaded.toml");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(scratch.read("loaded.toml"), HasSubstr("gravity = [1,-2,3]\n"));
-  const Model loaded = read_model(scratch.path("loaded.toml"), {});
+  const LoadedRobot loaded = load_robot(scratch.path("loaded.toml"), {});
   EXPECT_TRUE(loaded.robot.has_payload);
   EXPECT_EQ(loaded.mechanism.gravity[1], Number(-2));
 }
 
 // The decimal is taken for pi/2, and the file says so.
 TEST_F(IdentifyFiles, PayloadRepeatsTheScene) {
-  const Model before = read_model(scratch.path("rob.toml"), {});
+  const LoadedRobot before = load_robot(scratch.path("rob.toml"), {});
   const std::string joint = before.mechanism.bodies[0].joint;
   scratch.write("scene.toml", "gravity = \"off\"\n[locked]\n" + joint + " = 1.5707963\n");
   std::string log = "t,q1,tau1\n";
@@ -138,7 +138,7 @@ TEST_F(IdentifyFiles, PayloadRepeatsTheScene) {
   const Outcome outcome = run("payload {0}/rob.toml -q --scene {0}/scene.toml --data {0}/one.csv -o {0}/loaded.toml");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(scratch.read("loaded.toml"), HasSubstr("fixed = { \"" + joint + "\" = \"pi/2\" }\n"));
-  const Model loaded = read_model(scratch.path("loaded.toml"), {});
+  const LoadedRobot loaded = load_robot(scratch.path("loaded.toml"), {});
   EXPECT_EQ(loaded.mechanism.size(), before.mechanism.size() - 1);
   EXPECT_TRUE(vanishes(loaded.mechanism.gravity[2]));
 }

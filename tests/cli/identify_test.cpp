@@ -64,7 +64,7 @@ TEST(Identify, WritesARobotFileWhoseTorquesAreThoseMeasured) {
 TEST(Identify, LeavesFrictionAndRotorsOutWhereOnlyInertiasAreAskedFor) {
   const Scratch scratch;
   const std::string log = scratch.path("log.csv"), output = scratch.path("identified.toml");
-  Model bare = model_of("puma560.toml");
+  LoadedRobot bare = model_of("puma560.toml");
   for (Joint& joint : bare.robot.joints) {
     joint.viscous = joint.coulomb = joint.armature = Value{};
     joint.motor.reset();
@@ -171,7 +171,7 @@ TEST(Payload, ComesOutAsARobotFile) {
                                           "0.1]\ninertia = {{ xx = 0.01, yy = 0.02, zz = 0.015 }}\ninertia_about = "
                                           "\"com\"\n",
                                           FLATDYN_SOURCE_DIR));
-  const Model loaded = read_model(scratch.path("truth.toml"), {});
+  const LoadedRobot loaded = load_robot(scratch.path("truth.toml"), {});
   write_log(scratch.path("with.csv"), simulated(loaded, {.samples = 800, .noise = 0.01}));
   write_log(scratch.path("without.csv"),
             simulated(model_of("puma560.toml"), {.samples = 800, .noise = 0.01, .seed = 4}));
@@ -199,7 +199,7 @@ TEST(Payload, SaysThatLogsMayBeExchanged) {
                                           "inertia_about = \"com\"\n",
                                           FLATDYN_SOURCE_DIR));
   write_log(scratch.path("with.csv"),
-            simulated(read_model(scratch.path("truth.toml"), {}), {.samples = 400, .noise = 0.01}));
+            simulated(load_robot(scratch.path("truth.toml"), {}), {.samples = 400, .noise = 0.01}));
   write_log(scratch.path("without.csv"),
             simulated(model_of("puma560.toml"), {.samples = 400, .noise = 0.01, .seed = 4}));
   const std::string command = fmt::format("payload {} -o {} --data ", kPuma, scratch.path("loaded.toml"));

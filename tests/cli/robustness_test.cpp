@@ -18,7 +18,7 @@
 #include "cli/program.hpp"
 #include "cli/replace_files.hpp"
 #include "diagnostics/diagnostics.hpp"
-#include "input/content_hash.hpp"
+#include "input/common/content_hash.hpp"
 
 namespace flatdyn::testing {
 namespace {

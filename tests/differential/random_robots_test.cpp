@@ -4,12 +4,12 @@
 // --family random --robots 100000 --seed 1001.
 #include <gtest/gtest.h>
 
+#include "reference/expected.hpp"
+#include "reference/values.hpp"
 #include "report/random_robots_report.hpp"
 #include "stress/random_robots.hpp"
 #include "support/kdl_chain.hpp"
 #include "support/mujoco_tree.hpp"
-#include "verify/expected.hpp"
-#include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "pipeline.hpp"
+#include "planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -39,7 +39,7 @@ class SceneErrors : public ::testing::TestWithParam<std::string> {
     Progress quiet(true);
     Diagnostics findings;
     try {
-      const Model model = read_model("../bases/scene_arm.toml", options);
+      const LoadedRobot model = load_robot("../bases/scene_arm.toml", options);
       findings = model.diagnostics;
       if (model.robot.scene.functions.empty() && model.robot.scene.outputs.empty()) options.functions = {"gravity"};
       make_functions(model, options, quiet, findings);

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "diagnostics/temporary_folder.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn::testing {
 

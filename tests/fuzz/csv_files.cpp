@@ -6,7 +6,7 @@
 #include "fuzz/byte_files.hpp"
 #include "fuzz/readers.hpp"
 #include "identify/log_reader.hpp"
-#include "input/csv_table.hpp"
+#include "input/csv/table.hpp"
 #include "input/reader.hpp"
 
 namespace flatdyn::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/emitted_text.hpp"
+#include "readback/emitted_text.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "fuzz/readers.hpp"
 

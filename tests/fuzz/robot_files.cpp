@@ -6,7 +6,7 @@
 #include "fuzz/readers.hpp"
 #include "input/reader.hpp"
 #include "model/mechanism.hpp"
-#include "verify/reference_model.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn::testing {
 namespace {

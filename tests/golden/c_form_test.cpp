@@ -11,9 +11,9 @@
 
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
-#include "emit/identifiers.hpp"
 #include "golden/golden.hpp"
-#include "pipeline.hpp"
+#include "model/identifiers.hpp"
+#include "planning/make_functions.hpp"
 #include "support/given_sines.hpp"
 #include "support/robot_models.hpp"
 
@@ -27,7 +27,7 @@ constexpr const char* kFlagsOfC =
     "-std=c99 -O1 -ffp-contract=off -Wall -Wextra -pedantic -Wconversion -Wshadow -Wfloat-equal -Wdouble-promotion "
     "-Werror";
 
-std::vector<Function> functions_to_compare(const Model& model) {
+std::vector<Function> functions_to_compare(const LoadedRobot& model) {
   PipelineOptions options;
   const bool is_large = model.mechanism.size() > 20;
   if (is_large) options.functions = {"inverse_dynamics", "gravity", "jacobian"};
@@ -67,7 +67,7 @@ std::string comparison(const Function& function, const std::string& scalar, cons
   if (returns) outputs.clear();
   const auto run = [&](const std::string& callee, std::vector<std::string> arguments, int place) {
     arguments.insert(arguments.end(), outputs.begin(), outputs.end());
-    const bool is_void = !returns && function.positive.empty();
+    const bool is_void = !returns && function.validity_conditions.empty();
     return fmt::format("    {{ {}* const out = all[{}]; {}{}({}); }}\n", scalar, place,
                        returns   ? "out[0] = "
                        : is_void ? ""
@@ -90,7 +90,7 @@ std::string comparison(const Function& function, const std::string& scalar, cons
   return text + fmt::format("    differ += !same(all[0], all[1]);\n    changed += all[0][0] != all[0][1];\n  }}\n");
 }
 
-std::string program(const Model& model, const std::vector<Function>& functions, const std::string (&headers)[2]) {
+std::string program(const LoadedRobot& model, const std::vector<Function>& functions, const std::string (&headers)[2]) {
   const std::size_t n = static_cast<std::size_t>(model.mechanism.size()), symbols = model.mechanism.symbols.size();
   const int m = model.mechanism.position_count();
   std::string text =
@@ -126,7 +126,7 @@ std::string program(const Model& model, const std::vector<Function>& functions, 
 
 // All of one robot, in one folder.
 std::string differences_of(const std::string& robot, int most_lines) {
-  const Model model = model_of(robot);
+  const LoadedRobot model = model_of(robot);
   const std::vector<Function> functions = functions_to_compare(model);
   const TemporaryFolder folder;
   std::string headers[2], sources;
@@ -175,7 +175,7 @@ TEST(CFormInParts, HasTheBitsOfTheCppForm) {
 
 // The header says so; `restrict` is of outputs only. Of every function, with inputs apart and in one array.
 TEST(CFormsInputs, MayBeOneArray) {
-  const Model model = model_of("ur5.urdf");
+  const LoadedRobot model = model_of("ur5.urdf");
   const std::vector<Function> functions = functions_to_compare(model);
   const TemporaryFolder folder;
   const HeaderAndSource text = emit_c(model.mechanism, functions, options_of("double", Language::c, 0));

@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "diagnostics/temporary_folder.hpp"
 #include "emit/emit.hpp"
 #include "golden/golden.hpp"
 #include "support/robot_models.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -54,7 +54,7 @@ class CloseLoops : public ::testing::Test {
     return functions_of(make_functions(model_, options, quiet, none));
   }
 
-  const Model model_ = model_of("slider_crank.toml");
+  const LoadedRobot model_ = model_of("slider_crank.toml");
   const TemporaryFolder folder_;
 };
 

@@ -11,9 +11,10 @@
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
 #include "golden/golden.hpp"
+#include "planning/make_functions.hpp"
+#include "reference/expected.hpp"
+#include "reference/values.hpp"
 #include "support/robot_models.hpp"
-#include "verify/expected.hpp"
-#include "verify/values.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -42,7 +43,7 @@ writeFileSync('results.json', JSON.stringify(functions.map((of) => states.map((s
 
 bool has_node() { return std::system("node --version > /dev/null 2>&1") == 0; }
 
-std::vector<Function> functions_to_run(const Model& model) {
+std::vector<Function> functions_to_run(const LoadedRobot& model) {
   PipelineOptions options;
   // Of the humanoid not everything: its 16896 Christoffel symbols take long in 50 digits.
   if (model.mechanism.size() > 20) {
@@ -87,7 +88,7 @@ std::vector<double> numbers(const json& list) {
 
 // The largest scaled error of each function is small.
 void expect_small_errors(const std::string& robot, int most_lines) {
-  const Model model = model_of(robot);
+  const LoadedRobot model = model_of(robot);
   const std::vector<Function> functions = functions_to_run(model);
   const ExpectedValues expected(model.robot, model.mechanism, 1);
   const std::vector<State> states = with_parameters(random_states(model.mechanism, kStates, 1), expected.symbols());

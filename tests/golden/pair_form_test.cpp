@@ -11,10 +11,10 @@
 
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
-#include "emit/identifiers.hpp"
 #include "emit/writer.hpp"
 #include "golden/golden.hpp"
-#include "pipeline.hpp"
+#include "model/identifiers.hpp"
+#include "planning/make_functions.hpp"
 #include "support/given_sines.hpp"
 #include "support/robot_models.hpp"
 
@@ -34,7 +34,7 @@ const std::vector<std::string> kFunctions = {"inverse_dynamics", "inertia_matrix
 const std::vector<std::string> kStaged = {"gravity", "inverse_dynamics"};
 
 struct Forms {
-  Model model;
+  LoadedRobot model;
   std::vector<Function> functions;
   std::string header;  // in namespace whole
   HeaderAndSource pair;

@@ -25,7 +25,7 @@ const std::vector<std::pair<std::string, std::string>> kRuns = {
     {"planar_2r_example_7_2.toml", "--firmware cortex-m4 --functions inverse_dynamics,gravity --name firmware"}};
 
 // How a run differs from the one that it is compared with.
-struct Way {
+struct FormulationIndex {
   std::string program = FLATDYN_PROGRAM;
   std::string environment = "LC_ALL=C";
   std::string folder = "here";  // of robot and output, below a folder of the test's own
@@ -42,7 +42,7 @@ Files files_in(const fs::path& folder) {
 }
 
 // All outputs, and by "log" what is printed. Copies of the robots are in the folder, so that no path is the same.
-Files generated(const Way& way) {
+Files generated(const FormulationIndex& way) {
   const TemporaryFolder scratch;
   const fs::path folder = scratch.path() / way.folder, output = folder / "out";
   fs::create_directories(output);

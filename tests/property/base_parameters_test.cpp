@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Of random trees: base parameters from regrouping, from samples of prime fields, and from the numeric rank of the
 // reference's regressor in 50 digits.
-#include "symbolic/base_parameters.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 #include <array>
 #include <random>
 
+#include "definition/sampled_base.hpp"
+#include "reference/regressor_reference.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/written_model.hpp"
-#include "verify/regressor_reference.hpp"
-#include "verify/sampled_base.hpp"
 
 namespace flatdyn {
 namespace {
@@ -158,7 +158,7 @@ std::string coupled_arm(unsigned seed) {
 class CoupledArms : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(CoupledArms, HaveTheSameBaseParametersThreeWays) {
-  const Model model = testing::model_of_toml(coupled_arm(GetParam()));
+  const LoadedRobot model = testing::model_of_toml(coupled_arm(GetParam()));
   SCOPED_TRACE(coupled_arm(GetParam()));
   expect_three_ways(model.robot, model.mechanism, ParameterSet::given);
   expect_three_ways(model.robot, model.mechanism, ParameterSet::inertial);
@@ -169,12 +169,12 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CoupledArms, ::testing::Range(1u, 41u));
 class RobotsOfTheRepository : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RobotsOfTheRepository, HaveTheRankOfFiftyDigits) {
-  const Model model = testing::model_of(GetParam());
+  const LoadedRobot model = testing::model_of(GetParam());
   expect_three_ways(model.robot, model.mechanism, ParameterSet::full);
 }
 
 TEST_P(RobotsOfTheRepository, HaveABaseRegressorOfFullColumnRank) {
-  const Model model = testing::model_of(GetParam());
+  const LoadedRobot model = testing::model_of(GetParam());
   const int b = base_parameters(model.mechanism).size();
   EXPECT_EQ(numeric_rank(model.robot, model.mechanism, "base_regressor",
                          std::vector<bool>(static_cast<std::size_t>(b), true)),
@@ -182,7 +182,7 @@ TEST_P(RobotsOfTheRepository, HaveABaseRegressorOfFullColumnRank) {
 }
 
 TEST_P(RobotsOfTheRepository, HaveTheRankOfFiftyDigitsOnATiltedBase) {
-  Model model = testing::model_of(GetParam());
+  LoadedRobot model = testing::model_of(GetParam());
   model.robot.gravity = {3, 4, -12};
   expect_three_ways(model.robot, make_mechanism(model.robot), ParameterSet::inertial);
 }

@@ -44,7 +44,7 @@ TEST(Rk4, LeavesTheStateWhereAccelerationsAreRefused) {
 
 // The generated Panda falls as the simulation of the same robot does.
 TEST(Rk4, StepsAsTheSimulationDoes) {
-  const Model model = testing::model_of("panda.urdf");
+  const LoadedRobot model = testing::model_of("panda.urdf");
   Simulation simulation = resting(model.robot, model.mechanism);
   simulation.duration = 0.5;
   simulation.rate = 100;

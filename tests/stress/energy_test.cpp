@@ -10,8 +10,8 @@
 #include "flatdyn/reference/magnitude.hpp"
 #include "flatdyn/reference/tangent.hpp"
 #include "panda.hpp"
+#include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
-#include "verify/reference_model.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -12,11 +12,11 @@ namespace flatdyn::testing {
 
 struct Arm {
   explicit Arm(const std::string& file, ParameterSet set = ParameterSet::given) : Arm(model_of(file), set) {}
-  explicit Arm(Model model, ParameterSet set = ParameterSet::given)
+  explicit Arm(LoadedRobot model, ParameterSet set = ParameterSet::given)
       : robot(std::move(model)), torque(robot, set, quiet) {}
 
   Progress quiet{true};
-  Model robot;
+  LoadedRobot robot;
   TorqueModel torque;
 
   Eigen::VectorXd truth() const {

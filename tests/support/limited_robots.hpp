@@ -2,8 +2,8 @@
 // Robots of robots/ whose joints all have limits.
 #pragma once
 
+#include "planning/formulations.hpp"
 #include "support/robot_models.hpp"
-#include "symbolic/formulations.hpp"
 
 namespace flatdyn::testing {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/temporary_folder.hpp"
 #include "support/joint_dynamics_peer.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn::testing {
 

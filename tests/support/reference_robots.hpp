@@ -89,8 +89,8 @@ reference::Robot<S> random_reference_robot(unsigned seed, const RandomRobot& opt
       if (options.friction) joint.viscous = draw.positive();
       if (options.friction) joint.coulomb = draw.positive();
       if (options.rotors) {
-        joint.rotor = reference::Rotor<S>{draw.integer(0, i), S(draw.integer(-40, 60)), draw.positive() / S(64),
-                                          draw.direction()};
+        joint.rotor = reference::Rotor<S>{draw.integer(0, i), S(draw.integer(-40, 60)),
+                                          draw.positive() / S(64), draw.direction()};
       }
     }
     robot.joints.push_back(joint);

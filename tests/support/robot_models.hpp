@@ -6,12 +6,12 @@
 #include <iterator>
 #include <string>
 
-#include "pipeline.hpp"
+#include "load/load_robot.hpp"
 
 namespace flatdyn::testing {
 
-inline Model model_of(const std::string& file) {
-  return read_model(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file, {});
+inline LoadedRobot model_of(const std::string& file) {
+  return load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file, {});
 }
 
 // As written, to be changed.

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "pipeline.hpp"
-#include "verify/reference_model.hpp"
+#include "load/loaded_robot.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn::testing {
 
@@ -60,7 +60,7 @@ inline Eigen::VectorXd closed(const reference::Robot<double>& robot, const Eigen
   return before;
 }
 
-inline std::vector<SimulatedSample> simulated(const Model& model, const SimulationOptions& options) {
+inline std::vector<SimulatedSample> simulated(const LoadedRobot& model, const SimulationOptions& options) {
   constexpr int kHarmonics = 5;
   const int n = model.mechanism.size();
   const reference::Robot<double> robot = reference_robot<double>(model.robot, {});

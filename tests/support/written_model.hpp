@@ -5,16 +5,16 @@
 #include <fstream>
 #include <string>
 
-#include "diagnostics/temporary_folder.hpp"
-#include "pipeline.hpp"
+#include "load/load_robot.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn::testing {
 
-inline Model model_of_toml(const std::string& text) {
+inline LoadedRobot model_of_toml(const std::string& text) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "robot.toml";
   std::ofstream(file) << text;
-  return read_model(file, {});
+  return load_robot(file, {});
 }
 
 }  // namespace flatdyn::testing

@@ -3,9 +3,9 @@
 // in the base frame, derivatives by GiNaC against dual numbers.
 #include <gtest/gtest.h>
 
+#include "definition/lagrangian.hpp"
 #include "graph/mod_p.hpp"
-#include "model/lagrangian.hpp"
-#include "symbolic/closed_form.hpp"
+#include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/textbook_robots.hpp"
 
 namespace flatdyn {
@@ -55,7 +55,7 @@ void expect_same_as_lagrangian(const Mechanism& mechanism, std::uint64_t seed) {
   const ClosedForm form = closed_form(mechanism);
   Point point = random_point(mechanism, form, seed);
   const NumberMap<TableArithmetic> value(point.symbols, point.arithmetic);
-  Lagrangian<F> lagrangian(field_mechanism(mechanism, point.arithmetic), point.q);
+  Lagrangian<F> lagrangian(mechanism_over(mechanism, point.arithmetic), point.q);
   const std::vector<F> g = lagrangian.gravity();
   for (int i = 0; i < form.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);

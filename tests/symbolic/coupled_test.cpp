@@ -3,12 +3,12 @@
 // (Problem 7.6).
 #include <gtest/gtest.h>
 
+#include "definition/sampled_base.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/base_parameters.hpp"
-#include "symbolic/closed_form.hpp"
+#include "symbolic/closed_form/closed_form.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/textbook_robots.hpp"
-#include "verify/sampled_base.hpp"
 
 namespace flatdyn {
 namespace {
@@ -23,7 +23,7 @@ struct Derived {
   Number cosine() const { return form.c[0] * form.c[1] + form.s[0] * form.s[1]; }
   Number sine() const { return form.s[1] * form.c[0] - form.c[1] * form.s[0]; }
 
-  Model model;
+  LoadedRobot model;
   ClosedForm form;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What `derive` prints, character by character.
-#include "symbolic/derive.hpp"
+#include "symbolic/notation/derive.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

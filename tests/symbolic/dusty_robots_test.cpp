@@ -7,8 +7,9 @@
 #include <regex>
 #include <sstream>
 
+#include "emit/emit.hpp"
 #include "graph/count.hpp"
-#include "pipeline.hpp"
+#include "planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -49,22 +50,22 @@ class DustyRobots : public ::testing::Test {
     std::vector<Function> functions;
   };
   // Of the robot in this text.
-  Derived derived_from(const std::string& urdf) const {
+  Derived effective_mechanism(const std::string& urdf) const {
     std::ofstream(file_) << urdf;
     PipelineOptions options;
     options.functions = {"inverse_dynamics", "inertia_matrix", "gravity"};
-    const Model model = read_model(file_, options);
+    const LoadedRobot model = load_robot(file_, options);
     Progress silent(true);
     Diagnostics none;
     return {model.mechanism, functions_of(make_functions(model, options, silent, none))};
   }
   std::string code_of(const std::string& urdf) const {
-    const Derived derived = derived_from(urdf);
+    const Derived derived = effective_mechanism(urdf);
     return emit_cpp(derived.mechanism, derived.functions, EmitOptions{}, std::nullopt);
   }
   std::vector<OperationCount> counts_of(const std::string& urdf) const {
     std::vector<OperationCount> counts;
-    for (const Function& function : derived_from(urdf).functions) counts.push_back(count_operations(function));
+    for (const Function& function : effective_mechanism(urdf).functions) counts.push_back(count_operations(function));
     return counts;
   }
   static std::string robot(const std::string& name) { return text_of(FLATDYN_SOURCE_DIR "/robots/" + name + ".urdf"); }

@@ -7,24 +7,24 @@
 
 #include <algorithm>
 
+#include "definition/exact.hpp"
+#include "definition/sampled_base.hpp"
 #include "emit/emit.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
 #include "model/angles.hpp"
 #include "model/states.hpp"
+#include "planning/formulations.hpp"
+#include "readback/emitted_text.hpp"
+#include "reference/reference_model.hpp"
 #include "support/identified_arm.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/base_parameters.hpp"
-#include "symbolic/closed_form.hpp"
+#include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/closed_functions.hpp"
-#include "symbolic/derive.hpp"
-#include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/notation/derive.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/textbook_robots.hpp"
-#include "verify/emitted_text.hpp"
-#include "verify/exact.hpp"
-#include "verify/reference_model.hpp"
-#include "verify/sampled_base.hpp"
 #include "verify/verify.hpp"
 
 namespace flatdyn {
@@ -98,7 +98,7 @@ link = "left"
 
 class Machine : public ::testing::Test {
  protected:
-  const Model model_ = testing::model_of_toml(kMachine);
+  const LoadedRobot model_ = testing::model_of_toml(kMachine);
 };
 
 TEST_F(Machine, HasACoordinateForEachIndependentJoint) {
@@ -236,7 +236,7 @@ TEST(FollowerByAFraction, HasTheClosedFormByHand) {
 }
 
 TEST(FollowerByAFraction, AsksForTheSineOfTheFraction) {
-  const Model model = testing::model_of_toml(kFraction);
+  const LoadedRobot model = testing::model_of_toml(kFraction);
   EXPECT_THAT(derive_text(model.mechanism), ::testing::HasSubstr("cos(2/3 q_1)"));
   EXPECT_THAT(derive_text(model.mechanism), ::testing::HasSubstr("cos(5/3 q_1)"));
   const std::string header = emit_cpp(model.mechanism, {derive_function(model.mechanism, "gravity")}, {});
@@ -320,7 +320,7 @@ TEST(FollowerByAFraction, HasItsAnglesInPartsWhereFunctionsAreShort) {
 TEST(FollowerByAFraction, MayBeOffByAsManyLastPlacesAsItTurnsMore) {
   std::string text = kGripper;
   text.replace(text.find("-0.28833"), 8, "-200.5");
-  const Model model = testing::model_of_toml(text);
+  const LoadedRobot model = testing::model_of_toml(text);
   EXPECT_EQ(largest_turn(model.mechanism), 200.5);
   EXPECT_EQ(largest_turn(testing::model_of_toml(kGripper).mechanism), 1);
   Progress quiet(true);

@@ -7,21 +7,21 @@
 #include <random>
 #include <span>
 
-#include "diagnostics/temporary_folder.hpp"
+#include "definition/exact.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
 #include "flatdyn/reference/kinematics.hpp"
 #include "identify/measurement.hpp"
 #include "model/assembly.hpp"
 #include "model/states.hpp"
+#include "planning/formulations.hpp"
+#include "reference/expected.hpp"
+#include "reference/reference_model.hpp"
+#include "reference/values.hpp"
 #include "support/identified_arm.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
+#include "system/temporary_folder.hpp"
 #include "trajectory/closed_positions.hpp"
-#include "verify/exact.hpp"
-#include "verify/expected.hpp"
-#include "verify/reference_model.hpp"
-#include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -117,13 +117,13 @@ link = "fan"
 xyz = [0.05, 0.02, 0.01]
 )";
 
-Model loop_model(const std::string& name) {
+LoadedRobot loop_model(const std::string& name) {
   return name == "spatial" ? testing::model_of_toml(kSpatial) : testing::model_of(name);
 }
 
 class Loops : public ::testing::TestWithParam<const char*> {
  protected:
-  const Model model_ = loop_model(GetParam());
+  const LoadedRobot model_ = loop_model(GetParam());
   const SymbolValues symbols_ = random_symbol_values(model_.robot, 3);
 };
 
@@ -308,7 +308,7 @@ t2 = -1.2
 )";
 
 // Of Y_b at closed positions so far round the assembly, from the largest down, columns scaled to 1.
-Eigen::VectorXd singular_values(const Model& model, double range) {
+Eigen::VectorXd singular_values(const LoadedRobot& model, double range) {
   const Function regressor = derive_function(model.mechanism, "base_regressor");
   const auto columns = static_cast<Eigen::Index>(regressor.outputs[0].cols);
   const auto n = static_cast<std::size_t>(model.mechanism.size());
@@ -339,7 +339,7 @@ Eigen::VectorXd singular_values(const Model& model, double range) {
 }
 
 // Of K, beyond the rank.
-long rows_too_many(const Model& model, double range = 0.2) {
+long rows_too_many(const LoadedRobot& model, double range = 0.2) {
   const Eigen::VectorXd values = singular_values(model, range);
   return (values.array() < 1e-12 * values.maxCoeff()).count();
 }
@@ -358,7 +358,7 @@ TEST(CarriedLoops, KeepWhatOneDirectionHides) {
 
 // A pin: the mass, and two products of inertia with its direction.
 TEST(CarriedLoops, HideThreeParametersInAPin) {
-  const Model closed = testing::model_of_toml(carried(kPin));
+  const LoadedRobot closed = testing::model_of_toml(carried(kPin));
   const BaseParameters base = base_parameters(closed.mechanism);
   EXPECT_EQ(base.shifts.size(), 3U);
   EXPECT_TRUE(prove_exactly(closed.mechanism, derive_function(closed.mechanism, "base_regressor")).equal);
@@ -422,7 +422,7 @@ TEST(SliderCrank, IsWhereTheTriangleSays) {
 // Initial values of the test set: positions, and the accelerations of the crank and of the rod under the spring and the
 // driving torque, 28 digits each.
 TEST(AndrewsSqueezer, StartsAsPublished) {
-  const Model model = testing::model_of("andrews_squeezer.toml");
+  const LoadedRobot model = testing::model_of("andrews_squeezer.toml");
   const auto robot = reference_robot<Real50>(model.robot, {});
   VectorX<Real50> q(7), qd(1), qdd(1);  // beta, Theta, gamma, delta, Phi, epsilon, Omega
   q << Real50("-0.0617138900142764496358948458001"), 0, Real50("0.455279819163070380255912382449"),

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robot_models.hpp"
-#include "symbolic/closed_form.hpp"
+#include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/textbook_robots.hpp"
 
 namespace flatdyn {
@@ -62,7 +62,7 @@ TEST(Problems, P7_2) {
 TEST(Problems, P7_5) {
   PipelineOptions options;
   options.read.scene_file = FLATDYN_SOURCE_DIR "/docs/problems/tip_payload.toml";
-  const Model model = read_model(FLATDYN_SOURCE_DIR "/robots/prismatic_revolute.toml", options);
+  const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/robots/prismatic_revolute.toml", options);
   const ClosedForm form = closed_form(model.mechanism);
   const auto p = [&](const char* name) { return testing::symbol(model.mechanism, name); };
   const Number pi_1 = p("m_L") + p("m_l1") + p("m_l2") + p("m_m2") + p("k_r1") * p("k_r1") * p("I_m1");

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "flatdyn/reference/closed_loops.hpp"
+#include "planning/formulations.hpp"
+#include "reference/reference_model.hpp"
+#include "reference/values.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/formulations.hpp"
-#include "verify/reference_model.hpp"
-#include "verify/values.hpp"
 #include "verify/verify.hpp"
 
 namespace flatdyn {
@@ -20,7 +20,7 @@ TEST(SingularLoop, IsSaidSo) {
   std::string text = testing::text_of_robot("slider_crank.toml");
   const std::string dependent = R"(dependent = ["theta_2", "x"])";
   text.replace(text.find(dependent), dependent.size(), R"(dependent = ["theta_1", "theta_2"])");
-  const Model model = testing::model_of_toml(text);
+  const LoadedRobot model = testing::model_of_toml(text);
   const Function motion = derive_function(model.mechanism, "loop_motion");
   EXPECT_EQ(motion.loop_conditions, 1);
   GraphEvaluator<double> graph(motion);
@@ -43,7 +43,7 @@ TEST(SingularLoop, IsSaidSo) {
 // A rod and a rocker of one length: folded onto each other, the rod's axis goes through the rocker's end. Nothing says
 // then how far the rod turns, though the columns are at a right angle for all that rounding tells.
 TEST(SingularLoop, IsOneWhoseAxisGoesThroughThePoint) {
-  const Model model = testing::model_of_toml(R"(name = "fold"
+  const LoadedRobot model = testing::model_of_toml(R"(name = "fold"
 gravity = [0, -9.81, 0]
 [[link]]
 name = "crank"

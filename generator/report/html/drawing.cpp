@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "passes/passes.hpp"
-#include "symbolic/kinematics.hpp"
-#include "symbolic/workbench.hpp"
+#include "symbolic/dynamics/kinematics.hpp"
+#include "symbolic/dynamics/workbench.hpp"
 
 namespace flatdyn {
 namespace {

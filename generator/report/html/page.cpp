@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <kainjow/mustache.hpp>
 
+#include "emit/emit.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
 #include "report/describe.hpp"
 #include "report/html/regressor_map.hpp"
 #include "report/html/tables.hpp"
 #include "report/html/zero_map.hpp"
-#include "symbolic/number_text.hpp"
+#include "symbolic/notation/number_text.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -40,7 +41,7 @@ std::string joints_text(const Mechanism& mechanism) {
   return fmt::format("{}, {} of them prismatic", joints, prismatic);
 }
 
-std::string facts_text(const Model& model) {
+std::string facts_text(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
   std::string text = fmt::format("Gravity is {} m/s² in the base frame.", NumberText(mechanism)(mechanism.gravity));
   if (!mechanism.tip.link.empty()) text += fmt::format(" The tip belongs to link {}.", mechanism.tip.link);
@@ -151,7 +152,7 @@ PageCode page_code(const PageContent& content) {
 }
 
 std::string report_page(const PageContent& content, const PageCode& code) {
-  const Model& model = content.model;
+  const LoadedRobot& model = content.model;
   data page;
   page["version"] = std::string(FLATDYN_VERSION);
   page["robot"] = model.mechanism.name;

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "certify/certificate.hpp"
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
+#include "planning/optimised_function.hpp"
 #include "report/html/drawing.hpp"
 #include "report/html/worst_states.hpp"
-#include "symbolic/parameters.hpp"
+#include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
 
@@ -18,7 +19,7 @@ namespace flatdyn {
 const std::vector<std::string>& functions_of_page();
 
 struct PageContent {
-  const Model& model;
+  const LoadedRobot& model;
   std::vector<OptimisedFunction> functions;  // those of the page among them
   Drawing drawing;
   Diagnostics findings;  // beside those of the model

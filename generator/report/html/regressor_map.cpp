@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "emit/page.hpp"
-#include "symbolic/parameters.hpp"
+#include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
 namespace {

@@ -10,9 +10,9 @@
 #include "graph/count.hpp"
 #include "report/base_report.hpp"
 #include "report/describe.hpp"
-#include "symbolic/base_parameters.hpp"
-#include "symbolic/combination_text.hpp"
-#include "symbolic/number_text.hpp"
+#include "symbolic/notation/combination_text.hpp"
+#include "symbolic/notation/number_text.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
 namespace {
@@ -189,7 +189,7 @@ std::vector<std::string> snap_lines(const std::vector<Snap>& snaps, const std::v
 
 }  // namespace
 
-void write_model(data& page, const Model& model, const std::vector<double>& snap_effects) {
+void write_model(data& page, const LoadedRobot& model, const std::vector<double>& snap_effects) {
   const ordered_json json = model_json(model, snap_effects);
   page["joints"] = joint_rows(json.at("joints"));
   page["scene?"] = json.contains("scene");
@@ -198,7 +198,7 @@ void write_model(data& page, const Model& model, const std::vector<double>& snap
   page["snaps"] = list_of(snap_lines(model.robot.snaps, snap_effects));
 }
 
-void write_notes(data& page, const Model& model, const Diagnostics& findings) {
+void write_notes(data& page, const LoadedRobot& model, const Diagnostics& findings) {
   data rows(data::type::list);
   bool any = false;
   for (const Diagnostics* list : {&model.diagnostics, &findings}) {

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "certify/certificate.hpp"
-#include "pipeline.hpp"
+#include "load/loaded_robot.hpp"
+#include "planning/optimised_function.hpp"
 #include "report/html/worst_states.hpp"
-#include "symbolic/parameters.hpp"
+#include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
 
@@ -26,9 +27,9 @@ void write_certificate(kainjow::mustache::data& page, const std::optional<Certif
 void write_worst_states(kainjow::mustache::data& page, const std::optional<WorstStates>& states);
 
 // Joints with their limits, what a scene fixed, snapped numbers.
-void write_model(kainjow::mustache::data& page, const Model& model, const std::vector<double>& snap_effects);
+void write_model(kainjow::mustache::data& page, const LoadedRobot& model, const std::vector<double>& snap_effects);
 
 // What was found while reading and deriving. Of files their names only, so that the page is the same from any folder.
-void write_notes(kainjow::mustache::data& page, const Model& model, const Diagnostics& findings);
+void write_notes(kainjow::mustache::data& page, const LoadedRobot& model, const Diagnostics& findings);
 
 }  // namespace flatdyn

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "input/context.hpp"
+#include "input/common/context.hpp"
 
 namespace flatdyn {
 namespace {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/drawn_robot.hpp"
+#include "model/random_robot.hpp"
 
 namespace flatdyn::testing {
 namespace {

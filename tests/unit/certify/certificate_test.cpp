@@ -7,13 +7,13 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/emit.hpp"
+#include "load/load_robot.hpp"
 #include "passes/passes.hpp"
-#include "pipeline.hpp"
+#include "readback/emitted_text.hpp"
+#include "readback/straight_line_values.hpp"
 #include "support/limited_robots.hpp"
 #include "support/written_model.hpp"
 #include "verify/compiled.hpp"
-#include "verify/emitted_text.hpp"
-#include "verify/straight_line_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -82,7 +82,7 @@ TEST(Certificate, OfAxesAtAnyAngle) {
 
 // A ceiling, as for operation counts: without motions it is 2.9e-11.
 TEST(Certificate, OfRandomTwistsStaysAsGoodAsItIs) {
-  const Model model = read_model(FLATDYN_SOURCE_DIR "/docs/examples/general_7r.toml", {});
+  const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/docs/examples/general_7r.toml", {});
   const Certificate certificate = certificate_of(model.mechanism, "double", {"inverse_dynamics"});
   const CertifiedOutput& first = certificate.functions.at(0).outputs.at(0);
   EXPECT_LE(first.observed, first.bound + first.doubt);

@@ -24,7 +24,7 @@ class MotionsOfLinks {
  public:
   explicit MotionsOfLinks(const Mechanism& mechanism) {
     RealArithmetic<double> numbers([](const Input&) { return 0.0; });
-    mechanism_ = field_mechanism(mechanism, numbers);
+    mechanism_ = mechanism_over(mechanism, numbers);
   }
 
   std::vector<FieldMotion<double>> operator()(const State& state) const {
@@ -32,7 +32,7 @@ class MotionsOfLinks {
   }
   // (u, u × r) of a joint's axis, by link.
   std::vector<FieldMotion<double>> of_joint(const State& state, int joint) const {
-    FieldMechanism<double> weightless = mechanism_;
+    MechanismOver<double> weightless = mechanism_;
     weightless.gravity = {0, 0, 0};
     std::vector<double> rest(state.qd.size(), 0.0), alone = rest;
     alone[static_cast<std::size_t>(joint)] = 1;
@@ -46,7 +46,7 @@ class MotionsOfLinks {
     return result;
   }
 
-  FieldMechanism<double> mechanism_;
+  MechanismOver<double> mechanism_;
 };
 
 MatrixXd random_rows(int rows, int columns, std::mt19937& engine) {

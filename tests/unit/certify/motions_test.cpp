@@ -10,12 +10,12 @@
 #include "certify/error_terms.hpp"
 #include "certify/model_constants.hpp"
 #include "emit/emit.hpp"
+#include "load/load_robot.hpp"
 #include "passes/passes.hpp"
-#include "pipeline.hpp"
+#include "readback/emitted_text.hpp"
+#include "readback/straight_line_values.hpp"
 #include "support/fast_states.hpp"
 #include "support/limited_robots.hpp"
-#include "verify/emitted_text.hpp"
-#include "verify/straight_line_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -58,7 +58,7 @@ int recognised(const Motions& motions, const StraightLine& lines) {
 class TextOfArm : public ::testing::TestWithParam<const char*> {
  protected:
   const Mechanism mechanism_ =
-      testing::within_limits(read_model(std::string(FLATDYN_SOURCE_DIR) + GetParam(), {}).mechanism);
+      testing::within_limits(load_robot(std::string(FLATDYN_SOURCE_DIR) + GetParam(), {}).mechanism);
   const ReadMotions read_{mechanism_};
 };
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "emit/emit.hpp"
+#include "planning/formulations.hpp"
 #include "support/robot_models.hpp"
-#include "symbolic/formulations.hpp"
 
 namespace flatdyn {
 namespace {

@@ -74,7 +74,7 @@ Function two_link_inertia_matrix() {
                     .graph = {},
                     .outputs = {{"B", Layout::matrix, 2, 2, entries, "inertia matrix, kg m^2"},
                                 {"D", Layout::matrix, 2, 2, {entries[0], zero, zero, entries[3]}, "its diagonal"}},
-                    .positive = {}};
+                    .validity_conditions = {}};
   function.graph = b.graph;
   return function;
 }
@@ -100,7 +100,7 @@ Function two_link_inverse_dynamics() {
                     .inputs = {InputKind::q, InputKind::qd, InputKind::qdd},
                     .graph = {},
                     .outputs = {{"tau", Layout::vector, 2, 1, {tau_1, tau_2}, "joint torques, N m"}},
-                    .positive = {}};
+                    .validity_conditions = {}};
   function.graph = b.graph;
   return function;
 }
@@ -117,7 +117,7 @@ Function two_link_kinetic_energy() {
                     .inputs = {InputKind::q, InputKind::qd},
                     .graph = {},
                     .outputs = {{"T", Layout::scalar, 1, 1, {energy}, "kinetic energy, J"}},
-                    .positive = {}};
+                    .validity_conditions = {}};
   function.graph = b.graph;
   return function;
 }
@@ -135,7 +135,7 @@ Function two_link_forward_dynamics() {
                     .inputs = {InputKind::q, InputKind::qd, InputKind::tau},
                     .graph = {},
                     .outputs = {{"qdd", Layout::vector, 2, 1, {qdd_1, qdd_2}, "joint accelerations"}},
-                    .positive = {pivot, B[3]}};
+                    .validity_conditions = {pivot, B[3]}};
   function.graph = b.graph;
   return function;
 }
@@ -149,7 +149,7 @@ Function pendulum_gravity() {
                     .inputs = {InputKind::q},
                     .graph = {},
                     .outputs = {{"g", Layout::vector, 2, 1, {g_1, b.number("0")}, "gravity torques, N m"}},
-                    .positive = {}};
+                    .validity_conditions = {}};
   function.graph = b.graph;
   return function;
 }

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "emit/emit.hpp"
-#include "pipeline.hpp"
+#include "planning/make_functions.hpp"
 #include "support/robot_models.hpp"
 #include "unit/emit/compiled.hpp"
 
@@ -41,7 +41,7 @@ class PartsOf {
   }
 
  private:
-  Model model_;
+  LoadedRobot model_;
   std::vector<Function> functions_;
   std::optional<Stages> stages_;
 };

@@ -8,8 +8,8 @@
 #include "graph/evaluate.hpp"
 #include "graph/mod_p.hpp"
 #include "passes/passes.hpp"
+#include "planning/formulations.hpp"
 #include "support/robots.hpp"
-#include "symbolic/formulations.hpp"
 
 namespace flatdyn {
 namespace {

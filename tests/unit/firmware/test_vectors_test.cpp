@@ -10,11 +10,11 @@
 
 #include "certify/certificate.hpp"
 #include "emit/emit.hpp"
-#include "pipeline.hpp"
+#include "planning/make_functions.hpp"
+#include "readback/emitted_text.hpp"
+#include "readback/straight_line_values.hpp"
+#include "reference/expected.hpp"
 #include "support/robot_models.hpp"
-#include "verify/emitted_text.hpp"
-#include "verify/expected.hpp"
-#include "verify/straight_line_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -25,7 +25,7 @@ using ::testing::Field;
 constexpr std::size_t kDrawn = 12;  // states before those that are searched
 
 struct Made {
-  Model model;
+  LoadedRobot model;
   std::vector<Function> functions;
   std::string header;
   TestVectors vectors;

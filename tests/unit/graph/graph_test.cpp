@@ -39,10 +39,10 @@ TEST_F(GraphTest, FoldsConstantsAndScaledNodesIntoSums) {
 }
 
 TEST_F(GraphTest, KeepsASumWithinASumAsANodeOfItsOwn) {
-  const NodeId inner = graph.sum({{1, a}, {1, b}});
-  const Node& outer = graph[graph.sum({{1, inner}, {1, c}})];
-  ASSERT_EQ(outer.terms.size(), 2u);
-  EXPECT_TRUE(outer.terms[0].node == inner || outer.terms[1].node == inner);
+  const NodeId dot = graph.sum({{1, a}, {1, b}});
+  const Node& cross = graph[graph.sum({{1, dot}, {1, c}})];
+  ASSERT_EQ(cross.terms.size(), 2u);
+  EXPECT_TRUE(cross.terms[0].node == dot || cross.terms[1].node == dot);
 }
 
 TEST_F(GraphTest, SharesSumsThatDifferBySign) {
@@ -92,10 +92,10 @@ TEST_F(GraphTest, TakesSignsOfScaledNodes) {
 
 TEST_F(GraphTest, KeepsSharedOperandsIfAskedTo) {
   const NodeId doubled = graph.scaled(2, a), ab = graph.product({a, b});
-  const Node sum = graph[graph.kept_sum({{-1, doubled}, {1, b}})];
+  const Node sum = graph[graph.sum_without_folding({{-1, doubled}, {1, b}})];
   EXPECT_TRUE(sum.op == Op::sum && (sum.terms[0].node == doubled || sum.terms[1].node == doubled ||
                                     graph[sum.terms[0].node].terms.size() == 2));
-  EXPECT_EQ(graph.kept_sum({{3, doubled}, {1, b}}), graph.sum({{6, a}, {1, b}}));
+  EXPECT_EQ(graph.sum_without_folding({{3, doubled}, {1, b}}), graph.sum({{6, a}, {1, b}}));
   EXPECT_EQ(graph[graph.kept_product({ab, c})].operands, (std::vector<NodeId>{c, ab}));
   EXPECT_EQ(graph.kept_product({minus(a), b}), minus(ab));
 }

@@ -40,7 +40,7 @@ TEST_F(TapeTest, ComputesEveryOperation) {
 
 TEST_F(TapeTest, SaysWhereAPivotIsNotPositive) {
   function.outputs = {{"y", Layout::scalar, 1, 1, {b}, "anything"}};
-  function.positive = {a};
+  function.validity_conditions = {a};
   values(1, 2);
   EXPECT_TRUE(is_regular);
   for (const double pivot : {0.0, -1.0, std::nan("")}) {

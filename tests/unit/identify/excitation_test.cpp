@@ -72,7 +72,7 @@ TEST(Excitation, KeepsTheLimitsAndUsesThem) {
 
 // Gravity at q = 0 takes 1030 N m of what the shoulder may; the motion that ignores torques needs more than all of it.
 TEST(Excitation, KeepsTorqueLimits) {
-  Model model = model_of("planar_2r_example_7_2.toml");
+  LoadedRobot model = model_of("planar_2r_example_7_2.toml");
   const ExcitationOptions options = short_search();
   const Excitation free = found(planar_arm(), options);
   double largest = 0;
@@ -100,7 +100,7 @@ TEST(Excitation, LetsNoJointStandStill) {
 
 // Gravity takes most of what the elbow may exert; the base and the wrist load it little, and keep moving.
 TEST(Excitation, MovesLessOnlyWhatLoadsATorqueLimit) {
-  Model model = model_of("ur5.urdf");
+  LoadedRobot model = model_of("ur5.urdf");
   constexpr int limit = 20;
   model.mechanism.bodies[2].limits.effort = Value{Number(limit), {}};
   Progress progress(true);
@@ -141,7 +141,7 @@ TEST(Excitation, KeepsLimitsBetweenSamples) {
 }
 
 TEST(Excitation, RefusesARobotThatCannotHoldItself) {
-  Model model = model_of("planar_2r_example_7_2.toml");
+  LoadedRobot model = model_of("planar_2r_example_7_2.toml");
   model.mechanism.bodies[0].limits.effort = Value{Number(10), {}};
   Progress progress(true);
   const TorqueModel weak(model, ParameterSet::given, progress);

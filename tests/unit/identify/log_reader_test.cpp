@@ -20,7 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 const Mechanism& planar_arm() {
-  static const Model model = testing::model_of("planar_2r_example_7_2.toml");
+  static const LoadedRobot model = testing::model_of("planar_2r_example_7_2.toml");
   return model.mechanism;
 }
 

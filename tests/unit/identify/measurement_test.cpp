@@ -19,8 +19,8 @@ namespace {
 using testing::LogDerivatives;
 using testing::simulated;
 
-const Model& arm() {
-  static const Model model = testing::model_of("planar_2r_example_7_2.toml");
+const LoadedRobot& arm() {
+  static const LoadedRobot model = testing::model_of("planar_2r_example_7_2.toml");
   return model;
 }
 

@@ -36,7 +36,7 @@ Inertial as_inertial(const VectorXd& ten) {
   return body;
 }
 
-Model with_payload(Model model) {
+LoadedRobot with_payload(LoadedRobot model) {
   model.robot.links[static_cast<std::size_t>(model.robot.tip)].inertials.push_back(as_inertial(known_payload()));
   model.mechanism = make_mechanism(model.robot);
   return model;
@@ -53,7 +53,7 @@ Observations observed(const TorqueModel& torque, const std::vector<testing::Simu
 TEST(Payload, IsTheChangeOfTheLastLink) {
   Progress quiet(true);
   for (const char* robot : {"puma560.toml", "ur5.urdf"}) {
-    const Model model = testing::model_of(robot);
+    const LoadedRobot model = testing::model_of(robot);
     const TorqueModel torque(model, ParameterSet::given, quiet);
     const VectorXd without = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
     const auto samples = simulated(with_payload(model), {.samples = 800});
@@ -66,8 +66,8 @@ TEST(Payload, IsTheChangeOfTheLastLink) {
 // The arm's own parameters in the file are wrong; the log without payload says what they are.
 TEST(Payload, IsFoundAgainstALogWithoutIt) {
   Progress quiet(true);
-  const Model truth = testing::model_of("puma560.toml");
-  Model wrong = truth;
+  const LoadedRobot truth = testing::model_of("puma560.toml");
+  LoadedRobot wrong = truth;
   for (Body& body : wrong.mechanism.bodies) body.inertia.mass = body.inertia.mass * 2 + 1;
   const TorqueModel torque(wrong, ParameterSet::given, quiet);
   const VectorXd file = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
@@ -103,7 +103,7 @@ TEST(Payload, HasHonestIntervalsWhereLogsHaveDifferentNoise) {
   constexpr int kRuns = 200, kTimes = 3;
   constexpr double kTwoSided95 = 1.959964;
   Progress quiet(true);
-  const Model model = testing::model_of("ur5.urdf");
+  const LoadedRobot model = testing::model_of("ur5.urdf");
   const TorqueModel torque(model, ParameterSet::given, quiet);
   const VectorXd file = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
   const auto loaded = simulated(with_payload(model), {.samples = 100}), free = simulated(model, {.samples = 100});
@@ -127,7 +127,7 @@ TEST(Payload, HasHonestIntervalsWhereLogsHaveDifferentNoise) {
 // A robot that only stands still tells the mass and its centre, and nothing of the inertia.
 TEST(Payload, KeepsItsCentreWhereOnlyPosesWereMeasured) {
   Progress quiet(true);
-  const Model model = testing::model_of("panda.urdf");
+  const LoadedRobot model = testing::model_of("panda.urdf");
   const TorqueModel torque(model, ParameterSet::given, quiet);
   const VectorXd without = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
   const auto samples = simulated(with_payload(model), {.samples = 400, .noise = 0.01, .standing = true});
@@ -141,7 +141,7 @@ TEST(Payload, KeepsItsCentreWhereOnlyPosesWereMeasured) {
 }
 
 TEST(Payload, IsFoundByASensorAtTheWristInSpiteOfItsOffsets) {
-  const Model model = testing::model_of("panda.urdf");
+  const LoadedRobot model = testing::model_of("panda.urdf");
   Robot only_payload = model.robot;
   for (Link& link : only_payload.links) link.inertials.clear();
   only_payload.links[static_cast<std::size_t>(only_payload.tip)].inertials.push_back(as_inertial(known_payload()));

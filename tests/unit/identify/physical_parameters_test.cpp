@@ -115,7 +115,7 @@ TEST(LinkShape, GradientIsThatOfItsDivergence) {
 
 // π_b of the file itself: nothing has to move.
 TEST(PhysicalParameters, OfTheFilesOwnBaseParametersAreTheFiles) {
-  const Model model = testing::model_of("panda.urdf");
+  const LoadedRobot model = testing::model_of("panda.urdf");
   const BaseParameters base = base_parameters(model.mechanism);
   const VectorXd pi_b = values_of(base_values(model.mechanism, base));
   const PhysicalParameters found =
@@ -126,7 +126,7 @@ TEST(PhysicalParameters, OfTheFilesOwnBaseParametersAreTheFiles) {
 }
 
 TEST(PhysicalParameters, AreTheFilesWhereNothingIsKnown) {
-  const Model model = testing::model_of("ur5.urdf");
+  const LoadedRobot model = testing::model_of("ur5.urdf");
   const BaseParameters base = base_parameters(model.mechanism);
   Estimate nothing;
   nothing.values = VectorXd::Ones(base.size());
@@ -139,7 +139,7 @@ TEST(PhysicalParameters, AreTheFilesWhereNothingIsKnown) {
 
 // The masses of another robot: what π_b says is met, by links that a body can have.
 TEST(PhysicalParameters, MeetBaseParametersFarFromTheFile) {
-  const Model truth = testing::model_of("panda.urdf");
+  const LoadedRobot truth = testing::model_of("panda.urdf");
   const BaseParameters base = base_parameters(truth.mechanism);
   const VectorXd pi_b = values_of(base_values(truth.mechanism, base));
   Mechanism wrong = truth.mechanism;
@@ -160,7 +160,7 @@ TEST(PhysicalParameters, MeetBaseParametersFarFromTheFile) {
 
 // No body has a negative moment of inertia: the nearest that one has is found, and the misfit is told.
 TEST(PhysicalParameters, AreBodiesEvenIfBaseParametersAreNot) {
-  const Model model = testing::model_of("planar_2r_example_7_2.toml");
+  const LoadedRobot model = testing::model_of("planar_2r_example_7_2.toml");
   const BaseParameters base = base_parameters(model.mechanism, ParameterSet::inertial);
   VectorXd pi_b = values_of(base_values(model.mechanism, base));
   ASSERT_EQ(parameter_name(base.columns.at(5)), "I2zz");
@@ -211,7 +211,7 @@ TEST(PhysicalParameters, OfSlenderRodsAreFound) {
 
 // A link that is hardly more than the rotor that it carries is a body without it, too.
 TEST(PhysicalParameters, LeaveABodyWhenRotorsAreTakenOut) {
-  const Model model = testing::model_of("planar_2r_example_7_2.toml");
+  const LoadedRobot model = testing::model_of("planar_2r_example_7_2.toml");
   Mechanism light = model.mechanism;
   const std::size_t carrier = 0, joint = 1;
   ASSERT_EQ(light.bodies[joint].rotor->carrier, static_cast<int>(carrier));

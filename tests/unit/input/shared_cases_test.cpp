@@ -12,7 +12,7 @@
 #include "input/reader.hpp"
 #include "model/coupling.hpp"
 #include "model/mechanism.hpp"
-#include "verify/reference_model.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "flatdyn/reference/kinematics.hpp"
+#include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "verify/reference_model.hpp"
 
 namespace flatdyn {
 namespace {
@@ -22,7 +22,7 @@ struct ArmPose {
   Eigen::MatrixXd B, J;
   Eigen::VectorXd g;
 
-  ArmPose(const Model& model, const std::vector<double>& q, const std::vector<int>& task) {
+  ArmPose(const LoadedRobot& model, const std::vector<double>& q, const std::vector<int>& task) {
     const auto arm = reference_robot<double>(model.robot, {});
     const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
     B = reference::inertia_matrix(arm, at);
@@ -31,7 +31,7 @@ struct ArmPose {
   }
 };
 
-Ellipsoid ellipsoid_of(const Model& model, const std::vector<double>& q, double radius, std::vector<int>& task) {
+Ellipsoid ellipsoid_of(const LoadedRobot& model, const std::vector<double>& q, double radius, std::vector<int>& task) {
   Progress progress(true);
   Manipulability arm(model, TorqueNorm::plain, radius, progress);
   task = arm.task();
@@ -49,7 +49,7 @@ link = "link1"
 xyz = [0.5, 0, 0]
 )";
 
-Model planar_3r() {
+LoadedRobot planar_3r() {
   std::string text = "name = \"planar_3r\"\ngravity = [0, \"-9.81\", 0]\ndh = \"standard\"\n";
   for (const char* joint : {"a", "b", "c"}) {
     text += std::string("[[link]]\njoint = \"") + joint +
@@ -80,7 +80,7 @@ TEST(Manipulability, EndsOfTheAxesTakeTorquesOfTheNorm) {
 // Problem 7.12: of an arm that is not redundant, √det(J Jᵀ) = w det B, w the measure for torques of norm 1.
 TEST(Manipulability, MeasureIsThatOfTheJacobianOverTheInertia) {
   std::vector<int> task;
-  const Model model = model_of("planar_2r_example_7_2.toml");
+  const LoadedRobot model = model_of("planar_2r_example_7_2.toml");
   for (const std::vector<double>& q : {std::vector{0.5, 1.0}, std::vector{-2.0, 0.1}, std::vector{3.0, -2.5}}) {
     const Ellipsoid ellipsoid = ellipsoid_of(model, q, 1, task);
     const ArmPose pose(model, q, task);
@@ -104,7 +104,7 @@ TEST(Manipulability, IsFlatWhereTheJacobianIsSingular) {
 
 // A pendulum's tip goes along a circle: forward by l for each rad, wherever it is.
 TEST(Manipulability, IsFlatWhereTheTipHasACurveToMoveOn) {
-  const Model pendulum = model_of_toml(kPendulum);
+  const LoadedRobot pendulum = model_of_toml(kPendulum);
   for (const double theta : {0.0, 0.5, 1.5707963267948966}) {
     std::vector<int> task;
     const Ellipsoid ellipsoid = ellipsoid_of(pendulum, {theta}, 1, task);
@@ -117,7 +117,7 @@ TEST(Manipulability, IsFlatWhereTheTipHasACurveToMoveOn) {
 }
 
 TEST(Manipulability, IsRefusedWhereAJointMovesNoInertia) {
-  const Model light = model_of_toml(R"(name = "light"
+  const LoadedRobot light = model_of_toml(R"(name = "light"
 [[link]]
 joint = "a"
 mass = 1
@@ -135,7 +135,7 @@ xyz = [0.5, 0, 0]
 
 TEST(Manipulability, LimitsScaleTheTorques) {
   Progress progress(true);
-  const Model panda = model_of("panda.urdf");
+  const LoadedRobot panda = model_of("panda.urdf");
   Manipulability arm(panda, TorqueNorm::limits, 1, progress);
   const std::vector<double> q = {0.1, -0.8, 0.3, -2.3, 0.2, 1.6, 0.8};
   const Ellipsoid ellipsoid = arm.at(q);

@@ -26,7 +26,7 @@ std::string two_links(const std::string& limits) {
 
 class WorkspaceMap : public ::testing::Test {
  protected:
-  std::vector<Eigen::VectorXd> places(const Model& model, bool holds_orientation = false) {
+  std::vector<Eigen::VectorXd> places(const LoadedRobot& model, bool holds_orientation = false) {
     tip.emplace(model.robot);
     WorkspaceGrid grid{Eigen::Matrix<double, 3, 2>::Identity(), kSpacing, holds_orientation};
     return map_workspace(*tip, model.mechanism, kStart, grid);
@@ -64,7 +64,8 @@ TEST_F(WorkspaceMap, IsAllThatTheTipGetsTo) {
 }
 
 TEST_F(WorkspaceMap, StaysWithinLimits) {
-  const Model model = model_of_toml(two_links("limits = { lower = 0.5, upper = 1.5, velocity = 1, effort = 1 }\n"));
+  const LoadedRobot model =
+      model_of_toml(two_links("limits = { lower = 0.5, upper = 1.5, velocity = 1, effort = 1 }\n"));
   const std::vector<Eigen::VectorXd> q = places(model), all = places(model_of_toml(two_links("")));
   EXPECT_GT(q.size(), 100U);
   EXPECT_LT(q.size(), all.size() * 3 / 4);
@@ -81,7 +82,7 @@ TEST_F(WorkspaceMap, HoldsAnOrientation) { EXPECT_EQ(places(model_of_toml(two_li
 
 // A gantry without limits has no end: the map does.
 TEST_F(WorkspaceMap, EndsWhereTheWorkspaceDoesNot) {
-  const Model gantry = model_of_toml(
+  const LoadedRobot gantry = model_of_toml(
       "name = \"gantry\"\n[[link]]\njoint = \"x\"\ntype = \"prismatic\"\naxis = [1, 0, 0]\nmass = 1\n"
       "[[link]]\njoint = \"y\"\ntype = \"prismatic\"\naxis = [0, 1, 0]\nmass = 1\n");
   constexpr std::size_t kSide = 2 * kFarthestCell + 1;

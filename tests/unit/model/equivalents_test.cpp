@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "definition/exact.hpp"
+#include "planning/formulations.hpp"
 #include "support/robot_models.hpp"
-#include "symbolic/formulations.hpp"
-#include "verify/exact.hpp"
 
 namespace flatdyn {
 namespace {

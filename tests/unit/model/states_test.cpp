@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "verify/reference_model.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

@@ -54,8 +54,8 @@ TEST_F(PassTest, DeadCodeGoesAndNamesStay) {
 }
 
 TEST_F(PassTest, LikeTermsMergesASumUsedOnce) {
-  const NodeId inner = graph.sum({{1, a}, {1, mul({b, c})}});
-  EXPECT_EQ(after(like_terms, {graph.sum({{1, inner}, {-1, mul({b, c})}, {1, d}})}), count(0, 1));
+  const NodeId dot = graph.sum({{1, a}, {1, mul({b, c})}});
+  EXPECT_EQ(after(like_terms, {graph.sum({{1, dot}, {-1, mul({b, c})}, {1, d}})}), count(0, 1));
 }
 
 TEST_F(PassTest, LikeTermsLooksIntoSharedSumsWhereTermsCancel) {

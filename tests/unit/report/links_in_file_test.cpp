@@ -16,7 +16,7 @@ using testing::model_of;
 using testing::model_of_toml;
 
 TEST(LinksInFile, AreThoseOfThePandasFile) {
-  const Model model = model_of("panda.urdf");
+  const LoadedRobot model = model_of("panda.urdf");
   const std::vector<LinkInFile> links = links_in_file(model);
   ASSERT_EQ(links.size(), model.mechanism.bodies.size());
   for (const LinkInFile& link : links) {
@@ -62,7 +62,7 @@ mass = 0.5
 )";
 
 TEST(LinksInFile, HaveLengthsThatAddUpToTheReach) {
-  const Model model = model_of_toml(kArm);
+  const LoadedRobot model = model_of_toml(kArm);
   const std::vector<LinkInFile> links = links_in_file(model);
   ASSERT_EQ(links.size(), 3U);
   EXPECT_NEAR(links[0].length.value(), 0.4, 1e-12);
@@ -85,7 +85,7 @@ TEST(LinksInFile, SayWhatAPersonChecksFirst) {
 }
 
 TEST(LinksInFile, OfARobotWithSymbolsAreInSymbols) {
-  const Model model = model_of("planar_2r.toml");
+  const LoadedRobot model = model_of("planar_2r.toml");
   EXPECT_FALSE(reach_of(model));
   const std::string text = describe_links(model);
   EXPECT_THAT(text, HasSubstr("m r = ("));

@@ -4,15 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include "definition/exact.hpp"
 #include "graph/count.hpp"
 #include "model/states.hpp"
 #include "passes/passes.hpp"
+#include "planning/formulations.hpp"
+#include "reference/values.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
-#include "symbolic/formulations.hpp"
-#include "verify/exact.hpp"
-#include "verify/given_up.hpp"
-#include "verify/values.hpp"
+#include "verify/torque_deviation.hpp"
 
 namespace flatdyn {
 namespace {
@@ -32,7 +32,7 @@ Mechanism with_limits(Mechanism mechanism) {
 
 void expect_within_bounds(const Mechanism& mechanism, const std::string& budget) {
   const Abbreviation part = abbreviated(mechanism, *error_budget(budget));
-  EXPECT_TRUE(given_up(mechanism, part.mechanism, false, 200).is_within(part)) << budget;
+  EXPECT_TRUE(torque_deviation(mechanism, part.mechanism, false, 200).is_within(part)) << budget;
   for (std::size_t i = 0; i < part.bound.size(); ++i) EXPECT_LE(part.bound[i], part.budget[i]) << "joint " << i;
 }
 

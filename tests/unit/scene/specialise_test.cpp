@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "definition/exact.hpp"
 #include "graph/count.hpp"
 #include "graph/well_formed.hpp"
+#include "planning/formulations.hpp"
 #include "support/robots.hpp"
 #include "support/spare_joints.hpp"
-#include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
-#include "verify/exact.hpp"
 
 namespace flatdyn {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "flatdyn/reference/closed_loops.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
+#include "reference/reference_model.hpp"
 #include "simulate/simulator.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 #include "trajectory/torque_terms.hpp"
-#include "verify/reference_model.hpp"
 
 namespace flatdyn {
 namespace {
@@ -22,7 +22,7 @@ using testing::model_of;
 // Andrews' squeezer under its spring and its driving torque: the test set's solution after 0.03 s, by when the crank
 // has turned twice and a half.
 TEST(AndrewsSqueezer, MovesAsPublished) {
-  const Model model = model_of("andrews_squeezer.toml");
+  const LoadedRobot model = model_of("andrews_squeezer.toml");
   const auto robot = reference_robot<double>(model.robot, {});
   Progress progress(true);
   JointDynamics dynamics(model, progress);
@@ -47,7 +47,7 @@ TEST(AndrewsSqueezer, MovesAsPublished) {
 
 // Every row: the loops are closed, the torques are those of the recursive reference, and energy is kept.
 TEST(SliderCrank, IsSimulated) {
-  const Model model = model_of("slider_crank.toml");
+  const LoadedRobot model = model_of("slider_crank.toml");
   const auto robot = reference_robot<double>(model.robot, {});
   Progress progress(true);
   JointDynamics dynamics(model, progress);
@@ -69,7 +69,7 @@ TEST(SliderCrank, IsSimulated) {
 }
 
 TEST(FiveBar, HasTorquesAlongATrajectory) {
-  const Model model = model_of("five_bar.toml");
+  const LoadedRobot model = model_of("five_bar.toml");
   const auto robot = reference_robot<double>(model.robot, {});
   Progress progress(true);
   TorqueTerms terms(model, false, progress);
@@ -100,7 +100,7 @@ TEST(ClosedPositions, EndWhereTheLoopsDo) {
   std::string text = testing::text_of_robot("slider_crank.toml");
   const std::string dependent = R"(dependent = ["theta_2", "x"])";
   text.replace(text.find(dependent), dependent.size(), R"(dependent = ["theta_1", "theta_2"])");
-  const Model model = testing::model_of_toml(text);
+  const LoadedRobot model = testing::model_of_toml(text);
   ClosedPositions closed(model);
   const double before = 0.44, beyond = 0.46;
   const std::span<const double> q = closed.of({&before, 1});
@@ -119,7 +119,7 @@ TEST(ClosedPositions, EndWhereTheLoopsDo) {
 TEST(ClosedPositions, NeedAnAssembly) {
   std::string text = testing::text_of_robot("five_bar.toml");
   text.erase(text.find("[assembly]"), text.find("[tip]") - text.find("[assembly]"));
-  const Model model = testing::model_of_toml(text);
+  const LoadedRobot model = testing::model_of_toml(text);
   EXPECT_THROW(ClosedPositions{model}, Failure);  // all links in line
 }
 

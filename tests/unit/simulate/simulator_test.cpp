@@ -10,9 +10,9 @@
 #include <numbers>
 
 #include "flatdyn/reference/newton_euler.hpp"
+#include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "verify/reference_model.hpp"
 
 namespace flatdyn {
 namespace {
@@ -21,20 +21,20 @@ using testing::model_of;
 using testing::model_of_toml;
 
 // 2 kg that slide along z, which is horizontal.
-Model block(const std::string& friction) {
+LoadedRobot block(const std::string& friction) {
   return model_of_toml(
       "name = \"block\"\ngravity = [0, \"-9.81\", 0]\ndh = \"standard\"\n[[link]]\njoint = \"rail\"\n"
       "type = \"prismatic\"\nmass = 2\nlimits = { lower = -1, upper = 1 }\n" +
       friction);
 }
 
-Model pendulum() {
+LoadedRobot pendulum() {
   return model_of_toml(
       "name = \"pendulum\"\ngravity = [0, \"-9.81\", 0]\ndh = \"standard\"\n[[link]]\njoint = \"hinge\"\na = 1\n"
       "mass = 1\n");
 }
 
-SimulatedMotion run(const Model& model, Simulation simulation) {
+SimulatedMotion run(const LoadedRobot& model, Simulation simulation) {
   Progress progress(true);
   JointDynamics dynamics(model, progress);
   return simulate(simulation, dynamics, [](double) { return false; });
@@ -48,7 +48,7 @@ const SimulationRow& at(const SimulatedMotion& motion, double time) {
 class BlockTest : public ::testing::TestWithParam<IntegrationMethod> {
  protected:
   // 2 kg, F_s = 4 N: it loses 2 m/s in every second.
-  Simulation moving(const Model& model, double speed, double duration) const {
+  Simulation moving(const LoadedRobot& model, double speed, double duration) const {
     Simulation simulation = resting(model.robot, model.mechanism);
     simulation.qd = {speed};
     simulation.duration = duration;
@@ -59,7 +59,7 @@ class BlockTest : public ::testing::TestWithParam<IntegrationMethod> {
 };
 
 TEST_P(BlockTest, ComesToRestWhereItHasSpentItsEnergy) {
-  const Model model = block("coulomb = 4\n");
+  const LoadedRobot model = block("coulomb = 4\n");
   const SimulatedMotion motion = run(model, moving(model, 1, 2));
   const double slack = GetParam() == IntegrationMethod::rk4 ? 1.1e-3 : 1e-9;
   ASSERT_EQ(motion.events.size(), 1U);
@@ -72,7 +72,7 @@ TEST_P(BlockTest, ComesToRestWhereItHasSpentItsEnergy) {
 }
 
 TEST_P(BlockTest, BreaksAwayWhenTheTorqueExceedsDryFriction) {
-  const Model model = block("coulomb = 4\n");
+  const LoadedRobot model = block("coulomb = 4\n");
   Simulation simulation = moving(model, 0, 2);
   simulation.samples = TorqueSamples{TorqueSamples::Between::linear, {0, 10}, {{0}, {50}}};
   const SimulatedMotion motion = run(model, simulation);
@@ -86,7 +86,7 @@ TEST_P(BlockTest, BreaksAwayWhenTheTorqueExceedsDryFriction) {
 }
 
 TEST_P(BlockTest, StopsAtTheEndOfItsRange) {
-  const Model model = block("");
+  const LoadedRobot model = block("");
   Simulation simulation = moving(model, 2, 2);
   simulation.at_limits = AtLimits::stop;
   const SimulatedMotion motion = run(model, simulation);
@@ -102,7 +102,7 @@ TEST_P(BlockTest, StopsAtTheEndOfItsRange) {
 }
 
 TEST_P(BlockTest, IsPushedOffItsStopAgain) {
-  const Model model = block("coulomb = 1\n");
+  const LoadedRobot model = block("coulomb = 1\n");
   Simulation simulation = moving(model, 0, 3);
   simulation.at_limits = AtLimits::stop;
   simulation.q = {1};
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, BlockTest, ::testing::Values(IntegrationMethod
 
 // Through the period of the mathematical pendulum, 4 K(sin(θ/2)) sqrt(l/g).
 TEST(Simulator, SwingsAsLongAsAPendulumDoes) {
-  const Model model = pendulum();
+  const LoadedRobot model = pendulum();
   Simulation simulation = resting(model.robot, model.mechanism);
   const double amplitude = 2;  // rad, from hanging
   simulation.q = {amplitude - std::numbers::pi / 2};
@@ -138,7 +138,7 @@ TEST(Simulator, SwingsAsLongAsAPendulumDoes) {
 }
 
 TEST(Simulator, Rk4IsOfOrderFour) {
-  const Model model = pendulum();
+  const LoadedRobot model = pendulum();
   Simulation simulation = resting(model.robot, model.mechanism);
   simulation.duration = 1;
   simulation.rate = 1;
@@ -155,7 +155,7 @@ TEST(Simulator, Rk4IsOfOrderFour) {
 
 // Computed torque makes the error obey ë + k_D ė + k_P e = 0: with k_P = 25, k_D = 10 it is e_0 (1 + 5 t) exp(−5 t).
 TEST(Simulator, ComputedTorqueMakesTheErrorLinear) {
-  const Model model = model_of("panda.urdf");
+  const LoadedRobot model = model_of("panda.urdf");
   Simulation simulation = resting(model.robot, model.mechanism);
   simulation.q = {0, -0.785, 0, -2.356, 0, 1.571, 0.785};
   simulation.duration = 1;
@@ -177,7 +177,7 @@ TEST(Simulator, ComputedTorqueMakesTheErrorLinear) {
 // Inverse∘direct, over a whole motion with dry friction: the recursive reference needs, for each row's q̈, its torque.
 TEST(Simulator, EveryRowIsInverseDynamicsOfItsMotion) {
   for (const char* name : {"panda.urdf", "puma560.toml"}) {
-    const Model model = model_of(name);
+    const LoadedRobot model = model_of(name);
     Simulation simulation = resting(model.robot, model.mechanism);
     simulation.duration = 2;
     simulation.rate = 50;
@@ -194,7 +194,7 @@ TEST(Simulator, EveryRowIsInverseDynamicsOfItsMotion) {
 
 // A digital controller: its torque stays for a period.
 TEST(Simulator, HoldsTheTorqueForThePeriod) {
-  const Model model = block("");
+  const LoadedRobot model = block("");
   Simulation simulation = resting(model.robot, model.mechanism);
   simulation.duration = 1;
   simulation.rate = 1000;
@@ -210,7 +210,7 @@ TEST(Simulator, HoldsTheTorqueForThePeriod) {
 }
 
 TEST(Simulator, TorquesEndAtTheEffortLimit) {
-  const Model model = model_of("panda.urdf");
+  const LoadedRobot model = model_of("panda.urdf");
   Simulation simulation = resting(model.robot, model.mechanism);
   simulation.duration = 0.01;
   simulation.constant.assign(7, 1000);
@@ -221,7 +221,7 @@ TEST(Simulator, TorquesEndAtTheEffortLimit) {
 }
 
 TEST(Simulator, EndsWhereItIsInterrupted) {
-  const Model model = pendulum();
+  const LoadedRobot model = pendulum();
   Progress progress(true);
   JointDynamics dynamics(model, progress);
   const SimulatedMotion motion =
@@ -233,7 +233,7 @@ TEST(Simulator, EndsWhereItIsInterrupted) {
 }
 
 TEST(Simulator, SaysWhereAMotionCannotBeFollowed) {
-  const Model model = block("");
+  const LoadedRobot model = block("");
   Simulation simulation = resting(model.robot, model.mechanism);
   simulation.feedback = FeedbackLaw{FeedbackLaw::Kind::pd, {-1e30}, {-1e30}, {1}, false, {}};
   EXPECT_THROW(run(model, simulation), Failure);
@@ -241,7 +241,7 @@ TEST(Simulator, SaysWhereAMotionCannotBeFollowed) {
 
 // What a simulation computes, in numbers that no other use of the machine changes: 10 s of the Panda under PD control.
 TEST(Simulator, TakesFewEvaluations) {
-  const Model model = model_of("panda.urdf");
+  const LoadedRobot model = model_of("panda.urdf");
   Simulation simulation = resting(model.robot, model.mechanism);
   Diagnostics none;
   read_simulation(std::string(FLATDYN_SOURCE_DIR) + "/docs/examples/panda_reach.toml", model.robot, model.mechanism,

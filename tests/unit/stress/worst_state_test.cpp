@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "reference/extreme_states.hpp"
 #include "support/robot_models.hpp"
-#include "verify/extreme_states.hpp"
 
 namespace flatdyn::testing {
 namespace {

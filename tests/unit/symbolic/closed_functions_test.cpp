@@ -3,16 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include "definition/exact.hpp"
 #include "graph/count.hpp"
-#include "pipeline.hpp"
-#include "symbolic/formulations.hpp"
-#include "verify/exact.hpp"
+#include "planning/formulations.hpp"
+#include "planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {
 
 Mechanism mechanism_of(const std::string& robot) {
-  return read_model(FLATDYN_SOURCE_DIR "/robots/" + robot, {}).mechanism;
+  return load_robot(FLATDYN_SOURCE_DIR "/robots/" + robot, {}).mechanism;
 }
 
 constexpr const char* kFunctions[] = {"inverse_dynamics", "inertia_matrix", "christoffel",   "coriolis_matrix",
@@ -49,7 +49,7 @@ TEST(ClosedVariants, IsNotTriedWhereItWouldBeLong) {
 // (7.31) with the numbers of Example 7.2: a quadratic form with one cosine, which costs the recursion three
 // multiplications more.
 TEST(ClosedVariants, IsWhatThePlanarArmsEnergyIsEmittedFrom) {
-  const Model model = read_model(FLATDYN_SOURCE_DIR "/robots/planar_2r_example_7_2.toml", {});
+  const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/robots/planar_2r_example_7_2.toml", {});
   PipelineOptions options;
   options.functions = {"kinetic_energy"};
   Progress quiet(true);
@@ -59,7 +59,7 @@ TEST(ClosedVariants, IsWhatThePlanarArmsEnergyIsEmittedFrom) {
 
 // cos(q_1 + q_2) of an angle that was rounded is wrong by as many digits as the joints have turned.
 TEST(ClosedVariants, TakesNoSineOfASum) {
-  const Model model = read_model(FLATDYN_SOURCE_DIR "/robots/planar_2r.toml", {});
+  const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/robots/planar_2r.toml", {});
   const std::optional<Function> closed = closed_variant(model.mechanism, derive_function(model.mechanism, "gravity"));
   ASSERT_TRUE(closed);
   for (NodeId id = 0; id < closed->graph.size(); ++id) {

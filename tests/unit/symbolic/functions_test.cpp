@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Identities between the functions of one robot, exactly, at random points of a prime field.
-#include "symbolic/formulations.hpp"
+#include "planning/formulations.hpp"
 
 #include <gtest/gtest.h>
 
 #include "graph/mod_p.hpp"
 #include "support/robots.hpp"
-#include "symbolic/regroup.hpp"
+#include "symbolic/kernel/regroup.hpp"
 
 namespace flatdyn {
 namespace {
@@ -87,7 +87,7 @@ TEST_P(RandomRobot, CoriolisMatrixIsChristoffelSymbolsTimesRates) {
 TEST_P(RandomRobot, ForwardDynamicsUndoesInverseDynamics) {
   const Function forward = derive_function(mechanism, "forward_dynamics");
   EXPECT_TRUE(values(forward, seed, value_of("inverse_dynamics")) == qdd);
-  EXPECT_EQ(forward.positive.size(), n);
+  EXPECT_EQ(forward.validity_conditions.size(), n);
 }
 
 TEST_P(RandomRobot, KineticEnergyIsTheQuadraticFormOfB) {

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <numbers>
 
-#include "diagnostics/temporary_folder.hpp"
 #include "simulate/simulation.hpp"
 #include "support/written_model.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 // Joints of three kinds: with limits, without, and one that turns without end; and one that slides.
-Model arm() {
+LoadedRobot arm() {
   return testing::model_of_toml(
       "[[link]]\njoint = \"a\"\nmass = 1\nlimits = { lower = -8, upper = 8 }\n"
       "[[link]]\njoint = \"b\"\nmass = 1\nxyz = [0, 0, 1]\n"
@@ -55,7 +55,7 @@ ReadSimulation simulation_of(const std::string& text) {
   const TemporaryFolder folder;
   const std::string file = folder.path() / "simulation.toml";
   std::ofstream(file) << text;
-  const Model model = arm();
+  const LoadedRobot model = arm();
   ReadSimulation read{resting(model.robot, model.mechanism), {}};
   Diagnostics found;
   read_simulation(file, model.robot, model.mechanism, read.simulation, found);

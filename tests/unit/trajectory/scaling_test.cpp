@@ -17,7 +17,7 @@ using testing::model_of;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 struct Case {
-  Model model;
+  LoadedRobot model;
   Trajectory trajectory, sides;  // as planned, and with both sides of jumps
   PathCoefficients grid, path;   // of these
   PaceLimits limits;
@@ -30,7 +30,7 @@ PlacedProfile triangular(double duration, std::size_t joints) {
 
 // Every joint goes to and fro, with a pause between; limits that scale with what the motion needs.
 Case case_of(const char* robot, double torque_part, int intervals = 600) {
-  Model model = model_of(robot);
+  LoadedRobot model = model_of(robot);
   const auto n = static_cast<std::size_t>(model.mechanism.size());
   TrajectoryPlan plan;
   JointPosture there(n), back(n);
@@ -160,7 +160,7 @@ TEST(TimeOptimal, LinearisesFrictionUntilItIsExact) {
 // A straight line in the space of joints is one path however it was run: steps in the given acceleration must not be
 // felt. Sampled as a triangle and as a trapezium, the law takes the same time, from plans and from their samples.
 TEST(TimeOptimal, DependsOnThePathAlone) {
-  const Model model = model_of("planar_2r_example_7_2.toml");
+  const LoadedRobot model = model_of("planar_2r_example_7_2.toml");
   Progress quiet(true);
   PathTorques torques(model, false, quiet);
   const double most = std::numeric_limits<double>::max();

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "flatdyn/reference/newton_euler.hpp"
+#include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
-#include "verify/reference_model.hpp"
 
 namespace flatdyn {
 namespace {
@@ -39,7 +39,7 @@ reference::VectorX<double> reference_torques(const Robot& robot, const Trajector
 class TermsOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(TermsOf, AddUpToTheReference) {
-  const Model model = model_of(GetParam());
+  const LoadedRobot model = model_of(GetParam());
   Progress quiet(true);
   for (const bool tip_force : {false, true}) {
     TorqueTerms terms(model, tip_force, quiet);
@@ -85,7 +85,7 @@ TEST(TorqueTerms, LeaveOutWhatIsAlwaysZero) {
 
 // A scene that wants one entry at rest does not take terms away.
 TEST(TorqueTerms, AreThoseOfTheWholeRobotWhateverTheSceneAsksFor) {
-  Model model = model_of("planar_2r_example_7_2.toml");
+  LoadedRobot model = model_of("planar_2r_example_7_2.toml");
   model.robot.scene.at_rest = true;
   model.robot.scene.functions = {{"gravity", {}}};
   Progress quiet(true);

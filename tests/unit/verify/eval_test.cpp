@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planning/formulations.hpp"
+#include "reference/reference_model.hpp"
 #include "support/robots.hpp"
-#include "symbolic/formulations.hpp"
-#include "verify/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

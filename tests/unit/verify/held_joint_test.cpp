@@ -2,9 +2,9 @@
 // A robot with a joint that is held is the robot with that joint at its place: axes in any direction, all types.
 #include <gtest/gtest.h>
 
+#include "planning/formulations.hpp"
+#include "reference/values.hpp"
 #include "support/robots.hpp"
-#include "symbolic/formulations.hpp"
-#include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {

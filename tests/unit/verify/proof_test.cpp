@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What generate proves before it writes: right functions pass, and a mistake after any pass is caught.
 #include "verify/proof.hpp"
+#include "planning/make_functions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "diagnostics/diagnostics.hpp"
+#include "planning/formulations.hpp"
 #include "support/mutants.hpp"
 #include "support/robot_models.hpp"
-#include "symbolic/formulations.hpp"
 
 namespace flatdyn {
 namespace {
@@ -67,7 +68,7 @@ TEST(Proof, CatchesAWrongConditionAndAnotherRobot) {
   const Mechanism puma = testing::model_of("puma560.toml").mechanism;
   const Function forward = derive_function(puma, "forward_dynamics");
   OptimisedFunction wrong{forward, forward, {}, {}};
-  std::swap(wrong.function.positive.front(), wrong.function.positive.back());
+  std::swap(wrong.function.validity_conditions.front(), wrong.function.validity_conditions.back());
   EXPECT_THROW(prove(puma, {wrong}, {}, {}), Failure);
   Mechanism other = puma;
   other.bodies.back().inertia.mass += Number(1) / 1000;
@@ -75,7 +76,7 @@ TEST(Proof, CatchesAWrongConditionAndAnotherRobot) {
 }
 
 TEST(Proof, CoversFusedFunctionsAndStages) {
-  const Model model = testing::model_of("scara.toml");
+  const LoadedRobot model = testing::model_of("scara.toml");
   Progress quiet(true);
   OptimisedFusion fused = make_fusion(model, {"inertia_matrix", "gravity"}, quiet);
   Stages stages = stages_of(make_fusion(model, {"inertia_matrix", "bias", "forward_dynamics"}, quiet).fusion);

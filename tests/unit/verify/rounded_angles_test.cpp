@@ -24,7 +24,7 @@ class RoundedAngles : public RobotFiles {
   Diagnostics said_of(const std::string& file, bool with_functions) const {
     PipelineOptions options;
     options.functions = {"inverse_dynamics"};
-    const Model model = read_model(file, options);
+    const LoadedRobot model = load_robot(file, options);
     Progress silent(true);
     Diagnostics findings, none;
     std::vector<OptimisedFunction> functions;

@@ -23,7 +23,7 @@ std::vector<double> effects_of(const std::string& rpy, const std::string& axis =
   text.replace(text.find("RPY"), 3, rpy);
   text.replace(text.find("AXIS"), 4, axis);
   std::ofstream(path) << text;
-  const Model model = read_model(path, {});
+  const LoadedRobot model = load_robot(path, {});
   std::vector<double> effects = snap_effects(model, {});
   std::filesystem::remove(path);
   return effects;

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "planning/formulations.hpp"
+#include "reference/values.hpp"
 #include "support/robots.hpp"
 #include "support/spare_joints.hpp"
-#include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
 #include "verify/compiled.hpp"
 #include "verify/properties.hpp"
-#include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,16 +5,16 @@
 
 #include <cmath>
 
+#include "reference/reference_model.hpp"
+#include "reference/values.hpp"
 #include "support/robot_models.hpp"
-#include "verify/reference_model.hpp"
-#include "verify/values.hpp"
 
 namespace flatdyn {
 namespace {
 
 // Against the reference: every link's point, and the axes of the joints.
 void expect_as_the_reference(const std::string& file) {
-  const Model model = testing::model_of(file);
+  const LoadedRobot model = testing::model_of(file);
   const Drawing drawing = drawing_of(model.robot, model.mechanism);
   const SymbolValues symbols = random_symbol_values(model.robot, 1);
   const State state = with_parameters(random_states(model.mechanism, 1, 3), symbols).front();
@@ -45,7 +45,7 @@ TEST(Drawing, HasEveryLinkWhereItIs) {
 // The axis of a revolute joint keeps its point, however the joint turns.
 TEST(Drawing, PutsJointsOnTheirAxes) {
   for (const char* file : {"panda.urdf", "rx90.toml", "planar_2r.toml"}) {
-    const Model model = testing::model_of(file);
+    const LoadedRobot model = testing::model_of(file);
     const Drawing drawing = drawing_of(model.robot, model.mechanism);
     GraphEvaluator<double> evaluate(drawing.function);
     State state = with_parameters(random_states(model.mechanism, 1, 3), random_symbol_values(model.robot, 1)).front();
@@ -63,7 +63,7 @@ TEST(Drawing, PutsJointsOnTheirAxes) {
 }
 
 TEST(Drawing, HasALinePerJointAndTheEndsOfUrdf) {
-  const Model panda = testing::model_of("panda.urdf"), arm = testing::model_of("planar_2r.toml");
+  const LoadedRobot panda = testing::model_of("panda.urdf"), arm = testing::model_of("planar_2r.toml");
   EXPECT_GE(drawing_of(panda.robot, panda.mechanism).lines.size(), panda.robot.joints.size());
   const Drawing drawn = drawing_of(arm.robot, arm.mechanism);
   EXPECT_EQ(drawn.lines.size(), 2u);  // standard DH: frames are at the ends
@@ -71,7 +71,7 @@ TEST(Drawing, HasALinePerJointAndTheEndsOfUrdf) {
 }
 
 TEST(Drawing, HasFollowersAndEndsAtTheTip) {
-  const Model finger = testing::model_of("finger.toml");
+  const LoadedRobot finger = testing::model_of("finger.toml");
   const Drawing drawing = drawing_of(finger.robot, finger.mechanism);
   EXPECT_EQ(drawing.lines.back(), std::pair(4, 5));
   EXPECT_EQ(drawing.points, 6);

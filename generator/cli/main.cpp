@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Options → pipeline → exit code.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "cli/commands.hpp"
+#include "cli/help.hpp"
+#include "cli/usage.hpp"
+#include "diagnostics/exit_codes.hpp"
+
+namespace flatdyn {
+namespace {
+
+// What was printed may still wait in the buffer, for a disk that is full or a pipe that nobody reads.
+void check_stdout_is_open() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw Failure(ExitCode::io, std::string("standard output: cannot be written: ") + std::strerror(errno));
+}
+
+// Throws what ends the run.
+ExitCode run(const Run& command) {
+  const ExitCode code = command();
+  check_stdout_is_open();
+  return code;
+}
+
+ExitCode run(const Run& command, const Manner& manner) {
+  try {
+    return run(command);
+  } catch (const BadInput& bad) {
+    return tell(bad, manner);
+  } catch (const Failure& failure) {
+    return tell(failure, manner);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return tell(Failure(ExitCode::io, error.what()), manner);
+  } catch (const std::system_error& error) {
+    return tell(Failure(ExitCode::io, std::string("standard output: ") + error.what()), {});
+  } catch (const std::exception& error) {
+    return tell(
+        Failure(ExitCode::bug, std::string("internal error: ") + error.what(), "please report it with the robot file"),
+        manner);
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn
+
+int main(int argc, char** argv) {
+  using namespace flatdyn;
+  CLI::App app{
+      "Flat, dependency-free C++ for the dynamics of one robot.\n\n"
+      "  flatdyn generate robots/panda.urdf -o out/\n"
+      "  flatdyn verify robots/panda.urdf\n\n"
+      "Exit codes: " +
+      exit_codes_text() + "."};
+  app.name("flatdyn");
+  app.formatter(std::make_shared<NarrowHelp>());
+  app.set_version_flag("--version", "flatdyn " FLATDYN_VERSION);
+  app.require_subcommand(1);
+  Run chosen;
+  for (const auto add : {add_generate, add_inspect, add_derive, add_verify, add_eval, add_excite, add_identify,
+                         add_payload, add_torques, add_scale, add_simulate, add_manipulability, add_report, add_bench,
+                         add_certify, add_stress, add_man, add_completion}) {
+    const Run command = add(app);
+    app.get_subcommands({}).back()->callback([&chosen, command] { chosen = command; });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return static_cast<int>(tell(usage_failure(app, error), manner_of(argc, argv)));
+  }
+  return static_cast<int>(run(chosen, manner_of(app)));
+}

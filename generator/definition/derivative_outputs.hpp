@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the Lagrangian says the derivatives of inverse and forward dynamics are: over dual numbers of the field.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "definition/lagrangian.hpp"
+
+namespace flatdyn {
+
+// Arithmetic over dual numbers for what does not vary: the robot's own numbers.
+template <class Arithmetic>
+struct ConstantArithmetic {
+  using Scalar = Dual<typename Arithmetic::Scalar>;
+  Arithmetic& field;
+
+  Scalar constant(const Rational& value) const { return Scalar(field.constant(value)); }
+  Scalar input(const Input& input) const { return Scalar(field.input(input)); }
+  Scalar divide(const Scalar& a, const Scalar& b) const { return Scalar(field.divide(a.value, b.value)); }
+  Scalar sin(const Graph& graph, NodeId angle, const Scalar& value) const {
+    return Scalar(field.sin(graph, angle, value.value));
+  }
+  Scalar cos(const Graph& graph, NodeId angle, const Scalar& value) const {
+    return Scalar(field.cos(graph, angle, value.value));
+  }
+};
+
+template <class F>
+struct FieldState {
+  std::vector<JointPoint<F>> q;
+  std::vector<F> qd, qdd, sign_qd;  // sign_qd: of every body's joint
+};
+
+// ∂τ/∂q, column by column: τ over dual numbers, with dc = -s dq, ds = c dq.
+template <class Arithmetic, class F = typename Arithmetic::Scalar>
+Matrix<F> torques_by_position(const Mechanism& mechanism, Arithmetic& arithmetic, const FieldState<F>& state) {
+  using D = Dual<F>;
+  const auto constant = [](const std::vector<F>& values) { return std::vector<D>(values.begin(), values.end()); };
+  ConstantArithmetic<Arithmetic> over_duals{arithmetic};
+  const MechanismOver<D> field = mechanism_over(mechanism, over_duals);
+  const MechanismOver<F> constants = mechanism_over(mechanism, arithmetic);
+  Matrix<F> result(mechanism.size(), mechanism.size());
+  for (int k = 0; k < mechanism.size(); ++k) {
+    std::vector<F> direction(static_cast<std::size_t>(mechanism.size()), F(0));
+    direction[static_cast<std::size_t>(k)] = F(1);
+    const std::vector<F> rates = joint_values(constants, direction);
+    std::vector<JointPoint<D>> q;
+    for (const JointPoint<F>& point : state.q) {
+      const F& rate = rates[q.size()];
+      q.push_back({D(point.c, -point.s * rate), D(point.s, point.c * rate), D(point.d, rate)});
+    }
+    const std::vector<D> tau =
+        Lagrangian<D>(field, q).inverse_dynamics(constant(state.qd), constant(state.qdd), constant(state.sign_qd));
+    for (int i = 0; i < mechanism.size(); ++i) result(i, k) = tau[static_cast<std::size_t>(i)].derivative;
+  }
+  return result;
+}
+
+// ∂τ/∂q̇: C q̇ is a quadratic form with the coefficients c_ijk = c_ikj, so its derivative is 2 C.
+template <class F>
+Matrix<F> torques_by_rate(Lagrangian<F>& lagrangian, const std::vector<F>& qd) {
+  Matrix<F> result = lagrangian.coriolis_matrix(qd);
+  for (int i = 0; i < result.rows(); ++i) {
+    for (int k = 0; k < result.cols(); ++k) result(i, k) += result(i, k);
+  }
+  const MechanismOver<F>& mechanism = lagrangian.mechanism();
+  Matrix<F> friction(mechanism.body_count(), mechanism.body_count());
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    friction(i, i) = mechanism.bodies[static_cast<std::size_t>(i)].viscous;
+  }
+  friction = at_coordinates(mechanism, friction);
+  for (int i = 0; i < result.rows(); ++i) {
+    for (int k = 0; k < result.cols(); ++k) result(i, k) += friction(i, k);
+  }
+  return result;
+}
+
+}  // namespace flatdyn

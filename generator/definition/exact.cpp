@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "definition/exact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "definition/degree.hpp"
+#include "definition/lagrangian.hpp"
+#include "definition/lagrangian_outputs.hpp"
+#include "diagnostics/diagnostics.hpp"
+#include "graph/mod_p.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr double kLog2Prime = 60.99;  // all primes are above 2^60.99
+
+using MismatchKey = std::tuple<std::size_t, int>;  // output, entry
+
+// (row, column) of an entry as the layout has it.
+ExactMismatch describe(const std::string& name, int cols, int entry) {
+  return {name, entry, cols > 0 ? entry / cols : 0, cols > 0 ? entry % cols : 0};
+}
+
+std::vector<ExactMismatch> describe(const Function& function, const std::set<MismatchKey>& keys) {
+  std::vector<ExactMismatch> result;
+  for (const auto& [output, entry] : keys) {
+    if (output == function.outputs.size()) {
+      result.push_back(describe("positive", 1, entry));
+    } else {
+      result.push_back(describe(function.outputs[output].name, function.outputs[output].cols, entry));
+    }
+  }
+  return result;
+}
+
+// Runs `compare(arithmetic, mismatches)` at one point of one field. A division by zero, which has probability below
+// D/p, asks for another point, as does a square root that is none, which has probability 1/2.
+template <std::uint64_t P, class Compare>
+void at_point(std::uint64_t seed, const Compare& compare, std::set<MismatchKey>& mismatches) {
+  constexpr int kAttempts = 64;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    try {
+      ModPArithmetic<P> arithmetic(scrambled(seed, static_cast<std::uint64_t>(attempt)));
+      compare(arithmetic, mismatches);
+      return;
+    } catch (const std::domain_error&) {
+      continue;
+    }
+  }
+  throw Failure(ExitCode::verification_failed, "the function divides by zero at every point");
+}
+
+template <class Compare>
+std::set<MismatchKey> at_all_points(const ExactOptions& options, const Compare& compare) {
+  std::set<MismatchKey> mismatches;
+  for (int point = 0; point < options.points; ++point) {
+    const std::uint64_t seed = scrambled(options.seed, static_cast<std::uint64_t>(point));
+    at_point<kMersenne61>(seed, compare, mismatches);
+    at_point<kPrime61b>(seed, compare, mismatches);
+    at_point<kPrime61c>(seed, compare, mismatches);
+  }
+  return mismatches;
+}
+
+ExactResult finished(const Function& function, const std::set<MismatchKey>& mismatches, int entries, double degree,
+                     const ExactOptions& options) {
+  ExactResult result;
+  result.equal = mismatches.empty();
+  result.entries = entries;
+  result.primes = 3;
+  result.points = result.primes * options.points;
+  result.degree_bound = degree;
+  const double per_point = std::log2(std::max(1.0, degree)) - kLog2Prime;
+  result.failure_log2 = std::min(0.0, std::log2(std::max(1, entries)) + per_point * result.points);
+  result.mismatches = describe(function, mismatches);
+  return result;
+}
+
+// In the values drawn, t for each angle: a term of degree d in c and s has the common denominator Π (1 + t²)^d.
+double in_drawn_values(double degree, double angles, double reciprocals) {
+  return degree * (1 + 2 * angles + reciprocals);
+}
+
+// What angles multiply degrees by: there are up to seven entries of R beside one of J, and a root, see root_factor().
+constexpr double kAngleFactor = 32;
+
+// Of single accelerations B^-1 (tau - n), numerator and denominator have n factors of B or of what it is multiplied by.
+// The derivatives of forward dynamics are compared at a q̈ of their own making, which is B⁻¹ times a torque.
+double own_degree_factor(const Mechanism& mechanism, const Function& function) {
+  if (function.name == "forward_dynamics_derivatives") return 2;
+  // B_A is the inverse of J B^-1 Jᵀ, of at most six rows, and B^-1 adj B / det B.
+  if (!function.task.empty()) {
+    const double factor = 2.0 * static_cast<double>(function.task.rows.size()) * (mechanism.size() + 2);
+    return function.task.has_angles() ? kAngleFactor * factor : factor;
+  }
+  if (function.name == "base_parameters") return 2;  // Y_b π_b is compared with Y π
+  const bool is_solved = function.name == "forward_dynamics" && !is_whole(function);
+  return is_solved ? 2.0 * mechanism.size() : 1;
+}
+
+// Of closed loops, the determinants that are divided by are common denominators, see Degree.
+double degree_factor(const Mechanism& mechanism, const Function& function) {
+  return (mechanism.has_loops() ? 2 : 1) * own_degree_factor(mechanism, function);
+}
+
+}  // namespace
+
+ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const ExactOptions& options) {
+  int entries = 0;
+  const auto compare = [&](auto& arithmetic, std::set<MismatchKey>& mismatches) {
+    const auto values = evaluate(function, arithmetic);
+    // The function itself is given velocities in any case: where it holds at rest it must not read them.
+    auto lagrangian_arithmetic = function.at_rest ? arithmetic.at_rest() : arithmetic;
+    LagrangianOutputs expected(mechanism, function, lagrangian_arithmetic, values);
+    entries = 0;
+    for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+      const Output& output = function.outputs[k];
+      const auto wanted = expected.entries(output);
+      const auto found = expected.found(output);
+      if (wanted.size() != found.size()) {
+        throw Failure(ExitCode::bug, "output " + output.name + " of " + function.name + " has the wrong shape");
+      }
+      for (std::size_t e = 0; e < wanted.size(); ++e) {
+        if (output.leaves_out(e)) continue;
+        if (!(wanted[e] == found[e])) mismatches.emplace(k, static_cast<int>(e));
+        ++entries;
+      }
+    }
+  };
+  const std::set<MismatchKey> mismatches = at_all_points(options, compare);
+  const MechanismDegrees lagrangian =
+      is_regressor(function.name) ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
+  const FunctionDegrees own = function_degrees(function);
+  const double degree =
+      in_drawn_values(degree_factor(mechanism, function) * (lagrangian.degree + own.numerator + own.denominator),
+                      drawn_angles(function, mechanism), lagrangian.reciprocals);
+  return finished(function, mismatches, entries, degree, options);
+}
+
+ExactResult prove_equal(const Function& a, const Function& b, const ExactOptions& options) {
+  const std::vector<NodeId> roots_a = roots(a), roots_b = roots(b);
+  ExactResult different_shape;
+  if (roots_a.size() != roots_b.size() || a.outputs.size() != b.outputs.size()) return different_shape;
+  for (std::size_t k = 0; k < a.outputs.size(); ++k) {
+    if (a.outputs[k].entries.size() != b.outputs[k].entries.size()) return different_shape;
+  }
+  const auto compare = [&](auto& arithmetic, std::set<MismatchKey>& mismatches) {
+    const auto in_a = evaluate(a, arithmetic), in_b = evaluate(b, arithmetic);
+    const auto differ = [&](NodeId x, NodeId y) {
+      return !(in_a[static_cast<std::size_t>(x)] == in_b[static_cast<std::size_t>(y)]);
+    };
+    for (std::size_t k = 0; k < a.outputs.size(); ++k) {
+      for (std::size_t e = 0; e < a.outputs[k].entries.size(); ++e) {
+        if (differ(a.outputs[k].entries[e], b.outputs[k].entries[e])) mismatches.emplace(k, static_cast<int>(e));
+      }
+    }
+    for (std::size_t e = 0; e < a.validity_conditions.size(); ++e) {
+      if (differ(a.validity_conditions[e], b.validity_conditions[e]))
+        mismatches.emplace(a.outputs.size(), static_cast<int>(e));
+    }
+    for (std::size_t e = 0; e < a.pivot_diagonals.size(); ++e) {
+      if (differ(a.pivot_diagonals[e], b.pivot_diagonals[e])) mismatches.emplace(a.outputs.size(), static_cast<int>(e));
+    }
+  };
+  const std::set<MismatchKey> mismatches = at_all_points(options, compare);
+  const FunctionDegrees in_a = function_degrees(a), in_b = function_degrees(b);
+  const double angles = drawn_angles(a, {}) + drawn_angles(b, {});
+  const double degree =
+      std::max(root_factor(a), root_factor(b)) *
+      in_drawn_values(in_a.numerator + in_a.denominator + in_b.numerator + in_b.denominator, angles, 0);
+  return finished(a, mismatches, static_cast<int>(roots_a.size()), degree, options);
+}
+
+std::string ExactResult::summary() const {
+  if (!equal) {
+    if (mismatches.empty()) return "outputs of different shape";
+    const ExactMismatch& first = mismatches.front();
+    return fmt::format("{} of {} entries differ, the first is {}[{}, {}]", mismatches.size(), entries, first.output,
+                       first.row, first.col);
+  }
+  return fmt::format(
+      "{} entries equal at {} points modulo {} primes; degree at most {:.3g}; wrong with probability below 2^{:.0f}",
+      entries, points, primes, degree_bound, std::ceil(failure_log2));
+}
+
+}  // namespace flatdyn

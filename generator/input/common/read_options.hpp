@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a caller may ask of the readers of robot files.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "input/common/sources.hpp"
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+struct ReadOptions {
+  Number snap_tolerance = exact_decimal("1e-5");  // rad; 0 turns snapping off
+  std::optional<std::size_t> left_unsnapped;      // index of the one angle that keeps its decimal: what did it change?
+  std::optional<std::string> tip;                 // --tip: name of the tip link
+  std::string scene_file;                         // --scene; empty: none
+  Scene scene;                                    // --gravity, --fix: goes before what the scene file says
+  std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
+};
+
+// What is smaller than this part of its neighbours is dust: 1e-9, or less if that is asked of angles.
+Number dust_part(const ReadOptions& options);
+
+}  // namespace flatdyn

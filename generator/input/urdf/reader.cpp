@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/urdf/reader.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "diagnostics/nearest.hpp"
+#include "input/common/xacro.hpp"
+#include "input/urdf/actuators.hpp"
+#include "input/urdf/couplings.hpp"
+#include "input/urdf/loops.hpp"
+#include "input/urdf/mimics.hpp"
+#include "input/urdf/names.hpp"
+#include "input/urdf/unsupported.hpp"
+#include "input/urdf/values.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr const char* kFixHint = "hold it still: make it type=\"fixed\", or give the option --fix ";
+
+class UrdfReader {
+ public:
+  UrdfReader(const std::string& file, ReadContext& context, Robot& robot)
+      : values_(file, context), context_(context), diagnostics_(context.diagnostics), robot_(robot) {}
+
+  void read(const XMLElement& root) {
+    const char* name = root.Attribute("name");
+    if (name != nullptr && *name != '\0') robot_.name = values_.required_text(root, "name", "robot");
+    for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+      if (std::string_view(e->Name()) == "link") read_link(*e);
+    }
+    for (const XMLElement* e = root.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
+      read_joint(*e);
+    }
+    read_urdf_mimics(root, values_, robot_);
+    read_urdf_marks(root, values_, robot_);
+    read_urdf_couplings(root, values_, robot_);
+    read_urdf_loops(root, values_, robot_);
+    check_urdf_names(root, values_);
+    refuse_unread_dynamics(root, values_, robot_);
+    read_urdf_actuators(root, values_, robot_);
+  }
+
+ private:
+  void read_link(const XMLElement& element) {
+    Link link;
+    link.place = values_.place(element);
+    link.name = values_.required_text(element, "name", "link");
+    const std::string what = "link \"" + link.name + "\"";
+    const XMLElement* inertial = element.FirstChildElement("inertial");
+    if (inertial != nullptr) link.inertials.push_back(read_inertial(*inertial, what));
+    // The first of a name counts; the validation reports the others.
+    link_of_name_.emplace(link.name, static_cast<int>(robot_.links.size()));
+    robot_.links.push_back(std::move(link));
+  }
+
+  Inertial read_inertial(const XMLElement& element, const std::string& link) {
+    Inertial inertial;
+    inertial.place = values_.place(element);
+    inertial.frame = values_.origin(element, link + ", inertial");
+    const XMLElement* mass = element.FirstChildElement("mass");
+    if (mass == nullptr) {
+      diagnostics_.error(inertial.place, link + ": <inertial> has no <mass>", "write <mass value=\"...\"/> (kg)");
+    } else {
+      inertial.mass = values_.required_number(*mass, "value", link + ", mass");
+    }
+    const XMLElement* inertia = element.FirstChildElement("inertia");
+    if (inertia == nullptr) {
+      diagnostics_.error(inertial.place, link + ": <inertial> has no <inertia>",
+                         "write <inertia ixx= iyy= izz= ixy= ixz= iyz=/> (kg m^2); all 0 for a point mass");
+    } else {
+      inertial.tensor = read_tensor(*inertia, link + ", inertia");
+    }
+    return inertial;
+  }
+
+  Mat3 read_tensor(const XMLElement& element, const std::string& what) {
+    const auto diagonal = [&](const char* key) { return values_.required_number(element, key, what).number; };
+    const auto product = [&](const char* key) {
+      return values_.number(element, key, what).value_or(Value{0, values_.place(element)}).number;
+    };
+    const Number xx = diagonal("ixx"), yy = diagonal("iyy"), zz = diagonal("izz");
+    const Number xy = product("ixy"), xz = product("ixz"), yz = product("iyz");
+    return {Vec3{xx, xy, xz}, Vec3{xy, yy, yz}, Vec3{xz, yz, zz}};
+  }
+
+  void read_joint(const XMLElement& element) {
+    Joint joint;
+    joint.place = values_.place(element);
+    joint.name = values_.required_text(element, "name", "joint");
+    const std::string what = "joint \"" + joint.name + "\"";
+    joint.type = read_type(element, joint);
+    joint.parent = read_link_name(element, "parent", what);
+    joint.child = read_link_name(element, "child", what);
+    joint.origin = values_.origin(element, what);
+    joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
+    if (joint.type != JointType::fixed) {
+      read_axis(element, what, joint);
+      read_limits(element, what, joint);
+      read_friction(element, what, joint);
+    } else if (joint.held) {
+      read_axis(element, what, joint);
+      read_limits(element, what, joint);
+    }
+    robot_.joints.push_back(std::move(joint));
+  }
+
+  // How a joint would move that is held is kept beside its type.
+  JointType read_type(const XMLElement& element, Joint& joint) {
+    static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
+                                                            {"revolute", JointType::revolute},
+                                                            {"continuous", JointType::continuous},
+                                                            {"prismatic", JointType::prismatic}};
+    const std::string what = "joint \"" + joint.name + "\"";
+    const std::string type = values_.required_text(element, "type", what);
+    const auto found = kTypes.find(type);
+    if (is_held(joint.name, context_) || type.empty()) {
+      if (found != kTypes.end() && found->second != JointType::fixed) joint.held = Held{found->second};
+      return JointType::fixed;
+    }
+    if (found == kTypes.end()) {
+      report_type(element, what, joint.name, type);
+      return JointType::fixed;
+    }
+    return found->second;
+  }
+
+  void report_type(const XMLElement& element, const std::string& what, const std::string& name,
+                   const std::string& type) {
+    static const std::vector<std::string> kNotYet = {"floating", "planar", "ball", "spherical", "universal", "screw"};
+    if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
+      diagnostics_.unsupported(values_.place(element), what + ": type \"" + type + "\" is not supported yet",
+                               kFixHint + name);
+    } else {
+      diagnostics_.error(values_.place(element), what + ": unknown type \"" + type + "\"",
+                         hint_for_unknown(type, {"fixed", "revolute", "continuous", "prismatic"}, "types"));
+    }
+  }
+
+  int read_link_name(const XMLElement& joint, const char* tag, const std::string& what) {
+    const XMLElement* element = joint.FirstChildElement(tag);
+    if (element == nullptr) {
+      diagnostics_.error(values_.place(joint), what + " has no <" + tag + ">",
+                         std::string("write <") + tag + " link=\"...\"/>");
+      return -1;
+    }
+    const std::string name = values_.required_text(*element, "link", what);
+    if (name.empty()) return -1;
+    const auto found = link_of_name_.find(name);
+    if (found != link_of_name_.end()) return found->second;
+    if (name == "world" && std::string_view(tag) == "parent") return add_world(*element, what);
+    std::vector<std::string> known;
+    for (const Link& link : robot_.links) known.push_back(link.name);
+    diagnostics_.error(values_.place(*element), what + ": there is no " + tag + " link \"" + name + "\"",
+                       hint_for_unknown(name, known, "links"));
+    return -1;
+  }
+
+  // Some programs know of a link "world" without being told.
+  int add_world(const XMLElement& parent, const std::string& what) {
+    const int index = static_cast<int>(robot_.links.size());
+    robot_.links.push_back({"world", {}, values_.place(parent)});
+    link_of_name_.emplace("world", index);
+    diagnostics_.note(values_.place(parent), what + ": there is no link \"world\": it is taken for the ground",
+                      "write <link name=\"world\"/> to say so");
+    return index;
+  }
+
+  void read_axis(const XMLElement& element, const std::string& what, Joint& joint) {
+    joint.axis = {1, 0, 0};  // URDF's default
+    if (const XMLElement* axis = element.FirstChildElement("axis")) {
+      joint.axis = values_.required_vector(*axis, "xyz", what + ", axis").value_or(joint.axis);
+    }
+  }
+
+  void read_limits(const XMLElement& element, const std::string& what, Joint& joint) {
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (limit == nullptr) return;
+    const std::string where = what + ", limit";
+    if (joint.type != JointType::continuous && !(joint.held && joint.held->type == JointType::continuous)) {
+      joint.limits.lower = values_.limit(*limit, "lower", Bound::lower, where);
+      joint.limits.upper = values_.limit(*limit, "upper", Bound::upper, where);
+    }
+    joint.limits.velocity = values_.limit(*limit, "velocity", Bound::magnitude, where);
+    joint.limits.effort = values_.limit(*limit, "effort", Bound::magnitude, where);
+    joint.limits.acceleration = values_.limit(*limit, "acceleration", Bound::magnitude, where);
+  }
+
+  void read_friction(const XMLElement& element, const std::string& what, Joint& joint) {
+    if (auto damping = values_.dynamics(element, "damping", what)) joint.viscous = *damping;
+    if (auto friction = values_.dynamics(element, "friction", what)) joint.coulomb = *friction;
+  }
+
+  UrdfValues values_;
+  ReadContext& context_;
+  Diagnostics& diagnostics_;
+  Robot& robot_;
+  std::map<std::string, int> link_of_name_;
+};
+
+// "XML_ERROR_MISMATCHED_ELEMENT" → "mismatched element"
+std::string readable(std::string name) {
+  for (const std::string prefix : {"XML_ERROR_", "XML_"}) {
+    if (name.starts_with(prefix)) name.erase(0, prefix.size());
+  }
+  for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(c | 0x20);
+  return name;
+}
+
+void report_other_format(const XMLElement& root, const Place& place, Diagnostics& diagnostics) {
+  const std::string name = root.Name();
+  const std::string message = "the outermost element is <" + name + ">, not <robot>";
+  if (name == "sdf" || name == "mujoco" || name == "mujocoinclude") {
+    diagnostics.unsupported(place, message + ": this format is not supported",
+                            "convert the model to URDF, or write a TOML file");
+  } else {
+    diagnostics.error(place, message, "a URDF file is <robot name=\"...\"> ... </robot>");
+  }
+}
+
+// A second outermost element, or text: of two robots in one file it is not clear which is meant.
+const tinyxml2::XMLNode* content_beside(const XMLElement& root) {
+  for (const tinyxml2::XMLNode* node = root.GetDocument()->FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node != &root && (node->ToElement() != nullptr || node->ToText() != nullptr)) return node;
+  }
+  return nullptr;
+}
+
+// What processing instructions say concerns other programs, but the parser takes none within the robot, and no XML
+// declaration after a comment. Blanks stand in for them, so that lines keep their numbers.
+std::string without_instructions(std::string text) {
+  const auto end_of = [&text](std::size_t begin, std::string_view mark) {
+    const std::size_t end = text.find(mark, begin);
+    return end == std::string::npos ? text.size() : end + mark.size();
+  };
+  for (std::size_t k = text.find('<'); k < text.size(); k = text.find('<', k + 1)) {
+    if (text.compare(k, 4, "<!--") == 0) {
+      k = end_of(k, "-->") - 1;
+    } else if (text.compare(k, 9, "<![CDATA[") == 0) {
+      k = end_of(k, "]]>") - 1;
+    } else if (text.compare(k, 2, "<?") == 0) {
+      const std::size_t end = end_of(k, "?>");
+      for (; k < end; ++k) text[k] = text[k] == '\n' ? '\n' : ' ';
+      --k;
+    }
+  }
+  return text;
+}
+
+// Declarations in a DOCTYPE define names for texts, which the parser does not put in.
+const tinyxml2::XMLNode* doctype_with_declarations(const tinyxml2::XMLDocument& document) {
+  for (const tinyxml2::XMLNode* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    const std::string_view text = node->ToUnknown() == nullptr ? "" : node->Value();
+    if (text.starts_with("DOCTYPE") && text.find('[') != std::string_view::npos) return node;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void read_urdf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
+  tinyxml2::XMLDocument document;  // resolves no entities of its own but the five of XML; nesting is bounded (100)
+  const std::string plain = without_instructions(text);
+  if (document.Parse(plain.data(), plain.size()) != tinyxml2::XML_SUCCESS) {
+    context.diagnostics.error({file, document.ErrorLineNum()}, "not well-formed XML: " + readable(document.ErrorName()),
+                              "check the tags and quotes near this line");
+    return;
+  }
+  if (const tinyxml2::XMLNode* doctype = doctype_with_declarations(document)) {
+    context.diagnostics.error({file, doctype->GetLineNum()},
+                              "a <!DOCTYPE ...> with declarations of its own is not read",
+                              "put in what it declares: xmllint --noent --dropdtd FILE > robot.urdf");
+    return;
+  }
+  const XMLElement* root = document.RootElement();
+  if (root == nullptr) {
+    context.diagnostics.error({file, 0}, "there is no element in this file",
+                              "a URDF file is <robot name=\"...\"> ... </robot>");
+    return;
+  }
+  if (std::string_view(root->Name()) != "robot") {
+    report_other_format(*root, {file, root->GetLineNum()}, context.diagnostics);
+    return;
+  }
+  if (const tinyxml2::XMLNode* second = content_beside(*root)) {
+    context.diagnostics.error({file, second->GetLineNum()},
+                              "there is something else beside <robot>, the outermost element",
+                              "a URDF file is one <robot name=\"...\"> ... </robot>");
+    return;
+  }
+  if (refuse_template(*root, file, context.diagnostics)) return;
+  UrdfReader(file, context, robot).read(*root);
+}
+
+}  // namespace flatdyn

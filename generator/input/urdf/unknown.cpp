@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/urdf/unknown.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "diagnostics/nearest.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+using Form = UrdfEntry::Form;
+using Names = std::vector<std::string>;
+
+bool is_among(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string list_of(const Names& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+// The element that a value of this name is read from, where there is only one for it; "" if there is none.
+std::string home_of(std::string_view name) {
+  for (const char* tag : {"origin", "inertia", "dynamics", "limit"}) {
+    if (has_key(*known_urdf_element(tag), name)) return tag;
+  }
+  return "";
+}
+
+// The element in which an element of this name stands; "" if it is not one of which values are read.
+std::string parent_of(std::string_view tag) {
+  if (tag == "mass" || tag == "inertia") return "inertial";
+  if (tag == "axis" || tag == "limit" || tag == "dynamics") return "joint";
+  return tag == "origin" ? "inertial> or <joint" : "";
+}
+
+bool says_nothing(const XMLElement& element) {
+  if (known_urdf_element(element.Name()) == nullptr) return says_zero(value_of(element));
+  const std::vector<UrdfEntry> entries = entries_of(element);
+  return std::all_of(entries.begin(), entries.end(), [](const UrdfEntry& entry) { return says_zero(entry.text); });
+}
+
+bool is_si_unit(std::string_view unit) {
+  constexpr auto kUnits = std::to_array<std::string_view>(
+      {"m", "meter", "meters", "rad", "radian", "radians", "kg", "kg m^2", "kg*m^2", "N", "Nm", "N m", "SI", "si"});
+  return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
+}
+
+std::string shown(const UrdfEntry& entry) {
+  return entry.form == Form::child ? "<" + entry.name + ">" : entry.name + "=\"" + entry.text + "\"";
+}
+
+}  // namespace
+
+// The known keys of an element, and those that are not there.
+struct UnknownEntries::Known {
+  Known(const UrdfElement& known, const std::vector<UrdfEntry>& entries)
+      : element(known), missing(key_names_of(known)) {
+    for (const UrdfEntry& entry : entries) std::erase(missing, key_of(known, entry));
+  }
+
+  // "did you mean ..." if the name is like one that is missing, the list of names if it may be meant for one; else "".
+  std::string hint_for(const std::string& name) const {
+    const std::string near = hint_for_unknown(name, missing, "attributes");
+    if (near.starts_with("did you mean")) return near;
+    for (const std::string& key : missing) {
+      if (name.find(key) != std::string::npos || (name.size() > 2 && key.find(name) != std::string::npos)) {
+        return "did you mean \"" + key + "\"?";
+      }
+    }
+    const bool may_be_meant = missing.size() == element.keys.size() ||
+                              std::any_of(missing.begin(), missing.end(),
+                                          [&](const std::string& key) { return is_among(element.decisive, key); });
+    return may_be_meant ? "known attributes: " + list_of(key_names_of(element)) : "";
+  }
+
+  const UrdfElement& element;
+  Names missing;
+};
+
+// True if the entry is an error.
+bool UnknownEntries::refuse(const XMLElement& element, const UrdfEntry& entry, const Known& known,
+                            const std::string& what) {
+  const Place place{values_.place(element).file, entry.line};
+  if ((entry.name == "unit" || entry.name == "units") && !is_si_unit(entry.text)) {
+    diagnostics_.error(place, what + ": the unit \"" + entry.text + "\" is not read",
+                       "convert the value to SI units (m, rad, kg, s, N), and delete the unit");
+    return true;
+  }
+  const std::string home = home_of(entry.name);
+  if (!home.empty() && home != element.Name() && !says_zero(entry.text)) {
+    diagnostics_.error(place, what + ": " + shown(entry) + " has no effect here",
+                       "it is read from <" + home + ">: write it there, or delete it");
+    return true;
+  }
+  const std::string hint = known.hint_for(entry.name);
+  if (hint.empty()) return false;
+  diagnostics_.error(place,
+                     what + (entry.form == Form::child ? ": unknown element <" + entry.name + ">"
+                                                       : ": unknown attribute \"" + entry.name + "\""),
+                     hint);
+  return true;
+}
+
+void UnknownEntries::note_left_out(const XMLElement& element, const Names& names, const std::string& what) {
+  Names first;
+  for (const std::string& name : names) {
+    if (noted_.insert(std::string(element.Name()) + " " + name).second) first.push_back(name);
+  }
+  if (first.empty()) return;
+  diagnostics_.note(
+      values_.place(element), what + ": left out here and in every <" + element.Name() + ">: " + list_of(first),
+      "what is read: " + list_of(key_names_of(*known_urdf_element(element.Name()))), "unknown attributes left out");
+}
+
+void UnknownEntries::check(const XMLElement& element, const std::string& what) {
+  const UrdfElement* element_known = known_urdf_element(element.Name());
+  if (element_known == nullptr) return;
+  const std::vector<UrdfEntry> entries = entries_of(element);
+  const Known known(*element_known, entries);
+  Names left_out;
+  for (const UrdfEntry& entry : entries) {
+    if (!key_of(known.element, entry).empty() || has_namespace(entry.name)) continue;
+    if (entry.form == Form::text) {
+      diagnostics_.error(values_.place(element),
+                         what + ": it is not clear what the text \"" + entry.text + "\" in <" + element.Name() + "> is",
+                         "write it as attributes: " + list_of(key_names_of(known.element)));
+    } else if (is_among(known.element.of_others, entry.name) || !refuse(element, entry, known, what)) {
+      left_out.push_back(entry.name);
+    }
+  }
+  note_left_out(element, left_out, what);
+}
+
+void UnknownEntries::check_misplaced(const XMLElement& holder, const std::string& what, const Names& elements) {
+  for (const UrdfEntry& entry : entries_of(holder)) {
+    const std::string home = home_of(entry.name);
+    const bool is_element = known_urdf_element(entry.name) != nullptr;
+    if ((home.empty() && !is_element) || has_namespace(entry.name) || says_zero(entry.text)) continue;
+    diagnostics_.error(values_.place(holder), what + ": " + shown(entry) + " has no effect here",
+                       is_element ? "write an element: <" + entry.name + " .../>"
+                                  : "it is read from <" + home + ">: write it there, or delete it");
+  }
+  for (const XMLElement* e = holder.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    if (is_among(elements, e->Name())) continue;
+    const std::string home = home_of(e->Name()).empty() ? parent_of(e->Name()) : home_of(e->Name());
+    if (home.empty() || says_nothing(*e)) continue;
+    diagnostics_.error(values_.place(*e), what + ": <" + std::string(e->Name()) + "> has no effect here",
+                       "it is read from <" + home + ">: write it there, or delete it");
+  }
+}
+
+}  // namespace flatdyn

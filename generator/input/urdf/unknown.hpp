@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What stands in an element of a URDF and is not read there: left out with a note, or refused where something that is
+// meant may be lost by that.
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "input/urdf/values.hpp"
+
+namespace flatdyn {
+
+class UnknownEntries {
+ public:
+  explicit UnknownEntries(const UrdfValues& values) : values_(values), diagnostics_(values.context().diagnostics) {}
+
+  // Attributes, children and text of an element of which values are read.
+  void check(const tinyxml2::XMLElement& element, const std::string& what);
+
+  // Values that stand in `holder` itself and not in an element for them, and elements that belong elsewhere: <mass>
+  // outside <inertial>. `elements` are those that `holder` may have.
+  void check_misplaced(const tinyxml2::XMLElement& holder, const std::string& what,
+                       const std::vector<std::string>& elements);
+
+ private:
+  struct Known;
+
+  bool refuse(const tinyxml2::XMLElement& element, const UrdfEntry& entry, const Known& known, const std::string& what);
+  void note_left_out(const tinyxml2::XMLElement& element, const std::vector<std::string>& names,
+                     const std::string& what);
+
+  const UrdfValues& values_;
+  Diagnostics& diagnostics_;
+  std::set<std::string> noted_;  // said once per file: where there is one such joint, all are so
+};
+
+}  // namespace flatdyn

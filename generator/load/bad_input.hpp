@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "diagnostics/diagnostics.hpp"
+#include "diagnostics/exit_codes.hpp"
+
+namespace flatdyn {
+
+// Errors in what the user wrote: a robot file, a scene, or options. Whoever reports prints the diagnostics.
+class BadInput : public Failure {
+ public:
+  BadInput(ExitCode code, Diagnostics found)
+      : Failure(code, "the robot file has errors"), diagnostics(std::move(found)) {}
+  Diagnostics diagnostics;
+};
+
+// The exit code that stands for these errors: usage, unsupported or input.
+ExitCode exit_code_of(const Diagnostics& errors);
+
+// Throws BadInput if errors are among the findings.
+void refuse_errors(const Diagnostics& found);
+
+}  // namespace flatdyn

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Robot file → Robot → Mechanism: the stages before anything is derived.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "input/common/read_options.hpp"
+#include "load/bad_input.hpp"
+#include "load/loaded_robot.hpp"
+
+namespace flatdyn {
+
+struct LoadOptions {
+  ReadOptions read;
+  bool warnings_are_errors = false;
+  std::vector<std::string> functions;  // empty: those of the scene; without one: default_function_names
+  bool skip_error_budget = false;      // whatever the scene says
+};
+
+// Reads the robot and makes it canonical. Errors in the input end in BadInput, which carries the diagnostics.
+LoadedRobot load_robot(const std::filesystem::path& path, const LoadOptions& options);
+
+// The functions that the command line asks for, else those of the scene; empty if neither asks for any.
+std::vector<std::string> functions_asked_for(const std::vector<std::string>& on_command_line, const Scene& scene);
+
+}  // namespace flatdyn

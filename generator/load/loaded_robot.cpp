@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "load/loaded_robot.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnostics/exit_codes.hpp"
+
+namespace flatdyn {
+
+const Mechanism& effective_mechanism(const LoadedRobot& model) {
+  return model.abbreviation ? model.abbreviation->mechanism : model.mechanism;
+}
+
+LoadedRobot without_scene_restrictions(LoadedRobot model) {
+  Scene& scene = model.robot.scene;
+  scene.at_rest = false;
+  scene.functions.clear();
+  scene.outputs.clear();
+  scene.error_budget.reset();
+  model.abbreviation.reset();
+  return model;
+}
+
+void require_numbers(const Robot& robot, const std::string& what) {
+  if (robot.symbols.empty()) return;
+  throw Failure(ExitCode::unsupported,
+                fmt::format("{}: the robot has free symbols ({}, ...): {} needs numbers", robot.file,
+                            robot.symbols.front().name, what),
+                "write numbers for its lengths and masses; rough masses and inertias do");
+}
+
+void refuse_loops(const LoadedRobot& model, const std::string& what) {
+  if (!model.mechanism.has_loops()) return;
+  throw Failure(ExitCode::unsupported, what + ": robots with closed loops are not supported yet",
+                "inspect, generate, verify, stress, eval, simulate, torques, scale and identify know them; so do all "
+                "commands where "
+                "loops are parallelograms");
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pipeline/generation.hpp"
+
+#include <algorithm>
+
+#include "emit/narrowed.hpp"
+#include "report/scene_report.hpp"
+
+namespace flatdyn {
+namespace {
+
+struct EmittedCode {
+  std::vector<GeneratedFile> files;
+  EmittedText read_back;
+};
+
+EmittedCode emit_and_read_back(const GenerationResult& result) {
+  const Mechanism& mechanism = result.robot.mechanism;
+  const EmitOptions& form = result.form;
+  const std::vector<Function> functions = functions_of(result);
+  const std::string header = header_name(mechanism, form), source = source_name(mechanism, form);
+  if (form.language == Language::cpp && form.form == Form::pair) {
+    const HeaderAndSource text = emit_cpp_pair(mechanism, functions, form, result.stages);
+    return {{{header, text.header}, {source, text.source}}, EmittedText(text.header + text.source)};
+  }
+  if (form.language == Language::cpp) {
+    const std::string text = emit_cpp(mechanism, functions, form, result.stages);
+    return {{{header, text}}, EmittedText(text)};
+  }
+  if (form.language == Language::javascript) {
+    const std::string text = emit_javascript(mechanism, functions, form);
+    return {{{header, text}}, EmittedText::of_javascript(text)};
+  }
+  const HeaderAndSource text = emit_c(mechanism, functions, form);
+  return {{{header, text.header}, {source, text.source}}, EmittedText(text.header, text.source, form.scalar)};
+}
+
+// Everything that is written: the functions, and the members of stages.
+std::vector<Function> functions_written(const GenerationResult& result) {
+  std::vector<Function> functions = functions_of(result);
+  if (!result.stages) return functions;
+  for (const Stage* stage : {&result.stages->configuration, &result.stages->motion}) {
+    functions.push_back(stage->make);
+    functions.insert(functions.end(), stage->members.begin(), stage->members.end());
+  }
+  return functions;
+}
+
+void check_narrowed_constants(const GenerationOptions& options, GenerationResult& result) {
+  if (!options.is_for_float()) return;
+  warn_of_narrowed(narrowed_constants(functions_written(result)), {result.robot.robot.file, 0}, result.findings);
+  if (options.warnings_are_errors && result.findings.has_warnings()) {
+    throw BadInput(ExitCode::input, result.findings);
+  }
+}
+
+EmitOptions stamped(const GenerationOptions& options, const GenerationResult& result) {
+  EmitOptions form = options.form;
+  if (options.options_stamp) form.options_stamp = options.options_stamp(result.functions);
+  form.input_hash = result.robot.input_hash;
+  form.scene_stamp = scene_stamp(result.robot);
+  form.scene_facts = scene_facts(result.robot);
+  return form;
+}
+
+}  // namespace
+
+bool GenerationOptions::is_for_float() const {
+  const auto& more = form.more_scalars;
+  return form.scalar == "float" || std::find(more.begin(), more.end(), "float") != more.end();
+}
+
+GenerationResult generate_code(const std::filesystem::path& robot_file, const GenerationOptions& options,
+                               Progress& progress) {
+  GenerationResult result;
+  // Read, canonicalise.
+  result.robot = load_robot(robot_file, options);
+  const LoadedRobot& robot = result.robot;
+  // Derive, specialise to the scene, optimise: every function in each formulation that there is of it.
+  result.functions = make_functions(robot, options, progress, result.findings);
+  std::optional<OptimisedFusion> fused;
+  if (!options.fused.empty()) fused = make_fusion(robot, options.fused, progress);
+  if (!options.staged.empty()) result.stages = stages_of(make_fusion(robot, options.staged, progress).fusion);
+  // Prove in exact arithmetic, against the Lagrangian.
+  progress.step("proving");
+  result.proofs = prove(effective_mechanism(robot), result.functions, fused, result.stages);
+  if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
+  if (robot.abbreviation) {
+    result.torque_deviation = torque_deviation(robot.mechanism, effective_mechanism(robot), robot.robot.scene.at_rest);
+  }
+  // Emit.
+  result.form = stamped(options, result);
+  auto [files, read_back] = emit_and_read_back(result);
+  result.files = std::move(files);
+  check_narrowed_constants(options, result);
+  // Read back: the text must say what was proven.
+  prove_text(read_back, result.functions, result.stages);
+  result.read_back = std::move(read_back);
+  return result;
+}
+
+std::vector<Function> functions_of(const GenerationResult& result) { return functions_of(result.functions); }
+
+}  // namespace flatdyn

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The whole program: robot file → Robot → Mechanism → functions → passes → proof → text → the text read back.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emit/emit.hpp"
+#include "planning/make_functions.hpp"
+#include "readback/emitted_text.hpp"
+#include "verify/proof.hpp"
+#include "verify/torque_deviation.hpp"
+
+namespace flatdyn {
+
+struct GenerationOptions : PipelineOptions {
+  std::vector<std::string> staged;  // functions that are members of stages as well
+  std::vector<std::string> fused;   // functions that one more function computes at once
+  EmitOptions form;                 // language, scalars and names; what stamps and facts say is filled in
+  std::function<std::string(const std::vector<OptimisedFunction>&)> options_stamp;  // the options, for the text
+
+  bool is_for_float() const;  // whether the code is compiled for float
+};
+
+// A file of the generated code.
+struct GeneratedFile {
+  std::string name;  // without a folder
+  std::string text;
+};
+
+// Code that is proven, and all that is known of it.
+struct GenerationResult {
+  LoadedRobot robot;
+  std::vector<OptimisedFunction> functions;  // the fused one last
+  std::optional<Stages> stages;
+  std::vector<Proof> proofs;
+  std::optional<TorqueDeviation> torque_deviation;  // what an error budget costs
+  Diagnostics findings;
+  EmitOptions form;
+  std::vector<GeneratedFile> files;  // the header, and the source if there is one
+  std::optional<EmittedText> read_back;
+};
+
+// Runs all stages but writing. Throws BadInput for errors in the input, Failure(verification_failed) where the code is
+// not what the Lagrangian says.
+GenerationResult generate_code(const std::filesystem::path& robot_file, const GenerationOptions& options,
+                               Progress& progress);
+
+// The functions of the result, in their order.
+std::vector<Function> functions_of(const GenerationResult& result);
+
+}  // namespace flatdyn

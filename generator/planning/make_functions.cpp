@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "planning/make_functions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "input/common/context.hpp"
+#include "definition/pivot_share.hpp"
+#include "planning/formulations.hpp"
+#include "planning/plan.hpp"
+#include "planning/plan_together.hpp"
+#include "planning/search.hpp"
+#include "symbolic/dynamics/factorisation.hpp"
+#include "symbolic/functions.hpp"
+
+namespace flatdyn {
+namespace {
+
+// All of them before the first is derived.
+void check_names(const Mechanism& mechanism, const std::vector<std::string>& names) {
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    check_function_name(mechanism, *name);
+    if (std::find(names.begin(), name, *name) != name) {
+      throw Failure(ExitCode::usage, "function \"" + *name + "\" is asked for twice", "name it once");
+    }
+  }
+}
+
+// The same functions from the best choices that a search finds for each.
+void search_choices(const LoadedRobot& model, const SearchLimit& limit, std::vector<Plan>& plans,
+                    Diagnostics& findings) {
+  std::vector<ChoiceSearch> searches;
+  for (const Plan& plan : plans) {
+    const bool moves = !plan.is_closed_form && has_choices(effective_mechanism(model), plan.optimised.function.name);
+    searches.emplace_back(effective_mechanism(model), plan.choices, plan.optimised.function, moves,
+                          [&plan](const Choices& choices) { return plan.remake(choices).function; });
+  }
+  const int candidates = run_searches(searches, limit);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    Plan& plan = plans[k];
+    const OperationCount before = count_operations(plan.optimised.function);
+    Plan found = plan;
+    found.choices = searches[k].best();
+    found.optimised = plan.remake(found.choices);
+    if (!loses_digits(model, found)) plan = std::move(found);
+    plan.optimised.search = SearchRecord{candidates, before, plan.is_closed_form, plan.choices};
+  }
+  if (!limit.seconds) return;
+  findings.note({model.robot.file, 0}, fmt::format("the search has tried {} candidates per function", candidates),
+                fmt::format("--search {} makes the same again", candidates));
+}
+
+// Where rounding leaves nothing of a pivot, what divides by it can only say so.
+void note_lost_pivots(const LoadedRobot& model, const std::vector<Plan>& plans, Diagnostics& findings) {
+  constexpr double kLost = 0x1p-47;  // of a double, where kLeastShare of it is lost
+  const bool divides = std::any_of(plans.begin(), plans.end(),
+                                   [](const Plan& plan) { return !plan.optimised.function.pivot_diagonals.empty(); });
+  if (!divides || smallest_pivot_share(effective_mechanism(model)) >= kLost) return;
+  findings.note({model.robot.file, 0},
+                "B(q) is singular to the last place of a double at some positions: what divides by its pivots, such as "
+                "forward dynamics, returns false there",
+                "give the links between its joints their inertia");
+}
+
+// Which link is to be mended before a function can divide by B(q), and where it stands.
+Diagnostics mending(const Robot& robot, const std::string& function, const SingularInertia& failure) {
+  Diagnostics found;
+  for (const Joint& joint : robot.joints) {
+    if (joint.name != failure.joint) continue;
+    const Link& link = robot.links[static_cast<std::size_t>(joint.child)];
+    found.unsupported(
+        link.place,
+        fmt::format("{}: B(q) is singular, because joint \"{}\" ({}) moves no inertia: link \"{}\" has {}", function,
+                    joint.name, line_seen_from(link.place, joint.place), link.name,
+                    joint.type == JointType::prismatic ? "no mass" : "none about its axis"),
+        "give the link its mass and inertia, or the joint an armature or a motor, or hold it still: --fix " +
+            joint.name);
+  }
+  return found;
+}
+
+std::vector<std::string> names_of_functions(bool on_request, const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const FunctionEntry& entry : function_table()) {
+    if (entry.is_on_request() == on_request && entry.is_of(mechanism)) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+// Names that a scene gives, with their places.
+void check_scene_names(const LoadedRobot& model) {
+  std::vector<Reference> functions = model.robot.scene.functions;
+  Diagnostics found;
+  for (auto function = functions.begin(); function != functions.end(); ++function) {
+    const bool is_again = std::any_of(functions.begin(), function,
+                                      [&](const Reference& before) { return before.name == function->name; });
+    if (is_again) found.error(function->place, "functions: \"" + function->name + "\" is there twice", "name it once");
+  }
+  for (const SceneOutputs& outputs : model.robot.scene.outputs) functions.push_back(outputs.function);
+  for (const Reference& function : functions) {
+    try {
+      check_function_name(model.mechanism, function.name);
+    } catch (const Failure& failure) {
+      found.error(function.place, failure.what(), failure.hint());
+    }
+  }
+  refuse_errors(found);
+}
+
+}  // namespace
+
+std::vector<Function> derive_numeric_functions(const LoadedRobot& model, const std::vector<std::string>& names,
+                                               const std::string& what, Progress& progress) {
+  require_numbers(model.robot, what);
+  PipelineOptions options;
+  options.functions = names;
+  Diagnostics none;
+  return functions_of(make_functions(without_scene_restrictions(model), options, progress, none));
+}
+
+std::vector<std::string> default_function_names(const Mechanism& mechanism) {
+  return names_of_functions(false, mechanism);
+}
+
+std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const PipelineOptions& options,
+                                              Progress& progress, Diagnostics& findings) {
+  check_scene_names(model);
+  const std::vector<std::string> wanted = functions_asked_for(options.functions, model.robot.scene);
+  const bool asked = !wanted.empty();
+  const std::vector<std::string> names = asked ? wanted : default_function_names(model.mechanism);
+  check_names(model.mechanism, names);
+  std::vector<Plan> plans;
+  for (const std::string& name : names) {
+    try {
+      plans.push_back(planned(model, name, progress));
+    } catch (const SingularInertia& failure) {
+      Diagnostics found = mending(model.robot, name, failure);
+      if (asked) throw BadInput(ExitCode::unsupported, std::move(found));
+      for (const Diagnostic& each : found.all()) findings.warning(each.place, "left out " + each.message, each.hint);
+    } catch (const Failure& failure) {
+      if (asked || failure.code() != ExitCode::unsupported) throw;
+      findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
+    }
+  }
+  note_lost_pivots(model, plans, findings);
+  if (options.warnings_are_errors && findings.has_warnings()) throw BadInput(ExitCode::input, findings);
+  if (options.search) {
+    progress.step("searching for better choices");
+    search_choices(model, *options.search, plans, findings);
+  }
+  std::vector<OptimisedFunction> result;
+  for (Plan& plan : plans) result.push_back(std::move(plan.optimised));
+  return result;
+}
+
+OptimisedFusion make_fusion(const LoadedRobot& model, const std::vector<std::string>& functions, Progress& progress) {
+  check_names(model.mechanism, functions);
+  return planned_together(model, functions, progress);
+}
+
+std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised) {
+  std::vector<Function> functions;
+  for (const OptimisedFunction& each : optimised) functions.push_back(each.function);
+  return functions;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The results of a straight line's operations over any scalar: float, double, many states at once, a prime field.
+#pragma once
+
+#include <vector>
+
+#include "readback/straight_line.hpp"
+
+namespace flatdyn {
+
+// Of the operations that `values` has none of yet, up to the one before `end`. An Arithmetic has:
+//   using Scalar, with + - * and a sign
+//   Scalar constant(double)
+//   Scalar input(const Input&)
+//   Scalar sine(const Input&), cosine(const Input&)     of a joint's position
+//   Scalar sine(const Scalar&), cosine(const Scalar&)   of another angle
+//   Scalar divide(const Scalar&, const Scalar&), sign(const Scalar&), sqrt(const Scalar&)
+template <class Arithmetic>
+void execute(const StraightLine& lines, int end, Arithmetic& arithmetic,
+             std::vector<typename Arithmetic::Scalar>& values) {
+  using Scalar = typename Arithmetic::Scalar;
+  values.reserve(static_cast<std::size_t>(end));
+  for (int k = static_cast<int>(values.size()); k < end; ++k) {
+    const Operation& operation = lines[k];
+    const auto a = [&]() -> const Scalar& { return values[static_cast<std::size_t>(operation.a)]; };
+    const auto b = [&]() -> const Scalar& { return values[static_cast<std::size_t>(operation.b)]; };
+    const bool is_of_joint = operation.a < 0;
+    switch (operation.step) {
+      case Step::constant:
+        values.push_back(arithmetic.constant(operation.value));
+        break;
+      case Step::input:
+        values.push_back(arithmetic.input(operation.input));
+        break;
+      case Step::sine:
+        values.push_back(is_of_joint ? arithmetic.sine(operation.input) : arithmetic.sine(a()));
+        break;
+      case Step::cosine:
+        values.push_back(is_of_joint ? arithmetic.cosine(operation.input) : arithmetic.cosine(a()));
+        break;
+      case Step::negate:
+        values.push_back(-a());
+        break;
+      case Step::add:
+        values.push_back(a() + b());
+        break;
+      case Step::subtract:
+        values.push_back(a() - b());
+        break;
+      case Step::multiply:
+        values.push_back(a() * b());
+        break;
+      case Step::divide:
+        values.push_back(arithmetic.divide(a(), b()));
+        break;
+      case Step::sign:
+        values.push_back(arithmetic.sign(a()));
+        break;
+      case Step::sqrt:
+        values.push_back(arithmetic.sqrt(a()));
+        break;
+    }
+  }
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
+#include "readback/scanned.hpp"
+#include "readback/token_cursor.hpp"
+
+namespace flatdyn {
+namespace {
+
+// A module has constants, functions, and a list of the names that others may use: functions that are not in it are
+// parts of those that are.
+class JavascriptScanner : TokenCursor {
+ public:
+  using TokenCursor::TokenCursor;
+
+  Scanned run() {
+    while (!at_end()) {
+      if (word() == "function") {
+        function();
+      } else if (word() == "export" || word() == "return") {
+        exports();
+      } else {
+        if (word() == "const" && word(1) == "parameter_names") parameter_names();
+        skip_past(";");
+      }
+    }
+    for (WrittenFunction& written : functions_) {
+      if (std::find(exported_.begin(), exported_.end(), written.name) != exported_.end()) {
+        found_.functions.push_back(std::move(written));
+      } else if (const std::string name = written.name; !found_.parts.emplace(name, std::move(written)).second) {
+        fail("a part made twice");
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // const parameter_names = ["g", "a_1"];
+  void parameter_names() {
+    skip_to("[");
+    for (; word() != "]"; ++at_) {
+      if (const std::string& name = word(); name.size() > 2 && name.front() == '"') {
+        found_.fields["Parameters"].push_back(name.substr(1, name.size() - 2));
+      }
+    }
+  }
+
+  // function gravity(parameters, q, g) { … }
+  void function() {
+    WrittenFunction written;
+    written.name = word(1);
+    at_ += 2;
+    if (word() != "(") fail("( expected");
+    for (++at_; word() != ")"; ++at_) {
+      if (word() != ",") written.parameters.push_back({word(), false});
+    }
+    if (word(1) != "{") fail("{ expected");
+    ++at_;
+    written.begin = at_ + 1;
+    skip_block();
+    written.end = at_ - 1;
+    if (!is_no_formula(written.name)) functions_.push_back(std::move(written));
+  }
+
+  // export {gravity, bias};
+  void exports() {
+    for (++at_; word() != ";"; ++at_) exported_.push_back(word());
+    ++at_;
+  }
+
+  std::vector<WrittenFunction> functions_;
+  std::vector<std::string> exported_;
+  Scanned found_;
+};
+
+}  // namespace
+
+Scanned scanned_javascript(const std::vector<Token>& tokens) { return JavascriptScanner(tokens).run(); }
+
+}  // namespace flatdyn

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "reference/regressor_reference.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "flatdyn/reference/magnitude.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
+
+namespace flatdyn {
+namespace {
+
+template <class S>
+reference::Robot<S> without_parameters(reference::Robot<S> robot) {
+  for (reference::Link<S>& link : robot.links) link.inertials.clear();
+  for (reference::Joint<S>& joint : robot.joints) {
+    joint.viscous = joint.coulomb = joint.armature = joint.rotor.inertia = S(0);
+  }
+  return robot;
+}
+
+// The written link that body i is called after, in the frame of the body.
+const LinkFrame& written_frame(const Mechanism& mechanism, int i) {
+  const std::string& link = mechanism.bodies[static_cast<std::size_t>(i)].link;
+  return *std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                       [&link](const LinkFrame& frame) { return frame.link == link; });
+}
+
+// One parameter of body i, as bodies fixed to the written link that joint i moves.
+template <class S>
+class UnitInertials {
+ public:
+  UnitInertials(const LinkFrame& frame, const GiNaC::exmap& symbols) {
+    for (int row = 0; row < 3; ++row) {
+      const auto r = static_cast<std::size_t>(row);
+      p_[row] = to_scalar<S>(frame.p[r], symbols);
+      for (int col = 0; col < 3; ++col) R_(row, col) = to_scalar<S>(frame.R[r][static_cast<std::size_t>(col)], symbols);
+    }
+  }
+
+  std::vector<reference::Inertial<S>> operator()(Parameter parameter) const {
+    const InertialParameters unit = single_parameter(parameter);
+    if (parameter == Parameter::m) return {mass_at(S(1), Vector::Zero())};
+    const int first_moment = static_cast<int>(parameter) - static_cast<int>(Parameter::mlx);
+    if (first_moment < 3) {
+      const Vector arm = Vector::Unit(first_moment);
+      return {mass_at(S(1) / S(2), arm), mass_at(S(-1) / S(2), -arm)};
+    }
+    Matrix I;
+    for (int k = 0; k < 9; ++k) {
+      I(k / 3, k % 3) =
+          to_scalar<S>(unit.inertia[static_cast<std::size_t>(k / 3)][static_cast<std::size_t>(k % 3)], {});
+    }
+    return {{S(0), Vector::Zero(), R_.transpose() * I * R_}};
+  }
+
+ private:
+  using Vector = reference::Vector3<S>;
+  using Matrix = reference::Matrix3<S>;
+
+  reference::Inertial<S> mass_at(const S& mass, const Vector& place) const {
+    return {mass, R_.transpose() * (place - p_), Matrix::Zero()};
+  }
+
+  Matrix R_;
+  Vector p_;
+};
+
+template <class S>
+reference::Robot<S> unit_robot(const Mechanism& mechanism, reference::Robot<S> robot, const GiNaC::exmap& symbols,
+                               int index) {
+  const int i = joint_of(index);
+  reference::Joint<S>& joint = *std::find_if(robot.joints.begin(), robot.joints.end(),
+                                             [i](const reference::Joint<S>& each) { return each.index == i; });
+  switch (parameter_of(index)) {
+    case Parameter::Im:
+      (mechanism.bodies[static_cast<std::size_t>(i)].rotor ? joint.rotor.inertia : joint.armature) = S(1);
+      break;
+    case Parameter::Fv:
+      joint.viscous = S(1);
+      break;
+    case Parameter::Fs:
+      joint.coulomb = S(1);
+      break;
+    default:
+      robot.links[static_cast<std::size_t>(joint.child)].inertials =
+          UnitInertials<S>(written_frame(mechanism, i), symbols)(parameter_of(index));
+  }
+  return robot;
+}
+
+// Polarisation of what is quadratic in the rates: what B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r) is made of.
+// `torque(qd, qdd, gravity, friction)`.
+template <class S, class Torque>
+reference::VectorX<S> adaptive(const Torque& torque, const reference::VectorX<S>& qd, const reference::VectorX<S>& qd_r,
+                               const reference::VectorX<S>& qdd_r) {
+  const reference::VectorX<S> zero = reference::VectorX<S>::Zero(qd.size());
+  const auto velocity_torque = [&](const reference::VectorX<S>& rates) { return torque(rates, zero, false, false); };
+  const reference::VectorX<S> mixed = velocity_torque(qd + qd_r) - velocity_torque(qd) - velocity_torque(qd_r);
+  const reference::VectorX<S> friction = torque(qd_r, zero, false, true) - velocity_torque(qd_r);
+  return torque(zero, qdd_r, true, false) + mixed / S(2) + friction;
+}
+
+template <class S>
+reference::VectorX<S> adaptive_column(const reference::Robot<S>& robot, const StateOf<S>& state) {
+  using Vector = reference::VectorX<S>;
+  const Vector q = vector_of(state.q);
+  const auto torque = [&](const Vector& qd, const Vector& qdd, bool gravity, bool friction) -> Vector {
+    return reference::inverse_dynamics(robot, q, qd, qdd, {.gravity = gravity, .friction = friction});
+  };
+  return adaptive<S>(torque, vector_of(state.qd), vector_of(state.qd_r), vector_of(state.qdd_r));
+}
+
+// K π, term by term, and the same with absolute values.
+template <class S>
+std::pair<std::vector<S>, std::vector<S>> combined(const Mechanism& mechanism, const GiNaC::exmap& symbols) {
+  using std::abs;
+  const std::vector<Number> pi = dynamic_parameters(mechanism);
+  std::pair<std::vector<S>, std::vector<S>> result;
+  for (const ParameterForm& form : base_parameters(mechanism).combination) {
+    S sum(0), size(0);
+    for (const auto& [index, coefficient] : form) {
+      const S term = to_scalar<S>(coefficient, symbols) * to_scalar<S>(pi[static_cast<std::size_t>(index)], symbols);
+      sum += term;
+      size += abs(term);
+    }
+    result.first.push_back(sum);
+    result.second.push_back(size);
+  }
+  return result;
+}
+
+reference::VectorX<double> adaptive_magnitude(const reference::Robot<double>& robot, const State& state) {
+  using Vector = reference::VectorX<double>;
+  const Vector q = vector_of(state.q);
+  const auto torque = [&](const Vector& qd, const Vector& qdd, bool gravity, bool friction) -> Vector {
+    return reference::torque_magnitude(robot, q, qd, qdd, {.gravity = gravity, .friction = friction});
+  };
+  const auto size = [](const std::vector<double>& v) { return Vector(vector_of(v).cwiseAbs()); };
+  return adaptive<double>(torque, size(state.qd), size(state.qd_r), size(state.qdd_r)).cwiseAbs();
+}
+
+}  // namespace
+
+template <class S>
+RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot,
+                                          const SymbolValues& symbols, const std::string& function)
+    : function_(function) {
+  GiNaC::exmap values;
+  for (std::size_t k = 0; k < mechanism.symbols.size(); ++k) values[mechanism.symbols[k].symbol] = symbols[k];
+  std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count()));
+  std::iota(columns.begin(), columns.end(), 0);
+  if (function != "regressor") columns = base_parameters(mechanism).columns;
+  if (function == "base_parameters") std::tie(base_values_, base_magnitudes_) = combined<S>(mechanism, values);
+  const reference::Robot<S> empty = without_parameters(robot);
+  for (const int index : columns) units_.push_back(unit_robot(mechanism, empty, values, index));
+}
+
+template <class S>
+reference::MatrixX<S> RegressorReference<S>::matrix(const StateOf<S>& state) const {
+  const auto n = static_cast<Eigen::Index>(state.qd.size());
+  reference::MatrixX<S> Y(n, static_cast<Eigen::Index>(units_.size()));
+  for (std::size_t k = 0; k < units_.size(); ++k) {
+    Y.col(static_cast<Eigen::Index>(k)) =
+        function_ == "adaptive_regressor"
+            ? adaptive_column(units_[k], state)
+            : reference::inverse_dynamics(units_[k], vector_of(state.q), vector_of(state.qd), vector_of(state.qdd));
+  }
+  return Y;
+}
+
+template <class S>
+std::vector<S> RegressorReference<S>::values(const StateOf<S>& state) const {
+  if (function_ == "base_parameters") return base_values_;
+  const reference::MatrixX<S> Y = matrix(state);
+  if (function_ == "inverse_dynamics_base") return row_by_row(reference::VectorX<S>(Y * vector_of(state.pi_b)));
+  return row_by_row(Y);
+}
+
+std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state) {
+  if (of.function() == "base_parameters") return of.base_magnitudes();
+  const auto& units = of.units();
+  reference::MatrixX<double> M(static_cast<Eigen::Index>(state.qd.size()), static_cast<Eigen::Index>(units.size()));
+  for (std::size_t k = 0; k < units.size(); ++k) {
+    M.col(static_cast<Eigen::Index>(k)) =
+        of.function() == "adaptive_regressor"
+            ? adaptive_magnitude(units[k], state)
+            : reference::torque_magnitude(units[k], vector_of(state.q), vector_of(state.qd), vector_of(state.qdd));
+  }
+  if (of.function() == "inverse_dynamics_base") {
+    return row_by_row(reference::VectorX<double>(M * vector_of(state.pi_b).cwiseAbs()));
+  }
+  return row_by_row(M);
+}
+
+template class RegressorReference<float>;
+template class RegressorReference<double>;
+template class RegressorReference<Real50>;
+
+}  // namespace flatdyn

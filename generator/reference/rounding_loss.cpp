@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "reference/rounding_loss.hpp"
+
+#include <algorithm>
+
+#include "graph/tape.hpp"
+#include "reference/extreme_states.hpp"
+#include "reference/judge.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kRandom = 100, kExtreme = 200;
+constexpr std::size_t kDear = 8;  // states, where one costs many recursions
+constexpr unsigned kSeed = 1;
+
+double loss_at(const Function& function, RoundingJudge& judge, const std::vector<State>& states) {
+  Tape tape(function);
+  std::vector<double> values(tape.results());
+  double worst = 0, reference = 1;
+  const std::size_t count = costs_many_recursions(function) ? std::min(kDear, states.size()) : states.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const State& state = states[k];
+    const auto truth = judge.truth(state);
+    TapeInputs inputs;
+    for (const InputKind kind : kStateKinds) inputs[kind] = state.of(kind);
+    if (!truth || !tape.run(inputs, values)) continue;
+    worst = std::max(worst, judge.error(values, *truth).scaled);
+    reference = std::max(reference, judge.error(judge.reference(state), *truth).scaled);
+  }
+  return worst / reference;
+}
+
+}  // namespace
+
+RoundingCheck::RoundingCheck(const Robot& robot, const Mechanism& mechanism)
+    : expected_(robot, mechanism, kSeed),
+      random_(with_parameters(random_states(mechanism, kRandom, kSeed), expected_.symbols())),
+      extreme_(with_parameters(extreme_states(mechanism, kExtreme, kSeed), expected_.symbols())) {}
+
+double RoundingCheck::loss(const Function& function) const {
+  RoundingJudge judge(function, expected_.of(function), "double");
+  return std::max(loss_at(function, judge, random_), loss_at(function, judge, extreme_));
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The sum over bodies in (7.32) is taken from the tips inwards, in link frames: with joints k+1 … n held still, all
+// that joint k carries is one augmented link, and b_jk is the product of column j of that link's Jacobian with the
+// momentum that a unit rate of joint k gives it. The column depends on q_{j+1} … q_k only, the momentum on q_{k+1} …
+// q_n only: so hardly anything cancels.
+#include "symbolic/closed_form/closed_form.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+#include "model/angles.hpp"
+#include "model/rational_rotation.hpp"
+#include "symbolic/kernel/jacobian_column.hpp"
+#include "symbolic/kernel/turns.hpp"
+
+namespace flatdyn {
+namespace {
+
+Vec3 expanded_vector(const Vec3& v) { return {v[0].expand(), v[1].expand(), v[2].expand()}; }
+
+// Rz T Rzᵀ for symmetric T, with s² already replaced by 1 - c².
+Mat3 turn_z(const PlanarRotation& a, const Mat3& T) {
+  const Number shift = a.c * a.c * (T[0][0] - T[1][1]) - 2 * a.c * a.s * T[0][1];
+  Mat3 result = T;
+  result[0][0] = T[1][1] + shift;
+  result[1][1] = T[0][0] - shift;
+  result[0][1] = result[1][0] = a.c * a.s * (T[0][0] - T[1][1]) + (2 * a.c * a.c - 1) * T[0][1];
+  const Vec3 column = turn_z(a, Vec3{T[0][2], T[1][2], 0});
+  result[0][2] = result[2][0] = column[0];
+  result[1][2] = result[2][1] = column[1];
+  for (Vec3& row : result) row = expanded_vector(row);
+  return result;
+}
+Mat3 turn_x(const PlanarRotation& a, const Mat3& T) { return cycled(cycled(turn_z(a, cycled(T)))); }
+
+class Lagrange {
+ public:
+  explicit Lagrange(const Mechanism& mechanism) : mechanism_(mechanism) {
+    const auto n = at(mechanism.body_count());
+    for (int k = 0; k < mechanism.size(); ++k) form_.d.emplace_back("d_" + std::to_string(k + 1));
+    for (int k = 0; k < mechanism.angle_count(); ++k) {
+      form_.c.emplace_back("c_" + std::to_string(k + 1));
+      form_.s.emplace_back("s_" + std::to_string(k + 1));
+    }
+    for (int i = 0; i < mechanism.body_count(); ++i) {
+      angle_.push_back(mechanism.bodies[at(i)].prismatic ? PlanarRotation{} : turn_of_joint(i));
+      slide_.push_back(mechanism.bodies[at(i)].prismatic ? slide_of_joint(i) : Number(0));
+      composite_.push_back(mechanism.bodies[at(i)].inertia);
+    }
+    form_.B.assign(n, std::vector<Number>(n, 0));
+    form_.g.assign(n, 0);
+  }
+
+  ClosedForm run() {
+    for (int i = 0; i < mechanism_.body_count(); ++i) add_columns(i);
+    for (int k = mechanism_.body_count() - 1; k >= 0; --k) {
+      add_momentum_products(k);
+      gather(k);
+    }
+    for (int i = 0; i < mechanism_.body_count(); ++i) add_rotor(i);
+    if (mechanism_.is_coupled()) gather_at_coordinates();
+    reduce_all();
+    add_christoffel_symbols();
+    return std::move(form_);
+  }
+
+ private:
+  const Body& body(int i) const { return mechanism_.bodies[at(i)]; }
+
+  // By which multiples of coordinates joint i moves.
+  std::vector<Number> factors_of(int i) const {
+    if (mechanism_.is_coupled()) return mechanism_.coupling[at(i)];
+    std::vector<Number> own(at(mechanism_.size()), 0);
+    own[at(i)] = 1;
+    return own;
+  }
+
+  Number slide_of_joint(int i) const {
+    const std::vector<Number> factors = factors_of(i);
+    Number sum = 0;
+    for (std::size_t k = 0; k < factors.size(); ++k) sum += factors[k] * form_.d[k];
+    return sum;
+  }
+
+  // Cosine and sine of the sum of multiples, by the addition theorems.
+  PlanarRotation turn_of_joint(int i) const {
+    const std::vector<Number> turns = mechanism_.is_coupled() ? turns_of(mechanism_, i) : factors_of(i);
+    PlanarRotation total;
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+      const int times = GiNaC::ex_to<GiNaC::numeric>(turns[k]).to_int();
+      const PlanarRotation step{form_.c[k], times < 0 ? Number(-form_.s[k]) : Number(form_.s[k])};
+      for (int turn = 0; turn < std::abs(times); ++turn) total = total * step;
+    }
+    return {total.c.expand(), total.s.expand()};
+  }
+
+  // Aᵀ B A and Aᵀ g.
+  void gather_at_coordinates() {
+    const auto n = at(mechanism_.size());
+    const Rows& A = mechanism_.coupling;
+    Rows B(n, std::vector<Number>(n, 0));
+    std::vector<Number> g(n, 0);
+    for (std::size_t r = 0; r < A.size(); ++r) {
+      for (std::size_t k = 0; k < n; ++k) {
+        g[k] += A[r][k] * form_.g[r];
+        for (std::size_t t = 0; t < A.size(); ++t) {
+          for (std::size_t l = 0; l < n; ++l) B[k][l] += A[r][k] * A[t][l] * form_.B[r][t];
+        }
+      }
+    }
+    form_.B = std::move(B);
+    form_.g = std::move(g);
+  }
+
+  // Displacement of frame i in its parent's frame, with the slide of a prismatic joint.
+  Vec3 displacement(int i) const {
+    const Body& b = body(i);
+    if (!b.prismatic) return b.p;
+    return b.p + turn_z(b.beta, turn_x(b.alpha, Vec3{0, 0, slide_[at(i)]}));
+  }
+
+  // A free vector of the parent in frame i: transposed Rz(beta) Rx(alpha) Rz(theta) Rz(q).
+  Vec3 to_child(int i, const Vec3& v) const {
+    const Body& b = body(i);
+    const Vec3 fixed = expanded_vector(turn_z(back(b.theta), turn_x(back(b.alpha), turn_z(back(b.beta), v))));
+    if (b.prismatic) return fixed;
+    return expanded_vector(turn_z(back(angle_[at(i)]), fixed));
+  }
+
+  template <class Quantity>  // vector or symmetric tensor of frame i, in its parent's axes
+  Quantity to_parent(int i, Quantity v) const {
+    const Body& b = body(i);
+    if (!b.prismatic) v = turn_z(angle_[at(i)], v);
+    return turn_z(b.beta, turn_x(b.alpha, turn_z(b.theta, v)));
+  }
+
+  // Columns j of the Jacobians of frame i, in its own axes, for all joints between it and the base: (7.18), (7.19).
+  void add_columns(int i) {
+    std::map<int, JacobianColumn> columns;
+    if (body(i).parent >= 0) {
+      const Vec3 p = displacement(i);
+      for (const auto& [j, column] : columns_[at(body(i).parent)]) {
+        columns[j] = {to_child(i, column.linear + cross(column.angular, p)), to_child(i, column.angular)};
+      }
+    }
+    JacobianColumn& own = columns[i];
+    (body(i).prismatic ? own.linear : own.angular) = {0, 0, 1};
+    columns_.push_back(std::move(columns));
+
+    // Gravity's direction goes the same way: g_k = -g_0ᵀ J_P summed over the composite link, (7.39).
+    const Vec3& above = body(i).parent < 0 ? mechanism_.gravity : gravity_[at(body(i).parent)];
+    gravity_.push_back(to_child(i, above));
+  }
+
+  void add_momentum_products(int k) {
+    const InertialParameters& link = composite_[at(k)];
+    const JacobianColumn& own = columns_[at(k)].at(k);
+    const JacobianColumn momentum{link.mass * own.linear + cross(own.angular, link.first_moment),
+                                  link.inertia * own.angular + cross(link.first_moment, own.linear)};
+    for (const auto& [j, column] : columns_[at(k)]) {
+      const Number b = (dot(column.linear, momentum.linear) + dot(column.angular, momentum.angular)).expand();
+      form_.B[at(j)][at(k)] = form_.B[at(k)][at(j)] = b;
+    }
+    form_.g[at(k)] = (-dot(gravity_[at(k)], momentum.linear)).expand();
+  }
+
+  // Adds the composite link i to its parent's.
+  void gather(int i) {
+    const int parent = body(i).parent;
+    if (parent < 0) return;
+    const InertialParameters& link = composite_[at(i)];
+    const InertialParameters turned{link.mass, expanded_vector(to_parent(i, link.first_moment)),
+                                    to_parent(i, link.inertia)};
+    composite_[at(parent)] = composite_[at(parent)] + transformed(turned, identity_matrix(), displacement(i));
+  }
+
+  // The spinning rotor of joint i: the last two terms of (7.64), and the armature.
+  void add_rotor(int i) {
+    Number& own = form_.B[at(i)][at(i)];
+    own += body(i).armature;
+    if (!body(i).rotor) return;
+    const Rotor& rotor = *body(i).rotor;
+    own += rotor.gear_ratio * rotor.gear_ratio * rotor.inertia;
+    if (rotor.carrier < 0) return;
+    for (const auto& [j, column] : columns_[at(rotor.carrier)]) {
+      const Number b = rotor.gear_ratio * rotor.inertia * dot(rotor.axis, column.angular);
+      form_.B[at(i)][at(j)] += b;
+      form_.B[at(j)][at(i)] += b;
+    }
+  }
+
+  void reduce_all() {
+    for (std::size_t i = 0; i < form_.B.size(); ++i) {
+      form_.g[i] = reduced(form_.g[i], form_);
+      for (std::size_t j = 0; j <= i; ++j) form_.B[i][j] = form_.B[j][i] = reduced(form_.B[i][j], form_);
+    }
+  }
+
+  // ∂/∂q_k, with ∂c/∂q = -s and ∂s/∂q = c. A coordinate that turns one joint may move another that slides.
+  Number derivative(const Number& b, int k) const {
+    const auto turned = [&](int angle) {
+      const GiNaC::symbol &c = form_.c[at(angle)], &s = form_.s[at(angle)];
+      return c * b.diff(s) - s * b.diff(c);
+    };
+    Number result = turned(k) + b.diff(form_.d[at(k)]);
+    for (std::size_t a = 0; a < mechanism_.angles.size(); ++a) {
+      const CoordinateMultiple& angle = mechanism_.angles[a];
+      if (angle.position == k) result += angle.factor * turned(mechanism_.size() + static_cast<int>(a));
+    }
+    return result;
+  }
+
+  void add_christoffel_symbols() {
+    const int n = mechanism_.size();
+    form_.c_ijk.assign(at(n), std::vector<Number>(at(n * (n + 1) / 2), 0));
+    // ∂b_ij/∂q_k for i <= j; in a tree zero unless joint k comes after joint i.
+    std::vector<Rows> db(at(n));
+    for (int k = 0; k < n; ++k) {
+      db[at(k)].assign(at(n), std::vector<Number>(at(n), 0));
+      for (int i = 0; i < (mechanism_.is_coupled() ? n : k); ++i) {
+        for (int j = i; j < n; ++j) {
+          db[at(k)][at(i)][at(j)] = db[at(k)][at(j)][at(i)] = reduced(derivative(form_.B[at(i)][at(j)], k), form_);
+        }
+      }
+    }
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < n; ++k) {
+        for (int j = 0; j <= k; ++j) {
+          const Number twice = db[at(k)][at(i)][at(j)] + db[at(j)][at(i)][at(k)] - db[at(i)][at(j)][at(k)];
+          form_.c_ijk[at(i)][at(k * (k + 1) / 2 + j)] = (twice / 2).expand();
+        }
+      }
+    }
+  }
+
+  const Mechanism& mechanism_;
+  ClosedForm form_;
+  std::vector<PlanarRotation> angle_;  // of each body's joint
+  std::vector<Number> slide_;
+  std::vector<std::map<int, JacobianColumn>> columns_;
+  std::vector<Vec3> gravity_;
+  std::vector<InertialParameters> composite_;
+};
+
+// The cosine that goes with a sine: c_i with s_i, cos(x) with sin(x); 0 for what is no sine.
+Number cosine_of(const Number& factor, const ClosedForm& form) {
+  if (GiNaC::is_a<GiNaC::symbol>(factor)) {
+    for (std::size_t i = 0; i < form.s.size(); ++i) {
+      if (form.s[i].is_equal(GiNaC::ex_to<GiNaC::basic>(factor))) return form.c[i];
+    }
+    return 0;
+  }
+  const bool is_sine =
+      GiNaC::is_a<GiNaC::function>(factor) && GiNaC::ex_to<GiNaC::function>(factor).get_name() == "sin";
+  return is_sine ? Number(GiNaC::cos(factor.op(0))) : Number(0);
+}
+
+// One factor of a term; `changed` if it was a power of a sine.
+Number reduced_factor(const Number& factor, const ClosedForm& form, bool& changed) {
+  if (!GiNaC::is_a<GiNaC::power>(factor) || !factor.op(1).info(GiNaC::info_flags::posint)) return factor;
+  const Number cosine = cosine_of(factor.op(0), form);
+  if (cosine.is_zero()) return factor;
+  const int exponent = GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int();
+  changed = true;
+  return GiNaC::pow(1 - cosine * cosine, exponent / 2) * GiNaC::pow(factor.op(0), exponent % 2);
+}
+
+Number reduced_term(const Number& term, const ClosedForm& form, bool& changed) {
+  if (!GiNaC::is_a<GiNaC::mul>(term)) return reduced_factor(term, form, changed);
+  bool here = false;
+  Number product = 1;
+  for (const Number& factor : term) product *= reduced_factor(factor, form, here);
+  if (!here) return term;
+  changed = true;
+  return product;
+}
+
+}  // namespace
+
+const Number& ClosedForm::christoffel(int i, int j, int k) const {
+  if (j > k) std::swap(j, k);
+  return c_ijk[at(i)][at(k * (k + 1) / 2 + j)];
+}
+
+Number reduced(const Number& expression, const ClosedForm& form) {
+  const Number expanded = expression.expand();
+  bool changed = false;
+  if (!GiNaC::is_a<GiNaC::add>(expanded)) {
+    const Number term = reduced_term(expanded, form, changed);
+    return changed ? term.expand() : expanded;
+  }
+  GiNaC::exvector terms;
+  for (const Number& term : expanded) terms.push_back(reduced_term(term, form, changed));
+  return changed ? Number(GiNaC::add(terms)).expand() : expanded;
+}
+
+ClosedForm closed_form(const Mechanism& mechanism) { return Lagrange(mechanism).run(); }
+
+}  // namespace flatdyn

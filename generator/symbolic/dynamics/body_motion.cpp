@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/dynamics/body_motion.hpp"
+
+namespace flatdyn {
+namespace {
+
+bool is_same(const Vec3& a, const Vec3& b) { return a[0].is_equal(b[0]) && a[1].is_equal(b[1]) && a[2].is_equal(b[2]); }
+
+Number polarised(const Number& a, const Number& b, const Number& a_r, const Number& b_r) {
+  if (a.is_equal(a_r) && b.is_equal(b_r)) return a * b;
+  return (a * b_r + a_r * b) / 2;
+}
+
+Mat3 products_of(Derivation& d, const BodyMotion& body, const std::string& n) {
+  Mat3 products;
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = a; b < 3; ++b) {
+      products[a][b] = polarised(body.omega[a], body.omega[b], body.omega_r[a], body.omega_r[b]);
+      products[b][a] = products[a][b];
+    }
+  }
+  return d.named_symmetric(products, "omega_" + n);
+}
+
+Mat3 acceleration_matrix(Derivation& d, const Mat3& products, const Vec3& domega, const std::string& n) {
+  static const char* const kAxes[] = {"x", "y", "z"};
+  const Number square = products[0][0] + products[1][1] + products[2][2];
+  const Mat3 turn = skew(domega);
+  Mat3 U;
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      const Number entry = turn[a][b] + products[a][b] - (a == b ? square : Number(0));
+      U[a][b] = d.named(entry, "U_" + n + "_" + kAxes[a] + kAxes[b]);
+    }
+  }
+  return U;
+}
+
+BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMotion& motion) {
+  Derivation& d = frames.derivation();
+  const auto k = static_cast<std::size_t>(i);
+  const std::string n = label(i);
+  const bool prismatic = frames.mechanism().bodies[k].prismatic;
+  BodyMotion body;
+  const bool one_rate = is_same(parent.omega, parent.omega_r);
+  body.omega = frames.to_child(i, parent.omega, "omega_f_" + n);
+  body.omega_r = one_rate ? body.omega : frames.to_child(i, parent.omega_r, "omega_r_" + n);
+  const Vec3 domega = frames.to_child(i, parent.domega, "domega_f_" + n);
+  const Vec3 carried = rate_times_omega(motion, i, body.omega, body.omega_r);
+  const Vec3 turned = prismatic ? zero_vector() : Vec3{carried[1], -carried[0], motion.qdd_r[k]};  // q̇ ω × z + q̈ z
+  body.domega = d.named(domega + turned, "domega_" + n);
+  if (!prismatic) {
+    body.omega = d.named(body.omega + Vec3{0, 0, motion.qd[k]}, "omega_" + n);
+    body.omega_r = d.named(body.omega_r + Vec3{0, 0, motion.qd_r[k]}, "omega_r_" + n);
+  }
+  body.products = products_of(d, body, n);
+  body.U = acceleration_matrix(d, body.products, body.domega, n);
+  const Vec3 at_origin = d.named(parent.ddp + parent.U * frames.p(i), "ddp_o_" + n);
+  body.ddp = frames.to_child(i, at_origin, "ddp_" + n);
+  if (prismatic) {
+    const Number q = frames.slide(i);
+    const Vec3 along = {body.U[0][2] * q + 2 * carried[1], body.U[1][2] * q - 2 * carried[0],
+                        body.U[2][2] * q + motion.qdd_r[k]};  // 2 q̇ ω × z + q̈ z
+    body.ddp = d.named(body.ddp + along, "ddp_s_" + n);
+  }
+  return body;
+}
+
+}  // namespace
+
+Vec3 rate_times_omega(const JointMotion& motion, int i, const Vec3& omega, const Vec3& omega_r) {
+  const auto k = static_cast<std::size_t>(i);
+  Vec3 result;
+  for (std::size_t a = 0; a < 3; ++a) result[a] = polarised(motion.qd[k], omega[a], motion.qd_r[k], omega_r[a]);
+  return result;
+}
+
+std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion) {
+  BodyMotion base;
+  base.ddp = frames.derivation().named(Number(-1) * motion.gravity, "ddp_0");  // so that gravity acts on every body
+  std::vector<BodyMotion> bodies;
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
+    const int parent = frames.mechanism().bodies[static_cast<std::size_t>(i)].parent;
+    bodies.push_back(moved(frames, i, parent < 0 ? base : bodies[static_cast<std::size_t>(parent)], motion));
+  }
+  return bodies;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/dynamics/derivative_functions.hpp"
+
+#include "symbolic/dynamics/accelerations.hpp"
+#include "symbolic/dynamics/composite.hpp"
+#include "symbolic/dynamics/derivatives.hpp"
+
+namespace flatdyn {
+namespace {
+
+Output derivative_output(Workbench& bench, const std::string& name, const Rows& rows, const std::string& meaning) {
+  return matrix_output(name, bench.size(), bench.size(), bench.nodes(rows), meaning);
+}
+
+TorqueDerivatives derivatives_at_coordinates(Workbench& bench, const Motion& motion) {
+  const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
+  const auto folded = [&bench](const Rows& rows, const std::string& name) {
+    return at_coordinates(bench.mechanism, bench.derivation, rows, Shape::general, name);
+  };
+  return {folded(tau.dq, "dtau"), folded(tau.dqd, "dtaud")};
+}
+
+// A q̈.
+std::vector<Number> accelerations_of_joints(Workbench& bench, const Factorisation& B) {
+  const std::vector<Number> qdd = accelerations(bench, B);
+  return joint_motion(bench.mechanism, bench.derivation, qdd, "qdd_j");
+}
+
+// -B⁻¹ times a matrix.
+Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name) {
+  Rows result = matrix;
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    std::vector<Number> column;
+    for (const std::vector<Number>& row : matrix) column.push_back(-row[k]);
+    column = B.solve(column, name + "_" + label(static_cast<int>(k)));
+    for (std::size_t i = 0; i < matrix.size(); ++i) result[i][k] = column[i];
+  }
+  return result;
+}
+
+}  // namespace
+
+Function torque_derivatives_function(Workbench& bench) {
+  const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qdd), bench.mechanism.gravity,
+                      true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(bench, motion);
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
+                  {derivative_output(bench, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
+                   derivative_output(bench, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
+}
+
+// From B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
+Function acceleration_derivatives_function(Workbench& bench) {
+  const Factorisation B(bench.frames, bench.inertia());
+  const Motion motion{bench.joint_motion(InputKind::qd), accelerations_of_joints(bench, B), bench.mechanism.gravity,
+                      true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(bench, motion);
+  const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
+  const Rows dtau = B.inverse("a");
+  Conditions conditions = conditions_of(bench, B);
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
+                  {derivative_output(bench, "dqdd_dq", dq, "row i, column k: of qdd[i] by q[k]"),
+                   derivative_output(bench, "dqdd_dqd", dqd, "row i, column k: of qdd[i] by qd[k]"),
+                   derivative_output(bench, "dqdd_dtau", dtau, "the inverse of B")},
+                  std::move(conditions));
+}
+
+}  // namespace flatdyn

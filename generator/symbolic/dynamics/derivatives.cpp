@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/dynamics/derivatives.hpp"
+
+#include "symbolic/dynamics/composite.hpp"
+#include "symbolic/dynamics/momenta.hpp"
+
+namespace flatdyn {
+namespace {
+
+// e, y, w of the accelerations e + y × r + 2 w × u.
+struct Field {
+  Vec3 e = zero_vector(), y = zero_vector(), w = zero_vector();
+};
+
+Vec3 z_column(const Mat3& m) { return {m[0][2], m[1][2], m[2][2]}; }
+
+class TorqueDerivation {
+ public:
+  TorqueDerivation(Frames& frames, const Motion& motion)
+      : frames_(frames),
+        d_(frames.derivation()),
+        motion_(motion),
+        links_(link_motions(frames, motion)),
+        wrenches_(joint_wrenches(frames, motion, links_)),
+        bodies_(composites(frames)),
+        momenta_(composite_momenta(frames, motion, links_, bodies_)) {
+    const auto n = links_.size();
+    result_.dq.assign(n, std::vector<Number>(n, 0));
+    result_.dqd = result_.dq;
+  }
+
+  TorqueDerivatives run() {
+    for (int i = 0; i < static_cast<int>(links_.size()); ++i) {
+      row(i);
+      column_of_position(i);
+      column_of_rate(i);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  template <class T>
+  static T& at(std::vector<T>& values, int i) {
+    return values[static_cast<std::size_t>(i)];
+  }
+
+  Vec3 w_of(int k) {
+    const Vec3& omega = at(links_, k).omega;
+    return {omega[1], -omega[0], 0};
+  }
+
+  Field field_of_position(int k) {
+    const LinkMotion& link = at(links_, k);
+    if (frames_.body(k).prismatic) return {z_column(link.U), zero_vector(), zero_vector()};
+    return {{link.ddp[1], -link.ddp[0], 0}, z_column(link.U), w_of(k)};
+  }
+
+  Field field_of_rate(int k) {
+    const Vec3 twice = d_.named(Number(2) * w_of(k), "w_2_" + label(k));
+    if (frames_.body(k).prismatic) return {twice, zero_vector(), zero_vector()};
+    return {zero_vector(), twice, {0, 0, 1}};
+  }
+
+  // What it takes to give all behind joint k these accelerations.
+  Wrench applied(int k, const Field& field) {
+    const InertialParameters& body = at(bodies_, k);
+    const Momenta& momenta = at(momenta_, k);
+    const Vec3& H = body.first_moment;
+    const Vec3 force = body.mass * field.e + cross(field.y, H) + Number(2) * cross(field.w, momenta.P);
+    return {force, cross(H, field.e) + body.inertia * field.y + momenta.dI * field.w + cross(field.w, momenta.L)};
+  }
+
+  // A row of accelerations to a torque: τ = f·e + μ·y + κ·w.
+  struct Row {
+    Wrench wrench;
+    Vec3 kappa = zero_vector();
+  };
+
+  // What joint i feels when all behind it is accelerated.
+  Row felt_by(int i) {
+    const Momenta& momenta = at(momenta_, i);
+    const Wrench wrench = unit_wrench(frames_, i, at(bodies_, i));
+    if (frames_.body(i).prismatic) return {wrench, {2 * momenta.P[1], -2 * momenta.P[0], 0}};
+    return {wrench, z_column(momenta.dI) + Vec3{momenta.L[1], -momenta.L[0], 0}};
+  }
+
+  // ∂τ_i/∂q_k and ∂τ_i/∂q̇_k for k = i and every joint before it.
+  void row(int i) {
+    Row row = felt_by(i);
+    const Body& body = frames_.body(i);
+    for (int k = i, below = i; k >= 0; below = k, k = frames_.body(k).parent) {
+      const std::string n = label(i) + "_" + label(k);
+      if (k != i) row = in_parent(below, row, n);
+      if (k != i && body.rotor && body.rotor->carrier == k) add_rotor(i, row);
+      row = {{d_.named(row.wrench.f, "f_" + n), d_.named(row.wrench.mu, "mu_" + n)}, d_.named(row.kappa, "kappa_" + n)};
+      set(result_.dq, i, k, times(row, field_of_position(k)), "dtau_");
+      const Number damping = i == k && motion_.friction ? d_.named(body.viscous, "F_v" + label(i)) : Number(0);
+      set(result_.dqd, i, k, times(row, field_of_rate(k)) + damping, "dtaud_");
+    }
+  }
+
+  // A row about the origin of frame k, about that of its parent.
+  Row in_parent(int k, const Row& row, const std::string& n) {
+    const std::string from = n + "k";
+    const Vec3 slid = row.kappa + Number(2) * cross(slide_rate(frames_, k, motion_, at(links_, k)), row.wrench.f);
+    const Wrench wrench = to_parent(frames_, k, row.wrench, from);
+    const Vec3 carried = d_.named(cross(at(links_, frames_.body(k).parent).omega, frames_.p(k)), "u_p_" + label(k));
+    return {wrench, frames_.to_parent(k, d_.named(slid, "kappa_s_" + from), "kappa_u_" + from) +
+                        Number(2) * cross(carried, wrench.f)};
+  }
+
+  // Its rotor feels how the carrier turns, last term of (7.114).
+  void add_rotor(int i, Row& row) {
+    const Vec3 unit = rotor_momentum(frames_, i);
+    row.wrench.mu = row.wrench.mu + unit;
+    row.kappa = row.kappa + cross(at(links_, frames_.body(i).rotor->carrier).omega, unit);
+  }
+
+  static Number times(const Row& row, const Field& field) {
+    return dot(row.wrench.f, field.e) + dot(row.wrench.mu, field.y) + dot(row.kappa, field.w);
+  }
+
+  // ∂τ_i/∂q_k of the joints i before k.
+  void column_of_position(int k) {
+    const Wrench relative = applied(k, field_of_position(k)), turned = swept_by(frames_.body(k), at(wrenches_, k));
+    climb(k, {relative.f + turned.f, relative.mu + turned.mu}, zero_vector(), result_.dq, "q");
+  }
+
+  void column_of_rate(int k) {
+    const auto& rotor = frames_.body(k).rotor;
+    const bool carried = rotor && rotor->carrier >= 0;
+    const Vec3 at_carrier =
+        carried ? cross(at(links_, rotor->carrier).omega, rotor_momentum(frames_, k)) : zero_vector();
+    climb(k, applied(k, field_of_rate(k)), at_carrier, result_.dqd, "qd");
+  }
+
+  // What the joints before k feel of a wrench on all behind k, and of a moment on the carrier of its rotor.
+  void climb(int k, Wrench wrench, const Vec3& at_carrier, Rows& result, const std::string& what) {
+    for (int i = k; frames_.body(i).parent >= 0;) {
+      const std::string n = what + label(k) + "_" + label(i);
+      wrench = {d_.named(wrench.f, "df_" + n), d_.named(wrench.mu, "dmu_" + n)};
+      wrench = to_parent(frames_, i, wrench, n);
+      i = frames_.body(i).parent;
+      const auto& rotor = frames_.body(k).rotor;
+      if (rotor && rotor->carrier == i) wrench.mu = wrench.mu + at_carrier;
+      set(result, i, k, felt(frames_, i, wrench), "dtau_" + what);
+    }
+  }
+
+  void set(Rows& result, int i, int k, const Number& value, const std::string& name) {
+    at(at(result, i), k) = d_.named(value, name + label(i) + "_" + label(k));
+  }
+
+  Frames& frames_;
+  Derivation& d_;
+  const Motion& motion_;
+  std::vector<LinkMotion> links_;
+  std::vector<Wrench> wrenches_;
+  std::vector<InertialParameters> bodies_;
+  std::vector<Momenta> momenta_;
+  TorqueDerivatives result_;
+};
+
+}  // namespace
+
+TorqueDerivatives torque_derivatives(Frames& frames, const Motion& motion) {
+  return TorqueDerivation(frames, motion).run();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rates and accelerations of the tip's Euler angles, from its angular velocity: φ̇ = T(φ)^-1 ω, (3.64).
+//
+// The columns of T are the axes that the angles turn about: z, then the line of nodes, then the axis a that the last
+// angle leaves where it is, which is a column of R: its third for ZYZ, its first for roll, pitch and yaw. So with
+// a = (u, v, w) and s² = u² + v², T = [z, (-v, u, 0) / s, a] is known from R, and no angle has to be.
+#pragma once
+
+#include "graph/task.hpp"
+#include "symbolic/dynamics/workbench.hpp"
+
+namespace flatdyn {
+
+class EulerRates {
+ public:
+  // Throws Failure(unsupported) where s is zero at every position.
+  EulerRates(Workbench& bench, Orientation orientation);
+
+  // (φ̇, θ̇, ψ̇) for an angular velocity in base axes.
+  Vec3 of(const Vec3& omega) const;
+
+  // (φ̈, θ̈, ψ̈): T^-1 (α - Ṫ T^-1 ω).
+  Vec3 changes(const Vec3& omega, const Vec3& alpha) const;
+
+ private:
+  Derivation& derivation_;
+  Number w_, s_, s2_;
+  Number along_x_, along_y_;    // u / s², v / s²
+  Number across_x_, across_y_;  // u / s, v / s
+};
+
+// "phi", "theta", "psi" and "ZYZ" or "roll, pitch and yaw", for people: what the angles are, and when they have rates.
+std::string describe_angles(Orientation orientation);
+
+// That no motion of the robot has these angles.
+[[noreturn]] void fail_without_angles(Orientation orientation);
+
+}  // namespace flatdyn

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/dynamics/factorisation.hpp"
+
+#include <fmt/format.h>
+
+namespace flatdyn {
+
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+SingularInertia::SingularInertia(const Body& body)
+    : Failure(ExitCode::unsupported,
+              fmt::format("forward_dynamics: B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
+              "give the links that it moves their inertia, or its motor a rotor"),
+      joint(body.joint) {}
+
+Factorisation::Factorisation(Frames& frames, Rows B)
+    : derivation_(frames.derivation()), L_(std::move(B)), inverse_(L_.size()) {
+  const Mechanism& mechanism = frames.mechanism();
+  // Coupled joints on different branches feel each other: then zeros are found one by one.
+  for (int k = 0; k < mechanism.size(); ++k) parents_.push_back(mechanism.is_coupled() ? k - 1 : frames.body(k).parent);
+  factorise([&mechanism](std::size_t k) { throw SingularInertia(mechanism.joint(static_cast<int>(k))); });
+}
+
+Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, Rows matrix, const std::string& what,
+                             const std::string& prefix)
+    : derivation_(derivation),
+      parents_(std::move(parents)),
+      prefix_(prefix),
+      L_(std::move(matrix)),
+      inverse_(L_.size()) {
+  factorise([&what](std::size_t) { throw Failure(ExitCode::unsupported, what + " is singular everywhere"); });
+}
+
+void Factorisation::factorise(const std::function<void(std::size_t)>& fail_as_zero) {
+  Derivation& d = derivation_;
+  for (std::size_t k = 0; k < L_.size(); ++k) diagonal_.push_back(L_[k][k]);
+  for (std::size_t k = L_.size(); k-- > 0;) {
+    const std::string row = label(static_cast<int>(k));
+    if (vanishes(L_[k][k])) fail_as_zero(k);
+    inverse_[k] = d.quotient(1, L_[k][k], prefix_ + "d_" + row);
+    for (int i = parent(k); i >= 0; i = parent(index(i))) {
+      const Number l = d.named(L_[k][index(i)] * inverse_[k], prefix_ + "l_" + row + "_" + label(i));
+      for (int j = i; j >= 0; j = parent(index(j))) {
+        L_[index(i)][index(j)] = d.named(L_[index(i)][index(j)] - l * L_[k][index(j)],
+                                         prefix_ + "b_" + row + "_" + label(i) + "_" + label(j));
+      }
+      L_[k][index(i)] = l;
+    }
+  }
+  for (std::size_t k = 0; k < L_.size(); ++k) pivots_.push_back(L_[k][k]);
+}
+
+std::vector<Number> Factorisation::half_solved(std::vector<Number> b, const std::string& name) const {
+  for (std::size_t k = b.size(); k-- > 0;) {
+    for (int i = parent(k); i >= 0; i = parent(index(i))) {
+      b[index(i)] = derivation_.named(b[index(i)] - L_[k][index(i)] * b[k],
+                                      name + "_" + label(static_cast<int>(k)) + "_" + label(i));
+    }
+  }
+  return b;
+}
+
+std::vector<Number> Factorisation::finished(const std::vector<Number>& y, const std::string& name) const {
+  std::vector<Number> result;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    Number x = inverse_[k] * y[k];
+    for (int i = parent(k); i >= 0; i = parent(index(i))) x -= L_[k][index(i)] * result[index(i)];
+    result.push_back(derivation_.named(x, name + "_" + label(static_cast<int>(k))));
+  }
+  return result;
+}
+
+std::vector<Number> Factorisation::solve(std::vector<Number> b, const std::string& name) const {
+  return finished(half_solved(std::move(b), "y"), name);
+}
+
+// Column k from L x = D⁻¹ y, Lᵀ y = e_k. Of x all before entry k is known from the columns before, by symmetry, and of
+// y no more is needed than its end, which is that of e_k.
+Rows Factorisation::inverse(const std::string& name) const {
+  const std::size_t n = L_.size();
+  Rows result(n, std::vector<Number>(n, 0));
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t j = k; j < n; ++j) {
+      Number x = j == k ? inverse_[k] : Number(0);
+      for (int i = parent(j); i >= 0; i = parent(index(i))) x -= L_[j][index(i)] * result[index(i)][k];
+      const std::string entry = name + "_" + label(static_cast<int>(j)) + "_" + label(static_cast<int>(k));
+      result[j][k] = result[k][j] = derivation_.named(x, entry);
+    }
+  }
+  return result;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/dynamics/loop_functions.hpp"
+
+#include "diagnostics/diagnostics.hpp"
+#include "symbolic/loops/loops.hpp"
+
+namespace flatdyn {
+namespace {
+
+ClosedLoops loops_of(Workbench& bench) {
+  if (bench.mechanism.has_loops()) return {bench.mechanism, bench.derivation};
+  throw Failure(ExitCode::unsupported, "the robot has no loops that have to be closed",
+                "its joints are independent, or follow others linearly: q is all that there is to know");
+}
+
+// G q̇, G q̈ + dG/dt q̇ of every entry of q.
+std::vector<Number> along(const Rows& G, const std::vector<Number>& coordinates) {
+  std::vector<Number> result;
+  for (const std::vector<Number>& row : G) {
+    Number sum = 0;
+    for (std::size_t a = 0; a < coordinates.size(); ++a) sum += row[a] * coordinates[a];
+    result.push_back(sum);
+  }
+  return result;
+}
+
+}  // namespace
+
+Function loop_closure_function(Workbench& bench) {
+  const std::vector<NodeId> phi = bench.nodes(loops_of(bench).closure());
+  return finished(bench, {InputKind::q},
+                  {vector_output("phi", phi, "loop by loop, m: what lies between the points that meet; 0 if closed")});
+}
+
+Function loop_jacobian_function(Workbench& bench) {
+  const Rows J = loops_of(bench).jacobian();
+  return finished(bench, {InputKind::q},
+                  {matrix_output("phi_q", static_cast<int>(J.size()), bench.mechanism.position_count(), bench.nodes(J),
+                                 "row i, column k: of phi[i] by q[k]")});
+}
+
+Function loop_step_function(Workbench& bench) {
+  const std::vector<NodeId> step = bench.nodes(loops_of(bench).step());
+  return finished(
+      bench, {InputKind::q},
+      {vector_output("dq", step, "to be added to q, again and again; 0 for independent joints, which stay")});
+}
+
+Function loop_motion_function(Workbench& bench) {
+  const Rows G = loops_of(bench).motion();
+  const std::vector<Number> rates = along(G, bench.all(InputKind::qd)),
+                            drift = loops_of(bench).drift(bench.joint_motion(InputKind::qd),
+                                                          bench.joint_motion(InputKind::qd), "drift");
+  std::vector<Number> accelerations = along(G, bench.all(InputKind::qdd));
+  for (std::size_t k = 0; k < accelerations.size(); ++k) accelerations[k] += drift[k];
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
+                  {vector_output("rates", bench.nodes(rates), "dq/dt of every entry of q"),
+                   vector_output("accelerations", bench.nodes(accelerations), "its derivative")});
+}
+
+}  // namespace flatdyn

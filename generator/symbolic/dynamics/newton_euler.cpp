@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/dynamics/newton_euler.hpp"
+
+namespace flatdyn {
+namespace {
+
+// What a body has in common with its parent: the points of the joint's axis are accelerated alike as parts of either,
+// so U_i z = U_parent z. In axes of frame i: that column, ω and ω̇_z of the parent's body.
+struct AxisMotion {
+  Vec3 omega = zero_vector(), U_z = zero_vector();
+  Number domega_z = 0;
+};
+
+AxisMotion axis_motion(Frames& frames, int i, const LinkMotion& parent) {
+  Derivation& d = frames.derivation();
+  const std::string n = label(i);
+  const Vec3 z = frames.axis_in_parent(i);
+  const Vec3 column = d.named(parent.U * z, "Uz_o_" + n);
+  return {frames.to_child(i, parent.omega, "omega_r_" + n), frames.to_child(i, column, "Uz_" + n),
+          d.named(dot(z, parent.domega), "domega_r_" + n + "_z")};
+}
+
+// U = S(ω̇) + S(ω)² and ω̇, of which the column U z and ω̇_z are known.
+void complete_motion(Derivation& d, LinkMotion& link, const Vec3& U_z, const Number& domega_z, const std::string& i) {
+  const auto square = [&](std::size_t a, std::size_t b, const char* name) {
+    return d.named(link.omega[a] * link.omega[b], "omega_" + i + name);
+  };
+  const Number xx = square(0, 0, "_xx"), zz = square(2, 2, "_zz"), xy = square(0, 1, "_xy"), xz = square(0, 2, "_xz"),
+               yz = square(1, 2, "_yz");
+  const auto entry = [&](const Number& value, const char* name) { return d.named(value, "U_" + i + "_" + name); };
+  link.domega = d.named(Vec3{yz - U_z[1], U_z[0] - xz, domega_z}, "domega_" + i);
+  const Number difference = d.named(xx - zz, "omega_" + i + "_xx_zz");
+  link.U = {Vec3{entry(U_z[2] + difference, "xx"), entry(xy - domega_z, "xy"), U_z[0]},
+            Vec3{entry(xy + domega_z, "yx"), entry(-xx - zz, "yy"), U_z[1]},
+            Vec3{entry(xz - link.domega[1], "zx"), entry(yz + link.domega[0], "zy"), U_z[2]}};
+}
+
+LinkMotion link_motion(Frames& frames, int i, const LinkMotion& parent, const Motion& motion) {
+  Derivation& d = frames.derivation();
+  const auto k = static_cast<std::size_t>(i);
+  const std::string n = label(i);
+  const bool prismatic = frames.body(i).prismatic;
+  const Number &qd = motion.qd[k], &qdd = motion.qdd[k];
+  const AxisMotion axis = axis_motion(frames, i, parent);
+  LinkMotion link;
+  link.omega = prismatic ? axis.omega : d.named(axis.omega + Vec3{0, 0, qd}, "omega_" + n);
+  complete_motion(d, link, axis.U_z, prismatic ? axis.domega_z : d.named(axis.domega_z + qdd, "domega_" + n + "_z"), n);
+  const Vec3 ddp_o = d.named(parent.ddp + parent.U * frames.p(i), "ddp_o_" + n);
+  link.ddp = frames.to_child(i, ddp_o, "ddp_" + n);
+  if (prismatic) {
+    const Number twice = d.named(2 * qd, "qd_2_" + n);
+    const Vec3 coriolis = {twice * link.omega[1], -twice * link.omega[0], qdd};  // 2 q̇ ω × z + q̈ z
+    link.ddp = d.named(link.ddp + frames.slide(i) * axis.U_z + coriolis, "ddp_s_" + n);
+  }
+  return link;
+}
+
+// The part of Î ω̇ + ω × Î ω that comes from the diagonal of Î. With the pseudo-inertia Σ = (tr Î / 2) 1 - Î it is a sum
+// of entries of U, shorter where Σ_zz has been regrouped away; otherwise products of ω serve.
+Vec3 diagonal_moment(Derivation& d, const Mat3& I, const LinkMotion& link, const std::string& n) {
+  const Mat3& U = link.U;
+  const Vec3 &w = link.omega, &dw = link.domega;
+  const Number half_trace = ((I[0][0] + I[1][1] + I[2][2]) / 2).expand();
+  if (vanishes(half_trace - I[2][2])) {
+    const Number sx = d.named(half_trace - I[0][0], "sigma_" + n + "_xx"),
+                 sy = d.named(half_trace - I[1][1], "sigma_" + n + "_yy");
+    return {U[2][1] * sy, -U[2][0] * sx, U[1][0] * sx - U[0][1] * sy};
+  }
+  const auto product = [&](std::size_t a, std::size_t b) {
+    return d.named(w[a] * w[b], "omega_" + n + "_" + std::to_string(a) + std::to_string(b));
+  };
+  const auto entry = [&](std::size_t a) { return d.named(I[a][a], "I_" + n + "_" + std::to_string(a)); };
+  const Number xx = entry(0), yy = entry(1), zz = entry(2);
+  return {xx * dw[0] + (zz - yy) * product(1, 2), yy * dw[1] + (xx - zz) * product(0, 2),
+          zz * dw[2] + (yy - xx) * product(0, 1)};
+}
+
+// The part of Î ω̇ + ω × Î ω that comes from the products of inertia.
+Vec3 product_moment(Derivation& d, const Mat3& I, const LinkMotion& link, const std::string& n) {
+  static const char* const kAxes[] = {"x", "y", "z"};
+  const Mat3& U = link.U;
+  const auto difference = [&](std::size_t a, std::size_t b) {
+    return d.named(U[b][b] - U[a][a], "U_" + n + "_" + kAxes[b] + kAxes[b] + "_" + kAxes[a] + kAxes[a]);
+  };
+  const Number &xy = I[0][1], &xz = I[0][2], &yz = I[1][2];
+  return {difference(2, 1) * yz - U[2][0] * xy + U[1][0] * xz, difference(0, 2) * xz - U[0][1] * yz + U[2][1] * xy,
+          difference(1, 0) * xy - U[1][2] * xz + U[0][2] * yz};
+}
+
+Wrench inertial_wrench(Frames& frames, int i, const LinkMotion& link) {
+  Derivation& d = frames.derivation();
+  const InertialParameters& body = frames.inertia(i);
+  const std::string n = label(i);
+  const Vec3 h = d.named(body.first_moment, "mr_" + n);
+  const Number m = d.named(body.mass, "m_" + n);
+  const Mat3 I = d.named_symmetric(body.inertia, "I_" + n);
+  const Vec3 F = d.named(m * link.ddp + link.U * h, "F_" + n);
+  return {F, d.named(diagonal_moment(d, body.inertia, link, n) + product_moment(d, I, link, n) + cross(h, link.ddp),
+                     "N_" + n)};
+}
+
+// What the spinning rotor of joint i does to the link that carries it, last two terms of (7.105).
+Vec3 rotor_reaction(Frames& frames, int i, const LinkMotion& carrier, const Motion& motion) {
+  Derivation& d = frames.derivation();
+  const Rotor& rotor = *frames.body(i).rotor;
+  const auto k = static_cast<std::size_t>(i);
+  const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i));
+  const Number spin = d.named(krI * motion.qdd[k], "kIqdd_" + label(i));
+  const Number momentum = d.named(krI * motion.qd[k], "kIqd_" + label(i));
+  const Vec3& z = frames.rotor_axis(i);
+  return spin * z + momentum * cross(carrier.omega, z);
+}
+
+}  // namespace
+
+LinkMotion base_motion(Frames& frames, const Motion& motion) {
+  LinkMotion base;
+  base.ddp = frames.derivation().named(Number(-1) * motion.gravity, "ddp_0");  // so that gravity acts on every link
+  return base;
+}
+
+std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion) {
+  const LinkMotion base = base_motion(frames, motion);
+  std::vector<LinkMotion> links;
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
+    const int parent = frames.body(i).parent;
+    const LinkMotion before = parent < 0 ? base : links[static_cast<std::size_t>(parent)];
+    links.push_back(link_motion(frames, i, before, motion));
+  }
+  return links;
+}
+
+Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string& name) {
+  Derivation& d = frames.derivation();
+  const Number q = frames.slide(i);  // lever along z of frame i, for a prismatic joint
+  const Vec3 mu = d.named(wrench.mu + Vec3{-q * wrench.f[1], q * wrench.f[0], 0}, "mu_s_" + name);
+  const Vec3 f = frames.to_parent(i, wrench.f, "f_u_" + name);
+  const Vec3 turned = frames.to_parent(i, mu, "mu_u_" + name);
+  Vec3 levered = cross(frames.p(i), f);
+  // About axes that are parallel f need not be turned.
+  if (const auto& p = frames.p_in_own_axes(i)) levered[2] = frames.axis_in_parent(i)[2] * cross(*p, wrench.f)[2];
+  return {f, turned + levered};
+}
+
+Vec3 rotor_momentum(Frames& frames, int i) {
+  Derivation& d = frames.derivation();
+  const Rotor& rotor = *frames.body(i).rotor;
+  return d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i)) * frames.rotor_axis(i);
+}
+
+Number reflected_inertia(const Body& body) {
+  Number inertia = body.armature;
+  if (body.rotor) inertia += body.rotor->gear_ratio * body.rotor->gear_ratio * body.rotor->inertia;
+  return inertia;
+}
+
+Number felt(Frames& frames, int i, const Wrench& wrench) {
+  return frames.body(i).prismatic ? wrench.f[2] : wrench.mu[2];
+}
+
+std::vector<Wrench> rotor_reactions(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links) {
+  std::vector<Wrench> wrenches(links.size());
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
+    const auto& rotor = frames.body(i).rotor;
+    if (!rotor || rotor->carrier < 0) continue;
+    const auto carrier = static_cast<std::size_t>(rotor->carrier);
+    wrenches[carrier].mu = wrenches[carrier].mu + rotor_reaction(frames, i, links[carrier], motion);
+  }
+  return wrenches;
+}
+
+Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vector<LinkMotion>& links,
+                    const Motion& motion) {
+  Derivation& d = frames.derivation();
+  const Body& body = frames.body(i);
+  const auto k = static_cast<std::size_t>(i);
+  const std::string n = label(i);
+  Number tau = felt(frames, i, wrench);
+  if (body.rotor && body.rotor->carrier >= 0) {
+    const Rotor& rotor = *body.rotor;
+    const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + n);
+    const Vec3& z = frames.rotor_axis(i);
+    tau += krI * d.named(dot(z, links[static_cast<std::size_t>(rotor.carrier)].domega), "domega_m" + n);
+  }
+  tau += d.named(reflected_inertia(body), "I_r" + n) * motion.qdd[k];
+  if (motion.friction) {
+    tau += d.named(body.viscous, "F_v" + n) * motion.qd[k];
+    if (!vanishes(body.coulomb)) tau += d.named(body.coulomb, "F_s" + n) * d.sign(motion.qd[k], "sgn_" + n);
+  }
+  return d.named(tau, "tau_" + n);
+}
+
+std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links,
+                                   const std::optional<Wrench>& tip) {
+  Derivation& d = frames.derivation();
+  const Mechanism& mechanism = frames.mechanism();
+  std::vector<Wrench> wrenches = rotor_reactions(frames, motion, links);
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Wrench own = inertial_wrench(frames, i, links[k]);
+    wrenches[k] = {own.f, own.mu + wrenches[k].mu};
+  }
+  if (tip && mechanism.tip.body >= 0) {
+    Wrench& at_tip = wrenches[static_cast<std::size_t>(mechanism.tip.body)];
+    at_tip = {at_tip.f + tip->f, at_tip.mu + tip->mu};
+  }
+  for (std::size_t i = wrenches.size(); i-- > 0;) {
+    const std::string name = label(static_cast<int>(i));
+    wrenches[i] = {d.named(wrenches[i].f, "f_" + name), d.named(wrenches[i].mu, "mu_" + name)};
+    const int parent = mechanism.bodies[i].parent;
+    if (parent < 0) continue;
+    const Wrench carried = to_parent(frames, static_cast<int>(i), wrenches[i], name);
+    Wrench& at_parent = wrenches[static_cast<std::size_t>(parent)];
+    at_parent = {at_parent.f + carried.f, at_parent.mu + carried.mu};
+  }
+  return wrenches;
+}
+
+std::vector<Number> torques(Frames& frames, const Motion& motion, const std::optional<Wrench>& tip) {
+  const std::vector<LinkMotion> links = link_motions(frames, motion);
+  const std::vector<Wrench> wrenches = joint_wrenches(frames, motion, links, tip);
+  std::vector<Number> tau;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    tau.push_back(joint_torque(frames, static_cast<int>(i), wrenches[i], links, motion));
+  }
+  return tau;
+}
+
+}  // namespace flatdyn

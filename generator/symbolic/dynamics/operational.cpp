@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/dynamics/operational.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "diagnostics/diagnostics.hpp"
+#include "symbolic/dynamics/composite.hpp"
+#include "symbolic/dynamics/energy.hpp"
+#include "symbolic/dynamics/factorisation.hpp"
+#include "symbolic/dynamics/task_rows.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Several numbers of rows of a task, or of joints, as a matrix; and sums over the joints.
+class OperationalSpace {
+ public:
+  explicit OperationalSpace(Workbench& bench)
+      : bench_(bench),
+        task_{task_rows(bench.mechanism), bench.mechanism.task.orientation, bench.mechanism.task.damping},
+        B_(bench.frames, bench.inertia()),
+        J_(task_jacobian(bench, task_.rows, task_.orientation)),
+        Y_(half_solved_rows()),
+        Z_(divided_by_pivots()),
+        mobility_(damped_mobility()),
+        factors_(bench.derivation, chain(size()), mobility_, "J B^-1 J^T", "m_") {}
+
+  std::size_t size() const { return task_.rows.size(); }
+  const Task& task() const { return task_; }
+
+  // B_A b.
+  std::vector<Number> inertia_times(std::vector<Number> b, const std::string& name) const {
+    return factors_.solve(std::move(b), name);
+  }
+  Rows inertia() const { return factors_.inverse("b_a"); }
+
+  // r² / (tr M tr M^-1) of the matrix M that is inverted, λ_1 … λ_r its eigenvalues: 1 where all of them are equal. As
+  // tr M ≥ max λ and tr M^-1 ≥ 1 / min λ, it is between min λ / max λ and r² times that.
+  Number condition(const Rows& inverse) const {
+    if (size() == 1) return 1;
+    Derivation& d = bench_.derivation;
+    Number trace = 0, trace_of_inverse = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      trace += mobility_[i][i];
+      trace_of_inverse += inverse[i][i];
+    }
+    const Number traces = d.named(trace, "tr_m") * d.named(trace_of_inverse, "tr_b_a");
+    return d.quotient(static_cast<int>(size() * size()), traces, "condition");
+  }
+
+  // J B^-1 b, for b by joint.
+  std::vector<Number> acceleration(const std::vector<Number>& b, const std::string& name) const {
+    const std::vector<Number> y = B_.half_solved(b, "y_" + name);
+    std::vector<Number> result;
+    for (std::size_t i = 0; i < size(); ++i) {
+      Number sum = 0;
+      for (std::size_t k = 0; k < y.size(); ++k) sum += Z_[i][k] * y[k];
+      result.push_back(named(sum, "a_" + name, i));
+    }
+    return result;
+  }
+
+  // B^-1 J^T, by row of the task.
+  Rows inverse_inertia_times_jacobian() const {
+    Rows result;
+    for (std::size_t i = 0; i < size(); ++i) result.push_back(B_.finished(Y_[i], "x_" + label(task_.rows[i])));
+    return result;
+  }
+
+  // Jᵀ f.
+  std::vector<Number> torques_of(const std::vector<Number>& f) const {
+    std::vector<Number> result(J_.front().size(), 0);
+    for (std::size_t i = 0; i < size(); ++i) {
+      for (std::size_t k = 0; k < result.size(); ++k) result[k] += J_[i][k] * f[i];
+    }
+    return result;
+  }
+
+  Function finished(std::vector<InputKind> inputs, std::vector<Output> outputs) const {
+    // Every arm has poses in which J B⁻¹ Jᵀ is singular: its pivots are guarded always, and so come first.
+    Conditions conditions{bench_.nodes(factors_.pivots()), bench_.nodes(factors_.diagonal())};
+    const Conditions of_B = conditions_of(bench_, B_);
+    conditions.validity_conditions.insert(conditions.validity_conditions.end(), of_B.validity_conditions.begin(),
+                                          of_B.validity_conditions.end());
+    conditions.pivot_diagonals.insert(conditions.pivot_diagonals.end(), of_B.pivot_diagonals.begin(),
+                                      of_B.pivot_diagonals.end());
+    Function function = flatdyn::finished(bench_, std::move(inputs), std::move(outputs), std::move(conditions));
+    function.task = task_;
+    return function;
+  }
+
+ private:
+  // Of a chain of k bodies: all entries of a matrix may be there.
+  static std::vector<int> chain(std::size_t size) {
+    std::vector<int> parents(size);
+    std::iota(parents.begin(), parents.end(), -1);
+    return parents;
+  }
+
+  Number named(const Number& value, const std::string& name, std::size_t row) const {
+    return bench_.derivation.named(value, name + "_" + label(static_cast<int>(row)));
+  }
+
+  Rows half_solved_rows() const {
+    Rows Y;
+    for (std::size_t i = 0; i < size(); ++i) Y.push_back(B_.half_solved(J_[i], "y_" + label(static_cast<int>(i))));
+    return Y;
+  }
+
+  Rows divided_by_pivots() const {
+    Rows Z = Y_;
+    for (std::size_t i = 0; i < size(); ++i) {
+      for (std::size_t k = 0; k < Z[i].size(); ++k) {
+        Z[i][k] = named(Y_[i][k] * B_.inverse_pivots()[k], "z_" + label(static_cast<int>(i)), k);
+      }
+    }
+    return Z;
+  }
+
+  // J B^-1 Jᵀ: what a unit force at the tip accelerates it by; and λ² 1.
+  Rows damped_mobility() const {
+    const Number damping = GiNaC::numeric(Rational(task_.damping * task_.damping).str().c_str());
+    Rows M(size(), std::vector<Number>(size(), 0));
+    for (std::size_t i = 0; i < size(); ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        Number sum = i == j ? damping : Number(0);
+        for (std::size_t k = 0; k < Y_[i].size(); ++k) sum += Z_[i][k] * Y_[j][k];
+        M[i][j] = M[j][i] = named(sum, "m_" + label(static_cast<int>(i)), j);
+      }
+    }
+    return M;
+  }
+
+  Workbench& bench_;
+  Task task_;
+  Factorisation B_;
+  Rows J_, Y_, Z_, mobility_;
+  Factorisation factors_;
+};
+
+std::vector<Number> coriolis_torques(Workbench& bench) {
+  return bench.at_coordinates(
+      torques(bench.frames, {bench.joint_motion(InputKind::qd), bench.joint_drift(), zero_vector(), false}));
+}
+
+std::string of_task(const std::string& what, const OperationalSpace& space) {
+  return what + " of the task " + task_text(space.task().rows, space.task().orientation);
+}
+
+// Where M = J B^-1 Jᵀ + λ² 1 is inverted.
+std::string condition_meaning(const OperationalSpace& space) {
+  return space.task().is_damped()
+             ? "0..1, r^2 / (tr M tr M^-1) of M = J B^-1 J^T + lambda^2 1: small where the task is singular"
+             : "0..1, r^2 / (tr M tr M^-1) of M = J B^-1 J^T: 0 where the task is singular";
+}
+
+}  // namespace
+
+Function operational_inertia_function(Workbench& bench) {
+  const OperationalSpace space(bench);
+  const Rows B_A = space.inertia(), X = space.inverse_inertia_times_jacobian();
+  const int r = static_cast<int>(space.size()), n = bench.size();
+  std::vector<NodeId> J_bar;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
+    for (std::size_t j = 0; j < space.size(); ++j) {
+      Number sum = 0;
+      for (std::size_t i = 0; i < space.size(); ++i) sum += X[i][k] * B_A[i][j];
+      J_bar.push_back(bench.node(sum));
+    }
+  }
+  return space.finished(
+      {InputKind::q},
+      {matrix_output("B_A", r, r, bench.nodes(B_A), of_task("inertia matrix", space) + ", symmetric, SI units"),
+       matrix_output("J_bar", n, r, J_bar, "B^-1 J^T B_A: J_bar^T tau is the force on the task, SI units"),
+       vector_output("condition", {bench.node(space.condition(B_A))}, condition_meaning(space))});
+}
+
+Function operational_bias_function(Workbench& bench) {
+  const OperationalSpace space(bench);
+  const std::vector<Number> drift = task_drift(bench, space.task().rows, space.task().orientation);
+  std::vector<Number> c = space.acceleration(coriolis_torques(bench), "c");
+  for (std::size_t i = 0; i < space.size(); ++i) c[i] -= drift[i];
+  const std::vector<Number> g = space.acceleration(bench.at_coordinates(gravity_torques(bench.frames)), "g");
+  const std::vector<Number> c_A = space.inertia_times(c, "c_a"), g_A = space.inertia_times(g, "g_a");
+  return space.finished({InputKind::q, InputKind::qd},
+                        {vector_output("c_A", bench.nodes(c_A), of_task("C_A times the velocity", space) + ", N, N m"),
+                         vector_output("g_A", bench.nodes(g_A), of_task("gravity", space) + ", N, N m")});
+}
+
+Function null_space_torque_function(Workbench& bench) {
+  const OperationalSpace space(bench);
+  if (static_cast<int>(space.size()) == bench.size()) {
+    throw Failure(ExitCode::unsupported,
+                  fmt::format("null_space_torque: the task {} takes all joints",
+                              task_text(space.task().rows, space.task().orientation)),
+                  "name fewer directions in the scene's `task`");
+  }
+  const std::vector<Number> tau = bench.all(InputKind::tau);
+  const std::vector<Number> f = space.inertia_times(space.acceleration(tau, "tau"), "f");
+  std::vector<Number> rest = space.torques_of(f);
+  for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = tau[k] - rest[k];
+  return space.finished({InputKind::q, InputKind::tau},
+                        {vector_output("tau_n", bench.nodes(rest),
+                                       of_task("what of tau does not accelerate the tip along any", space) + ", N m")});
+}
+
+}  // namespace flatdyn

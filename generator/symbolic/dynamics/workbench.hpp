@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One derivation under way: what every function of the table starts from, and how it becomes a Function.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symbolic/dynamics/composite.hpp"
+#include "symbolic/dynamics/coordinates.hpp"
+#include "symbolic/dynamics/factorisation.hpp"
+#include "symbolic/dynamics/newton_euler.hpp"
+
+namespace flatdyn {
+
+struct Workbench {
+  explicit Workbench(const Mechanism& m, const std::vector<Axes>& axes = {})
+      : mechanism(m), derivation(parameters(m)), frames(mechanism, derivation, axes) {}
+
+  static std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism);
+
+  int size() const { return mechanism.size(); }
+  // Of every coordinate; and of every body's joint, whose motion follows from the coordinates.
+  std::vector<Number> all(InputKind kind) { return inputs(derivation, kind, size()); }
+  std::vector<Number> joint_motion(InputKind kind) { return flatdyn::joint_motion(mechanism, derivation, kind); }
+  // What is left of it where q̈ is zero.
+  std::vector<Number> joint_drift() { return flatdyn::joint_drift(mechanism, derivation, InputKind::qd); }
+  std::vector<Number> at_coordinates(const std::vector<Number>& tau) {
+    return flatdyn::at_coordinates(mechanism, derivation, tau, "tau");
+  }
+  Rows inertia() {
+    return flatdyn::at_coordinates(mechanism, derivation, inertia_matrix(frames), Shape::symmetric, "b");
+  }
+
+  NodeId node(const Number& value) { return derivation.node(value); }
+  std::vector<NodeId> nodes(const std::vector<Number>& values);
+  std::vector<NodeId> nodes(const Rows& rows);  // row by row
+
+  const Mechanism& mechanism;
+  Derivation derivation;
+  Frames frames;
+  bool guards_pivots = false;  // of Choices
+};
+
+// The pivots of a factorisation; with their scales where they are guarded.
+struct Conditions {
+  std::vector<NodeId> validity_conditions, pivot_diagonals;
+};
+Conditions conditions_of(Workbench& bench, const Factorisation& B);
+
+Output vector_output(const std::string& name, std::vector<NodeId> entries, const std::string& meaning);
+Output matrix_output(const std::string& name, int rows, int cols, std::vector<NodeId> entries,
+                     const std::string& meaning);
+Output scalar_output(const std::string& name, NodeId entry, const std::string& meaning);
+
+// Takes the graph out of the derivation. Where loops are closed, those that count must not be singular.
+Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<InputKind> inputs,
+                  std::vector<Output> outputs, Conditions conditions = {});
+inline Function finished(Workbench& bench, std::vector<InputKind> inputs, std::vector<Output> outputs,
+                         Conditions conditions = {}) {
+  return finished(bench.mechanism, bench.derivation, std::move(inputs), std::move(outputs), std::move(conditions));
+}
+
+}  // namespace flatdyn

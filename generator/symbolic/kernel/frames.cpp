@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/kernel/frames.hpp"
+
+#include <algorithm>
+
+#include "model/angles.hpp"
+#include "model/rational_rotation.hpp"
+#include "symbolic/kernel/turns.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+// Rz(a) T Rz(a)^T in 8 multiplications: with g = c (T_xx - T_yy) - 2 s T_xy, only c g and s g are added.
+Mat3 turned_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
+  if (vanishes(a.s) || vanishes(a.c)) {
+    const Mat3 R = {Vec3{a.c, -a.s, 0}, Vec3{a.s, a.c, 0}, Vec3{0, 0, 1}};
+    return expanded(R * T * transpose(R));
+  }
+  const Number difference = d.named(T[0][0] - T[1][1], name + "_d");
+  const Number twice = d.named(2 * T[0][1], name + "_e");
+  const Number g = d.named(a.c * difference - a.s * twice, name + "_g");
+  const Number cg = d.named(a.c * g, name + "_cg");
+  Mat3 result;
+  result[0][0] = T[1][1] + cg;
+  result[1][1] = T[0][0] - cg;
+  result[0][1] = result[1][0] = T[0][1] + a.s * g;
+  result[0][2] = result[2][0] = a.c * T[0][2] - a.s * T[1][2];
+  result[1][2] = result[2][1] = a.s * T[0][2] + a.c * T[1][2];
+  result[2][2] = T[2][2];
+  return result;
+}
+
+Mat3 turn_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
+  return d.named_symmetric(turned_tensor_z(d, a, T, name), name);
+}
+
+Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
+  return cycled(cycled(turn_tensor_z(d, a, cycled(T), name)));
+}
+
+}  // namespace
+
+bool can_be_still(const Mechanism& mechanism, int i) {
+  if (mechanism.bodies[static_cast<std::size_t>(i)].prismatic) return false;
+  return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                     [i](const Body& body) { return body.parent != i || vanishes(body.alpha.s); });
+}
+
+Frames::Frames(const Mechanism& mechanism, Derivation& derivation, const std::vector<Axes>& axes)
+    : mechanism_(mechanism), derivation_(derivation) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    turns_.push_back(turn_by_joint(i));
+    slide_.push_back(body.prismatic ? joint_position(mechanism, derivation, i) : Number(0));
+    p_.push_back(derivation.named(body.p, "p_" + label(i)));
+    p_in_own_axes_.emplace_back();
+    inertia_.push_back(body.inertia);
+    rotor_axis_.push_back(body.rotor ? derivation.named(body.rotor->axis, "z_m" + label(i)) : zero_vector());
+  }
+  for (int i = 0; i < mechanism.body_count() && !axes.empty(); ++i) {
+    if (axes[static_cast<std::size_t>(i)] == Axes::still && can_be_still(mechanism, i)) hold(i);
+  }
+}
+
+Frames::Turn Frames::turn_by_joint(int i) {
+  const Body& body = mechanism_.bodies[static_cast<std::size_t>(i)];
+  const auto constant = [&](const PlanarRotation& a, const char* name) {
+    return named(derivation_, a, name + label(i));
+  };
+  Turn turn{constant(body.beta, "beta"), constant(body.alpha, "alpha"), constant(body.theta, "theta"), ""};
+  turn.constant = turn.gamma;
+  if (body.prismatic) return turn;
+  turn.angles = label(i);
+  if (mechanism_.is_coupled()) {
+    turn.multiples = turns_of(mechanism_, i);
+    turn.gamma = named(derivation_, turn_by(mechanism_, derivation_, turn.multiples) * turn.constant, label(i) + "t");
+    return turn;
+  }
+  const Number q = joint_position(mechanism_, derivation_, i);
+  const PlanarRotation joint = {derivation_.cos(q, "c_" + label(i)), derivation_.sin(q, "s_" + label(i))};
+  turn.gamma = named(derivation_, joint * turn.gamma, label(i) + "t");
+  return turn;
+}
+
+// The link's parameters in axes that do not turn. The inertia is not named entry by entry: its trace stays a number.
+void Frames::hold(int i) {
+  const auto k = static_cast<std::size_t>(i);
+  const std::string n = label(i);
+  const Turn held = turns_[k];
+  InertialParameters& body = inertia_[k];
+  body.first_moment = derivation_.named(turn_z(held.gamma, body.first_moment), "mr_" + n);
+  body.inertia =
+      turned_tensor_z(derivation_, held.gamma, derivation_.named_symmetric(body.inertia, "I_" + n), "I_t" + n);
+  turns_[k].gamma = {};
+  p_in_own_axes_[k].reset();
+  for (int other = 0; other < mechanism_.body_count(); ++other) {
+    const Body& each = mechanism_.bodies[static_cast<std::size_t>(other)];
+    if (each.parent == i) hand_on(held, other);
+    if (!each.rotor || each.rotor->carrier != i) continue;
+    Vec3& axis = rotor_axis_[static_cast<std::size_t>(other)];
+    axis = derivation_.named(turn_z(held.gamma, axis), "z_m" + label(other));
+  }
+}
+
+// To a joint whose axis is parallel: Rz(held) Rz(beta) Rx(alpha) Rz(gamma), alpha = 0 or pi, is Rx(alpha) turned by all
+// of these angles together; the first ones the other way round where alpha = pi.
+void Frames::hand_on(const Turn& held, int child) {
+  const auto k = static_cast<std::size_t>(child);
+  Turn& turn = turns_[k];
+  const Vec3 in_own_axes = turn_z(back(turn.gamma), turn_x(back(turn.alpha), turn_z(back(turn.beta), p_[k])));
+  p_in_own_axes_[k] = derivation_.named(in_own_axes, "p_own_" + label(child));
+  p_[k] = derivation_.named(turn_z(held.gamma, p_[k]), "p_" + label(child));
+  if (mechanism_.is_coupled()) return hand_on_multiples(held, child);
+  const std::string before = held.angles + "_b" + label(child);
+  PlanarRotation first = named(derivation_, held.gamma * turn.beta, before);
+  if (turn.alpha.c.is_equal(-1)) first = back(first);
+  turn.angles = held.angles + (turn.angles.empty() ? "" : "_" + turn.angles);
+  turn.gamma = named(derivation_, first * turn.gamma, turn.angles);
+  turn.beta = {};
+}
+
+// The same where joints are coupled: the multiples of coordinates are added up first, as some may cancel.
+void Frames::hand_on_multiples(const Turn& held, int child) {
+  Turn& turn = turns_[static_cast<std::size_t>(child)];
+  const bool flips = turn.alpha.c.is_equal(-1);
+  PlanarRotation constant = held.constant * turn.beta;
+  if (flips) constant = back(constant);
+  turn.constant = constant * turn.constant;
+  turn.multiples.resize(held.multiples.size(), 0);  // a joint that slides has none
+  for (std::size_t k = 0; k < held.multiples.size(); ++k) {
+    turn.multiples[k] += flips ? -held.multiples[k] : held.multiples[k];
+  }
+  turn.angles = held.angles + "_" + label(child);
+  turn.gamma = named(derivation_, turn_by(mechanism_, derivation_, turn.multiples) * turn.constant, turn.angles);
+  turn.beta = {};
+}
+
+Vec3 Frames::to_child(int i, const Vec3& v, const std::string& name) {
+  return derivation_.named(turn_z(back(turn_of(i).gamma), down_to_axis(i, v, name)), name);
+}
+
+Vec3 Frames::to_parent(int i, const Vec3& v, const std::string& name) {
+  return up_from_axis(i, up_to_axis(i, v, name), name);
+}
+
+Vec3 Frames::down_to_axis(int i, const Vec3& v, const std::string& name) {
+  const Vec3 a = derivation_.named(turn_z(back(turn_of(i).beta), v), name + "_b");
+  return derivation_.named(turn_x(back(turn_of(i).alpha), a), name + "_a");
+}
+
+Vec3 Frames::up_to_axis(int i, const Vec3& v, const std::string& name) {
+  return derivation_.named(turn_z(turn_of(i).gamma, v), name + "_t");
+}
+
+Vec3 Frames::up_from_axis(int i, const Vec3& v, const std::string& name) {
+  const Vec3 b = derivation_.named(turn_x(turn_of(i).alpha, v), name + "_a");
+  return derivation_.named(turn_z(turn_of(i).beta, b), name);
+}
+
+// Columns, then rows.
+Mat3 Frames::down_to_axis(int i, const Mat3& tensor, const std::string& name) {
+  static const char* const kAxes[] = {"_x", "_y", "_z"};
+  Mat3 half, result;
+  const Mat3 columns = transpose(tensor);
+  for (std::size_t k = 0; k < 3; ++k) half[k] = down_to_axis(i, columns[k], name + kAxes[k] + "h");
+  const Mat3 rows = transpose(half);
+  for (std::size_t k = 0; k < 3; ++k) result[k] = down_to_axis(i, rows[k], name + kAxes[k]);
+  return result;
+}
+
+Mat3 Frames::up_to_axis(int i, const Mat3& tensor, const std::string& name) {
+  return turn_tensor_z(derivation_, turn_of(i).gamma, tensor, name + "_t");
+}
+
+Mat3 Frames::to_parent(int i, const Mat3& tensor, const std::string& name) {
+  const Turn& turn = turn_of(i);
+  const Mat3 a = up_to_axis(i, tensor, name);
+  const Mat3 b = turn_tensor_x(derivation_, turn.alpha, a, name + "_a");
+  return turn_tensor_z(derivation_, turn.beta, b, name);
+}
+
+Vec3 Frames::axis_in_parent(int i) const {
+  const Turn& turn = turn_of(i);
+  return turn_z(turn.beta, turn_x(turn.alpha, {0, 0, 1}));
+}
+
+}  // namespace flatdyn

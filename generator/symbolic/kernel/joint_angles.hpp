@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The positions of the joints, and cosines and sines of their angles, from the coordinates q: q_joint = A q.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/mechanism.hpp"
+#include "symbolic/kernel/derivation.hpp"
+
+namespace flatdyn {
+
+// "3" for body 2: people count joints from 1.
+std::string label(int i);
+
+// The inputs of one kind (q, q̇, q̈, ...) as a vector of `size` entries.
+std::vector<Number> inputs(Derivation& derivation, InputKind kind, int size);
+
+// Σ factors[k] values[k].
+Number sum_of(const std::vector<Number>& factors, const std::vector<Number>& values);
+
+// c_name, s_name.
+PlanarRotation named(Derivation& derivation, const PlanarRotation& rotation, const std::string& name);
+
+// Cosine and sine of a sum of whole multiples of the mechanism's angles (turns_of), by the addition theorems: so the
+// only angles whose cosines and sines have to be evaluated, or given, are those, most of them coordinates.
+PlanarRotation turn_by(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& multiples);
+
+// The position of body i's joint, rad or m.
+Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i);
+
+}  // namespace flatdyn

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/notation/coupled_text.hpp"
+
+#include "symbolic/notation/number_text.hpp"
+
+namespace flatdyn {
+namespace {
+
+// One more term of a sum: "a", "a - 2 b", "a - 2 b + pi/2". `what`: what the number multiplies, if anything.
+void append_term(std::string& sum, const Number& number, const std::string& what) {
+  const bool negative = nearest_double(number) < 0;
+  const Number size = negative ? -number : number;
+  const std::string factor = what.empty() ? plain_number_text(size) : size.is_equal(1) ? "" : factor_text(size) + " ";
+  sum += sum.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
+  sum += factor + what;
+}
+
+bool is_own_coordinate(const Mechanism& mechanism, int body) {
+  for (int k = 0; k < mechanism.position_count(); ++k) {
+    const Number& factor = mechanism.coupling[static_cast<std::size_t>(body)][static_cast<std::size_t>(k)];
+    if (!factor.is_equal(mechanism.body_at(k) == body ? 1 : 0)) return false;
+  }
+  return vanishes(mechanism.offsets[static_cast<std::size_t>(body)]);
+}
+
+}  // namespace
+
+std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const CoordinateName& coordinate) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < mechanism.body_count() && mechanism.is_coupled(); ++i) {
+    if (is_own_coordinate(mechanism, i)) continue;
+    const auto row = static_cast<std::size_t>(i);
+    std::string sum;
+    for (int k = 0; k < mechanism.position_count(); ++k) {
+      const Number& factor = mechanism.coupling[row][static_cast<std::size_t>(k)];
+      if (!vanishes(factor)) append_term(sum, factor, coordinate(k));
+    }
+    if (!vanishes(mechanism.offsets[row])) append_term(sum, mechanism.offsets[row], "");
+    texts.push_back(mechanism.bodies[row].joint + " = " + sum);
+  }
+  return texts;
+}
+
+std::string joints_text(const Mechanism& mechanism) {
+  const int count = mechanism.position_count();
+  std::string text = std::to_string(count) + (count == 1 ? " joint" : " joints");
+  if (mechanism.has_loops()) text += ", " + std::to_string(mechanism.size()) + " of them independent";
+  return text;
+}
+
+std::vector<std::string> dependent_joint_names(const Mechanism& mechanism, const LoopClosure& loop) {
+  std::vector<std::string> names;
+  for (const int k : loop.dependent) {
+    names.push_back(mechanism.joint_at(k).joint);
+  }
+  return names;
+}
+
+}  // namespace flatdyn

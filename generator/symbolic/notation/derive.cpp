@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/notation/derive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "diagnostics/diagnostics.hpp"
+#include "symbolic/closed_form/closed_form.hpp"
+#include "symbolic/notation/coupled_text.hpp"
+#include "symbolic/notation/latex.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kLongestChain = 8;  // joints from base to tip: each one multiplies the number of terms by three
+
+void refuse_long_chains(const Mechanism& mechanism) {
+  if (mechanism.has_loops()) {
+    throw Failure(ExitCode::unsupported, "with closed loops, the equations of motion have no closed form",
+                  "flatdyn generate makes code of them: of Phi_q, G with dq/dt = G qd, B, C and g");
+  }
+  std::vector<int> depth;
+  for (const Body& body : mechanism.bodies) depth.push_back(body.parent < 0 ? 1 : depth[at(body.parent)] + 1);
+  const int longest = depth.empty() ? 0 : *std::max_element(depth.begin(), depth.end());
+  if (longest <= kLongestChain) return;
+  throw Failure(ExitCode::unsupported,
+                fmt::format("the closed form of a chain of {} joints has millions of terms", longest),
+                fmt::format("derive takes robots with at most {} joints in a row", kLongestChain));
+}
+
+// A sum for people, or, if it is too long, its number of terms.
+struct Readable {
+  ReadableSum sum;
+  int terms = 0;
+  bool left_out = false;
+};
+
+class Deriver {
+ public:
+  Deriver(const Mechanism& mechanism, const DeriveOptions& options, Notation notation)
+      : mechanism_(mechanism),
+        options_(options),
+        form_(closed_form(mechanism)),
+        names_(mechanism, form_),
+        angles_(mechanism),
+        pretty_(names_, mechanism.size(), notation, options.digits, mechanism.angles) {}
+
+  DerivedModel run() {
+    add_joints();
+    add_coupled_joints();
+    add_inertia();
+    add_christoffel_symbols();
+    for (int i = 0; i < n(); ++i) {
+      g_.push_back(readable(form_.g[at(i)]));
+      model_.gravity.push_back(line("g" + pretty_.subscript({i}), g_.back(), GroupBy::motion));
+    }
+    for (int i = 0; i < n(); ++i) add_equation(i);
+    add_notes();
+    return std::move(model_);
+  }
+
+ private:
+  int n() const { return mechanism_.size(); }
+
+  Readable readable(const Number& expression) const {
+    constexpr int kHope = 4;  // rewriting angles seldom saves more than this factor
+    const int terms = GiNaC::is_a<GiNaC::add>(expression) ? static_cast<int>(expression.nops()) : 1;
+    if (terms > kHope * options_.max_terms) return {{}, terms, true};
+    ReadableSum sum = angles_.rewritten(names_.readable(expression));
+    const int left = static_cast<int>(sum.size());
+    return {left > options_.max_terms ? ReadableSum{} : std::move(sum), left, left > options_.max_terms};
+  }
+
+  static std::string left_out_text(int terms) { return fmt::format("({} terms, left out)", terms); }
+
+  DerivedLine line(const std::string& name, const Readable& value, GroupBy group_by) {
+    if (value.left_out) return {name, left_out_text(value.terms), value.terms, true};
+    return {name, pretty_.text(value.sum, group_by), value.terms, false};
+  }
+
+  void add_joints() {
+    for (int i = 0; i < n(); ++i) {
+      const Body& body = mechanism_.joint(i);
+      const bool slides = (body.prismatic || moves_a_slide(i)) && !pretty_.long_names();
+      const std::string type = body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
+      model_.joints.push_back({pretty_.coordinate("q", i) + (slides ? " = " + pretty_.coordinate("d", i) : ""),
+                               fmt::format("{} ({})", body.joint, type), 0, false});
+    }
+  }
+
+  // Whether a joint that slides follows coordinate k.
+  bool moves_a_slide(int k) const {
+    for (std::size_t i = 0; i < mechanism_.coupling.size(); ++i) {
+      if (mechanism_.bodies[i].prismatic && !vanishes(mechanism_.coupling[i][at(k)])) return true;
+    }
+    return false;
+  }
+
+  void add_coupled_joints() {
+    const auto coordinate = [this](int k) { return pretty_.coordinate("q", k); };
+    for (const std::string& text : coupled_joint_texts(mechanism_, coordinate)) model_.coupled.push_back(text);
+  }
+
+  void add_inertia() {
+    b_.assign(at(n()), {});
+    for (int i = 0; i < n(); ++i) {
+      for (int j = 0; j < n(); ++j) {
+        b_[at(i)].push_back(j < i ? b_[at(j)][at(i)] : readable(form_.B[at(i)][at(j)]));
+        if (j < i) continue;
+        const std::string name = "b" + pretty_.subscript({i, j});
+        model_.inertia.push_back(
+            line(i == j ? name : name + " = b" + pretty_.subscript({j, i}), b_[at(i)].back(), GroupBy::parameters));
+      }
+    }
+  }
+
+  static ReadableSum negated(ReadableSum sum) {
+    for (auto& term : sum) term.second = -term.second;
+    return sum;
+  }
+
+  // All symbols with j <= k that are not zero, in order; those that share a value, up to sign, under one name.
+  void add_christoffel_symbols() {
+    std::map<ReadableSum, int> uses;  // of the value as it first occurs
+    c_.assign(at(n()), {});
+    const auto known = [&uses](const ReadableSum& sum) {
+      const auto same = uses.find(sum);
+      return same != uses.end() ? same : uses.find(negated(sum));
+    };
+    std::vector<const ReadableSum*> in_order;
+    for (int i = 0; i < n(); ++i) {
+      for (int j = 0; j < n(); ++j) {
+        for (int k = j; k < n(); ++k) {
+          const Readable& c = c_[at(i)][{j, k}] = readable(form_.christoffel(i, j, k));
+          if (c.left_out || c.sum.empty()) continue;
+          const auto same = known(c.sum);
+          if (same != uses.end()) {
+            ++same->second;
+          } else {
+            in_order.push_back(&uses.emplace(c.sum, 1).first->first);
+          }
+        }
+      }
+    }
+    std::erase_if(in_order, [&](const ReadableSum* sum) { return uses[*sum] < 2; });
+    std::map<ReadableSum, std::string> names;
+    for (std::size_t k = 0; k < in_order.size(); ++k) {
+      const std::string name = shared_name() + (in_order.size() == 1 ? "" : pretty_.subscript({static_cast<int>(k)}));
+      names[*in_order[k]] = name;
+      const int terms = static_cast<int>(in_order[k]->size());
+      model_.shared.push_back({name, pretty_.text(*in_order[k], GroupBy::parameters), terms, false});
+    }
+    for (int i = 0; i < n(); ++i) {
+      for (int j = 0; j < n(); ++j) {
+        for (int k = j; k < n(); ++k) add_christoffel_line(i, j, k, names);
+      }
+    }
+  }
+
+  void add_christoffel_line(int i, int j, int k, const std::map<ReadableSum, std::string>& names) {
+    const Readable& c = c_[at(i)][{j, k}];
+    if (c.sum.empty() && !c.left_out) return;
+    std::string name = "c" + pretty_.subscript({i, j, k});
+    if (j != k) name += " = c" + pretty_.subscript({i, k, j});
+    DerivedLine result = line(name, c, GroupBy::parameters);
+    if (const auto same = names.find(c.sum); same != names.end()) {
+      result.text = same->second;
+    } else if (const auto opposite = names.find(negated(c.sum)); opposite != names.end()) {
+      result.text = "-" + opposite->second;
+    }
+    model_.christoffel.push_back(std::move(result));
+  }
+
+  // "h", as in 7.3.2, unless the robot has such a symbol.
+  std::string shared_name() const {
+    std::string name = "h";
+    const auto taken = [&](const std::string& symbol) { return symbol == name || symbol.rfind(name + "_", 0) == 0; };
+    while (std::any_of(names_.all().begin(), names_.all().end(), taken)) name += "h";
+    return name;
+  }
+
+  // Σ b_ij qdd_j + Σ c_ijj qd_j² + Σ 2 c_ijk qd_j qd_k + friction + g_i = tau_i.
+  void add_equation(int i) {
+    std::vector<Piece> pieces;
+    int terms = 0;
+    bool complete = true;
+    const auto add = [&](const Readable& value, int factor, const std::string& suffix, GroupBy group_by) {
+      terms += value.terms;
+      complete = complete && !value.left_out;
+      if (value.sum.empty()) return;
+      ReadableSum sum = value.sum;
+      for (auto& term : sum) term.second *= factor;
+      const std::vector<Piece> summands = pretty_.pieces(sum, group_by);
+      if (suffix.empty()) {
+        pieces.insert(pieces.end(), summands.begin(), summands.end());
+      } else {
+        pieces.push_back(Pretty::times(summands, suffix));
+      }
+    };
+    for (int j = 0; j < n(); ++j) add(b_[at(i)][at(j)], 1, pretty_.coordinate("qdd", j), GroupBy::parameters);
+    for (const auto& [joints, c] : c_[at(i)]) {
+      const auto [j, k] = joints;
+      const std::string first = pretty_.coordinate("qd", j);
+      const std::string rates = j == k ? first + "^2" : first + " " + pretty_.coordinate("qd", k);
+      add(c, j == k ? 1 : 2, rates, GroupBy::parameters);
+    }
+    for (const auto& [factor, friction] : friction_of(i)) add(readable(friction), 1, factor, GroupBy::parameters);
+    add(g_[at(i)], 1, "", GroupBy::motion);
+    const bool left_out = !complete || terms > options_.max_terms;
+    model_.equations.push_back(
+        {pretty_.coordinate("tau", i), left_out ? left_out_text(terms) : Pretty::joined(pieces), terms, left_out});
+  }
+
+  // What equation i has of friction: factors of velocity, and what they multiply.
+  std::vector<std::pair<std::string, Number>> friction_of(int i) const {
+    if (!mechanism_.is_coupled()) {
+      const Body& body = mechanism_.joint(i);
+      const std::string rate = pretty_.coordinate("qd", i);
+      return {{rate, body.viscous}, {sign_of(rate), body.coulomb}};
+    }
+    std::vector<std::pair<std::string, Number>> terms;
+    const auto& A = mechanism_.coupling;
+    for (int k = 0; k < n(); ++k) {
+      Number viscous = 0;
+      for (std::size_t r = 0; r < A.size(); ++r) viscous += A[r][at(i)] * A[r][at(k)] * mechanism_.bodies[r].viscous;
+      terms.emplace_back(pretty_.coordinate("qd", k), viscous);
+    }
+    for (std::size_t r = 0; r < A.size(); ++r) {
+      terms.emplace_back(sign_of(rate_text(A[r])), A[r][at(i)] * mechanism_.bodies[r].coulomb);
+    }
+    return terms;
+  }
+
+  // "qd_2 - qd_1"
+  std::string rate_text(const std::vector<Number>& factors) const {
+    std::vector<Piece> pieces;
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      if (vanishes(factors[k])) continue;
+      const bool negative = nearest_double(factors[k]) < 0;
+      const Number magnitude = negative ? -factors[k] : factors[k];
+      const std::string times = magnitude.is_equal(1) ? "" : to_decimal(magnitude, options_.digits) + " ";
+      pieces.push_back({negative, times + pretty_.coordinate("qd", static_cast<int>(k))});
+    }
+    return Pretty::joined(pieces);
+  }
+
+  std::string sign_of(const std::string& rate) const {
+    return rate.front() == '\\' ? "\\operatorname{sgn}(" + rate + ")" : "sgn(" + rate + ")";
+  }
+
+  void add_notes() {
+    const bool turns = std::any_of(mechanism_.bodies.begin(), mechanism_.bodies.end(),
+                                   [](const Body& body) { return !body.prismatic; });
+    if (turns && !pretty_.long_names()) {
+      model_.notes.emplace_back(
+          "c_1 = cos(q_1), s_1 = sin(q_1), c_12 = cos(q_1 + q_2); c_ijk to the left of = is a "
+          "Christoffel symbol");
+    }
+    if (pretty_.rounded()) model_.notes.push_back(fmt::format("numbers are rounded to {} digits", options_.digits));
+    int count = 0, terms = 0;
+    for (const auto* lines : {&model_.inertia, &model_.christoffel, &model_.gravity, &model_.equations}) {
+      for (const DerivedLine& line : *lines) {
+        count += line.left_out ? 1 : 0;
+        terms += line.left_out ? line.terms : 0;
+      }
+    }
+    if (count > 0) {
+      model_.notes.push_back(
+          fmt::format("{} expressions with {} terms in all are left out: they have more than {} each", count, terms,
+                      options_.max_terms));
+    }
+  }
+
+  const Mechanism& mechanism_;
+  const DeriveOptions& options_;
+  ClosedForm form_;
+  Names names_;
+  AngleRewriter angles_;
+  Pretty pretty_;
+  DerivedModel model_;
+  std::vector<std::vector<Readable>> b_;
+  std::vector<std::map<std::pair<int, int>, Readable>> c_;
+  std::vector<Readable> g_;
+};
+
+void append_section(std::string& text, const std::string& title, const std::vector<DerivedLine>& lines) {
+  text += "\n" + title + "\n";
+  for (const DerivedLine& line : lines) text += line.name + " = " + line.text + "\n";
+}
+
+void append_latex(std::string& text, const std::string& title, const std::vector<DerivedLine>& lines) {
+  if (lines.empty()) return;
+  text += "\n% " + title + "\n\\begin{align*}\n";
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::string side = lines[k].left_out ? "\\text{" + lines[k].text + "}" : latex_lines(lines[k].text);
+    text += "  " + lines[k].name + " &= " + side + (k + 1 < lines.size() ? " \\\\\n" : "\n");
+  }
+  text += "\\end{align*}\n";
+}
+
+}  // namespace
+
+DerivedModel derive_model(const Mechanism& mechanism, const DeriveOptions& options, Notation notation) {
+  refuse_long_chains(mechanism);
+  return Deriver(mechanism, options, notation).run();
+}
+
+std::string derive_text(const Mechanism& mechanism, const DeriveOptions& options) {
+  const DerivedModel model = derive_model(mechanism, options, Notation::text);
+  std::string text = mechanism.name + "\n";
+  for (const DerivedLine& joint : model.joints) text += joint.name + ": " + joint.text + "\n";
+  for (const std::string& joint : model.coupled) text += joint + "\n";
+  append_section(text, "Inertia matrix B(q), (7.32)", model.inertia);
+  if (model.christoffel.empty()) {
+    text += "\nChristoffel symbols c_ijk(q), (7.45): all are zero\n";
+  } else {
+    std::vector<DerivedLine> lines = model.shared;
+    lines.insert(lines.end(), model.christoffel.begin(), model.christoffel.end());
+    append_section(text, "Christoffel symbols c_ijk(q), (7.45); all others are zero", lines);
+  }
+  append_section(text, "Gravity g(q), (7.39)", model.gravity);
+  text += "\nEquations of motion (7.42)\n";
+  for (const DerivedLine& line : model.equations) text += line.text + " = " + line.name + "\n";
+  if (!model.notes.empty()) text += "\n";
+  for (const std::string& note : model.notes) text += note + "\n";
+  return text;
+}
+
+std::string derive_latex(const Mechanism& mechanism, const DeriveOptions& options) {
+  const DerivedModel model = derive_model(mechanism, options, Notation::latex);
+  std::string text = "% " + mechanism.name + "\n";
+  for (const std::string& joint : model.coupled) text += "% " + joint + "\n";
+  append_latex(text, "Inertia matrix B(q), (7.32)", model.inertia);
+  append_latex(text, "Shared by Christoffel symbols", model.shared);
+  append_latex(text, "Christoffel symbols c_ijk(q), (7.45); all others are zero", model.christoffel);
+  append_latex(text, "Gravity g(q), (7.39)", model.gravity);
+  append_latex(text, "Equations of motion (7.42)", model.equations);
+  for (const std::string& note : model.notes) text += "% " + note + "\n";
+  return text;
+}
+
+}  // namespace flatdyn

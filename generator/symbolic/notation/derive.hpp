@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The model in closed form as people write it: B, the Christoffel symbols, g and the equations of motion.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/mechanism.hpp"
+#include "symbolic/notation/pretty.hpp"
+
+namespace flatdyn {
+
+struct DeriveOptions {
+  int max_terms = 200;  // an expression with more is left out, and its number of terms said instead
+  int digits = 10;      // of numbers that would need more
+};
+
+// "b_12 = b_21" and what it is. Of an equation of motion: the torque's name and the left side.
+struct DerivedLine {
+  std::string name;
+  std::string text;
+  int terms = 0;          // of the expression
+  bool left_out = false;  // then `text` says so
+};
+
+struct DerivedModel {
+  std::vector<DerivedLine> joints;       // q_i, and the joint's name and type
+  std::vector<std::string> coupled;      // "theta_2 = q_2 - q_1": joints that follow others
+  std::vector<DerivedLine> inertia;      // b_ij for i <= j
+  std::vector<DerivedLine> shared;       // h = …, for what several Christoffel symbols share
+  std::vector<DerivedLine> christoffel;  // those that are not zero
+  std::vector<DerivedLine> gravity;
+  std::vector<DerivedLine> equations;  // (7.42) without tip force
+  std::vector<std::string> notes;      // notation, rounding, what was left out
+};
+
+// Throws Failure(unsupported) for a chain so long that its closed form is of no use to anyone.
+DerivedModel derive_model(const Mechanism& mechanism, const DeriveOptions& options, Notation notation);
+
+std::string derive_text(const Mechanism& mechanism, const DeriveOptions& options = {});
+std::string derive_latex(const Mechanism& mechanism, const DeriveOptions& options = {});
+
+}  // namespace flatdyn

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A polynomial in an order of its own, for people: terms of named factors. GiNaC's order by address ends here.
+#pragma once
+
+#include <compare>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "graph/rational.hpp"
+#include "symbolic/closed_form/closed_form.hpp"
+
+namespace flatdyn {
+
+// In the order in which factors are written: k_r^2 I_m, m a g d_1 c_2 s_12.
+enum class FactorKind { gear, dynamic, other, gravity, coordinate, cosine, sine };
+
+// gear … gravity: `index` into Names; coordinate: d of joint `index`; cosine, sine: of Σ angle[i] q_i,
+// and beyond q of Mechanism::angles.
+struct Factor {
+  FactorKind kind = FactorKind::other;
+  int index = 0;
+  std::vector<int> angle;
+
+  bool operator==(const Factor&) const = default;
+  std::strong_ordering operator<=>(const Factor& b) const;  // c_1, c_2, c_12
+  bool is_trigonometric() const { return kind == FactorKind::cosine || kind == FactorKind::sine; }
+};
+
+using Monomial = std::map<Factor, int>;  // with exponents, not zero
+using ReadableSum = std::map<Monomial, Rational>;
+
+// What the factors of a robot's sums are called, in the order in which people list them: by the number at the name's
+// end (the link), then by what is between the underscore and the number, then by what is before it: I_l1, m_l1, I_m1,
+// I_l2. A factor is a free symbol, its sine or cosine, or the reciprocal of an expression in free symbols.
+class Names {
+ public:
+  Names(const Mechanism& mechanism, const ClosedForm& form);
+
+  // Throws Failure(unsupported) for an expression that is no polynomial in the factors known.
+  ReadableSum readable(const Number& expression) const;
+  const std::string& name(const Factor& factor) const { return entries_[static_cast<std::size_t>(factor.index)].name; }
+  const Number& expression(const Factor& factor) const {
+    return entries_[static_cast<std::size_t>(factor.index)].expression;
+  }
+  const std::vector<std::string>& all() const { return names_; }
+
+ private:
+  struct Entry {
+    std::string name;
+    FactorKind kind = FactorKind::other;
+    Number expression;
+  };
+
+  void multiply(const Number& factor, int exponent, Monomial& monomial, Rational& coefficient) const;
+
+  std::vector<Entry> entries_;
+  std::vector<std::string> names_;
+  const ClosedForm& form_;
+};
+
+// Sums of parallel joint angles, c_1 c_2 - s_1 s_2 = c_12, and squares, 1 - c_1² = s_1², where that leaves fewer terms.
+class AngleRewriter {
+ public:
+  explicit AngleRewriter(const Mechanism& mechanism);
+
+  ReadableSum rewritten(ReadableSum sum) const;
+
+ private:
+  std::vector<std::vector<int>> groups_;  // angles of joints with parallel axes, each in order
+  int angles_;
+};
+
+}  // namespace flatdyn

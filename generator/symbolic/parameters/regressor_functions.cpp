@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/parameters/regressor_functions.hpp"
+
+#include <numeric>
+
+#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
+#include "symbolic/parameters/regressor.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr const char* kColumnMeaning = "column k is the torque for base parameter k = 1, the others 0";
+
+Rows regressor_at_coordinates(Workbench& bench, const JointMotion& motion, const std::vector<int>& columns) {
+  return rows_at_coordinates(bench.mechanism, bench.derivation, regressor(bench.frames, motion, columns), "y");
+}
+
+Function regressor_of(const Mechanism& mechanism, const std::vector<int>& columns, const std::string& name,
+                      const std::string& meaning) {
+  Workbench bench(mechanism);
+  const std::vector<Number> qd = bench.joint_motion(InputKind::qd);
+  const JointMotion motion{qd, qd, bench.joint_motion(InputKind::qdd), mechanism.gravity};
+  const std::vector<NodeId> entries = bench.nodes(regressor_at_coordinates(bench, motion, columns));
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
+                  {matrix_output(name, bench.size(), static_cast<int>(columns.size()), entries, meaning)});
+}
+
+}  // namespace
+
+Function regressor_function(const Mechanism& mechanism) {
+  std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count()));
+  std::iota(columns.begin(), columns.end(), 0);
+  return regressor_of(mechanism, columns, "Y", "m, m l (3), I_xx, xy, xz, yy, yz, zz, I_m, F_v, F_s of every joint");
+}
+
+Function base_regressor_function(const Mechanism& mechanism) {
+  return regressor_of(mechanism, base_parameters(mechanism).columns, "Y_b", kColumnMeaning);
+}
+
+Function base_parameters_function(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
+  const std::vector<Number> values = base_values(mechanism, base_parameters(mechanism));
+  return finished(bench, {}, {vector_output("pi_b", bench.nodes(values), "base parameters, SI units")});
+}
+
+Function inverse_dynamics_base_function(const Mechanism& mechanism) {
+  Derivation derivation(Workbench::parameters(mechanism));
+  const BaseParameters base = base_parameters(mechanism);
+  const Mechanism run_time = with_base_parameters(mechanism, base, inputs(derivation, InputKind::pi_b, base.size()));
+  Frames frames(run_time, derivation);
+  const Motion motion{joint_motion(mechanism, derivation, InputKind::qd),
+                      joint_motion(mechanism, derivation, InputKind::qdd), mechanism.gravity, true};
+  std::vector<NodeId> tau;
+  for (const Number& torque : at_coordinates(mechanism, derivation, torques(frames, motion), "tau")) {
+    tau.push_back(derivation.node(torque));
+  }
+  Function function = finished(mechanism, derivation, {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::pi_b},
+                               {vector_output("tau", tau, kTorqueMeaning)});
+  function.base_parameters = base.size();
+  return function;
+}
+
+Function adaptive_regressor_function(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
+  const JointMotion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qd_r),
+                           bench.joint_motion(InputKind::qdd_r), mechanism.gravity};
+  const std::vector<int> columns = base_parameters(mechanism).columns;
+  const std::vector<NodeId> entries = bench.nodes(regressor_at_coordinates(bench, motion, columns));
+  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qd_r, InputKind::qdd_r},
+                  {matrix_output("Y_b", bench.size(), static_cast<int>(columns.size()), entries, kColumnMeaning)});
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "system/shared_library.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "diagnostics/diagnostics.hpp"
+#include "system/process.hpp"
+
+namespace flatdyn {
+
+SharedLibrary::SharedLibrary(const std::filesystem::path& folder, const std::string& stem, const std::string& flags) {
+  const std::string command =
+      fmt::format("{0} {1} -shared -fPIC {2}.cpp -o {2}.so 2> {2}.log", machine_compiler(), flags, stem);
+  if (run_command(command, folder) != 0) {
+    throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of_file(folder / (stem + ".log")));
+  }
+  handle_ = ::dlopen((folder / (stem + ".so")).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle_ == nullptr) throw Failure(ExitCode::bug, fmt::format("emitted code cannot be loaded: {}", ::dlerror()));
+}
+
+SharedLibrary::~SharedLibrary() {
+  if (handle_ != nullptr) ::dlclose(handle_);
+}
+
+void* SharedLibrary::symbol(const std::string& name) const {
+  void* const found = ::dlsym(handle_, name.c_str());
+  if (found == nullptr) throw Failure(ExitCode::bug, "emitted code has no function " + name);
+  return found;
+}
+
+}  // namespace flatdyn

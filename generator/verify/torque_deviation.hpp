@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What an abbreviated model gives up, seen at random states; and whether its functions are those of its own Lagrangian.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "definition/exact.hpp"
+#include "graph/function.hpp"
+#include "scene/abbreviate.hpp"
+
+namespace flatdyn {
+
+// The largest change of each joint's torque, N m or N, at random states within the limits, every other one of them at
+// the limits of velocity and acceleration.
+struct TorqueDeviation {
+  int states = 0;
+  std::vector<double> largest;  // by joint
+
+  bool is_within(const Abbreviation& abbreviation) const;
+};
+
+// `at_rest`: q̇ = 0.
+TorqueDeviation torque_deviation(const Mechanism& whole, const Mechanism& part, bool at_rest, int states = 2000);
+
+struct AbbreviationReport {
+  struct Entry {
+    std::string function;
+    ExactResult result;
+  };
+  std::vector<Entry> exactly;  // against the Lagrangian of the abbreviated model
+  TorqueDeviation seen;
+  bool passed = false;
+};
+
+// The reference knows the whole model only: there is no numeric comparison but that of the torques.
+AbbreviationReport verify_abbreviated(const Mechanism& whole, const Abbreviation& abbreviation,
+                                      const std::vector<Function>& functions, bool at_rest);
+
+}  // namespace flatdyn

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sources of one folder may be compiled as one file (cmake/UnityByFolder.cmake), where their anonymous namespaces are
+// one. So no two files of a folder give one name to a function, a type or a constant of their own.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "unit/layout/source_files.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+std::string without_text(std::string line) {
+  static const std::regex kQuoted(R"("(\\.|[^"\\])*"|'(\\.|[^'\\])')"), kComment("//.*");
+  line = std::regex_replace(line, kQuoted, "0");
+  return std::regex_replace(line, kComment, "");
+}
+
+// The name that a line at the margin declares, or an empty string.
+std::string declared_name(const std::string& line) {
+  static const std::regex kType(R"(^(struct|class|enum class|union) (\w+).*)");
+  static const std::regex kFunction(R"(^[\w:]+(<.*>)?[\w:&* ]*?[ &*](\w+)\(.*)");
+  static const std::regex kConstant(R"(^(inline )?(constexpr|const|static)\b.*?[ &*](\w+)(\[[^\]]*\])? *[={].*)");
+  std::smatch match;
+  if (std::regex_match(line, match, kType)) return match[2];
+  if (std::regex_match(line, match, kFunction)) return match[2];
+  if (std::regex_match(line, match, kConstant)) return match[3];
+  return "";
+}
+
+// The names in the anonymous namespaces of a file, as clang-format lays it out: what stands in a namespace is not
+// indented.
+std::set<std::string> anonymous_names(const std::vector<std::string>& lines) {
+  std::set<std::string> names;
+  std::vector<bool> is_anonymous;  // by open namespace
+  long depth = 0;
+  bool in_raw_text = false;
+  for (const std::string& each : lines) {
+    if (in_raw_text) {
+      in_raw_text = each.find(")\"") == std::string::npos;
+      continue;
+    }
+    in_raw_text = each.find("R\"(") != std::string::npos && each.find(")\"") == std::string::npos;
+    const std::string line = without_text(each);
+    if (line.starts_with("namespace ")) {
+      is_anonymous.push_back(line.starts_with("namespace {"));
+    } else if (line.starts_with("}") && depth == 0 && !is_anonymous.empty()) {
+      is_anonymous.pop_back();
+    } else {
+      if (depth == 0 && !is_anonymous.empty() && is_anonymous.back()) names.insert(declared_name(line));
+      depth += std::count(line.begin(), line.end(), '{') - std::count(line.begin(), line.end(), '}');
+    }
+  }
+  names.erase("");
+  return names;
+}
+
+std::vector<std::string> names_twice(const std::vector<SourceFile>& files) {
+  std::map<std::pair<std::string, std::string>, std::string> first;  // file by folder and name
+  std::vector<std::string> twice;
+  for (const SourceFile& file : files) {
+    if (file.path.extension() != ".cpp") continue;
+    for (const std::string& name : anonymous_names(file.lines)) {
+      const auto [known, is_new] = first.emplace(std::pair(file.folder, name), file.name);
+      if (!is_new)
+        twice.push_back(fmt::format("{}: {} is a name of {}, too: rename one", file.name, name, known->second));
+    }
+  }
+  return twice;
+}
+
+TEST(Layout, FilesOfAFolderHaveNoAnonymousNameInCommon) {
+  for (const std::string& each : names_twice(source_files("generator"))) ADD_FAILURE() << "generator/" << each;
+}
+
+TEST(Layout, AnAnonymousNameInTwoFilesIsFound) {
+  const std::vector<std::string> first = {"namespace flatdyn {",
+                                          "namespace {",
+                                          "double sum(const Robot& robot) {",
+                                          "  return 0;",
+                                          "}",
+                                          "constexpr int kMost = 3;",
+                                          "struct Row {};",
+                                          "}  // namespace",
+                                          "int open() { return 1; }",
+                                          "}  // namespace flatdyn"};
+  const std::vector<std::string> second = {"namespace {", "std::vector<int> sum(int x);",
+                                           "class Row;",  "constexpr const char* kMost = \"}\";",
+                                           "int open();", "}"};
+  const std::vector<SourceFile> files = {{"a.cpp", "a.cpp", "", first}, {"b.cpp", "b.cpp", "", second}};
+  EXPECT_EQ(names_twice(files), (std::vector<std::string>{"b.cpp: Row is a name of a.cpp, too: rename one",
+                                                          "b.cpp: kMost is a name of a.cpp, too: rename one",
+                                                          "b.cpp: sum is a name of a.cpp, too: rename one"}));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The project's own sources, for tests of how they are laid out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace flatdyn::testing {
+
+struct SourceFile {
+  std::filesystem::path path;      // absolute
+  std::string name;                // "model/robot.hpp": from the folder that was asked for
+  std::string folder;              // "model"
+  std::vector<std::string> lines;  // the first is line 1
+};
+
+// All .hpp and .cpp files below a folder of the project, such as "generator", sorted by name.
+std::vector<SourceFile> source_files(const std::string& top);
+
+// The lines of a file of the project.
+std::vector<std::string> lines_of(const std::filesystem::path& path);
+
+}  // namespace flatdyn::testing

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The functions of base parameters against the others, exactly, and what they cost.
+#include "symbolic/parameters/regressor_functions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "graph/count.hpp"
+#include "graph/mod_p.hpp"
+#include "model/field_mechanism.hpp"
+#include "passes/passes.hpp"
+#include "planning/formulations.hpp"
+#include "support/robot_models.hpp"
+#include "support/robots.hpp"
+#include "symbolic/dynamics/centres.hpp"
+#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Field = ModP<kMersenne61>;
+
+// Random inputs, but base parameters as given, and reference rates equal to the rates if asked for.
+struct GivenParameters : ModPArithmetic<> {
+  GivenParameters(const std::vector<Field>& values, bool same) : ModPArithmetic<>(11), pi_b(values), same_rates(same) {}
+  Field input(const Input& input) const {
+    if (input.kind == InputKind::pi_b) return pi_b[static_cast<std::size_t>(input.index)];
+    if (same_rates && input.kind == InputKind::qd_r) return ModPArithmetic<>::input({InputKind::qd, input.index});
+    if (same_rates && input.kind == InputKind::qdd_r) return ModPArithmetic<>::input({InputKind::qdd, input.index});
+    return ModPArithmetic<>::input(input);
+  }
+  std::vector<Field> pi_b;
+  bool same_rates;
+};
+
+class BaseFunctions : public ::testing::TestWithParam<unsigned> {
+ protected:
+  BaseFunctions() {
+    for (const Number& value : base_values(mechanism, base_parameters(mechanism))) {
+      pi_b.push_back(Field::from(to_rational(value)));
+    }
+  }
+
+  std::vector<Field> values(const std::string& name, bool same_rates = false) const {
+    const Function function = derive_function(mechanism, name);
+    GivenParameters arithmetic(pi_b, same_rates);
+    const std::vector<Field> all = evaluate(function, arithmetic);
+    std::vector<Field> result;
+    for (const NodeId id : function.outputs[0].entries) result.push_back(all[static_cast<std::size_t>(id)]);
+    return result;
+  }
+
+  Field input(InputKind kind, std::size_t i) const {
+    return GivenParameters(pi_b, false).input({kind, static_cast<int>(i)});
+  }
+
+  static Field row_times(const std::vector<Field>& matrix, std::size_t i, const std::vector<Field>& x) {
+    Field sum;
+    for (std::size_t k = 0; k < x.size(); ++k) sum += matrix[i * x.size() + k] * x[k];
+    return sum;
+  }
+
+  Mechanism mechanism = make_mechanism(testing::random_tree(GetParam(), 6));
+  std::size_t n = mechanism.bodies.size();
+  std::vector<Field> pi_b;
+};
+
+TEST_P(BaseFunctions, GiveTheTorque) {
+  const std::vector<Field> tau = values("inverse_dynamics"), Y = values("base_regressor");
+  EXPECT_TRUE(values("inverse_dynamics_base") == tau);
+  EXPECT_TRUE(values("base_parameters") == pi_b);
+  for (std::size_t i = 0; i < n; ++i) EXPECT_TRUE(row_times(Y, i, pi_b) == tau[i]);
+}
+
+TEST_P(BaseFunctions, AdaptiveRegressorIsTheRegressorAtEqualRates) {
+  EXPECT_TRUE(values("adaptive_regressor", true) == values("base_regressor"));
+}
+
+// B q̈_r + C(q, q̇) q̇_r + g with the emitted C; friction acts on q̇_r.
+TEST_P(BaseFunctions, AdaptiveRegressorIsConsistentWithC) {
+  const std::vector<Field> B = values("inertia_matrix"), C = values("coriolis_matrix"), g = values("gravity"),
+                           Y = values("adaptive_regressor");
+  const GivenParameters arithmetic(pi_b, false);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Body& body = mechanism.bodies[i];
+    const Field rate = input(InputKind::qd_r, i);
+    Field torque = g[i] + Field::from(to_rational(body.viscous)) * rate +
+                   Field::from(to_rational(body.coulomb)) * arithmetic.sign(rate);
+    for (std::size_t k = 0; k < n; ++k) {
+      torque += B[i * n + k] * input(InputKind::qdd_r, k) + C[i * n + k] * input(InputKind::qd_r, k);
+    }
+    EXPECT_TRUE(row_times(Y, i, pi_b) == torque) << "joint " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, BaseFunctions, ::testing::Range(1u, 9u));
+
+int operations(const std::string& robot, const std::string& function) {
+  return count_operations(run_passes(derive_function(testing::model_of(robot).mechanism, function))).arithmetic();
+}
+
+// The best of the peers needs 988 for the UR5 and 1341 for the Panda.
+TEST(BaseRegressor, CostsFewOperations) {
+  EXPECT_LE(operations("ur5.urdf", "base_regressor"), 580);
+  EXPECT_LE(operations("panda.urdf", "base_regressor"), 1115);
+  EXPECT_LE(operations("puma560.toml", "base_regressor"), 690);
+  EXPECT_LE(operations("rx90.toml", "base_regressor"), 640);
+}
+
+TEST(Centres, AreWhereThreeAxesMeet) {
+  const Mechanism mechanism = testing::model_of("panda.urdf").mechanism;
+  Workbench bench(mechanism);
+  Centres centres(bench.frames);
+  for (const int shoulder : {0, 1, 2}) EXPECT_EQ(centres.centre_of(shoulder), 0);
+  for (const int other : {3, 4, 5, 6}) EXPECT_EQ(centres.centre_of(other), -1);
+  const Vec3 elbow = centres.lever(0, 2);  // along the third axis
+  EXPECT_TRUE(elbow[0].is_zero() && elbow[1].is_zero());
+  EXPECT_TRUE(elbow[2].is_equal(GiNaC::numeric(316, 1000)));
+}
+
+}  // namespace
+}  // namespace flatdyn

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "system/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "diagnostics/diagnostics.hpp"
+#include "system/interrupt.hpp"
+#include "system/process.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// Sets $TMPDIR, and what it was at the end.
+class TemporaryRoot {
+ public:
+  explicit TemporaryRoot(const fs::path& root) {
+    if (const char* before = std::getenv("TMPDIR")) before_ = before;
+    ::setenv("TMPDIR", root.c_str(), 1);
+  }
+  ~TemporaryRoot() {
+    if (before_.empty()) {
+      ::unsetenv("TMPDIR");
+    } else {
+      ::setenv("TMPDIR", before_.c_str(), 1);
+    }
+  }
+  TemporaryRoot(const TemporaryRoot&) = delete;
+  TemporaryRoot& operator=(const TemporaryRoot&) = delete;
+
+ private:
+  std::string before_;
+};
+
+TEST(TemporaryFolder, SaysThatTmpdirIsNoFolder) {
+  const TemporaryRoot root("/nowhere/at/all");
+  try {
+    const TemporaryFolder folder;
+    FAIL() << folder.path();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::io);
+    EXPECT_THAT(failure.what(), HasSubstr("TMPDIR is \"/nowhere/at/all\""));
+  }
+}
+
+// What a child process that is ended by `signal` leaves behind, and how it ended.
+void expect_nothing_left(int signal) {
+  const TemporaryFolder cross;
+  const TemporaryRoot root(cross.path());
+  const pid_t child = ::fork();
+  if (child == 0) {
+    keep_when_interrupted(cross.path());  // the parent's
+    std::signal(signal, SIG_DFL);         // whoever runs the tests in the background ignores it
+    const TemporaryFolder one, two;
+    write_file(one.path() / "file", "text");
+    ::raise(signal);
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), signal);
+  EXPECT_TRUE(fs::is_empty(cross.path())) << signal;
+}
+
+TEST(TemporaryFolder, GoesWithAProgramThatASignalEnds) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) expect_nothing_left(signal);
+}
+
+TEST(Interruption, KeepsTheSignalInMind) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const Interruption interruption;
+    const bool before = Interruption::happened();
+    ::raise(SIGINT);
+    ::_exit(!before && Interruption::happened() ? 3 : 0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
