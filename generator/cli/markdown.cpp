@@ -7,9 +7,12 @@
 #include <sstream>
 
 #include "cli/option_list.hpp"
+#include "diagnostics/wrap.hpp"
 
 namespace flatdyn {
 namespace {
+
+constexpr std::size_t kWidth = 120;
 
 // Text that stands in a table as it is: no character of it is taken for Markdown or HTML, and its lines stay lines.
 std::string cell(const std::string& text) {
@@ -33,6 +36,12 @@ std::string code(const std::string& text) {
 }
 
 std::string fenced(const std::string& text) { return text.empty() ? "" : "```text\n" + text + "\n```\n\n"; }
+
+// A long list, which a page shows on request.
+std::string folded(const std::string& text) {
+  return text.empty() ? ""
+                      : "<details><summary>The values of its options</summary>\n\n" + fenced(text) + "</details>\n\n";
+}
 
 // Examples stand two columns to the right in --help.
 std::string without_indent(const std::string& text) {
@@ -93,11 +102,13 @@ std::string markdown_of_command(const CLI::App& command) {
   const OptionTables options = tables_of(command);
   std::string common;
   if (!options.common.empty()) {
-    common = fmt::format("It also has the [options for any robot](README.md#options-for-any-robot): {}.\n\n",
-                         options.names_of_common);
+    common = wrapped(fmt::format("It also has the [options for any robot](README.md#options-for-any-robot): {}.",
+                                 options.names_of_common),
+                     kWidth) +
+             "\n\n";
   }
-  return cell(about.text) + "\n\n" + fenced(usage(command) + "\n\n" + without_indent(about.examples)) +
-         table(rows_of_arguments(command) + options.own) + common + fenced(command.get_footer());
+  return wrapped(cell(about.text), kWidth) + "\n\n" + fenced(usage(command) + "\n\n" + without_indent(about.examples)) +
+         table(rows_of_arguments(command) + options.own) + common + folded(command.get_footer());
 }
 
 std::string markdown_of_program(const CLI::App& app) {

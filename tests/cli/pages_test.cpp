@@ -117,8 +117,8 @@ std::size_t characters(const std::string& line) {
 }
 
 TEST(Pages, HaveNoLineOfProseOver120Characters) {
-  // Two pages that another branch changes at present; scripts/docs breaks their lines when that is merged.
-  const std::set<std::string> later = {"robot-format.md", "loops.md"};
+  // Other branches change these at present; when they are merged, scripts/docs breaks the lines and this list goes.
+  const std::set<std::string> later = {"robot-format.md", "loops.md", "CHANGELOG.md"};
   std::vector<std::string> faults;
   for (const fs::path& page : pages()) {
     if (later.count(page.filename().string()) > 0) continue;
