@@ -30,12 +30,6 @@ std::vector<std::string> lines_of(const fs::path& page) {
   return lines;
 }
 
-std::string text_of(const fs::path& page) {
-  std::string text;
-  for (const std::string& line : lines_of(page)) text += line + "\n";
-  return text;
-}
-
 // A user's folder: robots/, docs/ and runtime/ are there, what is written goes beside them, and flatdyn is on the PATH.
 class UsersFolder {
  public:
@@ -116,7 +110,9 @@ class Reading {
 
   void end_code() {
     if (!file_.empty()) folder_.write(file_, code_);
-    if (!quoted_.empty()) EXPECT_THAT(folder_.read(quoted_), HasSubstr(code_)) << page_;
+    if (!quoted_.empty()) {
+      EXPECT_THAT(folder_.read(quoted_), HasSubstr(code_)) << page_;
+    }
     file_ = quoted_ = code_ = "";
   }
 
