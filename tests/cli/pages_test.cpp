@@ -234,11 +234,18 @@ TEST(AccuracyPage, HasTheRowsOfVerify) {
 
 // Multiplications and additions per function, as the checked-in output states them, which `ctest -R Golden` holds.
 std::map<std::string, std::pair<int, int>> operations_of(const std::string& robot) {
-  const std::string header = text_of(kSource / "generated" / (robot + ".hpp"));
-  const std::regex function(R"(Operations: (\d+) mul, (\d+) add[^\n]*\n[^\n]*\ninline \w+ (\w+)\()");
+  const std::regex operations(R"(Operations:\s+(\d+) mul, (\d+) add)"), function(R"(^inline \w+ (\w+)\()");
+  std::ifstream header(kSource / "generated" / (robot + ".hpp"));
   std::map<std::string, std::pair<int, int>> result;
-  for (std::sregex_iterator found(header.begin(), header.end(), function), end; found != end; ++found) {
-    result[(*found)[3]] = {std::stoi((*found)[1]), std::stoi((*found)[2])};
+  std::pair<int, int> counts = {-1, -1};  // of the comment above
+  for (std::string line; std::getline(header, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, operations)) {
+      counts = {std::stoi(match[1]), std::stoi(match[2])};
+    } else if (counts.first >= 0 && std::regex_search(line, match, function)) {
+      result[match[1]] = counts;
+      counts.first = -1;
+    }
   }
   return result;
 }
