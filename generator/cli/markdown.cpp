@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr std::size_t kWidth = 120;
+constexpr std::size_t kPageWidth = 120;
 
 // Text that stands in a table as it is: no character of it is taken for Markdown or HTML, and its lines stay lines.
 std::string cell(const std::string& text) {
@@ -104,10 +104,11 @@ std::string markdown_of_command(const CLI::App& command) {
   if (!options.common.empty()) {
     common = wrapped(fmt::format("It also has the [options for any robot](README.md#options-for-any-robot): {}.",
                                  options.names_of_common),
-                     kWidth) +
+                     kPageWidth) +
              "\n\n";
   }
-  return wrapped(cell(about.text), kWidth) + "\n\n" + fenced(usage(command) + "\n\n" + without_indent(about.examples)) +
+  return wrapped(cell(about.text), kPageWidth) + "\n\n" +
+         fenced(usage(command) + "\n\n" + without_indent(about.examples)) +
          table(rows_of_arguments(command) + options.own) + common + folded(command.get_footer());
 }
 
