@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include "cli/program.hpp"
 
@@ -40,6 +41,17 @@ class Project {
 
   bool make(const std::string& target = "all") {
     return run(fmt::format("cmake --build '{}' --target {}", build(), target));
+  }
+  bool install(const std::string& prefix) {
+    return run(fmt::format("cmake --install '{}' --prefix '{}'", build(), prefix));
+  }
+  // The command that compiles a file.
+  std::string compilation_of(const std::string& file) const {
+    std::istringstream commands(scratch_.read("build/compile_commands.json"));
+    for (std::string line; std::getline(commands, line);) {
+      if (line.find("\"command\"") != std::string::npos && line.find(file + "\"") != std::string::npos) return line;
+    }
+    return "no compilation of " + file;
   }
   bool runs() { return run(fmt::format("'{}/consumer'", build())); }
   std::string log() const { return scratch_.read("log"); }
@@ -117,6 +129,45 @@ TEST(InstalledPackage, SaysWhichFormsThereAre) {
   project.replace("package/CMakeLists.txt", "FORM pair", "FORM tarball");
   EXPECT_FALSE(project.configure(fmt::format("-D CMAKE_PREFIX_PATH='{}'", prefix())));
   EXPECT_THAT(project.log(), HasSubstr("FORM is header or pair, not \"tarball\""));
+}
+
+// A target's name need not be a namespace's; and one that is none is found before anything is built.
+TEST(InstalledPackage, SaysWhichNameIsNoNamespace) {
+  Project project("package");
+  project.replace("package/CMakeLists.txt", "flatdyn_generate(my_arm ROBOT", "flatdyn_generate(my-arm ROBOT");
+  EXPECT_FALSE(project.configure(fmt::format("-D CMAKE_PREFIX_PATH='{}'", prefix())));
+  EXPECT_THAT(project.log(), HasSubstr("\"my-arm\" is no name of a namespace"));
+  EXPECT_THAT(project.log(), HasSubstr("NAMESPACE my_arm"));
+}
+
+// Only sources that are generated have -ffp-contract=off, unless users of the header ask for it.
+TEST(InstalledPackage, LeavesOptionsOfUsersAlone) {
+  Project project("package");
+  const std::string options = fmt::format("-G Ninja -D CMAKE_PREFIX_PATH='{}'", prefix());
+  ASSERT_TRUE(project.configure(options + " -D CMAKE_EXPORT_COMPILE_COMMANDS=ON")) << project.log();
+  EXPECT_THAT(project.compilation_of("main.cpp"), Not(HasSubstr("-ffp-contract=off")));
+  EXPECT_THAT(project.compilation_of("my_arm_as_pair.cpp"), HasSubstr("-ffp-contract=off"));
+  project.replace("package/CMakeLists.txt", "inverse_dynamics)", "inverse_dynamics ROUNDED_AS_WRITTEN)");
+  ASSERT_TRUE(project.configure(options)) << project.log();
+  EXPECT_THAT(project.compilation_of("main.cpp"), HasSubstr("-ffp-contract=off"));
+}
+
+// What links with generated code can be installed and found by a third project.
+TEST(InstalledPackage, IsExportedWithItsUsers) {
+  Project project("package");
+  ASSERT_TRUE(project.configure(fmt::format("-D CMAKE_PREFIX_PATH='{}'", prefix()))) << project.log();
+  ASSERT_TRUE(project.make()) << project.log();
+  const Scratch third;
+  ASSERT_TRUE(project.install(third.path("prefix"))) << project.log();
+  third.write("CMakeLists.txt",
+              "cmake_minimum_required(VERSION 3.20)\nproject(third CXX)\nfind_package(controller REQUIRED)\n"
+              "add_executable(third main.cpp)\ntarget_link_libraries(third consumer::controller)\n");
+  third.write("main.cpp", "#include <my_arm.hpp>\n#include <my_arm_as_pair.hpp>\nint main() {}\n");
+  const std::string build = fmt::format(
+      "(cd '{0}' && cmake -S . -B b -D CMAKE_PREFIX_PATH='{0}/prefix' && "
+      "cmake --build b) > '{0}/log' 2>&1",
+      third.path());
+  EXPECT_EQ(std::system(build.c_str()), 0) << third.read("log");
 }
 
 INSTANTIATE_TEST_SUITE_P(Generators, Package, ::testing::Values("Ninja", "Unix Makefiles"),

@@ -11,6 +11,7 @@
 
 #include "definition/sampled_base.hpp"
 #include "reference/regressor_reference.hpp"
+#include "support/names.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/written_model.hpp"
@@ -190,7 +191,8 @@ TEST_P(RobotsOfTheRepository, HaveTheRankOfFiftyDigitsOnATiltedBase) {
 INSTANTIATE_TEST_SUITE_P(Files, RobotsOfTheRepository,
                          ::testing::Values("panda.urdf", "ur5.urdf", "puma560.toml", "rx90.toml", "scara.toml",
                                            "planar_2r.toml", "cartesian_2.toml", "prismatic_revolute.toml",
-                                           "quadruped12.urdf"));
+                                           "quadruped12.urdf"),
+                         testing::name_of_text<const char*>);
 
 }  // namespace
 }  // namespace flatdyn

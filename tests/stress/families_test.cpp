@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "report/family_report.hpp"
+#include "support/names.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -35,7 +36,8 @@ TEST_P(Families, LoseNoMoreThanTheReference) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hard, Families,
-                         ::testing::Values("inertia_ratios", "gear_ratios", "far_centres", "near_parallel", "trees"));
+                         ::testing::Values("inertia_ratios", "gear_ratios", "far_centres", "near_parallel", "trees"),
+                         name_of_text<const char*>);
 
 // Where masses that balance first moments of the parent, which cost least, lost 6 to 20 times what the reference does;
 // or, of nearly parallel axes, moments about the common normal's feet, a thousand metres away, 5 times.
