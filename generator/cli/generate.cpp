@@ -8,11 +8,13 @@
 #include "firmware/folder.hpp"
 #include "input/common/content_hash.hpp"
 #include "pipeline/generation.hpp"
+#include "pipeline/pass_dump.hpp"
 #include "python/module.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
 #include "report/proof_report.hpp"
+#include "report/trace_report.hpp"
 #include "verify/rounded_angles.hpp"
 #include "verify/snap_effect.hpp"
 
@@ -32,6 +34,8 @@ struct GenerateArguments : RobotArguments {
   bool python = false;
   const CLI::Option *scalar_given = nullptr, *language_given = nullptr, *form_given = nullptr;
   int most_lines = 0;  // 0: no limit
+  std::vector<std::string> dumped_passes;
+  bool trace = false;
   Delivery delivery;
 
   bool is_pair() const { return form == "pair"; }
@@ -115,11 +119,15 @@ void check_stdout(const GenerateArguments& arguments) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
                   "name a folder; a header in C++ and a module in JavaScript are one file");
   }
+  if (!arguments.dumped_passes.empty()) {
+    throw Failure(ExitCode::usage, "-o -: --dump-after writes files of its own", "name a folder");
+  }
 }
 
 void check_usage(const GenerateArguments& arguments) {
   check_stdout(arguments);
   check_form(arguments);
+  check_pass_names(arguments.dumped_passes);
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
@@ -156,7 +164,12 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
 
 GenerationResult generated(const GenerateArguments& arguments, const GenerationOptions& options) {
   Progress progress(arguments.quiet);
-  return generate_code(arguments.robot, options, progress);
+  GenerationResult result = generate_code(arguments.robot, options, progress);
+  if (arguments.trace) {
+    erase_progress();
+    fmt::print(stderr, "{}", describe_trace(progress.steps(), result.functions));
+  }
+  return result;
 }
 
 // How the text's constants are rounded, and once more where C++ is compiled for float.
@@ -203,6 +216,7 @@ std::vector<GeneratedFile> companions(const GenerationResult& result, const Gene
     files.push_back({name + ".py", module.module});
     files.push_back({name + "_batch.c", module.batch});
   }
+  for (GeneratedFile& file : pass_dump(result, arguments.dumped_passes)) files.push_back(std::move(file));
   return files;
 }
 
@@ -326,6 +340,11 @@ Run add_generate(CLI::App& app) {
                    "no function of the header is longer: longer ones call parts of their own")
       ->check(CLI::Range(kFewestLines, kMostLines))
       ->type_name("N");
+  add_names_option(*command, "--dump-after", arguments->dumped_passes,
+                   "write every function as text after these passes: names of passes, derived (before the first one), "
+                   "or all");
+  command->add_flag("--trace", arguments->trace,
+                    "show on stderr how long each stage and pass takes, and what operations it leaves");
   arguments->delivery.add_to(*command);
   return [arguments] { return generate(*arguments); };
 }

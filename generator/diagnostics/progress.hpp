@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace flatdyn {
 
@@ -19,8 +20,20 @@ class Progress {
 
   void step(const std::string& what);
 
+  struct Step {
+    std::string what;
+    double seconds;  // until the next step, or until now
+  };
+  std::vector<Step> steps() const;
+
  private:
+  struct Start {
+    std::string what;
+    std::chrono::steady_clock::time_point at;
+  };
+
   bool shown_;
+  std::vector<Start> starts_;
   std::chrono::steady_clock::time_point start_;
 };
 

@@ -24,9 +24,14 @@ const std::vector<Pass>& pass_table();
 struct PassRecord {
   std::string pass;
   OperationCount before, after;
+  int round = 1;       // of the table
+  double seconds = 0;  // that the pass took
 };
 
+// Called with the record of a pass and the function that it has left.
+using PassObserver = std::function<void(const PassRecord&, const Function&)>;
+
 // Runs the whole table, repeating it until the count no longer falls (at most a few times).
-Function run_passes(Function function, std::vector<PassRecord>* record = nullptr);
+Function run_passes(Function function, std::vector<PassRecord>* record = nullptr, const PassObserver& observer = {});
 
 }  // namespace flatdyn

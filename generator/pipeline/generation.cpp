@@ -74,6 +74,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
                                Progress& progress) {
   GenerationResult result;
   // Read, canonicalise.
+  progress.step("reading");
   result.robot = load_robot(robot_file, options);
   const LoadedRobot& robot = result.robot;
   // Derive, specialise to the scene, optimise: every function in each formulation that there is of it.
@@ -89,6 +90,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
     result.torque_deviation = torque_deviation(robot.mechanism, effective_mechanism(robot), robot.robot.scene.at_rest);
   }
   // Emit.
+  progress.step("emitting and reading back");
   result.form = stamped(options, result);
   auto [files, read_back] = emit_and_read_back(result);
   result.files = std::move(files);

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "cli/program.hpp"
-#include "support/rubbing_arm.hpp"
+#include "support/frictional_arm.hpp"
 
 namespace flatdyn::testing {
 namespace {

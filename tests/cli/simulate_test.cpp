@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
-#include "support/rubbing_arm.hpp"
+#include "support/frictional_arm.hpp"
 
 namespace flatdyn::testing {
 namespace {
