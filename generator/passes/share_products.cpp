@@ -226,7 +226,7 @@ class ProductSharing {
   std::map<NodeFactors, int> monomial_ids_;
   std::vector<Use> uses_;
   std::vector<Pair> pairs_;
-  std::unordered_map<std::uint64_t, int> pair_ids_;  // looked up in, never iterated over
+  std::unordered_map<std::uint64_t, int> pair_ids_;  // for lookups only, never iterated over
   std::vector<int> touched_;
   std::priority_queue<Candidate> queue_;
 };
