@@ -21,7 +21,7 @@ struct CertifyOptions {
   double trigonometry_ulp = 1;  // allowed error of sines and cosines, in last places of numbers below 1
   ObservedOptions observed;
   int effort = kUsualEffort;  // the effort spent on making bounds small
-  double time_limit = 120;    // for one Gappa script, s; 0: Gappa is not asked
+  double time_limit = 120;    // time limit for one Gappa script, s; 0: Gappa is not asked
 };
 
 // The allowed error of sines and cosines as an absolute error.
@@ -32,11 +32,11 @@ struct CertifiedOutput {
   std::string name;                    // "tau[0]"
   std::vector<std::string> also;       // further entries with the same number: "B[7]" for B[1]
   std::string unit;                    // "N m"; empty: SI
-  double bound = 0;                    // of the absolute error
+  double bound = 0;                    // bound of the absolute error
   double observed = 0;                 // largest absolute error seen
   double doubt = 0;                    // bound of the error of the values that errors are measured against
   int terms = 0;                       // number of errors that add up to the bound
-  std::optional<double> effort;        // for a torque: its joint's effort limit
+  std::optional<double> effort;        // the effort limit of the joint, if the output is a torque
   Verdict verdict = Verdict::refused;  // Gappa's verdict
 };
 

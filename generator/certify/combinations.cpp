@@ -11,7 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 Combinations::Combinations(const std::vector<std::vector<F>>& D, const MatrixXd& in_double) {
-  constexpr double kLeast = 1e-4, kLeastRatio = 1e-6;  // for singular values
+  constexpr double kLeast = 1e-4, kLeastRatio = 1e-6;  // thresholds for singular values
   const int rank = eliminate(D);
   const Eigen::JacobiSVD<MatrixXd> svd(in_double, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const VectorXd& sigma = svd.singularValues();

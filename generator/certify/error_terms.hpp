@@ -27,7 +27,7 @@
 namespace flatdyn {
 
 struct ErrorTerm {
-  int operation = 0;  // of the text
+  int operation = 0;  // an operation of the text
   double error = 0;   // bound of its own error
 };
 
@@ -38,13 +38,14 @@ using AlikeErrors = std::vector<ErrorTerm>;
 struct ErrorGroup {
   std::vector<AlikeErrors> components;
   double sensitivity = 0;  // bound of the length of the vector of derivatives
-  double bound = 0;  // of the group's contribution to the output's error: that length times the errors', rounded up
+  // Bound of the group's contribution to the output's error: that length times the errors', rounded up.
+  double bound = 0;
 };
 
 struct OutputError {
   int operation = 0;               // the operation whose result is the output
-  std::vector<ErrorGroup> groups;  // in the order of the text
-  double bound = 0;                // of the absolute error: the groups' sum, rounded up
+  std::vector<ErrorGroup> groups;  // the groups, in the order of the text
+  double bound = 0;                // bound of the absolute error: the groups' sum, rounded up
 
   int terms() const;  // number of terms of all groups
 };
@@ -55,7 +56,7 @@ class ErrorAnalysis {
   ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits, std::unique_ptr<Motions> motions = nullptr,
                 int effort = kUsualEffort);
 
-  const StraightLine& text() const { return lines_; }  // with derivatives appended
+  const StraightLine& text() const { return lines_; }  // the operations, with derivatives appended
   int executed() const { return executed_; }
   Norms& norms() { return norms_; }
 

@@ -20,9 +20,9 @@ struct ArrayArgument {
 // In C, the variant of a function that takes sines and cosines; the other variant calls it.
 struct GivenText {
   std::string name;                     // "panda_gravity_given"
-  std::vector<std::string> parameters;  // of the definition
-  std::vector<std::string> declared;    // of the declaration
-  std::vector<std::string> arguments;   // of a call
+  std::vector<std::string> parameters;  // parameters of the definition
+  std::vector<std::string> declared;    // parameters of the declaration
+  std::vector<std::string> arguments;   // arguments of a call
   std::string of, joints;               // the positions and the joints whose sines and cosines it takes: "q", "1..6"
   std::string body;                     // indented lines
 };
@@ -37,7 +37,7 @@ struct FunctionText {
   std::string name;
   std::string returns;                  // "void", "bool", "Scalar"
   std::vector<std::string> parameters;  // "const Scalar* q", …
-  std::vector<std::string> declared;    // those of a separate declaration; in C without "restrict"
+  std::vector<std::string> declared;    // parameters of a separate declaration; in C without "restrict"
   std::vector<ArrayArgument> inputs;    // in the order of the parameters, after the robot's own parameters
   std::vector<ArrayArgument> outputs;   // empty for a function that returns its value
   std::vector<std::string> arguments;   // lines of documentation

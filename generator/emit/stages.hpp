@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Several functions that are evaluated at the same q, or at the same q and q̇, with their common values computed once.
 //
-//
 //   at(q)      →  Configuration: values that depend on q only and are needed by two of its functions, or by any of a
 //   motion
 //   .with(qd)  →  Motion: values that also depend on q̇ and are needed by two of its functions, or by one with more

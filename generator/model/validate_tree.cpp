@@ -129,7 +129,7 @@ bool find_tree(Robot& robot, Diagnostics& diagnostics) {
 }  // namespace
 
 bool validate_tree(Robot& robot, Diagnostics& all) {
-  Diagnostics diagnostics;  // of the tree alone, as other errors do not matter here
+  Diagnostics diagnostics;  // findings about the tree alone, as other errors do not matter here
   const bool is_tree = find_tree(robot, diagnostics) && !diagnostics.has_errors();
   for (const Diagnostic& diagnostic : diagnostics.all()) all.add(diagnostic);
   return is_tree;

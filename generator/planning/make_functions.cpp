@@ -54,7 +54,7 @@ void search_choices(const LoadedRobot& model, const SearchLimit& limit, std::vec
 
 // Notes that pivots are lost to rounding at some positions, where functions that divide by them return false.
 void note_lost_pivots(const LoadedRobot& model, const std::vector<Plan>& plans, Diagnostics& findings) {
-  constexpr double kLost = 0x1p-47;  // as a fraction of 1, in double; kLeastShare of it is lost beside 1
+  constexpr double kLost = 0x1p-47;  // smallest pivot relative to its diagonal entry, in double
   const bool divides = std::any_of(plans.begin(), plans.end(),
                                    [](const Plan& plan) { return !plan.optimised.function.pivot_diagonals.empty(); });
   if (!divides || smallest_pivot_share(effective_mechanism(model)) >= kLost) return;

@@ -2,7 +2,6 @@
 // Emitted code, read back. Properties of a graph hold for the text that people compile only if the text says the same;
 // so it is read by a parser that shares nothing with the printer, and compared.
 //
-//
 //   statement   const Scalar x = sum, …;   B[1] = B[7] = sum;   stage.x1 = sum;   return sum;   detail::f_part_1(…);
 //   sum         [-] product {(+|-) product}
 //   product     factor {(*|/) factor}

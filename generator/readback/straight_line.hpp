@@ -19,8 +19,8 @@ struct Operation {
   Step step = Step::constant;
   // Operands; negate, sign and sqrt have no b; sine and cosine have an angle if it is not an entry of q.
   int a = -1, b = -1;
-  double value = 0;  // of constant
-  Input input{};     // of input; of sine and cosine the joint's position, by the index in arrays of sines
+  double value = 0;  // the value of a constant
+  Input input{};     // an input; for sine and cosine the joint's position, by the index in arrays of sines
 
   bool is_sine_or_cosine() const { return step == Step::sine || step == Step::cosine; }
   bool is_sum_or_product() const { return step == Step::add || step == Step::subtract || step == Step::multiply; }

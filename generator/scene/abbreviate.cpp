@@ -24,7 +24,7 @@ constexpr double kUpward = 1 + 1e-9;
 struct LargestMotion {
   double omega = 0, domega = 0, ddp = 0, step = 0;
 
-  double swing() const { return domega + omega * omega; }  // of a point at distance 1
+  double swing() const { return domega + omega * omega; }  // the largest acceleration of a point at distance 1
 };
 
 // The absolute value of a limit. Throws Failure(unsupported) if there is none. A limit of 0 means that nobody gave one,

@@ -16,7 +16,7 @@ enum class FunctionKind {
   dynamics,     // uses inertial parameters as numbers
   kinematics,   // uses no inertial parameters
   loops,        // kinematics of robots with closed loops
-  derivatives,  // of dynamics
+  derivatives,  // derivatives of dynamics
   operational,  // operational-space dynamics
   regressor,    // has the parameters as factors or inputs, and chooses its own
 };

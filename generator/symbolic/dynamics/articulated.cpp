@@ -72,7 +72,7 @@ class ArticulatedRecursion {
  private:
   // Intermediate results for a joint and the body that it moves.
   struct Joint {
-    Vec3 omega = zero_vector();  // of the body, in its axes
+    Vec3 omega = zero_vector();  // the body's, in its axes
     Vec3 drift = zero_vector();  // q̇ ω × z for α, or 2 q̇ ω × z for a: the part that q̇ causes
     Vec3 c = zero_vector();      // ω × (ω × p), in the parent's axes
     Vec3 force = zero_vector();  // force and moment of the wrench per unit of q̈

@@ -19,7 +19,7 @@ struct JointMotion {
 struct BodyMotion {
   Vec3 omega = zero_vector(), omega_r = zero_vector();  // for q̇ and for q̇_r, rad/s
   Vec3 domega = zero_vector();                          // rad/s^2
-  Vec3 ddp = zero_vector();                             // of the frame's origin, less gravity, m/s^2
+  Vec3 ddp = zero_vector();                             // acceleration of the frame's origin less gravity, m/s^2
   Mat3 products = zero_matrix();                        // ω ωᵀ, as the symmetric part of ω ω_rᵀ
   Mat3 U = zero_matrix();                               // S(ω̇) + ω ωᵀ - (ω·ω) 1, 1/s^2
 };

@@ -53,7 +53,7 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
       const Vec3 lever = d.named(p_e - origin, "r_" + n);
       J = {d.named(cross(z, lever), "J_P" + n), z};
     }
-    Mat3 rows;  // of R_i: each is a row of R_(i-1) expressed in frame i
+    Mat3 rows;  // rows of R_i: each is a row of R_(i-1) expressed in frame i
     for (std::size_t k = 0; k < 3; ++k) rows[k] = frames.to_child(i, here.R[k], "R_" + n + std::to_string(k));
     here = {rows, origin};
   }

@@ -20,7 +20,7 @@ struct Motion {
 struct LinkMotion {
   Vec3 omega = zero_vector();   // rad/s
   Vec3 domega = zero_vector();  // rad/s^2
-  Vec3 ddp = zero_vector();     // of the frame's origin, less g_0, m/s^2
+  Vec3 ddp = zero_vector();     // acceleration of the frame's origin less g_0, m/s^2
   Mat3 U = zero_matrix();       // 1/s^2
 };
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion);

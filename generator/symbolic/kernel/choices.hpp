@@ -15,7 +15,7 @@ namespace flatdyn {
 struct JointChoice {
   Number rise = 0;  // offset of the frame's origin along the joint's axis, m; rational
   JointGrouping grouping;
-  Axes axes = Axes::turning;  // of the link's frame
+  Axes axes = Axes::turning;  // axes of the link's frame
 };
 
 struct Choices {
