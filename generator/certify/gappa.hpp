@@ -8,6 +8,7 @@
 
 namespace flatdyn {
 
+// Whether Gappa is installed.
 bool has_gappa();
 
 enum class Verdict { proven, refused, out_of_time };

@@ -51,12 +51,14 @@ struct Lanes {
   }
 };
 
+// Applies a function to each number.
 template <class T, class Function>
 Lanes<T> mapped(Lanes<T> x, Function apply) {
   for (T& each : x.of) each = apply(each);
   return x;
 }
 
+// The same value in all lanes.
 template <class T>
 Lanes<T> filled(T value) {
   Lanes<T> all;

@@ -26,6 +26,7 @@ struct MotionBasis {
   static constexpr int kAxis = 0, kLever = 3, kSizeOfAxis = 6;
 };
 
+// The entries of a link's motion, MotionBasis::kSize of them, in the order of the places above.
 template <class F>
 std::vector<F> entries_of(const FieldMotion<F>& motion) {
   std::vector<F> result = {F(1)};

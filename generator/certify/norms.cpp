@@ -274,7 +274,7 @@ Norms::Expansion Norms::product(int k) {
   return result;
 }
 
-// Known bounds are applied when a result first becomes an atom, since vectors are scaled by the bounds of their atoms.
+// A known bound takes effect at the first call only, since vectors are scaled by the bounds of their atoms.
 double Norms::largest(int k, double known) {
   const auto kept = largest_.find(k);
   if (kept != largest_.end()) return std::min(kept->second, known);

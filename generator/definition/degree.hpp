@@ -46,6 +46,7 @@ struct MechanismDegrees {
   double degree = 0;       // the largest of the Lagrangian's values
   double reciprocals = 0;  // sum over the denominators of all reciprocals
 };
+// The degrees of the Lagrangian's values.
 MechanismDegrees lagrangian_degrees(const Mechanism& mechanism);
 
 // The degrees of the regressors, whatever their name, and of the factors by which they are multiplied for comparison:

@@ -12,6 +12,7 @@
 
 namespace flatdyn {
 
+// By body: the sign of its joint's rate, from the inputs of this kind.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 std::vector<F> joint_signs(const Mechanism& mechanism, Arithmetic& arithmetic, InputKind kind) {
   Derivation derivation(Workbench::parameters(mechanism));

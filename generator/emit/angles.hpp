@@ -12,6 +12,7 @@
 
 namespace flatdyn {
 
+// The angles beyond those of q.
 std::vector<MultipleOfPosition> multiples_of_positions(const Mechanism& mechanism);
 
 // The index of the angle of node `id`, a sine or cosine. Throws std::logic_error if it is not one of these angles: the

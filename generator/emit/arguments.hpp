@@ -25,8 +25,8 @@ struct JointCounts {
   explicit JointCounts(const Mechanism& mechanism) : joints(mechanism.size()), positions(mechanism.position_count()) {}
 };
 
-// The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Not for
-// InputKind::parameter, as parameters are passed in one struct.
+// The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Throws
+// std::logic_error for parameters, which are passed in one struct, and for stored values.
 InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters = 0);
 
 // The local variable that an input is read into: "qd_2" for qd[1]; for a parameter, the name of its member.

@@ -58,6 +58,7 @@ struct StraightCall {
   std::string function;                // "panda_gravity_given"
   std::vector<std::string> arguments;  // "parameters", "sine", "cosine", and the names of inputs and outputs
 };
+// One call per function, in order.
 std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::vector<Function>& functions,
                                          const EmitOptions& options);
 

@@ -28,6 +28,7 @@ struct Stages {
   Stage motion;  // `make` reads fields of the configuration; no members if no function takes more than q
 };
 
+// Divides a fused function into stages.
 Stages stages_of(const Fusion& fusion);
 
 // The members of both stages as functions of q and q̇, with stored values replaced by what computes them.

@@ -33,6 +33,7 @@ Number own_factor(const std::string& joint, const Coupled& coupled);
 // The moving joints that have a coordinate, in depth-first file order: the order of q. The tree must be valid.
 std::vector<int> joints_with_coordinates(const Robot& robot);
 
+// Whether a moving joint is `coupled`: its position is a combination of coordinates.
 bool has_coupled_joints(const Robot& robot);
 
 // The position of every joint of the robot; a constant for joints that do not move. The couplings must be valid.

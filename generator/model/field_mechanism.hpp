@@ -75,7 +75,7 @@ struct MechanismOver {
   int size() const { return is_coupled() ? static_cast<int>(coupling.front().size()) : body_count(); }  // entries of q̇
 };
 
-// The rates or accelerations of all joints: Σ_k coupling[i][k] q_k for every body i.
+// The rates or accelerations of all joints from those of the coordinates: Σ_k coupling[i][k] q_k for every body i.
 template <class F>
 std::vector<F> joint_values(const MechanismOver<F>& mechanism, const std::vector<F>& coordinates) {
   if (!mechanism.is_coupled()) return coordinates;
@@ -256,6 +256,7 @@ class MechanismMap {
   NumberMap<Arithmetic> number_;
 };
 
+// The mechanism over the field of the arithmetic.
 template <class Arithmetic>
 MechanismOver<typename Arithmetic::Scalar> mechanism_over(const Mechanism& mechanism, Arithmetic& arithmetic) {
   return MechanismMap<Arithmetic>(mechanism, arithmetic)();

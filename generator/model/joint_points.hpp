@@ -35,6 +35,7 @@ std::vector<typename Arithmetic::Scalar> values_of(Graph graph, const std::vecto
   return values;
 }
 
+// The position of body i's joint.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 JointPoint<F> joint_point(const Mechanism& mechanism, Arithmetic& arithmetic, int i) {
   Graph graph;

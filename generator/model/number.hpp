@@ -42,6 +42,7 @@ bool vanishes(const Number& a);  // whether a is exactly zero when expanded
 Vec3 expanded(const Vec3& a);
 Mat3 expanded(const Mat3& a);
 bool is_rational(const Number& a);  // whether a is a plain rational number: no symbol, no Pi, no root
+// Whether `a` contains free symbols.
 bool has_symbols(const Number& a);
 GiNaC::numeric magnitude(const Number& a);  // |a| of a number without symbols: exact if it is rational
 

@@ -60,6 +60,8 @@ Vec3 unit(const Vec3& axis);
 struct ZxzAngles {
   PlanarRotation beta, alpha, theta;
 };
+// The angles of a rotation matrix. Throws Failure(unsupported) if a symbolic angle makes two joint axes skew in general
+// position.
 ZxzAngles zxz_angles(const Mat3& R);
 
 }  // namespace flatdyn

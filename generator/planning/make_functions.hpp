@@ -18,7 +18,8 @@ struct PipelineOptions : LoadOptions {
 };
 
 // Makes the functions that options.functions or the scene names, as the scene needs them; if neither names any, all
-// that the robot allows, and those left out are warnings in `findings`.
+// that the robot allows, and those left out are warnings in `findings`. Throws BadInput if a function that was asked
+// for is not possible, or for warnings if these count as errors.
 std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const PipelineOptions& options,
                                               Progress& progress, Diagnostics& findings);
 

@@ -12,6 +12,7 @@
 
 namespace flatdyn {
 
+// The task in the reference's types.
 template <class S>
 reference::Task<S> reference_task(const Task& task) {
   using reference::Angles;

@@ -21,6 +21,7 @@ SymbolValues random_symbol_values(const Robot& robot, unsigned seed);
 template <class S>
 S to_scalar(const Number& a, const GiNaC::exmap& values);
 
+// The robot as written, over S, with values for its free symbols.
 template <class S>
 reference::Robot<S> reference_robot(const Robot& robot, const SymbolValues& values);
 

@@ -46,6 +46,7 @@ struct VerifyReport {
   bool passed() const;
 };
 
+// Verifies functions of the mechanism. `robot`: the robot as written, for the reference.
 VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
                     const VerifyOptions& options, Progress& progress);
 

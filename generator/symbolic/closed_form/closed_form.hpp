@@ -24,6 +24,7 @@ struct ClosedForm {
 // The index of a joint as an index of vectors.
 inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+// B, the Christoffel symbols and g of the mechanism, expanded.
 ClosedForm closed_form(const Mechanism& mechanism);
 
 // Replaces sin(x)² by 1 - cos(x)² everywhere and expands, for the joints' s_i and c_i and for angles that are free

@@ -24,6 +24,7 @@ struct BodyMotion {
   Mat3 U = zero_matrix();                               // S(ω̇) + ω ωᵀ - (ω·ω) 1, 1/s^2
 };
 
+// The motions of all bodies.
 std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion);
 
 // q̇_i ω of a body, as a bilinear form: ½ (q̇_i ω_r + q̇_ri ω).

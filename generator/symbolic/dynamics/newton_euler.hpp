@@ -23,6 +23,7 @@ struct LinkMotion {
   Vec3 ddp = zero_vector();     // acceleration of the frame's origin less g_0, m/s^2
   Mat3 U = zero_matrix();       // 1/s^2
 };
+// The motions of all bodies, from the base outwards.
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion);
 
 // The motion of the base: it is accelerated so that gravity acts on all bodies.

@@ -28,6 +28,7 @@ inline Number simplified(Number x) {
   return is_rational(x) ? x : x.normal();
 }
 
+// row -= factor · other.
 template <class F>
 void subtract_multiple(std::vector<F>& row, const F& factor, const std::vector<F>& other) {
   for (std::size_t k = 0; k < row.size(); ++k) row[k] = simplified<F>(row[k] - factor * other[k]);

@@ -43,8 +43,8 @@ class Frames {
   // The displacement of frame i's origin at q_i = 0, in the parent's frame, m, without the slide along z of frame i.
   // Its entries are numbers if the parent's frame turns with the parent.
   const Vec3& p(int i) const { return p_[static_cast<std::size_t>(i)]; }
-  // The same in axes of frame i, if the parent's axes are still and it depends on the joint's own angle only; else
-  // nothing.
+  // The same in axes of frame i, where it depends on the joint's own angle only; nothing unless the parent's axes are
+  // still and those of frame i turn.
   const std::optional<Vec3>& p_in_own_axes(int i) const { return p_in_own_axes_[static_cast<std::size_t>(i)]; }
   // The unit vector z of frame i in the parent's frame, which is constant.
   Vec3 axis_in_parent(int i) const;

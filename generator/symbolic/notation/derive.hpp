@@ -37,6 +37,7 @@ struct DerivedModel {
 // Throws Failure(unsupported) for a chain so long that its closed form would be useless.
 DerivedModel derive_model(const Mechanism& mechanism, const DeriveOptions& options, Notation notation);
 
+// The model in closed form as text, or in LaTeX. Throws as derive_model does.
 std::string derive_text(const Mechanism& mechanism, const DeriveOptions& options = {});
 std::string derive_latex(const Mechanism& mechanism, const DeriveOptions& options = {});
 

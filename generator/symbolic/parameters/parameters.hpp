@@ -42,6 +42,7 @@ enum class ParameterSet : std::uint8_t {
   full,      // all
   nonzero,   // those that are not zero in the file
 };
+// By index in π: whether the parameter is in the set.
 std::vector<bool> parameters_in(const Mechanism& mechanism, ParameterSet set);
 
 // The same mechanism with a rotor, viscous and Coulomb friction at exactly the joints where `set` has them; missing
