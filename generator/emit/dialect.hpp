@@ -58,7 +58,7 @@ class Dialect {
   // A literal in an array of constants: "Real(0.0825)", "0.0825f"; and "Real(-HUGE_VAL)", "-HUGE_VALF".
   std::string real_literal(const Rational& value) const;
   std::string infinity(bool negative) const;
-  // A constant of text, quoted.
+  // A quoted string constant.
   std::string text(const std::string& value) const;
   // The name of a function of <math.h>, such as "sinf", where each scalar has its own.
   std::string library(const std::string& function) const;
