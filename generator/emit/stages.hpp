@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Several functions that are evaluated at the same q, or at the same q and q̇, with their common values computed once.
 //
-//   at(q)      →  Configuration: values that depend on q only and are needed by two of its functions, or by any of a
-//   motion
-//   .with(qd)  →  Motion: values that also depend on q̇ and are needed by two of its functions, or by one with more
-//                 inputs
+//   at(q)      →  Configuration: values that depend on q only and are needed by two of its functions, or by a Motion
+//   .with(qd)  →  Motion: values that depend on q̇, too, and are needed by two of its functions, or by one that takes
+//                 more inputs
 //
 // Functions of q alone are members of Configuration, the others of Motion. Each computes the rest itself.
 #pragma once

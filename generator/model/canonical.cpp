@@ -295,7 +295,7 @@ class Placer {
       placement.phase = inverse(theta);
     }
     if (is_prismatic(i)) {
-      // Of a prismatic axis only the direction counts: the frame's origin is put at the parent's.
+      // Only the direction of a prismatic axis matters: the frame's origin is put at the parent's.
       placement.shift = expanded(Number(-1) * (transpose(tree_.raw_[i].R) * raw_displacement(i)));
     } else {
       placement.shift = {0, 0, child ? foot_of_common_normal(i, *child) : nearest_to_parent(i)};
