@@ -145,7 +145,7 @@ ExitCode identify(const IdentifyArguments& arguments) {
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
-  // settings that cannot be repeated are refused before logs are read
+  // Settings that cannot be repeated are refused before logs are read.
   if (!arguments.output.empty()) arguments.settings(robot);
   Identification found;
   {

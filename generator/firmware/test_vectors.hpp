@@ -28,7 +28,7 @@ struct TestVectors {
   // Numbers of the scalar, at which all functions have values: random states within the limits, extreme ones, then the
   // worst one found for each function.
   std::vector<State> states;
-  // one list per function: the entries of all outputs, state after state
+  // One list per function: the entries of all outputs, state after state
   std::vector<std::vector<ExpectedEntry>> expected;
 };
 

@@ -15,7 +15,7 @@ struct EstimateOptions {
 struct Estimate {
   Eigen::VectorXd values;               // π_b
   Eigen::VectorXd standard_deviations;  // infinite for a parameter with a part in a damped or hidden direction
-  // singular values of the weighted regressor, columns scaled to unit norm, descending
+  // Singular values of the weighted regressor, columns scaled to unit norm, descending
   Eigen::VectorXd singular_values;
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;

@@ -16,7 +16,7 @@ namespace flatdyn {
 struct PhysicalParameters {
   std::vector<double> pi;  // 13 n, in the order of (7.77)
   Eigen::VectorXd pi_b;    // K π
-  // largest distance of K π from π_b over all directions that the data tell, in standard deviations
+  // The largest distance of K π from π_b over all directions that the data tell, in standard deviations
   double largest_misfit = 0;
   // The divergence from the file, summed over links and joints: tr(A) - log det A - 4 with A = L⁻¹ P L⁻ᵀ, P_file = L
   // Lᵀ, and x - log x - 1 for each ratio x of I_m, F_v, F_s. A link that is twice as heavy counts 1.2.

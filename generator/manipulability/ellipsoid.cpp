@@ -119,7 +119,7 @@ std::vector<double> Manipulability::values(Tape& tape, const std::vector<double>
 Ellipsoid Manipulability::at(const std::vector<double>& q) {
   const Eigen::Index n = torque_unit_.size();
   const std::vector<double> b = values(*inertia_, q), g = values(*gravity_, q), j = values(*jacobian_, q);
-  // stored row by row, hence transposed
+  // The matrices are stored row by row, hence transposed.
   const Eigen::Map<const Eigen::MatrixXd> B(b.data(), n, n), all(j.data(), n, 6);
   const Eigen::LLT<Eigen::MatrixXd> factor(B);
   refuse_singular(B, factor, q);

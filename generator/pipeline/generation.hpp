@@ -20,7 +20,7 @@ struct GenerationOptions : PipelineOptions {
   std::vector<std::string> staged;  // functions that are also members of stages
   std::vector<std::string> fused;   // functions that one fused function computes together
   EmitOptions form;                 // language, scalars and names; stamps and facts are filled in
-  // the options as text, for the stamp
+  // The options as text, for the stamp.
   std::function<std::string(const std::vector<OptimisedFunction>&)> options_stamp;
 
   bool is_for_float() const;  // whether the code is compiled for float

@@ -34,7 +34,7 @@ struct RandomRobotsOptions {
   int states = 2;            // random states per robot
   double bound = 64;         // largest scaled error allowed
   int compiled_one_in = 10;  // one in so many robots is compiled; the text of the others is read back and executed
-  // one in so many robots gets the functions that `generate` writes; the others random formulations
+  // One in so many robots gets the functions that `generate` writes; the others random formulations
   int usual_one_in = 200;
 
   // A faulty pass, for tests of this check.

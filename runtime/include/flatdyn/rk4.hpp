@@ -16,9 +16,9 @@ namespace flatdyn {
 template <int n, class Scalar, class Accelerations>
 bool rk4_step(Scalar* q, Scalar* qd, Scalar dt, const Accelerations& accelerations) {
   constexpr int kStages = 4;
-  // time from the start to each stage
+  // The time from the start to each stage.
   const Scalar ahead[kStages] = {Scalar(0.0), dt / Scalar(2.0), dt / Scalar(2.0), dt};
-  // weight of each stage in the sum
+  // The weight of each stage in the sum.
   const Scalar part[kStages] = {Scalar(1.0), Scalar(2.0), Scalar(2.0), Scalar(1.0)};
   Scalar slope_q[n] = {}, slope_qd[n] = {}, sum_q[n] = {}, sum_qd[n] = {};
   for (int stage = 0; stage < kStages; ++stage) {
