@@ -13,7 +13,7 @@ struct Utf8Character {
   std::optional<char32_t> code;  // nullopt if no character begins there
   std::size_t length = 1;        // bytes to skip
 };
-Utf8Character first_character(std::string_view text);  // of a text that is not empty
+Utf8Character first_character(std::string_view text);  // text: not empty
 
 bool is_utf8(std::string_view text);
 

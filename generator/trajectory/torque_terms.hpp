@@ -56,7 +56,7 @@ class TorqueTerms {
   std::vector<TorqueTerm> terms_;
   JointFriction friction_;
   std::vector<Tape> tapes_;                   // B, Christoffel symbols, g, J of the tip, inverse dynamics
-  std::vector<std::vector<double>> results_;  // of each tape
+  std::vector<std::vector<double>> results_;  // one per tape
 };
 
 // The torques along a trajectory, by point.

@@ -120,7 +120,7 @@ TEST(DeriveText, SumsOfParallelAnglesWithNumbers) {
 
 TEST(DeriveText, WritesCosinesOutWhereNamesCollide) {
   Robot robot = testing::two_link_planar();
-  robot.symbols.front().name = "c_1";  // of m_l1
+  robot.symbols.front().name = "c_1";  // the symbol m_l1
   const std::string text = derive_text(make_mechanism(robot));
   EXPECT_THAT(text, HasSubstr("\ng_2 = m_l2 l_2 g cos(q_1 + q_2)\n"));
   EXPECT_THAT(text, Not(HasSubstr("cos(q_1),")));

@@ -29,7 +29,7 @@ struct LinkMotion {
   Matrix3<S> R = Matrix3<S>::Identity();   // link axes in base axes
   Vector3<S> omega = Vector3<S>::Zero();   // rad/s
   Vector3<S> domega = Vector3<S>::Zero();  // rad/s^2
-  Vector3<S> ddp = Vector3<S>::Zero();     // of the origin, minus g_0, m/s^2
+  Vector3<S> ddp = Vector3<S>::Zero();     // acceleration of the origin, minus g_0, m/s^2
 };
 
 namespace detail {
