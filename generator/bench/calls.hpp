@@ -26,6 +26,7 @@ struct BatchCall {
   std::string columns;
 };
 
+// The call of the function over SIMD lanes.
 BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
 
 // A C function around the call: "extern "C" RETURNS SYMBOL(PARAMETERS) { CALL; }".

@@ -29,6 +29,7 @@ struct GrowthRow {
   long peak_kilobytes = 0;  // peak memory of the compiler
 };
 
+// One function on robots of one shape.
 struct GrowthCurve {
   std::string shape, function;
   std::vector<GrowthRow> rows;                       // by number of joints
@@ -41,6 +42,8 @@ struct GrowthReport {
   std::vector<GrowthCurve> curves;
 };
 
+// Generates, compiles and times the robots. Throws Failure(bug) if a result is wrong, Failure(io) if there is no
+// compiler.
 GrowthReport bench_growth(const GrowthOptions& options, Progress& progress);
 
 }  // namespace flatdyn

@@ -13,6 +13,7 @@ struct Quartiles {
 // The quartiles of at least one number.
 Quartiles quartiles(std::vector<double> numbers);
 
+// Two quantities of a row, both better if smaller.
 struct Cost {
   double time = 0, error = 0;
 };

@@ -27,6 +27,7 @@ struct BenchVariant {
 // All variants. The times of the others are compared with the first one's.
 const std::vector<BenchVariant>& bench_variants();
 
+// Whether the call uses SIMD lanes.
 bool needs_xsimd(const BenchVariant& variant);
 // Whether the call does the whole work.
 bool is_whole_call(const BenchVariant& variant);

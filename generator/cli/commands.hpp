@@ -57,6 +57,7 @@ CLI::Validator folder_name();
 
 // A check for positive numbers. CLI11's own lets NaN pass and prints bounds with 300 digits.
 CLI::Validator positive_number();
+// A check for numbers from `least` to `most`.
 CLI::Validator number_between(double least, double most);
 
 // Adds an option that is a list of names between commas, which may have blanks around them.

@@ -8,6 +8,7 @@
 
 namespace flatdyn {
 
+// A file to be written, with its whole content.
 struct TextFile {
   std::filesystem::path path;
   std::string text;

@@ -15,6 +15,7 @@ struct Utf8Character {
 };
 Utf8Character first_character(std::string_view text);  // text: not empty
 
+// Whether the whole text is valid UTF-8.
 bool is_utf8(std::string_view text);
 
 // Whether the bytes are UTF-16: they have its byte order mark, or one of the first two is 0, which is at the beginning

@@ -23,6 +23,7 @@ struct FirmwareTarget {
 // The target of this name. Throws Failure(usage) for an unknown name.
 const FirmwareTarget& firmware_target(const std::string& name);
 
+// The names of all targets.
 std::vector<std::string> firmware_target_names();
 
 }  // namespace flatdyn

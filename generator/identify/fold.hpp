@@ -5,6 +5,7 @@ namespace flatdyn {
 
 inline constexpr int kFoldedRows = 32;  // rows folded at a time
 
+// One column of the rows that are folded at a time.
 struct alignas(64) FoldedColumn {
   double entries[kFoldedRows];
 };

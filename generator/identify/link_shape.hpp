@@ -11,6 +11,7 @@ namespace flatdyn {
 
 // The symmetric matrix of ten coordinates; its Frobenius norm is their length.
 Eigen::Matrix4d symmetric_matrix(const double* ten);
+// The ten coordinates of a symmetric matrix, the inverse of symmetric_matrix().
 void coordinates_of(const Eigen::Matrix4d& symmetric, double* ten);
 
 // A link with pseudo-inertia L S Sᵀ Lᵀ, where L Lᵀ is that of the file, and with I_m, F_v, F_s as multiples of the

@@ -12,6 +12,7 @@
 
 namespace flatdyn {
 
+// A sample of a log, SI; arrays have one number per joint.
 struct MotionSample {
   int log = 0;  // index into Measurement::logs
   double time = 0;

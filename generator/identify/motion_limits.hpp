@@ -8,6 +8,7 @@
 
 namespace flatdyn {
 
+// The limits of one joint, in rad or m and seconds.
 struct JointLimits {
   double lower, upper;         // rad or m
   double speed, acceleration;  // absolute values

@@ -6,6 +6,7 @@
 
 namespace flatdyn {
 
+// An estimate of a payload.
 struct PayloadEstimate {
   // The ten parameters m, m l (3), Î_xx, xy, xz, yy, yz, zz in the frame of the tip's link, about its origin, SI.
   Eigen::VectorXd values, standard_deviations;  // infinite if the motion does not tell

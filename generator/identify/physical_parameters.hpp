@@ -31,11 +31,12 @@ struct PhysicalParameters {
 PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base,
                                        const Estimate& estimate);
 
-// The ten parameters of a real body that are nearest to an estimate. root_information: r × 10.
+// The ten parameters of a real body that are nearest to an estimate.
 struct NearestBody {
   Eigen::VectorXd ten;
   double largest_misfit = 0;  // distance from the estimate, in standard deviations
 };
+// Finds that body. estimate: ten parameters in the order of (7.77); root_information: r × 10.
 NearestBody nearest_body(const Eigen::VectorXd& estimate, const Eigen::MatrixXd& root_information);
 
 // The pseudo-inertia [Σ, h; hᵀ, m], Σ = tr(Î)/2 E - Î, of ten inertial parameters as in (7.77). It is positive definite

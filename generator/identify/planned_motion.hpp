@@ -25,6 +25,7 @@ struct PlannedMotion {
   }
 };
 
+// A trajectory that keeps the limits.
 struct FittedTrajectory {
   FourierTrajectory trajectory;
   // The share of the full torque limit per joint, before joints were slowed because of torques.

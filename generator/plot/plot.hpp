@@ -62,6 +62,7 @@ enum class PictureFormat {
 // (zero is not on a logarithmic one) says that there is nothing to plot. The same input gives the same bytes. Throws
 // Failure(io) if there is no gnuplot.
 std::string plot(const std::string& title, const std::vector<Panel>& panels, PictureFormat format);
+// The same as SVG.
 inline std::string svg_plot(const std::string& title, const std::vector<Panel>& panels) {
   return plot(title, panels, PictureFormat::svg);
 }

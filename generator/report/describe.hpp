@@ -33,6 +33,7 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
 
 std::vector<std::string> symbol_names(const Mechanism& mechanism);
 
+// The number of output entries that are always zero.
 int structural_zeros(const Function& function);
 
 }  // namespace flatdyn

@@ -24,12 +24,14 @@ using Contacts = std::vector<JointContact>;
 struct HoldingRange {
   double least = 0, most = 0;
 };
+// The range for a joint with F_s = `coulomb`, N m or N.
 HoldingRange holding_range(const JointContact& contact, double coulomb);
 
 // q̈ of all joints, and the force of dry friction and stops on each of them, from B q̈ = r + λ with r = τ − n.
 struct ContactMotion {
   Eigen::VectorXd qdd, lambda;
 };
+// The motion for these contacts. B: n × n; r: N m or N; coulomb: F_s of each joint.
 ContactMotion motion_of(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, const Eigen::VectorXd& coulomb,
                         const Contacts& contacts);
 

@@ -58,9 +58,9 @@ struct Simulation {
   double step = 1e-3;              // rk4, s; shortened so that rows coincide with steps
 };
 
-// A simulation without torques that starts at rest at q = 0, or where the loops are assembled. Readers then add what
-// the file says. Errors go into `diagnostics`. Throws Failure(io) if a file cannot be read.
+// A simulation without torques that starts at rest at q = 0, or where the loops are assembled.
 Simulation resting(const Robot& robot, const Mechanism& mechanism);
+// Adds the settings of the file. Errors go into `diagnostics`. Throws Failure(io) if a file cannot be read.
 void read_simulation(const std::string& file, const Robot& robot, const Mechanism& mechanism, Simulation& simulation,
                      Diagnostics& diagnostics);
 

@@ -56,6 +56,7 @@ struct StressRow {
 
 // The bins of the histogram: two per power of two, from 2^-8 on; values outside count in the first or last bin.
 inline constexpr int kStressBins = 40;
+// The scaled error at which a bin begins.
 double stress_bin_start(int bin);
 
 struct StressReport {

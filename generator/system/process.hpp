@@ -17,6 +17,7 @@ std::string shell_word(const std::string& text);
 // The compiler, $CXX or c++. Throws Failure(io) if it cannot be run.
 std::string machine_compiler();
 
+// The content of a file; empty if it cannot be read.
 std::string content_of_file(const std::filesystem::path& path);
 
 // Writes the text. Throws Failure(io).

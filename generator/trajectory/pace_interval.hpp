@@ -10,6 +10,7 @@
 
 namespace flatdyn {
 
+// A closed interval.
 struct Interval {
   double least = 0, greatest = std::numeric_limits<double>::infinity();
 };

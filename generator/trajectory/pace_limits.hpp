@@ -26,6 +26,7 @@ struct LimitUsed {
   LimitKind kind = LimitKind::torque;
   std::size_t joint = 0, point = 0;
 };
+// The largest use by the trajectory with torques tau by point, N m or N.
 LimitUsed most_used(const Trajectory& trajectory, const std::vector<std::vector<double>>& tau,
                     const PaceLimits& limits);
 

@@ -38,12 +38,14 @@ struct PlacedProfile {
   Place place;
 };
 
+// A move of the joints by velocity profiles.
 struct JointMove {
   Posture to;
   bool relative = false;  // `to` is a displacement
   PlacedProfile profile;
 };
 
+// A straight line of the tip, base axes, m.
 struct LineMove {
   Eigen::Vector3d to;
   bool relative = false;
@@ -52,7 +54,7 @@ struct LineMove {
 };
 
 struct Dwell {
-  double duration = 0;
+  double duration = 0;  // s
 };
 
 struct Segment {
@@ -60,7 +62,7 @@ struct Segment {
   Place place;
 };
 
-// A constant force and moment that the tip exerts on its environment.
+// A constant force, N, and moment, N m, that the tip exerts on its environment, in base axes or in those of the tip.
 struct TipForce {
   std::array<double, 6> h_e{};
   bool in_tip_axes = false;

@@ -67,6 +67,7 @@ struct TorqueHistory {
   // The largest difference between a torque and the sum of its terms, relative to the sum of their absolute values.
   double disagreement = 0;
 };
+// Evaluates the terms at every point of the trajectory.
 TorqueHistory torque_history(TorqueTerms& terms, const Trajectory& trajectory);
 
 }  // namespace flatdyn
