@@ -9,22 +9,22 @@
 #   [FORM header|pair]      of C++: a header (the default), or a library with header and source, compiled once
 #   [NAMESPACE name]        in C what names begin with; default: TARGET
 #   [ROUNDED_AS_WRITTEN]    of a header: targets that link with it are compiled with -ffp-contract=off
-#   [OPTIONS option...])    any others of `flatdyn generate`
+#   [OPTIONS option...])    other options of `flatdyn generate`
 #
-# Makes a library to link with. Its header is TARGET.hpp (of C: TARGET.h). It is generated anew when the robot file, a
-# file that this one names, the scene, or flatdyn itself changes, and only then. The library can be installed and
+# Makes a library to link with. Its header is TARGET.hpp (for C: TARGET.h). It is generated again when the robot file, a
+# file that it names, the scene, or flatdyn itself changes, and only then. The library can be installed and
 # exported: install(TARGETS TARGET EXPORT ...) with PUBLIC_HEADER DESTINATION include.
 #
-# Certificates hold where every operation is rounded as it is written, with -ffp-contract=off. A source that is generated
-# here is compiled so. A header is compiled as the targets that link with it: ROUNDED_AS_WRITTEN gives them the option,
-# for all their own sources as well.
+# Certificates assume that every operation is rounded as it is written, with -ffp-contract=off. A generated source is
+# compiled with this option here. A header is compiled by the targets that link with it: ROUNDED_AS_WRITTEN gives them
+# the option, for all their own sources as well.
 #
-# The program is $CACHE{FLATDYN_EXECUTABLE} if that is set, as for a cross build with a flatdyn of the build machine;
-# else the installed one, or the one of this build.
+# The program is $CACHE{FLATDYN_EXECUTABLE} if set, for example in a cross build to a flatdyn of the build machine; else
+# the installed program, or that of this build.
 
 set(FLATDYN_EXECUTABLE "" CACHE FILEPATH "flatdyn of the machine that builds; empty: the installed one")
 
-# In `result` what runs flatdyn, in `dependency` what changes when it does.
+# Sets `result` to the command that runs flatdyn, and `dependency` to the file or target that changes with it.
 function(flatdyn_find_program result dependency)
   if(FLATDYN_EXECUTABLE)
     set(program ${FLATDYN_EXECUTABLE})
@@ -44,7 +44,7 @@ function(flatdyn_find_program result dependency)
   set(${dependency} ${depends} PARENT_SCOPE)
 endfunction()
 
-# Options whose values are lists go with commas; those that are not given, not at all.
+# Sets `result` to the option with its list joined by commas; to nothing if the list is empty.
 function(flatdyn_list_option result option)
   if(ARGN)
     list(JOIN ARGN "," value)

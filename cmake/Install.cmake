@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What `cmake --install` puts where; find_package(flatdyn), pkg-config flatdyn-runtime, and `cpack` (a .deb) over it.
+# The rules of `cmake --install`, with find_package(flatdyn), pkg-config flatdyn-runtime, and `cpack` (a .deb).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -11,8 +11,8 @@ install(DIRECTORY robots/ DESTINATION ${ROBOTS})
 if(TARGET flatdyn)
   install(TARGETS flatdyn EXPORT flatdynTargets)
 
-  # Manual pages and completion come from the program itself, when it is installed: so a build of the program alone can
-  # be installed.
+  # The program writes the manual pages and the completion at install time, so that a build of the program alone can be
+  # installed.
   set(manual ${CMAKE_CURRENT_BINARY_DIR}/manual)
   find_program(GZIP gzip REQUIRED)
   install(CODE "
@@ -45,6 +45,6 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 if(PROJECT_IS_TOP_LEVEL)
   include(DebianPackage)
   if(TARGET flatdyn)
-    add_custom_target(program DEPENDS flatdyn debian_changelog)  # all that is installed
+    add_custom_target(program DEPENDS flatdyn debian_changelog)  # everything that is installed
   endif()
 endif()

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kEraseLine = "\r\033[K";
 
-bool is_line_shown = false;  // of whichever Progress: there is one terminal
+bool is_line_shown = false;  // shown by any Progress: there is one terminal
 
 }  // namespace
 

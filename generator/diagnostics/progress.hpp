@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the program is busy with, on stderr, for a person who waits: shown on a terminal only, after a second.
+// The current activity of the program on stderr, shown only on a terminal and after a second.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// Takes the line that is shown away, if there is one: before anything else is written.
+// Erases the line that is shown, if there is one, before anything else is written.
 void erase_progress();
 
 class Progress {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `cmake --install` leaves is what an outside project needs: tests/consumer/package finds it, generates in its
-// build, and does so again only when something changed. The same with flatdyn's sources in a folder of the project.
+// The result of `cmake --install` is enough for an outside project: tests/consumer/package finds it, generates code in
+// its build, and does so again only after a change. The same holds with flatdyn's sources in a folder of the project.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using ::testing::Not;
 
 const std::string kConsumers = std::string(FLATDYN_SOURCE_DIR) + "/tests/consumer/";
 
-// A project of its own with a copy of the consumer, whose files may be changed.
+// A separate project with a copy of the consumer, whose files may be changed.
 class Project {
  public:
   // `name`: the folder in tests/consumer.
@@ -105,7 +105,7 @@ TEST_P(Package, IsGeneratedFromAgainOnlyWhenAFileChanged) {
   ASSERT_TRUE(project.make()) << project.log();
   EXPECT_THAT(project.log(), Not(HasSubstr("Generating")));
 
-  // The file that the robot file names, which only the depfile knows of.
+  // arm.urdf is named by the robot file and known only to the depfile.
   project.replace("package/arm.urdf", "<mass value=\"1\"/>", "<mass value=\"3\"/>");
   ASSERT_TRUE(project.make()) << project.log();
   EXPECT_THAT(project.log(), HasSubstr("Generating the dynamics of my_arm"));
@@ -113,7 +113,7 @@ TEST_P(Package, IsGeneratedFromAgainOnlyWhenAFileChanged) {
   EXPECT_THAT(project.log(), HasSubstr("gravity: 78.48 29.43 N m"));
 }
 
-// Without the source, the header is no use: both are made again.
+// Header and source are only useful together, so both are made again if the source is missing.
 TEST_P(Package, MakesBothFilesOfAPairAgain) {
   Project project("package");
   ASSERT_TRUE(project.configure(fmt::format("-G '{}' -D CMAKE_PREFIX_PATH='{}'", GetParam(), prefix())))
@@ -182,7 +182,7 @@ TEST(InstalledPackage, SaysWhichFileOfWhichProjectIsWrong) {
   EXPECT_EQ(project.generated("my_arm.hpp"), "");
 }
 
-// docs/examples/controller: in float, against an arm that is simulated in double.
+// docs/examples/controller, in float, with an arm that is simulated in double.
 TEST(InstalledPackage, ControlsASimulatedArm) {
   const Scratch build;
   const std::string command = fmt::format(
@@ -193,7 +193,7 @@ TEST(InstalledPackage, ControlsASimulatedArm) {
   EXPECT_THAT(build.read("log"), HasSubstr("computed torque: follows to"));
 }
 
-// Every library that the program needs is named, and Debian's checker finds no error.
+// Every library that the program needs is listed, and Debian's checker finds no error.
 TEST(InstalledPackage, IsADebianPackage) {
   const Scratch scratch;
   const std::string command = fmt::format(
@@ -226,7 +226,7 @@ TEST(Subdirectory, GeneratesWithAProgramThatIsThere) {
   EXPECT_TRUE(project.runs()) << project.log();
 }
 
-// As for firmware: the compiler is another machine's, flatdyn is this one's.
+// As for firmware, the compiler targets another machine, and flatdyn runs on this one.
 TEST(Subdirectory, GeneratesInACrossBuild) {
   if (std::system("command -v arm-none-eabi-gcc > /dev/null") != 0)
     GTEST_SKIP() << "no arm-none-eabi-gcc: scripts/setup";
