@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# `cpack` makes flatdyn_VERSION_ARCHITECTURE.deb: libraries that the program needs are found by dpkg-shlibdeps; what
-# only some subcommands need is recommended.
+# `cpack` makes flatdyn_VERSION_ARCHITECTURE.deb. dpkg-shlibdeps finds the libraries that the program needs; tools that
+# only some subcommands need are recommended.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -17,7 +17,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | c++-compiler, gappa")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libxsimd-dev, cmake, gnuplot-nox")
 
-# Debian's policy asks for these two.
+# Debian's policy requires these two files.
 set(debian ${CMAKE_CURRENT_BINARY_DIR}/debian)
 configure_file(cmake/debian/changelog.in ${debian}/changelog @ONLY)
 add_custom_command(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Everything from Debian's packages (scripts/setup lists them). Headers of others are system headers: their warnings
-# are not ours.
+# All dependencies are Debian packages (scripts/setup lists them). Their headers are system headers, so that their
+# warnings do not count.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(ginac REQUIRED IMPORTED_TARGET ginac)
 pkg_check_modules(cln REQUIRED IMPORTED_TARGET cln)
@@ -14,7 +14,8 @@ find_package(CLI11 REQUIRED)
 find_package(Boost REQUIRED)
 find_package(Ceres REQUIRED)
 find_library(GMP_LIBRARY gmp REQUIRED)
-# Derivation lives on small pieces of memory: this takes a third of the time away. Sanitizers bring their own.
+# Derivation allocates many small blocks, and jemalloc saves a third of its time. Sanitizers bring an allocator of their
+# own.
 pkg_check_modules(jemalloc REQUIRED IMPORTED_TARGET jemalloc)
 set(FLATDYN_MALLOC PkgConfig::jemalloc)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")

@@ -8,18 +8,23 @@
 #   [LANGUAGE c++|c]        default: c++
 #   [FORM header|pair]      of C++: a header (the default), or a library with header and source, compiled once
 #   [NAMESPACE name]        in C what names begin with; default: TARGET
-#   [OPTIONS option...])    any others of `flatdyn generate`
+#   [ROUNDED_AS_WRITTEN]    of a header: targets that link with it are compiled with -ffp-contract=off
+#   [OPTIONS option...])    other options of `flatdyn generate`
 #
-# Makes a library to link with. Its header is TARGET.hpp (of C: TARGET.h). It is generated anew when the robot file, a
-# file that this one names, the scene, or flatdyn itself changes, and only then. What computes is compiled with
-# -ffp-contract=off, as every operation is meant to be rounded as it is written: a source here, a header by who links.
+# Makes a library to link with. Its header is TARGET.hpp (for C: TARGET.h). It is generated again when the robot file, a
+# file that it names, the scene, or flatdyn itself changes, and only then. The library can be installed and
+# exported: install(TARGETS TARGET EXPORT ...) with PUBLIC_HEADER DESTINATION include.
 #
-# The program is $CACHE{FLATDYN_EXECUTABLE} if that is set, as for a cross build with a flatdyn of the build machine;
-# else the installed one, or the one of this build.
+# Certificates assume that every operation is rounded as it is written, with -ffp-contract=off. A generated source is
+# compiled with this option here. A header is compiled by the targets that link with it: ROUNDED_AS_WRITTEN gives them
+# the option, for all their own sources as well.
+#
+# The program is $CACHE{FLATDYN_EXECUTABLE} if set, for example in a cross build to a flatdyn of the build machine; else
+# the installed program, or that of this build.
 
 set(FLATDYN_EXECUTABLE "" CACHE FILEPATH "flatdyn of the machine that builds; empty: the installed one")
 
-# In `result` what runs flatdyn, in `dependency` what changes when it does.
+# Sets `result` to the command that runs flatdyn, and `dependency` to the file or target that changes with it.
 function(flatdyn_find_program result dependency)
   if(FLATDYN_EXECUTABLE)
     set(program ${FLATDYN_EXECUTABLE})
@@ -39,7 +44,7 @@ function(flatdyn_find_program result dependency)
   set(${dependency} ${depends} PARENT_SCOPE)
 endfunction()
 
-# Options whose values are lists go with commas; those that are not given, not at all.
+# Sets `result` to the option with its list joined by commas; to nothing if the list is empty.
 function(flatdyn_list_option result option)
   if(ARGN)
     list(JOIN ARGN "," value)
@@ -49,8 +54,25 @@ function(flatdyn_list_option result option)
   endif()
 endfunction()
 
+# A namespace is a name of C, or of C++ several with :: between.
+function(flatdyn_check_namespace target namespace)
+  if(namespace MATCHES "^[A-Za-z_][A-Za-z0-9_]*(::[A-Za-z_][A-Za-z0-9_]*)*$")
+    return()
+  endif()
+  string(MAKE_C_IDENTIFIER ${namespace} name)
+  message(FATAL_ERROR "flatdyn_generate(${target}): \"${namespace}\" is no name of a namespace\n"
+                      "Write NAMESPACE ${name}, or another name of letters, digits and _")
+endfunction()
+
+# The header is found as a system header, so that warnings of its users are about their own code; when the library is
+# installed, in include/.
+function(flatdyn_publish_header target scope folder header)
+  target_include_directories(${target} SYSTEM ${scope} $<BUILD_INTERFACE:${folder}> $<INSTALL_INTERFACE:include>)
+  set_target_properties(${target} PROPERTIES PUBLIC_HEADER ${folder}/${header})
+endfunction()
+
 function(flatdyn_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROBOT;SCENE;LANGUAGE;FORM;NAMESPACE" "FUNCTIONS;STAGES;FUSE;SCALAR;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "ROUNDED_AS_WRITTEN" "ROBOT;SCENE;LANGUAGE;FORM;NAMESPACE" "FUNCTIONS;STAGES;FUSE;SCALAR;OPTIONS")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "flatdyn_generate(${target}): cannot make sense of "
                         "\"${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}\"")
@@ -75,6 +97,7 @@ function(flatdyn_generate target)
   if(NOT arg_NAMESPACE)
     set(arg_NAMESPACE ${target})
   endif()
+  flatdyn_check_namespace(${target} ${arg_NAMESPACE})
   cmake_path(ABSOLUTE_PATH arg_ROBOT BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   set(depends ${arg_ROBOT})
   set(scene "")
@@ -108,7 +131,7 @@ function(flatdyn_generate target)
     VERBATIM)
   if(arg_LANGUAGE STREQUAL c)
     add_library(${target} STATIC ${outputs})
-    target_include_directories(${target} PUBLIC ${folder})
+    flatdyn_publish_header(${target} PUBLIC ${folder} ${target}.h)
     target_compile_features(${target} PUBLIC c_std_99)
     target_compile_options(${target} PRIVATE -ffp-contract=off)
     if(UNIX)
@@ -118,7 +141,7 @@ function(flatdyn_generate target)
   endif()
   if(arg_FORM STREQUAL pair)
     add_library(${target} STATIC ${outputs})
-    target_include_directories(${target} PUBLIC ${folder})
+    flatdyn_publish_header(${target} PUBLIC ${folder} ${target}.hpp)
     target_compile_features(${target} PUBLIC cxx_std_17)
     target_compile_options(${target} PRIVATE -ffp-contract=off)
     return()
@@ -126,7 +149,9 @@ function(flatdyn_generate target)
   add_library(${target} INTERFACE)
   add_custom_target(${target}_generate DEPENDS ${outputs})
   add_dependencies(${target} ${target}_generate)
-  target_include_directories(${target} INTERFACE ${folder})
+  flatdyn_publish_header(${target} INTERFACE ${folder} ${target}.hpp)
   target_compile_features(${target} INTERFACE cxx_std_17)
-  target_compile_options(${target} INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+  if(arg_ROUNDED_AS_WRITTEN)
+    target_compile_options(${target} INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+  endif()
 endfunction()

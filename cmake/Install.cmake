@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What `cmake --install` puts where; find_package(flatdyn), pkg-config flatdyn-runtime, and `cpack` (a .deb) over it.
+# The rules of `cmake --install`, with find_package(flatdyn), pkg-config flatdyn-runtime, and `cpack` (a .deb).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -11,18 +11,18 @@ install(DIRECTORY robots/ DESTINATION ${ROBOTS})
 if(TARGET flatdyn)
   install(TARGETS flatdyn EXPORT flatdynTargets)
 
-  # Manual pages and completion come from the program itself.
+  # The program writes the manual pages and the completion at install time, so that a build of the program alone can be
+  # installed.
   set(manual ${CMAKE_CURRENT_BINARY_DIR}/manual)
   find_program(GZIP gzip REQUIRED)
-  add_custom_command(
-    OUTPUT ${manual}/flatdyn
-    COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
-    COMMAND flatdyn man -o ${manual}/man1
-    COMMAND sh -c "\"$1\" -9n \"$2\"/*.1" gzip ${GZIP} ${manual}/man1
-    COMMAND sh -c "\"$1\" completion > \"$2\"" completion $<TARGET_FILE:flatdyn> ${manual}/flatdyn
-    DEPENDS flatdyn
-    VERBATIM)
-  add_custom_target(manual ALL DEPENDS ${manual}/flatdyn)
+  install(CODE "
+    file(REMOVE_RECURSE \"${manual}\")
+    file(MAKE_DIRECTORY \"${manual}\")
+    execute_process(COMMAND \"$<TARGET_FILE:flatdyn>\" man -o \"${manual}/man1\" COMMAND_ERROR_IS_FATAL ANY)
+    file(GLOB pages \"${manual}/man1/*.1\")
+    execute_process(COMMAND \"${GZIP}\" -9n \${pages} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND \"$<TARGET_FILE:flatdyn>\" completion OUTPUT_FILE \"${manual}/flatdyn\"
+                    COMMAND_ERROR_IS_FATAL ANY)")
   install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
   install(FILES ${manual}/flatdyn DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()
@@ -45,6 +45,6 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 if(PROJECT_IS_TOP_LEVEL)
   include(DebianPackage)
   if(TARGET flatdyn)
-    add_custom_target(program DEPENDS flatdyn manual debian_changelog)  # all that is installed
+    add_custom_target(program DEPENDS flatdyn debian_changelog)  # everything that is installed
   endif()
 endif()

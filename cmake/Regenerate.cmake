@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# flatdyn_add_regenerate(program): the target `regenerate`, which writes generated/ anew, as generated/robots.txt says.
+# flatdyn_add_regenerate(program): the target `regenerate`, which writes generated/ again, as listed in
+# generated/robots.txt.
 #
 # The same file is the script that the target runs:
 #   cmake -D PROGRAM=flatdyn -D SOURCE_DIR=dir -P Regenerate.cmake

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Most of a compiler's time goes into the headers of GiNaC, Eigen and Boost. So sources of one folder are compiled
-# together, a few at a time, which parses them less often. -DFLATDYN_UNITY_BUILD=OFF: one by one, for who changes single
-# files over and over.
+# Most compile time goes into the headers of GiNaC, Eigen and Boost. So a few sources of one folder at a time are
+# compiled together, which parses these headers less often. -DFLATDYN_UNITY_BUILD=OFF compiles them one by one, which is
+# faster for repeated changes of single files.
 option(FLATDYN_UNITY_BUILD "Compile sources of one folder together" ON)
 
-# flatdyn_unity_by_folder(TARGET SIZE SOURCES...): at most SIZE of a folder at a time; other sources stay alone.
+# flatdyn_unity_by_folder(TARGET SIZE SOURCES...): compiles at most SIZE sources of a folder together; other sources
+# stay alone.
 function(flatdyn_unity_by_folder target size)
   if(NOT FLATDYN_UNITY_BUILD)
     return()

@@ -20,7 +20,7 @@ std::vector<std::string> budgets_of(const std::vector<BenchVariant>& variants) {
   return budgets;
 }
 
-// Those of them that cost less than the whole function.
+// The abbreviated functions that cost less than the whole function.
 std::vector<Function> cheaper(const std::vector<Function>& abbreviated, const std::vector<Function>& functions) {
   std::vector<Function> result;
   for (const Function& each : abbreviated) {
@@ -65,7 +65,7 @@ Abbreviations abbreviations(const LoadedRobot& model, const std::vector<Function
       }
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::unsupported) throw;
-      result.left_out.emplace_back(failure.what());  // "error budget: …": of any budget
+      result.left_out.emplace_back(failure.what());  // "error budget: …": names no budget in particular
       break;
     }
   }

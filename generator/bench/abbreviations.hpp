@@ -12,11 +12,11 @@
 namespace flatdyn {
 
 struct Abbreviations {
-  std::vector<AbbreviatedFunctions> made;  // by budget: those of the functions that it saves operations of
+  std::vector<AbbreviatedFunctions> made;  // one entry per budget that saves operations
   std::vector<std::string> left_out;       // a line each
 };
 
-// For all budgets of `variants`.
+// The abbreviations for all budgets of `variants`.
 Abbreviations abbreviations(const LoadedRobot& model, const std::vector<Function>& functions,
                             const std::vector<BenchVariant>& variants, Progress& progress);
 

@@ -15,11 +15,11 @@
 namespace flatdyn {
 namespace {
 
-// How many states the calls go through.
+// The number of states that the timed calls cycle through.
 constexpr int kCalledStates = 1024;
 
-// Of the scaled error, about 2e-7 relative to the terms: a wrong model is far above. MuJoCo's numbers were seen 2e7 off
-// where inertia matters.
+// The bound on a peer's scaled error, about 2e-7 relative to the terms; a wrong model is far above. MuJoCo's numbers
+// were seen 2e7 off where inertia matters.
 constexpr double kPeerBound = 1e9;
 
 const char* unit_of(const std::string& function) {
@@ -97,7 +97,7 @@ BenchRow bench_row(const BenchCase& of, const BenchErrors& errors, const std::ve
   return row;
 }
 
-// Of the rows that do the whole work.
+// Marks the Pareto front of the rows whose calls do the whole work.
 void mark_front(std::vector<BenchRow>& rows) {
   std::vector<BenchRow*> whole;
   std::vector<Cost> costs;
@@ -118,7 +118,7 @@ void sort_rows(std::vector<BenchRow>& rows) {
                    [](const BenchRow& a, const BenchRow& b) { return a.time.median < b.time.median; });
 }
 
-// One run of a robot's program, in its steps.
+// One run of a robot's benchmark program, step by step.
 class BenchRun {
  public:
   BenchRun(const LoadedRobot& model, const std::vector<Function>& functions, const BenchOptions& options,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Run time against error: every function of a robot in every variant, beside peers.
+// Benchmark of time against error: every function of a robot in every variant, beside peers.
 #pragma once
 
 #include <string>
@@ -14,28 +14,28 @@
 namespace flatdyn {
 
 struct BenchOptions {
-  double seconds = 10;  // of timing, per robot
-  int states = 300;     // at which errors are measured, at most
+  double seconds = 10;  // timing per robot, s
+  int states = 300;     // largest number of states at which errors are measured
   unsigned seed = 1;
-  std::vector<std::string> variants;  // and peers, by name; empty: all
+  std::vector<std::string> variants;  // names of variants and peers; empty: all
 };
 
-// Names of all variants and of all peers that there may be.
+// The names of all variants and of all possible peers.
 std::vector<std::string> bench_variant_names();
 
 struct BenchRow {
-  std::string variant;  // or the peer's name
+  std::string variant;  // name of the variant or the peer
   bool is_peer = false;
-  bool is_whole = true;       // false where sines and cosines are given, or a stage: time without them
-  OperationCount operations;  // of a peer 0
-  Quartiles time;             // of one call, ns; in a batch, of one state
+  bool is_whole = true;       // false if the call is given sines and cosines, or a stage, whose time is not included
+  OperationCount operations;  // 0 for a peer
+  Quartiles time;             // time of one call, ns; in a batch, of one state
   std::size_t rounds = 0;
-  double ratio = 1;        // of the median time to that of the first variant
-  ErrorSummary scaled;     // in units of the last place of double, of the terms' size
-  ErrorSummary absolute;   // in the function's unit, of the worst entry
-  std::size_t states = 0;  // at which errors were measured
-  long bytes = 0;          // of code; 0 for a peer
-  bool on_front = false;   // nothing that is whole is both faster and more accurate
+  double ratio = 1;        // median time relative to that of the first variant
+  ErrorSummary scaled;     // error in units of the last place of double, relative to the size of the terms
+  ErrorSummary absolute;   // error of the worst entry, in the function's unit
+  std::size_t states = 0;  // number of states at which errors were measured
+  long bytes = 0;          // size of the code; 0 for a peer
+  bool on_front = false;   // no row with a whole call is both faster and more accurate
 };
 
 struct BenchFunction {
@@ -45,7 +45,8 @@ struct BenchFunction {
   std::vector<BenchRow> rows;  // fastest first
 };
 
-// "at(q)": a stage is made; "all in stages": that, and all functions as their members; "one by one": without stages.
+// A timing of the stages. "at(q)": making a stage; "all in stages": that and all functions as its members; "one by
+// one": all functions without stages.
 struct BenchStep {
   std::string name;
   OperationCount operations;
@@ -53,8 +54,8 @@ struct BenchStep {
 };
 
 struct BenchStages {
-  std::vector<std::string> functions;  // that the stages have
-  std::vector<BenchStep> steps;        // none: there are no stages
+  std::vector<std::string> functions;  // functions that are members of stages
+  std::vector<BenchStep> steps;        // empty if there are no stages
 };
 
 struct BenchReport {
@@ -62,11 +63,11 @@ struct BenchReport {
   double seconds = 0;
   std::vector<BenchFunction> functions;
   BenchStages stages;
-  std::vector<std::string> left_out;  // peers and variants that are not there, and why
+  std::vector<std::string> left_out;  // missing peers and variants, with the reason
 };
 
-// Throws Failure(usage) for an unknown variant, Failure(bug) if a peer's numbers are others than those of the reference
-// in 50 digits.
+// Runs the benchmark. Throws Failure(usage) for an unknown variant, Failure(bug) if a peer's numbers differ from the
+// reference in 50 digits.
 BenchReport bench(const LoadedRobot& model, const std::vector<Function>& functions, const BenchOptions& options,
                   Progress& progress);
 

@@ -26,7 +26,7 @@ std::string given_type(const BenchVariant& variant) {
   return fmt::format("{}::GivenSinCos<{}>", kBenchNamespace, scalar_type(variant));
 }
 
-// The argument that says where sines and cosines come from; `given`: the caller's arrays.
+// The argument that selects the source of sines and cosines; `given`: the caller's arrays.
 Words sin_cos_argument(const BenchVariant& variant, const std::string& given) {
   switch (variant.trigonometry) {
     case Trigonometry::library:
@@ -45,7 +45,7 @@ InputArgument argument_of(const Mechanism& mechanism, const Function& function, 
   return input_argument(kind, JointCounts(mechanism), function.base_parameters);
 }
 
-// The struct of free symbols, first argument of all functions of a robot that has some; of state `k`.
+// The struct of free symbols at state `k`, the first argument of all functions of a robot that has some.
 Words free_symbols(const Mechanism& mechanism, const BenchVariant& variant, const std::string& k) {
   if (mechanism.symbols.empty()) return {};
   Words members;
@@ -57,7 +57,7 @@ Words free_symbols(const Mechanism& mechanism, const BenchVariant& variant, cons
 
 bool is_member(const CalledFunction& called) { return called.receiver.back() == '.'; }
 
-// What a member needs of these it has.
+// The free symbols that a stage's member needs as an argument.
 Words free_symbols_of(const CalledFunction& called, const Mechanism& mechanism, const BenchVariant& variant,
                       const std::string& k) {
   return is_member(called) ? Words() : free_symbols(mechanism, variant, k);
@@ -155,7 +155,7 @@ std::string template_symbol(const CalledFunction& called, const BenchVariant& va
              : variant.trigonometry == Trigonometry::together ? ", flatdyn::TogetherSinCos"
                                                               : ", " + given_type(variant);
   }
-  // nm keeps closing brackets apart, and so inner ones.
+  // nm separates closing brackets by blanks, and so inner ones, too.
   std::string name = fmt::format("{}::{}<{}>", called.scope, function, types);
   for (std::size_t k = name.find(">>"); k != std::string::npos; k = name.find(">>", k)) name.replace(k, 2, "> >");
   return name;

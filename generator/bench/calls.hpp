@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// C++ text of the calls of one generated function in the benchmark's program.
+// The C++ text that calls a generated function in the benchmark's program.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace flatdyn {
 
-// Entries of all outputs.
+// The number of entries of all outputs.
 std::size_t entry_count(const Function& function);
 
-// "robot::gravity(x.q.of(k), out)": state k of the inputs x, results to `out` from entry `first` on.
+// The call "robot::gravity(x.q.of(k), out)" at state k of the inputs x; its results go to `out` from entry `first` on.
 std::string single_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant,
                         std::size_t first = 0);
 
-// "robot::at(x.q.of(k))": the first stage at state k.
+// The call "robot::at(x.q.of(k))", which makes the first stage at state k.
 std::string at_call(const Mechanism& mechanism, const BenchVariant& variant);
 
-// The function over SIMD lanes: a lambda's capture, parameters and body, and the arrays that it is applied to.
+// A call over SIMD lanes: a lambda's capture, parameters and body, and the arrays that it is applied to.
 struct BatchCall {
   std::string capture;     // "", or "&x" for a robot with free symbols
   std::string parameters;  // "auto q, auto result"
@@ -26,15 +26,17 @@ struct BatchCall {
   std::string columns;
 };
 
+// The call of the function over SIMD lanes.
 BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
 
-// A C function of its own: "extern "C" RETURNS SYMBOL(PARAMETERS) { CALL; }".
+// A C function around the call: "extern "C" RETURNS SYMBOL(PARAMETERS) { CALL; }".
 struct PlainFunction {
   std::string returns, symbol, parameters, call;
 };
 
 std::string plain_symbol(const Function& function, const std::string& variant);
-// "robot::gravity<double, robot::LibrarySinCos>", "robot::Motion<double>::bias": what it calls, as nm -C names it.
+// The symbol of the called function as nm -C prints it: "robot::gravity<double, robot::LibrarySinCos>",
+// "robot::Motion<double>::bias".
 std::string template_symbol(const CalledFunction& called, const BenchVariant& variant);
 PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
 

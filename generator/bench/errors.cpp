@@ -9,12 +9,12 @@
 namespace flatdyn {
 namespace {
 
-// In 50 digits, state by state.
+// The exact values in 50 digits, state by state.
 std::vector<EntryTruth<Real50>> truths_of(const BenchSubject& subject, const Expected& expected,
                                           const std::string& scalar, std::size_t count) {
   std::vector<EntryTruth<Real50>> truths;
   for (std::size_t k = 0; k < count; ++k) {
-    // What a function in float is given: its error is that of its own arithmetic.
+    // A function in float gets rounded inputs, so its error is that of its own arithmetic.
     const State state = scalar == "float" ? in_float(subject.states[k]) : subject.states[k];
     truths.push_back({expected.exact(state), expected.scale(state)});
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is lost by rounding, against 50 digits.
+// Rounding errors against 50 digits.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,8 @@ struct BenchErrors {
   std::size_t states = 0;
 };
 
-// By case. `values` as of BenchProgram::values at `wanted` states; of costly functions fewer are compared.
+// The errors by case. `values`: as returned by BenchProgram::values at `wanted` states; for costly functions fewer are
+// compared.
 std::vector<BenchErrors> bench_errors(const BenchSubject& subject, const ExpectedValues& expected,
                                       const std::vector<BenchCase>& cases,
                                       const std::vector<std::vector<double>>& values, std::size_t wanted);

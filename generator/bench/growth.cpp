@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What rounding stays far below, and a wrong result far above.
+// A bound far above rounding errors and far below those of a wrong result.
 constexpr double kRoundingBound = 1e6;
 constexpr int kStates = 1024;
 
@@ -68,7 +68,8 @@ GrowthRow measured(const LoadedRobot& model, const std::string& function, const 
           compiler.peak_kilobytes};
 }
 
-// A robot's first joints move in fewer ways, and cost less: the exponents are those of the rest, if there are enough.
+// The first row of the fit. The first joints of a robot move in fewer ways and cost less, so the exponents are fitted
+// to the rest if there are enough rows.
 int first_fitted(const std::vector<GrowthRow>& rows) {
   constexpr int kFirst = 8;
   const auto is_late = [](const GrowthRow& row) { return row.joints >= kFirst; };

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-// Exact numbers → C++ text of the nearest doubles.
+// Prints exact numbers as C++ text of the nearest doubles.
 class NumberList {
  public:
   NumberList(const Mechanism& mechanism, const SymbolValues& symbols) {

@@ -9,7 +9,8 @@
 namespace flatdyn {
 namespace {
 
-// Eigen's inline functions under a name of their own: another library's were compiled for another machine.
+// The recursive reference. Eigen's inline functions get a namespace of their own: those in another library were
+// compiled for another machine.
 BenchPeer reference_peer() {
   return {"reference",
           "reference",
@@ -21,7 +22,7 @@ BenchPeer reference_peer() {
            "inverse_dynamics_derivatives", "forward_dynamics_derivatives"}};
 }
 
-// For the machine that its library was compiled for: both share Eigen's layout in memory.
+// Orocos KDL, compiled for the same machine as its library: both share Eigen's layout in memory.
 BenchPeer kdl_peer() {
   return {
       "KDL",
@@ -41,7 +42,7 @@ BenchPeer mujoco_peer() {
           {"inverse_dynamics", "inertia_matrix", "gravity", "bias", "forward_dynamics"}};
 }
 
-// For the machine that its library was compiled for, as KDL: they share Eigen's inline functions, too.
+// DART, compiled for the same machine as its library, like KDL: they share Eigen's inline functions, too.
 BenchPeer dart_peer() {
   return {"DART",
           "dart",
@@ -64,8 +65,8 @@ bool any_body(const Mechanism& mechanism, Has has) {
   return std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), has);
 }
 
-// What none of the other libraries has a word for (or, as for friction, another meaning); empty if there is nothing of
-// it.
+// A part of the mechanism that the other libraries cannot express or, like friction, define differently; empty if there
+// is none.
 std::string unknown_to_others(const Mechanism& mechanism) {
   if (any_body(mechanism, [](const Body& body) { return body.rotor.has_value(); })) return "it knows no rotors";
   const auto has_friction = [](const Body& body) { return !body.viscous.is_zero() || !body.coulomb.is_zero(); };
@@ -116,7 +117,7 @@ BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism) {
   }
   add_peer(peers, reference_peer(), toolchain.has_eigen, "libeigen3-dev", "");
   BenchPeer kdl = kdl_peer();
-  // A chain to an inner link is another chain to KDL, with fewer joints.
+  // A chain to an inner link is a different chain in KDL, with fewer joints.
   if (mechanism.tip.body + 1 != mechanism.size()) {
     for (const char* name : {"forward_kinematics", "jacobian"}) kdl.functions.erase(name);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Other programs' ways to the same numbers, on the same mechanism.
+// Peers: other programs that compute the same functions of the same mechanism.
 #pragma once
 
 #include <set>
@@ -14,11 +14,11 @@ namespace flatdyn {
 
 struct BenchPeer {
   std::string name;                 // in reports
-  std::string stem;                 // of its source file; add_STEM() adds its cases
-  std::string flags;                // of the compiler
-  std::string libraries;            // of the linker
+  std::string stem;                 // stem of its source file; add_STEM() adds its cases
+  std::string flags;                // compiler flags
+  std::string libraries;            // linker flags
   const char* source;               // template of the source file, with a section per function
-  std::set<std::string> functions;  // that it has
+  std::set<std::string> functions;  // the functions that it has
 };
 
 struct BenchPeers {
@@ -26,13 +26,13 @@ struct BenchPeers {
   std::vector<std::string> left_out;  // a line each
 };
 
-// Of all that there may be.
+// The names of all possible peers.
 inline constexpr const char* kBenchPeers[] = {"reference", "KDL", "MuJoCo", "DART"};
 
-// Those that are installed and know all that the mechanism has.
+// The peers that are installed and can express the whole mechanism.
 BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism);
 
-// A C++ header with the mechanism's numbers, the free symbols replaced by `symbols`.
+// A C++ header with the mechanism's numbers, free symbols replaced by `symbols`.
 std::string mechanism_numbers(const Mechanism& mechanism, const SymbolValues& symbols);
 
 }  // namespace flatdyn

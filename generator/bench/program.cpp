@@ -19,7 +19,7 @@ void check(int status, const fs::path& folder) {
                 fmt::format("the benchmark's program ended with {}\n{}", status, content_of_file(folder / "log")));
 }
 
-// The generated functions in all variants, then what the peers have of them.
+// The cases: the generated functions in all variants, then the peers'.
 std::vector<BenchCase> cases_of(const BenchSubject& subject) {
   std::vector<BenchCase> cases;
   for (std::size_t k = 0; k < subject.functions.size(); ++k) {
@@ -34,7 +34,8 @@ std::vector<BenchCase> cases_of(const BenchSubject& subject) {
   return cases;
 }
 
-// Of lines such as "0000 001a W void robot::gravity<double>(double const*, double*)": the name up to the arguments.
+// Parses lines such as "0000 001a W void robot::gravity<double>(double const*, double*)": sizes by the name before the
+// arguments.
 std::map<std::string, long> bytes_by_symbol(const std::string& text) {
   std::map<std::string, long> bytes;
   std::istringstream lines(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The benchmark of one robot as a program of its own: text in a folder, compiled by the machine's compiler.
+// The benchmark of one robot as a separate program: text in a folder, compiled by the machine's compiler.
 #pragma once
 
 #include <filesystem>
@@ -11,33 +11,33 @@
 
 namespace flatdyn {
 
-// One function in one variant, or from a peer.
+// A function in one variant, or of a peer.
 struct BenchCase {
-  std::size_t function = 0;  // index
-  std::string variant;       // or the peer's name
+  std::size_t function = 0;  // index of the function
+  std::string variant;       // name of the variant or the peer
   std::string scalar = "double";
   bool is_peer = false;
-  BenchVariant of = {};                     // of a peer nothing
-  std::optional<CalledFunction> call = {};  // of a peer nothing
+  BenchVariant of = {};                     // empty for a peer
+  std::optional<CalledFunction> call = {};  // none for a peer
 
-  // As the program names it: "gravity/batch-double".
+  // The name in the program: "gravity/batch-double".
   std::string name(const std::vector<Function>& functions) const { return functions[function].name + "/" + variant; }
 };
 
 class BenchProgram {
  public:
-  // Writes, compiles and links. What the subject refers to must outlive it.
+  // Writes, compiles and links the program. The objects that the subject refers to must outlive it.
   BenchProgram(const BenchSubject& subject, std::filesystem::path folder);
 
   const std::vector<BenchCase>& cases() const { return cases_; }
 
-  // Entries of all outputs at the first `states` states, by case.
+  // Entries of all outputs at the first `states` states, one vector per case.
   std::vector<std::vector<double>> values(std::size_t states) const;
-  // Samples of the time of one call in ns, by name of the case or of the step of the stages. Takes about `seconds`.
+  // Samples of the time of one call in ns, by name of the case or of the stages' step. Takes about `seconds`.
   std::map<std::string, std::vector<double>> times(double seconds, unsigned seed) const;
-  // Bytes of machine code, by case, without what it calls; 0 for a peer.
+  // Bytes of machine code per case, without the functions that it calls; 0 for a peer.
   std::vector<long> sizes() const;
-  // Compiles the functions alone, each once per variant.
+  // Compiles the generated functions alone, each once per variant.
   CompilerUsage compilation() const;
 
  private:

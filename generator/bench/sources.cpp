@@ -17,7 +17,7 @@ namespace {
 
 using kainjow::mustache::data;
 
-// All that a function may be given, in the order of the file of states.
+// All possible inputs, in the order of the file of states.
 constexpr InputKind kKinds[] = {InputKind::q,   InputKind::qd,   InputKind::qdd,   InputKind::tau,
                                 InputKind::h_e, InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b};
 
@@ -118,7 +118,7 @@ data step_rows(const BenchSubject& subject) {
   return rows;
 }
 
-// "robot.hpp", then the abbreviated ones.
+// The header's name: "robot.hpp", or that of the abbreviated functions.
 std::string header_of(const AbbreviatedFunctions& functions) {
   return cpp_identifier("robot " + functions.budget) + ".hpp";
 }

@@ -15,7 +15,7 @@ struct SourceFile {
   std::string text;
 };
 
-// All that the program is made of, with the states that it reads.
+// All files of the program, with the states that it reads.
 std::vector<SourceFile> bench_sources(const BenchSubject& subject);
 
 }  // namespace flatdyn

@@ -25,7 +25,7 @@ BenchVariant in_stages() {
   return variant;
 }
 
-// All functions of the stages, each with its entries behind those of the last one.
+// Writes the calls of all functions of the stages, each with its entries after those of the last one.
 class StepWriter {
  public:
   explicit StepWriter(const BenchSubject& subject) : subject_(subject) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the stages cost as a whole: how they are made, and all functions in them beside all functions one by one.
+// The cost of the stages as a whole: making them, and all functions in them beside all functions one by one.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@
 
 namespace flatdyn {
 
-// Of all functions of positions; nothing where there is none, or no variant is staged.
+// The stages of all functions of positions; none if there is no such function, or no variant is staged.
 std::optional<Stages> bench_stages(const LoadedRobot& model, const std::vector<Function>& functions,
                                    const std::vector<BenchVariant>& variants, Progress& progress);
 
 struct StageStep {
-  std::string name;   // as the program names it: "stages/at"
-  std::string title;  // in reports: "at(q)"
+  std::string name;   // name in the program: "stages/at"
+  std::string title;  // title in reports: "at(q)"
   OperationCount operations;
   std::string call;     // C++ statements, in double
-  std::size_t entries;  // that these write, 1 at least
+  std::size_t entries;  // entries that the call writes, at least 1
 };
 
-// Empty where there are no stages.
+// The steps to time; empty if there are no stages.
 std::vector<StageStep> stage_steps(const BenchSubject& subject);
 
-// Of the functions that are members of a stage.
+// The names of the functions that are members of a stage.
 std::vector<std::string> staged_names(const BenchSubject& subject);
 
 }  // namespace flatdyn

@@ -7,7 +7,7 @@
 namespace flatdyn {
 namespace {
 
-// Between two neighbours, linearly.
+// The quantile, interpolated linearly between neighbours.
 double quantile(const std::vector<double>& sorted, double part) {
   const double place = part * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);

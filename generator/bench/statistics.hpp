@@ -10,17 +10,18 @@ struct Quartiles {
   double low = 0, median = 0, high = 0;
 };
 
-// Of at least one number.
+// The quartiles of at least one number.
 Quartiles quartiles(std::vector<double> numbers);
 
+// Two quantities of a row, both better if smaller.
 struct Cost {
   double time = 0, error = 0;
 };
 
-// The Pareto front: of those that no other one beats in one and equals in the other.
+// The Pareto front: true for costs that no other one beats in one quantity without being worse in the other.
 std::vector<bool> pareto_front(const std::vector<Cost>& costs);
 
-// The slope of log y over log x, by least squares; of at least two different x > 0, y > 0.
+// The slope of log y over log x by least squares, from at least two different x > 0, with y > 0.
 double fitted_exponent(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the benchmark's program calls: a robot's functions, whole, abbreviated and in stages, and its peers.
+// The subject of the benchmark: a robot's functions, whole, abbreviated and in stages, and its peers.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace flatdyn {
 
-// Of all that is generated for the program.
+// The namespace of all code generated for the program.
 inline constexpr const char* kBenchNamespace = "robot";
 
 struct AbbreviatedFunctions {
@@ -36,17 +36,17 @@ struct BenchSubject {
   std::optional<Stages> stages = {};
 };
 
-// A function as it is called in a variant.
+// A function as a variant calls it.
 struct CalledFunction {
-  Function function;     // a stage's member without the inputs that the stage has
-  std::string scope;     // what it is declared in: "robot", "robot::budget_1_"; of a member "robot::Motion"
-  std::string receiver;  // what it is called on: "robot::", "motion."
+  Function function;     // a stage's member lacks the inputs that the stage has
+  std::string scope;     // scope of its declaration: "robot", "robot::budget_1_"; for a member "robot::Motion"
+  std::string receiver;  // prefix of the call: "robot::", "motion."
 };
 
-// Function k of the subject; nothing where the variant has none.
+// Function k of the subject; none if the variant lacks it.
 std::optional<CalledFunction> called_function(const BenchSubject& subject, std::size_t k, const BenchVariant& variant);
 
-// "robot::budget_0_1_".
+// The namespace of a budget's functions: "robot::budget_0_1_".
 std::string name_space_of_budget(const std::string& budget);
 
 }  // namespace flatdyn

@@ -61,7 +61,7 @@ void compile_objects(const Toolchain& toolchain, const fs::path& folder, const s
 
 CompilerUsage compiler_usage(const Toolchain& toolchain, const fs::path& folder, const CompileJob& job) {
   compiler_run(fmt::format("{} -O1 usage.cpp -o usage", toolchain.compiler), folder, "usage.log");
-  // A cached object would say nothing about the compiler.
+  // ccache is disabled: a cached object would say nothing about the compiler.
   compiler_run(fmt::format("CCACHE_DISABLE=1 ./usage '{}'", compile_command(toolchain, job)), folder, "used");
   CompilerUsage usage;
   std::istringstream(content_of_file(folder / "used")) >> usage.seconds >> usage.peak_kilobytes;

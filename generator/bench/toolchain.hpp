@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The machine's compiler, and what is there for it to compile.
+// The machine's compiler and the libraries that it finds.
 #pragma once
 
 #include <filesystem>
@@ -18,34 +18,33 @@ struct Toolchain {
   bool has_mujoco = false;
   bool has_dart = false;
 
-  // "g++ (Debian 12.2.0-14+deb12u1) 12.2.0"
+  // The version, such as "g++ (Debian 12.2.0-14+deb12u1) 12.2.0".
   std::string version() const;
 };
 
-// Throws Failure(io) where there is no compiler.
+// Finds the compiler. Throws Failure(io) if there is none.
 Toolchain find_toolchain();
 
-// What generated code is timed with.
+// The compiler flags for timed generated code.
 inline constexpr const char* kBenchFlags = "-std=c++17 -O3 -march=native -ffp-contract=off";
 
 struct CompileJob {
   std::string stem, flags;
 };
 
-// Compiles folder/STEM.cpp to folder/STEM.o, all of them at the same time. Throws Failure(bug) with what the compiler
-// says.
+// Compiles folder/STEM.cpp to folder/STEM.o for all jobs in parallel. Throws Failure(bug) with the compiler's messages.
 void compile_objects(const Toolchain& toolchain, const std::filesystem::path& folder,
                      const std::vector<CompileJob>& jobs);
 
 struct CompilerUsage {
-  double seconds = 0;       // of processor time
-  long peak_kilobytes = 0;  // of its largest process
+  double seconds = 0;       // processor time, s
+  long peak_kilobytes = 0;  // memory of its largest process
 };
 
-// Compiles folder/STEM.cpp alone; the folder has the sources of the benchmark's program.
+// Compiles folder/STEM.cpp alone; the folder holds the sources of the benchmark's program.
 CompilerUsage compiler_usage(const Toolchain& toolchain, const std::filesystem::path& folder, const CompileJob& job);
 
-// Links folder/program.
+// Links the objects to folder/program.
 void link_program(const Toolchain& toolchain, const std::filesystem::path& folder,
                   const std::vector<std::string>& stems, const std::string& libraries);
 

@@ -39,7 +39,7 @@ bool is_whole_call(const BenchVariant& variant) {
 
 namespace {
 
-// Sines that are given are those of the entries of q here.
+// The given sines are those of the entries of q, so a function of multiples cannot use them.
 bool asks_for_multiples(const Graph& graph) {
   for (NodeId id = 0; id < graph.size(); ++id) {
     const bool is_asked = graph[id].op == Op::sin || graph[id].op == Op::cos;

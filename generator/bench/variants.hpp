@@ -8,12 +8,12 @@
 
 namespace flatdyn {
 
-// One state per call; a member of a stage (emit/stages.hpp) that has been made; over SIMD lanes, all states by one
-// call.
+// How a generated function is called: one state per call; as a member of a stage (emit/stages.hpp) that is already
+// made; or over SIMD lanes, with all states in one call.
 enum class Calling { single, staged, batch };
 
-// Where the sines and cosines come from, the last argument of generated functions: the library, all joints' by one
-// call over SIMD lanes, or the caller, so that the time is that of the rest.
+// The source of sines and cosines, the last argument of generated functions: the library; all joints' in one call over
+// SIMD lanes; or the caller, so that only the rest is timed.
 enum class Trigonometry { library, together, given };
 
 struct BenchVariant {
@@ -21,16 +21,17 @@ struct BenchVariant {
   const char* scalar;  // "double" or "float"
   Calling calling;
   Trigonometry trigonometry;
-  const char* budget = "";  // error budget that the function is abbreviated by; "": none
+  const char* budget = "";  // error budget by which the function is abbreviated; "": none
 };
 
-// One line each. The first one is what the others' times are compared with.
+// All variants. The times of the others are compared with the first one's.
 const std::vector<BenchVariant>& bench_variants();
 
+// Whether the call uses SIMD lanes.
 bool needs_xsimd(const BenchVariant& variant);
-// Whether the call does all of the work.
+// Whether the call does the whole work.
 bool is_whole_call(const BenchVariant& variant);
-// Whether there is something of this kind in the function, and whether the machine has what it needs.
+// Whether the variant applies to the function, and the machine has what it needs.
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd);
 
 }  // namespace flatdyn

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the results of operations are sums of, when their size is bounded: inputs, sines times something, products.
+// Atoms: the factors and terms into which results are expanded when their size is bounded, such as inputs, an atom
+// times a sine, and products of atoms.
 #pragma once
 
 #include <deque>
@@ -12,16 +13,16 @@ namespace flatdyn {
 struct Atom {
   enum class Kind {
     one,
-    given,    // an input or a sign: of operation `a`
-    result,   // of operation `a`, with its errors
-    turned,   // sine or cosine of a joint's angle, times atom `a`
-    product,  // of atoms `a` and `b`
+    given,    // an input or a sign: operation `a`
+    result,   // the result of operation `a`, with its errors
+    turned,   // the sine or cosine of a joint's angle, times atom `a`
+    product,  // the product of atoms `a` and `b`
   };
   Kind kind = Kind::one;
   int a = -1, b = -1;
   int joint = -1;
   bool is_cosine = false;
-  std::pair<int, int> rank = {-1, 0};  // the latest operation in it, and how many factors it has besides
+  std::pair<int, int> rank = {-1, 0};  // the latest operation in it, and the number of its other factors
 };
 
 class Atoms {
@@ -30,19 +31,19 @@ class Atoms {
 
   Atoms() { numbered({}); }
 
-  // Each returns the number of the atom; the same for the same one.
+  // Each of these returns the number of the atom, the same for equal atoms.
   int given(int operation) { return numbered({Atom::Kind::given, operation}); }
   int result(int operation) { return numbered({Atom::Kind::result, operation}); }
   int sine(int joint, bool is_cosine) { return numbered({Atom::Kind::turned, kOne, -1, joint, is_cosine}); }
-  // Sines go in front: of s_1 x and y it is s_1 (x y).
+  // The product of two atoms. Sines go in front: the product of s_1 x and y is s_1 (x y).
   int product(int a, int b);
 
   const Atom& operator[](int atom) const { return atoms_[static_cast<std::size_t>(atom)]; }
-  // Of sines and cosines only: 1, s_1, s_1 c_2.
+  // Whether the atom has only sines and cosines as factors: 1, s_1, s_1 c_2.
   bool is_of_sines(int atom) const;
-  // Products of sines that have no joint in common.
+  // Whether two products of sines have no joint in common.
   bool are_apart(int a, int b) const;
-  // What is later has been made of what is not, and never the other way round.
+  // Whether atom a is later than b in an order in which every atom comes after those that it is made of.
   bool is_later(int a, int b) const { return std::pair(rank(a), a) > std::pair(rank(b), b); }
 
  private:

@@ -46,7 +46,8 @@ std::optional<double> effort_of(const Mechanism& mechanism, const Output& output
   return std::abs(nearest_double(limit->number));
 }
 
-// Long double has 11 bits more than double, double has 29 more than float: two are left for what adds up.
+// The extra bits of the type that errors are measured in: long double has 11 bits more than double, double has 29 more
+// than float; two are reserved for the accumulation of errors.
 int bits_more(const RoundingFormat& format) { return format.scalar == "float" ? 27 : 9; }
 
 bool asks_gappa(const CertifyOptions& options) { return options.time_limit > 0 && has_gappa(); }
@@ -85,7 +86,7 @@ class Certifier {
   }
 
  private:
-  // Those of <cmath> take part of what sines may be off, and what is added to them is rounded.
+  // The sines of <cmath> use up a part of the allowed error, and adding the rest of it rounds.
   ObservedOptions observed_options() const {
     constexpr double kOfCmath = 1, kOfSum = 1;
     ObservedOptions options = options_.observed;
@@ -93,7 +94,7 @@ class Certifier {
     return options;
   }
 
-  // One for every operation that goes to an entry.
+  // Lists the outputs: one for every operation whose result is stored in an entry.
   void find_outputs() {
     for (std::size_t o = 0; o < function_.outputs.size(); ++o) {
       const Output& output = function_.outputs[o];
@@ -133,7 +134,7 @@ class Certifier {
     if (!error.groups.empty()) result_.scripts.push_back(sum_script(function_.name, output.name, output.unit, error));
   }
 
-  // An output is proven if its sum is, and all roundings; or if there is no error that it could have.
+  // Asks Gappa for verdicts. An output is proven if its sum and all roundings are, or if it cannot have an error.
   void ask(Progress& progress) {
     progress.step("asking Gappa about " + function_.name);
     const auto start = std::chrono::steady_clock::now();
@@ -158,14 +159,14 @@ class Certifier {
   ErrorAnalysis analysis_;
   CertifiedFunction result_;
   std::vector<int> operations_;             // by output
-  std::vector<std::optional<int>> joints_;  // whose torque it is, by output
+  std::vector<std::optional<int>> joints_;  // by output: the joint whose torque it is
   std::vector<NodeId> exact_;               // by output
-  std::size_t roundings_ = 0;               // scripts about roundings, before those of outputs
+  std::size_t roundings_ = 0;               // number of scripts about roundings, which come before those of outputs
 };
 
 }  // namespace
 
-// The last place of numbers from 1/2 to 1, of which no sine's or cosine's is larger.
+// The error of a sine or cosine; its unit in the last place is that of numbers from 1/2 to 1, as no sine is larger.
 double trigonometry_error(const CertifyOptions& options) {
   return std::ldexp(options.trigonometry_ulp, -rounding_format(options.scalar).precision);
 }

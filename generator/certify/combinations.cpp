@@ -11,7 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 Combinations::Combinations(const std::vector<std::vector<F>>& D, const MatrixXd& in_double) {
-  constexpr double kLeast = 1e-4, kLeastRatio = 1e-6;  // of singular values
+  constexpr double kLeast = 1e-4, kLeastRatio = 1e-6;  // thresholds for singular values
   const int rank = eliminate(D);
   const Eigen::JacobiSVD<MatrixXd> svd(in_double, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const VectorXd& sigma = svd.singularValues();
@@ -22,8 +22,8 @@ Combinations::Combinations(const std::vector<std::vector<F>>& D, const MatrixXd&
   columns_ = in_double;
 }
 
-// D c differs from y by the rest and by what samples of y and of D are off. So far, over the least singular value, c is
-// from a combination that holds exactly.
+// D c differs from y by the residual and by the sampling errors of y and of D. This difference, divided by the least
+// singular value, bounds the distance of c from a combination that holds exactly.
 std::optional<Combinations::Found> Combinations::of(const std::vector<F>& y, const VectorXd& in_double) const {
   if (columns_.size() == 0) return std::nullopt;
   for (const std::vector<F>& row : annihilators_) {
@@ -38,7 +38,7 @@ std::optional<Combinations::Found> Combinations::of(const std::vector<F>& y, con
   return Found{c, size_of_inverse_ * (rest + 2 * kSamples * (size + columns_.norm() * c.norm()))};
 }
 
-// Of (D, 1), whose rows become (0, n) from the rank on, which is returned.
+// Eliminates in (D, 1); returns the rank. From this row on, the rows are (0, n).
 int Combinations::eliminate(const std::vector<std::vector<F>>& D) {
   std::vector<std::vector<F>> rows = D;
   const std::size_t columns = D.front().size();

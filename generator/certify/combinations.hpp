@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whether a quantity is a combination of others with constant coefficients, and which: from what they are at samples.
+// Decides from samples whether a quantity is a combination of others with constant coefficients, and finds them.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,19 +10,21 @@
 
 namespace flatdyn {
 
-// y = D c. That there is a c is decided in GF(p), where samples are exact; what it is, from samples in double.
+// The equation y = D c. Whether there is a c is decided in GF(p), where samples are exact; its value is computed from
+// samples in double.
 class Combinations {
  public:
   using F = ModP<kMersenne61>;
-  static constexpr double kSamples = 1e-13;  // of the vector of all samples; they are right to some 1e-15
+  // Relative error of the vector of all samples; they are right to about 1e-15.
+  static constexpr double kSamples = 1e-13;
 
-  // A row of D for each sample, which are more than columns: for each one more, chance makes y a combination with
-  // probability 1/p.
+  // D has a row for each sample, and more rows than columns: with each further one, the probability that y is a
+  // combination by chance is 1/p times smaller.
   Combinations(const std::vector<std::vector<F>>& D, const Eigen::MatrixXd& in_double);
 
   struct Found {
     Eigen::VectorXd coefficients;  // the shortest c
-    double doubt = 0;              // its distance from one that holds, if samples in double are right to kSamples
+    double doubt = 0;  // bound of its distance from an exact one, if samples in double are right to kSamples
   };
   std::optional<Found> of(const std::vector<F>& y, const Eigen::VectorXd& in_double) const;
 
@@ -30,7 +32,7 @@ class Combinations {
   int eliminate(const std::vector<std::vector<F>>& D);
 
   std::vector<std::vector<F>> annihilators_;  // rows n with n D = 0
-  Eigen::MatrixXd columns_, inverse_;         // empty: too near to a smaller rank
+  Eigen::MatrixXd columns_, inverse_;         // empty: D is too close to a smaller rank
   double size_of_inverse_ = 0;
 };
 

@@ -3,8 +3,8 @@
 
 namespace flatdyn {
 
-// How many ways a search for a small bound goes, at most; it is spent on the way down to the inputs. What more of it
-// brings: docs/certificates.md.
+// The largest number of alternatives that the search for a small bound tries; it is divided up on the path down to the
+// inputs. docs/certificates.md shows what more effort gains.
 inline constexpr int kUsualEffort = 4, kLittleEffort = 1;
 
 }  // namespace flatdyn

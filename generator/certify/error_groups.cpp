@@ -8,8 +8,8 @@ namespace flatdyn {
 namespace {
 
 constexpr std::size_t kMostComponents = 3;  // vectors in space
-constexpr std::size_t kNearby = 12;         // groups that a derivative may join
-constexpr double kWorthwhile = 1e-3;        // of what they cost apart
+constexpr std::size_t kNearby = 12;         // number of recent groups that a derivative may join
+constexpr double kWorthwhile = 1e-3;        // least gain, relative to the cost of separate bounds
 
 double sum_of(const AlikeErrors& errors) {
   double sum = 0;
@@ -17,11 +17,12 @@ double sum_of(const AlikeErrors& errors) {
   return sum;
 }
 
-// A group in the making. Its cost is a bound of what it adds to the output's error.
+// A group under construction. Its cost is a bound of its contribution to the output's error.
 struct Draft {
   std::vector<const ErrorsByDerivative*> parts;
   std::vector<int> derivatives;
-  double error = 0, apart = 0;  // lengths: of the errors' vector; of the derivatives', from each for itself
+  // Lengths of the vector of errors, and of the vector of the derivatives' separate bounds.
+  double error = 0, apart = 0;
   double cost = 0;
 
   Draft with(const ErrorsByDerivative& part, Norms& norms) const {
@@ -45,7 +46,7 @@ ErrorGroup group_of(const std::vector<const ErrorsByDerivative*>& parts, double 
   return result;
 }
 
-// Each part for itself, if that is no worse after all.
+// Finishes a group; its parts are bounded separately if that is no worse after all.
 void finish(const Draft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
   std::vector<ErrorGroup> apart;
   double bound = 0;
@@ -66,7 +67,7 @@ bool turn_together(const Draft& draft, int derivative, Norms& norms) {
                      [&](int other) { return norms.turn_together(other, derivative); });
 }
 
-// Into the draft from which most is gained, or into one of its own.
+// Adds the part to the draft that gains most by it, or to a new one.
 void add(const ErrorsByDerivative& part, Norms& norms, std::vector<Draft>& drafts) {
   const Draft alone = Draft{}.with(part, norms);
   double most = kWorthwhile * alone.cost;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which errors of an output are bounded together.
+// Groups of errors of an output that are bounded together.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace flatdyn {
 
-// Errors of operations by the derivative that brings them to the output, an operation itself.
+// The errors of operations that reach the output by the same derivative, which is an operation itself.
 struct ErrorsByDerivative {
   int derivative = 0;
-  double sensitivity = 0;  // largest size of the derivative
+  double sensitivity = 0;  // bound of the derivative's size
   AlikeErrors errors;
 };
 
-// Groups that make the sum of their bounds small: each derivative joins the vector before it from which most is gained,
-// or none. Derivatives come backward, as they are made; groups and their components are in the order of the text.
+// Forms groups so that the sum of their bounds is small: each derivative joins the earlier vector that gains most by
+// it, or none. Derivatives are given backward, as they are made; the groups and their components are in the order of
+// the text.
 std::vector<ErrorGroup> grouped(const std::vector<ErrorsByDerivative>& errors, Norms& norms);
 
 }  // namespace flatdyn

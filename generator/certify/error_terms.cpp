@@ -26,14 +26,15 @@ int ErrorAnalysis::product(int a, int b) {
   return lines_.multiply(a, b);
 }
 
-// |c A + s B| is no larger than |(A, B)|.
+// The bound of the derivative that the readers imply. Those that multiply by cosine and sine of one joint count
+// together, as |c A + s B| is no larger than |(A, B)|.
 double ErrorAnalysis::Readers::allow() const {
   double sum = others;
   for (const auto& [joint, by] : turning) sum += std::hypot(by.first, by.second);
   return std::max(sum * kUpward, Norms::kLeastSize);
 }
 
-// By operation: the derivative of the output by its result; -1: it has none.
+// By operation: the derivative of the output by its result; -1: there is none.
 std::vector<int> ErrorAnalysis::derivatives(int output) {
   std::vector<int> of(static_cast<std::size_t>(output) + 1, -1);
   of.back() = lines_.constant(1);
@@ -62,13 +63,13 @@ std::vector<int> ErrorAnalysis::derivatives(int output) {
         pass_on(operation.b, product(derivative, operation.a));
         break;
       default:
-        break;  // Norms refuses divisions, and signs of what has errors
+        break;  // Norms throws for divisions, and for signs of values with errors
     }
   }
   return of;
 }
 
-// To what operation k reads.
+// Adds the derivative of operation k to the readers of its operands.
 void ErrorAnalysis::pass_on(double sensitivity, int k, std::vector<Readers>& readers) {
   const auto add = [&readers, sensitivity](int to, double factor) {
     readers[static_cast<std::size_t>(to)].others += sensitivity * factor * kUpward;
@@ -98,7 +99,7 @@ void ErrorAnalysis::pass_on(double sensitivity, int k, std::vector<Readers>& rea
   }
 }
 
-// Operations forward, derivatives backward: each then needs only what is known.
+// Goes through the operations forward and the derivatives backward, so that each needs only known bounds.
 OutputError ErrorAnalysis::error_of(int output, std::optional<int> joint) {
   for (int k = 0; k <= output; ++k) norms_.largest(k);
   const std::vector<int> derivative = derivatives(output);

@@ -15,7 +15,7 @@ namespace flatdyn {
 namespace {
 
 Verdict verdict_on(const GappaScript& script, std::size_t index, const std::filesystem::path& folder, double seconds) {
-  constexpr int kOutOfTime = 124;  // what timeout says
+  constexpr int kOutOfTime = 124;  // the exit status of `timeout`
   const std::string file = fmt::format("{}.g", index);
   write_file(folder / file, script.text);
   const int code = run_command(fmt::format("timeout {} gappa {} > /dev/null 2>&1", seconds, file), folder);

@@ -8,11 +8,13 @@
 
 namespace flatdyn {
 
+// Whether Gappa is installed.
 bool has_gappa();
 
 enum class Verdict { proven, refused, out_of_time };
 
-// Of each script, as many at a time as there are cores; each may take `seconds`. Throws Failure(io).
+// The verdict on each script. As many scripts run at a time as there are cores; each may take `seconds`. Throws
+// Failure(io).
 std::vector<Verdict> ask_gappa(const std::vector<GappaScript>& scripts, double seconds);
 
 }  // namespace flatdyn

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-// Gappa's time grows with the square of a formula's length.
+// The largest number of terms in a formula, as Gappa's time grows with the square of its length.
 constexpr std::size_t kLongest = 250;
 
 const char* name_of(InputKind kind) {
@@ -31,7 +31,7 @@ const char* name_of(InputKind kind) {
 
 std::string expression(ErrorAnalysis& analysis, int k);
 
-// What is exact is written out: "-x5", "rnd(2.0) * qd_1".
+// An operand in Gappa's language. Exact operations are expanded: "-x5", "rnd(2.0) * qd_1".
 std::string operand(ErrorAnalysis& analysis, int k) {
   const StraightLine& lines = analysis.text();
   const Operation& operation = lines[k];
@@ -51,7 +51,7 @@ std::string operand(ErrorAnalysis& analysis, int k) {
   }
 }
 
-// As the text has it: "s_2 * qd_1".
+// An operation as the text has it: "s_2 * qd_1".
 std::string expression(ErrorAnalysis& analysis, int k) {
   const StraightLine& lines = analysis.text();
   const Operation& operation = lines[k];
@@ -72,7 +72,7 @@ std::string expression(ErrorAnalysis& analysis, int k) {
   }
 }
 
-// Powers of two exactly: "1b-53".
+// A number in Gappa's language; powers of two exactly: "1b-53".
 std::string number(double value) {
   int exponent = 0;
   if (std::frexp(value, &exponent) == 0.5) return fmt::format("1b{}", exponent - 1);
@@ -103,7 +103,7 @@ std::string formula(const std::vector<Line>& hypotheses, const std::vector<Line>
 
 std::string error_name(const ErrorTerm& term) { return fmt::format("r{}", term.operation); }
 
-// "r5"; "(r5 + r6)"; "sqrt(r5 * r5 + (r6 + r7) * (r6 + r7))".
+// The length of a group's vector of errors: "r5"; "(r5 + r6)"; "sqrt(r5 * r5 + (r6 + r7) * (r6 + r7))".
 std::string length_of_errors(const ErrorGroup& group) {
   std::vector<std::string> sums, squares;
   for (const AlikeErrors& alike : group.components) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What Gappa is asked: one formula per script, which it proves, or refuses.
+// Scripts for Gappa, each with one formula, which it proves or refuses.
 #pragma once
 
 #include <string>
@@ -10,16 +10,17 @@
 namespace flatdyn {
 
 struct GappaScript {
-  std::string name;  // of its file: "inverse_dynamics.tau_1.g"
+  std::string name;  // name of its file: "inverse_dynamics.tau_1.g"
   std::string text;
 };
 
-// That every operation of the text makes no larger error than was assumed, where it is before rounding no larger than
-// `analysis` says: some hundred operations in each script.
+// Scripts that prove that no operation of the text makes a larger error than assumed if its result before rounding is
+// within the bound of `analysis`; each covers some hundred operations.
 std::vector<GappaScript> rounding_scripts(const std::string& function, ErrorAnalysis& analysis,
                                           const RoundingFormat& format);
 
-// That these errors, times the sensitivities, add up to no more than the bound. `output`: "tau[0]".
+// A script that proves that these errors, times the sensitivities, add up to no more than the bound. `output`:
+// "tau[0]".
 GappaScript sum_script(const std::string& function, const std::string& output, const std::string& unit,
                        const OutputError& error);
 

@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-// A limit of 0 says that nobody gave it, but for positions.
+// The absolute value of a limit. A limit of 0 means that nobody gave one, except for positions.
 double size_of(const Body& body, const std::optional<Value>& limit, const char* what) {
   const bool is_position = std::string(what) == "position";
   if (!limit || has_symbols(limit->number) || (vanishes(limit->number) && !is_position)) {
@@ -45,7 +45,7 @@ double limit_of(const Body& body, InputKind kind) {
 
 InputLimits input_limits(const Mechanism& mechanism) {
   return [&mechanism](const Input& input) {
-    // Free symbols and tip forces are none of a joint.
+    // Free symbols and tip forces do not belong to a joint.
     const bool is_of_joint = input.kind != InputKind::h_e && input.kind != InputKind::parameter;
     const auto joint = static_cast<std::size_t>(is_of_joint && input.index < mechanism.size() ? input.index : 0);
     return limit_of(mechanism.joints()[joint], input.kind);

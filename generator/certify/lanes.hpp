@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Many states at once: a function as its text executes it, and its graph in a wider type.
+// Evaluation at many states at once, of a function as its text executes it and of its graph in a wider type.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@
 
 namespace flatdyn {
 
-inline constexpr std::size_t kTogether = 64;  // states that go through an operation together
+inline constexpr std::size_t kTogether = 64;  // number of states evaluated together
 
-// A number for each of these states.
+// One number for each of these states.
 template <class T>
 struct Lanes {
   std::array<T, kTogether> of{};
@@ -51,12 +51,14 @@ struct Lanes {
   }
 };
 
+// Applies a function to each number.
 template <class T, class Function>
 Lanes<T> mapped(Lanes<T> x, Function apply) {
   for (T& each : x.of) each = apply(each);
   return x;
 }
 
+// The same value in all lanes.
 template <class T>
 Lanes<T> filled(T value) {
   Lanes<T> all;
@@ -64,8 +66,8 @@ Lanes<T> filled(T value) {
   return all;
 }
 
-// kTogether states, of which functions read the format's own values, so that both sides are given the same; never
-// beyond a limit that is one of these values.
+// kTogether states, rounded to the format, so that the text and the graph get the same numbers; rounding never exceeds
+// a limit that is itself a number of the format.
 class Batch {
  public:
   Batch(std::vector<State> states, const RoundingFormat& format, unsigned seed)
@@ -90,7 +92,7 @@ class Batch {
   unsigned seed_;
 };
 
-// More by the error where the state's bit is set, else less.
+// x plus the error where the state's bit of `signs` is set, minus the error elsewhere.
 template <class T>
 Lanes<T> disturbed(Lanes<T> x, T error, std::uint64_t signs) {
   for (std::size_t k = 0; k < kTogether; ++k) x.of[k] += (signs >> k & 1) != 0 ? error : -error;
@@ -112,7 +114,7 @@ Lanes<T> square_root(const Lanes<T>& x) {
   return mapped(x, [](T each) { return std::sqrt(each); });
 }
 
-// For execute(): sines are off by `sine_error`, at random upward or downward.
+// Arithmetic for execute() in which sines have an error of `sine_error`, at random upward or downward.
 template <class T>
 class TextArithmetic {
  public:
@@ -139,7 +141,7 @@ class TextArithmetic {
   std::mt19937_64 signs_;
 };
 
-// The text, operation by operation, up to the last one that is asked for.
+// The results of the text's operations up to `last`.
 template <class T>
 std::vector<Lanes<T>> executed(const StraightLine& lines, int last, const Batch& batch, double sine_error) {
   TextArithmetic<T> arithmetic(batch, sine_error);
@@ -148,7 +150,8 @@ std::vector<Lanes<T>> executed(const StraightLine& lines, int last, const Batch&
   return values;
 }
 
-// Of a result by those of all operations before it, in the order of the text. Divisions, roots and signs have none.
+// The derivatives of a result by the results of all operations before it, in the order of the text. Divisions, roots
+// and signs have none.
 template <class T>
 std::vector<Lanes<T>> derivatives(const StraightLine& lines, const std::vector<Lanes<T>>& values, int result) {
   std::vector<Lanes<T>> by(static_cast<std::size_t>(result) + 1);
@@ -180,7 +183,7 @@ std::vector<Lanes<T>> derivatives(const StraightLine& lines, const std::vector<L
   return by;
 }
 
-// For evaluate(): constants are converted once.
+// Arithmetic for evaluate() that converts each constant once.
 template <class T>
 class LaneArithmetic {
  public:

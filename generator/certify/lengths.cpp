@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The length of a vector whose atoms are within their sizes; those that are of one motion are bounded together.
+// Bounds of the length of a vector whose atoms are within their sizes; atoms that belong to one motion are bounded
+// together.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,7 +15,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-// A summand of a vector, and the rows that it is in.
+// A summand of a vector, and its non-zero rows.
 struct Part {
   std::set<Index> rows;
   double length = 0;
@@ -28,7 +29,7 @@ struct Part {
   }
 };
 
-// Parts that have no row in common are at right angles.
+// A bound of the length of a sum; parts that have no row in common are orthogonal.
 double length_of_sum(const std::vector<Part>& parts) {
   std::vector<Part> apart;
   for (Part part : parts) {
@@ -79,7 +80,7 @@ double Norms::length(const Vector& v) {
   return std::min(in_box, (length_of_sum(parts) + rest) * kUpward);
 }
 
-// Of results of one group.
+// The length of a vector of results that belong to one motion.
 double Norms::length_of_motion(const Vector& v) {
   MatrixXd rows = v.of;
   std::vector<int> operations;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The exact numbers of the model that literals of the text stand for.
+// The exact numbers of the model that the text's literals represent.
 #pragma once
 
 #include <map>
@@ -16,17 +16,19 @@ class ModelConstants {
  public:
   explicit ModelConstants(const Function& function);
 
-  // How far the scalar is from them. Of a literal that stands for none: what a literal can be off.
+  // The error of the literal in the scalar. For a literal that represents no number of the model: the largest rounding
+  // error.
   double error(double literal, const RoundingFormat& format) const;
-  // It stands for several, whose errors differ.
+  // Whether the literal represents several numbers, whose errors differ.
   bool is_ambiguous(double literal) const;
-  // The size of the number that it stands for, itself if for none; nothing if for several.
+  // The absolute value of the number that the literal represents: the literal itself if there is none; nothing if there
+  // are several.
   std::optional<Rational> exact_size(double literal) const;
 
  private:
   void add(const Rational& value);
 
-  std::map<double, std::set<Rational>> values_;  // sizes, by the size of the literal that they are printed as
+  std::map<double, std::set<Rational>> values_;  // absolute values by that of the literal as which they are printed
 };
 
 }  // namespace flatdyn

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Basis = MotionBasis;
 
-// The root of the largest eigenvalue of M Mᵀ, or of Mᵀ M if that is smaller.
+// The spectral norm: the root of the largest eigenvalue of M Mᵀ, or of Mᵀ M if that is smaller.
 double spectral_norm(const MatrixXd& M) {
   if (M.rows() == 1 || M.cols() == 1) return M.norm();
   const MatrixXd gram = M.rows() < M.cols() ? MatrixXd(M * M.transpose()) : MatrixXd(M.transpose() * M);
@@ -27,7 +27,7 @@ double spectral_norm(const MatrixXd& M) {
   return std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
 }
 
-// Of the vector of all uᵀ M_r w, for unit vectors u and w.
+// The largest length of the vector of all uᵀ M_r w, for unit vectors u and w.
 double bilinear_norm(const std::vector<Matrix3d>& forms) {
   double squares = 0;
   MatrixXd all(static_cast<Index>(forms.size()), 9);
@@ -46,7 +46,7 @@ Matrix3d skew_of(const Eigen::Vector3d& a) {
   return result;
 }
 
-// Q of the products in a row, xᵀ Q x with x = (ω, q̇_i).
+// The matrix Q of the products in a row, xᵀ Q x with x = (ω, q̇_i).
 Eigen::Matrix4d quadratic_form(const VectorXd& row) {
   Eigen::Matrix4d Q = Eigen::Matrix4d::Zero();
   Index place = Basis::kProducts;
@@ -76,7 +76,7 @@ MotionBounds::MotionBounds(const Mechanism& mechanism, const InputLimits& limits
       link = links_[static_cast<std::size_t>(body.parent)];
       for (double& lever : link.lever) lever = (lever + length_of(body.p)) * kUpward;
       link.before.push_back(body.parent);
-      link.lever.push_back(length_of({body.p[0], body.p[1], 0}));  // along the axis it is none
+      link.lever.push_back(length_of({body.p[0], body.p[1], 0}));  // a displacement along the axis has no moment arm
     }
     links_.push_back(std::move(link));
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How large combinations of a link's motion can be, within the limits of rates and accelerations.
+// Bounds of combinations of a link's motion within the limits of rates and accelerations.
 //
-// With u_j the unit vector of joint j's axis and r_j the way from it to the link's origin, the motion of the link is a
-// sum over joints up to its own, and over pairs a < b of them:
+// With u_j the unit vector of joint j's axis and r_j the displacement from it to the link's origin, the motion of the
+// link is a sum over joints up to its own, and over pairs a < b of them:
 //     ω = Σ q̇_j u_j,   ω̇ = Σ q̈_j u_j + Σ q̇_a q̇_b u_a × u_b,
 //     p̈ = -g_0 + Σ q̈_j u_j × r_j + Σ q̇_j² u_j × (u_j × r_j) + 2 Σ q̇_a q̇_b u_a × (u_b × r_b).
-// Each summand is bounded whatever the positions are: by spectral norms, as |u_j| = 1, and |u_j × r_j| is no larger
-// than the distances between axes on the way.
+// Each summand is bounded for all positions by spectral norms, as |u_j| = 1 and |u_j × r_j| is no larger than the sum
+// of the distances between axes on the path.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,15 +17,16 @@
 
 namespace flatdyn {
 
-// Entries of a link's motion of which rows are combinations, by place.
+// The places of the entries of a link's motion in the rows that combine them.
 struct MotionBasis {
   static constexpr int kOne = 0, kOmega = 1, kRate = 4, kAngular = 5, kOwn = 8, kLinear = 9;
   static constexpr int kProducts = 12;  // of ω_x, ω_y, ω_z, q̇_i, by pairs: (0, 0), (0, 1), ... (3, 3)
   static constexpr int kSize = 22;
-  // Of what one joint's acceleration alone does: ω̇ and p̈.
+  // The entries caused by one joint's acceleration alone: ω̇ and p̈.
   static constexpr int kAxis = 0, kLever = 3, kSizeOfAxis = 6;
 };
 
+// The entries of a link's motion, MotionBasis::kSize of them, in the order of the places above.
 template <class F>
 std::vector<F> entries_of(const FieldMotion<F>& motion) {
   std::vector<F> result = {F(1)};
@@ -43,18 +44,18 @@ std::vector<F> entries_of(const FieldMotion<F>& motion) {
 
 class MotionBounds {
  public:
-  // Of a mechanism without closed loops, coupled or prismatic joints.
+  // The mechanism must not have closed loops, coupled or prismatic joints.
   MotionBounds(const Mechanism& mechanism, const InputLimits& limits);
 
-  // Of rows · entries_of(the link's motion): the largest length; rows has kSize columns.
+  // The largest length of rows · entries_of(the link's motion); rows has kSize columns.
   double of_motion(int link, const Eigen::MatrixXd& rows) const;
-  // Of rows · (u_joint, u_joint × r_joint) in the link's frame; kSizeOfAxis columns.
+  // The largest length of rows · (u_joint, u_joint × r_joint) in the link's frame; rows has kSizeOfAxis columns.
   double of_axis(int joint, int link, const Eigen::MatrixXd& rows) const;
 
  private:
   struct Link {
-    std::vector<int> before;    // joints on the way to the link's own, which is not among them
-    std::vector<double> lever;  // of each: no smaller than |u_j × r_j|
+    std::vector<int> before;    // joints on the path to the link, without its own
+    std::vector<double> lever;  // by joint of `before`: bound of |u_j × r_j|
   };
 
   double lever_of(int joint, int link) const;

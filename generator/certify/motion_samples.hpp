@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All operations at one random point, and the motions of the links there: in real numbers, or in a prime field.
+// The results of all operations at one random point, and the links' motions there, in real numbers or in a prime field.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace flatdyn {
 
-// A point of real numbers: rates and accelerations between -1 and 1. Literals are what they are.
+// A point of real numbers: rates and accelerations between -1 and 1. Literals have their own values.
 class RealPoint {
  public:
   using Scalar = double;
@@ -73,8 +73,8 @@ class FieldPoint {
   const ExactConstants& constants_;
 };
 
-// For execute(). What is no sum or product of inputs, of joints' sines and of known constants is a number that has to
-// do with nothing else.
+// Arithmetic for execute(). A result that is not a sum or product of inputs, joints' sines and known constants becomes
+// an independent random number.
 template <class Point>
 class PointArithmetic {
  public:
@@ -102,7 +102,7 @@ class PointArithmetic {
   std::uint64_t strangers_ = 0;
 };
 
-// Inputs that are not read count as 0.
+// The inputs that are read; others count as 0.
 using ReadInputs = std::set<std::pair<InputKind, int>>;
 
 template <class Point>
@@ -124,13 +124,13 @@ class MotionSample {
     motions_ = field_motions(mechanism_, q_, qd_, qdd_);
   }
 
-  // Of the operations that are new.
+  // Evaluates the operations that are new.
   void evaluate(const StraightLine& lines) { execute(lines, lines.size(), arithmetic_, values_); }
 
   F value(int operation) const { return values_[static_cast<std::size_t>(operation)]; }
   std::vector<F> entries_of_motion(int link) const { return entries_of(motions_[static_cast<std::size_t>(link)]); }
 
-  // u and u × r of the joint's axis in the link's frame.
+  // u and u × r of the joint's axis, in the link's frame.
   std::vector<F> entries_of_axis(int joint, int link) const {
     MechanismOver<F> weightless = mechanism_;
     weightless.gravity = {F(0), F(0), F(0)};

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using F = FieldPoint::Scalar;
 
-constexpr int kMore = 10;  // samples beyond what a combination needs: by chance, one holds with probability 2^-600
+constexpr int kMore = 10;  // samples beyond those that a combination needs: one holds by chance with probability 2^-600
 constexpr int kSamples = MotionBasis::kSize + kMore;
 
 bool has_only_revolute_joints(const Mechanism& mechanism) {
@@ -63,13 +63,13 @@ class Motions::Recogniser {
   }
 
  private:
-  static constexpr int kMixed = -2;  // of no link: of several, none of which is behind the other; of other inputs
+  static constexpr int kMixed = -2;  // of no single link: it depends on links of different branches, or on other inputs
 
   struct Group {
-    int joint;  // -1: of the motion itself
+    int joint;  // -1: the link's motion itself; else the motion by this joint's acceleration
     int link;
     Combinations combinations;
-    VectorXd sizes;  // of the entries
+    VectorXd sizes;  // bounds of the entries
   };
   struct Known {
     int group;
@@ -96,7 +96,7 @@ class Motions::Recogniser {
     while (link > other) link = mechanism_.bodies[static_cast<std::size_t>(link)].parent;
     return link == other;
   }
-  // The last link of those whose joints the operation depends on; -1: it depends on none.
+  // The outermost link whose joint the operation depends on; -1: it depends on none.
   int later(int a, int b) const {
     if (a == kMixed || b == kMixed) return kMixed;
     if (a < b) std::swap(a, b);

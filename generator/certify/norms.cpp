@@ -35,7 +35,7 @@ Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, Input
       motions_(motions),
       effort_(effort) {}
 
-// Few enough to be multiplied out.
+// Whether all terms are products of sines, few enough to be multiplied out.
 bool Norms::is_of_sines(const Form& form) const {
   constexpr std::size_t kMost = 4;
   return form.size() <= kMost &&
@@ -73,7 +73,7 @@ Norms::Factor Norms::factor(int k) {
   return {atoms_.result(k), 1};
 }
 
-// to + c form, with what is lost by rounding coefficients.
+// Adds c form to `to`, and to its slack what is lost by rounding coefficients.
 void Norms::add(Expansion& to, double c, const Form& form) {
   constexpr double kCancelled = 0x1p-50;
   Form result;
@@ -85,7 +85,7 @@ void Norms::add(Expansion& to, double c, const Form& form) {
     double total = added, lost = std::abs(std::fma(c, coefficient, -added));
     if (i != to.form.end() && i->first == atom) {
       total += i->second;
-      const double part = total - added;  // the rounding error of a sum, exactly: Knuth's
+      const double part = total - added;  // Knuth's exact rounding error of a sum
       lost += std::abs((added - (total - part)) + (i->second - part));
       if (std::abs(total) <= kCancelled * std::abs(added)) lost += std::abs(std::exchange(total, 0));
       ++i;
@@ -97,7 +97,7 @@ void Norms::add(Expansion& to, double c, const Form& form) {
   to.form = std::move(result);
 }
 
-// Sign changes are exact, and products with a power of two that is at least 1.
+// Whether the operation rounds. Sign changes are exact, and products with a power of two that is at least 1.
 bool Norms::is_rounded(int k) const {
   const Operation& operation = lines_[k];
   if (k >= executed_ || !operation.is_sum_or_product()) return false;
@@ -119,8 +119,9 @@ const Norms::Expansion& Norms::expansion(int k) {
   return expansions_.emplace(k, std::move(result)).first->second;
 }
 
-// By the operation, or by the motion that it computes: that takes its place if it says much more, as it cannot cancel
-// with anything then. Where neither roundings nor motions ask for a bound, there is none.
+// Bounds a result by its operation and by the motion that it computes. If the latter is much smaller, the result
+// becomes an atom: its terms can then no longer cancel with others. If neither a rounding nor a motion requires a
+// bound, there is none.
 void Norms::bound(int k, Expansion& expansion) {
   const double of_motion = largest_of_motion(k);
   if (k >= executed_ && !std::isfinite(of_motion)) return;
@@ -139,7 +140,8 @@ void Norms::bound(int k, Expansion& expansion) {
   expansion.has_all_errors = true;
 }
 
-// Infinite where it is none. What is computed differs from it by what its operands are off.
+// The bound of the motion that the operation computes; infinite if it computes none. The computed result differs from
+// the motion by the effect of the operands' errors.
 double Norms::largest_of_motion(int k) {
   if (motions_ == nullptr || motions_->group(k) < 0) return INFINITY;
   return std::max(motions_->largest(k) + deviation_before_rounding(k).error, kLeastSize);
@@ -190,7 +192,7 @@ Norms::Expansion Norms::unrounded(int k) {
     }
     case Step::sine:
     case Step::cosine: {
-      // A sine differs from that of another angle by less than the angles do.
+      // The sines of two angles differ by less than the angles do.
       const double of_angle = operation.a < 0 ? 0 : expansion(operation.a).slack;
       const int sine = atoms_.sine(operation.input.index, operation.step == Step::cosine);
       return {{{sine, 1}}, 0, 0, model_.sine_error + of_angle};
@@ -231,8 +233,8 @@ Norms::Expansion Norms::scaled(double c, double error_of_c, int k) {
   return result;
 }
 
-// (c_0 + Σ c_i S_i) x = c_0 x + Σ c_i (S_i x), with products S_i of sines. Of x every term for itself if both are
-// sums of sines of different joints, none with a factor, as in the sine of a sum of angles.
+// (c_0 + Σ c_i S_i) x = c_0 x + Σ c_i (S_i x), with products S_i of sines. x is expanded into its terms if both factors
+// are sums of sines of different joints, without coefficients, as in the sine of a sum of angles.
 Norms::Expansion Norms::distributed(const Expansion& sines, int k) {
   const Expansion& x = expansion(k);
   const Factor whole = factor(k);
@@ -255,7 +257,7 @@ Norms::Expansion Norms::distributed(const Expansion& sines, int k) {
   return result;
 }
 
-// With a number; with sines; of two unknowns.
+// A product with a number, with sines, or of two unknowns.
 Norms::Expansion Norms::product(int k) {
   const int a = lines_[k].a, b = lines_[k].b;
   for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
@@ -272,7 +274,7 @@ Norms::Expansion Norms::product(int k) {
   return result;
 }
 
-// What is known is kept where it comes first: vectors are in units of what is kept.
+// A known bound takes effect at the first call only, since vectors are scaled by the bounds of their atoms.
 double Norms::largest(int k, double known) {
   const auto kept = largest_.find(k);
   if (kept != largest_.end()) return std::min(kept->second, known);

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How large the intermediate results of a function become, proven from norms.
+// Proven bounds of the intermediate results of a function, from norms.
 //
 // Intervals alone lose a factor of up to 2 at every rotation: |c x + s y| ≤ |x| + |y|. But by Cauchy and Schwarz it is
-// at most |(x, y)|, the norm of a vector; and a rotation keeps norms: |(c x - s y, s x + c y)| = |(x, y)|. So the bound
-// of a scalar is sought as that of a vector M a, which changes on its way down to the inputs; its unknowns a are atoms.
-// Always the latest one goes:
-//     of the joint i whose sine or cosine is in it, the vector is c_i A + s_i B + C; A and B are replaced by a vector
-//     without c_i, s_i that is at least as long, and no longer than need be if A and B turn into each other;
-//     a product is multiplied out if one of its factors is a sum, so that what cancels is gone; or
+// at most |(x, y)|, the norm of a vector; and a rotation keeps norms: |(c x - s y, s x + c y)| = |(x, y)|. So a scalar
+// is bounded by a vector M a, which is transformed on the path down to the inputs; its unknowns a are atoms. The latest
+// atom is always replaced first:
+//     if it contains the sine or cosine of joint i, the vector is c_i A + s_i B + C; A and B are replaced by a vector
+//     without c_i, s_i that is at least as long, and not longer than necessary if A and B turn into each other;
+//     a product is multiplied out if one of its factors is a sum, so that terms can cancel; or
 //     Σ x_k y_k is no longer than |(x_1, ...)| · |(y_1, ...)|, and a quadratic form of the x_k no longer than its
 //     largest eigenvalue times |(x_1, ...)|².
-// Where only some rows have what is replaced, by x, and also others, y, |x + y|² ≤ (1 + λ) |x|² + (1 + 1/λ) |y|² for
-// any λ > 0. At the end there are inputs only, and their limits.
-// Many results are motions of links, see motions.hpp. What is known of these does not depend on the way to them, and
-// where it is less they are atoms that are not replaced; those of one link are bounded together.
-// Roundings are part of it: an operation's result is its exact value and an error of at most half a unit of the last
-// place, or any part of that error. So the bounds hold for exact values, for computed ones, and for all in between.
+// Where only some rows contain the part that is replaced by x, and also other terms y, |x + y|² ≤ (1 + λ) |x|² + (1 +
+// 1/λ) |y|² for any λ > 0. In the end only inputs are left, which have limits. Many results are motions of links, see
+// motions.hpp. The bounds of these do not depend on the formulation, and where they are smaller, the results stay
+// atoms; those of one link are bounded together. Rounding errors are included: an operation's result is its exact value
+// plus any part of an error of at most half a unit in the last place. So the bounds hold for exact values, for computed
+// ones, and for all in between.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,35 +35,36 @@
 
 namespace flatdyn {
 
-// What is known of the errors that operations make.
+// The errors that operations make.
 struct RoundingModel {
   RoundingFormat format;
-  double sine_error = 0;                         // of sines and cosines, absolute
-  std::function<double(double)> constant_error;  // by literal: how far the scalar is from the model's exact number
+  double sine_error = 0;                         // absolute error of sines and cosines
+  std::function<double(double)> constant_error;  // by literal: the scalar's distance from the model's exact number
 };
 
 class Norms {
  public:
-  // The first `executed` operations of `lines` are rounded, those that are added to it later are exact. `motions`, if
-  // any, has to know of every operation before it is asked for here.
+  // The first `executed` operations of `lines` round; operations that are added later are exact. `motions`, if given,
+  // must have recognised every operation before it is used here.
   Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits,
         const Motions* motions = nullptr, int effort = kUsualEffort);
 
-  // Of operation k: its largest size; its size before it was rounded; and the error that it makes itself, which is that
-  // of a sine, of a constant, or of a rounding. Throws Failure(unsupported) for divisions and roots.
+  // Bounds of operation k: its size, its size before rounding, and its own error (of a sine, of a constant, or of a
+  // rounding). Throws Failure(unsupported) for divisions and roots.
   double largest(int k) { return largest(k, INFINITY); }
-  double largest(int k, double known);  // where it is known to be no larger than that
+  double largest(int k, double known);  // with a bound that is known already
   double largest_before_rounding(int k) { return expansion(k).before_rounding; }
   double own_error(int k) { return expansion(k).own_error; }
 
-  // What is smaller, but not 0, counts as that large, so that products of sizes do not vanish.
+  // Smaller sizes other than 0 are raised to this one, so that products of sizes do not underflow.
   static constexpr double kLeastSize = 1e-140;
 
-  // Of the vector of several results: its largest length, which the more effort brings nearer to what it is.
+  // A bound of the length of the vector of several results; more effort makes it tighter.
   double largest_length(const std::vector<int>& operations) { return largest_length(operations, effort_); }
   double largest_length(const std::vector<int>& operations, int effort);
 
-  // That both may be components of one vector that turns: their sums have terms that one joint turns, of one factor.
+  // Whether both results may be components of one turning vector: their sums have terms with the same factor, turned by
+  // the same joint.
   bool turn_together(int j, int k);
 
  private:
@@ -71,31 +72,31 @@ class Norms {
   using Form = std::vector<std::pair<int, double>>;
   struct Expansion {
     Form form;
-    double slack = 0;  // what errors add to it, those of coefficients included
+    double slack = 0;  // bound of the errors added to the form, including those of coefficients
     double before_rounding = 0, own_error = 0;
-    bool has_all_errors = false;  // the form itself: it is the result
+    bool has_all_errors = false;  // the form is the result itself, with its errors
   };
-  // Of a result that is read in a product: a multiple of an atom.
+  // A result as a factor of a product: a multiple of an atom.
   struct Factor {
     int atom = 0;
     double coefficient = 1;
   };
-  // of · φ, φ_k being the atom over its largest size.
+  // The vector of · φ, where φ_k is the atom divided by its largest size.
   struct Vector {
     std::vector<int> atoms;
     Eigen::MatrixXd of;
   };
-  // A vector, and what errors add to its length.
+  // A vector, and a bound of the errors' contribution to its length.
   struct Written {
     Vector vector;
     double slack = 0;
   };
-  // A vector's rows, turned so that as few as possible have the chosen atoms.
+  // A vector's rows, rotated so that as few as possible contain the chosen atoms.
   struct Chosen {
     std::vector<int> atoms, others;
     GatheredRows rows;
   };
-  // Of a result: its largest size, and how far it may be from the exact one.
+  // A result's largest size, and its largest distance from the exact result.
   struct Deviation {
     double size = 0, error = 0;
   };
@@ -124,17 +125,17 @@ class Norms {
   void add(Expansion& to, double c, const Form& form);
   double largest_of(int atom);
 
-  // lengths.cpp: of atoms within their sizes.
+  // lengths.cpp: vectors of atoms within their sizes.
   double length(const Vector& v);
   double length_of_motion(const Vector& v);
   Vector part(const Vector& v, const std::vector<Eigen::Index>& places) const;
 
-  // norms_of_results.cpp.
+  // norms_of_results.cpp: vectors of results.
   double norm(const std::vector<Form>& rows, int effort);
   double norm(const Form& form) { return norm(std::vector<Form>{form}, effort_); }
   std::vector<int> turned_last(const Form& form) const;
 
-  // norms_of_vectors.cpp. Effort: how many ways may be tried where there are several.
+  // norms_of_vectors.cpp: vectors of atoms. `effort`: how many alternatives may be tried.
   double norm(const Vector& v, int effort);
   double norm(const Written& v, int effort) { return norm(v.vector, effort) + v.slack; }
   double norm_of_unit(const Vector& v, int effort);

@@ -35,7 +35,7 @@ double Norms::largest_length(const std::vector<int>& operations, int effort) {
   return (norm(rows, effort) + slack) * kUpward;
 }
 
-// The joint by whose angle the latest part of a sum is turned, and what it turns.
+// The joint by whose angle the latest term of a sum is turned, followed by the factor that it turns.
 std::vector<int> Norms::turned_last(const Form& form) const {
   int last = -1;
   for (const auto& term : form) {

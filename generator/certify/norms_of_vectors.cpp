@@ -18,7 +18,7 @@ double largest_eigenvalue(const MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
 }
 
-// Columns that are multiples of a matrix's, several for an atom.
+// A matrix under construction: columns that are multiples of another matrix's, several per atom.
 class Columns {
  public:
   explicit Columns(const MatrixXd& of) : of_(of) {}
@@ -40,7 +40,7 @@ class Columns {
   std::vector<Part> parts_;
 };
 
-// Factors of products, sorted so that those that hang together with the first have one on each side.
+// The two sides of products, such that each product connected to the first factor has one factor on each side.
 class Sides {
  public:
   Sides(int first_left, const std::vector<std::pair<int, int>>& products) : left_{first_left} {
@@ -68,7 +68,7 @@ std::size_t Norms::HashOfKey::operator()(const std::vector<int>& key) const {
   return hash;
 }
 
-// By its row echelon form in units of its size, of as many digits as matter, in which it is found again.
+// Results are cached by the vector's row echelon form, divided by its size and rounded to the digits that matter.
 double Norms::norm(const Vector& v, int effort) {
   constexpr double kDigits = 0x1p30;
   const double size = v.of.stableNorm();
@@ -95,7 +95,7 @@ double Norms::norm(const Vector& v, int effort) {
     known = {effort, std::min(known.norm, norm_of_unit(unit, effort))};
     known_[std::move(key)] = known;
   }
-  // Of a column, digits lose less than kRest in each row, and row_echelon twice as much in all.
+  // In a column, rounding to digits loses less than kRest in each row, and row_echelon twice as much in all.
   const double rows = static_cast<double>(digits.rows()), lost = (2 + std::sqrt(rows)) * kRest;
   return (known.norm + static_cast<double>(v.of.cols()) * lost) * size * kUpward;
 }
@@ -111,7 +111,7 @@ int Norms::latest(const Vector& v) const {
   return result;
 }
 
-// Of all products, if it is a result, which may be a sum; else -1.
+// The latest factor of all products, if it is a result, which may be a sum; else -1.
 int Norms::latest_factor(const Vector& v) const {
   int result = -1;
   for (const int atom : v.atoms) {
@@ -124,7 +124,7 @@ int Norms::latest_factor(const Vector& v) const {
   return result >= 0 && atoms_[result].kind == Atom::Kind::result ? result : -1;
 }
 
-// Half of the effort goes to products that are multiplied out, if they can be; the rest to the other ways, in the order
+// Half of the effort goes to multiplying products out, if that is possible; the rest to the other methods, in the order
 // in which they tend to be good.
 double Norms::norm_of_unit(const Vector& v, int effort) {
   double least = length(v);
@@ -162,7 +162,7 @@ Norms::Chosen Norms::chosen(const Vector& v, const std::function<bool(const Atom
   return result;
 }
 
-// Of c_i A + s_i B + C.
+// A bound of |c_i A + s_i B + C|.
 double Norms::norm_by_rotation(const Vector& v, int joint, int effort) {
   const Chosen turning =
       chosen(v, [joint](const Atom& of) { return of.kind == Atom::Kind::turned && of.joint == joint; });
@@ -173,13 +173,13 @@ double Norms::norm_by_rotation(const Vector& v, int joint, int effort) {
     const Atom& of = atoms_[turning.atoms[static_cast<std::size_t>(k)]];
     (of.is_cosine ? A : B).col(factors(of.a)) = turning.rows.of.col(k);
   }
-  // A vector x that is longer by so much makes every sum with it longer by no more.
+  // If a vector x is longer by this much, every sum with it is longer by no more.
   return (norm_of_sum({factors.atoms(), of_any_angle(A, B)}, turning, effort) + kRestOfAngles) * kUpward;
 }
 
-// With a factor of products written out.
+// A bound by expanding one factor of products.
 double Norms::norm_by_opening(const Vector& v, int factor, int effort) {
-  constexpr std::size_t kMost = 60;  // atoms
+  constexpr std::size_t kMost = 60;  // largest number of atoms
   const Expansion& sum = expansion(atoms_[factor].a);
   double size_of_sum = 0;
   for (const auto& [x, c] : sum.form) size_of_sum += std::abs(c) * largest_of(x);
@@ -195,7 +195,7 @@ double Norms::norm_by_opening(const Vector& v, int factor, int effort) {
     }
     if (!(size > 0)) continue;
     const int other = of.a == factor ? of.b : of.a;
-    // With another factor; with itself, (x + e)² = x² + x e + e (x + e).
+    // The slack times another factor; times the same one, (x + e)² = x² + x e + e (x + e).
     const double of_slack = largest_of(other) + (other == factor ? size_of_sum : 0);
     slack += v.of.col(k).norm() * (sum.slack * of_slack / size) * kUpward;
     for (const auto& [x, c] : sum.form) {
@@ -209,7 +209,7 @@ double Norms::norm_by_opening(const Vector& v, int factor, int effort) {
   return norm({{opened.atoms(), opened.sum()}, slack}, effort);
 }
 
-// Of Σ x_l y_r m_lr = Σ x_l Y_l, which is no longer than |(w_l x_l)| |(Y_l / w_l)| for any weights.
+// A bound of Σ x_l y_r m_lr = Σ x_l Y_l, which is no longer than |(w_l x_l)| |(Y_l / w_l)| for any weights.
 double Norms::norm_by_factors(const Vector& v, int left, int effort) {
   std::vector<std::pair<int, int>> all;
   for (const int atom : v.atoms) {
@@ -244,7 +244,8 @@ double Norms::norm_by_factors(const Vector& v, int left, int effort) {
   return norm_of_sum({rights.atoms(), of_lefts * of_rights}, products, effort);
 }
 
-// Of quadratic forms of x, row by row: their largest eigenvalue times |x|²; x in units of its entries, or in its own.
+// A bound of quadratic forms of x, row by row: their largest eigenvalue times |x|², with x scaled by the bounds of its
+// entries, or not.
 double Norms::norm_by_squares(const Vector& v, bool in_units, int effort) {
   const Chosen products = chosen(v, [](const Atom& of) { return of.kind == Atom::Kind::product; });
   Places factors;
@@ -280,7 +281,7 @@ double Norms::norm_by_squares(const Vector& v, bool in_units, int effort) {
   return norm_of_sum({{Atoms::kOne}, MatrixXd::Constant(1, 1, std::sqrt(squares) * of_x * of_x)}, products, effort);
 }
 
-// Of (x + y, z), x having replaced what was chosen; λ is the ratio of their lengths.
+// A bound of |(x + y, z)|, where x has replaced the chosen part; λ is the ratio of their lengths.
 double Norms::norm_of_sum(const Vector& x, const Chosen& chosen, int effort) {
   constexpr int kForTheRatio = 4;
   const Vector y = {chosen.others, chosen.rows.coupled};
@@ -305,7 +306,7 @@ double Norms::norm_of_sum(const Vector& x, const Chosen& chosen, int effort) {
   return (std::min(norm(written_out(sum), effort), length(sum)) + slack) * kUpward;
 }
 
-// Results in it as far as sums go.
+// Expands results in it into their sums.
 Norms::Written Norms::written_out(const Vector& v) {
   Columns written(v.of);
   double slack = 0;

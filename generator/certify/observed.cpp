@@ -14,7 +14,7 @@
 namespace flatdyn {
 namespace {
 
-// Of entries of q̇, q̈, τ that operations read, as numbers that threads can share.
+// The limits of entries of q̇, q̈, τ that operations read, as doubles, which threads can share.
 using Limits = std::map<std::pair<InputKind, int>, double>;
 
 Limits limits_of_inputs(const StraightLine& lines, const InputLimits& limits) {
@@ -30,7 +30,7 @@ double& entry(State& state, const std::pair<InputKind, int>& input) {
   return state.of(input.first)[static_cast<std::size_t>(input.second)];
 }
 
-// Where an output's error is the largest so far; of equal ones where it was seen first.
+// The state with an output's largest error so far; among equal ones, the first seen.
 struct Worst {
   double error = 0;
   unsigned batch = 0;
@@ -42,8 +42,8 @@ struct Worst {
   }
 };
 
-// Of the states in which an output's error should be large on average, to be found where it is smooth; of those around
-// it, where nothing but roundings differs; and of the worst so far.
+// The mutations by which states are searched: for a large expected error, which is a smooth function of the state;
+// around that state, where only the roundings differ; and from the worst state so far.
 constexpr Mutation kAnywhere = {4, 0, 7}, kNearby = {0, 8, 37}, kFurther = {};
 
 struct Comparison {
@@ -56,7 +56,7 @@ struct Comparison {
   const RoundingFormat& format;
   ObservedOptions options;
 
-  // Of every second state all but positions are at their limits: errors are larger there.
+  // Draws states. In every second one all inputs but positions are at their limits, since errors are larger there.
   std::vector<State> drawn(unsigned seed) const {
     std::vector<State> states = source.draw(kTogether, seed);
     for (std::size_t k = 1; k < states.size(); k += 2) {
@@ -68,9 +68,9 @@ struct Comparison {
     return states;
   }
 
-  // Children of a state, each on its way to another one of those that are drawn.
+  // Children of a state, each changed towards one of the states drawn.
   std::vector<State> children(const State& parent, const Mutation& mutation, unsigned seed) const {
-    constexpr unsigned kOfChildren = 0x6368696c;  // a stream of its own
+    constexpr unsigned kOfChildren = 0x6368696c;  // a separate stream of random numbers
     std::vector<State> states = drawn(seed);
     std::mt19937_64 random(seed + kOfChildren);
     for (State& state : states) {
@@ -84,8 +84,8 @@ struct Comparison {
   }
 };
 
-// Σ (x_k ∂y/∂x_k)² of an output y over all results before it: if they are rounded at random, the mean square of its
-// error in units of the last place.
+// Σ (x_k ∂y/∂x_k)² of an output y over all results before it. If their rounding errors were random, this would be the
+// mean square of y's error in units of the last place.
 template <class T>
 Lanes<double> expected_squares(const StraightLine& lines, const std::vector<Lanes<T>>& values, int output) {
   const std::vector<Lanes<T>> by = derivatives(lines, values, output);
@@ -99,10 +99,11 @@ Lanes<double> expected_squares(const StraightLine& lines, const std::vector<Lane
   return sum;
 }
 
-// Where the errors of an output should be the largest: by as many batches, a quarter of them drawn.
+// The state at which the errors of an output should be largest, found in this number of batches, a quarter of them
+// drawn.
 template <class T>
 State expected_worst(const Comparison& comparison, std::size_t output, unsigned batches) {
-  constexpr unsigned kOfOutput = 0x6f757470;  // streams of its own
+  constexpr unsigned kOfOutput = 0x6f757470;  // separate streams of random numbers
   const unsigned first = comparison.options.seed + kOfOutput * static_cast<unsigned>(output + 1);
   State worst;
   double most = -1;
@@ -113,7 +114,7 @@ State expected_worst(const Comparison& comparison, std::size_t output, unsigned 
     const int result = comparison.of[output];
     const Lanes<double> squares =
         expected_squares(comparison.lines, executed<T>(comparison.lines, result, batch, 0), result);
-    if (k == 0) worst = batch.states().front();  // if nothing is a number
+    if (k == 0) worst = batch.states().front();  // in case all are NaN
     for (std::size_t s = 0; s < kTogether; ++s) {
       if (!(squares.of[s] > most)) continue;
       most = squares.of[s];
@@ -130,7 +131,7 @@ class Observer {
     for (const int result : comparison.of) last_ = std::max(last_, result);
   }
 
-  // Half of the states at random, then generations of children, for each output in turn; each on all cores.
+  // Observes half of the states at random, then generations of children for each output in turn, all on all cores.
   std::vector<double> run() {
     if (worst_.empty()) return {};
     const auto count =
@@ -145,9 +146,9 @@ class Observer {
   }
 
  private:
-  static constexpr unsigned kBatches = 4;  // of an output in a generation
+  static constexpr unsigned kBatches = 4;  // per output and generation
 
-  // Jobs are taken by whoever is free.
+  // Runs `work` on all cores; each takes the next job when it is free.
   template <class Work>
   static auto on_all_cores(const Work& work) {
     std::vector<std::future<decltype(work())>> running;
@@ -179,7 +180,7 @@ class Observer {
     worst_ = std::move(worst);
   }
 
-  // Those around the state where errors are expected, and children of the worst, in turn.
+  // The states of a batch: around the state with the largest expected error, and children of the worst, in turn.
   std::vector<State> states_of(unsigned batch, bool is_search) const {
     const unsigned seed = comparison_.options.seed + batch;
     const std::size_t output = batch % worst_.size();
@@ -211,9 +212,9 @@ class Observer {
   }
 
   const Comparison& comparison_;
-  int last_ = 0;                 // of the outputs' operations
+  int last_ = 0;                 // the last of the outputs' operations
   std::vector<Worst> worst_;     // by output
-  std::vector<State> expected_;  // by output: where its errors should be large
+  std::vector<State> expected_;  // by output: the state where its errors should be large
 };
 
 }  // namespace

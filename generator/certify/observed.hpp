@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Errors that are seen: a function as its text executes it, against its graph in a wider type. At many states: half of
-// them random, every second of these with all speeds and accelerations at their limits. The other half are searched: a
-// quarter around the state at which the errors of each output should be largest on average, by the derivatives of the
-// output by all results before it; and children of the states at which they were largest so far.
+// Observed errors: a function as its text executes it, compared with its graph in a wider type, at many states. Half of
+// the states are random, and every second of these has all speeds and accelerations at their limits. The other half are
+// searched: a quarter around the state at which the errors of each output should be largest on average, by the
+// derivatives of the output by all results before it; a quarter are children of the states with the largest errors so
+// far.
 #pragma once
 
 #include <vector>
@@ -17,13 +18,13 @@ namespace flatdyn {
 struct ObservedOptions {
   int states = 1'000'000;
   unsigned seed = 1;
-  double sine_error = 0;  // that is added to every sine and cosine, or taken away, at random
+  double sine_error = 0;  // added to every sine and cosine, or subtracted, at random
 };
 
 // By operation in `of`: the largest absolute difference between its result in the format and the entry of the graph
-// that it computes, within the limits of the joints. `exact` are nodes of the graph, one for each. In long double for
-// the format double, in double for float. Sines and cosines are those of <cmath>, but for `sine_error`. The same for
-// the same seed, on any number of cores.
+// that it computes, within the limits of the joints. `exact`: the node of the graph for each. Computed in long double
+// for the format double, in double for float. Sines and cosines are those of <cmath>, up to `sine_error`. The result is
+// the same for the same seed on any number of cores.
 std::vector<double> observed_errors(const Mechanism& mechanism, const StraightLine& lines, const std::vector<int>& of,
                                     const Function& function, const std::vector<NodeId>& exact,
                                     const RoundingFormat& format, const ObservedOptions& options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Places of atoms in a vector.
+// The places of atoms in a vector.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// In the order in which they come.
+// Numbers atoms in the order in which they appear.
 class Places {
  public:
   Eigen::Index operator()(int atom) {

@@ -34,7 +34,7 @@ const RoundingFormat& rounding_format(const std::string& scalar) {
 
 std::string four_digits(double value) { return fmt::format("{:.4g}", value); }
 
-// The last digit is raised until the number is large enough: once, as a rule.
+// Raises the last digit until the number is large enough, as a rule once.
 double rounded_up(double value) {
   if (!(value > 0)) return 0;
   for (double raised = value;; raised *= 1 + 1e-4) {

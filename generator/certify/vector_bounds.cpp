@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Where there are no columns, Eigen would add an offset to a null pointer.
+// Qᵀ M. If there are no columns, Eigen would add an offset to a null pointer.
 MatrixXd turned(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, const MatrixXd& M) {
   return M.cols() == 0 ? M : MatrixXd(qr.householderQ().transpose() * M);
 }
@@ -35,7 +35,7 @@ MatrixXd of_any_angle(const MatrixXd& C, const MatrixXd& S) {
   const Index rows = C.rows();
   const MatrixXd both = stacked(C, S);
   if (rows <= 1) return both;
-  // In a basis Q of all combinations of φ that are there.
+  // In a basis Q of all combinations of φ that occur.
   const Index size = std::min(both.rows(), both.cols());
   const MatrixXd Q =
       Eigen::HouseholderQR<MatrixXd>(both.transpose()).householderQ() * MatrixXd::Identity(C.cols(), size);

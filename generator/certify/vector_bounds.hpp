@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bounds of the length of vectors M φ whose unknowns φ_k are only known to be within [-1, 1], or are turned by an angle
-// that may be any. A vector may be replaced by Q M φ with any orthogonal Q.
+// Bounds of the length of vectors M φ whose unknowns φ_k are only known to be within [-1, 1], or are rotated by an
+// arbitrary angle. A vector may be replaced by Q M φ with any orthogonal Q.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,30 +8,30 @@
 
 namespace flatdyn {
 
-// Columns that are shorter count as none, where the largest is of length 1; much longer than what rounding does to
-// the few dozens of entries that matrices have here.
+// Columns shorter than this count as zero if the longest has length 1. It is much larger than the rounding errors of
+// matrices with a few dozen entries, as used here.
 inline constexpr double kRest = 1e-9;
 
-// Of |M φ|: |M φ|² = Σ φ_i φ_j (Mᵀ M)_ij, which is no more than the sum of sizes.
+// A bound of |M φ|: |M φ|² = Σ φ_i φ_j (Mᵀ M)_ij is no more than the sum of the terms' absolute values.
 double length_in_box(const Eigen::MatrixXd& M);
 
 // N with |(c C + s S) φ|² ≤ |N φ|² + kRestOfAngles² for every unit vector (c, s), if |(C, S)| ≤ 1. With Z = C + i S,
 // the left side is
 //     φᵀ Re(Z^H Z + e^(-2iθ) Zᵀ Z) φ / 2  ≤  φᵀ Re(Z^H Z + |Zᵀ Z|) φ / 2,  |T| = (T^H T)^(1/2),
-// by Takagi's factorisation of the symmetric Zᵀ Z. One row gives (C, S); rows that turn into each other, as x and y do
-// in (c x - s y, s x + c y), give their own length.
+// by Takagi's factorisation of the symmetric Zᵀ Z. A single row gives (C, S); rows that turn into each other, as x and
+// y do in (c x - s y, s x + c y), give their own length.
 inline constexpr double kRestOfAngles = 1e-6;
 Eigen::MatrixXd of_any_angle(const Eigen::MatrixXd& C, const Eigen::MatrixXd& S);
 
-// Q (chosen, others) = (of, coupled; 0, apart): chosen columns are in as few rows as can be. What is not quite 0 there
-// adds no more than `lost` to the length.
+// Q (chosen, others) = (of, coupled; 0, apart): the chosen columns occupy as few rows as possible. Below these rows
+// they are not exactly zero, but add no more than `lost` to the length.
 struct GatheredRows {
   Eigen::MatrixXd of, coupled, apart;
   double lost = 0;
 };
 GatheredRows gathered(const Eigen::MatrixXd& chosen, const Eigen::MatrixXd& others);
 
-// Q M in row echelon form, with as few rows as can be: columns but for kRest.
+// Q M in row echelon form, with as few rows as possible; entries up to kRest are dropped.
 Eigen::MatrixXd row_echelon(Eigen::MatrixXd M);
 
 // These columns of M.

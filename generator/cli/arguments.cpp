@@ -19,7 +19,7 @@
 namespace flatdyn {
 namespace {
 
-// As large and as small as in robot files.
+// Whether the number is within the range of robot files.
 bool is_reasonable(const GiNaC::numeric& number) {
   const GiNaC::numeric largest = GiNaC::numeric(10).power(30), magnitude = GiNaC::abs(number);
   return number.is_zero() || (magnitude <= largest && magnitude * largest >= 1);
@@ -39,7 +39,7 @@ Number decimal_option(const std::string& option, const std::string& text) {
                 fmt::format("{}: \"{}\" is not a decimal number between 1e-30 and 1e30", option, text));
 }
 
-// A quarter of the distance between the multiples of pi/12 that angles are taken for.
+// The option's value, at most a quarter of the distance between the multiples of pi/12 to which angles are snapped.
 Number snap_option(const std::string& text) {
   const Number tolerance = decimal_option("--snap", text);
   const GiNaC::numeric value = GiNaC::ex_to<GiNaC::numeric>(tolerance);
@@ -86,7 +86,7 @@ bool is_decimal(const std::string& text) {
   }
 }
 
-// "JOINT" or "JOINT=POSITION".
+// Parses "JOINT" or "JOINT=POSITION".
 JointPosition fixed_option(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos) return {text};
@@ -114,7 +114,8 @@ std::vector<JointPosition> fixed_options(const std::vector<std::string>& texts) 
   return all;
 }
 
-// As an expression, which is never snapped: what it was taken for is written.
+// The position as text for a file. A file's expressions are never snapped, so a snapped position is written as the
+// exact number.
 std::string position_text(const JointPosition& lock, const Robot& robot) {
   for (const Joint& joint : robot.joints) {
     const bool is_snapped = joint.name == lock.joint && joint.held && !vanishes(joint.held->position - lock.position);
@@ -198,7 +199,7 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->allow_extra_args(false)
       ->check([](const std::string& text) { return text.find(":=") == std::string::npos ? "write NAME:=VALUE" : ""; })
       ->type_name("ARGUMENT");
-  // As compilers spell it: -W takes the rest of -Werror for its value.
+  // The option -Werror as compilers spell it: CLI11 would read -W with the value "error".
   command
       .add_option_function<std::string>(
           "-W", [this](const std::string&) { warnings_are_errors = true; }, "-Werror: warnings are errors")

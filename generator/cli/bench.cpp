@@ -24,7 +24,8 @@ struct BenchArguments : RobotArguments {
   GrowthOptions growth_plan;
 };
 
-// The result to where it is wanted. Printed first: measurements are not to be lost with a file that cannot be written.
+// Writes the results where they are wanted. They are printed first, so that measurements are not lost with a file that
+// cannot be written.
 void deliver(const BenchArguments& arguments, const std::string& name, const nlohmann::ordered_json& json,
              const std::string& text, const std::function<std::string()>& picture) {
   print_result(arguments.json ? json_text(json) : text);

@@ -22,7 +22,7 @@ fs::path beside_the_header(const TextFile& header, const char* extension) {
   return fs::path(header.path).replace_extension(extension);
 }
 
-// Not any file of that name: one that names this header.
+// Whether the file speaks of this header, and does not just have the right name.
 bool is_of(const fs::path& json_file, const TextFile& header) {
   const auto json = nlohmann::json::parse(text_of(json_file), nullptr, false);
   return json.is_object() && json.contains("flatdyn") && json.contains("header") &&

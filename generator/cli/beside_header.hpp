@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Files beside a header that speak of the header that was there, and would be wrong beside another one.
+// Files beside a header that describe the previous header and would be wrong beside a new one.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace flatdyn {
 
-// For `generate`: certificate and scripts of `certify`. None if the header stays as it is.
+// For `generate`: the certificate and scripts of `certify`. Empty if the header does not change.
 std::vector<std::filesystem::path> outdated_certificate(const TextFile& header);
 
-// For `certify`: the manifest of `generate`, if the header changes, and scripts of the last certificate.
+// For `certify`: the manifest of `generate` if the header changes, and the scripts of the last certificate.
 std::vector<std::filesystem::path> outdated_manifest_and_scripts(const TextFile& header);
 
 }  // namespace flatdyn

@@ -44,7 +44,7 @@ std::string certify_stamp(const CertifyArguments& arguments, const std::vector<O
 
 struct Certified {
   Certificate certificate;
-  std::string header, text;  // the name of the header, and its content
+  std::string header, text;  // name and content of the header
 };
 
 Certified certified(const CertifyArguments& arguments, const LoadedRobot& model, PipelineOptions options) {
@@ -71,7 +71,7 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   return result;
 }
 
-// The header, its certificate, and a folder with the scripts.
+// Writes the header, its certificate, and a folder with the scripts.
 void write(const CertifyArguments& arguments, const Certified& result, const std::string& hash) {
   const std::filesystem::path folder = arguments.folder;
   const std::filesystem::path header = folder / result.header;
@@ -88,7 +88,7 @@ void write(const CertifyArguments& arguments, const Certified& result, const std
   write_files(files, outdated_manifest_and_scripts(files.front()));
 }
 
-// More, and they are no sines: bounds then speak of nothing.
+// Refuses errors so large that the values are no sines: bounds would then be meaningless.
 void check_trigonometry(const CertifyOptions& options) {
   constexpr double kMost = 0.125;
   const double error = trigonometry_error(options);

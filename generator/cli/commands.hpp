@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The subcommands. Each adds itself to the command line and leaves a function to run if it was the one asked for.
+// The subcommands. Each adds itself to the command line and leaves a function that runs it if it was chosen.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@ namespace flatdyn {
 
 using Run = std::function<ExitCode()>;
 
-// What every subcommand that reads a robot takes.
+// The options of every subcommand that reads a robot.
 struct RobotArguments : Manner {
   std::string robot;
   std::string snap = "1e-5";
@@ -28,64 +28,67 @@ struct RobotArguments : Manner {
   bool warnings_are_errors = false;
 
   void add_to(CLI::App& command);
-  void add_settings_to(CLI::App& command);  // all but the robot itself
+  void add_settings_to(CLI::App& command);  // adds all options but the robot itself
   PipelineOptions options() const;
-  PipelineOptions options_without_error_budget() const;  // for subcommands that do not make functions for others
-  // TOML lines that repeat --gravity, --tip and --fix, and what the scene says of these, for a file over the robot
-  // file. Throws Failure(unsupported) if the scene says more.
+  PipelineOptions options_without_error_budget() const;  // for subcommands that do not write functions
+  // TOML lines that repeat --gravity, --tip and --fix, and the same settings of the scene, for a file over the robot
+  // file. Throws Failure(unsupported) if the scene has other settings.
   std::vector<std::string> settings(const LoadedRobot& model) const;
-  // Those of these options that shape emitted text, for its stamp; behind others. Of a search, how far it went.
+  // The part of the stamp, for the end of it, with those of these options that shape emitted text; for a search the
+  // number of candidates tried.
   std::string stamp_of_settings(const std::vector<OptimisedFunction>& functions) const;
-  // For subcommands that make no functions: what of the scene has no effect.
+  // Notes the scene's settings that have no effect on subcommands that make no functions.
   void note_function_keys(const LoadedRobot& model) const;
-  // Ends the run with BadInput after an error, or after a warning if these are errors; else prints what was found.
+  // Ends the run with BadInput after an error, or after a warning if warnings are errors; otherwise prints the
+  // findings.
   void report(const Diagnostics& found) const;
-  // Of what was found in a file, none of its lines in particular.
+  // Warns of findings in a file that belong to no particular line.
   void warn_of(const std::vector<std::string>& doubts, const std::string& file) const;
 };
 
-// The argument of all subcommands that read a robot.
+// The description of the robot argument in all subcommands.
 inline constexpr const char* kRobotMeaning = "robot file: URDF, xacro or TOML; - reads a URDF or TOML from stdin";
 
-// For options that name something.
+// A check for options that are names.
 inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.empty() ? "it is empty" : ""; }, "");
 
-// For folders with several files in them, for which "-" cannot stand.
+// A check for folders with several files in them, for which "-" has no meaning.
 CLI::Validator folder_name();
 
-// For options that are numbers. CLI11's own let NaN pass, and print bounds with 300 digits.
+// A check for positive numbers. CLI11's own lets NaN pass and prints bounds with 300 digits.
 CLI::Validator positive_number();
+// A check for numbers from `least` to `most`.
 CLI::Validator number_between(double least, double most);
 
-// A list of names with commas between, which may have blanks around them.
+// Adds an option that is a list of names between commas, which may have blanks around them.
 CLI::Option* add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,
                               const std::string& meaning);
 
-// --error-budget.
+// Adds --error-budget.
 void add_error_budget_option(CLI::App& command, RobotArguments& arguments);
 
-// --search.
+// Adds --search.
 void add_search_option(CLI::App& command, RobotArguments& arguments);
 
-// --functions, with its meaning, and the table of functions at the end of the help.
+// Adds --functions, with its meaning, and the table of functions at the end of the help.
 void add_functions_option(CLI::App& command, std::vector<std::string>& functions,
                           const std::string& meaning =
                               "what to compute, separated by commas; default: what the scene names, else all below "
                               "down to the blank line");
 
-// Options as they go into the stamp of emitted text, those without a value left out: "--scalar float --tip hand".
+// The options as they go into the stamp of emitted text, without those that have no value: "--scalar float --tip hand".
 std::string stamp(const std::vector<std::pair<std::string, std::string>>& options);
 
-// --band and --decimate.
+// Adds --band and --decimate.
 void add_stream_options(CLI::App& command, StreamOptions& options);
 
-// --trajectory.
+// Adds --trajectory.
 void add_trajectory_option(CLI::App& command, std::string& file);
 
-// --plot, a picture whose format its name says; `meaning`: what is drawn.
+// Adds --plot, a picture whose format follows from its name; `meaning`: the content of the picture.
 void add_plot_option(CLI::App& command, std::string& file, const std::string& meaning);
 
-// --parameters, for what `use` says; and the set that its value names.
+// Adds --parameters, for the purpose `use`. parameter_set() returns the set of that name.
 void add_parameters_option(CLI::App& command, std::string& name, const std::string& use);
 ParameterSet parameter_set(const std::string& name);
 

@@ -11,7 +11,7 @@ namespace {
 
 std::string words(const std::vector<std::string>& all) { return fmt::format("{}", fmt::join(all, " ")); }
 
-// What bash does for a value: nothing, where anything may follow.
+// The bash command that completes a value; empty if any text may follow.
 std::string action_for(const ListedOption& option) {
   if (!option.choices.empty()) return fmt::format("_flatdyn_words \"{}\"", words(option.choices));
   if (option.value == "FOLDER") return "_flatdyn_files -d";

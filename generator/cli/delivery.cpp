@@ -21,7 +21,7 @@ std::optional<std::string> text_on_disk(const std::filesystem::path& path) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-// How the file on disk differs; empty: not at all.
+// The difference between the file and the one on disk; empty if there is none.
 std::string difference(const TextFile& file) {
   const std::optional<std::string> there = text_on_disk(file.path);
   if (!there) return "it is not there";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What becomes of the files that a run has made: written, compared with those that are there, or only named.
+// Delivery of the files that a run has made: they are written, compared with those on disk, or only listed.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,18 +12,18 @@ namespace flatdyn {
 
 struct Delivery {
   bool check = false, dry_run = false;
-  std::string depfile;  // of a build tool, in the syntax of make; empty: none
+  std::string depfile;  // for a build tool, in the syntax of make; empty: none
 
   void add_to(CLI::App& command);
-  bool is_only_told() const { return check || dry_run; }  // what is printed is the result
+  bool is_only_told() const { return check || dry_run; }  // only the printed text is the result
 
-  // The first file is the header: a certificate of another one that is there goes away. Returns lines for people.
-  // `inputs`: all files that were read. Throws Failure(outdated) if --check finds a
-  // difference, and what check_outputs() and write_files() throw.
+  // Delivers the files, the first of which is the header; an outdated certificate is removed. Returns lines for people.
+  // `inputs`: all files that were read. Throws Failure(outdated) if --check finds a difference, and what
+  // check_outputs() and write_files() throw.
   std::string deliver(std::vector<TextFile> files, const std::vector<std::string>& inputs) const;
 };
 
-// "targets: prerequisites", with what make and Ninja take for something else escaped.
+// The rule "targets: prerequisites", with characters escaped that are special in make and Ninja.
 std::string dependency_rule(const std::vector<std::string>& targets, const std::vector<std::string>& prerequisites);
 
 }  // namespace flatdyn

@@ -25,7 +25,7 @@ nlohmann::ordered_json table_json(const CsvTable& table) {
   return json;
 }
 
-// Empty if the states have none.
+// The times of the states, s; empty if they have none.
 std::vector<double> times_to_draw(CsvTable states, const std::string& file, const Mechanism& mechanism,
                                   Diagnostics& found) {
   const std::optional<CsvTime> time = states.heading(file, mechanism, found).find_time();

@@ -18,7 +18,8 @@ struct ExciteArguments : RobotArguments {
   std::optional<double> time;
 };
 
-// Who says how many evaluations there are to be wants the same motion everywhere: the time ends those by default only.
+// The plan of the options. If the number of evaluations is given, the same motion is wanted on every machine, so the
+// default time limit does not apply.
 ExcitationOptions plan_of(const ExciteArguments& arguments) {
   ExcitationOptions plan = arguments.plan;
   if (arguments.evaluations) {
@@ -34,11 +35,11 @@ ExitCode excite(const ExciteArguments& arguments) {
   refuse_loops(model, "excite");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
-  const std::string name = cpp_identifier(model.mechanism.name);  // as that of a generated header
+  const std::string name = cpp_identifier(model.mechanism.name);  // as for a generated header
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (name + "_excitation");
   const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg";
   check_outputs({csv, svg}, model.robot.files);
-  const Interruption interruption;  // ends the search and not the program: the best motion so far is written
+  const Interruption interruption;  // Ctrl-C ends the search and not the program: the best motion so far is written
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
   const Excitation excitation = make_excitation(torques, plan_of(arguments), progress, Interruption::happened);

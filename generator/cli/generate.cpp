@@ -8,18 +8,20 @@
 #include "firmware/folder.hpp"
 #include "input/common/content_hash.hpp"
 #include "pipeline/generation.hpp"
+#include "pipeline/pass_dump.hpp"
 #include "python/module.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
 #include "report/proof_report.hpp"
+#include "report/trace_report.hpp"
 #include "verify/rounded_angles.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 namespace {
 
-// A part has to have room for the longest statement and what it needs.
+// The range of --max-lines: a part must have room for the longest statement with everything it needs.
 constexpr int kFewestLines = 30, kMostLines = 1'000'000;
 
 struct GenerateArguments : RobotArguments {
@@ -27,11 +29,13 @@ struct GenerateArguments : RobotArguments {
   std::vector<std::string> functions, staged, fused;
   std::vector<std::string> scalars = {"double"};
   std::string language = "c++", form = "header";
-  std::string name_space, file_name;  // empty: the robot's name
+  std::string name_space, file_name;  // empty: from the robot's name
   std::string firmware;               // a processor; empty: none
   bool python = false;
   const CLI::Option *scalar_given = nullptr, *language_given = nullptr, *form_given = nullptr;
   int most_lines = 0;  // 0: no limit
+  std::vector<std::string> dumped_passes;
+  bool trace = false;
   Delivery delivery;
 
   bool is_pair() const { return form == "pair"; }
@@ -75,13 +79,12 @@ void choose_c(GenerateArguments& arguments, const char* option) {
   arguments.language = "c";
 }
 
-// What Python calls is in C.
+// Chooses C, which Python calls.
 void choose_for_python(GenerateArguments& arguments) {
   if (arguments.python) choose_c(arguments, "--python");
 }
 
-// A folder for a processor is in C, and in the scalar that its floating-point unit computes in, unless another is
-// given.
+// Chooses C for a processor, and the scalar of its floating-point unit unless another is given.
 void choose_for_firmware(GenerateArguments& arguments) {
   if (arguments.firmware.empty()) return;
   choose_c(arguments, "--firmware");
@@ -91,7 +94,7 @@ void choose_for_firmware(GenerateArguments& arguments) {
   if (arguments.scalar_given->count() == 0) arguments.scalars = {firmware_target(arguments.firmware).scalar};
 }
 
-// Two files, and more than one scalar, are for C++.
+// Requires C++ for two files, and for more than one scalar.
 void check_form(const GenerateArguments& arguments) {
   const bool is_cpp = arguments.language == "c++";
   if (arguments.form_given->count() > 0 && !is_cpp) {
@@ -104,7 +107,7 @@ void check_form(const GenerateArguments& arguments) {
                        : "name one, and run it again with another --name and --namespace for the other");
 }
 
-// There is room for one file.
+// Allows one file at most on stdout.
 void check_stdout(const GenerateArguments& arguments) {
   if (!arguments.is_to_stdout()) return;
   if (arguments.json) refuse_two_on_stdout();
@@ -115,11 +118,15 @@ void check_stdout(const GenerateArguments& arguments) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
                   "name a folder; a header in C++ and a module in JavaScript are one file");
   }
+  if (!arguments.dumped_passes.empty()) {
+    throw Failure(ExitCode::usage, "-o -: --dump-after writes files of its own", "name a folder");
+  }
 }
 
 void check_usage(const GenerateArguments& arguments) {
   check_stdout(arguments);
   check_form(arguments);
+  check_pass_names(arguments.dumped_passes);
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
@@ -156,10 +163,15 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
 
 GenerationResult generated(const GenerateArguments& arguments, const GenerationOptions& options) {
   Progress progress(arguments.quiet);
-  return generate_code(arguments.robot, options, progress);
+  GenerationResult result = generate_code(arguments.robot, options, progress);
+  if (arguments.trace) {
+    erase_progress();
+    fmt::print(stderr, "{}", describe_trace(progress.steps(), result.functions));
+  }
+  return result;
 }
 
-// How the text's constants are rounded, and once more where C++ is compiled for float.
+// The rounding of the text's constants, and the rounding again when C++ is compiled for float.
 std::string rounding_of_constants(const GenerationResult& result, const GenerationOptions& options) {
   const std::string written = result.read_back->constants();
   return written == "double" && options.is_for_float() ? "double, and float rounds these once more" : written;
@@ -175,7 +187,7 @@ nlohmann::ordered_json manifest_of(const GenerationResult& result, const std::ve
   if (result.torque_deviation) manifest["error_budget"] = abbreviation_json(robot, *result.torque_deviation);
   if (result.stages) manifest["stages"] = stages_json(*result.stages);
   manifest["proof"] = proofs_json(result.proofs);
-  // So that a reader sees whether the files belong together.
+  // The hash tells a reader whether the files belong together.
   manifest["header_hash"] = content_hash({files[0].text});
   if (files.size() > 1) {
     manifest["source"] = files[1].name;
@@ -184,7 +196,7 @@ nlohmann::ordered_json manifest_of(const GenerationResult& result, const std::ve
   return manifest;
 }
 
-// The files that were asked for beside header and source.
+// The files that were asked for in addition to header and source.
 std::vector<GeneratedFile> companions(const GenerationResult& result, const GenerateArguments& arguments) {
   const LoadedRobot& robot = result.robot;
   const std::vector<Function> functions = functions_of(result);
@@ -203,10 +215,11 @@ std::vector<GeneratedFile> companions(const GenerationResult& result, const Gene
     files.push_back({name + ".py", module.module});
     files.push_back({name + "_batch.c", module.batch});
   }
+  for (GeneratedFile& file : pass_dump(result, arguments.dumped_passes)) files.push_back(std::move(file));
   return files;
 }
 
-// All files, where they go.
+// All files with their paths.
 std::vector<TextFile> files_to_write(const GenerationResult& result, const std::string& manifest,
                                      const GenerateArguments& arguments) {
   if (arguments.is_to_stdout()) return {{kStdout, result.files.front().text}};
@@ -258,7 +271,7 @@ ExitCode generate(GenerateArguments arguments) {
   return ExitCode::ok;
 }
 
-// In what the code is written, and what is written around it.
+// Adds the options for the language of the code and the files around it.
 void add_form_options(CLI::App& command, GenerateArguments& arguments) {
   arguments.scalar_given =
       command
@@ -326,6 +339,11 @@ Run add_generate(CLI::App& app) {
                    "no function of the header is longer: longer ones call parts of their own")
       ->check(CLI::Range(kFewestLines, kMostLines))
       ->type_name("N");
+  add_names_option(*command, "--dump-after", arguments->dumped_passes,
+                   "write every function as text after these passes: names of passes, derived (before the first one), "
+                   "or all");
+  command->add_flag("--trace", arguments->trace,
+                    "show on stderr how long each stage and pass takes, and what operations it leaves");
   arguments->delivery.add_to(*command);
   return [arguments] { return generate(*arguments); };
 }

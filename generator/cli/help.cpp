@@ -10,7 +10,7 @@ constexpr std::size_t kWidth = 120;
 
 }  // namespace
 
-// CLI11 puts the lines of a description under each other.
+// Wraps a description, whose lines CLI11 puts below each other.
 std::string NarrowHelp::make_option_desc(const CLI::Option* option) const {
   return wrapped(CLI::Formatter::make_option_desc(option), kWidth - get_column_width());
 }

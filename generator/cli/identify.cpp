@@ -23,11 +23,11 @@ struct IdentifyArguments : RobotArguments {
   bool sequential = false;
   std::string plot;
 
-  // What is read first.
+  // The file that is read first.
   const std::string& source() const { return logs.empty() ? parts.front() : logs.front(); }
 };
 
-// "2/8" → part 2 of 8.
+// Parses "2/8", part 2 of 8.
 void read_part(const std::string& text, StreamOptions& options) {
   int part = 0, parts = 0, length = 0;
   const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &length) == 2;
@@ -58,7 +58,7 @@ void check_identify_usage(const IdentifyArguments& arguments) {
   }
 }
 
-// All that is read or written.
+// Checks all files that are read or written.
 void check_files(const IdentifyArguments& arguments, const Robot& robot) {
   std::vector<std::string> inputs = robot.files;
   inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
@@ -66,7 +66,8 @@ void check_files(const IdentifyArguments& arguments, const Robot& robot) {
   check_outputs({arguments.output, arguments.plot}, inputs);
 }
 
-// Some can be used, and gaps in time, each of which costs a window of the filter, do not take most of them.
+// Checks that some samples can be used, and that gaps in time, each of which costs a window of the filter, do not
+// remove most of them.
 void check_samples(const Measurement& measurement, const std::string& log, Diagnostics& found) {
   const StreamCount& count = measurement.count;
   int window = 0, decimate = 1;
@@ -97,7 +98,7 @@ Measurement measured(const IdentifyArguments& arguments, const StreamOptions& op
   } else {
     measurement = merge_parts({arguments.parts.begin(), arguments.parts.end()}, model, found);
   }
-  // A part may have its share of nothing; all parts together must not.
+  // A single part may have no samples; all parts together must have some.
   const bool is_whole = arguments.part.empty() && !found.has_errors();
   if (is_whole) check_samples(measurement, arguments.source(), found);
   arguments.report(found);
@@ -144,7 +145,8 @@ ExitCode identify(const IdentifyArguments& arguments) {
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
-  if (!arguments.output.empty()) arguments.settings(robot);  // what cannot be written is said before logs are read
+  // Settings that cannot be repeated are refused before logs are read.
+  if (!arguments.output.empty()) arguments.settings(robot);
   Identification found;
   {
     Progress progress(arguments.quiet);
@@ -161,7 +163,7 @@ ExitCode identify(const IdentifyArguments& arguments) {
     found.estimate = estimate(found.measurement.observations, file, arguments.estimate);
     if (arguments.sequential) found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations, file);
     progress.step("finding links that a body can have");
-    // What the estimate leaves out, friction and rotors, is not in the robot that it is written to either.
+    // Friction and rotors that the estimate leaves out are left out of the robot that it is applied to, too.
     const bool inertial_only = parameter_set(arguments.parameters) == ParameterSet::inertial;
     found.physical =
         physical_parameters(inertial_only ? model.mechanism() : robot.mechanism, model.base(), found.estimate);

@@ -15,13 +15,13 @@
 namespace flatdyn {
 namespace {
 
-// What was printed may still wait in the buffer, for a disk that is full or a pipe that nobody reads.
+// Checks that stdout has taken everything: printed text may wait in a buffer for a full disk or a closed pipe.
 void check_stdout_is_open() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
   throw Failure(ExitCode::io, std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
-// Throws what ends the run.
+// Runs a command. Exceptions that end the run pass through.
 ExitCode run(const Run& command) {
   const ExitCode code = command();
   check_stdout_is_open();

@@ -18,12 +18,12 @@ struct ManipulabilityArguments : RobotArguments {
   double torque = 1, spacing = 0;
 };
 
-constexpr double kPlacesAlongArm = 24;  // of a map without --spacing
+constexpr double kPlacesAlongArm = 24;  // in a map without --spacing
 
 struct Positions {
   std::vector<std::vector<double>> q;
-  std::vector<double> t;  // empty, or one for each q
-  int first_line = 0;     // in the file
+  std::vector<double> t;  // empty, or one time per row of q
+  int first_line = 0;     // line of the first row in the file
 };
 
 Positions read_positions(const ManipulabilityArguments& arguments, const Mechanism& mechanism) {
@@ -55,7 +55,7 @@ Positions read_positions(const ManipulabilityArguments& arguments, const Mechani
   return positions;
 }
 
-// Those asked for; else the plane in which an arm of a plane moves, or all.
+// The views asked for; by default the plane in which a planar arm moves, or all.
 std::vector<View> views(const std::string& name, const std::vector<int>& task) {
   if (!name.empty() && name != "all") return {view_of(name)};
   if (name.empty() && task == std::vector{0, 1}) return {view_of("xy")};
@@ -68,7 +68,7 @@ bool has_turns(const std::vector<int>& task) {
   return std::any_of(task.begin(), task.end(), [](int row) { return row >= 3; });
 }
 
-// Instead of the start, all places on a grid that the tip gets to from there.
+// Replaces the start by all places on a grid that the tip can reach from there.
 void spread(const ManipulabilityArguments& arguments, const LoadedRobot& model, const std::vector<int>& task,
             double spacing, Positions& positions) {
   const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(positions.q.front().data(), model.mechanism.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Manual pages in the macros of man(7), and the references of docs/commands/ in Markdown. Both are made from what
-// --help prints from, so that they cannot differ.
+// Manual pages in the macros of man(7), and the references of docs/commands/ in Markdown. Both are made from the
+// data of --help, so that they cannot differ.
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
@@ -14,7 +14,7 @@
 namespace flatdyn {
 namespace {
 
-// As roff would print it: neither a request at the beginning of a line, nor a hyphen that may be broken at.
+// The text escaped for roff, which neither sees a request at the beginning of a line nor breaks a word at a hyphen.
 std::string roff(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -25,7 +25,7 @@ std::string roff(const std::string& text) {
   return result;
 }
 
-// Its lines stay lines.
+// The text with its line breaks kept.
 std::string lines(const std::string& text) {
   std::string result;
   for (const char c : roff(text)) result += c == '\n' ? "\n.br\n" : std::string(1, c);

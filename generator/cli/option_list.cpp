@@ -7,7 +7,7 @@
 namespace flatdyn {
 namespace {
 
-// "TEXT:{double,float}" → double, float.
+// The choices in a type: "TEXT:{double,float}" gives double, float.
 std::vector<std::string> choices_of(const std::string& type) {
   const std::size_t open = type.find('{'), close = type.find('}');
   if (open == std::string::npos || close == std::string::npos) return {};

@@ -14,8 +14,8 @@ inline constexpr const char* kCommonOptions = "Options for any robot";
 struct ListedOption {
   std::vector<std::string> names;    // "-o", "--output"
   std::string value;                 // "FOLDER"; empty for a flag
-  std::vector<std::string> choices;  // of the value, if there are only so many
-  std::string standard;              // the default, if the program says one
+  std::vector<std::string> choices;  // possible values, if they are limited
+  std::string standard;              // the default, if the program has one
   std::string meaning;
   bool is_common = false;  // for any robot
 };
@@ -26,7 +26,7 @@ struct Description {
 };
 Description description_of(const CLI::App& command);
 
-// In the order of --help, without the positional ones.
+// The options in the order of --help, without positional ones.
 std::vector<ListedOption> listed_options(const CLI::App& command);
 std::vector<const CLI::Option*> positionals(const CLI::App& command);
 std::vector<const CLI::App*> subcommands(const CLI::App& app);

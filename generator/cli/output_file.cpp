@@ -19,7 +19,7 @@ namespace {
 
 bool is_stdout(const fs::path& path) { return path == kStdout; }
 
-// A device or a pipe is written to; only a file is replaced.
+// Whether the path is a file to be replaced; devices and pipes are written to.
 bool is_replaced(const fs::path& path) {
   if (is_stdout(path)) return false;
   std::error_code ignored;
@@ -27,7 +27,7 @@ bool is_replaced(const fs::path& path) {
   return !fs::exists(status) || fs::is_regular_file(status);
 }
 
-// Also under two names. What is no file, such as /dev/null, loses nothing.
+// Whether both paths lead to one file, also by two names. A device such as /dev/null does not count: it loses nothing.
 bool is_one_file(const fs::path& a, const fs::path& b) {
   if (is_stdout(a) || is_stdout(b)) return a == b;
   if (!is_replaced(a) || !is_replaced(b)) return false;
@@ -37,13 +37,13 @@ bool is_one_file(const fs::path& a, const fs::path& b) {
   return !error && first == fs::weakly_canonical(fs::absolute(b), error) && !error;
 }
 
-// What a link leads to is replaced, not the link.
+// The file with links followed: the target of a link is replaced, not the link.
 TextFile followed(const TextFile& file) {
   if (!fs::is_symlink(fs::symlink_status(file.path)) || !is_replaced(file.path)) return file;
   return {fs::weakly_canonical(file.path), file.text};
 }
 
-// Before anything is written: what rename() would find out too late, or not at all.
+// Checks, before anything is written, what rename() would report too late or not at all.
 void check_writable(const TextFile& file) {
   if (fs::is_directory(file.path)) cannot_write(file.path, std::strerror(EISDIR));
   if (fs::exists(file.path) && ::access(file.path.c_str(), W_OK) != 0) cannot_write(file.path, std::strerror(errno));

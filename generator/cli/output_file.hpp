@@ -10,25 +10,25 @@
 
 namespace flatdyn {
 
-// As a file's name it means stdout.
+// The file name that means stdout.
 inline constexpr const char* kStdout = "-";
 
-// Throws Failure(usage) if two outputs are one file, or if an output is an input, which would be lost. Outputs without
-// a name do not count.
+// Throws Failure(usage) if two outputs are the same file, or if an output is an input, which would be lost. Outputs
+// without a name are ignored.
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
-// All of them or none, as replace_files does. A link stays a link, and what it leads to is replaced; a device is
-// written to. Folders that are not there are made. Throws Failure(io).
+// Writes all files or none, by replace_files(). A link stays a link, and its target is replaced; a device is written
+// to. Missing folders are made. Throws Failure(io).
 void write_files(const std::vector<TextFile>& wanted, const std::vector<std::filesystem::path>& outdated = {});
 
-// What a subcommand tells on stdout: for people, or as JSON.
+// The output of a subcommand on stdout: text for people, or JSON.
 struct CommandOutput {
-  std::string text;  // ends its last line
+  std::string text;  // ends with a line break
   nlohmann::ordered_json json;
 };
 
-// Writes the files, then prints what is told, with their names: nothing where a file is on stdout, or, with --quiet,
-// where there are files.
+// Writes the files, then prints the output with their names. Nothing is printed if a file goes to stdout or, with
+// --quiet, if there are files.
 void write_and_tell(const std::vector<TextFile>& files, const CommandOutput& told, const Manner& manner);
 
 // Throws Failure(usage).

@@ -54,7 +54,7 @@ Observations observed(const TorqueModel& model, const std::vector<std::string>& 
   return std::move(measurement.observations);
 }
 
-// The change of the last link against the log without payload, or against the robot file.
+// The payload as the change of the last link against the log without payload, or against the robot file.
 PayloadEstimate from_torques(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
   const TorqueModel model(robot, ParameterSet::given, progress);
   const Eigen::VectorXd file = Eigen::Map<const Eigen::VectorXd>(model.file_values().data(), model.parameters());
@@ -87,7 +87,7 @@ PayloadEstimate from_wrist(const LoadedRobot& robot, const PayloadArguments& arg
   return observer.estimate(correlation);
 }
 
-// What may be the reason of a negative mass.
+// A possible reason of a negative mass.
 std::string hint_of(const PayloadArguments& arguments) {
   if (arguments.wrist) return "are the sensor's forces those that the link exerts, or those that it feels?";
   if (!arguments.without.empty()) return "are --data and --without exchanged?";

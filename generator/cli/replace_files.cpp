@@ -23,7 +23,7 @@ namespace {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-// Names beside a file's, hidden and of this process: of what will be in its place, and of what was.
+// Prefixes of hidden names beside a file, which belong to this process: of the new file, and of the previous one.
 constexpr const char *kNew = "", *kOld = "old.";
 
 std::string prefix_beside(const fs::path& path, const char* kind) {
@@ -33,7 +33,7 @@ fs::path beside(const fs::path& path, const char* kind) {
   return path.parent_path() / (prefix_beside(path, kind) + std::to_string(::getpid()));
 }
 
-// That such a name is of some process.
+// Whether the name is such a name of any process.
 bool is_beside(const std::string& name, const fs::path& path) {
   const auto is_of = [&](const char* kind) {
     const std::string prefix = prefix_beside(path, kind);
@@ -43,8 +43,8 @@ bool is_beside(const std::string& name, const fs::path& path) {
   return is_of(kNew) || is_of(kOld);
 }
 
-// One run at a time writes to a folder: files that belong together are not mixed with another run's. A file system
-// that knows no locks goes without; the kernel lets go of a lock when a run ends, however it ends.
+// A lock of a folder: one run at a time writes to it, so that files of different runs are not mixed. File systems
+// without locks go without; the kernel releases the lock when a run ends in any way.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& file) {
@@ -67,7 +67,7 @@ class FolderLock {
   bool is_held_ = false;
 };
 
-// The folders' locks, in one order for all runs, so that none waits for another that waits for it.
+// Locks all folders, in the same order in every run, so that no two runs wait for each other.
 std::vector<std::unique_ptr<FolderLock>> locked(const std::vector<fs::path>& places) {
   std::map<fs::path, fs::path> by_folder;
   for (const fs::path& place : places) {
@@ -79,7 +79,8 @@ std::vector<std::unique_ptr<FolderLock>> locked(const std::vector<fs::path>& pla
   return locks;
 }
 
-// What runs that were killed have left beside these files. For who holds the folders' locks: no other run is writing.
+// Removes the files that killed runs have left beside these. The caller must hold the folders' locks: no other run is
+// writing.
 void remove_remains(const std::vector<fs::path>& places) {
   std::error_code ignored;
   for (const fs::path& place : places) {
@@ -97,12 +98,12 @@ void rename(const fs::path& from, const fs::path& to, const fs::path& wanted) {
   if (error) cannot_write(wanted, error.message());
 }
 
-// The change from the last run's files to this one's, which are written beside their places before. At whatever moment
-// this run is killed, no file of the one stands beside one of the other: the first is replaced in one step, and the
-// others are away while that happens.
+// The replacement of the last run's files by this run's, which are first written beside their places. Whenever this run
+// is killed, no file of one run stands beside one of the other: the first file is replaced in one step, and the others
+// are absent meanwhile.
 class Change {
  public:
-  // places: those of the files, then those of outdated ones.
+  // places: those of the files, followed by those of outdated files.
   Change(const std::vector<TextFile>& files, const std::vector<fs::path>& places) : files_(files), places_(places) {}
   Change(const Change&) = delete;
   Change& operator=(const Change&) = delete;
@@ -129,7 +130,7 @@ class Change {
   }
 
  private:
-  // Of outdated files that were in a folder of their own. One that has files stays.
+  // Removes folders of outdated files if they are empty.
   void remove_emptied_folders() const {
     std::error_code ignored;
     for (const fs::path& place : places_) {
@@ -138,7 +139,7 @@ class Change {
     }
   }
 
-  // Of the first file a second name; where there are no such names, a copy.
+  // Gives the previous first file a second name, or copies it on file systems without hard links.
   void set_aside(const fs::path& path) const {
     if (!fs::exists(path)) return;
     const fs::path old = beside(path, kOld);
@@ -181,7 +182,7 @@ void write_text(const fs::path& place, const TextFile& file) {
 
 NewFolders::~NewFolders() {
   std::error_code ignored;
-  // What is not empty stays.
+  // Folders that are not empty stay.
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
 }
 

@@ -12,14 +12,15 @@
 namespace flatdyn {
 namespace {
 
-// Where there are more joints, Christoffel symbols and the regressor are too large to look at, or to wait for.
+// The largest number of joints for which Christoffel symbols and the regressor are computed; beyond it they take too
+// long and are too large to look at.
 constexpr int kMostJointsOfLargeMaps = 12;
 
 struct ReportArguments : RobotArguments {
   std::string file;
   std::string parameters = "given";
   std::string with;    // "certificate"; empty: nothing more
-  std::string stress;  // stress.json; empty: none
+  std::string stress;  // path of stress.json; empty: none
 };
 
 std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
@@ -32,7 +33,7 @@ std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
   return names;
 }
 
-// As many of them as the robot allows; what is left out is a warning in `findings`.
+// The functions that the robot allows; each one left out is a warning in `findings`.
 std::vector<OptimisedFunction> functions_for(const LoadedRobot& model, PipelineOptions options, Progress& progress,
                                              Diagnostics& findings) {
   std::vector<OptimisedFunction> functions;
@@ -65,7 +66,7 @@ std::optional<WorstStates> worst_states(const std::string& file, const LoadedRob
   return states;
 }
 
-// By flatdyn's own bounds: what Gappa proves in a given time depends on the computer.
+// The certificate by flatdyn's own bounds: what Gappa proves in a given time depends on the computer.
 Certificate certificate_of(const LoadedRobot& model, const std::vector<OptimisedFunction>& functions,
                            Progress& progress) {
   const std::vector<OptimisedFunction> torques = {functions.front()};

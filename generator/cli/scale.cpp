@@ -14,8 +14,8 @@
 namespace flatdyn {
 namespace {
 
-constexpr double kLeastScaling = 1e-6;    // of --faster
-constexpr double kLimitTolerance = 1e-9;  // of the second sweep, relative
+constexpr double kLeastScaling = 1e-6;    // least value of --faster
+constexpr double kLimitTolerance = 1e-9;  // relative tolerance of the second pass
 constexpr int kDefaultGrid = 1000;
 
 struct ScaleArguments : RobotArguments {
@@ -36,7 +36,7 @@ void check_scale_usage(const ScaleArguments& arguments) {
   }
 }
 
-// "3000" for all joints, or "3000,1500".
+// Parses "3000" for all joints, or "3000,1500".
 std::vector<double> torque_limits_option(const std::string& text, std::size_t joints) {
   std::vector<double> limits;
   std::istringstream parts(text);
@@ -116,7 +116,8 @@ class Scaling {
   }
 
  private:
-  // Of a plan twice as many points as the grid has, so that limits can be asked between them.
+  // Reads the trajectory. A plan is sampled at twice as many points as the grid has, so that limits can be checked
+  // between them.
   void read() {
     Diagnostics found;
     const bool doubled = arguments_.time_optimal && is_plan(arguments_.trajectory);
@@ -156,8 +157,8 @@ class Scaling {
     motion_.optimal = std::move(pace);
   }
 
-  // Between the grid's points, and where friction is linearised, the law may use a little more than a limit: then all
-  // of it is slowed down, but not to more than the linear law takes. Returns the factor.
+  // Slows the whole motion down where the law exceeds a limit a little, between the grid's points or because friction
+  // is linearised, but at most to the pace of the linear law. Returns the factor.
   double slow_down_to_limits(PathTorques& torques) {
     const Trajectory sides = with_both_sides(motion_.after);
     if (most_used(sides, torques.torques(sides), motion_.limits).part <= 1 + kLimitTolerance) return 1;

@@ -38,7 +38,7 @@ Simulation read(const SimulateArguments& arguments, const LoadedRobot& model) {
   return simulation;
 }
 
-// An option of the other method would have no effect.
+// Refuses options of the other method, which would have no effect.
 void check_method(const SimulateArguments& arguments) {
   const bool is_rk4 = arguments.method == "rk4";
   if ((is_rk4 ? arguments.tolerance_given : arguments.step_given)->count() == 0) return;
@@ -49,7 +49,7 @@ void check_method(const SimulateArguments& arguments) {
 
 ExitCode run_simulate(const SimulateArguments& arguments) {
   check_method(arguments);
-  const Interruption interruption;  // ends the simulation and not the program: what there is, is written
+  const Interruption interruption;  // Ctrl-C ends the simulation and not the program: the motion so far is written
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);

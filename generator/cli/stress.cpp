@@ -56,7 +56,7 @@ ExitCode run_family(const StressArguments& arguments) {
   return report.passed() ? ExitCode::ok : ExitCode::verification_failed;
 }
 
-// Each failing robot as a file, to be kept.
+// Runs random robots and writes each failing one to a file.
 ExitCode run_random(const StressArguments& arguments) {
   RandomRobotsOptions options;
   options.robots = arguments.robots.value_or(options.robots);

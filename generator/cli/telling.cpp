@@ -51,7 +51,7 @@ void print_result(const std::string& text) {
 
 ExitCode tell(const Failure& failure, const Manner& manner) {
   print_failure(failure.what(), failure.hint());
-  // A run that was interrupted has told its result.
+  // An interrupted run has already printed its result.
   if (manner.json && failure.code() != ExitCode::interrupted) {
     Diagnostics errors;
     errors.error({}, failure.what(), failure.hint());

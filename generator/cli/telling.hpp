@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the program says: results on stdout, findings and failures on stderr, in one style: "flatdyn: error: ..." or,
-// at a place of a file, "FILE:LINE: error: ..."; a hint on the next line. docs/exit-codes.md shows them.
+// The program's messages: results on stdout, findings and failures on stderr, in one style: "flatdyn: error: ..." or,
+// at a place in a file, "FILE:LINE: error: ...", with a hint on the next line. docs/exit-codes.md shows them.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,13 +11,13 @@
 
 namespace flatdyn {
 
-// On stderr, behind what waits for stdout, so that both come in order on a terminal.
+// Prints to stderr after flushing stdout, so that both appear in order on a terminal.
 void print_diagnostics(const Diagnostics& diagnostics, const Manner& manner);
 
-// On stdout, after the line that says what the program is busy with is erased.
+// Prints to stdout after erasing the line of progress.
 void print_result(const std::string& text);
 
-// A failure on stderr and, with --json, as an object of errors on stdout. Return the exit code.
+// Prints a failure to stderr and, with --json, as an object of errors to stdout. Returns the exit code.
 ExitCode tell(const Failure& failure, const Manner& manner);
 ExitCode tell(const BadInput& bad, const Manner& manner);
 

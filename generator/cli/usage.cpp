@@ -15,7 +15,7 @@ namespace {
 
 bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
 
-// "--funtions=a" → "--funtions"
+// The option's name: "--funtions=a" gives "--funtions".
 std::string name_of_option(const std::string& word) { return word.substr(0, word.find('=')); }
 
 std::vector<std::string> option_names(const CLI::App& command) {
@@ -26,7 +26,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-// The subcommand that the line names, or the program itself.
+// The subcommand on the command line, or the program itself.
 const CLI::App& chosen(const CLI::App& app) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
   return commands.empty() ? app : *commands.front();
@@ -48,7 +48,7 @@ Failure unknown_subcommand(const CLI::App& app, const std::string& word) {
   return {ExitCode::usage, "there is no subcommand \"" + word + "\"", hint_for_unknown(word, names, "subcommands")};
 }
 
-// CLI11 begins its messages with a capital letter, or with the name of the option.
+// The message for the middle of a line; CLI11 begins messages with a capital letter or with the option's name.
 std::string as_part_of_a_line(std::string message) {
   const bool is_word =
       message.size() > 1 && (message[1] == ' ' || std::islower(static_cast<unsigned char>(message[1])));

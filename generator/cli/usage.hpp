@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Command lines that CLI11 refuses, in the program's own words.
+// Messages in the program's own words for command lines that CLI11 refuses.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,10 +8,10 @@
 
 namespace flatdyn {
 
-// What is wrong, and what to do: a misspelt option gets the nearest one, anything else the page to read.
+// The failure with a hint: the nearest name for a misspelt option, for anything else the page to read.
 Failure usage_failure(const CLI::App& app, const CLI::ParseError& error);
 
-// How the chosen subcommand is to tell things. Before anything was parsed, as far as the words say it.
+// The manner of output of the chosen subcommand, as far as the command line tells it before anything is parsed.
 Manner manner_of(const CLI::App& app);
 Manner manner_of(int argc, const char* const* argv);
 

@@ -24,7 +24,8 @@ Degree& Degree::operator+=(const Degree& b) {
 
 namespace {
 
-// Of the cosine and sine of an angle, in those of the angles that are drawn: multiples by the addition theorems.
+// The degree of an angle's cosine and sine in those of the angles that are drawn; multiples are expanded by the
+// addition theorems.
 double angle_degree(const Graph& graph, NodeId angle) {
   const Node& node = graph[angle];
   if (node.op != Op::sum) return 1;
@@ -49,18 +50,18 @@ struct DegreeArithmetic {
   double reciprocals = 0;
 };
 
-// Degrees of the denominators that occur, by number.
+// The degrees of all denominators, by number.
 using Denominators = std::vector<double>;
 
-// Of a quotient N / Π D_k^e_k. Denominators are kept apart by the quotient that brought them, so that a sum of terms
-// with the same ones does not multiply them.
+// The degree of a quotient N / Π D_k^e_k. Denominators are kept apart by the quotient that introduced them, so that a
+// sum of terms with equal denominators does not multiply them.
 struct RationalDegree {
   bool is_zero = true;
   double numerator = 0;
   std::map<std::size_t, double> exponents;
   std::shared_ptr<const Denominators> denominators;
 
-  // Degree of Π D_k^(common_k - e_k).
+  // The degree of Π D_k^(common_k - e_k).
   double missing(const std::map<std::size_t, double>& common, const Denominators& degrees) const {
     double total = 0;
     for (const auto& [k, exponent] : common) {
@@ -108,7 +109,7 @@ class RationalDegreeArithmetic {
     return sin(graph, angle, value);
   }
   RationalDegree sign(const RationalDegree&) const { return {false, 1, {}, nullptr}; }
-  // sqrt(N / D) = sqrt(N D) / D, and a root counts for no less than what it is the root of.
+  // sqrt(N / D) = sqrt(N D) / D; a root counts at least as much as its argument.
   RationalDegree sqrt(RationalDegree x) const {
     for (const auto& [k, exponent] : x.exponents) x.numerator += exponent * (*denominators_)[k];
     return x;
@@ -133,7 +134,7 @@ class RationalDegreeArithmetic {
   std::shared_ptr<Denominators> denominators_ = std::make_shared<Denominators>();
 };
 
-// Of every body's joint: of the cosine and sine of a sum of multiples of coordinates.
+// The degrees of every body's joint position: of the cosine and sine of a sum of multiples of coordinates.
 std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
   std::vector<JointPoint<Degree>> degrees;
   for (int i = 0; i < mechanism.body_count(); ++i) {
@@ -194,8 +195,8 @@ FunctionDegrees function_degrees(const Function& function) {
   return result;
 }
 
-// The values are polynomials A + B r in roots r of others, r² = f, which vanish where A² = B² f does, of twice their
-// degree; and points are drawn until f has a root, which it has at half of them.
+// A value with square roots is a polynomial A + B r with r² = f; it vanishes where A² = B² f does, which has twice its
+// degree. Moreover, points are drawn until f has a root, which it has at half of them.
 double root_factor(const Function& function) {
   for (NodeId id = 0; id < function.graph.size(); ++id) {
     if (function.graph[id].op == Op::sqrt) return 4;

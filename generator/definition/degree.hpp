@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How large a degree can be, for the Schwartz-Zippel bound: a polynomial of degree D that is not zero vanishes at a
-// random point of GF(p) with probability at most D/p. Degrees are upper bounds; they are doubles, as an elimination
-// can double them at each step.
+// Bounds of the degrees of functions for the Schwartz-Zippel bound: a polynomial of degree D that is not zero vanishes
+// at a random point of GF(p) with probability at most D/p. Degrees are upper bounds; they are doubles, as an
+// elimination can double them at each step.
 #pragma once
 
 #include <map>
@@ -13,11 +13,11 @@
 
 namespace flatdyn {
 
-// Degree of a polynomial: a semiring that takes the place of a field.
+// The degree of a polynomial, as a semiring that takes the place of a field.
 class Degree {
  public:
-  Degree() = default;                                         // of zero
-  explicit Degree(int constant) : is_zero_(constant == 0) {}  // of a constant
+  Degree() = default;                                         // the degree of zero
+  explicit Degree(int constant) : is_zero_(constant == 0) {}  // the degree of a constant
   static Degree of(double degree);
 
   double value() const { return degree_; }
@@ -31,7 +31,7 @@ class Degree {
     return of(a.degree_ + b.degree_);
   }
   // A denominator counts as a factor: with all terms of a sum over their common denominator, no degree is more than
-  // twice of what it is so.
+  // twice this one.
   friend Degree operator/(const Degree& a, const Degree& b) { return a * b; }
 
  private:
@@ -39,27 +39,31 @@ class Degree {
   double degree_ = 0;
 };
 
-// What is drawn counts 1: joint coordinates (cosine, sine, d), rates, accelerations, torques, parameters, signs.
-// A reciprocal of parameters counts as drawn, too; the degree of what it is the reciprocal of is in `reciprocals`.
+// The degrees of the definition. A drawn value counts 1: joint coordinates (cosine, sine, d), rates, accelerations,
+// torques, parameters, signs. A reciprocal of parameters counts as drawn, too; the degree of its denominator is in
+// `reciprocals`.
 struct MechanismDegrees {
-  double degree = 0;       // of the Lagrangian's values, the largest
-  double reciprocals = 0;  // sum over all reciprocals
+  double degree = 0;       // the largest of the Lagrangian's values
+  double reciprocals = 0;  // sum over the denominators of all reciprocals
 };
+// The degrees of the Lagrangian's values.
 MechanismDegrees lagrangian_degrees(const Mechanism& mechanism);
 
-// The same for the regressors, whatever their name, and for what they are multiplied by to be compared: π_b and K.
+// The degrees of the regressors, whatever their name, and of the factors by which they are multiplied for comparison:
+// π_b and K.
 MechanismDegrees regressor_degrees(const Mechanism& mechanism);
 
-// Of the values of all roots over their common denominator.
+// The degrees of all roots' values over their common denominator.
 struct FunctionDegrees {
   double numerator = 0, denominator = 0;
 };
 FunctionDegrees function_degrees(const Function& function);
 
-// How many times more points a difference may vanish at, because of square roots: 1 if the function takes none.
+// The factor by which square roots raise the number of points where a difference may vanish: 1 if the function has
+// none.
 double root_factor(const Function& function);
 
-// How many values are drawn for angles, at most: each cosine and sine is a quotient by 1 + t².
+// The largest number of values drawn for angles: each cosine and sine is a quotient by 1 + t².
 double drawn_angles(const Function& function, const Mechanism& mechanism);
 
 }  // namespace flatdyn

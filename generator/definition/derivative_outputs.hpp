@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the Lagrangian says the derivatives of inverse and forward dynamics are: over dual numbers of the field.
+// The derivatives of inverse and forward dynamics from the Lagrangian, over dual numbers of the field.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace flatdyn {
 
-// Arithmetic over dual numbers for what does not vary: the robot's own numbers.
+// Arithmetic over dual numbers for the robot's own numbers, which are constant.
 template <class Arithmetic>
 struct ConstantArithmetic {
   using Scalar = Dual<typename Arithmetic::Scalar>;
@@ -29,7 +29,7 @@ struct ConstantArithmetic {
 template <class F>
 struct FieldState {
   std::vector<JointPoint<F>> q;
-  std::vector<F> qd, qdd, sign_qd;  // sign_qd: of every body's joint
+  std::vector<F> qd, qdd, sign_qd;  // sign_qd: by body's joint
 };
 
 // ∂τ/∂q, column by column: τ over dual numbers, with dc = -s dq, ds = c dq.

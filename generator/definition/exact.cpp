@@ -21,7 +21,7 @@ constexpr double kLog2Prime = 60.99;  // all primes are above 2^60.99
 
 using MismatchKey = std::tuple<std::size_t, int>;  // output, entry
 
-// (row, column) of an entry as the layout has it.
+// The (row, column) of an entry in the output's layout.
 ExactMismatch describe(const std::string& name, int cols, int entry) {
   return {name, entry, cols > 0 ? entry / cols : 0, cols > 0 ? entry % cols : 0};
 }
@@ -38,8 +38,8 @@ std::vector<ExactMismatch> describe(const Function& function, const std::set<Mis
   return result;
 }
 
-// Runs `compare(arithmetic, mismatches)` at one point of one field. A division by zero, which has probability below
-// D/p, asks for another point, as does a square root that is none, which has probability 1/2.
+// Runs `compare(arithmetic, mismatches)` at one point of one field. If it divides by zero, which has probability below
+// D/p, or takes the square root of a non-square, which has probability 1/2, another point is drawn.
 template <std::uint64_t P, class Compare>
 void at_point(std::uint64_t seed, const Compare& compare, std::set<MismatchKey>& mismatches) {
   constexpr int kAttempts = 64;
@@ -81,19 +81,22 @@ ExactResult finished(const Function& function, const std::set<MismatchKey>& mism
   return result;
 }
 
-// In the values drawn, t for each angle: a term of degree d in c and s has the common denominator Π (1 + t²)^d.
+// The degree in the values drawn, t for each angle: a term of degree d in c and s has the common denominator Π (1 +
+// t²)^d.
 double in_drawn_values(double degree, double angles, double reciprocals) {
   return degree * (1 + 2 * angles + reciprocals);
 }
 
-// What angles multiply degrees by: there are up to seven entries of R beside one of J, and a root, see root_factor().
+// The factor by which Euler angles multiply degrees: up to seven entries of R beside one of J, and a root, see
+// root_factor().
 constexpr double kAngleFactor = 32;
 
-// Of single accelerations B^-1 (tau - n), numerator and denominator have n factors of B or of what it is multiplied by.
-// The derivatives of forward dynamics are compared at a q̈ of their own making, which is B⁻¹ times a torque.
+// The degree of a function's comparison relative to the definition's. For single accelerations B^-1 (tau - n),
+// numerator and denominator have n factors of B or of its multipliers. The derivatives of forward dynamics are compared
+// at a q̈ computed from the function's own B⁻¹ and a torque.
 double own_degree_factor(const Mechanism& mechanism, const Function& function) {
   if (function.name == "forward_dynamics_derivatives") return 2;
-  // B_A is the inverse of J B^-1 Jᵀ, of at most six rows, and B^-1 adj B / det B.
+  // B_A is the inverse of J B^-1 Jᵀ, which has at most six rows, and B^-1 is adj B / det B.
   if (!function.task.empty()) {
     const double factor = 2.0 * static_cast<double>(function.task.rows.size()) * (mechanism.size() + 2);
     return function.task.has_angles() ? kAngleFactor * factor : factor;
@@ -103,7 +106,7 @@ double own_degree_factor(const Mechanism& mechanism, const Function& function) {
   return is_solved ? 2.0 * mechanism.size() : 1;
 }
 
-// Of closed loops, the determinants that are divided by are common denominators, see Degree.
+// With closed loops, the determinants of the loops are common denominators, see Degree.
 double degree_factor(const Mechanism& mechanism, const Function& function) {
   return (mechanism.has_loops() ? 2 : 1) * own_degree_factor(mechanism, function);
 }
@@ -114,7 +117,7 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
   int entries = 0;
   const auto compare = [&](auto& arithmetic, std::set<MismatchKey>& mismatches) {
     const auto values = evaluate(function, arithmetic);
-    // The function itself is given velocities in any case: where it holds at rest it must not read them.
+    // The function itself is given velocities in any case: if it holds at rest, it must not read them.
     auto lagrangian_arithmetic = function.at_rest ? arithmetic.at_rest() : arithmetic;
     LagrangianOutputs expected(mechanism, function, lagrangian_arithmetic, values);
     entries = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Is a Function exactly what the Lagrangian says? Decided by evaluating both at random points modulo 61-bit primes:
-// no rounding, no tolerance. A "no" is certain; a "yes" is wrong with the probability stated (Schwartz-Zippel), as long
-// as the three primes do not all divide every coefficient of the difference.
+// Exact proof that a Function equals its definition by the Lagrangian: both are evaluated at random points modulo
+// 61-bit primes, without rounding or tolerance. A "no" is certain; a "yes" is wrong with the probability stated
+// (Schwartz-Zippel), as long as the three primes do not all divide every coefficient of the difference.
 #pragma once
 
 #include <cstdint>
@@ -26,22 +26,24 @@ struct ExactMismatch {
 
 struct ExactResult {
   bool equal = false;
-  int entries = 0;  // compared at each point
+  int entries = 0;  // entries compared at each point
   int points = 0;   // random points in all
   int primes = 0;
-  double degree_bound = 0;  // D: of the numerator of any difference, in the values drawn
+  double degree_bound = 0;  // D: bound of the degree of any difference's numerator in the values drawn
   double failure_log2 = 0;  // log2 of the probability that a difference stays unseen: entries · (D/p)^points
   std::vector<ExactMismatch> mismatches;
 
-  // "49 entries equal at 6 points modulo 3 primes; degree at most 132; wrong with probability below 2^-310"
+  // The result in words: "49 entries equal at 6 points modulo 3 primes; degree at most 132; wrong with probability
+  // below 2^-310".
   std::string summary() const;
 };
 
 // Compares every output entry with the Lagrangian of `mechanism`, by the function's name ("jacobian:hand" for a link).
-// Throws Failure(bug) for a function it does not know.
+// Throws Failure(bug) for an unknown function.
 ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const ExactOptions& options = {});
 
-// Compares two functions with the same outputs, entry by entry, conditions included: before and after a pass, say.
+// Compares two functions with the same outputs, entry by entry, conditions included; for example before and after a
+// pass.
 ExactResult prove_equal(const Function& a, const Function& b, const ExactOptions& options = {});
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How the links of a tree of revolute joints move, over any field: (7.94)-(7.96), each in its own frame.
+// The motion of the links of a tree of revolute joints over any field: (7.94)-(7.96), each in its own frame.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ template <class F>
 struct FieldMotion {
   Vector3<F> omega, domega;  // angular velocity and acceleration
   Vector3<F> ddp;            // acceleration of the frame's origin less gravity
-  F qd, qdd;                 // of the joint that moves the link
+  F qd, qdd;                 // rate and acceleration of the joint that moves the link
 };
 
-// By body.
+// The motions, by body.
 template <class F>
 std::vector<FieldMotion<F>> field_motions(const MechanismOver<F>& mechanism, const std::vector<JointPoint<F>>& q,
                                           const std::vector<F>& qd, const std::vector<F>& qdd) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The signs of the rates of all bodies' joints, for coordinates as an Arithmetic draws them. sgn(2 q̇) is sgn(q̇) to a
-// Graph, so they are taken from one: that of the rates as they are derived. That these are the rates is seen elsewhere,
-// in all that is proven of B, C and viscous friction.
+// The signs of the rates of all bodies' joints, for coordinates that an Arithmetic draws. A Graph takes sgn(2 q̇) for
+// sgn(q̇), so the signs are evaluated from a Graph of the derived rates. That these rates are right is checked
+// elsewhere, by the proofs of B, C and viscous friction.
 #pragma once
 
 #include <utility>
@@ -12,6 +12,7 @@
 
 namespace flatdyn {
 
+// By body: the sign of its joint's rate, from the inputs of this kind.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 std::vector<F> joint_signs(const Mechanism& mechanism, Arithmetic& arithmetic, InputKind kind) {
   Derivation derivation(Workbench::parameters(mechanism));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The model by its definition, without symbols: Lagrange's equations over any field. Joint i enters by a point of the
-// unit circle (cos q_i, sin q_i), or by d_i. B is (7.32), body by body, from Jacobians in the base frame; derivatives
-// come from dual numbers over the field, with dc = -s dq and ds = c dq. Shares nothing with the recursive derivation.
-// Where joints are coupled, B is Aᵀ B A of the tree, and its derivatives are those along the coordinates; where loops
-// are closed, A G takes the place of A, see field_loops.hpp.
+// The dynamic model by its definition, without symbols: Lagrange's equations over any field. Joint i is given by a
+// point of the unit circle (cos q_i, sin q_i), or by d_i. B is (7.32), body by body, from Jacobians in the base frame;
+// derivatives come from dual numbers over the field, with dc = -s dq and ds = c dq. It shares nothing with the
+// recursive derivation. With coupled joints, B is Aᵀ B A of the tree's B, and its derivatives are those along the
+// coordinates; with closed loops, A G replaces A, see field_loops.hpp.
 #pragma once
 
 #include <optional>
@@ -26,14 +26,14 @@ class Lagrangian {
   using D = Dual<F>;
   using Values = std::vector<F>;
 
-  // q: of every body's joint.
+  // `q`: the position of every body's joint.
   Lagrangian(MechanismOver<F> mechanism, std::vector<JointPoint<F>> q)
       : mechanism_(closed_at(std::move(mechanism), q)), q_(std::move(q)), poses_(body_poses(mechanism_, q_)) {}
 
   int size() const { return mechanism_.size(); }
   const MechanismOver<F>& mechanism() const { return mechanism_; }
 
-  // B, (7.32).
+  // The inertia matrix B, (7.32).
   const Matrix<F>& inertia() {
     if (!inertia_) {
       inertia_ = Matrix<F>(body_count(), body_count());
@@ -51,12 +51,12 @@ class Lagrangian {
     return derivatives_[static_cast<std::size_t>(k)](i, j);
   }
 
-  // c_ijk, (7.45).
+  // The Christoffel symbol c_ijk, (7.45).
   F christoffel(int i, int j, int k) {
     return half_ * (inertia_derivative(i, j, k) + inertia_derivative(i, k, j) - inertia_derivative(j, k, i));
   }
 
-  // C, (7.44).
+  // The matrix C with C qd the Coriolis and centrifugal torques, (7.44).
   Matrix<F> coriolis_matrix(const Values& qd) {
     Matrix<F> C(size(), size());
     for (int i = 0; i < size(); ++i) {
@@ -67,7 +67,7 @@ class Lagrangian {
     return C;
   }
 
-  // g, (7.39): joint j's part of the motion of every body beyond it, against gravity.
+  // The gravity torques g, (7.39): joint j moves all of its descendants against gravity.
   Values gravity() const {
     Values g(static_cast<std::size_t>(body_count()), F(0));
     for (int i = 0; i < body_count(); ++i) {
@@ -83,7 +83,7 @@ class Lagrangian {
     return at_coordinates(mechanism_, g);
   }
 
-  // F_v qd + F_s sgn(qd), with the signs of all joints' rates as the caller has them.
+  // The friction torques F_v qd + F_s sgn(qd). The caller gives the signs of all joints' rates.
   Values friction(const Values& qd, const Values& sign_qd) const {
     Values result;
     for (const F& rate : joint_values(mechanism_, qd)) {
@@ -93,17 +93,17 @@ class Lagrangian {
     return at_coordinates(mechanism_, result);
   }
 
-  // C qd + g + friction.
+  // The torques without acceleration: C qd + g + friction.
   Values bias(const Values& qd, const Values& sign_qd) {
     return sum(times(coriolis_matrix(qd), qd), sum(gravity(), friction(qd, sign_qd)));
   }
 
-  // (7.42) without tip force.
+  // The torques (7.42) without tip force.
   Values inverse_dynamics(const Values& qd, const Values& qdd, const Values& sign_qd) {
     return sum(times(inertia(), qdd), bias(qd, sign_qd));
   }
 
-  // Jᵀ h_e: force, then moment about the tip, in the base frame, exerted on the environment.
+  // Jᵀ h_e, where h_e is the force, then the moment about the tip, in the base frame, exerted on the environment.
   Values tip_torques(const Values& h_e) const {
     const Matrix<F> J = jacobian(mechanism_.tip);
     Values result(static_cast<std::size_t>(size()), F(0));
@@ -115,7 +115,7 @@ class Lagrangian {
     return result;
   }
 
-  // (7.31).
+  // The kinetic energy, (7.31).
   F kinetic_energy(const Values& qd) {
     const Values momentum = times(inertia(), qd);
     F twice = F(0);
@@ -123,7 +123,7 @@ class Lagrangian {
     return half_ * twice;
   }
 
-  // (7.36), zero at the origin of the base frame.
+  // The potential energy, (7.36), zero at the origin of the base frame.
   F potential_energy() const {
     F energy = -dot(mechanism_.gravity, mechanism_.base.first_moment);
     for (std::size_t i = 0; i < poses_.size(); ++i) {
@@ -136,7 +136,7 @@ class Lagrangian {
 
   Pose3<F> pose(const FieldFrame<F>& frame) const { return pose_of(poses_, frame); }
 
-  // 6 x n: linear rows, then angular, in the base frame.
+  // The geometric Jacobian of a frame, 6 x n: linear rows, then angular, in the base frame.
   Matrix<F> jacobian(const FieldFrame<F>& frame) const {
     Matrix<F> J(6, body_count());
     const Vector3<F> p = pose(frame).p;
@@ -202,7 +202,7 @@ class Lagrangian {
     return {cross(z, minus(p, pose.p)), z};
   }
 
-  // Body i's part of (7.32), about the origin of its frame: h = m r_C, Î about that origin, in base axes.
+  // Adds body i's contribution to (7.32), about the origin of its frame: h = m r_C, Î about that origin, in base axes.
   template <class S>
   void add_body(const std::vector<Pose3<S>>& poses, int i, Matrix<S>& B) const {
     const FieldBody<F>& body = mechanism_.bodies[static_cast<std::size_t>(i)];
@@ -224,7 +224,7 @@ class Lagrangian {
     add_rotor(poses, i, B);
   }
 
-  // The spinning rotor of joint i, (7.29), (7.64): what the augmented link does not have yet.
+  // Adds the contribution of joint i's spinning rotor, (7.29), (7.64), beyond the augmented link.
   template <class S>
   void add_rotor(const std::vector<Pose3<S>>& poses, int i, Matrix<S>& B) const {
     const FieldBody<F>& body = mechanism_.bodies[static_cast<std::size_t>(i)];
@@ -243,13 +243,13 @@ class Lagrangian {
     }
   }
 
-  // How fast body i's joint moves with coordinate k.
+  // The rate of body i's joint per rate of coordinate k.
   F rate(int i, int k) const {
     if (!mechanism_.is_coupled()) return i == k ? F(1) : F(0);
     return mechanism_.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
   }
 
-  // ∂B/∂q_k. Where joints are not coupled, only bodies that joint k moves have a part in it.
+  // ∂B/∂q_k. If joints are not coupled, only bodies that joint k moves contribute.
   Matrix<F> differentiate(int k) const {
     Values rates;
     for (int i = 0; i < body_count(); ++i) rates.push_back(rate(i, k));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the Lagrangian says each output of a Function is, at one point of a field: by the function's name.
+// The values of a Function's outputs by the Lagrangian, at one point of a field, by the function's name.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class LagrangianOutputs {
   using F = typename Arithmetic::Scalar;
   using Values = std::vector<F>;
 
-  // `values`: of the function's nodes, from evaluate() with the same arithmetic.
+  // `values`: the values of the function's nodes, from evaluate() with the same arithmetic.
   LagrangianOutputs(const Mechanism& mechanism, const Function& function, Arithmetic& arithmetic, const Values& values)
       : mechanism_(mechanism),
         arithmetic_(arithmetic),
@@ -36,9 +36,9 @@ class LagrangianOutputs {
     if (is_regressor(stem_)) regressor_.emplace(mechanism, lagrangian_.mechanism(), stem_, arithmetic, q_);
   }
 
-  // The function's own values, brought to a form that can be compared: for forward_dynamics, if no entry is left out,
-  // and for its derivatives, B times them, which has no denominators; for a base regressor, all columns of Y made of
-  // them.
+  // The function's own values in the form in which they are compared. forward_dynamics (if no entry is left out) and
+  // its derivatives are multiplied by B, so that they have no denominators; a base regressor is expanded to all columns
+  // of Y.
   Values found(const Output& output) {
     const Values result = own(output);
     if (regressor_) return regressor_->found(result);
@@ -49,7 +49,7 @@ class LagrangianOutputs {
     return result;
   }
 
-  // What found() has to be.
+  // The values by the definition, to which found() must be equal.
   Values entries(const Output& output) {
     if (regressor_) return regressor_->entries();
     if (stem_ == "inverse_dynamics") return inverse_dynamics();
@@ -101,7 +101,7 @@ class LagrangianOutputs {
 
   Values inverse_dynamics() { return lagrangian_.inverse_dynamics(rates(), qdd(), signs()); }
 
-  // τ - n: what B q̈ has to be.
+  // τ - n, the value that B q̈ must have.
   Values net_torques() {
     Values result = drawn(InputKind::tau, mechanism_.size());
     const Values bias = lagrangian_.bias(rates(), signs());
@@ -109,7 +109,7 @@ class LagrangianOutputs {
     return result;
   }
 
-  // x of A x = b by elimination. B is singular at few points of a field: then the division says so.
+  // The solution x of A x = b by elimination. B is singular at few points of a field; then the division throws.
   static Values solution(Matrix<F> A, Values b) {
     const int n = A.rows();
     const auto at = [](int i) { return static_cast<std::size_t>(i); };
@@ -126,7 +126,7 @@ class LagrangianOutputs {
     return b;
   }
 
-  // X of A X = B, column by column.
+  // The solution X of A X = B, column by column.
   static Matrix<F> solution(const Matrix<F>& A, const Matrix<F>& B) {
     Matrix<F> X(B.rows(), B.cols());
     for (int j = 0; j < B.cols(); ++j) {
@@ -149,7 +149,7 @@ class LagrangianOutputs {
     return {function_.task, lagrangian_, frame(), root};
   }
 
-  // J B^-1 Jᵀ and the task's damping.
+  // J B^-1 Jᵀ plus the task's damping.
   Matrix<F> mobility(const Matrix<F>& J, const Matrix<F>& X) const {
     Matrix<F> M = times(J, X);
     const F damping = arithmetic_.constant(function_.task.damping);
@@ -163,7 +163,7 @@ class LagrangianOutputs {
     return sum;
   }
 
-  // (7.130)–(7.141), as they are written.
+  // (7.130)–(7.141), computed as they are written.
   Values operational(const std::string& output) {
     const TaskDefinition<F> task = task_definition();
     const Matrix<F> all = task.jacobian();
@@ -198,8 +198,8 @@ class LagrangianOutputs {
         .entries();
   }
 
-  // What B times the derivatives has to be. Where q̈ is needed, it is B⁻¹ (τ - n) with the function's own B⁻¹, which is
-  // compared, too.
+  // The values that B times the derivatives must have. Where q̈ is needed, it is B⁻¹ (τ - n) with the function's own
+  // B⁻¹, which is compared, too.
   Values acceleration_derivatives(const Output& output) {
     const int n = mechanism_.size();
     if (output.name == "dqdd_dtau") {
@@ -213,7 +213,7 @@ class LagrangianOutputs {
     return result;
   }
 
-  // In the order of Layout::christoffel.
+  // The Christoffel symbols in the order of Layout::christoffel.
   Values christoffel() {
     Values result;
     for (int i = 0; i < mechanism_.size(); ++i) {
@@ -245,7 +245,7 @@ class LagrangianOutputs {
   const Values& values_;
   std::string stem_, link_;
   const Function& function_;
-  std::vector<JointPoint<F>> q_;  // of every body's joint
+  std::vector<JointPoint<F>> q_;  // by body: the position of its joint
   Lagrangian<F> lagrangian_;
   std::optional<RegressorOutputs<Arithmetic>> regressor_;
 };

@@ -16,16 +16,16 @@ class LagrangianRegressor {
  public:
   using D = Dual<F>;
   using Values = std::vector<F>;
-  static constexpr int kPerJoint = 13;  // in the order of (7.77), then F_v and F_s
+  static constexpr int kPerJoint = 13;  // the order of (7.77), then F_v and F_s
   static constexpr int kRotor = 10, kViscous = 11, kCoulomb = 12;
 
-  // q: of every body's joint.
+  // `q`: the position of every body's joint.
   LagrangianRegressor(const MechanismOver<F>& mechanism, std::vector<JointPoint<F>> q)
       : mechanism_(closed_at(mechanism, q)), q_(std::move(q)) {}
 
   int size() const { return mechanism_.size(); }
 
-  // Y(q, q̇, q̈), n x 13 for every body. Friction is given by the signs of the joints' rates that it acts on.
+  // Y(q, q̇, q̈), n x 13 for every body. `sign`: the signs of the joints' rates, for friction.
   Matrix<F> regressor(const Values& qd, const Values& qdd, const Values& sign) const {
     const Values rates = joint_values(mechanism_, qd);
     Matrix<F> Y = without_friction(rates, accelerations(rates, qd, qdd), true);
@@ -33,8 +33,8 @@ class LagrangianRegressor {
     return rows_at_coordinates(mechanism_, Y);
   }
 
-  // Of B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r). C(q, a) b is the symmetric bilinear form of which C(q, a) a
-  // is the square, because c_ijk = c_ikj: ½ (C(q, a + b)(a + b) - C(q, a) a - C(q, b) b).
+  // The regressor of B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r). C(q, a) b is the symmetric bilinear form
+  // whose square is C(q, a) a, because c_ijk = c_ikj: ½ (C(q, a + b)(a + b) - C(q, a) a - C(q, b) b).
   Matrix<F> adaptive(const Values& qd, const Values& qd_r, const Values& qdd_r, const Values& sign_r) const {
     const Values rates = joint_values(mechanism_, qd), rates_r = joint_values(mechanism_, qd_r);
     const Values zero(rates.size(), F(0));
@@ -57,11 +57,11 @@ class LagrangianRegressor {
     std::vector<Pose3<S>> poses;
     std::vector<S> qd;
   };
-  // Of joint k's unit motion, in the axes of the body.
+  // Columns of the body's velocity, in its own axes, for unit motions of the joints, by joint.
   template <class S>
   using Columns = std::vector<std::pair<int, Column<S>>>;
 
-  // Of the joints: where loops are closed, they have some from q̇, too.
+  // The accelerations of the joints; with closed loops, a part of them comes from q̇.
   Values accelerations(const Values& joint_rates, const Values& qd, const Values& qdd) const {
     Values result = joint_values(mechanism_, qdd);
     const Values drift = joint_drift(mechanism_, q_, joint_rates, qd);
@@ -69,7 +69,7 @@ class LagrangianRegressor {
     return result;
   }
 
-  // Values at q and q̇, derivatives along (dq, dqd).
+  // The motion at q and q̇ with its derivatives along (dq, dqd).
   Motion<D> motion(const Values& qd, const Values& dq, const Values& dqd) const {
     Motion<D> result;
     for (std::size_t i = 0; i < qd.size(); ++i) result.qd.emplace_back(qd[i], dqd[i]);
@@ -107,7 +107,7 @@ class LagrangianRegressor {
     return sum;
   }
 
-  // The bilinear form of which the kinetic energies of unit parameters are half the square, (7.70).
+  // The symmetric bilinear form whose value for (a, a) is twice the kinetic energies of unit parameters, (7.70).
   static std::vector<D> kinetic(const Column<D>& a, const Column<D>& b) {
     const Vector3<D>&u = a.angular, &w = b.angular;
     const Vector3<D> h = plus(cross(a.linear, w), cross(b.linear, u));
@@ -123,7 +123,7 @@ class LagrangianRegressor {
             u[2] * w[2]};
   }
 
-  // Potential energies of unit mass and first moments, (7.75).
+  // The potential energies of a unit mass and of unit first moments, (7.75).
   std::vector<D> potential(const Pose3<D>& pose) const {
     const Vector3<F>& g = mechanism_.gravity;
     const Vector3<D> h = times(transposed(pose.R), Vector3<D>{D(g[0]), D(g[1]), D(g[2])});
@@ -142,7 +142,7 @@ class LagrangianRegressor {
     return Y;
   }
 
-  // d/dt ∂β_T/∂q̇_i.
+  // Adds d/dt ∂β_T/∂q̇_i.
   void add_momentum_rates(const Motion<D>& motion, Matrix<F>& Y) const {
     for (int j = 0; j < body_count(); ++j) {
       const Columns<D> own = columns(motion, j);
@@ -155,7 +155,8 @@ class LagrangianRegressor {
     }
   }
 
-  // The last two terms of (7.70) for I_m = 1: ½ k_r² q̇² + k_r q̇ z_m·ω; an armature has k_r = 1 and no second term.
+  // Adds the last two terms of (7.70) for I_m = 1: ½ k_r² q̇² + k_r q̇ z_m·ω; an armature has k_r = 1 and no second
+  // term.
   void add_rotor_momentum(const Motion<D>& motion, int j, Matrix<F>& Y) const {
     const auto& rotor = mechanism_.bodies[static_cast<std::size_t>(j)].rotor;
     const F ratio = rotor ? rotor->gear_ratio : F(1);
@@ -175,7 +176,7 @@ class LagrangianRegressor {
     return i == j;
   }
 
-  // -∂β_T/∂q_i + ∂β_U/∂q_i.
+  // Adds -∂β_T/∂q_i + ∂β_U/∂q_i.
   void add_energy_derivatives(const Motion<D>& motion, int i, bool gravity, Matrix<F>& Y) const {
     const F half = F(1) / (F(1) + F(1));
     for (int j = i; j < body_count(); ++j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the functions of closed loops have to be, at one point of a field.
+// The values of the functions of closed loops by their definition, at one point of a field.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ class LoopOutputs {
  public:
   using Values = std::vector<F>;
 
-  // Both must outlive it. `q`: of every body's joint.
+  // Both must outlive this object. `q`: the position of every body's joint.
   LoopOutputs(const MechanismOver<F>& mechanism, const std::vector<JointPoint<F>>& q)
       : mechanism_(mechanism), q_(q), geometry_(mechanism, q) {}
 
@@ -53,7 +53,7 @@ class LoopOutputs {
     return all;
   }
 
-  // Loop by loop, Φ_q dq + Φ = 0.
+  // The step dq of each loop, from Φ_q dq + Φ = 0.
   Values step() const {
     Values dq(static_cast<std::size_t>(mechanism_.position_count()), F(0));
     for (const FieldLoop<F>& loop : mechanism_.loops) {

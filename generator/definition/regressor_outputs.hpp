@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the functions that are linear in the parameters have to be, at one point of a field. A base regressor counts as
-// right if Y_b K is Y: then so are its columns, which are among those of Y, and K.
+// The values by definition of the functions that are linear in the parameters, at one point of a field. A base
+// regressor is right if Y_b K is Y: its columns, which are among those of Y, and K are then right, too.
 #pragma once
 
 #include <functional>
@@ -37,8 +37,8 @@ class RegressorOutputs {
     for (const Number& parameter : dynamic_parameters(mechanism)) parameters_.push_back(number_(parameter));
   }
 
-  // The function's own values; for a base regressor Y_b K, for base parameters Y_b π_b; both with what is added to them
-  // where loops are not closed.
+  // The function's own values in the form in which they are compared: Y_b K for a base regressor, Y_b π_b for base
+  // parameters, both with the terms that vanish only where the loops are closed.
   Values found(const Values& values) const {
     if (function_ == "base_parameters") return with_hidden_torques(torques(values));
     if (function_ != "base_regressor" && function_ != "adaptive_regressor") return values;
@@ -57,7 +57,7 @@ class RegressorOutputs {
     return product;
   }
 
-  // What found() has to be.
+  // The values by the definition, to which found() must be equal.
   Values entries() const {
     if (function_ == "regressor") return actual().entries();
     if (function_ == "base_regressor") return given_columns(actual());
@@ -78,7 +78,7 @@ class RegressorOutputs {
     return sum;
   }
 
-  // Row i of Σ (Y shift) share.
+  // Adds row i of Σ (Y shift) share.
   void add_hidden(int i, Values& row) const {
     if (base_.shifts.empty()) return;
     const Matrix<F> Y = function_ == "adaptive_regressor" ? adaptive() : actual();
@@ -113,7 +113,7 @@ class RegressorOutputs {
     return lagrangian_.regressor(drawn(InputKind::qd), drawn(InputKind::qdd), signs(InputKind::qd));
   }
 
-  // Columns of parameters that the model does not have are zero, as in Y_b K.
+  // Y with the columns zero of parameters that the model does not have, as in Y_b K.
   Values given_columns(const Matrix<F>& Y) const {
     Values entries;
     for (int i = 0; i < Y.rows(); ++i) {
@@ -128,7 +128,7 @@ class RegressorOutputs {
     return values;
   }
 
-  // Y_b π_b.
+  // The torques Y_b π_b.
   Values torques(const Values& base_values) const {
     const Matrix<F> Y = actual();
     Values tau(static_cast<std::size_t>(Y.rows()), F(0));

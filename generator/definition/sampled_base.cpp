@@ -21,7 +21,7 @@ class Samples {
   Samples(const Mechanism& mechanism, std::uint64_t seed)
       : arithmetic_(seed), engine_(seed), mechanism_(mechanism), field_(mechanism_over(mechanism, arithmetic_)) {}
 
-  // Rows of Y at one random state, the columns as listed.
+  // Appends the rows of Y at one random state, with the columns listed.
   void append(const std::vector<int>& columns, Rows& rows) {
     ModPArithmetic<P> state(engine_());
     const LagrangianRegressor<F> lagrangian(field_, joint_points(mechanism_, state));
@@ -49,7 +49,7 @@ class Samples {
   MechanismOver<F> field_;
 };
 
-// In the order in which base_parameters() keeps them.
+// The columns in the order in which base_parameters() keeps them.
 std::vector<int> columns_of(const Mechanism& mechanism, ParameterSet set) {
   const std::vector<bool> present = parameters_in(mechanism, set);
   std::vector<int> columns;
@@ -61,7 +61,7 @@ std::vector<int> columns_of(const Mechanism& mechanism, ParameterSet set) {
   return columns;
 }
 
-// Samples until two more states bring no new row.
+// The echelon form of samples; sampling ends when two more states bring no new row.
 template <std::uint64_t P>
 Echelon<ModP<P>> sampled_echelon(Samples<P>& samples, const std::vector<int>& columns, int joints) {
   const auto is_zero = [](const ModP<P>& x) { return x == ModP<P>(0); };

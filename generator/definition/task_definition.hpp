@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the velocity of a task is by its definition, at one point of a field: rows of the tip's geometric Jacobian, the
-// last three turned into rates of Euler angles where the task has some, φ̇ = T^-1 ω, (3.64).
+// The velocity of a task by its definition, at one point of a field: rows of the tip's geometric Jacobian, with the
+// last three converted to rates of Euler angles if the task has some, φ̇ = T^-1 ω, (3.64).
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ class TaskDefinition {
  public:
   using Values = std::vector<F>;
 
-  // `root`: of a square of the field.
+  // `root`: a function that returns the root of a square of the field.
   TaskDefinition(const Task& task, const Lagrangian<F>& lagrangian, const FieldFrame<F>& tip,
                  const std::function<F(const F&)>& root)
       : lagrangian_(lagrangian), tip_(tip), has_angles_(task.has_angles() && task.rows.back() >= 3) {
@@ -27,7 +27,7 @@ class TaskDefinition {
     nodes_ = {-(last_[1] * reciprocal), last_[0] * reciprocal, F(0)};
   }
 
-  // All six rows.
+  // The task's Jacobian, all six rows.
   Matrix<F> jacobian() const {
     Matrix<F> J = lagrangian_.jacobian(tip_);
     for (int k = 0; k < J.cols() && has_angles_; ++k) {
@@ -37,7 +37,8 @@ class TaskDefinition {
     return J;
   }
 
-  // J̇ q̇: of angles T^-1 (ω̇ - Ṫ φ̇), where z stays, the line of nodes turns about it, and the last axis with the tip.
+  // J̇ q̇, all six rows. For angles it is T^-1 (ω̇ - Ṫ φ̇), where z is constant, the line of nodes turns about z, and
+  // the last axis turns with the tip.
   Values drift(const Values& qd) const {
     Values drift = lagrangian_.jacobian_dot_qd(tip_, qd);
     if (!has_angles_) return drift;
@@ -53,7 +54,7 @@ class TaskDefinition {
  private:
   static Vector3<F> angular(const Values& six) { return {six[3], six[4], six[5]}; }
 
-  // By Cramer's rule, from T = [z, line of nodes, last axis].
+  // φ̇ = T^-1 ω by Cramer's rule, with T = [z, line of nodes, last axis].
   Vector3<F> angle_rates(const Vector3<F>& omega) const {
     const Vector3<F> across = cross(nodes_, last_);
     const F reciprocal = F(1) / dot(z_, across);

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostNoteLines = 10;
 constexpr std::size_t kMostPlaces = 4;
 
-// Findings that are told in one line: one by itself, or all of a kind and severity.
+// Findings reported in one line: a single one, or all of a kind and severity.
 using Group = std::vector<Diagnostic>;
 
 struct Entry {
@@ -41,7 +41,7 @@ std::vector<Group> grouped(const std::vector<Diagnostic>& diagnostics) {
   return groups;
 }
 
-// "arm.urdf:12, 25, scene.toml:3, …"
+// The places of a group: "arm.urdf:12, 25, scene.toml:3, …".
 std::string places_of(const Group& group) {
   std::vector<Place> places;
   for (const Diagnostic& diagnostic : group) {
@@ -78,7 +78,7 @@ std::size_t height_of(const std::vector<Entry>& entries) {
   return lines;
 }
 
-// Hints go first, then the last notes; a last line then says so.
+// Shortens the notes: first the hints are dropped, then the last notes, which a last line then reports.
 void shorten(std::vector<Entry>& notes, bool is_grouped) {
   if (height_of(notes) + (is_grouped ? 1 : 0) <= kMostNoteLines) {
     if (is_grouped) notes.push_back({"note: -v lists each by itself", ""});

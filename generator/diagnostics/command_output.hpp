@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Findings as a person reads them on a terminal: a short block of notes, then warnings and errors.
+// Findings as text for a terminal: a short block of notes, then warnings and errors.
 #pragma once
 
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace flatdyn {
 
-// How much is told, and how: the options --quiet, --verbose and --json.
+// The amount and the form of output: the options --quiet, --verbose and --json.
 struct Manner {
-  bool quiet = false;    // no notes, no progress, no tables beside files that are written
-  bool verbose = false;  // each finding by itself, with its hint
+  bool quiet = false;    // no notes, no progress, no tables if files are written
+  bool verbose = false;  // every finding on its own, with its hint
   bool json = false;     // results and errors on stdout as JSON
 };
 
-// Notes come first, in at most ten lines; warnings and errors follow in their order, all of them. Notes, and warnings,
-// of one kind share a line: "note: 12 limits of 0 taken as not given (arm.urdf:12, 25, 40, …)". Each line is ended.
+// The findings as text: notes first, in at most ten lines, then all warnings and errors in their order. Notes, and
+// warnings, of one kind share a line: "note: 12 limits of 0 taken as not given (arm.urdf:12, 25, 40, …)". Each line
+// ends with a line break.
 std::string told(const Diagnostics& diagnostics, const Manner& manner);
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the tool tells a person about his input: severity, place, message, and what to do.
+// Messages about the user's input: severity, place, message, and a hint.
 #pragma once
 
 #include <stdexcept>
@@ -21,17 +21,18 @@ enum class Severity { note, warning, error };
 struct Diagnostic {
   Severity severity = Severity::error;
   Place place;
-  std::string message;       // what is wrong, naming the key and the value
-  std::string hint;          // what to do; may be empty
-  bool unsupported = false;  // an error that is no mistake in the file: the program cannot do it (exit code 4)
-  std::string kind = {};     // those of one kind are told together; empty: this one stands by itself
+  std::string message;       // the problem, with the key and the value
+  std::string hint;          // a remedy; may be empty
+  bool unsupported = false;  // an error of the program's abilities, not of the file (exit code 4)
+  std::string kind = {};     // messages of one kind are printed together; empty: printed on its own
 };
 
-// "arm.urdf:12: error: link \"a\": mass is negative (-1)\n    hint: ..."
+// The message as text: "arm.urdf:12: error: link \"a\": mass is negative (-1)
+//     hint: ..."
 std::string to_string(const Diagnostic& diagnostic);
 
-// A list of what was found while reading. Readers go on after an error where they can, so that a person
-// sees all that is wrong at once; whoever called decides what to do with the list.
+// The messages collected while reading. Readers continue after an error where they can, so that a person sees all
+// errors at once; the caller decides about the messages.
 class Diagnostics {
  public:
   // kind: a plural that can follow a count, "unknown attributes left out".
@@ -44,9 +45,9 @@ class Diagnostics {
   const std::vector<Diagnostic>& all() const { return all_; }
   bool has_errors() const;
   bool has_warnings() const;
-  // Every error there is, and at least one, is something unsupported.
+  // Whether there are errors and all of them are something unsupported.
   bool only_unsupported() const;
-  // Every error there is, and at least one, is on the command line and not in a file.
+  // Whether there are errors and all of them are on the command line and not in a file.
   bool only_on_command_line() const;
 
  private:
@@ -66,7 +67,7 @@ enum class ExitCode : int {
   interrupted = 130,  // by Ctrl-C, as shells count it
 };
 
-// Something that ends the run with one of the documented exit codes.
+// An exception that ends the run with one of the documented exit codes.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& message, std::string hint = {})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The exit codes for people: in --help and on manual pages. docs/exit-codes.md says more.
+// The exit codes for --help and manual pages; docs/exit-codes.md explains them.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ inline constexpr ExitCodeMeaning kExitCodes[] = {
     {ExitCode::interrupted, "interrupted"},
 };
 
-// "0 ok, 1 bug, …"
+// All exit codes as text: "0 ok, 1 bug, …".
 inline std::string exit_codes_text() {
   std::string text;
   for (const auto& [code, meaning] : kExitCodes) {

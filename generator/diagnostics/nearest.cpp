@@ -8,7 +8,7 @@ namespace flatdyn {
 
 namespace {
 
-// Levenshtein's distance: insertions, deletions and replacements of a character.
+// The Levenshtein distance: insertions, deletions and replacements of a character.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -35,7 +35,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 std::string hint_for_unknown(std::string_view written, const std::vector<std::string>& known, std::string_view plural) {
   constexpr std::size_t kLongestName = 200;
-  // Up to a third of the letters may be wrong, one at least, but never all.
+  // A third of the letters may be wrong, at least one, but never all of them.
   const std::size_t most_wrong = written.size() <= 1 ? 0 : std::max<std::size_t>(1, written.size() / 3);
   std::size_t best_distance = most_wrong + 1;
   const std::string* best = nullptr;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kEraseLine = "\r\033[K";
 
-bool is_line_shown = false;  // of whichever Progress: there is one terminal
+bool is_line_shown = false;  // shown by any Progress: there is one terminal
 
 }  // namespace
 
@@ -28,10 +28,20 @@ Progress::Progress(bool quiet)
 Progress::~Progress() { erase_progress(); }
 
 void Progress::step(const std::string& what) {
+  starts_.push_back({what, std::chrono::steady_clock::now()});
   if (!shown_ || std::chrono::steady_clock::now() - start_ < std::chrono::seconds(1)) return;
   fmt::print(stderr, "{}{} …", kEraseLine, what);
   std::fflush(stderr);
   is_line_shown = true;
+}
+
+std::vector<Progress::Step> Progress::steps() const {
+  std::vector<Step> steps;
+  for (std::size_t k = 0; k < starts_.size(); ++k) {
+    const auto end = k + 1 < starts_.size() ? starts_[k + 1].at : std::chrono::steady_clock::now();
+    steps.push_back({starts_[k].what, std::chrono::duration<double>(end - starts_[k].at).count()});
+  }
+  return steps;
 }
 
 }  // namespace flatdyn

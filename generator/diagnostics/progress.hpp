@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the program is busy with, on stderr, for a person who waits: shown on a terminal only, after a second.
+// The current activity of the program on stderr, shown only on a terminal and after a second.
 #pragma once
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace flatdyn {
 
-// Takes the line that is shown away, if there is one: before anything else is written.
+// Erases the line that is shown, if there is one, before anything else is written.
 void erase_progress();
 
 class Progress {
@@ -19,8 +20,20 @@ class Progress {
 
   void step(const std::string& what);
 
+  struct Step {
+    std::string what;
+    double seconds;  // until the next step, or until now
+  };
+  std::vector<Step> steps() const;
+
  private:
+  struct Start {
+    std::string what;
+    std::chrono::steady_clock::time_point at;
+  };
+
   bool shown_;
+  std::vector<Start> starts_;
   std::chrono::steady_clock::time_point start_;
 };
 

@@ -6,13 +6,13 @@
 
 namespace flatdyn {
 
-// Characters, not bytes: names may be any UTF-8.
+// The number of characters, not bytes: names may be any UTF-8.
 std::size_t text_width(const std::string& text);
 
 // Rows of text with aligned columns, two blanks between them; the first row is the heading.
 std::vector<std::string> aligned_lines(const std::vector<std::vector<std::string>>& rows);
 
-// The same as one text, each line ended.
+// The aligned lines as one text, each with a line break.
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace flatdyn

@@ -9,16 +9,16 @@ namespace flatdyn {
 
 namespace {
 
-// The number of bytes that a first byte announces; 0 if it is none.
+// The number of bytes that a first byte announces; 0 if it is not a first byte.
 std::size_t length_of(unsigned char first) {
   if (first < 0x80U) return 1;
-  if (first < 0xC2U) return 0;  // goes on with another byte, or says in two bytes what one can
+  if (first < 0xC2U) return 0;  // continuation bytes and overlong forms
   if (first < 0xE0U) return 2;
   if (first < 0xF0U) return 3;
   return first < 0xF5U ? 4 : 0;
 }
 
-// The code point of a character of `length` bytes; nothing lower may be written in so many.
+// The code point of a character of `length` bytes; none for overlong forms.
 std::optional<char32_t> code_of(std::string_view bytes) {
   constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
   std::uint32_t code = static_cast<unsigned char>(bytes[0]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Names go into JSON and C++ comments, which are UTF-8; files come in other encodings, too.
+// Text in UTF-8, as JSON and C++ comments need it, from files that may have other encodings.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,18 @@ namespace flatdyn {
 // The first character of a text in UTF-8.
 struct Utf8Character {
   std::optional<char32_t> code;  // nullopt if no character begins there
-  std::size_t length = 1;        // bytes to go on after
+  std::size_t length = 1;        // bytes to skip
 };
-Utf8Character first_character(std::string_view text);  // of a text that is not empty
+Utf8Character first_character(std::string_view text);  // text: not empty
 
+// Whether the whole text is valid UTF-8.
 bool is_utf8(std::string_view text);
 
-// Whether bytes are UTF-16: by their byte order mark, or as one of the first two is 0, which no other text begins with.
+// Whether the bytes are UTF-16: they have its byte order mark, or one of the first two is 0, which is at the beginning
+// of no other text.
 bool is_utf16(std::string_view bytes);
 
-// The text of bytes for which is_utf16() holds, in UTF-8 and without a byte order mark; nullopt if it is damaged.
+// The text in UTF-8, without a byte order mark, of bytes for which is_utf16() holds; nullopt if it is damaged.
 std::optional<std::string> utf8_of_utf16(std::string_view bytes);
 
 }  // namespace flatdyn

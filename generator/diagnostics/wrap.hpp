@@ -5,8 +5,9 @@
 
 namespace flatdyn {
 
-// The text with its lines broken at blanks so that none has more than `width` characters, as far as its words allow.
-// What is broken off stands under the last column of its line, which two blanks begin, else under the line's beginning.
+// The text with lines broken at blanks so that none has more than `width` characters, if its words allow it. A
+// continuation is indented to the last column of its line, where columns are separated by two blanks, or else to the
+// line's beginning.
 std::string wrapped(const std::string& text, std::size_t width);
 
 }  // namespace flatdyn

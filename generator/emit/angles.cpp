@@ -67,7 +67,7 @@ std::string angles_call(const HeaderScope& scope) {
   return code_line(scope.dialect.part_call(fill_name(scope)) + "q, angle);", kStatementIndent);
 }
 
-// Where functions have no more than so many lines, the lines are in parts.
+// If functions may have only so many lines, the lines are put into parts.
 std::string angles_definition(const HeaderScope& scope) {
   constexpr std::size_t kAround = 2;
   const std::string name = fill_name(scope);

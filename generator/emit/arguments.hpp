@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The arguments of emitted functions: names, lengths, what they mean.
+// The arguments of emitted functions: names, lengths, meanings.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct InputArgument {
   std::string meaning;  // "joint velocities, rad/s or m/s"
 };
 
-// How long q̇ is, and with it q̈ and τ; and how long q, which is longer where loops are closed.
+// The length of q̇, q̈ and τ, and the length of q, which is longer if loops are closed.
 struct JointCounts {
   int joints, positions;
 
@@ -25,24 +25,25 @@ struct JointCounts {
   explicit JointCounts(const Mechanism& mechanism) : joints(mechanism.size()), positions(mechanism.position_count()) {}
 };
 
-// `counts`: lengths of q and q̇; `base_parameters`: of pi_b. Not for InputKind::parameter: those arrive in one struct.
+// The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Throws
+// std::logic_error for parameters, which are passed in one struct, and for stored values.
 InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters = 0);
 
-// The local variable that an input is read into: "qd_2" of qd[1]; a parameter's is its member's name.
+// The local variable that an input is read into: "qd_2" for qd[1]; for a parameter, the name of its member.
 std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters);
 
-// "qd[1]", "parameters.m1".
+// The expression that reads an input: "qd[1]", "parameters.m1".
 std::string access_of_input(const Input& input, const std::vector<std::string>& parameters,
                             const Dialect& dialect = {});
 
-// "q[1..6], qd[0..6], parameters.m1"; "nothing".
+// The inputs as a list: "q[1..6], qd[0..6], parameters.m1"; "nothing" if there are none.
 std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters,
                            const Dialect& dialect = {});
 
-// The function has one scalar output and cannot fail: it returns the value.
+// Whether the function returns its value: it has one scalar output and cannot fail.
 bool returns_value(const Function& function);
 
-// How an output lies in memory: "7 x 7, row by row".
+// The memory layout of an output in words: "7 x 7, row by row".
 std::string layout_text(const Output& output);
 
 }  // namespace flatdyn

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kInFunction = 2, kInLoop = 4;
 
-// The states of one call of the function that computes them all at once.
+// A function that computes many states in one call.
 class BatchFunction {
  public:
   BatchFunction(const Function& function, const FunctionText& text, const Dialect& dialect)
@@ -53,14 +53,14 @@ class BatchFunction {
     return list_line(fmt::format("void {}(", name), parameters, ") {", 0);
   }
 
-  // "panda_lanes_gravity" → "gravity"
+  // Strips the prefix: "panda_lanes_gravity" → "gravity".
   std::string cpp_name() const { return text_.name.substr(dialect_.global("").size()); }
 
   std::string blocks() const {
     std::vector<std::string> items;
     for (const ArrayArgument& input : text_.inputs) items.push_back(dialect_.array(block(input), input.length));
     for (std::size_t k = 0; k < results_.size(); ++k) {
-      // What a scene leaves out is not written.
+      // Entries that a scene leaves out are not written.
       const char* const initial = function_.outputs[k].left_out.empty() ? "" : " = {{0}}";
       items.push_back(dialect_.array(block(results_[k]), results_[k].length) + initial);
     }

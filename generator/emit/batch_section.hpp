@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What C code for many states at a time has of its own: functions over arrays of states, around those of lanes.
+// The sections of C code for many states at a time: functions over arrays of states, which call those over lanes.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -8,10 +8,10 @@
 
 namespace flatdyn {
 
-// `page`: with what write_c_names() has put into it.
+// Adds names to `page`, which write_c_names() has filled.
 void write_batch_names(kainjow::mustache::data& page, const std::vector<Function>& functions, const Dialect& dialect);
 
-// Its states come as rows; results are written as rows.
+// The function takes states as rows and writes results as rows.
 void write_batch_function(kainjow::mustache::data& item, const Function& function, const FunctionText& text,
                           const Dialect& dialect);
 

@@ -13,7 +13,7 @@ using kainjow::mustache::data;
 
 namespace {
 
-// The function that takes sines and cosines before the one that calls it.
+// The definitions: if the function has a variant that takes sines and cosines, it comes before the one that calls it.
 std::string definitions(const FunctionText& text, const std::string& linkage) {
   const auto definition = [&](const std::string& name, const std::vector<std::string>& parameters,
                               const std::string& body) {

@@ -15,7 +15,7 @@ constexpr std::size_t kRowIndent = 4;
 std::string prefix_of(const std::string& name_space) {
   std::string prefix;
   for (std::string part : parts_of_namespace(name_space)) {
-    while (part.size() > 1 && part.back() == '_') part.pop_back();  // two underscores in a row are C++'s own
+    while (part.size() > 1 && part.back() == '_') part.pop_back();  // C++ reserves two underscores in a row
     prefix += part + "_";
   }
   return prefix;

@@ -40,7 +40,7 @@ namespace {
 
 using kainjow::mustache::data;
 
-// One blank line where there are several: a section of a template that is left out leaves its own.
+// Reduces several blank lines to one: a section of a template that is left out leaves its own.
 std::string squeezed(const std::string& text) {
   std::string result;
   result.reserve(text.size());
@@ -55,7 +55,7 @@ std::string file_name(const Mechanism& mechanism, const EmitOptions& options) {
   return options.file_name.empty() ? cpp_identifier(mechanism.name) : options.file_name;
 }
 
-// What the templates of all languages are filled with.
+// Collects the data for the templates of all languages.
 class PageWriter {
  public:
   PageWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
@@ -90,7 +90,7 @@ class PageWriter {
     header["uses_sign"] = uses_sign_;
     header["header_sign?"] = uses_sign_ && !is_pair();
     header["interface"] = std::to_string(kInterface);
-    header["asks_runtime?"] = !is_pair();  // a pair is compiled without the runtime
+    header["asks_runtime?"] = !is_pair();  // header and source are compiled without the runtime
     header["uses_sqrt"] = uses_sqrt_;
     header["header_sqrt?"] = uses_sqrt_ && !is_pair();
     header["uses_trigonometry"] = uses_trigonometry_;
@@ -118,11 +118,11 @@ class PageWriter {
     return calls;
   }
 
-  // All that the text defines for others, in its order.
+  // The names that the text exports, in order.
   const std::vector<std::string>& exported_names() const { return exports_; }
 
  private:
-  // What functions take from the header.
+  // Sets up the scope that functions use.
   void make_scope() {
     scope_.dialect = dialect_;
     if (is_pair()) scope_.compiled = compiled_scalars(options_);
@@ -191,7 +191,7 @@ class PageWriter {
     header["parameter_names"] = without_newline(dialect_.definition({"const char*", "parameter_names", "", names}));
   }
 
-  // "m_1;  // kg", in JavaScript "m_1 - kg".
+  // The members of the parameters with their units: "m_1;  // kg", in JavaScript "m_1 - kg".
   std::vector<std::string> members_with_units() const {
     std::vector<std::string> members = scope_.parameters;
     const bool is_statement = !dialect_.is_javascript();
@@ -203,7 +203,7 @@ class PageWriter {
     return members;
   }
 
-  // q is longer than qd: which of its entries are independent.
+  // For robots whose q is longer than qd: constants that list the independent entries.
   void write_position_constants(data& header, data& constants) {
     header["position_count"] = std::to_string(mechanism_.position_count());
     header["positions"] = dialect_.count_name("position_count");
@@ -330,7 +330,7 @@ class PageWriter {
     uses_trigonometry_ = uses_trigonometry_ || text.uses_trigonometry;
   }
 
-  // close_loops(), where there is all that it calls.
+  // Writes close_loops(), if all functions that it calls are emitted.
   void write_loop_closing(data& header) {
     const auto name_of = [this](const char* function) -> std::string {
       for (std::size_t k = 0; k < functions_.size(); ++k) {
@@ -352,7 +352,7 @@ class PageWriter {
     exports_.push_back(name);
   }
 
-  // The structural zeros of the matrices of function k, a row per line.
+  // The structural zeros of function k's matrices, a row per line.
   data nonzero(std::size_t k) {
     data list(data::type::list);
     const Function& function = functions_[k];
@@ -361,7 +361,7 @@ class PageWriter {
       if (!is_array_of_arrays(output)) continue;
       ConstantArray array{"bool", names_.nonzero[k][o], std::to_string(output.entries.size()), {}, output.cols};
       for (const NodeId entry : output.entries) {
-        array.entries.push_back(function.graph.is_zero(entry) ? "0" : "1");  // 0 also where it is left out
+        array.entries.push_back(function.graph.is_zero(entry) ? "0" : "1");  // also 0 for an entry that is left out
       }
       data item;
       item["output"] = comment_text(output.name);
@@ -391,7 +391,7 @@ class PageWriter {
   GlobalNames names_;
   HeaderScope scope_;
   std::vector<std::string> exports_;
-  Instantiations instantiations_;  // of C++ in header and source
+  Instantiations instantiations_;  // for C++ in header and source
   std::vector<ShapedFunction> shapes_;
   bool uses_sign_ = false, uses_sqrt_ = false, uses_trigonometry_ = false;
 };

@@ -34,12 +34,12 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
     case Op::sin:
     case Op::cos:
     case Op::input:
-      break;  // always variables
+      break;  // always a variable
   }
   return reference(id);
 }
 
-// The sum that `node` is the negative of, if it is written out: its signs are changed instead.
+// The sum that `node` negates, if it is written inline: its signs are changed instead. Otherwise nullptr.
 const Node* ExpressionPrinter::negated_sum(const Node& node) const {
   if (!is_scaled(node) || node.terms[0].coefficient != -1) return nullptr;
   const NodeId dot = node.terms[0].node;
@@ -59,7 +59,8 @@ std::string ExpressionPrinter::operand(NodeId id, Binding at_least) const {
 
 namespace {
 
-// Terms in the order of the graph, but inputs among themselves by kind and index: q_1 + q_2, whichever was made first.
+// The terms in the order of the graph, except that inputs are sorted by kind and index: q_1 + q_2, whichever was
+// created first.
 std::vector<Term> readable_order(const Graph& graph, std::vector<Term> terms) {
   std::vector<std::size_t> slots;
   std::vector<Term> inputs;
@@ -79,7 +80,7 @@ std::vector<Term> readable_order(const Graph& graph, std::vector<Term> terms) {
 
 }  // namespace
 
-// The summands of a sum, signs changed if it is `negated`.
+// The summands of a sum, with signs changed if it is `negated`.
 std::vector<ExpressionPrinter::Summand> ExpressionPrinter::summands(const Node& node, bool negated) const {
   const auto size_of = [](const Rational& coefficient, double magnitude) {
     constexpr double kLeast = 1e-300;
@@ -99,9 +100,9 @@ std::vector<ExpressionPrinter::Summand> ExpressionPrinter::summands(const Node& 
   return result;
 }
 
-// Small terms first, so that few roundings are those of large sums (Higham, Accuracy and Stability of Numerical
-// Algorithms, 4.2); those within a factor of two in a readable order. The first two may change places: a positive one
-// comes first, so that signs are subtractions: b - a, not -a + b.
+// Puts small terms first, so that few rounding errors are those of large sums (Higham, Accuracy and Stability of
+// Numerical Algorithms, 4.2); terms within a factor of two are in a readable order. The first two may be swapped so
+// that a positive one comes first and signs become subtractions: b - a, not -a + b.
 std::vector<ExpressionPrinter::Summand> ExpressionPrinter::small_first(std::vector<Summand> items) {
   std::stable_sort(items.begin(), items.end(), [](const Summand& a, const Summand& b) { return a.size < b.size; });
   const int reach = items[items.size() > 1 ? 1 : 0].size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Nodes → expressions.
+// Conversion of nodes to expressions.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace flatdyn {
 
-// The variable that holds a node, by id; empty for a node that is written out where it is used.
+// The variable that holds a node, by id; empty for a node that is written inline where it is used.
 using VariableNames = std::vector<std::string>;
 
 class ExpressionPrinter {
@@ -20,13 +20,13 @@ class ExpressionPrinter {
   ExpressionPrinter(const Graph& graph, const VariableNames& names, Dialect dialect = {})
       : graph_(graph), names_(names), dialect_(std::move(dialect)), magnitudes_(typical_magnitudes(graph)) {}
 
-  // What the node's variable is set to: "c_2 * omega_1_x + s_2 * omega_1_y".
+  // The right-hand side of the node's variable: "c_2 * omega_1_x + s_2 * omega_1_y".
   std::string definition(NodeId id) const { return define(id).code; }
-  // The node where it is used alone: its variable, or its definition.
+  // The node in a place of its own: its variable, or its definition.
   std::string use(NodeId id) const { return reference(id).code; }
 
  private:
-  // How tightly the outermost operator binds. A leading minus binds like a sum, so that it never meets another sign.
+  // The precedence of the outermost operator. A leading minus binds like a sum, so that it never meets another sign.
   enum class Binding { sum, quotient, product, atom };
   struct Text {
     std::string code;
@@ -35,14 +35,14 @@ class ExpressionPrinter {
 
   struct Summand {
     Rational coefficient;
-    std::string factor;  // empty: the constant
+    std::string factor;  // empty for the constant
     Binding binding;
-    int size;  // of its typical magnitude, as a power of two
+    int size;  // its typical magnitude, as a power of two
   };
 
   Text define(NodeId id) const;
   Text reference(NodeId id) const;
-  std::string operand(NodeId id, Binding at_least) const;  // in parentheses if it binds less
+  std::string operand(NodeId id, Binding at_least) const;  // in parentheses if it binds less tightly
   Text sum(const Node& node, bool negated) const;
   std::vector<Summand> summands(const Node& node, bool negated) const;
   static std::vector<Summand> small_first(std::vector<Summand> items);

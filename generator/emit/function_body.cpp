@@ -18,18 +18,20 @@
 namespace flatdyn {
 namespace {
 
-// Compilers manage this much at once, and do best where they see much. V8 gives up on functions of 60 kB of bytecode.
+// Compilers handle functions of this many lines, and optimise best if they see as much as possible. V8 gives up on
+// functions of 60 kB of bytecode.
 constexpr int kLongFunction = 4000, kLongInJavaScript = 1000, kLongPart = 1000;
-// Lines of a function besides its body. In C names are longer, and what is not read is a statement of its own.
+// The number of a function's lines besides its body. In C names are longer, and each argument that is not read takes a
+// statement.
 int lines_around(const Function& function, const Dialect& dialect) {
   constexpr int kInCpp = 4, kInC = 6;
   return dialect.is_c() ? kInC + static_cast<int>(function.inputs.size() + function.outputs.size()) : kInCpp;
 }
 
-// What parts share beside a function's own arguments.
+// The arrays that parts share, beside a function's own arguments.
 constexpr const char *kKept = "kept", *kPivots = "pivots", *kStored = "stored", *kResult = "result";
 
-// What an earlier stage has stored is at hand.
+// The inputs that are read from arguments; values stored by an earlier stage are not.
 std::vector<Input> arguments_read(const Function& function) {
   std::vector<Input> inputs = inputs_read(function);
   std::erase_if(inputs, [](const Input& input) { return input.kind == InputKind::stored; });
@@ -94,7 +96,7 @@ class BodyWriter {
     return text + condition();
   }
 
-  // The same statements in functions of their own. All inputs are read by the first ones.
+  // Writes the same statements as several functions. The first ones read all inputs.
   void write_parts(FunctionBody& body) const {
     const std::string name = scope_.enclosing_stage.empty() ? name_ : scope_.enclosing_stage + "_" + name_;
     LongBody long_body{name, input_steps(), variables_, sources(), part_arguments(), scope_.most_lines, dialect_};
@@ -161,7 +163,7 @@ class BodyWriter {
     return steps;
   }
 
-  // What every part can read for itself.
+  // The values that every part can read for itself.
   std::map<NodeId, PartSource> sources() const {
     std::map<NodeId, PartSource> sources;
     for (const Statement& statement : schedule_.statements) {
@@ -201,7 +203,7 @@ class BodyWriter {
                        [&](const Statement& statement) { return contains(statement.node, op); });
   }
 
-  // Whether the statement of `id` writes an operation of this kind out.
+  // Whether the statement of `id` has an operation of this kind inline.
   bool contains(NodeId id, Op op) const {
     const Node& node = function_.graph[id];
     if (node.op == op) return true;
@@ -210,7 +212,7 @@ class BodyWriter {
                        [&](NodeId part) { return !is_variable(part) && contains(part, op); });
   }
 
-  // Makes a variable of a sine or a cosine.
+  // Whether the statement makes a variable of a sine or a cosine.
   bool is_angle_function(const Statement& statement) const {
     const Op op = function_.graph[statement.node].op;
     return statement.targets.empty() && (op == Op::sin || op == Op::cos);
@@ -220,7 +222,7 @@ class BodyWriter {
 
   const std::string& variable(NodeId id) const { return variables_[static_cast<std::size_t>(id)]; }
 
-  // All inputs are read first, before any output is written: so outputs may overlap inputs, and no value is read twice.
+  // Reads all inputs before any output is written, so that outputs may overlap inputs and no value is read twice.
   std::string loads() const {
     std::string text;
     std::vector<std::string> items;
@@ -237,7 +239,7 @@ class BodyWriter {
     return text;
   }
 
-  // Not only as an angle whose sine or cosine is wanted.
+  // Whether an input is used other than as an angle whose sine or cosine is needed.
   bool is_used_by_itself(NodeId input) const {
     return std::any_of(schedule_.statements.begin(), schedule_.statements.end(), [&](const Statement& statement) {
       if (is_angle_function(statement)) return false;
@@ -246,7 +248,7 @@ class BodyWriter {
     });
   }
 
-  // Whether the definition of `id` has the variable in it.
+  // Whether the definition of `id` contains the variable `wanted`.
   bool mentions(NodeId id, NodeId wanted) const {
     const std::vector<NodeId> parts = operands_of(function_.graph[id]);
     return std::any_of(parts.begin(), parts.end(),
@@ -254,7 +256,7 @@ class BodyWriter {
   }
 
   // One call for the sines and cosines of all joints, so that they can be evaluated together. In C they are arguments.
-  // In JavaScript they are asked for one by one, into arrays only where several parts need them.
+  // In JavaScript they are evaluated one by one, and into arrays only if several parts need them.
   std::string trigonometry(bool of_parts) const {
     if (angles_.empty() || dialect_.is_c()) return "";
     if (dialect_.is_javascript()) return of_parts ? angle_functions_in_arrays() : "";
@@ -289,7 +291,7 @@ class BodyWriter {
     return variables.empty() ? "" : list_line(dialect_.constant(), variables, ";", kStatementIndent);
   }
 
-  // "sine[2]", "Math.sin(q[2])".
+  // A sine or cosine in emitted code: "sine[2]", "Math.sin(q[2])".
   std::string angle_function(NodeId id) const {
     if (!dialect_.is_javascript()) return given_angle_function(id).text;
     return fmt::format("Math.{}({})", function_.graph[id].op == Op::sin ? "sin" : "cos",
@@ -314,7 +316,7 @@ class BodyWriter {
                          : "";
   }
 
-  // All but sines and cosines.
+  // The steps without sines and cosines.
   std::vector<PartStep> steps(bool of_parts) const {
     std::vector<PartStep> steps;
     for (const Statement& statement : schedule_.statements) {
@@ -344,7 +346,7 @@ class BodyWriter {
                      kStatementIndent);
   }
 
-  // Variables in what is written for a node's definition.
+  // The variables in a node's definition.
   std::vector<NodeId> variables_in(NodeId id) const {
     std::vector<NodeId> found;
     for (const NodeId part : operands_of(function_.graph[id])) add_variables_used(part, found);
@@ -365,7 +367,7 @@ class BodyWriter {
     return found;
   }
 
-  // "B[1] = B[7] = b_12;"
+  // The statement that stores a value: "B[1] = B[7] = b_12;".
   PartStep store(const Statement& statement) const {
     constexpr std::size_t kMostTargets = 8;
     const std::string value = printer_.use(statement.node);
@@ -384,14 +386,14 @@ class BodyWriter {
     return step;
   }
 
-  // "B[1]", or "stage.x1".
+  // The place of a target: "B[1]", or "stage.x1".
   std::string target_text(const Target& target) const {
     const std::string& output = output_names_[static_cast<std::size_t>(target.output)];
     if (!makes_stage()) return fmt::format("{}[{}]", output, target.entry);
     return output + "." + scope_.fields.at(static_cast<std::size_t>(target.entry));
   }
 
-  // Not a number compares false; & does not branch.
+  // The check of the conditions. NaN compares false; & does not branch.
   std::string condition() const {
     if (makes_stage()) return code_line(fmt::format("return {};", output_names_[0]), kStatementIndent);
     if (function_.validity_conditions.empty()) return "";
@@ -406,7 +408,7 @@ class BodyWriter {
     return text + code_line("return " + (text.empty() ? dialect_.always() : "positive") + ";", kStatementIndent);
   }
 
-  // What must be positive; where it has a scale, beside that.
+  // A value that must be positive, beside its scale if it has one.
   struct Checked {
     NodeId value = 0;
     std::optional<NodeId> scale;
@@ -422,7 +424,8 @@ class BodyWriter {
     return pivots;
   }
 
-  // "D_1", or "b_1_1 + Scalar(0.015625) * D_1 - b_1_1": from left to right, so that what is lost beside b_1_1 leaves 0.
+  // The value checked: "D_1", or "b_1_1 + Scalar(0.015625) * D_1 - b_1_1", evaluated from left to right, so that it is
+  // 0 if D_1 is lost beside b_1_1.
   std::string checked_text(const Checked& pivot) const {
     const std::string value = printer_.use(pivot.value);
     if (!pivot.scale) return value;
@@ -443,7 +446,7 @@ class BodyWriter {
   std::vector<std::string> output_names_;
   VariableNames variables_;
   ExpressionPrinter printer_;
-  std::set<int> angles_;  // whose sines or cosines are used, by index
+  std::set<int> angles_;  // indices of the angles whose sines or cosines are used
 };
 
 }  // namespace

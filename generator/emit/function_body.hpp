@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One Function → the statements of its function in C++, C or JavaScript.
+// Conversion of a Function to the statements of its function in C++, C or JavaScript.
 #pragma once
 
 #include <set>
@@ -14,11 +14,11 @@ namespace flatdyn {
 struct FunctionBody {
   std::string text;                       // indented lines
   std::string parts;                      // functions that it calls, in C++ for namespace detail; empty if it is short
-  std::vector<Input> inputs;              // that it reads, but for what an earlier stage has stored
-  std::vector<std::string> output_names;  // as the outputs are called in it
+  std::vector<Input> inputs;              // the inputs that it reads, without those that an earlier stage has stored
+  std::vector<std::string> output_names;  // the outputs' names in the text
   bool uses_sign = false, uses_sqrt = false;
-  bool uses_positions = false;  // reads entries of q, not only for their sines and cosines
-  std::vector<int> angles;      // whose sines and cosines it takes, by index
+  bool uses_positions = false;  // whether it reads entries of q other than for their sines and cosines
+  std::vector<int> angles;      // indices of the angles whose sines and cosines it takes
   bool takes_sines = false, takes_cosines = false;
 
   bool uses_trigonometry() const { return !angles.empty(); }

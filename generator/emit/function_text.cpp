@@ -52,7 +52,7 @@ class FunctionWriter {
     return (body_.inputs.empty() ? "" : inputs + " and ") + "what is stored";
   }
 
-  // Who has sines and cosines calls the function with them; the other one asks the library first.
+  // Splits a C function in two: one takes sines and cosines as arguments; the other one computes them and calls it.
   void in_two(FunctionText& text, const std::string& given_name) const {
     text.declared = c_parameters(false, false);
     text.parameters = c_parameters(false, true);
@@ -73,7 +73,7 @@ class FunctionWriter {
     bool is_read;  // or written
   };
 
-  // Sines and cosines stand in for q, but where positions themselves are read, too.
+  // The arguments. With `given`, sines and cosines replace q, unless positions themselves are read, too.
   std::vector<CArgument> c_arguments(bool given) const {
     std::vector<CArgument> list;
     if (!scope_.parameters.empty()) {
@@ -103,7 +103,7 @@ class FunctionWriter {
     return list;
   }
 
-  // "(void)qd;", so that no compiler complains: in C a parameter has a name.
+  // Statements like "(void)qd;", which silence compilers: in C every parameter has a name.
   std::string unread() const {
     std::string text;
     for (const CArgument& argument : c_arguments(body_.uses_trigonometry())) {
@@ -112,7 +112,7 @@ class FunctionWriter {
     return text;
   }
 
-  // The angles that are asked for, as first and last of those with indices in a row.
+  // The angles that are needed, as first and last index of each run of consecutive ones.
   std::vector<std::pair<int, int>> runs_of_angles() const {
     std::vector<std::pair<int, int>> runs;
     for (const int angle : body_.angles) {
@@ -125,7 +125,7 @@ class FunctionWriter {
     return runs;
   }
 
-  // Tells `given` whose sines and cosines it gets.
+  // The body of the function that computes sines and cosines and calls `given`; records in `given` which ones it takes.
   std::string body_that_asks(GivenText& given) const {
     const std::string count = angle_count_name(scope_), of = angle_array(scope_);
     const bool has_others = !scope_.angles.empty();
@@ -158,12 +158,12 @@ class FunctionWriter {
                        [kind](const Input& input) { return input.kind == kind; });
   }
 
-  // An argument that is not read has no name, so that no compiler complains.
+  // A parameter. One that is not used has no name, so that compilers do not warn.
   static std::string parameter(const std::string& type, const std::string& name, bool used) {
     return type + " " + (used ? name : "/* " + name + " */");
   }
 
-  // How C++ writes parameters: with which types, whether it names what is not read, and with a default.
+  // The form of C++ parameters: their types, whether unused ones have names, and whether they have defaults.
   struct Manner {
     std::string scalar, sin_cos;
     bool names_all, has_default;
@@ -192,11 +192,12 @@ class FunctionWriter {
 
   bool is_apart() const { return !scope_.compiled.empty(); }
 
-  // A default is of the declaration. The source of sines and cosines is one of the header's own.
+  // Separates declaration and definition: defaults belong to the declaration. The source of sines and cosines is the
+  // header's own.
   void set_apart(FunctionText& text) const {
     text.declared = parameters({"Scalar", "SinCos", true, true});
     text.parameters = parameters({"Scalar", "SinCos", false, false});
-    if (!scope_.enclosing_stage.empty()) return;  // a member: its struct is instantiated as a whole
+    if (!scope_.enclosing_stage.empty()) return;  // a stage's struct is instantiated as a whole
     for (const std::string& scalar : scope_.compiled) {
       text.compiled.push_back({return_type(scalar), parameters({scalar, "LibrarySinCos", true, false})});
       if (!body_.uses_trigonometry()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the text of one function takes from the rest of its header.
+// The context in the header that the text of a function depends on.
 #pragma once
 
 #include <set>
@@ -20,16 +20,16 @@ struct MultipleOfPosition {
 struct HeaderScope {
   Dialect dialect;
   int joints = 0;                          // length of qd
-  int positions = 0;                       // of q
-  std::vector<MultipleOfPosition> angles;  // whose sines and cosines are asked for, beyond those of q
-  int most_lines = 0;                      // of a function; 0: no limit but that of compilers
+  int positions = 0;                       // length of q
+  std::vector<MultipleOfPosition> angles;  // angles beyond those of q whose sines and cosines are needed
+  int most_lines = 0;                      // limit of lines per function; 0: only that of compilers
   std::vector<std::string> parameters;     // members of Parameters, by index of the free symbol
   std::set<std::string> names;             // taken at namespace scope
-  std::string enclosing_stage;             // the stage whose member a function is, if it is one: its name,
-  std::vector<std::string> stored;         // and those of its fields, by index
-  std::string made;                        // the stage that a function makes, if it does: its name,
-  std::vector<std::string> fields;         // and those of its fields
-  std::vector<std::string> compiled;       // C++ in header and source: the scalars that the source is compiled for
+  std::string enclosing_stage;             // for a member function, the name of its stage,
+  std::vector<std::string> stored;         // and the names of the stage's fields, by index
+  std::string made;                        // for a function that makes a stage, the name of that stage,
+  std::vector<std::string> fields;         // and the names of its fields
+  std::vector<std::string> compiled;       // for C++ in header and source: the scalars that the source is compiled for
 
   std::size_t angle_count() const { return static_cast<std::size_t>(positions) + angles.size(); }
 };

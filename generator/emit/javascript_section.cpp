@@ -22,7 +22,7 @@ std::string type_of_argument(const FunctionText& text, const std::string& name) 
   return std::any_of(text.outputs.begin(), text.outputs.end(), is_output) ? "Numbers" : "ArrayLike<number>";
 }
 
-// For programs that read types, below what people read.
+// Type annotations for editors, after the text for people.
 std::vector<std::string> types(const FunctionText& text) {
   std::vector<std::string> lines;
   for (const std::string& name : text.parameters) {

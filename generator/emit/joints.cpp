@@ -20,7 +20,7 @@ constexpr LimitColumn kLimitKinds[] = {
     {"effort", "effort_limit", "Largest torque or force, N m or N", false, &Limits::effort},
 };
 
-// A decimal without the ".0" that only a compiler needs.
+// A literal as plain decimal, without the ".0" that only compilers need.
 std::string plain(std::string literal) {
   if (literal.size() > 2 && literal.compare(literal.size() - 2, 2, ".0") == 0) literal.resize(literal.size() - 2);
   return literal;
@@ -35,7 +35,7 @@ std::string type_of(const Body& body) {
   return body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
 }
 
-// The entry of qd that entry p of q is integrated from; of dependent joints there is none.
+// The entry of qd from which entry p of q is integrated; dependent joints have none.
 std::string rate_text(const Mechanism& mechanism, int p) {
   const auto found = std::find(mechanism.independent.begin(), mechanism.independent.end(), p);
   return found == mechanism.independent.end() ? "-" : std::to_string(found - mechanism.independent.begin());
@@ -54,7 +54,7 @@ std::vector<LimitColumn> limits_given(const Mechanism& mechanism) {
 }
 
 std::optional<Rational> rational_of(const Number& number) {
-  constexpr int kDigits = 40;  // of Pi and roots: enough for the nearest double
+  constexpr int kDigits = 40;  // digits of Pi and roots: enough for the nearest double
   if (has_symbols(number)) return std::nullopt;
   const Number exact = is_rational(number) ? number : exact_decimal(to_decimal(number, kDigits));
   return to_rational(exact);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the header says of the robot's joints: the table for people, the limits for programs.
+// The text about the robot's joints in a header: the table for people, the limits for programs.
 #pragma once
 
 #include <optional>
@@ -16,20 +16,20 @@ struct LimitColumn {
   const char* column;    // heading in the table
   const char* constant;  // name of the emitted array
   const char* meaning;   // comment of the array
-  bool is_lower;         // no limit is minus infinity
+  bool is_lower;         // a missing lower limit is minus infinity
   std::optional<Value> Limits::*value;
 };
 
-// The kinds that at least one joint of the mechanism has, in a fixed order.
+// The kinds of limits that at least one joint of the mechanism has, in a fixed order.
 std::vector<LimitColumn> limits_given(const Mechanism& mechanism);
 
-// A number, of Pi and roots as many digits as matter; nullopt if it depends on a free symbol.
+// The value of a number, with as many digits of Pi and roots as matter; nullopt if it depends on a free symbol.
 std::optional<Rational> rational_of(const Number& number);
 
 // The entries of the emitted array of one kind of limit: "Real(2.8973)", "Real(HUGE_VAL)".
 std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitColumn& kind, const Dialect& dialect);
 
-// Lines: index (in closed loops those in q and qd), joint, link, type, unit and the limits given.
+// Lines of the table: index (with closed loops those in q and qd), joint, link, type, unit and the limits given.
 std::vector<std::string> joint_table(const Mechanism& mechanism);
 
 }  // namespace flatdyn

@@ -17,16 +17,16 @@ using Integer = boost::multiprecision::mpz_int;
 
 constexpr int kMantissaBits = std::numeric_limits<double>::digits;
 constexpr int kSmallestExponent =
-    std::numeric_limits<double>::min_exponent - kMantissaBits;  // of a subnormal's last bit
+    std::numeric_limits<double>::min_exponent - kMantissaBits;  // exponent of a subnormal's last bit
 
-// floor(log2(a / b)) of positive a and b.
+// floor(log2(a / b)) for positive a and b.
 int floor_log2(const Integer& a, const Integer& b) {
-  const int estimate = static_cast<int>(msb(a)) - static_cast<int>(msb(b));  // exact, or one too many
+  const int estimate = static_cast<int>(msb(a)) - static_cast<int>(msb(b));  // exact, or one too large
   const bool too_many = estimate >= 0 ? a < (b << estimate) : (a << -estimate) < b;
   return too_many ? estimate - 1 : estimate;
 }
 
-// a / b · 2^-exponent rounded to an integer, half to even.
+// a / b · 2^-exponent, rounded to an integer, half to even.
 Integer rounded_quotient(Integer a, Integer b, int exponent) {
   if (exponent < 0) {
     a <<= -exponent;
@@ -71,7 +71,7 @@ float float_of(const Rational& value) {
 
 namespace {
 
-// Of either type, always with what makes it one of floating type.
+// The shortest decimal of either type, always in floating-point form.
 template <class T>
 std::string shortest_decimal(T value) {
   constexpr T kSmallestFixed = T(1e-5);

@@ -14,8 +14,8 @@
 namespace flatdyn {
 namespace {
 
-// What <cmath> may declare in the global namespace, where a robot's namespace would stand beside it; of each also the
-// forms for float and long double.
+// Names that <cmath> may declare in the global namespace, where they would clash with a robot's namespace; the forms
+// for float and long double are added.
 constexpr auto kCMath = std::to_array<std::string_view>(
     {"abs",    "acos",     "acosh",   "asin",      "asinh",     "atan",       "atan2",       "atanh",   "cbrt",
      "ceil",   "copysign", "cos",     "cosh",      "div",       "double_t",   "drem",        "erf",     "erfc",

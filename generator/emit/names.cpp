@@ -11,7 +11,7 @@ namespace flatdyn {
 
 namespace {
 
-// c_ijk of row i and packed column k (k + 1) / 2 + j: "c_3_1_2".
+// The name of c_ijk in row i and packed column k (k + 1) / 2 + j: "c_3_1_2".
 std::string name_of_christoffel(const Output& output, int entry) {
   int k = 0, j = entry % output.cols;
   while (j > k) j -= ++k;
@@ -19,7 +19,7 @@ std::string name_of_christoffel(const Output& output, int entry) {
          std::to_string(k + 1);
 }
 
-// "tau_1", "B_12": the entry that the node is stored in, counted from 1.
+// The name of the entry that a node is stored in, counted from 1: "tau_1", "B_12".
 std::string name_of_entry(const Output& output, int entry) {
   if (output.layout == Layout::scalar) return output.name;
   if (output.layout == Layout::fields) return "";
@@ -30,7 +30,7 @@ std::string name_of_entry(const Output& output, int entry) {
          std::to_string(entry % output.cols + 1);
 }
 
-// By id, for the nodes that outputs hold.
+// By id: the names of nodes that are stored in outputs.
 std::map<NodeId, std::string> names_of_entries(const Function& function) {
   std::map<NodeId, std::string> names;
   for (const Output& output : function.outputs) {

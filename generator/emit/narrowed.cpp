@@ -20,7 +20,7 @@ bool is_narrowed(double value, float becomes) {
   return becomes < std::numeric_limits<float>::min() && std::abs(double(becomes) - value) > 0;
 }
 
-// How much is lost: all and more, all, some digits.
+// The severity of the loss: 2 for infinity, 1 for zero, 0 for some digits.
 int loss(const NarrowedConstant& constant) { return std::isinf(constant.becomes) ? 2 : constant.becomes > 0 ? 0 : 1; }
 
 template <class Visit>

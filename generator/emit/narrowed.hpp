@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Constants that are good in double and not in float, whose numbers reach from 1.2e-38 to 3.4e38.
+// Constants that are lost or lose digits in float, whose normal numbers range from 1.2e-38 to 3.4e38.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace flatdyn {
 
-// What float makes of a constant, without its sign: 0, infinity, or a subnormal number, which has fewer digits.
+// A constant and its absolute value in float: 0, infinity, or a subnormal number, which has fewer digits.
 struct NarrowedConstant {
   double value = 0;
   float becomes = 0;
-  std::string function;  // the first one that has it
+  std::string function;  // the first function that has it
 };
 
-// Of all that is written of the functions; each once, infinite ones first and then those that become 0.
+// The narrowed constants of all functions, each once: first those that become infinite, then those that become 0.
 std::vector<NarrowedConstant> narrowed_constants(const std::vector<Function>& functions);
 
-// Warns of them, if there are any.
+// Warns of these constants, if there are any.
 void warn_of_narrowed(const std::vector<NarrowedConstant>& constants, const Place& place, Diagnostics& findings);
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Templates (templates/), filled in.
+// Rendering of templates (templates/).
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -10,13 +10,13 @@ namespace flatdyn {
 
 kainjow::mustache::data list_of(const std::vector<std::string>& texts);
 
-// Nothing is escaped. Throws std::logic_error for a template with a mistake.
+// The template filled in, without escaping. Throws std::logic_error for a template with an error.
 std::string rendered(const char* text, const kainjow::mustache::data& page);
 
-// A page of HTML: values are escaped, but for those in three braces. Throws std::logic_error as well.
+// A page of HTML: values are escaped, except those in triple braces. Throws std::logic_error likewise.
 std::string rendered_html(const char* text, const kainjow::mustache::data& page);
 
-// As it may stand in an element of HTML, or in an attribute.
+// The text escaped for an element or an attribute of HTML.
 std::string html_text(const std::string& text);
 
 }  // namespace flatdyn

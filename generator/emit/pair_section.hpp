@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a C++ header and source have of their own, beside what all forms have in common.
+// The sections that only a C++ header with a source has.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -16,21 +16,22 @@ namespace flatdyn {
 // unknown or named twice.
 std::vector<std::string> compiled_scalars(const EmitOptions& options);
 
-// The names of both files, and what the header says of what is compiled.
+// Fills in the names of both files, and the header's text about what is compiled.
 void write_pair(kainjow::mustache::data& page, const std::string& header, const std::string& source,
                 const std::vector<std::string>& scalars);
 
-// "void gravity(const Scalar* q, Scalar* g) noexcept;" of the header, and the template parameters of the definition.
+// Fills in the header's declaration, "void gravity(const Scalar* q, Scalar* g) noexcept;", and the template parameters
+// of the definition.
 void write_declaration(kainjow::mustache::data& item, const FunctionText& text);
 
-// Explicit instantiations: "template void gravity(const double* q, double* g);" of the source, and for the header the
-// same with "extern". Adds to both.
+// Explicit instantiations: "template void gravity(const double* q, double* g);" for the source, and the same with
+// "extern" for the header. Adding a function adds to both.
 struct Instantiations {
   std::vector<std::string> declared, defined;
 
   void add(const FunctionText& text);
   void add(const std::vector<StageText>& stages, const std::vector<std::string>& scalars);
-  void add_rounding(const std::vector<std::string>& scalars);  // rounding_is_as_written()
+  void add_rounding(const std::vector<std::string>& scalars);  // for rounding_is_as_written()
 };
 
 }  // namespace flatdyn

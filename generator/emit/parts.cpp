@@ -15,7 +15,7 @@ constexpr const char* kKeptValue = "kept";
 
 int lines_of(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
 
-// Places of an array, the first free one first.
+// The places of an array, the first free one first.
 class Places {
  public:
   int take() {
@@ -32,9 +32,9 @@ class Places {
   int length_ = 0;
 };
 
-// A function that only calls of the same file reach, by its name and the arguments that it has.
+// A call of a function of the same file: its name and arguments.
 struct Call {
-  std::size_t first = 0, last = 0;  // parts, counted from 1
+  std::size_t first = 0, last = 0;  // its parts, counted from 1
   std::string name;
   std::set<std::string> arguments;
 };
@@ -73,13 +73,13 @@ class Cutter {
     return values[static_cast<std::size_t>(id)];
   }
 
-  // The largest part that starts with this step and is short enough; one step in any case.
+  // The end of the largest part that starts with this step and is short enough; it has at least one step.
   std::size_t end_of_part(std::size_t first, const std::string& name) const {
     std::size_t last = std::min(body_.steps.size(), first + static_cast<std::size_t>(body_.most_lines));
     while (last > first + 1) {
       const int too_many = lines_of(text(first, last, name)) - body_.most_lines;
       if (too_many <= 0) break;
-      constexpr int kLinesOfStep = 3;  // with what it needs, and keeps
+      constexpr int kLinesOfStep = 3;  // with the lines that it needs and keeps
       last = std::max(first + 1, last - static_cast<std::size_t>((too_many + kLinesOfStep - 1) / kLinesOfStep));
     }
     return last;
@@ -89,7 +89,7 @@ class Cutter {
     return body_.sources.count(id) == 0 && last_use_[static_cast<std::size_t>(id)] >= last;
   }
 
-  // Variables that the steps need and do not make, in the order of their first use.
+  // The variables that the steps need and do not make, in the order of their first use.
   std::vector<NodeId> given(std::size_t first, std::size_t last) const {
     std::set<NodeId> known;
     std::vector<NodeId> result;
@@ -108,7 +108,7 @@ class Cutter {
   }
 
   std::string place_text(NodeId id) const {
-    // Before it has one, the longest that it could be.
+    // As long as it has no place, the longest text possible.
     const auto place = place_.find(id);
     return place == place_.end() ? fmt::format("{}[{}]", kKeptValue, last_use_.size())
                                  : fmt::format("{}[{}]", kKeptValue, place->second);
@@ -165,7 +165,7 @@ class Cutter {
     return list_line(body_.dialect.part_begin(name), declared, body_.dialect.function_end(), 0);
   }
 
-  // By the robot's own function, or by another part.
+  // A call by the robot's own function, or by another part.
   std::string statement(const Call& call, bool by_function, std::size_t indent) const {
     std::vector<std::string> passed;
     for (const PartArgument& argument : body_.arguments) {
@@ -175,7 +175,8 @@ class Cutter {
     return list_line(begin, passed, ");", indent);
   }
 
-  // A part reads before it keeps anything: so the places of what it reads last are free for what it keeps.
+  // Assigns places in the array. A part reads before it keeps anything, so the places of values that it reads last are
+  // free for those that it keeps.
   void keep(std::size_t first, std::size_t last) {
     for (const NodeId id : given(first, last)) {
       if (body_.sources.count(id) == 0 && !is_kept(id, last)) places_.give_back(place_.at(id));
@@ -191,9 +192,9 @@ class Cutter {
     definitions_ += (definitions_.empty() ? "" : "\n") + (before + function);
   }
 
-  // As many calls as there is room for become one.
+  // Replaces as many calls as fit by one call of a new function.
   void gather() {
-    constexpr int kBesides = 3;  // lines of a head and a closing brace
+    constexpr int kBesides = 3;  // lines of the head and the closing brace
     const auto room = static_cast<std::size_t>(std::max(2, (body_.most_lines - kBesides) / 2));
     std::vector<Call> gathered;
     for (std::size_t k = 0; k < calls_.size(); k += room) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A function that is too long, as a sequence of shorter ones. Compilers take time that grows with the square of a
-// function's length and more, and coding standards limit it. Values that one part makes and a later one needs are kept
-// in an array, whose places are used again once nobody needs the value.
+// Division of a function that is too long into a sequence of shorter ones. Compile time grows at least with the square
+// of a function's length, and coding standards limit it. Values that one part makes and a later one needs are kept in
+// an array, whose places are reused when the value is no longer needed.
 #pragma once
 
 #include <map>
@@ -13,12 +13,12 @@
 
 namespace flatdyn {
 
-// A statement that stays whole.
+// A statement that is not divided.
 struct PartStep {
-  std::string code;                    // indented lines; of a variable its value only: "c_2 * qd_1"
+  std::string code;                    // indented lines; for a variable only its value: "c_2 * qd_1"
   std::optional<NodeId> makes;         // the variable
   std::vector<NodeId> needs;           // variables
-  std::vector<std::string> arguments;  // names of those that it reads or writes
+  std::vector<std::string> arguments;  // names of the arguments that it reads or writes
 };
 
 struct PartArgument {
@@ -34,23 +34,23 @@ struct PartSource {
 };
 
 struct LongBody {
-  std::string name;  // of the function
+  std::string name;  // the function's name
   std::vector<PartStep> steps;
   const VariableNames& variables;
   std::map<NodeId, PartSource> sources;
-  std::vector<PartArgument> arguments;  // that parts may have, in their order
-  int most_lines = 0;                   // of a part, from its first line to its closing brace
+  std::vector<PartArgument> arguments;  // the arguments that parts may have, in order
+  int most_lines = 0;                   // limit of lines per part, including its first line and its closing brace
   Dialect dialect = {};
 };
 
 struct Parts {
-  std::string definitions;         // function templates for namespace detail, or functions of the C file
+  std::string definitions;         // function templates for namespace detail, or functions for the C file
   std::vector<std::string> calls;  // statements, in order
   int kept = 0;                    // length of the array "kept", an argument of the parts
 };
 
-// Parts with as many steps as there is room for, at least one. There are at most `most_calls` calls: more are gathered
-// in functions that only call.
+// Divides the body into parts with as many steps as fit, at least one. There are at most `most_calls` calls: further
+// ones are gathered in functions that only call.
 Parts in_parts(const LongBody& body, int most_calls);
 
 }  // namespace flatdyn

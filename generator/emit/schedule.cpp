@@ -10,7 +10,7 @@ namespace flatdyn {
 namespace {
 
 constexpr int kLongestInline = 8;  // operands in one expression
-constexpr int kAlwaysInline = 3;   // operands of a part that is never worth its own line
+constexpr int kAlwaysInline = 3;   // operands of an expression that is always inline
 
 bool is_leaf(const Node& node) { return node.op == Op::constant || node.op == Op::input; }
 bool is_trigonometric(const Node& node) { return node.op == Op::sin || node.op == Op::cos; }
@@ -18,8 +18,8 @@ bool is_worth_its_name(const Node& node) {
   return node.op == Op::quotient || (node.op == Op::sum && node.terms.size() + (node.value != 0 ? 1 : 0) > 1);
 }
 
-// Output entries by the node that they hold: equal entries (symmetric matrices) are stored together. Entries that are
-// left out are not stored.
+// The output entries by the node that they hold: equal entries (symmetric matrices) are stored together. Entries that
+// are left out are not stored.
 std::map<NodeId, std::vector<Target>> stores_of(const Function& function) {
   std::map<NodeId, std::vector<Target>> stores;
   for (std::size_t k = 0; k < function.outputs.size(); ++k) {
@@ -61,18 +61,18 @@ class Scheduler {
     return values[static_cast<std::size_t>(id)];
   }
 
-  // A sign change is free, so it is written wherever it is used: its uses are uses of what it negates.
+  // Counts uses. A sign change is free and written wherever it is used, so its uses count as uses of its operand.
   void count_uses() {
     for (const auto& [id, targets] : stores_) ++at(uses_, id);
     for (NodeId id : function_.validity_conditions) ++at(uses_, id);
-    // Written twice, and its pivot within a sum: both have names.
+    // The diagonal entry is written twice, and its pivot within a sum, so both become variables.
     for (std::size_t k = 0; k < function_.pivot_diagonals.size(); ++k) {
       at(uses_, function_.pivot_diagonals[k]) += 2;
       ++at(uses_, function_.validity_conditions[k]);
     }
     for (NodeId id = graph_.size() - 1; id >= 0; --id) {
       if (!at(alive_, id)) continue;
-      if (is_trigonometric(graph_[id])) continue;  // its angle is written where it is asked for
+      if (is_trigonometric(graph_[id])) continue;  // its angle is written where the sine is computed
       const int uses = is_negation(graph_[id]) ? at(uses_, id) : 1;
       for (NodeId operand : operands_of(graph_[id])) at(uses_, operand) += uses;
     }
@@ -92,7 +92,7 @@ class Scheduler {
     }
   }
 
-  // Operands in the node's expression as things stand.
+  // The number of operands in the node's expression with the variables chosen so far.
   int inline_operands(NodeId id) {
     const Node& node = graph_[id];
     int count = node.op == Op::sum && node.value != 0 ? 1 : 0;
@@ -102,7 +102,7 @@ class Scheduler {
     return count;
   }
 
-  // Makes variables of the node's largest parts until its expression is short enough.
+  // Makes variables of the node's largest operands until its expression is short enough.
   void shorten(NodeId id) {
     std::vector<NodeId> parts = operands_of(graph_[id]);
     std::stable_sort(parts.begin(), parts.end(),
@@ -115,7 +115,7 @@ class Scheduler {
   }
 
   void order_trigonometry() {
-    std::map<std::tuple<NodeId, int>, NodeId> by_angle;  // sine and cosine of one angle side by side
+    std::map<std::tuple<NodeId, int>, NodeId> by_angle;  // puts sine and cosine of one angle side by side
     for (NodeId id = 0; id < graph_.size(); ++id) {
       const Node& node = graph_[id];
       if (at(alive_, id) && is_trigonometric(node)) by_angle[{node.operands[0], node.op == Op::sin ? 0 : 1}] = id;
@@ -136,7 +136,7 @@ class Scheduler {
     }
   }
 
-  // Everything that the node needs, then its own variable if it has one.
+  // Emits everything that the node needs, then its own variable if it has one.
   void visit(NodeId id) {
     const Node& node = graph_[id];
     if (is_leaf(node) || at(done_, id)) return;

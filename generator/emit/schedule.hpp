@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Function → an order of statements: which nodes become variables, and when each value is made.
+// Function → an order of statements: which nodes become variables, and when each value is computed.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ struct Target {
   int entry = 0;
 };
 
-// Makes a variable of the node, or (if there are targets) stores it in all of them.
+// A statement that makes a variable of the node, or (if there are targets) stores it in all of them.
 struct Statement {
   NodeId node = 0;
   std::vector<Target> targets;
@@ -25,9 +25,9 @@ struct Schedule {
   std::vector<bool> is_variable;  // by id; inputs that are read are variables, too, without a statement
 };
 
-// Variables are: what is used twice, sines and cosines, named sums and quotients, and parts that would make a line
-// too long. Sines and cosines come first (a library call spills every register); then depth-first from the outputs,
-// those nearest to the inputs first, so that values live shortly. Ids break ties.
+// The variables are nodes with two uses, sines and cosines, named sums and quotients, and operands that would make a
+// line too long. Sines and cosines come first (a library call spills every register); then depth-first from the
+// outputs, operands nearest to the inputs first, so that lifetimes are short. Ids break ties.
 Schedule make_schedule(const Function& function);
 
 }  // namespace flatdyn

@@ -22,7 +22,7 @@ bool is_array_of_arrays(const Output& output) {
 
 namespace {
 
-// " Always zero: 6 of 9 entries of B." or, of a vector, " Always zero: g[0]."
+// The sentence about zeros: " Always zero: 6 of 9 entries of B." or, for a vector, " Always zero: g[0]."
 std::string zeros(const Function& function, std::size_t o, const FunctionText& text) {
   const Output& output = function.outputs[o];
   std::string list;
@@ -37,7 +37,7 @@ std::string zeros(const Function& function, std::size_t o, const FunctionText& t
   return fmt::format(" Always zero: {} of the {} entries of {}.", count, output.entries.size(), text.outputs[o].name);
 }
 
-// What the numbers mean where the scene asks for angles or for damping.
+// The meaning of the numbers if the scene asks for angles or for damping.
 std::string task_facts(const Task& task) {
   std::string facts;
   const bool has_angles = task.has_angles() && !task.empty() && task.rows.back() >= 3;

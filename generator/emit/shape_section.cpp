@@ -24,7 +24,7 @@ std::string output_of(const ArrayArgument& array, const Output& output) {
   return fmt::format("Scalar (&{})[{}][{}]", array.name, array.length / columns, columns);
 }
 
-// A function of one statement, on one line where there is room.
+// A function with a single call, on one line if it fits.
 std::string calling(const std::string& parameters, const std::string& callee) {
   const std::string head = fmt::format("  auto operator()({}Of&&... of) const noexcept {{", parameters);
   const std::string statement = fmt::format("return {}(of...);", callee);
@@ -32,7 +32,7 @@ std::string calling(const std::string& parameters, const std::string& callee) {
   return line.size() <= kLineWidth ? line : head + "\n    " + statement + "\n  }";
 }
 
-// As an array of C++ cannot be.
+// Whether the parameter is an array of length 0, which C++ does not have.
 bool is_empty(const std::string& parameter) { return parameter.find("[0]") != std::string::npos; }
 
 }  // namespace

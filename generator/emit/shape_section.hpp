@@ -15,18 +15,18 @@ struct ShapedFunction {
   std::string name;                     // "jacobian"
   std::string returns;                  // "void"
   std::vector<std::string> parameters;  // "const Scalar (&q)[7]", "Scalar (&J)[6][7]"
-  bool leaves_out = false;              // entries of its outputs, as a scene says
-  bool is_by_itself = true;             // not only of a stage
-  std::string stage;                    // whose member it is, if of any: "Configuration"
+  bool leaves_out = false;              // whether a scene leaves out entries of its outputs
+  bool is_by_itself = true;             // whether it exists outside of a stage
+  std::string stage;                    // the stage that it is a member of, if any: "Configuration"
 };
 
-// `text`: of the function by itself.
+// `text`: that of the function outside of stages.
 ShapedFunction shaped(const Function& function, const FunctionText& text, const HeaderScope& scope);
 
-// Which of the functions are members of stages; those that are nothing else are added.
+// Marks the functions that are members of stages, and adds those that are members only.
 void add_stages(std::vector<ShapedFunction>& functions, const std::vector<StageText>& stages, const HeaderScope& scope);
 
-// Those whose arrays all have entries: C++ has no others. `name_space`: where the functions are.
+// Writes the functions whose arrays all have entries, as C++ has no empty arrays. `name_space`: that of the functions.
 void write_shapes(kainjow::mustache::data& header, const std::vector<ShapedFunction>& functions,
                   const std::string& name_space);
 

@@ -13,7 +13,7 @@ namespace {
 
 using kainjow::mustache::data;
 
-// "here.inertia_matrix(B);", as a user would write it.
+// A call as a user would write it: "here.inertia_matrix(B);".
 std::string call(const std::string& receiver, const FunctionText& text) {
   std::string arguments;
   for (const auto* arrays : {&text.inputs, &text.outputs}) {
@@ -37,7 +37,7 @@ std::vector<std::string> example(const std::vector<StageText>& stages, const std
   return lines;
 }
 
-// In the struct: "void bias(Scalar* n) const noexcept;"
+// The declaration in the struct: "void bias(Scalar* n) const noexcept;".
 std::string declaration(const FunctionText& text) {
   const std::vector<std::string>& parameters = is_declared_apart(text) ? text.declared : text.parameters;
   const std::string line =
@@ -77,14 +77,14 @@ data struct_of(const std::vector<StageText>& stages, std::size_t k) {
 data definition(const FunctionText& text, const std::vector<std::string>& comment, const std::string& stage) {
   data item;
   write_parts(item, text);
-  // Where declarations stand apart, a member is declared in its struct.
+  // If declarations are separate, a member is declared in its struct.
   const bool is_in_header = !is_declared_apart(text) || stage.empty();
   item["in_header?"] = is_in_header;
   item["comment"] = list_of(comment);
   item["header_comment"] = list_of(is_in_header ? comment : std::vector<std::string>{});
   item["header_parameters"] = template_parameters(text);
   item["signature"] = signature(text, stage);
-  item["asks_scalar?"] = stage.empty();  // of a member that was asked when its stage was made
+  item["asks_scalar?"] = stage.empty();  // a member's scalar is checked when its stage is made
   item["body"] = without_newline(text.body);
   write_declaration(item, text);
   return item;

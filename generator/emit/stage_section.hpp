@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The part of a header that has the stages: two structs, and how they are made.
+// The section of a header with the stages: two structs, and the functions that make them.
 #pragma once
 
 #include <kainjow/mustache.hpp>

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-// The same name for the same field in both stages, and none that the header has for something else.
+// Gives a field the same name in both stages, and none that the header uses otherwise.
 void rename_fields(Stages& stages, const HeaderScope& scope) {
   std::set<std::string> taken = scope.names;
   taken.insert("with");
@@ -30,7 +30,7 @@ void rename_fields(Stages& stages, const HeaderScope& scope) {
 
 StageText stage_text(const Stage& stage, const std::string& name, HeaderScope make_scope) {
   HeaderScope member_scope = make_scope;
-  member_scope.parameters.clear();  // what a member needs of them is stored
+  member_scope.parameters.clear();  // the parameters that a member needs are stored
   member_scope.enclosing_stage = name;
   member_scope.stored = stage.fields;
   make_scope.made = name;

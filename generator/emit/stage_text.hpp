@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Stages → the text of two structs, and of what makes them.
+// Conversion of stages to the text of two structs and of the functions that make them.
 #pragma once
 
 #include <string>
@@ -17,13 +17,14 @@ struct StageMember {
 
 struct StageText {
   std::string name;                  // "Configuration"
-  FunctionText make;                 // at(), with()
-  std::string operations;            // of make, as counted
+  FunctionText make;                 // at() or with()
+  std::string operations;            // the operation count of `make`, in words
   std::vector<StageMember> members;  // without the one that makes the next stage
-  std::string fields;                // "Scalar s_2, c_2, x1;", lines of a struct
+  std::string fields;                // lines of a struct: "Scalar s_2, c_2, x1;"
 };
 
-// Configuration, and Motion if there is one. `scope`: of the header; no field is called as anything in it.
+// Configuration, and Motion if there is one. `scope`: that of the header; the fields' names differ from all names in
+// it.
 std::vector<StageText> stage_texts(Stages stages, const HeaderScope& scope);
 
 }  // namespace flatdyn

@@ -17,10 +17,10 @@ int level_of(InputKind kind) {
 
 std::size_t at(NodeId id) { return static_cast<std::size_t>(id); }
 
-// Values that only their own stage can compute: inputs, and what is asked from the source of sines and cosines.
+// Whether only the value's own stage can compute it: inputs, sines and cosines.
 bool is_source(const Node& node) { return node.op == Op::input || node.op == Op::sin || node.op == Op::cos; }
 
-using FieldPlaces = std::map<NodeId, int>;  // nodes of the whole → fields
+using FieldPlaces = std::map<NodeId, int>;  // node of the whole → index of the field
 
 class Splitter {
  public:
@@ -59,8 +59,8 @@ class Splitter {
     return highest;
   }
 
-  // Who needs each node of this level: a part counts 1; where a part may be called again and again for one value of
-  // this level, 2.
+  // Counts the users of each node of this level: a member counts 1; one that may be called repeatedly for one value of
+  // this level counts 2.
   void count_users(int level) {
     std::fill(users_.begin(), users_.end(), 0);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -76,7 +76,7 @@ class Splitter {
     return users_[at(id)] > 1 || (users_[at(id)] > 0 && is_source(graph_[id]));
   }
 
-  // Shared values that are used where they are not computed, in the order of ids.
+  // Shared values that are used outside of their stage, in the order of ids.
   std::vector<NodeId> stored(int level) {
     count_users(level);
     std::vector<bool> needed(users_.size(), false);
@@ -105,7 +105,7 @@ class Splitter {
     return result;
   }
 
-  // The nodes' own names, s_2 and c_2, or x1, x2, …: each once in both stages.
+  // The nodes' own names, s_2 and c_2, or x1, x2, …: each is unique in both stages.
   std::vector<std::string> names_of(const std::vector<NodeId>& fields, const std::string& prefix) {
     std::vector<std::string> names;
     int next = 0;
@@ -124,7 +124,7 @@ class Splitter {
     return (node.op == Op::sin ? "s_" : "c_") + std::to_string(graph_[angle_of(graph_, id).node].input.index + 1);
   }
 
-  // A function with these roots, what is stored taken as given.
+  // A copy of a function with these roots, with stored values as inputs.
   struct Copy {
     Graph graph;
     std::vector<NodeId> image;
@@ -170,7 +170,7 @@ class Splitter {
     return result;
   }
 
-  // Fields: its own, and those of the configuration that its functions read.
+  // Adds the second stage. Its fields are its own and those of the configuration that its functions read.
   void add_motion(Stages& stages, std::vector<NodeId> own, const FieldPlaces& configuration) {
     std::vector<std::string> names = names_of(own, "v");
     std::map<NodeId, int> given = places(own);
@@ -193,7 +193,7 @@ class Splitter {
     }
   }
 
-  // Which of the given nodes are met first on the way from these roots.
+  // Marks the given nodes that are met first on paths from these roots.
   void mark_given(const std::vector<NodeId>& wanted, const std::map<NodeId, int>& given,
                   std::vector<bool>& read) const {
     std::vector<bool> needed(users_.size(), false);
@@ -213,10 +213,10 @@ class Splitter {
   std::vector<int> users_;
   std::vector<Function> parts_;
   std::vector<int> part_levels_;
-  std::set<std::string> names_;  // of fields
+  std::set<std::string> names_;  // names of fields
 };
 
-// `function` with these nodes of `made` for what is stored.
+// `function` with stored values replaced by the nodes of `made` that compute them.
 Function in_full(const Function& function, const Function& made) {
   Graph graph = made.graph;
   const std::vector<NodeId>& fields = made.outputs[0].entries;

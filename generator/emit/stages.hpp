@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Several functions that are evaluated at the same q, or at the same q and q̇: what they share is computed once.
+// Several functions that are evaluated at the same q, or at the same q and q̇, with their common values computed once.
 //
-//   at(q)      →  Configuration: what depends on q only and is needed by two of its functions, or at all by a motion
-//   .with(qd)  →  Motion: what depends on q̇, too, and is needed by two of its functions, or by one that takes more
+//   at(q)      →  Configuration: values that depend on q only and are needed by two of its functions, or by a Motion
+//   .with(qd)  →  Motion: values that depend on q̇, too, and are needed by two of its functions, or by one that takes
+//                 more inputs
 //
-// Functions of q alone are members of Configuration, the others of Motion. Each computes the rest of its own.
+// Functions of q alone are members of Configuration, the others of Motion. Each computes the rest itself.
 #pragma once
 
 #include <string>
@@ -14,21 +15,22 @@
 
 namespace flatdyn {
 
-// A stage's members read what it stores as inputs of kind `stored`, by index of the field.
+// A stage. Its members read stored values as inputs of kind `stored`, by index of the field.
 struct Stage {
-  Function make;                    // one output: its fields
-  std::vector<std::string> fields;  // their names
+  Function make;                    // its only output is the fields
+  std::vector<std::string> fields;  // names of the fields
   std::vector<Function> members;
 };
 
 struct Stages {
   Stage configuration;
-  Stage motion;  // `make` reads fields of the configuration; without members if no function takes more than q
+  Stage motion;  // `make` reads fields of the configuration; no members if no function takes more than q
 };
 
+// Divides a fused function into stages.
 Stages stages_of(const Fusion& fusion);
 
-// The members of both stages as functions of q and q̇ again: what is stored is put in its place.
+// The members of both stages as functions of q and q̇, with stored values replaced by what computes them.
 std::vector<Function> members_in_full(const Stages& stages);
 
 }  // namespace flatdyn

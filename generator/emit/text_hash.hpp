@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Texts that have the hash of themselves in them. What stands in its place is hashed.
+// Texts that contain their own hash. The hash is taken while a placeholder stands in its place.
 #pragma once
 
 #include <initializer_list>
@@ -7,10 +7,10 @@
 
 namespace flatdyn {
 
-// In its place until it is known: all 40 digits, or the first 8. No text has these characters otherwise.
+// Placeholders for all 40 digits and for the first 8. These characters do not occur in texts otherwise.
 inline constexpr const char *kHash = "\x01", *kShortHash = "\x02";
 
-// Texts that belong together get the hash of all of them.
+// Fills the hash of all these texts, which belong together, into each.
 void fill_in_hash(std::initializer_list<std::string *> texts);
 
 }  // namespace flatdyn

@@ -17,8 +17,8 @@ constexpr std::size_t kContinuationIndent = 4;
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-// Where to break `text` so that its first line has at most `width` characters: the position of a space after an
-// operator, outermost sums first, the later the better, but not in the first third. npos: nowhere.
+// The position at which to break `text` so that its first line has at most `width` characters: a space after an
+// operator, of an outermost sum if possible, as late as possible, but not in the first third. npos: there is none.
 std::size_t break_position(std::string_view text, std::size_t width) {
   std::size_t best = std::string_view::npos;
   int best_rank = 0;
@@ -98,7 +98,7 @@ std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (char c : text) {
     if (c == '"' || c == '\\' || c == '?') {
-      result += '\\';  // \? so that no trigraph can arise
+      result += '\\';  // so that no trigraph can arise
       result += c;
     } else if (is_control(c)) {
       result += fmt::format("\\{:03o}", static_cast<unsigned>(static_cast<unsigned char>(c)));
@@ -127,7 +127,7 @@ std::string comment_text(const std::string& text) {
     if (is_control(c)) c = ' ';
     if (c == '\\') c = '/';
   }
-  // Unicode's separators of lines and paragraphs end a comment of JavaScript.
+  // Unicode's line and paragraph separators end a comment in JavaScript.
   for (const char* separator : {"\xE2\x80\xA8", "\xE2\x80\xA9"}) result = with_replaced(result, separator, " ");
   return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a header says of the entries that are written, where a scene leaves some out.
+// The text about which entries are written, for functions of which a scene leaves some out.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace flatdyn {
 
-// Lines for the head of the header. In C and JavaScript no output overlaps an input, so nothing depends on what is
-// read first.
+// Lines for the head of the header. In C and JavaScript no output overlaps an input, so the order of reading does not
+// matter.
 std::vector<std::string> writing_rule(const std::vector<Function>& functions, bool in_c);
 
-// " Written: tau[0..2], and nothing else of tau." of each output of which entries are left out; `outputs`: its arrays.
+// " Written: tau[0..2], and nothing else of tau." for each output with entries left out; `outputs`: the function's
+// output arrays.
 std::string written_text(const Function& function, const std::vector<ArrayArgument>& outputs);
 
 }  // namespace flatdyn

@@ -84,7 +84,8 @@ class FolderWriter {
     return page;
   }
 
-  // What emulates a whole board can let its clock go by instructions; a program for Linux cannot be counted.
+  // Whether the emulator can count instructions: one that emulates a whole board can derive its clock from them, one
+  // that runs a program for Linux cannot.
   bool measures() const { return std::string_view(target_.emulator).starts_with("qemu-system"); }
 
   std::string angle_literals(const Rational& value) const {
@@ -123,7 +124,7 @@ class FolderWriter {
     return list;
   }
 
-  // Lines: ".q = {0.5f, -1.25f},"
+  // Initialisers of the states, in lines such as ".q = {0.5f, -1.25f},".
   data states() const {
     data list(data::type::list);
     for (const State& state : vectors_.states) {
@@ -164,7 +165,7 @@ class FolderWriter {
     return list;
   }
 
-  // "return panda_forward_dynamics(s->q, s->qd, s->tau, out);"
+  // The statement "return panda_forward_dynamics(s->q, s->qd, s->tau, out);".
   std::string call(const Function& function) const {
     constexpr std::size_t kIndent = 2;
     std::vector<std::string> arguments;
@@ -182,7 +183,8 @@ class FolderWriter {
     return without_newline(line + (gives_bool ? "" : "  return true;\n"));
   }
 
-  // Of what takes sines and cosines, if it does not do without: "(void)panda_gravity_given(sine, cosine, out);"
+  // The call of the variant that takes sines and cosines, if the function needs any: "(void)panda_gravity_given(sine,
+  // cosine, out);".
   std::string straight_call(const Function& function, const StraightCall& call) const {
     constexpr std::size_t kIndent = 2;
     std::vector<std::string> arguments;

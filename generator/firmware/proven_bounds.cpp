@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kNothing = -1;
 
-// flatdyn's own bounds: Gappa checks them, and finds no other ones. What a self test tells by them, it tells by larger
-// ones.
+// Options for flatdyn's own bounds with little effort: Gappa only checks bounds, and larger ones serve a self test as
+// well.
 CertifyOptions without_gappa(const std::string& scalar) {
   CertifyOptions options;
   options.scalar = scalar;
@@ -34,7 +34,7 @@ std::map<std::string, double> bounds_by_name(const CertifiedFunction& certified)
   return bounds;
 }
 
-// What is always zero has no error, and is not in the certificate.
+// The bounds by entry. An entry that is always zero has no error and is not in the certificate.
 std::vector<double> by_entry(const Function& function, const CertifiedFunction& certified) {
   const std::map<std::string, double> known = bounds_by_name(certified);
   std::vector<double> bounds;
@@ -66,7 +66,7 @@ std::vector<double> ProvenBounds::at(const State& state) const {
   return std::vector<double>(bounds_.size(), kNothing);
 }
 
-// Angles may be any: only their sines and cosines are read.
+// Whether the inputs keep the limits. Angles may have any value: only their sines and cosines are read.
 bool ProvenBounds::keeps_limits(const State& state) const {
   const InputLimits limit = input_limits(mechanism_);
   for (int k = 0; k < lines_.size(); ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `flatdyn certify` says of a function's rounding errors, for a self test: by entry, and at which states it holds.
+// The bounds of a function's rounding errors by `flatdyn certify`, for a self test: one per entry, with the states at
+// which they hold.
 #pragma once
 
 #include <optional>
@@ -16,13 +17,13 @@ namespace flatdyn {
 
 class ProvenBounds {
  public:
-  // Of function k in the text of a C++ header; none where `certify` refuses: divisions, inputs without limits, symbols.
-  // Both must outlive it.
+  // The bounds of function k in the text of a C++ header; none if `certify` refuses it because of divisions, inputs
+  // without limits or symbols. `mechanism` and `text` must outlive the object.
   ProvenBounds(const Mechanism& mechanism, const std::vector<Function>& functions, const EmittedText& text,
                std::size_t k, const std::string& scalar, Progress& progress);
 
-  // Of the absolute error of each entry of all outputs, at a state that keeps the limits of what the function reads;
-  // negative where nothing is proven.
+  // Bounds of the absolute error of each entry of all outputs at a state that keeps the limits of the function's
+  // inputs; negative if nothing is proven.
   std::vector<double> at(const State& state) const;
 
  private:
@@ -30,7 +31,7 @@ class ProvenBounds {
 
   const Mechanism& mechanism_;
   StraightLine lines_;
-  std::vector<double> bounds_;  // by entry; negative: none
+  std::vector<double> bounds_;  // one per entry; negative: none
 };
 
 }  // namespace flatdyn

@@ -13,7 +13,7 @@ constexpr const char* kArmBranches = "(b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|
 constexpr const char* kArmPackages = "gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm make";
 constexpr const char* kArmLink = "--specs=nano.specs --specs=rdimon.specs -u _printf_float -T target.ld";
 
-// picolibc has start-up code and a linker script; this is the memory of qemu's board virt.
+// For RISC-V, picolibc has start-up code and a linker script; the memory is that of qemu's board virt.
 constexpr const char* kRiscvBranches = "b(eq|ne|lt|ge|gt|le)(u|z)?";
 constexpr const char* kRiscvPackages = "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc make";
 constexpr const char* kRiscvLink =
@@ -34,7 +34,7 @@ constexpr FirmwareTarget kTargets[] = {
     {"riscv64", "riscv64-unknown-elf-", "-march=rv64gc -mabi=lp64d -mcmodel=medany --specs=picolibc.specs", kRiscvLink,
      "qemu-system-riscv64 -M virt -bios none -nographic -semihosting-config enable=on,target=native -kernel",
      kRiscvBranches, kRiscvPackages, "double"},
-    // Debian has no library for this one without an operating system: it is a program for Linux.
+    // Debian has no library for this target without an operating system, so the result is a program for Linux.
     {"aarch64", "aarch64-linux-gnu-", "-march=armv8-a -fno-pie", "-static -no-pie", "qemu-aarch64",
      "b\\.[a-z]+|[ct]bn?z", "gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user make", "double"},
 };

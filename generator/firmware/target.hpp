@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Processors that `flatdyn generate --firmware` writes a folder for: how Debian's tools build for them, and what runs
-// the result here.
+// Processors for which `flatdyn generate --firmware` writes a folder: how Debian's tools build for them, and how the
+// result runs on this machine.
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@ namespace flatdyn {
 
 struct FirmwareTarget {
   const char* name;            // "cortex-m4"
-  const char* tools;           // "arm-none-eabi-": before gcc, objdump, nm, size
-  const char* flags;           // of the compiler: which processor
-  const char* link_flags;      // which start-up code, libraries and memory
-  const char* emulator;        // the command that the program's name follows
-  const char* branches;        // its conditional ones, as objdump names them: a regular expression
-  const char* packages;        // of Debian, that all of these are in
-  const char* scalar;          // that its floating-point unit computes in
+  const char* tools;           // prefix of gcc, objdump, nm, size: "arm-none-eabi-"
+  const char* flags;           // compiler flags for the processor
+  const char* link_flags;      // start-up code, libraries and memory
+  const char* emulator;        // command that runs a program named after it
+  const char* branches;        // regular expression for its conditional branches in objdump's names
+  const char* packages;        // Debian packages with all of these
+  const char* scalar;          // scalar of its floating-point unit
   bool has_own_start = false;  // startup.c and target.ld are written, too
 };
 
-// Throws Failure(usage) for a name that is none.
+// The target of this name. Throws Failure(usage) for an unknown name.
 const FirmwareTarget& firmware_target(const std::string& name);
 
+// The names of all targets.
 std::vector<std::string> firmware_target_names();
 
 }  // namespace flatdyn

@@ -40,15 +40,15 @@ std::vector<State> random_and_extreme(const Mechanism& mechanism) {
   return states;
 }
 
-// Sums of parallel joints' angles are rounded, too: where angles are of more than a turn, the sum's last place is worth
-// this many of an angle's below 1.
+// The factor by which angles of many turns round worse. Sums of parallel joints' angles are rounded, too: beyond a
+// turn, the last place of a sum is this many times that of an angle below 1.
 double angle_rounding(const State& state) {
   double sum = 1;
   for (const double q : state.q) sum += std::abs(q) > 2 * std::numbers::pi ? std::abs(q) : 0;
   return sum;
 }
 
-// Up to four digits: the last ones come from sines of <cmath>, which are not the same everywhere.
+// Rounds up to four digits: the last ones come from sines of <cmath>, which differ between machines.
 double rounded_up(double x) {
   const std::string text = fmt::format("{:.3e}", x * 1.0005);
   double result = 0;
@@ -56,8 +56,8 @@ double rounded_up(double x) {
   return result;
 }
 
-// What is smaller than the reference's own roundings is none of the value: entries that are computed without an error
-// are proven to be equal.
+// Sets values below the reference's own rounding to 0: entries that are computed without an error are proven to be
+// equal.
 double without_noise(const Real50& x, double scale) {
   constexpr double kNoise = 1e-45;
   return abs(x) <= kNoise * scale ? 0 : x.convert_to<double>();
@@ -68,7 +68,7 @@ ExpectedEntry entry_of(const Real50& value, double scale, double allowed, double
   return {exact, without_noise(value - exact, scale), allowed, proven};
 }
 
-// The functions as the target executes them: all forms of the text compute the same bits.
+// The functions' text as the target executes it: all forms of the text compute the same bits.
 EmittedText text_of(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& scalar) {
   EmitOptions options;
   options.scalar = scalar;
@@ -102,7 +102,7 @@ class VectorMaker {
   }
 
  private:
-  // Where a function has no value, nothing is to be tested.
+  // Whether all functions have values at the state; otherwise there is nothing to test.
   bool is_regular(const State& state) const {
     return std::all_of(expected_.begin(), expected_.end(), [&state](const Expected& e) { return e.is_regular(state); });
   }

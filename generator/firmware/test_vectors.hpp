@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a self test on the target compares with: states, among them the worst that a search finds, and what each
-// function is there, from the recursive reference in 50 digits; with the errors that are allowed, and those that are
-// proven.
+// The data of a self test on the target: states, among them the worst that a search finds, and the functions' values
+// there, from the recursive reference in 50 digits, with the allowed and the proven errors.
 #pragma once
 
 #include <string>
@@ -15,24 +14,25 @@
 
 namespace flatdyn {
 
-// Scaled errors (docs/accuracy.md) that a self test allows; angles of many turns count as often as they round.
+// The scaled error (docs/accuracy.md) that a self test allows, in units; rounding of angles of many turns is added.
 inline constexpr double kAllowedUnits = 16;
 
-// One entry of an output at one state: exact + rest is the value, to about 32 digits.
+// An entry of an output at one state: exact + rest is the value to about 32 digits.
 struct ExpectedEntry {
   double exact = 0, rest = 0;
-  double allowed = 0;  // largest absolute error; negative: the entry is left out
-  double proven = -1;  // bound of the absolute error, as `flatdyn certify` states it; negative: none is proven here
+  double allowed = 0;  // largest allowed absolute error; negative: the entry is left out
+  double proven = -1;  // bound of the absolute error by `flatdyn certify`; negative: none is proven here
 };
 
 struct TestVectors {
-  // In numbers of the scalar, all functions have values there: random ones within the limits, extremes, then the worst
-  // one found of each function.
+  // Numbers of the scalar, at which all functions have values: random states within the limits, extreme ones, then the
+  // worst one found for each function.
   std::vector<State> states;
-  std::vector<std::vector<ExpectedEntry>> expected;  // by function: the entries of all outputs, state after state
+  // One list per function: the entries of all outputs, state after state
+  std::vector<std::vector<ExpectedEntry>> expected;
 };
 
-// For the scalar "double" or "float". The same on every machine.
+// The vectors for the scalar "double" or "float", the same on every machine.
 TestVectors test_vectors(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
                          const std::string& scalar, Progress& progress);
 

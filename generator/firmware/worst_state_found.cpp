@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-// In 50 digits; more finds little more (docs/firmware.md).
+// Evaluations in 50 digits; more of them find little more (docs/firmware.md).
 constexpr int kEvaluations = 400;
 constexpr unsigned kSearchSeed = 1;
 
@@ -22,7 +22,7 @@ class Search {
 
   State given(const State& state) const { return state_for(function_, is_float_ ? in_float(state) : state); }
 
-  // 0 where the function has no value, in either arithmetic.
+  // The scaled error; 0 if the function has no value in either arithmetic.
   double error(const State& searched) {
     const State state = given(searched);
     if (!expected_.is_regular(state)) return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Real numbers for evaluate(): double and friends, and any multiprecision type whose sin, cos and sqrt are found by
-// ADL.
+// Arithmetic over real numbers for evaluate(): the built-in floating-point types, and any multiprecision type whose
+// sin, cos and sqrt are found by ADL.
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -13,7 +13,7 @@
 
 namespace flatdyn {
 
-// The nearest T to an exact number. For built-in types by way of 100 digits, as GMP itself would truncate.
+// The T nearest to an exact number. Built-in types are rounded from 100 digits, since GMP's own conversion truncates.
 template <class T>
 T to_real(const Rational& value) {
   using Wide = std::conditional_t<std::is_floating_point_v<T>, boost::multiprecision::mpfr_float_100, T>;
@@ -25,7 +25,7 @@ class RealArithmetic {
  public:
   using Scalar = T;
 
-  // `value_of` gives each input's value: joint coordinates in rad and m, and so on.
+  // `value_of` gives the value of each input: joint coordinates in rad or m, and so on.
   explicit RealArithmetic(std::function<T(const Input&)> value_of) : value_of_(std::move(value_of)) {}
 
   T constant(const Rational& value) const { return to_real<T>(value); }

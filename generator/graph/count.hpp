@@ -7,13 +7,13 @@
 
 namespace flatdyn {
 
-// Operations of one evaluation, each node counted once. Sign changes are free; a coefficient other than 1 and -1 is a
-// multiplication; a power x^k is k - 1 multiplications.
+// The operations of one evaluation, each node counted once. Sign changes are free; a coefficient other than 1 and -1 is
+// a multiplication; a power x^k is k - 1 multiplications.
 struct OperationCount {
-  int additions = 0;  // and subtractions
+  int additions = 0;  // additions and subtractions
   int multiplications = 0;
-  int divisions = 0;      // and square roots, which take processors as long
-  int trigonometric = 0;  // sin and cos, each
+  int divisions = 0;      // divisions and square roots, which take a processor as long
+  int trigonometric = 0;  // sines and cosines, counted one by one
 
   int arithmetic() const { return additions + multiplications; }
   bool operator==(const OperationCount&) const = default;

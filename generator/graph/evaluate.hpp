@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The value of a Function over any scalar: double, 50 digits, a prime field.
+// Evaluation of a Function over any scalar: double, 50 digits, a prime field.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace flatdyn {
 
-// What an evaluation needs to know of a scalar type; specialise or pass another for fields without real trigonometry.
-// `arithmetic.constant(Rational)`, `.sin(angle id…)` etc. An Arithmetic has:
+// evaluate() computes the values of all nodes that `roots(function)` reach; the values of the others are
+// default-constructed. An Arithmetic tells it about the scalar type, which need not have real trigonometry:
 //   using Scalar
 //   Scalar constant(const Rational&)
 //   Scalar input(const Input&)
@@ -18,7 +18,6 @@ namespace flatdyn {
 //   Scalar cos(const Graph&, NodeId angle, const Scalar& angle_value)
 //   Scalar sign(const Scalar&)
 //   Scalar sqrt(const Scalar&)
-// Returns the values of all nodes that `roots(function)` reach; the others are default-constructed.
 template <class Arithmetic>
 std::vector<typename Arithmetic::Scalar> evaluate(const Function& function, Arithmetic& arithmetic) {
   using Scalar = typename Arithmetic::Scalar;

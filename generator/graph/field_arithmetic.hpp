@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exact evaluation at random points, for deciding whether two functions are the same: over a field F, in which an angle
-// has a random rational point of the unit circle, c = (1 - t²) / (1 + t²), s = 2t / (1 + t²), for its cosine and sine.
-// c² + s² = 1 and the addition theorems hold exactly. A polynomial identity that fails does so here too, with
-// overwhelming probability if the field is large.
+// Exact evaluation at random points over a field F, which decides whether two functions are the same. An angle's cosine
+// and sine are a random rational point of the unit circle, c = (1 - t²) / (1 + t²), s = 2t / (1 + t²), so that c² + s²
+// = 1 and the addition theorems hold exactly. Two different polynomials differ at such a point with overwhelming
+// probability if the field is large.
 //
-// Everything drawn depends on the seed and on *values* only, never on nodes: so the same seed gives the same inputs,
-// sines and signs in any two graphs. sign is an odd random function: sign(2x) = sign(x) is known to the Graph only.
+// All random values depend on the seed and on *values* only, never on nodes, so the same seed gives the same inputs,
+// sines and signs in any two graphs. sign is an odd random function; that sign(2x) = sign(x) is known to the Graph
+// only.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@
 
 namespace flatdyn {
 
-// The finaliser of splitmix64: a well mixed number from any two.
+// The finaliser of splitmix64: mixes two numbers into a hash.
 inline std::uint64_t scrambled(std::uint64_t seed, std::uint64_t value) {
   std::uint64_t z = seed + 0x9e3779b97f4a7c15ULL * (value + 1);
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -24,15 +25,15 @@ inline std::uint64_t scrambled(std::uint64_t seed, std::uint64_t value) {
   return z ^ (z >> 31);
 }
 
-// What a field has to offer, next to + - * / == and construction from 0 and 1: specialise this.
+// The operations that a field must offer beside + - * / == and construction from 0 and 1; specialise this struct:
 template <class F>
 struct FieldTraits;
 //   static F from(const Rational&)
 //   static F draw(std::uint64_t bits)            a random element from random bits
 //   static std::uint64_t key(const F&)           a hash of the value
 //   static bool is_negative(const F&)            true for exactly one of x and -x, if x is not 0
-//   static F sqrt(const F&)                      of its two roots always the same; throws std::domain_error if it has
-//   none
+//   static F sqrt(const F&)                      always the same one of the two roots; throws std::domain_error for a
+//                                                non-square
 
 template <class F>
 class FieldArithmetic {
@@ -45,7 +46,7 @@ class FieldArithmetic {
 
   explicit FieldArithmetic(std::uint64_t seed) : seed_(seed) {}
 
-  // The same point, but with joint velocities of 0.
+  // The same point with joint velocities of 0.
   FieldArithmetic at_rest() const {
     FieldArithmetic result = *this;
     result.at_rest_ = true;
@@ -68,17 +69,17 @@ class FieldArithmetic {
     return Traits::is_negative(x) ? -drawn(-x, 1) : drawn(x, 1);
   }
 
-  // Half of all numbers have none: then another point has to be drawn.
+  // The square root. Half of all elements have none (std::domain_error); another point must then be drawn.
   F sqrt(const F& x) const { return Traits::sqrt(x); }
 
-  // Cosine and sine of an angle that is no sum: of an input, for one.
+  // The cosine and sine of an angle that is not a sum, such as an input.
   CirclePoint point(const F& angle) const {
     if (angle == F(0)) return {F(1), F(0)};
     if (Traits::is_negative(angle)) return conjugate(point(-angle));
     for (std::uint64_t attempt = 2;; ++attempt) {
       const F t = drawn(angle, attempt);
       const F n = F(1) + t * t;
-      if (n == F(0)) continue;  // t² = -1 has solutions in some fields
+      if (n == F(0)) continue;  // in some fields t² = -1 has a solution
       return {(F(1) - t * t) / n, (t + t) / n};
     }
   }
@@ -102,8 +103,8 @@ class FieldArithmetic {
     return total;
   }
 
-  // Coefficients in an angle that are whole numbers go by the addition theorems; k·x with any other k is an angle of
-  // its own. Deterministic: sums of angles may be nested in any way.
+  // The cosine and sine of any angle. Whole-number coefficients in it are expanded by the addition theorems; k·x with
+  // any other k is an angle of its own. The result does not depend on how sums of angles are nested.
   CirclePoint point(const Graph& graph, NodeId angle, const F& value) const {
     CirclePoint total = {F(1), F(0)};
     add_angles(graph, angle, Rational(1), value, total);
@@ -113,7 +114,7 @@ class FieldArithmetic {
   void add_angles(const Graph& graph, NodeId angle, const Rational& factor, const F& value, CirclePoint& total) const {
     const Node& node = graph[angle];
     if (node.op == Op::sum) {
-      // The terms' values are not at hand: only inputs, whose values are drawn, and sums are looked into.
+      // The values of the terms are unknown here. Only inputs, whose values are drawn, and sums of them are expanded.
       if (looks_linear(graph, angle)) {
         for (const Term& term : node.terms) add_angles(graph, term.node, factor * term.coefficient, F(0), total);
         total = add(total, point(constant(factor * node.value)));
@@ -129,7 +130,7 @@ class FieldArithmetic {
     total = add(total, factor < 0 ? conjugate(turned) : turned);
   }
 
-  // A sum, of sums, of inputs.
+  // Whether the angle is a sum, possibly nested, of inputs.
   static bool looks_linear(const Graph& graph, NodeId angle) {
     const Node& node = graph[angle];
     if (node.op == Op::input) return true;

@@ -19,7 +19,7 @@ std::vector<NodeId> roots(const Function& function) {
   return all;
 }
 
-// Field by field, as the old graph need not be copied.
+// The members are copied one by one, so that the old graph is not copied along.
 Function with_graph(const Function& function, Graph graph, const std::vector<NodeId>& image) {
   Function result{.name = function.name,
                   .summary = function.summary,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One thing that the generated code computes: a graph with named, shaped outputs. What passes and emitters work on.
+// A function of the generated code: a graph with named, shaped outputs. Passes and emitters work on it.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace flatdyn {
 
-// How the entries of an output are laid out.
+// The layout of an output's entries.
 enum class Layout {
   scalar,       // one entry
-  vector,       // rows entries
-  matrix,       // rows × cols, row by row, in full
-  fields,       // rows members of a struct, each with its own name
+  vector,       // a vector of `rows` entries
+  matrix,       // a rows × cols matrix, row by row, in full
+  fields,       // a struct of `rows` members, each with its own name
   christoffel,  // c_ijk for j <= k: rows = n, cols = n(n+1)/2, entry (i, k(k+1)/2 + j) with j <= k, 0-based
 };
 
@@ -23,15 +23,16 @@ struct Output {
   std::string name;  // "B", "tau", …
   Layout layout = Layout::vector;
   int rows = 1, cols = 1;
-  std::vector<NodeId> entries;   // rows · cols of them; a structural zero is the constant 0
-  std::string meaning;           // one line: what, unit, frame
-  std::vector<bool> left_out{};  // by entry: nobody needs it, it is the constant 0 here and is not written; empty: none
+  std::vector<NodeId> entries;  // rows · cols nodes; a structural zero is the constant 0
+  std::string meaning;          // one line: quantity, unit, frame
+  // By entry: true if it is not needed; it is then the constant 0 and is not written. Empty: all entries are needed.
+  std::vector<bool> left_out{};
 
   bool leaves_out(std::size_t entry) const { return !left_out.empty() && left_out[entry]; }
-  bool is_written() const;  // any entry of it
+  bool is_written() const;  // whether any entry is written
 };
 
-// What an output of joint torques means.
+// The meaning of an output of joint torques.
 inline constexpr const char* kTorqueMeaning = "joint torques, N m (forces, N, for prismatic joints)";
 
 struct Function {
@@ -39,36 +40,37 @@ struct Function {
   std::string summary;            // one line for people
   std::string equation;           // "(7.42)"
   std::vector<InputKind> inputs;  // the arguments in order, whether or not every entry is read
-  int base_parameters = 0;        // length of pi_b, where it is one of them
-  bool at_rest = false;           // holds where qd = 0, and does not read it
-  Task task{};                    // of the operational space
+  int base_parameters = 0;        // length of pi_b, if that is an input
+  bool at_rest = false;           // the function holds for qd = 0 only and does not read qd
+  Task task{};                    // the task of the operational space
   Graph graph;
   std::vector<Output> outputs;
-  // Values that must all be positive for the result to mean anything (pivots of B, loops); then the function returns
-  // bool.
+  // Values that must all be positive for the result to be valid (pivots of B, conditions of loops). If there are any,
+  // the generated function returns bool.
   std::vector<NodeId> validity_conditions;
-  // Of the first ones of these: what a pivot is the rest of (b_kk), where rounding may leave nothing of the rest. It
-  // counts as positive only if kLeastShare of it is not lost beside that in the scalar's arithmetic.
+  // The diagonal entries b_kk for the first of `validity_conditions`, which are pivots: pivot k is b_kk less what
+  // elimination subtracts from it, so that rounding may cancel all digits of it. It counts as positive only if
+  // kLeastShare of it still changes b_kk in the scalar's arithmetic.
   std::vector<NodeId> pivot_diagonals{};
-  int loop_conditions = 0;  // the last ones of these: closed loops that must not be singular
+  int loop_conditions = 0;  // the number of conditions, at the end, that require a closed loop not to be singular
 };
 
-// A pivot below 1/(2 kLeastShare) units of the last place of what it is the rest of is rounding error for the most.
+// A pivot below 1/(2 kLeastShare) units in the last place of its diagonal entry is mostly rounding error.
 inline const Rational kLeastShare{1, 64};
 
-// Output entries, conditions and scales, in order: what keeps a node alive.
+// The nodes that must be kept: output entries, validity conditions and pivot diagonals, in this order.
 std::vector<NodeId> roots(const Function& function);
 
-// The same outputs and conditions in another graph, where node k of the function's is image[k].
+// The same function over another graph, in which node k of the function's graph is image[k].
 Function with_graph(const Function& function, Graph graph, const std::vector<NodeId>& image);
 
-// Whether condition k is known to hold without being computed: a positive constant, in float, too.
+// Whether condition k holds without being computed: it is a positive constant, in float, too.
 bool always_holds(const Function& function, std::size_t k);
 
 // Whether every entry of every output is computed.
 bool is_whole(const Function& function);
 
-// The inputs that the function really reads, in order of kind and index.
+// The inputs that the function reads, ordered by kind and index.
 std::vector<Input> inputs_read(const Function& function);
 
 }  // namespace flatdyn

@@ -7,7 +7,7 @@
 namespace flatdyn {
 namespace {
 
-// Where each node of `from` is in `to`.
+// Copies `from` into `to`; returns the node in `to` of each node of `from`.
 std::vector<NodeId> copied(const Graph& from, Graph& to) {
   std::vector<NodeId> image;
   for (NodeId id = 0; id < from.size(); ++id) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Several functions as one, so that what they have in common is computed once.
+// Fusion of several functions into one, so that their common subexpressions are computed once.
 #pragma once
 
 #include <string>
@@ -9,25 +9,26 @@
 
 namespace flatdyn {
 
-// What a function was before it was fused: all but its graph.
+// A function as it was before fusion, without its graph.
 struct FusedFunction {
   std::string name, summary, equation;
   std::vector<InputKind> inputs;
   bool at_rest = false;
   Task task{};
-  std::size_t outputs = 0, conditions = 0, pivot_diagonals = 0;  // how many of these of the Function are its own
+  // The numbers of its own outputs, conditions and diagonals in the fused function.
+  std::size_t outputs = 0, conditions = 0, pivot_diagonals = 0;
   int loop_conditions = 0;
 };
 
 struct Fusion {
-  Function function;  // the outputs and conditions of all parts, one after the other
+  Function function;  // the outputs and conditions of all parts, one part after the other
   std::vector<FusedFunction> parts;
 };
 
-// Named "a_b_c" after its parts; the inputs of all of them in order of kind.
+// Fuses functions. The result is named "a_b_c" after its parts; its inputs are those of all parts, ordered by kind.
 Fusion fused(const std::vector<Function>& functions);
 
-// Function k by itself, its graph that of the whole.
+// Part k of a fusion as a function of its own, over the graph of the whole.
 Function function_of(const Fusion& fusion, std::size_t k);
 
 }  // namespace flatdyn

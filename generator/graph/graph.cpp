@@ -35,7 +35,7 @@ std::size_t hash_of(const Node& node) {
   return hash;
 }
 
-// Sorts by node, adds up the coefficients of each and drops what cancels.
+// Sorts terms by node, adds up the coefficients of each node and drops terms that cancel.
 void collect(std::vector<Term>& terms) {
   std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.node < b.node; });
   std::size_t kept = 0;
@@ -47,7 +47,8 @@ void collect(std::vector<Term>& terms) {
   terms.resize(kept);
 }
 
-// The positive number by which a sum of several terms has whole coefficients without a common divisor; 1 for others.
+// The positive number by which to divide a sum of several terms so that its coefficients are whole and without a common
+// divisor; 1 for other nodes.
 Rational common_divisor(const Node& node) {
   if (node.op != Op::sum || node.terms.size() < 2) return 1;
   auto divisor = numerator(node.terms.front().coefficient), multiple = denominator(node.terms.front().coefficient);
@@ -88,7 +89,7 @@ NodeId Graph::input(Input input) {
 
 NodeId Graph::sum(std::vector<Term> terms, const Rational& constant) {
   for (Term& term : terms) {
-    // A scaled node may stand over another one only if a pass kept it there.
+    // A scaled node may be an operand of another one only if a pass kept it there.
     while (is_scaled(term.node)) {
       const Term& dot = (*this)[term.node].terms.front();
       term.coefficient *= dot.coefficient;
@@ -111,7 +112,7 @@ NodeId Graph::sum_without_folding(std::vector<Term> terms, const Rational& const
   return make_sum(std::move(terms), constant);
 }
 
-// Constants are folded in, like terms collected; the sign is made canonical. What terms stand for is not looked into.
+// Folds constants, collects like terms and makes the sign canonical. Nodes of terms are not expanded.
 NodeId Graph::make_sum(std::vector<Term> terms, Rational constant) {
   for (Term& term : terms) {
     if (!is_constant(term.node)) continue;
@@ -122,7 +123,8 @@ NodeId Graph::make_sum(std::vector<Term> terms, Rational constant) {
   if (terms.empty()) return this->constant(constant);
   if (terms.size() == 1 && constant.is_zero()) {
     if (terms[0].coefficient == 1) return terms[0].node;
-    if (is_scaled(terms[0].node)) return sum(std::move(terms));  // like terms have left one kept term alone
+    // Collecting like terms has left a single unfolded term.
+    if (is_scaled(terms[0].node)) return sum(std::move(terms));
   } else if (terms[0].coefficient < 0) {
     for (Term& term : terms) term.coefficient = -term.coefficient;
     return scaled(-1, make_sum(std::move(terms), -constant));
@@ -204,7 +206,7 @@ NodeId Graph::quotient(NodeId numerator, NodeId denominator) {
   if (is_zero(numerator)) return numerator;
   if (numerator == denominator) return constant(coefficient);
   bool negative = false;
-  if (is_constant(numerator)) {  // k / x is one operation: k stays
+  if (is_constant(numerator)) {  // k / x is one operation: k stays in it
     coefficient *= (*this)[numerator].value;
     negative = coefficient < 0;
     numerator = constant(abs(coefficient));
@@ -242,7 +244,8 @@ NodeId Graph::sign(NodeId argument) {
     return scaled(factor, sign(dot.node));
   }
   if ((*this)[argument].op == Op::sign) return argument;
-  // Multiples of a sum have its sign: of all of them, that with whole numbers and no common divisor stands for it.
+  // A sum and its multiples have the same sign. The multiple with whole coefficients and no common divisor represents
+  // them all.
   if (const Rational divisor = common_divisor((*this)[argument]); divisor != 1) {
     std::vector<Term> terms = (*this)[argument].terms;
     for (Term& term : terms) term.coefficient /= divisor;
@@ -254,7 +257,7 @@ NodeId Graph::sign(NodeId argument) {
   return intern(std::move(node));
 }
 
-// Of constants only 0 and 1: their roots are the same in every field.
+// Among constants only 0 and 1 are folded: their roots are the same in every field.
 NodeId Graph::sqrt(NodeId argument) {
   if (is_constant(argument) && ((*this)[argument].value == 0 || (*this)[argument].value == 1)) return argument;
   Node node;

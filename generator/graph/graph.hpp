@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// flatdyn's own expression graph: hash-consed, exact, in a total order that depends on nothing but how it was built.
+// flatdyn's own expression graph: hash-consed, exact, in a total order that depends only on how it was built.
 //
 // A node is made once and never changes. Operands exist before the node that uses them, so ids are a topological order
 // and a total order at once. Sums and products are n-ary and kept in normal form by the constructors below: like terms
 // are collected, constants folded, nested products flattened, operands sorted. Signs and coefficients live in sums.
 //
 // Sums that differ by their sign share one node: the first term of a sum of two or more summands is positive, and the
-// other one is that node scaled by -1 (free). So sum(), quotient(), sin() … may return a scaled node. A sum within a
-// sum stays a node of its own, so that what was named stays shared; a scaled node within a sum is folded into it.
+// negative of the sum is that node scaled by -1 (free). So sum(), quotient(), sin() … may return a scaled node. A sum
+// within a sum stays a node of its own, so that what was named stays shared; a scaled node within a sum is folded into
+// it.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +23,8 @@ namespace flatdyn {
 
 using NodeId = std::int32_t;
 
-// What a function is given. parameter: a free symbol of the robot; qd_r, qdd_r: reference rates and accelerations;
-// pi_b: base parameters; stored: a value that an earlier stage has computed.
+// The kind of a function's input. parameter: a free symbol of the robot; qd_r, qdd_r: reference rates and
+// accelerations; pi_b: base parameters; stored: a value that an earlier stage has computed.
 enum class InputKind : std::uint8_t { q, qd, qdd, tau, h_e, parameter, qd_r, qdd_r, pi_b, stored };
 
 struct Input {
@@ -42,15 +43,15 @@ struct Term {
 
 enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos, sign, sqrt };
 
-// One operation. Which members mean something depends on op:
+// One operation. `op` decides which members are used:
 //   constant  value
 //   input     input
 //   sum       value + Σ coefficient_k · node_k; terms sorted by node, no term zero, no node a constant.
 //             A single term with value 0 is a scaled node (coefficient not 1).
-//             From kept_sum only: a term ±1 · a scaled node.
+//             From sum_without_folding only: a term ±1 · a scaled node.
 //   product   Π operands, sorted, repeated for powers, at least two; none a constant, a product or a scaled node.
 //             From kept_product only: an operand may be a product, or a scaled node whose coefficient is not -1.
-//   quotient  operands[0] / operands[1]; neither is a scaled node, the denominator no constant
+//   quotient  operands[0] / operands[1]; neither is a scaled node, the denominator is not a constant
 //   sin, cos, sign   of operands[0], which is not scaled by a negative number (sign: not scaled at all); sign(0) = 0
 //   sqrt      of operands[0], which is not 0 and not 1
 struct Node {
@@ -63,15 +64,15 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-// A sum that is coefficient · node and nothing else.
+// Whether the node is a scaled node: a sum that is coefficient · node and nothing else.
 inline bool is_scaled(const Node& node) { return node.op == Op::sum && node.terms.size() == 1 && node.value.is_zero(); }
 
-// The negative of a node: free, written wherever it is used.
+// Whether the node is the negative of another one. Negation is free and is written wherever it is used.
 inline bool is_negation(const Node& node) { return is_scaled(node) && node.terms[0].coefficient == -1; }
 
 class Graph {
  public:
-  // Constructors: return the node with this value, normalised; a new one only if there is none yet.
+  // The constructors return the node with this value in normal form; they add a node only if there is none yet.
   NodeId constant(const Rational& value);
   NodeId input(Input input);
   NodeId sum(std::vector<Term> terms, const Rational& constant = 0);
@@ -83,12 +84,12 @@ class Graph {
   NodeId sign(NodeId argument);
   NodeId sqrt(NodeId argument);
 
-  // As sum and product, but operands that are scaled nodes or products stay as they are instead of being folded in:
-  // for passes, which make such a node an operand where several uses share it, and for copies of their results.
+  // As sum and product, but operands that are scaled nodes or products stay as they are instead of being folded in.
+  // Passes use them to keep such a node as an operand where several uses share it, and to copy their results.
   NodeId sum_without_folding(std::vector<Term> terms, const Rational& constant = 0);
   NodeId kept_product(const std::vector<NodeId>& factors);
 
-  // The node that `node`, of any graph, becomes here, its operands being `image[operand]` here. Nothing is unfolded.
+  // Copies `node` of any graph into this one, operand k becoming image[k]. Nothing is folded.
   NodeId copy(const Node& node, const std::vector<NodeId>& image);
 
   const Node& operator[](NodeId id) const { return nodes_[static_cast<std::size_t>(id)]; }
@@ -96,11 +97,11 @@ class Graph {
 
   bool is_constant(NodeId id) const { return (*this)[id].op == Op::constant; }
   bool is_zero(NodeId id) const { return is_constant(id) && (*this)[id].value == 0; }
-  // A single term and no constant: coefficient · node.
+  // Whether the node is coefficient · node: a single term and no constant.
   bool is_scaled(NodeId id) const { return flatdyn::is_scaled((*this)[id]); }
 
-  // A name for people, e.g. "omega_3_x": the emitted variable is called so if the node becomes one. The first name
-  // given stays. Constants and inputs have none.
+  // Names a node for readers, e.g. "omega_3_x"; if the node becomes a variable, this is the variable's name. The first
+  // name given stays. Constants and inputs have none.
   void set_name(NodeId id, std::string name);
   const std::string* name(NodeId id) const;
 
@@ -114,16 +115,16 @@ class Graph {
   std::unordered_map<NodeId, std::string> names_;
 };
 
-// The name of a node, if it has one, for its image in another graph.
+// Copies the name of a node, if it has one, to its image in another graph.
 void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image);
 
-// The angle of a sine or cosine, as a multiple of an input.
-Term angle_of(const Graph& graph, NodeId id);  // throws std::logic_error if it is none
+// The angle of a sine or cosine as a multiple of an input.
+Term angle_of(const Graph& graph, NodeId id);  // throws std::logic_error if it is not such a multiple
 
-// All operands of a node, whatever its op (for walking).
+// All operands of a node, whatever its op, for traversals.
 std::vector<NodeId> operands_of(const Node& node);
 
-// reachable[id]: whether any of `roots` uses node id.
+// Which nodes `roots` reach: element `id` tells whether any of them uses node `id`.
 std::vector<bool> reachable_from(const Graph& graph, const std::vector<NodeId>& roots);
 
 }  // namespace flatdyn

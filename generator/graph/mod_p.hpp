@@ -10,7 +10,7 @@
 namespace flatdyn {
 
 inline constexpr std::uint64_t kMersenne61 = (std::uint64_t{1} << 61) - 1;  // the usual choice of P
-inline constexpr std::uint64_t kPrime61b = (std::uint64_t{1} << 61) - 31;   // two more primes
+inline constexpr std::uint64_t kPrime61b = (std::uint64_t{1} << 61) - 31;   // another prime
 inline constexpr std::uint64_t kPrime61c = (std::uint64_t{1} << 61) - 45;
 
 // An element of GF(P), 0 <= value < P < 2^63.
@@ -20,7 +20,7 @@ class ModP {
   constexpr ModP() = default;
   constexpr explicit ModP(std::uint64_t value) : value_(value % P) {}
 
-  // Throws std::domain_error if P divides the denominator.
+  // The element equal to an exact number. Throws std::domain_error if P divides the denominator.
   static ModP from(const Rational& value) {
     const ModP numerator(mpz_fdiv_ui(mpq_numref(value.backend().data()), P));
     const ModP denominator(mpz_fdiv_ui(mpq_denref(value.backend().data()), P));
@@ -49,7 +49,7 @@ class ModP {
   friend ModP operator/(ModP a, ModP b) { return a /= b; }
   friend constexpr bool operator==(ModP a, ModP b) = default;
 
-  // By Fermat's little theorem. Throws std::domain_error for 0.
+  // The inverse, by Fermat's little theorem. Throws std::domain_error for 0.
   ModP inverse() const {
     if (value_ == 0) throw std::domain_error("GF(p): division by zero");
     return to_the(P - 2);
@@ -66,8 +66,8 @@ class ModP {
 
   bool is_square() const { return value_ == 0 || to_the((P - 1) / 2).value_ == 1; }
 
-  // The smaller one of both roots, by Tonelli and Shanks (Cohen, A Course in Computational Algebraic Number Theory,
-  // algorithm 1.5.1). Throws std::domain_error if there is none.
+  // The smaller of the two square roots, by Tonelli and Shanks (Cohen, A Course in Computational Algebraic Number
+  // Theory, algorithm 1.5.1). Throws std::domain_error if there is none.
   ModP sqrt() const {
     if (value_ == 0) return *this;
     if (!is_square()) throw std::domain_error("GF(p): no square");
@@ -76,7 +76,7 @@ class ModP {
     ModP generator(2);
     while (generator.is_square()) generator += ModP(1);
     generator = generator.to_the(odd);
-    ModP root = to_the((odd + 1) / 2), rest = to_the(odd);  // root² = rest · *this, rest of order 2^k
+    ModP root = to_the((odd + 1) / 2), rest = to_the(odd);  // root² = rest · *this; the order of rest is 2^k
     while (rest.value_ != 1) {
       ModP step = generator;
       while ((rest * step * step).order() >= rest.order()) step *= step;
@@ -87,7 +87,7 @@ class ModP {
   }
 
  private:
-  // k of the order 2^k that roots of unity have which are powers of two.
+  // The k for which the order of this element, a root of unity, is 2^k.
   int order() const {
     int k = 0;
     for (ModP power = *this; power.value_ != 1; power *= power) ++k;

@@ -9,8 +9,8 @@
 
 namespace flatdyn {
 
-// Writes each node's instructions after those of its operands. A sum starts with a term that needs no multiplication,
-// if it has one, and goes on by one instruction per term.
+// Writes the instructions of each node after those of its operands. A sum starts with a term that needs no
+// multiplication, if it has one, and takes one instruction per further term.
 template <class S>
 class TapeWriter {
  public:
@@ -72,10 +72,10 @@ class TapeWriter {
       case Op::sqrt:
         return add(Code::sqrt, cell_of(node.operands[0]));
     }
-    return 0;  // no other op
+    return 0;  // there is no other op
   }
 
-  // (scale + kLeastShare · pivot) - scale, or the value itself.
+  // The cell of condition k: (scale + kLeastShare · pivot) - scale for a pivot, else the value itself.
   std::uint32_t condition(const Function& function, std::size_t k) {
     const std::uint32_t value = cell_of(function.validity_conditions[k]);
     if (k >= function.pivot_diagonals.size()) return value;
@@ -115,8 +115,8 @@ class TapeWriter {
 
   const Graph& graph_;
   TapeOf<S>& tape_;
-  std::vector<std::uint32_t> cells_of_;          // of each node
-  std::map<Rational, std::uint32_t> constants_;  // each once
+  std::vector<std::uint32_t> cells_of_;          // the cell of each node
+  std::map<Rational, std::uint32_t> constants_;  // the cell of each constant
 };
 
 template <class S>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A Function as a list of instructions over doubles or long doubles: for where the tool itself calls one thousands of
-// times, without a compiler at hand. About the time of the emitted code's unoptimised build; same formulas, no promise
-// of the same bits.
+// A Function as a list of instructions over doubles or long doubles, for evaluating it thousands of times inside
+// flatdyn without a compiler. It takes about as long as an unoptimised build of the emitted code and uses the same
+// formulas, but may differ from it in the last bits.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace flatdyn {
 
 inline constexpr std::size_t kInputKinds = static_cast<std::size_t>(InputKind::stored) + 1;
 
-// The numbers that a function is given, by kind. What it does not read may be empty.
+// The values of a function's inputs, by kind. A kind that it does not read may be empty.
 template <class S>
 class TapeInputsOf {
  public:
@@ -31,19 +31,20 @@ class TapeOf {
  public:
   explicit TapeOf(const Function& function);
 
-  // Entries of all outputs, one output after the other.
+  // The number of entries of all outputs.
   std::size_t results() const { return results_.size(); }
   std::size_t operations() const { return code_.size(); }
 
-  // False if a value that must be positive is not (B singular); then the results mean nothing. Not from two threads at
-  // once: the cells are the tape's own.
+  // Evaluates the function and writes the entries of all outputs, one output after the other. Returns false if a value
+  // that must be positive is not (B singular); the results are then invalid. Not thread-safe: the cells belong to the
+  // tape.
   bool run(const TapeInputsOf<S>& given, std::span<S> results);
 
  private:
   enum class Code : std::uint8_t { add, subtract, multiply, add_multiple, divide, sin, cos, sign, sqrt };
   struct Instruction {
     Code code;
-    std::uint32_t to, a, b, c;  // cells; c of add_multiple only: to = a + b c
+    std::uint32_t to, a, b, c;  // indices of cells; c for add_multiple only: to = a + b c
   };
   struct Load {
     Input from;
@@ -55,7 +56,7 @@ class TapeOf {
   std::vector<Load> loads_;
   std::vector<Instruction> code_;
   std::vector<std::uint32_t> results_, positive_;
-  std::vector<S> cells_;  // constants first, already there
+  std::vector<S> cells_;  // constants come first and are set already
 };
 
 extern template class TapeOf<double>;

@@ -91,7 +91,7 @@ Complaint check_graph(const Graph& graph) {
     }
     if (const Complaint complaint = check_node(graph, graph[id])) return fmt::format("node {}: {}", id, *complaint);
   }
-  // The constructors, given the graph's own nodes, must find exactly these and make no others.
+  // Applied to the graph's own nodes, the constructors must find exactly these and add no others.
   Graph again = graph;
   std::vector<NodeId> identity(static_cast<std::size_t>(graph.size()));
   std::iota(identity.begin(), identity.end(), 0);

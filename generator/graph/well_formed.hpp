@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What holds for every Graph and Function, stated as a check (for tests and for debugging passes).
+// The invariants of every Graph and Function as a check, for tests and for debugging passes.
 #pragma once
 
 #include <optional>

@@ -20,14 +20,15 @@ using Eigen::Matrix4d;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Bodies that π_b wants to be flat stay this much of the file's, so that they are bodies in double, too.
+// The share of the file's bodies in the result. Bodies that π_b makes flat stay positive definite in double by it.
 constexpr double kOfTheFile = 1e-9;
 
-// What λ - log(1 + λ) has beyond its second order, and the derivative; λ is an eigenvalue of X, or one of the others.
+// The terms of λ - log(1 + λ) beyond second order, and their derivative. λ is an eigenvalue of X, or the relative
+// change of I_m, F_v or F_s.
 double beyond_second_order(double lambda) { return lambda - std::log1p(lambda) - lambda * lambda / 2; }
 double its_derivative(double lambda) { return -lambda * lambda / (1 + lambda); }
 
-// The same of all links together, where L S (E + X) Sᵀ Lᵀ are bodies; HUGE_VAL where they are not.
+// The sum of beyond_second_order() over all links, where L S (E + X) Sᵀ Lᵀ are bodies; HUGE_VAL where they are not.
 double divergence_beyond_second_order(const VectorXd& y, VectorXd& gradient) {
   double sum = 0;
   gradient.resize(y.size());
@@ -44,9 +45,9 @@ double divergence_beyond_second_order(const VectorXd& y, VectorXd& gradient) {
   return sum;
 }
 
-// The cost about the present links, but for a constant and the factor decrease(): to second order |J y - wanted|² / 2,
-// in coordinates x in which that is |x - newton|² / 2, and exactly what the divergence has beyond. So Newton's step is
-// a unit vector, which is how far Ceres' first step goes.
+// The cost about the present links, up to a constant and the factor decrease(): |J y - wanted|² / 2 to second order,
+// which is |x - newton|² / 2 in the coordinates x, plus the exact higher-order terms of the divergence. So Newton's
+// step is a unit vector, as long as Ceres' first step.
 class LocalCost : public ceres::FirstOrderFunction {
  public:
   LocalCost(const MatrixXd& J, const VectorXd& wanted, double weight) : weight_(weight) {
@@ -57,7 +58,7 @@ class LocalCost : public ceres::FirstOrderFunction {
     newton_ /= std::sqrt(decrease_);
   }
 
-  // Of the cost, per part of Newton's step.
+  // The decrease of the cost that Newton's step predicts.
   double decrease() const { return decrease_; }
   VectorXd y_of(const VectorXd& x) const { return std::sqrt(decrease_) * R_.triangularView<Eigen::Upper>().solve(x); }
 
@@ -67,7 +68,7 @@ class LocalCost : public ceres::FirstOrderFunction {
     VectorXd of_divergence;
     const double divergence = divergence_beyond_second_order(y_of(x), of_divergence);
     *cost = (x - newton_).squaredNorm() / 2 + weight_ / decrease_ * divergence;
-    if (!std::isfinite(*cost)) return false;  // no bodies: the line search takes a shorter step
+    if (!std::isfinite(*cost)) return false;  // not a body: the line search takes a shorter step
     if (gradient == nullptr) return true;
     const VectorXd in_x = R_.transpose().triangularView<Eigen::Lower>().solve(of_divergence);
     Eigen::Map<VectorXd>(gradient, x.size()) = x - newton_ + weight_ / std::sqrt(decrease_) * in_x;
@@ -96,8 +97,8 @@ LocalCost local_cost(const std::vector<LinkShape>& links, const MatrixXd& K, con
   return {J, wanted, weight};
 }
 
-// The x to which Ceres gets; none if it finds nothing better than 0. It stops where progress is slow: new coordinates
-// do more then than what quasi-Newton steps have learnt in these.
+// The x that Ceres reaches; none if it finds nothing better than 0. Ceres stops where progress is slow: new coordinates
+// then help more than what its quasi-Newton steps have learnt in these.
 std::optional<VectorXd> minimised(const LocalCost& cost) {
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::BFGS;
@@ -105,9 +106,9 @@ std::optional<VectorXd> minimised(const LocalCost& cost) {
   options.max_num_line_search_step_size_iterations = 60;
   options.function_tolerance = 1e-3;
   options.parameter_tolerance = 1e-14;
-  options.update_state_every_iteration = true;  // what was reached counts, even if a later step fails
+  options.update_state_every_iteration = true;  // the best x counts, even if a later step fails
   options.logging_type = ceres::SILENT;
-  FLAGS_minloglevel = google::GLOG_FATAL;  // it warns nevertheless
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres warns even if it is silent
   const ceres::GradientProblem problem(new LocalCost(cost));
   VectorXd x = VectorXd::Zero(cost.NumParameters());
   double before = 0, after = 0;
@@ -141,7 +142,7 @@ double BodySearch::divergence() const {
   return sum;
 }
 
-// From a heavy divergence to a light one: the last steps move only what π_b does not decide.
+// Lowers the weight of the divergence step by step: the last steps move only what π_b leaves open.
 bool BodySearch::run() {
   constexpr double kLightest = 1e-3, kLighter = 0.1;
   double weight = std::max(1.0, residual().squaredNorm() / static_cast<double>(file_.size()));
@@ -153,7 +154,7 @@ bool BodySearch::run() {
   return converged;
 }
 
-// For one weight, in new coordinates every time that Ceres has stopped; whether it came to the end.
+// Minimises the cost at one weight, in new coordinates each time Ceres stops. Returns whether it converged.
 bool BodySearch::improve(double weight) {
   constexpr int kMostRounds = 50;
   constexpr double kSmall = 1e-8, kOfTheCost = 1e-9;

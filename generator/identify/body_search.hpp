@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The least of |K bodies - target|² / 2 + μ divergence over links that a body can have, μ small: by Ceres, with the
-// divergence as its barrier. It is convex in the parameters, so that no step can lead into a corner.
+// Minimises |K bodies - target|² / 2 + μ divergence over physically consistent links, with μ small, by Ceres; the
+// divergence is its barrier. The problem is convex in the parameters, so no step can lead into a corner.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,11 +14,12 @@ class BodySearch {
  public:
   BodySearch(std::vector<LinkShape> links, const Eigen::MatrixXd& K, const Eigen::VectorXd& target);
 
-  // Whether it came to the end.
+  // Returns whether the search converged.
   bool run();
 
-  // 13 n, in the order of (7.77).
+  // 13 n parameters, in the order of (7.77).
   Eigen::VectorXd bodies() const;
+  // The sum of the links' divergences from the file.
   double divergence() const;
 
  private:

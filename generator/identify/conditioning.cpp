@@ -12,12 +12,13 @@ using Eigen::ArrayXd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The power of the norm that stands in for the largest singular value.
+// The power of the norm that approximates the largest singular value.
 constexpr double kNormPower = 16;
-// How much that counts: 1 makes a condition number, which motions lower by moving less; 0 standard deviations alone.
+// The weight of the largest singular value: 1 gives a condition number, which motions lower by moving less; 0 gives the
+// standard deviations alone.
 constexpr double kOfLargest = 0.25;
 
-// A column of zeros stays one.
+// The inverse of each column's length; a column of zeros stays zero when multiplied by it.
 VectorXd inverse_lengths(const MatrixXd& matrix) {
   return matrix.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
 }
@@ -36,7 +37,7 @@ Conditioning conditioning(const MatrixXd& regressor, const VectorXd& lengths) {
           spread.rowwise().norm().cwiseQuotient(lengths)};
 }
 
-// With A = U Σ Vᵀ: dσ_i = u_iᵀ dA v_i. U is not needed, as U = A V Σ⁻¹.
+// With A = U Σ Vᵀ, dσ_i = u_iᵀ dA v_i. U is not needed, since U = A V Σ⁻¹.
 double excitation_cost(const MatrixXd& matrix, MatrixXd* slope) {
   const auto svd = singular_values_of_tall(matrix);
   const ArrayXd s = svd.s.array().max(std::numeric_limits<double>::epsilon() * svd.s(0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How well the stacked regressor of a motion separates the parameters. Singular values come from the triangular factor
-// of a QR decomposition, never from YᵀY, which would square the condition number.
+// A measure of how well the stacked regressor of a motion separates the parameters. Singular values come from the
+// triangular factor of a QR decomposition, never from YᵀY, which would square the condition number.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,22 +8,22 @@
 namespace flatdyn {
 
 struct Conditioning {
-  double relative = 0;  // condition number with every column divided by its length in other motions
-  double scaled = 0;    // with every column at unit length
-  double unscaled = 0;  // as it is
-  // Of the columns as for `relative`: the combination that the motion shows least, of unit length.
+  double relative = 0;  // condition number, every column divided by its length in other motions
+  double scaled = 0;    // condition number, every column at unit length
+  double unscaled = 0;  // condition number of the regressor as it is
+  // The unit combination of parameters that the motion shows least, with columns scaled as for `relative`.
   Eigen::VectorXd weakest;
-  // Of the parameters, where every entry of τ has noise of standard deviation 1.
+  // Standard deviations of the parameters if every entry of τ has noise of standard deviation 1.
   Eigen::VectorXd standard_deviations;
 };
 
-// regressor: rows ≥ columns, or the triangular factor of such a one; lengths: of the columns in other motions,
-// positive.
+// regressor: at least as many rows as columns, or the triangular factor of such a matrix; lengths: the columns' lengths
+// in other motions, positive.
 Conditioning conditioning(const Eigen::MatrixXd& regressor, const Eigen::VectorXd& lengths);
 
-// ln of the root mean square of 1/σ_i, so of the standard deviations of what multiplies the columns, plus a quarter of
-// ln σ_1, of which a norm stands in that is smooth and a little larger. `slope`, if given, gets the derivative by each
-// entry.
+// The logarithm of the root mean square of 1/σ_i, which measures the standard deviations of the coefficients of the
+// columns, plus a quarter of ln σ_1. A smooth norm, slightly larger, replaces σ_1. `slope`, if not null, gets the
+// derivative by each entry of the matrix.
 double excitation_cost(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* slope);
 
 }  // namespace flatdyn

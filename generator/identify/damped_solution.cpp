@@ -20,7 +20,7 @@ Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double d
   const SingularValues svd = singular_values(A * scale.cwiseInverse().asDiagonal());
   const double smallest = damping * svd.s(0);
   VectorXd inverse(b);
-  VectorXd parts = VectorXd::Zero(b);  // how much of each parameter lies in damped directions
+  VectorXd parts = VectorXd::Zero(b);  // share of each parameter that lies in damped directions
   Solution solution;
   for (Index k = 0; k < b; ++k) {
     const double s = svd.s(k);
@@ -43,14 +43,14 @@ Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double d
   return solution;
 }
 
-// By the covariance's own directions. A hidden one keeps the variance that is left with the prior's.
+// Works along the principal directions of the covariance. A hidden direction keeps the variance that the prior leaves.
 void hide_noise(Solution& solution, double plausible) {
   constexpr double kClearly = 5;  // standard deviations
-  constexpr double kMuch = 0.1;   // of the plausible size
+  constexpr double kMuch = 0.1;   // share of the plausible size
   if (solution.coordinates.size() == 0) return;
   const SingularValues svd = singular_values_of_tall(solution.spread);
   const VectorXd coordinates = svd.V.transpose() * solution.coordinates;
-  MatrixXd directions = solution.spread * svd.V;  // each as long as its standard deviation
+  MatrixXd directions = solution.spread * svd.V;  // column k is as long as its standard deviation
   std::vector<Index> known, hidden;
   for (Index k = 0; k < coordinates.size(); ++k) {
     auto direction = directions.col(k);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Least squares where the data do not tell all parameters: what they do not tell stays at, or near, what is known
-// before.
+// Least squares for data that do not determine all parameters: those that they do not determine stay at, or near, their
+// prior values.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,39 +8,40 @@
 
 namespace flatdyn {
 
-// A combination of parameters, of unit length where every parameter counts by the norm of its column.
+// A damped combination of parameters; of unit length when every parameter is scaled by the norm of its column.
 struct DampedDirection {
   double relative_singular_value = 0;
   Eigen::VectorXd components;  // b numbers
 };
 
-// A combination of parameters, of unit length in SI units.
+// A combination of parameters hidden by noise; of unit length in SI units.
 struct HiddenDirection {
   double standard_deviation = 0;
   Eigen::VectorXd components;  // b numbers
 };
 
-// For rows that are weighted, so that noise has standard deviation 1.
+// The solution of weighted equations, whose noise has standard deviation 1.
 struct Solution {
   Eigen::VectorXd values;
-  // values = prior + spread coordinates, damped directions apart; the coordinates have covariance 1.
+  // values = prior + spread coordinates, up to damped directions; the coordinates have covariance 1.
   Eigen::MatrixXd spread;
   Eigen::VectorXd coordinates;
   Eigen::MatrixXd root_information;  // r × b: root_information (π - values) has covariance 1, r ≤ b
-  std::vector<bool> told;            // parameters that no direction below has a part in
+  std::vector<bool> told;            // true for parameters without a part in the directions below
   Eigen::VectorXd singular_values;   // columns scaled to unit norm, descending
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;
 };
 
-// factor: (b + 1)², upper triangular, of [A b]. Where a relative singular value of the column-scaled A is below
-// `damping`, damped least squares about `prior`.
+// factor: the upper triangular factor of [A b], (b + 1)². Where a relative singular value of the column-scaled A is
+// below `damping`, the solution is damped least squares about `prior`.
 Solution damped_solution(const Eigen::MatrixXd& factor, const Eigen::VectorXd& prior, double damping);
 
-// Columns of a joint that is held are not zero but noise of its encoder: no singular value is small, and the solution
-// goes anywhere. A direction counts as hidden if its standard deviation is larger than `plausible`, what parameters can
-// be at the most, and the data do not clearly contradict the prior along it; there the solution becomes that of a prior
-// with this standard deviation, and parameters that a tenth of it may be missing in are not told.
+// The columns of a joint that is held hold encoder noise instead of zeros: no singular value is small, and the solution
+// may go anywhere. A direction counts as hidden if its standard deviation is larger than `plausible`, the largest size
+// that parameters can have, and the data do not clearly contradict the prior along it. Along hidden directions the
+// solution becomes that of a prior with standard deviation `plausible`. A parameter that keeps more than a tenth of
+// `plausible` as uncertainty there counts as not told.
 void hide_noise(Solution& solution, double plausible);
 
 }  // namespace flatdyn

@@ -16,19 +16,19 @@
 namespace flatdyn {
 namespace {
 
-// Half of the evaluations try as many random starts; the best one gets the other half: a third of that as it is, the
-// rest in as many rounds, each of which begins with a motion that keeps the limits.
+// Half of the evaluations try kStarts random starts. The other half goes to the best of them: a third of it as it is,
+// the rest in kRounds rounds, each of which begins with a motion that keeps the limits.
 constexpr int kStarts = 6, kRounds = 4;
-// Far beyond the limits the scaled motion hardly depends on the coefficients.
+// A bound on the coefficients; beyond it the scaled motion hardly depends on them.
 constexpr double kLargestCoefficient = 4;
-// Of the highest harmonic, at least.
+// The least number of samples per period of the highest harmonic.
 constexpr int kSamplesPerPeriod = 10;
-// What torques beyond their limits cost in these rounds.
+// The weight of torques beyond their limits in these rounds.
 constexpr double kFirmly = 100;
-// Each takes some hundred bytes, of an arm.
+// The largest number of intervals; each takes some hundred bytes for an arm.
 constexpr int kMostIntervals = 500'000;
 
-// std::uniform_real_distribution differs between libraries; this does not.
+// Uniform numbers in [-1, 1). std::uniform_real_distribution differs between libraries; this does not.
 std::vector<double> random_coefficients(std::mt19937_64& engine, int count) {
   std::vector<double> x;
   for (int k = 0; k < count; ++k) x.push_back(static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
@@ -40,7 +40,7 @@ class ShapeSearch {
   ShapeSearch(const ExcitationObjective& objective, std::optional<double> seconds, const std::function<bool()>& stop)
       : objective_(objective), start_(std::chrono::steady_clock::now()), seconds_(seconds), stop_(stop) {}
 
-  // Goes on from x, in place, to the best of this many evaluations. Returns its value.
+  // Replaces x by the best of this many evaluations that start from it. Returns its value.
   double improve(std::vector<double>& x, int evaluations) {
     best_value_ = HUGE_VAL;
     best_ = x;
@@ -53,7 +53,7 @@ class ShapeSearch {
     nlopt_set_upper_bounds1(optimiser.get(), kLargestCoefficient);
     if (seconds_) nlopt_set_maxtime(optimiser.get(), std::max(*seconds_ - seconds(), 1e-3));
     double value = 0;
-    // However it ends, also where a line search fails because limits make kinks: the best motion seen counts.
+    // The best motion seen counts, however the search ends: a line search may fail at kinks that the limits make.
     if (nlopt_optimize(optimiser.get(), x.data(), &value) == NLOPT_MAXTIME_REACHED) out_of_time_ = true;
     x = best_;
     return best_value_;
@@ -65,7 +65,7 @@ class ShapeSearch {
  private:
   static double evaluate(unsigned size, const double* x, double* gradient, void* search) {
     auto& self = *static_cast<ShapeSearch*>(search);
-    // Not by nlopt_set_maxeval, which this method passes by one or two.
+    // nlopt_set_maxeval would not do: this method exceeds it by one or two.
     if (self.evaluations_ == self.last_ || self.stop_()) {
       nlopt_force_stop(self.optimiser_);
       return HUGE_VAL;
@@ -91,7 +91,7 @@ class ShapeSearch {
   bool out_of_time_ = false;
 };
 
-// Between the samples of a motion.
+// The number of intervals between the samples of a motion.
 int intervals_of(const ExcitationOptions& options, const TorqueModel& model) {
   const int least = std::max(kSamplesPerPeriod * options.harmonics, 2 * model.parameters());
   const double intervals = std::round(options.duration * options.rate);
@@ -118,7 +118,7 @@ void refuse_what_cannot_move(const TorqueModel& model, const std::vector<JointLi
   }
 }
 
-// Goes on from each start, and returns the best that comes of it.
+// Searches on from each start and returns the best result.
 std::vector<double> best_of(const std::vector<std::vector<double>>& starts, ShapeSearch& search, int evaluations,
                             Progress& progress) {
   std::vector<double> best = starts.front();
@@ -134,16 +134,16 @@ std::vector<double> best_of(const std::vector<std::vector<double>>& starts, Shap
   return best;
 }
 
-// By which torques that are beyond the margin have to become smaller.
+// Factors by which torques beyond the margin have to become smaller.
 std::vector<double> factors_of(const std::vector<double>& torque, double margin) {
   std::vector<double> factors;
   for (const double use : torque) factors.push_back(margin / std::max(use, margin));
   return factors;
 }
 
-// Goes on from `shape` in rounds, and returns the best motion that keeps the limits. Each round begins with the best so
-// far: beyond the limits nothing tells which joints have to move less. What is still too much between the criterion's
-// few samples has to be less at them in the next round.
+// Searches on from `shape` in rounds and returns the best motion that keeps the limits. Each round begins with the best
+// so far, since beyond the limits nothing tells which joints have to move less. Torques that are too large between the
+// criterion's few samples are lowered at these samples in the next round.
 FourierTrajectory within_limits(const TorqueModel& model, const std::vector<JointLimits>& limits,
                                 const ExcitationOptions& options, std::vector<double> shape,
                                 ExcitationObjective& objective, ShapeSearch& search) {

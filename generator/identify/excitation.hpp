@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A motion from which the base parameters can be told well: the standard deviations that noise gives them are small,
-// and the condition number of its stacked regressor (Swevers et al., 1997), with columns divided by their lengths in
-// random motions; and no limit of the robot is passed.
+// A motion that determines the base parameters well: noise gives them small standard deviations, and its stacked
+// regressor has a small condition number (Swevers et al., 1997) when columns are divided by their lengths in random
+// motions. The motion keeps all limits of the robot.
 #pragma once
 
 #include <functional>
@@ -16,25 +16,25 @@ namespace flatdyn {
 struct ExcitationOptions {
   double duration = 20;    // s
   double rate = 100;       // samples per second of the motion that is planned, checked and written
-  int harmonics = 5;       // of every joint's series
-  double margin = 0.9;     // the part of every limit that is used
-  unsigned seed = 1;       // of the random starts
-  int evaluations = 3000;  // of the criterion; the search ends before that where it gets no better
-  // s; ends the search before that on a slow computer. None: it never does.
+  int harmonics = 5;       // harmonics in every joint's series
+  double margin = 0.9;     // share of every limit that is used
+  unsigned seed = 1;       // seed of the random starts
+  int evaluations = 3000;  // evaluations of the criterion; the search ends earlier if it stops improving
+  // The time in s after which the search ends, for slow computers. None: no limit.
   std::optional<double> time = 30;
 };
 
 struct Excitation {
-  PlannedMotion start;   // random, within the limits too
-  PlannedMotion motion;  // what the search made of it
-  int evaluations = 0;   // used
+  PlannedMotion start;   // random start, within the limits too
+  PlannedMotion motion;  // the result of the search
+  int evaluations = 0;   // evaluations used
   bool out_of_time = false;
 };
 
-// From the middle of the position limits and back there. Throws Failure(unsupported) for a robot that nothing can be
-// learnt of, and for one that cannot hold itself in that posture with the torques that the file allows; Failure(usage)
-// where the samples are too few to show the motion, or more than 500,000.
-// stop: asked before every evaluation; once it is true, what was found until then is planned and returned.
+// A motion that starts and ends at rest in the middle of the position limits. Throws Failure(unsupported) if no torque
+// depends on a parameter, or if the torques that the file allows cannot hold the robot in that posture; Failure(usage)
+// if the samples are too few to show the motion, or more than 500,000.
+// stop: asked before every evaluation; once it returns true, the best motion so far is planned and returned.
 Excitation make_excitation(
     const TorqueModel& model, const ExcitationOptions& options, Progress& progress,
     const std::function<bool()>& stop = [] { return false; });

@@ -20,11 +20,11 @@ using Eigen::VectorXd;
 
 // Samples per period of the highest harmonic, and equations per parameter.
 constexpr int kObjectiveSamplesPerPeriod = 10, kEquationsPerParameter = 3;
-// The norm that stands in for the largest value along the motion.
+// The power of the norm that approximates the largest value along the motion.
 constexpr double kPower = 24;
-// A torque that is p % too large in all samples adds p²/10 % to the condition number.
+// The penalty of torques: p % too large in all samples adds p²/10 % to the condition number.
 constexpr double kTorqueWeight = 1000;
-// Of a forward difference; q̈ enters linearly, so there any step is exact.
+// The step of a forward difference; q̈ enters linearly, so any step is exact for it.
 constexpr double kStep = 1e-7, kAccelerationStep = 1;
 
 int samples_for(const TorqueModel& model, int harmonics) {
@@ -32,7 +32,7 @@ int samples_for(const TorqueModel& model, int harmonics) {
   return std::max(kObjectiveSamplesPerPeriod * harmonics, (equations + model.joints() - 1) / model.joints());
 }
 
-// Y_b of all samples; state(k): q, q̇ and q̈ of sample k.
+// Y_b stacked over all samples; state(k) returns q, q̇ and q̈ of sample k.
 template <typename State>
 MatrixXd stacked(const TorqueModel& model, int samples, const State& state) {
   const int n = model.joints();
@@ -48,12 +48,12 @@ MatrixXd stacked(const TorqueModel& model, int samples, const State& state) {
 
 }  // namespace
 
-// The shape is the series before it is scaled to the limits: column i by scale(i).
+// A motion of the search. `shape` is the series before it is scaled to the limits: column i by scale(i).
 struct ExcitationObjective::Motion {
   MatrixXd coefficients;         // terms × joints
   MatrixXd shape[3];             // samples × joints
   VectorXd scale;                // joints
-  std::vector<VectorXd> shrink;  // of each joint, d scale / d coefficient
+  std::vector<VectorXd> shrink;  // d scale / d coefficient, one per joint
 };
 
 ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<JointLimits> limits, double duration,
@@ -115,7 +115,7 @@ ExcitationObjective::Motion ExcitationObjective::motion(const double* x) const {
   motion.coefficients = units_.cwiseProduct(Eigen::Map<const MatrixXd>(x, terms(), model_.joints()));
   for (int d = 0; d < 3; ++d) motion.shape[d] = basis_[d] * motion.coefficients;
   motion.scale.resize(model_.joints());
-  // So that the norm of a sine wave is its amplitude.
+  // This weight makes the norm of a sine wave equal its amplitude.
   const double weight = std::sqrt(2 * std::numbers::pi * kPower) / 2 / samples();
   for (int i = 0; i < model_.joints(); ++i) {
     const JointLimits& limits = limits_[static_cast<std::size_t>(i)];
@@ -185,7 +185,7 @@ double ExcitationObjective::torque_penalty(const MatrixXd& regressor, MatrixXd* 
   return penalty;
 }
 
-// From the slope by the entries of the regressor to that by q, q̇ and q̈ of each joint in each sample.
+// Turns the slope by entries of the regressor into that by q, q̇ and q̈ of each joint in each sample.
 void ExcitationObjective::by_motion(const Motion& motion, const MatrixXd& regressor, const MatrixXd& slope,
                                     MatrixXd* by) const {
   const int n = model_.joints();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the search for an exciting motion makes small: standard deviations of the parameters and, with less weight, the
+// The objective of the search for an exciting motion: the parameters' standard deviations and, with less weight, the
 // condition number, at a few samples, as a smooth function of free coefficients, with its gradient. Columns are divided
-// by the lengths that they have in random motions which use the limits: at unit length, a joint could stand nearly
-// still, and its columns would look as good as before.
+// by their lengths in random motions that use the limits: at unit length, the columns of a joint that stands nearly
+// still would look as good as any.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,30 +16,30 @@ namespace flatdyn {
 
 class ExcitationObjective {
  public:
-  // `limits`: what the motion may use, about the middle of the positions. Samples lie between the ends, where nothing
+  // `limits`: the limits of the motion, about the middle of the positions. Samples lie between the ends, where nothing
   // moves.
   ExcitationObjective(const TorqueModel& model, std::vector<JointLimits> limits, double duration, int harmonics);
 
-  // From now on by the columns' lengths in these motions, of size() coefficients each: root mean squares.
+  // Sets the columns' lengths to their root mean squares in these motions, of size() coefficients each.
   void scale_by(const std::vector<std::vector<double>>& motions);
   const Eigen::VectorXd& lengths() const { return lengths_; }
-  // What torques beyond their limits cost from now on; at first 1.
+  // Sets the weight of torques beyond their limits; 1 at first.
   void weigh_torques(double weight) { torque_weight_ = weight; }
-  // Multiplies each joint's limit of torque by a factor up to 1, but leaves half of what rest does not need.
+  // Multiplies each joint's torque limit by a factor up to 1, but leaves half of what is not needed at rest.
   void lower_torques(const std::vector<double>& factors);
 
-  // Free coefficients: of every joint a_1, b_1, a_2, …, in units that reach a limit at about 1.
+  // The number of free coefficients: a_1, b_1, a_2, … of every joint, in units that reach a limit at about 1.
   int size() const { return model_.joints() * terms(); }
 
-  // excitation_cost(), and a penalty for torques beyond their limits. `gradient` of size() or null.
+  // excitation_cost() plus a penalty for torques beyond their limits. `gradient`: size() numbers or null.
   double operator()(const double* x, double* gradient) const;
   // excitation_cost() of this motion, without the penalty.
   double cost(const FourierTrajectory& trajectory) const;
 
-  // The series that the coefficients stand for. A joint whose limits of position, speed and acceleration these would
-  // exceed is scaled down, smoothly, to about the limit.
+  // The series of these coefficients. A joint that would exceed its limits of position, speed and acceleration is
+  // scaled down, smoothly, to about the limit.
   FourierTrajectory trajectory(const double* x) const;
-  // Those that stand for about this motion, which keeps the limits.
+  // Coefficients that give about this motion, which must keep the limits.
   std::vector<double> coefficients(const FourierTrajectory& trajectory) const;
 
  private:
@@ -59,7 +59,7 @@ class ExcitationObjective {
   const TorqueModel& model_;
   std::vector<JointLimits> limits_;
   std::vector<double> rest_;
-  std::vector<double> least_torques_;  // limits are not lowered further
+  std::vector<double> least_torques_;  // limits are not lowered below these
   double duration_;
   Eigen::MatrixXd units_;     // terms × joints: a coefficient of 1 is this amplitude of speed
   Eigen::MatrixXd basis_[3];  // samples × terms: q, q̇ and q̈ of each term

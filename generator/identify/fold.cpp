@@ -3,7 +3,7 @@
 
 namespace flatdyn {
 
-// fold_kernel.cpp, compiled for any machine of this architecture, and for those with AVX2 and FMA.
+// The two builds of fold_kernel.cpp: for any machine of this architecture, and for those with AVX2 and FMA.
 void fold_anywhere(double* R, FoldedColumn* rows, int cols);
 #ifdef FLATDYN_AVX2_KERNEL
 void fold_avx2(double* R, FoldedColumn* rows, int cols);

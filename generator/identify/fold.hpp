@@ -3,14 +3,15 @@
 
 namespace flatdyn {
 
-inline constexpr int kFoldedRows = 32;  // at a time
+inline constexpr int kFoldedRows = 32;  // rows folded at a time
 
+// One column of the rows that are folded at a time.
 struct alignas(64) FoldedColumn {
   double entries[kFoldedRows];
 };
 
-// R becomes the upper triangular factor of R with kFoldedRows rows below it. R: cols × cols, row by row, what is below
-// its diagonal is not looked at; rows: column by column, of no meaning afterwards. Uses AVX2 where the machine has it.
+// Replaces R by the upper triangular factor of R with kFoldedRows rows below it. R: cols × cols, row by row; what is
+// below its diagonal is not read. rows: column by column, overwritten. Uses AVX2 where the machine has it.
 void fold(double* R, FoldedColumn* rows, int cols);
 
 }  // namespace flatdyn

@@ -9,17 +9,17 @@
 
 namespace flatdyn {
 
-// One coordinate and its derivatives: rad, rad/s, rad/s² or m, m/s, m/s².
+// A coordinate and its first two derivatives: rad, rad/s, rad/s² or m, m/s, m/s².
 struct Deflection {
   double q = 0, qd = 0, qdd = 0;
 };
 
-// sin(ωlt) / (ωl) and −cos(ωlt) / (ωl), each with the polynomial that it needs. The polynomial is linear in the
-// coefficients, so the sum of such terms is the trajectory.
+// sin(ωlt) / (ωl) and −cos(ωlt) / (ωl), each with its polynomial. The polynomial is linear in the coefficients, so the
+// sum of such terms is the trajectory.
 Deflection sine_term(double duration, int l, double t);
 Deflection cosine_term(double duration, int l, double t);
 
-// Coefficients of one joint, l = 1, 2, …: the amplitudes of speed, rad/s or m/s.
+// The coefficients of one joint, l = 1, 2, …: amplitudes of speed, rad/s or m/s.
 struct FourierSeries {
   std::vector<double> a, b;
 };
@@ -30,15 +30,15 @@ struct FourierMotion {
 
 class FourierTrajectory {
  public:
-  // duration in s; one rest position and one series per joint.
+  // duration: s; rest: the rest positions, one per joint; series: one per joint.
   FourierTrajectory(double duration, std::vector<double> rest, std::vector<FourierSeries> series);
 
   double duration() const { return duration_; }
   int joints() const { return static_cast<int>(rest_.size()); }
   const std::vector<FourierSeries>& series() const { return series_; }
-  // 0 ≤ t ≤ duration.
+  // The motion at time t in s, 0 ≤ t ≤ duration.
   FourierMotion at(double t) const;
-  // The deflection from rest of every joint, multiplied.
+  // The trajectory with every joint's deflection from rest multiplied by its factor.
   FourierTrajectory scaled(const std::vector<double>& factors) const;
 
  private:
@@ -47,7 +47,7 @@ class FourierTrajectory {
   std::vector<FourierSeries> series_;
 };
 
-// At both ends and evenly between them.
+// The motion at both ends and evenly between them: intervals + 1 samples.
 std::vector<FourierMotion> sampled(const FourierTrajectory& trajectory, int intervals);
 
 }  // namespace flatdyn

@@ -17,8 +17,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// R of all joints' rows, each divided by its σ_i, and by √c where noise is correlated: n rows tell no more than n / c
-// do then. (b + 1)².
+// The factor R of all joints' rows, (b + 1)². Each row is divided by its σ_i, and by √c where noise is correlated: n
+// rows then tell no more than n / c independent ones.
 MatrixXd weighted_factor(const Observations& observations, const VectorXd& deviations) {
   const Index size = observations.parameters + 1;
   Index rows = 0;
@@ -36,9 +36,9 @@ MatrixXd weighted_factor(const Observations& observations, const VectorXd& devia
   return triangular_factor_of(stacked);
 }
 
-// σ_i from the residual of joint i and the degrees of freedom that are left to it: the fit takes more samples of
-// correlated noise, by the √c in `spread`. What rounding leaves is no noise:
-// less than this part of the largest torque, or than as many N m where there is none.
+// σ_i from the residual of joint i and its remaining degrees of freedom. The fit takes more of them where noise is
+// correlated, which is the √c in `spread`. A residual below a small share of the largest torque is rounding, not noise;
+// without torques, the same number of N m or N is used.
 VectorXd residual_deviations(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
   constexpr double kRounding = 1e-13;
   const auto n = static_cast<Index>(observations.joints.size());
@@ -58,7 +58,7 @@ VectorXd residual_deviations(const Observations& observations, const Solution& s
   return result;
 }
 
-// The shortest x of those with the least norm of A x - b.
+// The shortest x among those that minimise |A x - b|.
 VectorXd shortest_solution(const MatrixXd& A, const VectorXd& b) {
   constexpr double kRankTolerance = 1e-12;
   const Index cols = A.cols();

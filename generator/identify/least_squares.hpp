@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Base parameters from observations: weighted least squares by QR, (7.85) without its normal equations.
+// Base parameters from observations, (7.85): weighted least squares by QR, without normal equations.
 #pragma once
 
 #include "identify/damped_solution.hpp"
@@ -8,19 +8,20 @@
 namespace flatdyn {
 
 struct EstimateOptions {
-  // Directions of the column-scaled regressor whose singular value is below this part of the largest are damped.
+  // Directions of the column-scaled regressor are damped if their singular value is below this share of the largest.
   double damping = 1e-8;
 };
 
 struct Estimate {
   Eigen::VectorXd values;               // π_b
-  Eigen::VectorXd standard_deviations;  // of each; infinite where a damped or hidden direction has a part in it
-  Eigen::VectorXd singular_values;      // of the weighted regressor, columns scaled to unit norm, descending
+  Eigen::VectorXd standard_deviations;  // infinite for a parameter with a part in a damped or hidden direction
+  // Singular values of the weighted regressor, columns scaled to unit norm, descending
+  Eigen::VectorXd singular_values;
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;
   Eigen::VectorXd torque_deviations;  // σ_i of the torque of joint i, from the residuals; the weights are 1/σ_i
-  // r × b: |root_information (π_b - values)| is the distance from the estimate in standard deviations. Damped
-  // and hidden directions have no row: they cost nothing.
+  // r × b: |root_information (π_b - values)| is the distance from the estimate in standard deviations. Damped and
+  // hidden directions have no row: a deviation along them costs nothing.
   Eigen::MatrixXd root_information;
   int iterations = 0;
   bool converged = false;
@@ -28,19 +29,19 @@ struct Estimate {
   double condition() const { return singular_values(0) / singular_values(singular_values.size() - 1); }
 };
 
-// Weights start equal and are set anew from each joint's residual until they change by less than 1e-9 (50 times at
-// most). σ_i counts the degrees of freedom that the fit takes from joint i (its leverage). Where rank is short, the
-// solution of least distance to `prior` is approached: damped least squares about it. Where noise hides a
-// direction, by the sizes of `prior`, the solution stays near it, too. Throws Failure(input) where there
-// are no more equations than unknowns, so that nothing is left to tell noise by.
+// Weights start equal and are reset from each joint's residual until they change by less than 1e-9, 50 times at most.
+// σ_i takes account of the degrees of freedom that the fit takes from joint i (its leverage). Where rank is short,
+// damped least squares approaches the solution nearest to `prior`. Where noise hides a direction, judged by the sizes
+// of `prior`, the solution stays near `prior`, too. Throws Failure(input) unless there are more equations than
+// unknowns, since nothing is left to estimate the noise from.
 Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior, const EstimateOptions& options = {});
 
-// What it says about the first `count` of its parameters whatever the others are: count².
+// The information on the first `count` parameters, whatever the others are: count².
 Eigen::MatrixXd root_information_of_first(const Estimate& estimate, int count);
 
-// The textbook's sequential procedure (7.4): from the tips to the base, joint by joint, each from its own row with the
-// parameters that are known already moved to the right; of what the motion does not tell, `prior`. Errors of the tips'
-// parameters go into all others: for comparison.
+// The textbook's sequential procedure (7.4), for comparison: from the tips to the base, joint by joint, each from its
+// own row, with the known parameters moved to the right-hand side. Parameters that the motion does not tell are taken
+// from `prior`. Errors of the tips' parameters spread to all others.
 Eigen::VectorXd estimate_joint_by_joint(const Observations& observations, const Eigen::VectorXd& prior);
 
 }  // namespace flatdyn

@@ -13,7 +13,7 @@ using Eigen::Matrix4d;
 
 constexpr double kSquareRootOf2 = std::numbers::sqrt2;
 
-// Entries of (7.77) from the pseudo-inertia: Î = tr(Σ) E - Σ.
+// The ten inertial parameters of (7.77) from the pseudo-inertia: Î = tr(Σ) E - Σ.
 void inertial_entries(const Matrix4d& P, double* ten) {
   const double trace = P.topLeftCorner<3, 3>().trace();
   ten[0] = P(3, 3);
@@ -62,7 +62,7 @@ LinkShape::Matrix LinkShape::changes() const {
 double LinkShape::divergence() const {
   double sum = S.squaredNorm() - 4 - 2 * S.diagonal().array().log().sum();
   for (const double multiple : multiples) sum += multiple - 1 - std::log(multiple);
-  return std::max(sum, 0.0);  // rounding goes below
+  return std::max(sum, 0.0);  // rounding can make the sum negative
 }
 
 LinkShape::Vector LinkShape::gradient() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a log holds, and where its columns go: the channels of one sample, in SI units.
+// The contents of a log and the places of its columns: the channels of one sample, in SI units.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace flatdyn {
 
-// Channels of a sample: time, q, and, where the log has them, τ, q̇, q̈ and the tip force. Where loops are closed, q has
-// more entries than the others: position_of[i] is the one that q̇_i is the rate of.
+// The channels of a sample: time, q, and, where the log has them, τ, q̇, q̈ and the tip force. With closed loops, q has
+// more entries than the others: q̇_i is the rate of q[position_of[i]].
 struct LogLayout {
   int joints = 0, positions = 0;
   std::vector<int> position_of{};
@@ -35,17 +35,17 @@ struct LogLayout {
 struct LogColumn {
   enum class Role {
     unused,
-    number,       // goes into its channel, times its factor, which makes its unit SI
-    time,         // of more digits than a double has: the clock's text
-    nanoseconds,  // the clock's other text
-    fixed_text    // says which joint is meant, and must not change
+    number,       // the entry times its factor goes into its channel, in SI units
+    time,         // the clock's text, with more digits than a double has
+    nanoseconds,  // the nanoseconds of the clock, as text
+    fixed_text    // the name of a joint, the same in all rows
   };
 
   std::string name;  // as written
   Role role = Role::unused;
   int channel = -1;
   double factor = 1;
-  std::string text{};  // the fixed one
+  std::string text{};  // the fixed text
 };
 
 struct LogHeading {
@@ -53,17 +53,17 @@ struct LogHeading {
   std::vector<LogColumn> columns;
   char separator = ',';
   CsvClock clock{};
-  bool has_nanoseconds = false;  // in a column of their own
+  bool has_nanoseconds = false;  // nanoseconds have a column of their own
 
-  // Times are read as text, and the first one is subtracted from them.
+  // Whether times are read as text, with the first one subtracted from them.
   bool has_exact_time() const { return has_nanoseconds || clock.origin; }
-  // By channel, as written: what messages call a column.
+  // The name of each channel's column as written, for messages.
   std::vector<std::string> channel_names() const;
 };
 
-// Reads "t, q1 [deg], q_elbow, tau1, …" as docs/csv.md has it; `first_row` is the line below it. What is wrong
-// (missing, twice, unknown unit) goes into `diagnostics`, and so does what is not used. Torques may be missing, and are
-// not read, if `torques` is false.
+// Reads a heading such as "t, q1 [deg], q_elbow, tau1, …" (docs/csv.md); `first_row` is the line below it. Errors (a
+// column missing or twice, an unknown unit) go into `diagnostics`, and so do notes on columns that are not used. If
+// `torques` is false, torques may be missing and are not read.
 LogHeading read_heading(const std::string& line, const std::string& first_row, const Place& place,
                         const Mechanism& mechanism, bool torques, Diagnostics& diagnostics);
 

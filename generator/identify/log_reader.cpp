@@ -18,8 +18,8 @@ constexpr int kMostErrors = 20;
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-// What from_chars() takes, and what other programs write besides: a plus sign, and numbers too small for a double.
-// Where the number ends; null if there is none.
+// Reads what from_chars() accepts, and what other programs also write: a plus sign, and numbers too small for a double.
+// Returns the end of the number; null if there is none.
 const char* read_unquoted(const char* at, const char* end, double& value) {
   if (end - at > 1 && *at == '+' && at[1] != '-') ++at;
   const auto [stop, error] = std::from_chars(at, end, value);
@@ -31,7 +31,7 @@ const char* read_unquoted(const char* at, const char* end, double& value) {
   return std::isfinite(value) ? stop : nullptr;
 }
 
-// Also in quotation marks.
+// Reads a number that may be in quotation marks.
 const char* read_number(const char* at, const char* end, double& value) {
   if (at == end || *at != '"') return read_unquoted(at, end, value);
   const char* stop = read_unquoted(at + 1, end, value);
@@ -96,7 +96,7 @@ bool LogReader::next(double* channels) {
   return false;
 }
 
-// What is wrong with an entry that is no number.
+// Reports an entry that is not a number.
 void LogReader::complain_about(std::string_view entry, const LogColumn& column) {
   if (entry.empty()) {
     complain(fmt::format("column \"{}\": missing value", column.name), "leave out lines that are not complete");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A log of measured motion (CSV), read as a stream: memory does not grow with its length.
+// Reads a log of measured motion (CSV) as a stream: memory does not grow with its length.
 #pragma once
 
 #include <filesystem>
@@ -15,25 +15,26 @@ namespace flatdyn {
 
 class LogReader {
  public:
-  // Reads the heading; `torques`: it must have them. Throws Failure(io); what is wrong with the heading goes into
+  // Reads the heading, which must have torques if `torques` is true. Throws Failure(io); errors of the heading go into
   // `diagnostics`.
   LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques, Diagnostics& diagnostics);
-  // Once more, with the heading that was read before.
+  // Opens the log again with a heading that was read before.
   LogReader(const std::filesystem::path& path, LogHeading heading, Diagnostics& diagnostics);
 
   const LogHeading& heading() const { return heading_; }
   const LogLayout& layout() const { return heading_.layout; }
   Place place() const { return {path_, lines_.number()}; }
 
-  // The next sample's channels (layout().channels() numbers, SI) into `channels`. False at the end, and after the 20th
-  // error: entries missing or too many, no numbers, names of joints that change, time that does not grow.
+  // Reads the next sample into `channels`: layout().channels() numbers, SI. Returns false at the end and after the 20th
+  // error: missing or extra entries, entries that are not numbers, a joint's name that changes, time that does not
+  // grow.
   bool next(double* channels);
-  // Passes over up to `count` samples without reading their numbers; how many there were.
+  // Skips up to `count` samples without reading their numbers; returns how many there were.
   long skip(long count);
 
  private:
   bool parse(std::string_view line, double* channels);
-  // One entry, from `at` on; where it ends, or null after an error.
+  // Reads the entry at `at`. Returns its end, or null after an error.
   const char* parse_entry(const LogColumn& column, const char* at, const char* end, double* channels);
   const char* parse_number(const LogColumn& column, const char* at, const char* end, double* channels);
   bool read_marked_number(std::string_view entry, double& value);
@@ -46,7 +47,7 @@ class LogReader {
   Diagnostics& diagnostics_;
   LogHeading heading_;
   DecimalMarks marks_{','};
-  std::string time_, nanoseconds_;  // of the line, where the clock reads text
+  std::string time_, nanoseconds_;  // texts of the current line, where the clock is read as text
   int errors_ = 0;
   double last_time_ = -std::numeric_limits<double>::infinity();
 };

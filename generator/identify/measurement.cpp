@@ -33,8 +33,8 @@ struct PlannedLog {
   LogIdentity identity;
 };
 
-// In the order of their identities: a shell on another machine may give them in another one, and which blocks are of
-// which part depends on it.
+// The logs in the order of their identities: a shell on another machine may list them in another order, and the share
+// of each part depends on it.
 std::vector<PlannedLog> planned_logs(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
                                      const StreamOptions& options, Diagnostics& diagnostics) {
   std::vector<PlannedLog> planned;

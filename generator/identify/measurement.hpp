@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Logs → what they say: the observations, and some of the samples to draw.
+// From logs to a measurement: the observations, and some samples to plot.
 #pragma once
 
 #include <compare>
@@ -12,13 +12,15 @@
 
 namespace flatdyn {
 
+// A sample of a log, SI; arrays have one number per joint.
 struct MotionSample {
-  int log = 0;  // its place in Measurement::logs
+  int log = 0;  // index into Measurement::logs
   double time = 0;
-  std::vector<double> q, qd, qdd, tau;  // tau without what the tip's force adds
+  std::vector<double> q, qd, qdd, tau;  // tau without the effect of the tip force
 };
 
-// Samples spread evenly over all that were offered, at most kMost of them: when there are more, every other one goes.
+// Keeps at most kMost samples, spread evenly over all that were offered: when there are more, every other one is
+// dropped.
 class ThinnedSamples {
  public:
   static constexpr std::size_t kMost = 512;
@@ -31,11 +33,11 @@ class ThinnedSamples {
   std::vector<MotionSample> kept_;
 };
 
-// What tells a log from others, wherever it lies: without its folder, and without reading all of it.
+// Identifies a log wherever it lies: without its folder, and without reading all of it.
 struct LogIdentity {
-  std::string name;  // of the file
+  std::string name;  // name of the file
   std::uintmax_t bytes = 0;
-  std::string beginning;  // a hash of it
+  std::string beginning;  // hash of the first bytes
 
   auto operator<=>(const LogIdentity&) const = default;
 };
@@ -49,21 +51,21 @@ struct MeasuredLog {
 
 struct Measurement {
   Observations observations;
-  std::vector<MotionSample> samples;  // by log, then by time
+  std::vector<MotionSample> samples;  // in the order of the logs, then of time
   StreamCount count;
   std::vector<MeasuredLog> logs;  // in the order of their identities
 
-  // All that differ, in the order of the logs.
+  // The distinct filters, in the order of the logs.
   std::vector<SampleFilter> filters() const;
-  // Of the noise in the observations: that of the log where it is largest.
+  // The correlation of the noise in the observations: the largest of all logs.
   double correlation() const;
 };
 
-// What is wrong goes into `diagnostics`, the same log twice among it; after an error the result means nothing.
+// Errors go into `diagnostics`, such as a log that is given twice; after an error the result is meaningless.
 Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
                     const StreamOptions& options, Progress& progress, Diagnostics& diagnostics);
 
-// Several, made by the same model; at least one.
+// Joins at least one measurement, all made by the same model.
 Measurement joined(const std::vector<Measurement>& measurements);
 
 }  // namespace flatdyn

@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-// The last samples, channel by channel, each contiguous: what a kernel is laid over.
+// The last samples, channel by channel, each contiguous, so that a kernel can be applied.
 class Window {
  public:
   Window(int channels, int length) : length_(length), samples_(2 * length + kSlack, channels) {}
@@ -40,7 +40,7 @@ class Window {
   Eigen::MatrixXd samples_;
 };
 
-// A sample that has all that is needed.
+// A sample of a log that has all signals.
 MeasuredMotion as_measured(const LogLayout& layout, const double* channels) {
   return {channels[LogLayout::time()],
           channels + LogLayout::q(),
@@ -50,7 +50,7 @@ MeasuredMotion as_measured(const LogLayout& layout, const double* channels) {
           layout.has_tip_force ? channels + layout.h_e() : nullptr};
 }
 
-// The motion at the middle of a window.
+// Computes the motion at the middle of a window.
 class MotionFilter {
  public:
   explicit MotionFilter(const StreamPlan& plan)
@@ -97,7 +97,7 @@ class MotionFilter {
     out.noalias() = window.channels(first, static_cast<int>(out.size())).transpose() * weights_[order];
   }
 
-  // Of the positions that rates belong to.
+  // Smooths the positions that have a rate q̇.
   void smooth_positions(const Window& window, int order, Eigen::VectorXd& out) const {
     if (layout_.positions == layout_.joints) return smooth(window, LogLayout::q(), order, out);
     const Eigen::VectorXd all = window.channels(LogLayout::q(), layout_.positions).transpose() * weights_[order];
@@ -150,12 +150,12 @@ class Stream {
   }
 
  private:
-  // Of the part, or in the filter's window about a line of it.
+  // Whether the line belongs to the part, or to the filter's window about a line of the part.
   bool is_needed(long line) {
     return shares_.is_whole() || shares_.owns(line - half_window_) || shares_.owns(line + half_window_);
   }
 
-  // Over blocks of other parts. False at the end of the log.
+  // Skips blocks of other parts. Returns false at the end of the log.
   bool skip_to_needed(long& line) {
     while (!is_needed(line)) {
       const long half = half_window_, next = ((line + half) / kBlock + 1) * kBlock - half;
@@ -168,7 +168,7 @@ class Stream {
     return true;
   }
 
-  // With the new sample, which a gap in time parts from those before it.
+  // Whether the window is full with the new sample; a gap in time before it empties the window.
   bool window_is_full() {
     const double time = sample_[LogLayout::time()];
     const double dt = plan_.filter.dt;
@@ -193,7 +193,7 @@ class Stream {
   std::optional<MotionFilter> filter_;
   Eigen::VectorXd sample_;
   StreamCount count_;
-  Place first_;  // of the samples that are read
+  Place first_;  // place of the first sample that is read
   double last_time_ = 0;
   bool contiguous_ = false;
 };

@@ -44,7 +44,7 @@ Observations ObservationFolder::observations() {
   return result;
 }
 
-// Of noise that is correlated differently the worse is taken for all of it.
+// If noise is correlated differently in the two, the worse value holds for all.
 Observations joined(const Observations& a, const Observations& b) {
   Observations result{a.parameters, {}};
   for (std::size_t i = 0; i < a.joints.size(); ++i) {

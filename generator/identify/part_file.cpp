@@ -15,7 +15,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kKind = "part of an identification";
-// Of the file's contents: one more whenever they, or what they mean, change.
+// The version of the file's format: it rises whenever the contents or their meaning change.
 constexpr int kVersion = 2;
 
 ordered_json numbers(const Eigen::MatrixXd& upper) {
@@ -35,7 +35,7 @@ Eigen::MatrixXd upper_triangle(const ordered_json& list, Eigen::Index size) {
   return upper;
 }
 
-// What all parts have in common: they must not be joined if it differs.
+// The settings that all parts must share to be joined.
 ordered_json settings(const StreamOptions& options) {
   ordered_json json = {{"parts", options.parts}};
   json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
@@ -93,7 +93,7 @@ Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
 ordered_json json_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) {
-    // A shell hands on a pattern that no file has.
+    // If no file matches, a shell passes its pattern on as it is.
     const bool is_pattern = file.string().find_first_of("*?[") != std::string::npos;
     throw Failure(ExitCode::io, fmt::format("{}: cannot be read", file.string()),
                   is_pattern ? "no file has such a name: make the parts with --data LOG --part k/N -o FILE" : "");
@@ -102,7 +102,7 @@ ordered_json json_of(const std::filesystem::path& file) {
   return json.is_object() ? json : ordered_json::object();
 }
 
-// From 1 on.
+// Reads a whole number from 1 to `most`.
 long whole_number(const ordered_json& json, long most) {
   const double value = json.is_number_integer() ? json.get<double>() : 0;
   if (value < 1 || value > static_cast<double>(most)) throw std::invalid_argument("number");

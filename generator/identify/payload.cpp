@@ -14,7 +14,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Columns: what ten parameters of a body on the tip's link, in that link's frame, add to the base parameters.
+// The change of the base parameters by each of the ten parameters of a body on the tip's link, in that link's frame:
+// one column per parameter.
 MatrixXd base_change(const TorqueModel& model) {
   const Mechanism& mechanism = model.mechanism();
   const LinkFrame& tip = *std::find_if(mechanism.links.begin(), mechanism.links.end(),
@@ -40,12 +41,12 @@ std::vector<int> columns_from(int first, Index count) {
   return columns;
 }
 
-// Other rows and columns in the place of a joint's.
+// A joint's observations with other rows and columns.
 JointObservations folded(const MatrixXd& rows, std::vector<int> columns, const JointObservations& of) {
   return {std::move(columns), triangular_factor_of(rows), of.rows, of.correlation};
 }
 
-// Rows in the unknowns of a linear substitution π_b = origin + change x.
+// The observations in the unknowns x of a linear substitution π_b = origin + change x.
 Observations substituted(const Observations& observations, const VectorXd& origin, const MatrixXd& change) {
   const Index unknowns = change.cols();
   Observations result{static_cast<int>(unknowns), {}};
@@ -57,8 +58,8 @@ Observations substituted(const Observations& observations, const VectorXd& origi
   return result;
 }
 
-// Rows of both in the ten of the payload and, behind them, π_b without it: π_b + change x with it. Each log has its own
-// rows of a joint, and so its own weights: its noise may be another, and correlated differently.
+// The rows of both in the ten payload parameters followed by π_b without the payload; with it, π_b + change x holds.
+// Each log has its own rows of a joint, and so its own weights: its noise may differ, also in correlation.
 Observations side_by_side(const Observations& with, const Observations& without, const MatrixXd& change) {
   const Index unknowns = change.cols();
   const auto behind = [&](std::vector<int> columns) {

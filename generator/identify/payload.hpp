@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the tip carries: ten inertial parameters, identified as a change of the last link (7.4).
+// The payload of the tip: ten inertial parameters, identified as a change of the last link (7.4).
 #pragma once
 
 #include "identify/least_squares.hpp"
 
 namespace flatdyn {
 
+// An estimate of a payload.
 struct PayloadEstimate {
-  // m, m l (3), Î_xx, xy, xz, yy, yz, zz in the frame of the tip's link, about its origin; SI.
-  Eigen::VectorXd values, standard_deviations;  // infinite where the motion does not tell
-  // The nearest ten that a body can have, in the metric of the estimate's information.
+  // The ten parameters m, m l (3), Î_xx, xy, xz, yy, yz, zz in the frame of the tip's link, about its origin, SI.
+  Eigen::VectorXd values, standard_deviations;  // infinite if the motion does not tell
+  // The nearest parameters of a real body, in the metric of the estimate's information.
   Eigen::VectorXd body;
-  double largest_misfit = 0;  // of body from values, in standard deviations
+  double largest_misfit = 0;  // the largest distance of body from values, in standard deviations
 };
 
-// From motion with the payload, and motion without it: both decide together what the robot's own base parameters are
-// (`prior` where they do not tell), and what is not known of those is not known of the payload.
+// Estimates the payload from motion with and without it. Both together decide the robot's own base parameters (`prior`
+// where they do not tell); the uncertainty of these enters that of the payload.
 PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
                                  const Observations& without_payload, const Eigen::VectorXd& prior);
 
-// From motion with the payload, of a robot whose base parameters without it are known: Y_b (π_b + K_L π_payload) = τ,
-// with K_L the columns of K for the link that the tip is on.
+// Estimates the payload of a robot whose base parameters without it are known: Y_b (π_b + K_L π_payload) = τ, where K_L
+// holds the columns of K for the tip's link.
 PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
                                  const Eigen::VectorXd& without_payload);
 
-// The first ten of an estimate, and the nearest ten that a body can have.
+// The first ten parameters of an estimate, and the nearest ones of a real body.
 PayloadEstimate payload_of(const Estimate& estimate);
 
 }  // namespace flatdyn

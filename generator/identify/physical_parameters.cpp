@@ -16,7 +16,7 @@ using Eigen::Matrix4d;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// What a link without mass or extent is taken for, relative to the largest of the robot.
+// The sizes given to a link without mass or extent, relative to the largest of the robot.
 struct Sizes {
   double mass = 0, inertia = 0;
 };
@@ -33,8 +33,8 @@ Sizes sizes_of(const std::vector<double>& file) {
   return largest;
 }
 
-// A pseudo-inertia that is positive definite beyond doubt: itself if it is; else the body is not thinner than a part of
-// its length about its centre of mass, and what has no mass is a small body.
+// A pseudo-inertia that is safely positive definite: P if it is. Otherwise the body is made at least a fraction of its
+// length thick about its centre of mass, and a body without mass becomes a small one.
 Matrix4d made_definite(const Matrix4d& P, const Sizes& largest) {
   constexpr double kSmall = 1e-4, kThin = 1e-9, kThick = 1e-4;
   const bool has_mass = P(3, 3) > 0;
@@ -55,7 +55,7 @@ Matrix4d made_definite(const Matrix4d& P, const Sizes& largest) {
   return result;
 }
 
-// The rotor of a joint on the link that carries it adds I_m a aᵀ to the link's inertia.
+// A rotor that a link carries: it adds I_m a aᵀ to the link's inertia.
 struct CarriedRotor {
   std::size_t joint, carrier;
   Eigen::Vector3d axis;
@@ -81,7 +81,7 @@ std::vector<CarriedRotor> rotors_of(const Mechanism& mechanism) {
   return rotors;
 }
 
-// K' with K' bodies = K pi, where bodies are links without the rotors that they carry.
+// K' with K' bodies = K π, where bodies are the links without the rotors that they carry.
 MatrixXd of_bodies(const MatrixXd& K, const std::vector<CarriedRotor>& rotors) {
   MatrixXd adding = MatrixXd::Identity(K.cols(), K.cols());
   for (const CarriedRotor& rotor : rotors) {
@@ -116,7 +116,7 @@ MatrixXd combination_matrix(const BaseParameters& base, Index columns) {
   return K;
 }
 
-// Where a parameter that the file does not have begins: the size that π_b gives it, if it is a base parameter itself.
+// The starting value of a parameter that the file lacks: the size that π_b gives it, if it is a base parameter itself.
 std::vector<double> scales(const BaseParameters& base, const VectorXd& pi_b, std::size_t count) {
   constexpr double kTiny = 1e-9;
   std::vector<double> result(count, kTiny);
@@ -141,16 +141,16 @@ Matrix4d pseudo_inertia(const double* ten) {
 
 namespace {
 
-// Combinations that are known to more digits than this count as known to this many: the search need not run along a
-// knife's edge.
+// The root information with rows scaled down such that no combination is known more sharply than kSharpest: the search
+// then need not follow a narrow valley.
 MatrixXd blunted(const MatrixXd& root_information, const VectorXd& values) {
-  constexpr double kSharpest = 1e6;  // standard deviations in the size of a combination's terms
+  constexpr double kSharpest = 1e6;  // standard deviations per size of a combination's terms
   const double largest = values.cwiseAbs().maxCoeff();
   const VectorXd size = root_information.cwiseAbs() * values.cwiseAbs().cwiseMax(largest / kSharpest);
   return (kSharpest / size.array()).min(1).matrix().asDiagonal() * root_information;
 }
 
-// Of K π = target, with the links to start from and the rotors that they carry.
+// The parameters nearest to the file that satisfy K π = target, from the links to start with and the rotors they carry.
 PhysicalParameters nearest(std::vector<LinkShape> links, const std::vector<CarriedRotor>& rotors, const MatrixXd& K,
                            const VectorXd& target, const MatrixXd& root_information) {
   const MatrixXd root = blunted(root_information, target);

@@ -15,18 +15,18 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of the highest harmonic, where limits are checked: between them a sine rises by 0.3 % at the most.
+// Points per period of the highest harmonic at which limits are checked; a sine rises by 0.3 % at most between them.
 constexpr int kCheckedPerPeriod = 40;
-// All joints at a time until the torques fit: after the last one next to nothing moves.
+// The factor by which all joints shrink at a time until the torques fit; after the last one almost nothing moves.
 constexpr double kShrink = 0.98;
 constexpr int kMostShrinks = 400;
-// Scaling to a limit must not end beyond it by rounding.
+// A factor that keeps rounding from exceeding a limit.
 constexpr double kInside = 1 - 1e-12;
 
-// Y_b of all samples, as its triangular factor.
+// The triangular factor of Y_b stacked over all samples.
 MatrixXd folded_regressor(const TorqueModel& model, const std::vector<FourierMotion>& samples) {
   const int n = model.joints();
-  TriangularFactor factor(model.parameters() - 1);  // the last column takes the place of b
+  TriangularFactor factor(model.parameters() - 1);  // the last column is passed as b
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model.parameters());
   for (const FourierMotion& sample : samples) {
     model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
@@ -47,7 +47,7 @@ std::vector<std::vector<double>> torques_of(const TorqueModel& model, const std:
   return torques;
 }
 
-// Between samples, too: at as many of them as the highest harmonic needs.
+// The use of limits at as many points between samples as the highest harmonic needs.
 std::vector<LimitUse> use_of(const TorqueModel& model, const std::vector<JointLimits>& limits,
                              const FourierTrajectory& trajectory, int intervals) {
   const int wanted = kCheckedPerPeriod * static_cast<int>(trajectory.series().front().a.size());
@@ -62,7 +62,7 @@ std::vector<LimitUse> use_of(const TorqueModel& model, const std::vector<JointLi
   return use;
 }
 
-// The joint that uses most of its torque.
+// The joint that uses the largest share of its torque.
 std::size_t most_loaded(const std::vector<LimitUse>& use) {
   const auto by_torque = [](const LimitUse& a, const LimitUse& b) { return a.torque < b.torque; };
   return static_cast<std::size_t>(std::max_element(use.begin(), use.end(), by_torque) - use.begin());

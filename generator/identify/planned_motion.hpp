@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A motion that keeps the limits, and what it tells of the parameters.
+// A motion that keeps the limits, and its information on the parameters.
 #pragma once
 
 #include <vector>
@@ -15,30 +15,31 @@ namespace flatdyn {
 struct PlannedMotion {
   FourierTrajectory trajectory;
   std::vector<FourierMotion> samples;
-  std::vector<std::vector<double>> torques;  // Y_b π_b of the file, per sample
-  std::vector<LimitUse> use;                 // per joint, of the whole limits
-  Conditioning conditioning;                 // of all samples
-  double cost = 0;                           // excitation_cost() of all samples, columns divided by the lengths
+  std::vector<std::vector<double>> torques;  // Y_b π_b with the file's π_b, one vector per sample
+  std::vector<LimitUse> use;                 // one per joint, as shares of the full limits
+  Conditioning conditioning;                 // over all samples
+  double cost = 0;                           // excitation_cost() over all samples, columns divided by the lengths
 
   double time(std::size_t sample) const {
     return trajectory.duration() * static_cast<double>(sample) / static_cast<double>(samples.size() - 1);
   }
 };
 
+// A trajectory that keeps the limits.
 struct FittedTrajectory {
   FourierTrajectory trajectory;
-  // Per joint, of the whole limit: what was used before joints moved less because of torques.
+  // The share of the full torque limit per joint, before joints were slowed because of torques.
   std::vector<double> torque;
 };
 
-// Makes the motion smaller until it uses `margin` of the limits at the most: each joint by itself for position, speed
-// and acceleration, which are proportional to its series; then all joints together for the torques of the file's
-// parameters. Throws Failure(unsupported) where those are too large at rest. Limits are kept at as many points as the
-// highest harmonic needs, and at the samples if there are more of them, with `intervals` between.
+// Shrinks the motion until it uses at most `margin` of the limits: first each joint for position, speed and
+// acceleration, which are proportional to its series; then all joints together for the torques of the file's
+// parameters. Throws Failure(unsupported) if those are too large at rest. Limits are checked at as many points as the
+// highest harmonic needs, and at the samples, with `intervals` between them, if these are more.
 FittedTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
                         const FourierTrajectory& trajectory, int intervals = 1);
 
-// The motion, fitted() to the limits, as it is sampled; lengths: of the columns of Y_b, for conditioning().
+// The fitted() motion as it is sampled; lengths: those of the columns of Y_b, for conditioning().
 PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
                       const FourierTrajectory& trajectory, int intervals, const Eigen::VectorXd& lengths);
 

@@ -19,7 +19,8 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 double lower_of(const Body& body) { return nearest_double(body.limits.lower->number); }
 double upper_of(const Body& body) { return nearest_double(body.limits.upper->number); }
 
-// Twice the limits is no overshoot. A joint that slides between 0 and 0 has limits that nobody has filled in.
+// The largest plausible position: twice the limits is no overshoot. Limits of 0 and 0 at a prismatic joint are ones
+// that nobody has filled in.
 double largest_of(const Body& body) {
   if (!body.limits.lower || !body.limits.upper) return body.prismatic ? kNone : kManyTurns;
   const double reach = std::max(std::abs(lower_of(body)), std::abs(upper_of(body)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rates that are not those of what they belong to, and angles that jump, tell that a log's unit is another one, or that
-// an angle was wound up by whole turns. Every sample is looked at: a robot may stand still for long before it moves.
+// Detects a log's wrong units by rates that do not match the change of their channel, and angles that jump by whole
+// turns. Every sample is examined: a robot may stand still for long before it moves.
 #pragma once
 
 #include <algorithm>
@@ -14,18 +14,18 @@ namespace flatdyn {
 
 class RateCheck {
  public:
-  // dt: what usually passes from sample to sample, s.
+  // dt: the usual time between samples, s.
   RateCheck(const Mechanism& mechanism, const LogHeading& heading, double dt);
 
-  // The next sample. Its place is asked for where an angle jumps, which is a warning, once for each joint.
+  // Adds the next sample. `place` is called if an angle jumps, which causes one warning per joint.
   template <class PlaceOf>
   void add(const double* channels, const PlaceOf& place, Diagnostics& diagnostics) {
     if (samples_++ > 0) {
       const double step = channels[0] - last_[0];
-      if (step < 2 * dt_) {  // else a gap
+      if (step < 2 * dt_) {  // else there is a gap
         for (RatePair& pair : pairs_) pair.add(last_.data(), channels);
       }
-      const double farthest = kFastest * std::max(step, dt_ / 2);  // times that jitter make no speed
+      const double farthest = kFastest * std::max(step, dt_ / 2);  // jitter of the time stamps makes no speed
       const auto jumps = [&](int q) { return std::abs(channels[q] - last_[static_cast<std::size_t>(q)]) > farthest; };
       const auto jump = std::find_if(angles_.begin(), angles_.end(), jumps);
       if (jump != angles_.end()) {
@@ -35,22 +35,22 @@ class RateCheck {
     }
     last_.assign(channels, channels + last_.size());
   }
-  // The next sample does not follow the last one.
+  // Tells that the next sample does not follow the last one.
   void restart() { samples_ = 0; }
-  // Rates that are 57.3 times too large or too small are errors, others that are far off are warnings. Nothing is said
-  // of poses that are far apart: their rates do not tell what happens between them.
+  // Rates that are 57.3 times too large or too small are errors; others that are far off are warnings. Poses that are
+  // far apart are not judged: their rates do not tell what happens between them.
   void finish(const Place& place, Diagnostics& diagnostics) const;
-  // The unit, "ms", "us" or "ns", in which times would agree with all rates; nullptr if there is none, or no motion.
+  // The unit of time, "ms", "us" or "ns", that would agree with all rates; nullptr if there is none, or no motion.
   const char* unit_of_times() const;
 
-  // s from sample to sample, from where on they are far apart.
+  // The time in s between samples from which on they count as far apart.
   static constexpr double kFarApart = 1;
 
  private:
-  // No robot's joint turns so fast, but many degrees pass in a second.
+  // A speed that no robot's joint reaches in rad/s, but that is common in deg/s.
   static constexpr double kFastest = 100;  // rad/s
 
-  // A channel, and one that should be its rate of change.
+  // A channel and the one that should be its rate of change.
   struct RatePair {
     int channel, rate;
     std::string name, rate_name;
@@ -61,7 +61,7 @@ class RateCheck {
       products += (after[channel] - before[channel]) * expected;
       squares += expected * expected;
     }
-    // Of the differences of one channel over the mean of the other: 1 if that is its derivative.
+    // The slope of a channel's differences against the mean of its rate: 1 if that is its derivative.
     double slope() const { return products / squares; }
     void finish(const Place& place, Diagnostics& diagnostics) const;
   };
@@ -69,9 +69,9 @@ class RateCheck {
   void complain_about_jump(int channel, const double* channels, const Place& place, Diagnostics& diagnostics) const;
 
   double dt_;
-  std::vector<std::string> names_;  // of the channels
+  std::vector<std::string> names_;  // names of the channels
   std::vector<RatePair> pairs_;
-  std::vector<int> angles_;  // channels of those that have not jumped
+  std::vector<int> angles_;  // channels of the angles that have not jumped
   std::vector<double> last_;
   long samples_ = 0;
 };

@@ -14,7 +14,8 @@ struct SingularValues {
 
 SingularValues singular_values(const Eigen::MatrixXd& square);
 
-// Of a matrix with at least as many rows as columns, by way of its triangular factor; U is that of the factor.
+// The decomposition of a matrix with at least as many rows as columns, computed from its triangular factor; U is that
+// of the factor.
 SingularValues singular_values_of_tall(const Eigen::MatrixXd& tall);
 
 }  // namespace flatdyn

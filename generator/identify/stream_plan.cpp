@@ -41,7 +41,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// Of the steps that are no gaps, over dt.
+// The jitter of the steps that are not gaps, divided by dt.
 double jitter_of(const std::vector<double>& steps, double dt) {
   double sum = 0;
   int count = 0;
@@ -53,8 +53,8 @@ double jitter_of(const std::vector<double>& steps, double dt) {
   return std::sqrt(sum / count) / dt;
 }
 
-// The time between samples is long for a log. Where rates tell the unit, it is that one; rates that agree with none, or
-// that are all zero, are those of poses, which may be as far apart as they like. Else it is told by the size.
+// Reports a time between samples that is long for a log. If rates tell the unit, it is that one. Rates that agree with
+// no unit, or are all zero, belong to poses, which may be any time apart. Otherwise the size of the steps decides.
 void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& place, Diagnostics& diagnostics) {
   const double dt = plan.filter.dt;
   if (dt < RateCheck::kFarApart) return;
@@ -66,7 +66,7 @@ void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& pla
                                   plan.heading.channel_names().front()));
 }
 
-// Only errors of positions and rates are told here, before a long log is read; warnings are told when all of it is.
+// Reports only errors of positions and rates, before a long log is read; warnings follow when all of it is.
 void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::vector<SurveyedSample>& samples,
                  const Place& heading, Diagnostics& diagnostics) {
   PositionCheck positions(mechanism, plan.heading);
@@ -117,8 +117,8 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& 
 
 int SampleFilter::half_window() const { return band > 0 ? zero_phase_half_window(band, dt) : 0; }
 
-// Noise of power 1 at every sample is Σ w² after the filter, and of the same density below its edge. White noise at one
-// sample of N has that density if it is of power 1/N.
+// The correlation of the filtered noise. Noise of power 1 at every sample has power Σ w² after the filter and keeps its
+// density below the edge. White noise at every N-th sample has that density if its power is 1/N.
 double SampleFilter::correlation() const {
   if (band == 0) return 1;
   double power = 0;

@@ -16,8 +16,8 @@ class CompiledFunctions;
 
 class TorqueModel {
  public:
-  // Derives, emits and compiles. Throws Failure(unsupported) for a robot with free symbols, Failure(io) where there is
-  // no compiler.
+  // Derives, emits and compiles the regressor. Throws Failure(unsupported) for a robot with free symbols, Failure(io)
+  // if there is no compiler.
   TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& progress);
   ~TorqueModel();
   TorqueModel(const TorqueModel&) = delete;
@@ -25,21 +25,22 @@ class TorqueModel {
 
   const Mechanism& mechanism() const { return model_.mechanism; }
   int joints() const { return model_.mechanism.size(); }
-  // b, the length of π_b.
+  // The length b of π_b.
   int parameters() const { return base_.size(); }
   const BaseParameters& base() const { return base_; }
   // π_b of the robot file, b numbers.
   const std::vector<double>& file_values() const { return file_values_; }
-  // The columns of row i of Y_b that are not zero at every motion, ascending.
+  // The columns of row i of Y_b that are not zero for every motion, ascending.
   const std::vector<int>& columns_of(int joint) const { return columns_[static_cast<std::size_t>(joint)]; }
 
-  // Y_b(q, q̇, q̈), n × b row by row, into y. Units: rad or m and seconds; row i times π_b is N m or N.
+  // Writes Y_b(q, q̇, q̈), n × b row by row, to y. Units: rad or m, and seconds; row i times π_b is in N m or N.
   void regressor(const double* q, const double* qd, const double* qdd, double* y) const;
-  // J_eᵀ h_e, n numbers, into tau: what a force and moment h_e (6 numbers, base axes) that the tip exerts on its
-  // environment adds to the torques of the joints, (7.42).
+  // Writes J_eᵀ h_e, n numbers, to tau: the joint torques, (7.42), of the force and moment h_e (6 numbers, base axes)
+  // that the tip exerts on its environment.
   void tip_torque(const double* q, const double* h_e, double* tau) const;
 
-  // Of the emitted text: geometry, gravity and parameters. What was folded by one model is not joined with another's.
+  // The hash of the emitted text, so of geometry, gravity and parameters. Observations of different models are not
+  // joined.
   const std::string& fingerprint() const { return fingerprint_; }
 
  private:

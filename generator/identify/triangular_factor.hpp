@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// [A b] = Q R, of any number of rows, folded into R a few at a time as they come (Householder; Golub and Van
-// Loan, 5.2): |A x - b| = |R (x, -1)| for every x, and memory does not grow.
+// [A b] = Q R for any number of rows, folded into R a few at a time as they arrive (Householder; Golub and Van Loan,
+// 5.2). |A x - b| = |R (x, -1)| for every x, and memory does not grow.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,23 +12,23 @@ namespace flatdyn {
 
 class TriangularFactor {
  public:
-  // columns: of A, without b.
+  // columns: the number of columns of A, without b.
   explicit TriangularFactor(int columns);
 
   int columns() const { return static_cast<int>(R_.cols()) - 1; }
-  // Rows folded so far.
+  // The number of rows folded so far.
   long count() const { return count_; }
 
-  // A row of A to be filled in by the caller, and the entry of b: `entries` has columns() + 1 places.
+  // The next row, for the caller to fill in: `entries` has columns() + 1 places, for the row of A and the entry of b.
   auto next_row() {
     if (held_ == kFoldedRows) fold_held();
     ++count_;
     return held_rows_.row(held_++);
   }
 
-  // R, (columns() + 1)², upper triangular; zero rows where there were fewer rows than columns.
+  // R, (columns() + 1)², upper triangular; zero rows if there were fewer rows than columns.
   Eigen::MatrixXd factor();
-  // Joins another's R, of `count` rows.
+  // Joins the factor of `count` other rows.
   void join(const Eigen::MatrixXd& factor, long count);
 
  private:
@@ -37,13 +37,13 @@ class TriangularFactor {
   void fold_held();
 
   Rows R_;
-  Rows held_rows_;                     // not yet folded
-  Eigen::Index held_ = 0;              // of them
-  std::vector<FoldedColumn> columns_;  // the same, column by column
+  Rows held_rows_;                     // rows that are not folded yet
+  Eigen::Index held_ = 0;              // the number of held rows
+  std::vector<FoldedColumn> columns_;  // the held rows, column by column
   long count_ = 0;
 };
 
-// R of tall = Q R, square; zero rows at its end if there are fewer rows than columns.
+// The square factor R of tall = Q R; its last rows are zero if there are fewer rows than columns.
 Eigen::MatrixXd triangular_factor_of(const Eigen::MatrixXd& tall);
 
 }  // namespace flatdyn

@@ -20,14 +20,14 @@ Matrix3d cross_matrix(const Vector3d& a) {
   return S;
 }
 
-// Î a as a matrix times the six entries of Î in the order of (7.77).
+// The matrix that gives Î a when multiplied by the six entries of Î in the order of (7.77).
 Eigen::Matrix<double, 3, 6> inertia_times(const Vector3d& a) {
   Eigen::Matrix<double, 3, 6> L;
   L << a.x(), a.y(), a.z(), 0, 0, 0, 0, a.x(), 0, a.y(), a.z(), 0, 0, 0, a.x(), 0, a.y(), a.z();
   return L;
 }
 
-// Force and moment of a body about the frame's origin, linear in its ten parameters, (7.112), (7.113).
+// The force and moment of a body about the frame's origin as a matrix times its ten parameters, (7.112), (7.113).
 Eigen::Matrix<double, kWrench, kInertialPerBody> wrench_regressor(const reference::LinkMotion<double>& motion) {
   Eigen::Matrix<double, kWrench, kInertialPerBody> A = decltype(A)::Zero();
   const Matrix3d omega = cross_matrix(motion.omega);

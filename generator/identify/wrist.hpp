@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A payload from a force sensor at the wrist (7.4): no model of the arm's masses is needed.
+// A payload from a force sensor at the wrist (7.4); no model of the arm's masses is needed.
 #pragma once
 
 #include "flatdyn/reference/robot.hpp"
@@ -7,15 +7,15 @@
 
 namespace flatdyn {
 
-// h_e of the log is here what the sensor measures: the force and moment that the tip's link exerts on the payload,
-// along the axes of that link's frame, about its origin. Constant offsets of the sensor are estimated along. Folds
-// samples as they come.
+// Folds samples as they arrive. The log's h_e is what the sensor measures: the force and moment that the tip's link
+// exerts on the payload, along the axes of that link's frame, about its origin. Constant offsets of the sensor are
+// estimated too.
 class WristObserver {
  public:
   explicit WristObserver(const Robot& robot);
 
   void add(const MeasuredMotion& motion);
-  // correlation: of the noise, SampleFilter::correlation().
+  // correlation: that of the noise, SampleFilter::correlation().
   PayloadEstimate estimate(double correlation = 1);
 
  private:

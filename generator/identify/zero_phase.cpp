@@ -22,7 +22,7 @@ Jet operator*(const Jet& a, const Jet& b) {
 Jet sinc(double omega, double t) {
   const double pi = std::numbers::pi;
   const double x = omega * t;
-  // Below this the series is exact to the last digit, above it the quotients are accurate enough.
+  // Below this x the series is exact to the last digit; above it the quotients are accurate enough.
   constexpr double kSmall = 1e-2;
   if (std::abs(x) < kSmall) {
     const double xx = x * x;
@@ -34,7 +34,7 @@ Jet sinc(double omega, double t) {
   return {omega / pi * f, omega * omega / pi * df, omega * omega * omega / pi * ddf};
 }
 
-// Nuttall's window with continuous first derivative, of half-length `reach`.
+// Nuttall's window with continuous first derivative and half-length `reach` in s.
 Jet window(double reach, double t) {
   static constexpr double kCosines[] = {0.355768, 0.487396, 0.144232, 0.012604};
   Jet sum;
@@ -65,7 +65,7 @@ void subtract(std::vector<double>& weights, double factor, const std::vector<dou
   for (std::size_t k = 0; k < weights.size(); ++k) weights[k] -= factor * other[k];
 }
 
-// Exact for 1, t and t²/2, which sampling and the window's ends leave to 1e-4 only.
+// Makes the kernel exact for 1, t and t²/2; sampling and the window's ends alone leave errors of 1e-4.
 void make_exact_for_parabolas(ZeroPhaseKernel& kernel, double dt) {
   auto& [value, first, second] = kernel.weights;
   scale(value, 1 / moment(value, kernel.half, dt, 0));
@@ -76,8 +76,8 @@ void make_exact_for_parabolas(ZeroPhaseKernel& kernel, double dt) {
   scale(first, 1 / moment(first, kernel.half, dt, 1));
 }
 
-// The main lobe of the window is 8/(2 reach) wide from zero to zero, and so is the transition from 1 to 2 bands, which
-// an eighth more than that leaves free of its edges.
+// The half-length of the window, s. The window's main lobe, 8/(2 reach) wide from zero to zero, fits into the
+// transition from 1 to 2 bands with an eighth to spare.
 double reach_of(double band) { return 4.5 / band; }
 
 }  // namespace
@@ -93,7 +93,7 @@ ZeroPhaseKernel zero_phase_kernel(double band, double dt) {
   ZeroPhaseKernel kernel;
   kernel.half = zero_phase_half_window(band, dt);
   for (int k = -kernel.half; k <= kernel.half; ++k) {
-    // The kernel meets the signal mirrored: y(t) = ∫ h(t - s) x(s) ds.
+    // The kernel is mirrored against the signal: y(t) = ∫ h(t - s) x(s) ds.
     const double t = -k * dt;
     const Jet h = sinc(omega, t) * window(reach, t);
     kernel.weights[0].push_back(h.value * dt);

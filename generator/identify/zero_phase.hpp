@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Low-pass filtering and differentiation without phase: finite kernels that are symmetric about the sample, so that a
-// log of any length passes through a window of fixed length.
+// Low-pass filtering and differentiation without phase: finite kernels, symmetric about the sample, so that a log of
+// any length passes through a window of fixed length.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace flatdyn {
 // its first and second derivatives.
 //
 // The kernel is a sinc at 1.5 times the band's edge, times Nuttall's window (four cosines, side lobes below -93 dB;
-// Nuttall, 1981), differentiated in closed form. It passes what is slower than `band` to 1e-4, stops what is faster
-// than twice that to 1e-4, and is exact for parabolas.
+// Nuttall, 1981), differentiated in closed form. It passes what is slower than `band` with an error of 1e-4, damps what
+// is faster than twice that to 1e-4, and is exact for parabolas.
 struct ZeroPhaseKernel {
   int half = 0;
   std::vector<double> weights[3];
@@ -20,9 +20,9 @@ struct ZeroPhaseKernel {
   int length() const { return 2 * half + 1; }
 };
 
-// band: edge of the pass band, Hz; dt: time between samples, s. Needs 3 band dt < 1.
+// band: the edge of the pass band, Hz; dt: the time between samples, s. Needs 3 band dt < 1.
 ZeroPhaseKernel zero_phase_kernel(double band, double dt);
-// Its half-length in samples, before it is made; at most 1e9.
+// The half-length of such a kernel in samples, at most 1e9.
 int zero_phase_half_window(double band, double dt);
 
 }  // namespace flatdyn

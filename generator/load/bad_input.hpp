@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// Errors in what the user wrote: a robot file, a scene, or options. Whoever reports prints the diagnostics.
+// Errors in the user's input: a robot file, a scene, or options. The caller that catches it prints the diagnostics.
 class BadInput : public Failure {
  public:
   BadInput(ExitCode code, Diagnostics found)
@@ -16,10 +16,10 @@ class BadInput : public Failure {
   Diagnostics diagnostics;
 };
 
-// The exit code that stands for these errors: usage, unsupported or input.
+// The exit code for these errors: usage, unsupported or input.
 ExitCode exit_code_of(const Diagnostics& errors);
 
-// Throws BadInput if errors are among the findings.
+// Throws BadInput if there are errors among the findings.
 void refuse_errors(const Diagnostics& found);
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Robot file → Robot → Mechanism: the stages before anything is derived.
+// Robot file → Robot → Mechanism: the stages before the derivation.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +16,10 @@ struct LoadOptions {
   ReadOptions read;
   bool warnings_are_errors = false;
   std::vector<std::string> functions;  // empty: those of the scene; without one: default_function_names
-  bool skip_error_budget = false;      // whatever the scene says
+  bool skip_error_budget = false;      // ignores the scene's error budget
 };
 
-// Reads the robot and makes it canonical. Errors in the input end in BadInput, which carries the diagnostics.
+// Reads the robot and makes it canonical. Throws BadInput, which carries the diagnostics, for errors in the input.
 LoadedRobot load_robot(const std::filesystem::path& path, const LoadOptions& options);
 
 // The functions that the command line asks for, else those of the scene; empty if neither asks for any.

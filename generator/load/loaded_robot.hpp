@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A robot as read from its file and as made canonical, with what its scene leaves of it.
+// A robot as read from its file, its canonical form, and the model that its scene leaves.
 #pragma once
 
 #include <optional>
@@ -16,21 +16,21 @@ struct LoadedRobot {
   Robot robot;
   Mechanism mechanism;
   std::optional<Abbreviation> abbreviation;  // if the scene has an error budget
-  Diagnostics diagnostics;                   // warnings and notes, for whoever reports
-  std::string input_hash;  // of the texts of the robot file, of one that it names, and of the scene file
+  Diagnostics diagnostics;                   // warnings and notes, to be printed by the caller
+  std::string input_hash;  // the hash of the texts of the robot file, of a file that it names, and of the scene file
 };
 
-// The mechanism that functions are derived from: the robot's, or as much of it as the error budget leaves.
+// The mechanism that functions are derived from: the robot's, or its abbreviation if there is an error budget.
 const Mechanism& effective_mechanism(const LoadedRobot& model);
 
 // The same robot without the restrictions that its scene puts on functions: they have all entries, hold at any speed,
-// and know no error budget.
+// and use no error budget.
 LoadedRobot without_scene_restrictions(LoadedRobot model);
 
-// Throws Failure(unsupported) if the robot has free symbols. what: the thing that needs their values, "a simulation".
+// Throws Failure(unsupported) if the robot has free symbols. `what`: the task that needs their values, "a simulation".
 void require_numbers(const Robot& robot, const std::string& what);
 
-// Throws Failure(unsupported) for robots with closed loops that are no linear couplings. `what`: "simulate".
+// Throws Failure(unsupported) for robots with closed loops that are not linear couplings. `what`: "simulate".
 void refuse_loops(const LoadedRobot& model, const std::string& what);
 
 }  // namespace flatdyn

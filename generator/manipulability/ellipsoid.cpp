@@ -25,19 +25,20 @@ std::vector<int> directions(const Mechanism& mechanism) {
                 "name directions of rotation in the scene's `task`, or another link with --tip");
 }
 
-// In how many of them the tip moves independently.
+// The number of directions of the task in which the tip moves independently.
 Eigen::Index rank_of(const Mechanism& mechanism) {
   const std::vector<int> rows = task_rows(mechanism);
   if (!mechanism.task.empty()) return static_cast<Eigen::Index>(rows.size());
   return std::count_if(rows.begin(), rows.end(), [](int row) { return row < 3; });
 }
 
-// Cholesky's pivots say it; a joint that moves no inertia has none but rounding.
+// Refuses a singular B, judged by the pivots of its Cholesky factor: that of a joint that moves no inertia is only
+// rounding.
 void refuse_singular(const Eigen::MatrixXd& B, const Eigen::LLT<Eigen::MatrixXd>& factor,
                      const std::vector<double>& q) {
   constexpr double kRounding = 1e-13;
   const Eigen::ArrayXd pivots = Eigen::MatrixXd(factor.matrixL()).diagonal().array().square();
-  const bool is_positive = (pivots > kRounding * B.diagonal().array()).all();  // NaN is not
+  const bool is_positive = (pivots > kRounding * B.diagonal().array()).all();  // false for NaN
   if (factor.info() == Eigen::Success && is_positive) return;
   throw Failure(ExitCode::input,
                 fmt::format("the inertia matrix is not positive definite at q = {}", fmt::join(q, ", ")),
@@ -55,7 +56,7 @@ Eigen::VectorXd torque_units(const Mechanism& mechanism, TorqueNorm norm) {
   return Eigen::Map<const Eigen::VectorXd>(limits.data(), mechanism.size());
 }
 
-// Whether the tip's origin is where the frame of this link is.
+// Whether the tip's origin coincides with the frame of this link.
 bool is_at_tip(const Mechanism& mechanism, const std::string& name) {
   const auto link = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                  [&name](const LinkFrame& each) { return each.link == name; });
@@ -64,7 +65,7 @@ bool is_at_tip(const Mechanism& mechanism, const std::string& name) {
                     [](const Number& a, const Number& b) { return vanishes(a - b); });
 }
 
-// Of the last link of each body on the way from the base to the tip, and of the tip.
+// The names of the frames to draw: the last link of each body on the way from the base to the tip, and the tip.
 std::vector<std::string> poses_to_tip(const Mechanism& mechanism) {
   std::vector<std::string> names = {"forward_kinematics"};
   for (int i = mechanism.tip.body; i >= 0; i = mechanism.bodies[static_cast<std::size_t>(i)].parent) {
@@ -77,7 +78,8 @@ std::vector<std::string> poses_to_tip(const Mechanism& mechanism) {
 
 }  // namespace
 
-// The image of the unit ball under onto · axes · lengths: of U Σ Vᵀ, that is the ball's under U Σ.
+// The half axes of the image of the unit ball under onto · axes · lengths. With the SVD U Σ Vᵀ, it is the image under U
+// Σ.
 Eigen::Matrix2d shadow(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto) {
   const Eigen::MatrixXd half = onto * ellipsoid.axes * ellipsoid.lengths.asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(half, Eigen::ComputeThinU);
@@ -117,11 +119,12 @@ std::vector<double> Manipulability::values(Tape& tape, const std::vector<double>
 Ellipsoid Manipulability::at(const std::vector<double>& q) {
   const Eigen::Index n = torque_unit_.size();
   const std::vector<double> b = values(*inertia_, q), g = values(*gravity_, q), j = values(*jacobian_, q);
-  const Eigen::Map<const Eigen::MatrixXd> B(b.data(), n, n), all(j.data(), n, 6);  // row by row: transposed
+  // The matrices are stored row by row, hence transposed.
+  const Eigen::Map<const Eigen::MatrixXd> B(b.data(), n, n), all(j.data(), n, 6);
   const Eigen::LLT<Eigen::MatrixXd> factor(B);
   refuse_singular(B, factor, q);
   const Eigen::MatrixXd J = Eigen::MatrixXd(all.transpose())(task_, Eigen::all);
-  // J = U Σ Vᵀ. Accelerations q̈ = V z of least norm take the torques B V z = Q R z, so the ellipsoid is the image of
+  // J = U Σ Vᵀ. Accelerations q̈ = V z of least norm need the torques B V z = Q R z, so the ellipsoid is the image of
   // the ball under U Σ R^-1: (7.148) without an inverse of J, which may be singular.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::MatrixXd torques = torque_unit_.cwiseInverse().asDiagonal() * (B * svd.matrixV().leftCols(rank_));
@@ -138,7 +141,7 @@ Ellipsoid Manipulability::at(const std::vector<double>& q) {
 }
 
 std::vector<Eigen::Vector3d> Manipulability::skeleton(const std::vector<double>& q) {
-  constexpr std::size_t kPosition = 9;  // behind R
+  constexpr std::size_t kPosition = 9;  // the position follows R
   std::vector<Eigen::Vector3d> points = {Eigen::Vector3d::Zero()};
   for (Tape& frame : frames_) {
     const std::vector<double> pose = values(frame, q);

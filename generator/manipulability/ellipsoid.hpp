@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The dynamic manipulability ellipsoid, 7.9: which accelerations of the tip the joint torques of one norm can make of
-// an arm that stands still.
+// The dynamic manipulability ellipsoid, 7.9: the accelerations of the tip that joint torques of bounded norm can
+// produce while the arm stands still.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,41 +14,42 @@
 
 namespace flatdyn {
 
-// The ellipsoid (7.148) in the d directions of the task, base axes; accelerations in m/s^2 (rad/s^2). It has r axes:
-// fewer than d, and so is flat, where the tip moves on a surface or along a curve.
+// The ellipsoid (7.148) in the d directions of the task, base axes; accelerations in m/s^2 (rad/s^2). It has r axes; r
+// < d, a flat ellipsoid, if the tip moves on a surface or along a curve.
 struct Ellipsoid {
-  Eigen::VectorXd centre;   // d: −J B^-1 g, where gravity moves it to
-  Eigen::MatrixXd axes;     // d × r: unit vectors by column, the longest axis first
-  Eigen::VectorXd lengths;  // r: of the half axes; 0 along directions that the tip cannot move along here
-  // √det of the inverse of the core of (7.148), the product of the lengths. Of an arm that is not redundant it is
-  // √det(J Jᵀ), the measure (3.56), divided by det B (Problem 7.12).
+  Eigen::VectorXd centre;   // d: −J B^-1 g, the shift by gravity
+  Eigen::MatrixXd axes;     // d × r: unit vectors as columns, the longest axis first
+  Eigen::VectorXd lengths;  // r: lengths of the half axes; 0 along directions in which the tip cannot move here
+  // √det of the inverse of the core of (7.148), which is the product of the lengths. For an arm without redundancy it
+  // is √det(J Jᵀ), the measure (3.56), divided by det B (Problem 7.12).
   double measure = 0;
 };
 
-// Half axes by column, the longer first, of the ellipse that a parallel projection makes of an ellipsoid. onto: 2 × d.
+// The half axes, as columns, of the ellipse that a parallel projection makes of an ellipsoid, the longer one first.
+// onto: 2 × d.
 Eigen::Matrix2d shadow(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto);
 
-// Of the lines between points that follow each other.
+// The summed length, m, of the lines between consecutive points.
 double length_of(const std::vector<Eigen::Vector3d>& skeleton);
 
-// What the norm of joint torques is.
+// The norm of joint torques.
 enum class TorqueNorm {
   plain,   // √(τᵀ τ), (7.142)
-  limits,  // each torque as a part of its joint's effort limit
+  limits,  // each torque as a share of its joint's effort limit
 };
 
 class Manipulability {
  public:
-  // The task is the scene's, else those of x, y, z that the tip can move along. Throws Failure(unsupported) where the
-  // robot has free symbols, or has no effort limits though they are asked for.
-  // radius: of the torques' sphere, N m, or of their parts of the limits.
+  // The task is the scene's, or else the directions out of x, y, z along which the tip can move. Throws
+  // Failure(unsupported) if the robot has free symbols, or lacks the effort limits asked for.
+  // radius: of the sphere of torques, N m, or of their shares of the limits.
   Manipulability(const LoadedRobot& model, TorqueNorm norm, double radius, Progress& progress);
 
   const std::vector<int>& task() const { return task_; }
 
-  // At q, rad or m. Throws Failure(input) where B is not positive definite.
+  // The ellipsoid at q, rad or m. Throws Failure(input) if B is not positive definite.
   Ellipsoid at(const std::vector<double>& q);
-  // Origins of the frames from the base to the tip, m.
+  // The origins of the frames from the base to the tip at q, m.
   std::vector<Eigen::Vector3d> skeleton(const std::vector<double>& q);
 
  private:
@@ -56,9 +57,9 @@ class Manipulability {
 
   std::vector<int> task_;
   Eigen::Index rank_;
-  Eigen::VectorXd torque_unit_;  // by joint
+  Eigen::VectorXd torque_unit_;  // unit of torque per joint
   std::optional<Tape> inertia_, gravity_, jacobian_;
-  std::vector<Tape> frames_;  // of the links on the way to the tip
+  std::vector<Tape> frames_;  // frames of the links on the way to the tip
 };
 
 }  // namespace flatdyn

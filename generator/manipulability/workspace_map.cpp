@@ -25,7 +25,7 @@ std::optional<Eigen::VectorXd> reached(const TipKinematics& tip, const Mechanism
   try {
     Eigen::VectorXd q = inverse_kinematics(tip, goal, guess);
     if (is_within_limits(mechanism, q)) return q;
-  } catch (const Unreachable&) {  // an answer here, as good as any
+  } catch (const Unreachable&) {  // being out of reach is a valid answer
   }
   return std::nullopt;
 }

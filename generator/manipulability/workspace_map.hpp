@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Places of the tip on a square grid in a plane, with joint positions for each: what a map of the workspace is drawn
-// from.
+// Places of the tip on a square grid in a plane, with joint positions for each, for a map of the workspace.
 #pragma once
 
 #include "model/mechanism.hpp"
@@ -9,22 +8,22 @@
 namespace flatdyn {
 
 struct WorkspaceGrid {
-  // 3 × 2: the directions of rows and columns of the grid, unit vectors of the base frame; places are multiples of
-  // spacing away from the start.
+  // 3 × 2: the directions of rows and columns of the grid as unit vectors of the base frame; distances from the start
+  // are multiples of `spacing`.
   Eigen::Matrix<double, 3, 2> directions;
   double spacing = 0;              // m
-  bool holds_orientation = false;  // the tip's is that at the start
+  bool holds_orientation = false;  // the tip keeps its orientation at the start
 };
 
-// From the start, which comes first, to places beside ones that are reached, nearest first, each by damped least
-// squares from its neighbour's joint positions: so the posture changes as little as it can, and what lies beyond a
-// place that is not reached within the limits is found only round it. No further than kFarthestCell places from the
-// start.
+// The places reached, the start first, then neighbours of reached places, nearest first. Each place's joint positions
+// come by damped least squares from its neighbour's, so the posture changes as little as possible, and a place behind
+// one that is not reached within the limits is found only by a way round it. No place is more than kFarthestCell cells
+// from the start.
 inline constexpr int kFarthestCell = 60;
 std::vector<Eigen::VectorXd> map_workspace(const TipKinematics& tip, const Mechanism& mechanism,
                                            const Eigen::VectorXd& start, const WorkspaceGrid& grid);
 
-// Whether q is within the limits of all joints.
+// Whether q, rad or m, is within the limits of all joints.
 bool is_within_limits(const Mechanism& mechanism, const Eigen::VectorXd& q);
 
 }  // namespace flatdyn

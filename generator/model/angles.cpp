@@ -10,7 +10,8 @@ std::size_t at_index(int i) { return static_cast<std::size_t>(i); }
 
 Number absolute_factor(const Number& factor) { return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(factor)); }
 
-// Twice is made by three multiplications. A multiple loses that many last places: to ask for its sine costs none.
+// Whether the sine of this multiple follows from the addition theorems: up to twice the angle, by three
+// multiplications. A larger multiple would lose that many units in the last place; asking for its own sine loses none.
 bool is_small_whole(const Number& factor) {
   constexpr int kMostTurns = 2;
   return factor.info(GiNaC::info_flags::integer) && GiNaC::ex_to<GiNaC::numeric>(absolute_factor(factor)) <= kMostTurns;

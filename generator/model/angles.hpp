@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The angles whose sines and cosines a robot's functions ask for: the entries of q, and multiples of them by which
-// coupled joints turn, where those do not follow by the addition theorems.
+// The angles whose sines and cosines a robot's functions need: the entries of q, and those multiples of them by which
+// coupled joints turn and which do not follow by the addition theorems.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,16 @@
 
 namespace flatdyn {
 
-// Of the joints that turn, whose factors are no small whole numbers: each multiple once, by position and size.
+// The multiples of coordinates by which revolute joints turn and that are not small whole numbers, each once by entry
+// of q and size.
 std::vector<CoordinateMultiple> further_angles(const Mechanism& mechanism);
 
-// How many last places of a coordinate one of the joints' angles is off by where the coordinate is rounded: the largest
-// of these multiples, 1 if there are none.
+// The number of last places by which the angle of a joint is off, at most, when a coordinate is rounded in its last
+// place: the largest of these multiples, 1 if there are none.
 double largest_turn(const Mechanism& mechanism);
 
-// By how many times each angle the joint of body i turns, -2 to 2: those of the entries of q, then
-// those of mechanism.angles. For a mechanism with coupled joints.
+// The factor of each angle in the position of body i's joint, -2 to 2: first the entries of q, then mechanism.angles.
+// The mechanism must have coupled joints.
 std::vector<Number> turns_of(const Mechanism& mechanism, int i);
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where the joints of a tree are, over any field, and the poses of the bodies that they move.
+// The positions of the joints of a tree, over any field, and the poses of the bodies that they move.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace flatdyn {
 
-// Where joint i is: c, s for a revolute joint, d for a prismatic one.
+// The position of joint i: its cosine c and sine s if it is revolute, its displacement d if it is prismatic.
 template <class F>
 struct JointPoint {
   F c = F(1), s = F(0), d = F(0);
 };
 
-// Moving at a rate: dc = -s dq, ds = c dq.
+// The position of a joint moving at a rate dq: dc = -s dq, ds = c dq.
 template <class F>
 JointPoint<Dual<F>> moving(const JointPoint<F>& q, const F& rate) {
   using D = Dual<F>;
@@ -34,7 +34,7 @@ struct Pose3 {
   Vector3<F> p;
 };
 
-// Poses of all bodies in the base frame.
+// The poses of all bodies in the base frame.
 template <class S, class F>
 std::vector<Pose3<S>> body_poses(const MechanismOver<F>& mechanism, const std::vector<JointPoint<S>>& q) {
   const S zero = S(F(0)), one = S(F(1));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Robot → Mechanism. Three steps: merge what fixed joints join; put z of a raw frame on every moving axis; then use
-// the freedom left (phase about z, place of the origin on the axis) so that constant transforms become modified DH.
+// Robot → Mechanism in three steps: merge links that fixed joints join; put z of a raw frame on every moving axis; use
+// the remaining freedom (phase about z, place of the origin on the axis) so that constant transforms become modified
+// DH.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -31,7 +32,7 @@ Transform exact_transform(const Pose& pose) {
   return result;
 }
 
-// The motion of a joint that is held still.
+// The constant transform of a joint that is held still.
 Transform held_motion(const Joint& joint) {
   if (!joint.held || vanishes(joint.held->position)) return {};
   if (joint.held->type == JointType::prismatic) {
@@ -42,14 +43,14 @@ Transform held_motion(const Joint& joint) {
           zero_vector()};
 }
 
-// Where a coupled joint stands when all coordinates are zero, along or about z.
+// The constant transform along or about z of a coupled joint when all coordinates are zero.
 Transform offset_motion(const Joint& joint, const Number& offset) {
   if (!joint.coupled || vanishes(offset)) return {};
   if (joint.type == JointType::prismatic) return {identity_matrix(), {0, 0, rationalised(offset)}};
   return {rotation_z(planar_rotation(offset)), zero_vector()};
 }
 
-// Parameters of a written inertial, in the frame of its link.
+// The parameters of an inertial as written, in the frame of its link.
 InertialParameters in_link_frame(const Inertial& inertial) {
   const Number m = rationalised(inertial.mass.number);
   const Vec3 r = rationalised(inertial.centre_of_mass);
@@ -60,7 +61,7 @@ InertialParameters in_link_frame(const Inertial& inertial) {
   return transformed(body, frame.R, frame.p);
 }
 
-// A rotor held still, in the frame of the link that carries it, (7.63), (7.66).
+// The parameters of a rotor held still, in the frame of the link that carries it, (7.63), (7.66).
 InertialParameters still_rotor(const Motor& motor) {
   const Number m = rationalised(motor.mass.number);
   const Number across = rationalised(motor.inertia_transverse.number);
@@ -85,7 +86,7 @@ void add_lengths(const Pose& pose, Number& sum) {
   for (const Displacement& displacement : pose.displacements) add_lengths(displacement.translation, sum);
 }
 
-// All lengths of the robot together, as far as they are numbers: where some of them cancel, rests are small beside it.
+// The sum of the robot's numeric lengths: where some of them cancel, rounding residues are small beside it.
 Number reach_of(const Robot& robot) {
   Number reach = 0;
   for (const Joint& joint : robot.joints) {
@@ -108,7 +109,7 @@ Mat3 rotation_by(const ZxzAngles& angles) {
   return expanded(rotation_z(angles.beta) * rotation_x(angles.alpha) * rotation_z(angles.theta));
 }
 
-// A rotation whose entries are 0 and 1 where they would be but for rests.
+// A rotation in which entries that are 0 or 1 up to a rounding residue are exactly 0 or 1.
 Mat3 snap_residues_to_zero(const Mat3& R) {
   for (const Vec3& row : R) {
     const Vec3 cleared = snap_residue_to_zero(row, 1);
@@ -126,8 +127,8 @@ InertialParameters snap_residues_to_zero(InertialParameters body, const Number& 
   return body;
 }
 
-// Turned by what its angles, rational in their turn, come to. So the frames that are placed by them, and the distances
-// to axes, are zero where they have to be, to the last digit.
+// The rotation by the ZXZ angles of R, which are made rational again. So the frames that it places, and the distances
+// to axes, are exactly zero where they have to be.
 Mat3 from_zxz(const Mat3& R) { return rotation_by(zxz_angles(R)); }
 
 bool is_along_z(const Mat3& R) {
@@ -153,7 +154,7 @@ bool has_rational_angles(const Mat3& R) {
   return true;
 }
 
-// The tree with raw frames: z on each axis, origin and phase wherever the file put them.
+// The tree with raw frames: z is on each axis, origin and phase are wherever the file put them.
 class RawTree {
  public:
   explicit RawTree(const Robot& robot)
@@ -167,11 +168,11 @@ class RawTree {
 
   const Robot& robot_;
   Number reach_;
-  std::vector<LinearPosition> position_;  // of each written joint
-  std::vector<Transform> link_pose_;      // of each written link in its body's raw frame
-  std::vector<int> body_of_;              // body of each written link; -1: the base
-  std::vector<Transform> raw_;            // of each body's raw frame in its parent's raw frame
-  std::vector<int> joint_of_;             // written joint of each body
+  std::vector<LinearPosition> position_;  // by written joint
+  std::vector<Transform> link_pose_;      // by written link: its pose in its body's raw frame
+  std::vector<int> body_of_;              // by written link: its body; -1: the base
+  std::vector<Transform> raw_;            // by body: its raw frame in its parent's raw frame
+  std::vector<int> joint_of_;             // by body: the joint as written that moves it
   std::vector<int> parent_;
   std::vector<std::string> merged_;
 
@@ -210,9 +211,9 @@ class RawTree {
            JointType::prismatic;
   }
 
-  // Of a body turned by R in the frame of `parent`. A slide does not turn what it carries, so an axis behind it is
-  // parallel or at a right angle to one before it if the robot's are, but for a rest: the angles on the way have been
-  // made rational each by itself.
+  // The rotation R of a body in the frame of `parent`, without rounding residues. A prismatic joint does not turn its
+  // descendants, so an axis beyond it is parallel or perpendicular to one before it if the robot's axes are; but since
+  // the angles between them have been made rational one by one, a residue may be left.
   Mat3 without_rest_past_slides(const Mat3& R, int parent) const {
     for (const auto fits : {is_along_z, is_across_z}) {
       if (const std::optional<Mat3> found = placed_past_slides(R, parent, fits)) return *found;
@@ -220,10 +221,11 @@ class RawTree {
     return R;
   }
 
-  // R by the nearest axis past slides to which the body's `fits`. It is of use only if its angles are rational again:
-  // they are if all axes on the way are in one plane, or if one slide is between two axes that are parallel.
+  // R corrected by the nearest axis before prismatic joints to which the body's axis `fits`; nothing if there is none,
+  // or if the corrected angles are not rational. They are rational if all axes between lie in one plane, or if one
+  // prismatic joint is between two parallel axes.
   std::optional<Mat3> placed_past_slides(const Mat3& R, int parent, bool (*fits)(const Mat3&)) const {
-    Mat3 way = identity_matrix();  // from the body at hand to the parent
+    Mat3 way = identity_matrix();  // rotation from the parent to `body`
     for (int body = parent; body >= 0 && is_slide(body); body = parent_[static_cast<std::size_t>(body)]) {
       way = expanded(raw_[static_cast<std::size_t>(body)].R * way);
       const Mat3 turned = expanded(way * R);
@@ -235,13 +237,13 @@ class RawTree {
   }
 };
 
-// Where each body's final frame is in its raw frame: turned by `phase` about z, moved by `shift`.
+// The pose of a body's final frame in its raw frame: turned by `phase` about z, then shifted by `shift`.
 struct Placement {
   PlanarRotation phase;
   Vec3 shift = zero_vector();
 };
 
-// Chooses the placements from the base outwards, so that a body knows where its parent's frame has gone.
+// Chooses the placements from the base outwards, so that the placement of a body's parent is known.
 class Placer {
  public:
   explicit Placer(const RawTree& tree) : tree_(tree), placements_(tree.raw_.size()) {
@@ -250,7 +252,7 @@ class Placer {
 
   const Placement& operator[](std::size_t i) const { return placements_[i]; }
 
-  // Displacement of body i's final origin (at q = 0) in its parent's final frame.
+  // The displacement of body i's final origin (at q = 0) in its parent's final frame.
   Vec3 displacement(std::size_t i) const {
     const Vec3 raw = raw_displacement(i) + tree_.raw_[i].R * placements_[i].shift;
     const int parent = tree_.parent_[i];
@@ -260,14 +262,14 @@ class Placer {
   }
 
  private:
-  // Of body i's raw origin from its parent's final origin, along the parent's raw axes.
+  // The displacement from the parent's final origin to body i's raw origin, along the parent's raw axes.
   Vec3 raw_displacement(std::size_t i) const {
     const int parent = tree_.parent_[i];
     const Vec3 origin = parent < 0 ? zero_vector() : placements_[static_cast<std::size_t>(parent)].shift;
     return tree_.raw_[i].p - origin;
   }
 
-  // The child that the frame of body i is made to fit: the first with the most bodies behind it.
+  // The child that the frame of body i is fitted to: the first of those with the most descendants.
   std::optional<std::size_t> main_child(std::size_t i) const {
     std::vector<int> weight(tree_.raw_.size(), 1);
     std::optional<std::size_t> best;
@@ -293,7 +295,7 @@ class Placer {
       placement.phase = inverse(theta);
     }
     if (is_prismatic(i)) {
-      // Only the direction of a prismatic axis counts: the frame starts where the parent's is.
+      // Only the direction of a prismatic axis matters: the frame's origin is put at the parent's.
       placement.shift = expanded(Number(-1) * (transpose(tree_.raw_[i].R) * raw_displacement(i)));
     } else {
       placement.shift = {0, 0, child ? foot_of_common_normal(i, *child) : nearest_to_parent(i)};
@@ -301,7 +303,8 @@ class Placer {
     placement.shift = snap_residue_to_zero(placement.shift, tree_.reach_);
   }
 
-  // Along the axis of body i, from its raw origin: where the common normal to the child's axis meets it.
+  // The point on the axis of body i, measured from its raw origin, where the common normal to the child's axis meets
+  // it.
   Number foot_of_common_normal(std::size_t i, std::size_t child) const {
     const Mat3& R = tree_.raw_[child].R;
     const Vec3 u = {R[0][2], R[1][2], R[2][2]};
@@ -312,7 +315,8 @@ class Placer {
     return is_far(foot, p) ? nearest_to_parent(i) : foot;
   }
 
-  // Along the axis of body i: where its parent's frame needs the fewest numbers to reach it.
+  // The point on the axis of body i, measured from its raw origin, to which the transform from the parent's frame needs
+  // the fewest numbers.
   Number nearest_to_parent(std::size_t i) const {
     const Mat3& R = tree_.raw_[i].R;
     const Vec3 u = {R[0][2], R[1][2], R[2][2]};
@@ -324,7 +328,8 @@ class Placer {
     return is_far(foot, d) ? nearest : foot;
   }
 
-  // Axes that are nearly parallel have their common normal far away, and moments about an origin there lose digits.
+  // Whether the foot of the common normal is too far away, as with nearly parallel axes: moments about an origin there
+  // lose digits.
   static bool is_far(const Number& foot, const Vec3& between) {
     constexpr int kFar = 30;
     const Number excess = foot * foot - kFar * kFar * dot(between, between);
@@ -351,7 +356,7 @@ Body make_body(const RawTree& tree, const Placer& placer, std::size_t i) {
   body.alpha = angles.alpha;
   body.theta = snap_residue_to_zero(angles.theta * placer[i].phase);
   if (vanishes(body.alpha.s) && body.alpha.c.is_equal(1)) {
-    body.theta = snap_residue_to_zero(body.beta * body.theta);  // parallel axes: one phase is enough
+    body.theta = snap_residue_to_zero(body.beta * body.theta);  // for parallel axes one phase is enough
     body.beta = {};
   }
   body.p = placer.displacement(i);
@@ -425,7 +430,7 @@ void add_coupling(const RawTree& tree, Mechanism& mechanism) {
   if (!has_coupled_joints(robot)) return;
   std::map<int, int> body_of_joint;
   for (std::size_t i = 0; i < tree.joint_of_.size(); ++i) body_of_joint[tree.joint_of_[i]] = static_cast<int>(i);
-  std::map<int, std::size_t> column;  // by the joint that the coordinate belongs to
+  std::map<int, std::size_t> column;  // column by the joint that the coordinate belongs to
   for (const int joint : joints_with_coordinates(robot)) {
     column.emplace(joint, mechanism.coordinates.size());
     mechanism.coordinates.push_back(body_of_joint.at(joint));

@@ -19,7 +19,7 @@ void take_higher(std::optional<Value>& limit, const std::optional<Value>& other)
   if (other && (!limit || nearest_double(other->number) > nearest_double(limit->number))) limit = other;
 }
 
-// A limit of a joint that follows one coordinate alone is one of that coordinate, too.
+// Applies the limits of a joint that follows one coordinate alone to that coordinate.
 void tighten(const Limits& joint, const LinearPosition& position, Limits& limits) {
   const Number factor = position.factors.begin()->second;
   const bool turns_back = nearest_double(factor) < 0;
@@ -48,7 +48,7 @@ void check_coordinate_range(const Robot& robot, int owner, const Limits& limits,
                     "correct the limits, or the multipliers and offsets");
 }
 
-// Limits of joints that follow several coordinates are not used.
+// Notes that limits of joints that follow several coordinates are not used.
 void note_idle_limits(const Joint& joint, Diagnostics& diagnostics) {
   const Limits& limits = joint.limits;
   if (!limits.lower && !limits.upper && !limits.velocity && !limits.acceleration) return;
@@ -58,7 +58,7 @@ void note_idle_limits(const Joint& joint, Diagnostics& diagnostics) {
       "nothing to do, unless you rely on them", "joints that follow several coordinates, whose limits are not used");
 }
 
-// By elimination: how many of the coordinates the joints' positions tell apart.
+// The rank of the factors, by elimination: the number of coordinates that the joints' positions determine.
 std::size_t independent_coordinates(const std::vector<LinearPosition>& positions, const std::vector<int>& owners) {
   std::vector<std::map<int, Number>> rows;
   for (const LinearPosition& position : positions) rows.push_back(position.factors);

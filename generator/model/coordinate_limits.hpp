@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the limits of coupled joints leave to the coordinates.
+// The limits that those of coupled joints imply for the coordinates.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace flatdyn {
 
-// Of the coordinate that belongs to a joint: the limits of all joints that follow it alone, this one among them if its
-// position does; effort as that of its own drive. `positions`: as from joint_positions().
+// The limits of the coordinate that belongs to joint `owner`, from all joints that follow it alone, the owner among
+// them if its position does; the effort is that of the coordinate's own drive. `positions` as from joint_positions().
 Limits coordinate_limits(const Robot& robot, const std::vector<LinearPosition>& positions, int owner);
 
-// Coordinates move the joints independently, and limits leave them room. Limits that bound no single coordinate are
-// noted.
+// Checks that coordinates move the joints independently and that limits leave them a range. Limits that do not bound a
+// single coordinate are noted.
 void check_coordinates(const Robot& robot, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -17,12 +17,12 @@ bool has_own_coordinate(const Joint& joint) {
   return joint.type != JointType::fixed && (!joint.coupled || !vanishes(own_factor(joint.name, *joint.coupled)));
 }
 
-// Follows the names from joint to joint until coordinates are reached; each joint once.
+// Follows the names from joint to joint until it reaches coordinates, each joint once.
 class Follower {
  public:
   struct Stranger {
     int follower;
-    const Reference* name;  // of no joint
+    const Reference* name;  // a name that no joint has
   };
 
   explicit Follower(const Robot& robot) : robot_(robot), known_(robot.joints.size()) {
@@ -38,7 +38,7 @@ class Follower {
   }
 
   const std::vector<Stranger>& strangers() const { return strangers_; }
-  const std::vector<std::vector<int>>& circles() const { return circles_; }  // of joints that follow each other
+  const std::vector<std::vector<int>>& circles() const { return circles_; }  // cycles of joints that follow each other
 
  private:
   LinearPosition found(int joint) {
@@ -115,7 +115,7 @@ bool validate_couplings(const Robot& robot, Diagnostics& diagnostics) {
 }
 
 void refuse_factors(const Robot& robot, Diagnostics& diagnostics) {
-  constexpr double kLargest = 1e30;  // as of numbers in files
+  constexpr double kLargest = 1e30;  // as for numbers in files
   constexpr double kMostTurns = 1e6;
   const std::vector<LinearPosition> positions = joint_positions(robot);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {

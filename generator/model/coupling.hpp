@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How the positions of a robot's moving joints follow from its coordinates q, where joints are coupled.
+// The positions of a robot's moving joints as functions of its coordinates q, where joints are coupled.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace flatdyn {
 
-// offset + Σ factor · coordinate, the coordinates by the joints that they belong to (indices in the robot).
+// offset + Σ factor · coordinate; each coordinate is given by the joint that it belongs to (index in the robot).
 struct LinearPosition {
   std::map<int, Number> factors;
   Number offset = 0;  // rad or m
@@ -19,22 +19,24 @@ struct LinearPosition {
   bool is_constant() const { return factors.empty(); }
 };
 
-// Whether joints that are named exist, and no joint follows itself through others.
+// Reports joints that are named but do not exist, and joints that follow themselves through others. Returns whether
+// there are neither.
 bool validate_couplings(const Robot& robot, Diagnostics& diagnostics);
 
-// No factor is beyond what numbers may be, or what leaves an angle its digits: of joints that turn, 1e6. For couplings
-// that are valid.
+// Reports factors that are larger than numbers may be, or that would leave an angle too few digits (1e6 for revolute
+// joints). The couplings must be valid.
 void refuse_factors(const Robot& robot, Diagnostics& diagnostics);
 
-// By how much of a joint's own coordinate it moves; 0 if it has none.
+// The factor of a joint's own coordinate in its position; 0 if it has none.
 Number own_factor(const std::string& joint, const Coupled& coupled);
 
-// The moving joints that have a coordinate, in depth-first file order: the order of q. Defined for a valid tree.
+// The moving joints that have a coordinate, in depth-first file order: the order of q. The tree must be valid.
 std::vector<int> joints_with_coordinates(const Robot& robot);
 
+// Whether a moving joint is `coupled`: its position is a combination of coordinates.
 bool has_coupled_joints(const Robot& robot);
 
-// Of every joint of the robot, of those that do not move a constant. Defined for valid couplings.
+// The position of every joint of the robot; a constant for joints that do not move. The couplings must be valid.
 std::vector<LinearPosition> joint_positions(const Robot& robot);
 
 }  // namespace flatdyn

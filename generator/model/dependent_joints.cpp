@@ -21,11 +21,11 @@ const Joint& joint_at(const Robot& robot, const Mechanism& tree, int position) {
                        [&name](const Joint& joint) { return joint.name == name; });
 }
 
-// A loop that looks for its dependent joints.
+// A loop whose dependent joints are to be found.
 struct OpenLoop {
   Loop* written;
   Matrix<Real> rows;
-  Positions own;  // joints between its ends that move them against each other
+  Positions own;  // joints between its ends that move them relative to each other
 };
 
 OpenLoop open_loop(Loop& written, const Mechanism& tree) {
@@ -43,7 +43,7 @@ OpenLoop open_loop(Loop& written, const Mechanism& tree) {
   return loop;
 }
 
-// The rest of a column of the rows without its parts along unit vectors.
+// The part of a column of the rows that is orthogonal to the unit vectors.
 std::vector<Real> rest_of(const Matrix<Real>& rows, int column, const std::vector<std::vector<Real>>& units) {
   std::vector<Real> rest;
   for (int i = 0; i < rows.rows(); ++i) rest.push_back(rows(i, column));
@@ -54,7 +54,7 @@ std::vector<Real> rest_of(const Matrix<Real>& rows, int column, const std::vecto
   return rest;
 }
 
-// The first of the candidates that the loop determines, as many as it does.
+// The first of the candidates that the loop determines, as many as it has rows that are independent.
 Positions determined(const Matrix<Real>& rows, const Positions& candidates) {
   std::vector<std::vector<Real>> units;
   Positions chosen;
@@ -103,8 +103,9 @@ class DependentJoints {
     for (const int k : positions) loop.written->dependent.push_back({tree_.joint_at(k).joint, loop.written->place});
   }
 
-  // Loop by loop, as they can be solved: each takes all marked joints that are left to it, if it determines so many.
-  // Where that comes to no end, the rest shows what the marks leave to each.
+  // Assigns marked joints in an order in which the loops can be solved one by one: a loop takes all marked joints that
+  // are left to it if it determines exactly as many. If no such loop remains, the others take the marked joints left to
+  // them.
   void give_marked() {
     std::vector<OpenLoop*> left;
     for (OpenLoop& loop : loops_) left.push_back(&loop);
@@ -134,7 +135,7 @@ class DependentJoints {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [this](int a, int b) { return loops_with(a) < loops_with(b); });
     give(loop, determined(loop.rows, candidates));
-    if (loop.written->dependent.empty()) return;  // the check of the loop says what is wrong with it
+    if (loop.written->dependent.empty()) return;  // the check of the loop reports the reason
     std::vector<std::string> names;
     for (const Reference& joint : loop.written->dependent) names.push_back("\"" + joint.name + "\"");
     diagnostics_.note(

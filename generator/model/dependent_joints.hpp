@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which joints of closed loops follow from the others, where the robot's file does not say it loop by loop.
+// The joints of closed loops that follow from the others, where the robot's file does not name them loop by loop.
 #pragma once
 
 #include "diagnostics/diagnostics.hpp"
@@ -7,11 +7,11 @@
 
 namespace flatdyn {
 
-// Fills Loop::dependent of loops that leave it to marks (Loop::is_marked). Of joints that are marked as not
-// independent, each goes to the loop that it determines. A loop without such joints takes as many as it needs that are
-// not marked, those that no other loop has before others, and of them the last ones in the order of q; that is noted.
-// Joints that are marked as not independent and follow from nothing, or as independent and follow others, are errors.
-// Loops that can only be solved together are left without some of theirs, and are reported by check_loops().
+// Fills Loop::dependent of loops that leave it to marks (Loop::is_marked). A joint marked as not independent goes to
+// the loop that determines it. A loop without such joints takes as many unmarked ones as it needs: those of no other
+// loop before the others, and among them the last in the order of q; that is noted. Reports as errors joints that are
+// marked as not independent and follow from nothing, and joints that are marked as independent and follow from others.
+// Loops that can only be solved together are left with too few dependent joints; check_loops() reports them.
 void find_dependent_joints(Robot& robot, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Mechanisms that move, weigh and feel the same, described otherwise: what can be chosen freely when functions are
-// derived. Torques, inertia matrix, Christoffel symbols and energies are the same functions of q, q̇ and q̈.
+// Equivalent mechanisms: the choices that are free when functions are derived. Torques, inertia matrix, Christoffel
+// symbols and energies are the same functions of q, q̇ and q̈.
 #pragma once
 
 #include "model/mechanism.hpp"
 
 namespace flatdyn {
 
-// The frame of body i moved along its own axis, by `rise` (m). A prismatic joint's frame has no such freedom: its
-// origin is the axis's at q = 0. Throws Failure(bug) for one.
+// The mechanism with the frame of body i shifted along its own axis by `rise` (m). A prismatic joint's frame has no
+// such freedom, as its origin is on the axis at q = 0: throws Failure(bug) for one.
 Mechanism with_frame_raised(const Mechanism& mechanism, int i, const Number& rise);
 
-// Lengths in units of `unit` (m), masses in units of 1/unit² (kg): energies and torques keep their numbers, and so do
-// moments of inertia. Poses of links, and the tip, are left as they are. No joint may be prismatic: its
+// The mechanism with lengths in units of `unit` (m) and masses in units of 1/unit² (kg): energies, torques and moments
+// of inertia keep their numbers. Poses of links and of the tip are left as they are. No joint may be prismatic, as its
 // position is a length.
 Mechanism in_length_unit(const Mechanism& mechanism, const Number& unit);
 

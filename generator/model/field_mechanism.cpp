@@ -14,7 +14,7 @@ void cannot_map(const Number& a) {
 Rational to_rational(const Number& a) {
   if (!is_rational(a)) cannot_map(a);
   const GiNaC::numeric value = GiNaC::ex_to<GiNaC::numeric>(a);
-  if (value.is_equal(0) || value.is_equal(1)) return value.to_int();  // most numbers of a mechanism
+  if (value.is_equal(0) || value.is_equal(1)) return value.to_int();  // most numbers of a mechanism are 0 or 1
   std::ostringstream text;
   text << value.numer() << '/' << value.denom();
   return Rational(text.str());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A Mechanism whose numbers are elements of a field: real, or modulo a prime.
+// A Mechanism whose numbers are elements of a field: real numbers, or integers modulo a prime.
 #pragma once
 
 #include <optional>
@@ -60,20 +60,22 @@ struct MechanismOver {
   FieldFrame<F> tip;
   Vector3<F> gravity;
   FieldInertia<F> base;
-  std::vector<std::vector<F>> coupling;  // body by coordinate; empty: q_i is the position of body i's joint
-  // Where loops are closed, `coupling` is that at one position; this one goes by entry of q.
+  std::vector<std::vector<F>> coupling;  // by body and coordinate; empty: q_i is the position of body i's joint
+  // With closed loops, `coupling` holds at one position and has a column for each entry of q̇; `tree_coupling` has one
+  // for each entry of q.
   std::vector<FieldLoop<F>> loops;
   std::vector<int> independent;
   std::vector<std::vector<F>> tree_coupling;
 
   bool is_coupled() const { return !coupling.empty(); }
   bool has_loops() const { return !loops.empty(); }
-  int position_count() const { return static_cast<int>(tree_coupling.front().size()); }  // of q, with loops
+  // Entries of q, with closed loops.
+  int position_count() const { return static_cast<int>(tree_coupling.front().size()); }
   int body_count() const { return static_cast<int>(bodies.size()); }
-  int size() const { return is_coupled() ? static_cast<int>(coupling.front().size()) : body_count(); }  // of q
+  int size() const { return is_coupled() ? static_cast<int>(coupling.front().size()) : body_count(); }  // entries of q̇
 };
 
-// Σ_k coupling[i][k] q_k of every body i: rates or accelerations of the joints.
+// The rates or accelerations of all joints from those of the coordinates: Σ_k coupling[i][k] q_k for every body i.
 template <class F>
 std::vector<F> joint_values(const MechanismOver<F>& mechanism, const std::vector<F>& coordinates) {
   if (!mechanism.is_coupled()) return coordinates;
@@ -86,7 +88,7 @@ std::vector<F> joint_values(const MechanismOver<F>& mechanism, const std::vector
   return result;
 }
 
-// Aᵀ M, for a row of M for every body.
+// Aᵀ M, where A is the coupling and M has a row for every body.
 template <class F>
 Matrix<F> rows_at_coordinates(const MechanismOver<F>& mechanism, const Matrix<F>& M) {
   if (!mechanism.is_coupled()) return M;
@@ -100,7 +102,7 @@ Matrix<F> rows_at_coordinates(const MechanismOver<F>& mechanism, const Matrix<F>
   return result;
 }
 
-// M A, for a column of M for every body.
+// M A, where A is the coupling and M has a column for every body.
 template <class F>
 Matrix<F> columns_at_coordinates(const MechanismOver<F>& mechanism, const Matrix<F>& M) {
   if (!mechanism.is_coupled()) return M;
@@ -115,32 +117,32 @@ Matrix<F> columns_at_coordinates(const MechanismOver<F>& mechanism, const Matrix
   return result;
 }
 
-// Aᵀ M A.
+// Aᵀ M A, where A is the coupling: the matrix M of the bodies' joints at the coordinates.
 template <class F>
 Matrix<F> at_coordinates(const MechanismOver<F>& mechanism, const Matrix<F>& M) {
   return columns_at_coordinates(mechanism, rows_at_coordinates(mechanism, M));
 }
 
-// Aᵀ τ.
+// Aᵀ τ, where A is the coupling: the joint torques τ at the coordinates.
 template <class F>
 std::vector<F> at_coordinates(const MechanismOver<F>& mechanism, const std::vector<F>& tau) {
   if (!mechanism.is_coupled()) return tau;
   return rows_at_coordinates(mechanism, Matrix<F>(1, tau)).entries();
 }
 
-Rational to_rational(const Number& a);  // throws Failure(unsupported) if it is none
+Rational to_rational(const Number& a);  // throws Failure(unsupported) if a is not rational
 
-// A sum of multiples of free symbols and a constant as a node of `graph`, the symbols as inputs of kind parameter.
+// A sum of multiples of free symbols and a constant as a node of `graph`, with the symbols as inputs of kind parameter.
 // Throws Failure(unsupported) for any other expression.
 NodeId linear_angle(const Number& angle, const std::vector<FreeSymbol>& symbols, Graph& graph);
 
-// The position of a symbol among the robot's free symbols. Throws Failure(bug) for a stranger.
+// The index of a symbol among the robot's free symbols. Throws Failure(bug) if it is not one of them.
 int index_of(const Number& symbol, const std::vector<FreeSymbol>& symbols);
 
 [[noreturn]] void cannot_map(const Number& a);
 
-// Number → field, by an Arithmetic as evaluate() takes it: so a free symbol, and its sine, has the same value here as
-// in any Graph.
+// Maps a Number to the field by an Arithmetic as evaluate() takes it, so that a free symbol, and its sine, has the same
+// value here as in any Graph.
 template <class Arithmetic>
 class NumberMap {
  public:
@@ -254,6 +256,7 @@ class MechanismMap {
   NumberMap<Arithmetic> number_;
 };
 
+// The mechanism over the field of the arithmetic.
 template <class Arithmetic>
 MechanismOver<typename Arithmetic::Scalar> mechanism_over(const Mechanism& mechanism, Arithmetic& arithmetic) {
   return MechanismMap<Arithmetic>(mechanism, arithmetic)();

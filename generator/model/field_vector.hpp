@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Vectors and matrices over any field, and dual numbers over it. Nothing here knows about real numbers.
+// Vectors and matrices over any field, and dual numbers over it. Nothing here depends on real numbers.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-// value + derivative ε with ε² = 0: one directional derivative, exactly.
+// A dual number value + derivative ε with ε² = 0: it carries one directional derivative, exactly.
 template <class F>
 struct Dual {
   F value = F(0), derivative = F(0);
@@ -91,7 +91,7 @@ Matrix3<Product<A, B>> times(const Matrix3<A>& a, const Matrix3<B>& b) {
   return result;
 }
 
-// Dense, row-major.
+// A dense matrix, row-major.
 template <class F>
 class Matrix {
  public:

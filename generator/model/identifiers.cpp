@@ -13,8 +13,7 @@ namespace flatdyn {
 namespace {
 
 // Keywords and alternative tokens up to C++20; then names that cannot be a namespace, are predefined macros, or have a
-// meaning in all that is generated; then the macros of <cmath>. Sorted within each group for the reader, searched
-// linearly.
+// meaning in all generated code; then the macros of <cmath>. Each group is sorted for the reader and searched linearly.
 constexpr auto kReserved = std::to_array<std::string_view>({
     "alignas",
     "alignof",
@@ -166,10 +165,10 @@ constexpr auto kReserved = std::to_array<std::string_view>({
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// Robot files are UTF-8; a byte that belongs to no character separates words.
+// A name in ASCII. Robot files are UTF-8; a byte that belongs to no character separates words.
 std::string in_ascii(std::string_view name) {
   std::string ascii;
-  bool is_last_apart = false;  // it needs a separator only where something follows
+  bool is_last_apart = false;  // the last word needs a separator before whatever follows
   while (!name.empty()) {
     const Utf8Character first = first_character(name);
     const bool is_ascii = first.code && *first.code < 0x80;

@@ -17,7 +17,8 @@ struct Leader {
   double factor;
 };
 
-// Of positions, those that are integrated from rates.
+// Converts an entry of q to the entry of q̇ from which it is integrated. Throws Failure(unsupported) if a closed loop
+// determines it.
 Leader rate_of(const Mechanism& mechanism, Leader leader, std::size_t body) {
   if (!mechanism.has_loops()) return leader;
   const auto found =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where the joints are for coordinates as an Arithmetic draws them: so sines and cosines are those of any Graph.
+// Positions of the joints for coordinates that an Arithmetic draws, so that sines and cosines are the same as in any
+// Graph.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace flatdyn {
 
-// The inputs of this kind that move body i's joint, with their factors, as a sum.
+// The position, rate or acceleration of body i's joint as a sum: the inputs of this kind with their factors.
 inline NodeId joint_sum(const Mechanism& mechanism, InputKind kind, int i, Graph& graph) {
   if (!mechanism.is_coupled()) return graph.input({kind, i});
   std::vector<Term> terms;
@@ -21,7 +22,7 @@ inline NodeId joint_sum(const Mechanism& mechanism, InputKind kind, int i, Graph
   return graph.sum(terms);
 }
 
-// The values of nodes of a graph of inputs.
+// The values of nodes of a graph whose inputs the arithmetic knows.
 template <class Arithmetic>
 std::vector<typename Arithmetic::Scalar> values_of(Graph graph, const std::vector<NodeId>& nodes,
                                                    Arithmetic& arithmetic) {
@@ -34,6 +35,7 @@ std::vector<typename Arithmetic::Scalar> values_of(Graph graph, const std::vecto
   return values;
 }
 
+// The position of body i's joint.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 JointPoint<F> joint_point(const Mechanism& mechanism, Arithmetic& arithmetic, int i) {
   Graph graph;
@@ -50,7 +52,7 @@ JointPoint<F> joint_point(const Mechanism& mechanism, Arithmetic& arithmetic, in
   return point;
 }
 
-// Of every body's joint.
+// The positions of all bodies' joints.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 std::vector<JointPoint<F>> joint_points(const Mechanism& mechanism, Arithmetic& arithmetic) {
   std::vector<JointPoint<F>> points;

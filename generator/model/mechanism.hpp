@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The canonical mechanism: a tree of moving bodies in exact numbers. Fixed joints are merged, every joint axis is z of
-// its body's frame, constant rotations are exactly orthonormal (rational), rotors are part of the link that carries
-// them (augmented links, 7.2.2). Frames follow the modified DH convention as far as the geometry lets them.
+// its body's frame, constant rotations are exactly orthonormal (rational), and rotors are part of the link that carries
+// them (augmented links, 7.2.2). Frames follow the modified DH convention as far as the geometry allows.
 #pragma once
 
 #include <iterator>
@@ -14,13 +14,13 @@
 
 namespace flatdyn {
 
-// A rotation in a plane, c^2 + s^2 = 1 exactly.
+// A rotation in a plane; c^2 + s^2 = 1 exactly.
 struct PlanarRotation {
   Number c = 1, s = 0;
   bool is_identity() const { return c.is_equal(1); }
 };
 
-// Inertial parameters of a body in its own frame, about the frame's origin: the first ten of (7.77).
+// The inertial parameters of a body in its own frame, about the frame's origin: the first ten of (7.77).
 struct InertialParameters {
   Number mass = 0;                    // m_i, kg
   Vec3 first_moment = zero_vector();  // m_i r_{i,Ci}, kg m
@@ -30,10 +30,10 @@ struct InertialParameters {
 };
 
 InertialParameters operator+(const InertialParameters& a, const InertialParameters& b);
-// The same body seen from a frame in which the old frame is placed at (R, p).
+// The parameters of the same body in another frame, in which the old frame has the pose (R, p).
 InertialParameters transformed(const InertialParameters& a, const Mat3& R, const Vec3& p);
 
-// What the spinning rotor of joint i adds to the augmented links, last two terms of (7.64).
+// The contribution of the spinning rotor of joint i beyond the augmented links, last two terms of (7.64).
 struct Rotor {
   int carrier = -1;           // index of the carrying body; -1: the base
   Number gear_ratio = 0;      // k_r
@@ -41,29 +41,29 @@ struct Rotor {
   Vec3 axis = zero_vector();  // z_m in the frame of the carrier, unit
 };
 
-// Body i, moved by joint i. Frame i in frame parent: displacement p, then Rz(beta) Rx(alpha) Rz(theta + q) for a
+// Body i, moved by joint i. Its frame in frame parent: displacement p, then Rz(beta) Rx(alpha) Rz(theta + q) for a
 // revolute joint; p, then Rz(beta) Rx(alpha) Rz(theta), then q along z for a prismatic one.
 struct Body {
-  std::string joint;  // name of the joint, as written
-  std::string link;   // name of the link moved by it, as written
+  std::string joint;  // the joint's name, as written
+  std::string link;   // the name of the link that it moves, as written
   int parent = -1;    // -1: the base
   bool prismatic = false;
   bool continuous = false;
   PlanarRotation beta, alpha, theta;
   Vec3 p = zero_vector();      // origin of frame i (at q = 0), in frame parent, m
-  InertialParameters inertia;  // of the augmented link, rotors it carries held still
-  std::optional<Rotor> rotor;  // of the motor that drives joint i
-  Number armature = 0;         // added to b_ii
-  Number viscous = 0;          // F_v
-  Number coulomb = 0;          // F_s
+  InertialParameters inertia;  // the augmented link, with the rotors that it carries held still
+  std::optional<Rotor> rotor;  // the rotor of the motor that drives joint i
+  Number armature = 0;         // added to b_ii, kg m^2 or kg
+  Number viscous = 0;          // F_v, N m s/rad or N s/m
+  Number coulomb = 0;          // F_s, N m or N
   Limits limits;
 };
 
-// Of what drives the joint.
+// The unit of the joint's torque or force.
 inline const char* torque_unit(const Body& body) { return body.prismatic ? "N" : "N m"; }
 
-// Of a joint, in the parent's frame: the third axis is the one that it turns about or slides along. Where it slides,
-// they are those of its body.
+// The axes of a joint in the parent's frame, as columns: the third is the one that it turns about or slides along. For
+// a prismatic joint they are its body's axes.
 Mat3 joint_axes(const Body& joint);
 
 // The constant pose of a written link in the body (or base: -1) it moves with.
@@ -80,17 +80,18 @@ struct CoordinateMultiple {
   Number factor = 1;  // positive
 };
 
-// A closed loop that is not a matter of linear coupling, cut where two points meet. Φ(q) = 0: of the way from the first
-// point to the second, in the frame of the body that carries the loop, those components that the joints change.
+// A closed loop that is not a linear coupling, cut where two points meet. Its constraint is Φ(q) = 0, where Φ has those
+// components of the displacement from the first point to the second, in the frame of the carrier, that the joints
+// change.
 struct LoopClosure {
   struct End {
     int body = -1;  // -1: the base
     Vec3 p = zero_vector();
   };
   End ends[2];
-  int carrier = -1;               // the body nearest to the ends that both are moved by; -1: the base
-  Mat3 axes = identity_matrix();  // the components' axes, as columns, in the carrier's frame
-  std::vector<std::size_t> rows;  // of the components
+  int carrier = -1;               // the body nearest to the ends that moves both of them; -1: the base
+  Mat3 axes = identity_matrix();  // the axes of the components, as columns, in the carrier's frame
+  std::vector<std::size_t> rows;  // the components that the joints change
   std::vector<int> dependent;     // entries of q that follow from the others; as many as rows
 };
 
@@ -99,35 +100,38 @@ class JointRange;
 struct Mechanism {
   std::string name;
   std::vector<Body> bodies;      // parents before children
-  std::vector<LinkFrame> links;  // of every written link, in file order
+  std::vector<LinkFrame> links;  // every written link, in file order
   LinkFrame tip;                 // the frame of the tip
-  Task task;                     // what the scene says of it; no rows: those of its Jacobian that are independent
+  Task task;                     // the scene's task; no rows: the independent rows of the tip's Jacobian
   Vec3 gravity = zero_vector();  // g_0 in the base frame, m/s^2
-  InertialParameters base;       // of what is fixed to the base (counts for the potential energy's constant only)
+  InertialParameters base;       // bodies fixed to the base (only the potential energy's constant depends on them)
   std::vector<FreeSymbol> symbols;
-  std::vector<std::string> merged;  // names of links merged into another by fixed joints
+  std::vector<std::string> merged;  // names of links that fixed joints have merged into another
 
-  // Where joints are coupled: the position of body i's joint is Σ_k coupling[i][k] q_k, what is constant being part of
-  // the frames. q_k belongs to the joint of body coordinates[k]. All are empty where q_i is the position of joint i.
+  // With coupled joints: the position of body i's joint is Σ_k coupling[i][k] q_k plus a constant that is part of the
+  // frames. q_k belongs to the joint of body coordinates[k]. All are empty where q_i is the position of joint i.
   std::vector<int> coordinates;
   Rows coupling;
-  std::vector<Number> offsets;  // what is constant, rad or m
-  // Where a joint turns by no small whole multiples of coordinates, sines and cosines of these are asked for, too.
+  std::vector<Number> offsets;  // the constant part of each body's joint position, rad or m
+  // Multiples of coordinates whose sines and cosines are needed, too: a joint turns by them, and they are not small
+  // whole ones.
   std::vector<CoordinateMultiple> angles;
 
-  // Where loops are closed, q has the positions of all joints that are not coupled, and q̇, q̈ and τ are those of the
-  // independent ones among them. In that order each loop finds all that it depends on. Then joints count as coupled.
+  // With closed loops: q has the positions of all joints that are not coupled; q̇, q̈ and τ are those of the
+  // independent ones among them. Loops are in an order in which each finds all positions that it depends on. The
+  // mechanism counts as coupled.
   std::vector<LoopClosure> loops;
   std::vector<int> independent;  // entries of q; empty: all
 
-  int position_count() const { return is_coupled() ? static_cast<int>(coordinates.size()) : body_count(); }  // of q
+  // Entries of q.
+  int position_count() const { return is_coupled() ? static_cast<int>(coordinates.size()) : body_count(); }
   int angle_count() const { return position_count() + static_cast<int>(angles.size()); }
-  // Of q̇, q̈ and τ; and of q, where no loop is closed.
+  // The number of entries of q̇, q̈ and τ, and of q if no loop is closed.
   int size() const { return has_loops() ? static_cast<int>(independent.size()) : position_count(); }
   int body_count() const { return static_cast<int>(bodies.size()); }
   bool is_coupled() const { return !coupling.empty(); }
   bool has_loops() const { return !loops.empty(); }
-  JointRange joints() const;  // the joints that the entries of q̇ belong to, in their order
+  JointRange joints() const;  // the joints that the entries of q̇ belong to, in order
   // The entry of q that is integrated from entry k of q̇.
   int position_of(int k) const { return has_loops() ? independent[static_cast<std::size_t>(k)] : k; }
   int body_at(int position) const { return is_coupled() ? coordinates[static_cast<std::size_t>(position)] : position; }
@@ -172,14 +176,14 @@ class JointRange {
 
 inline JointRange Mechanism::joints() const { return JointRange(*this); }
 
-// The bodies on the way from body `from` (-1: the base) to `body`, outwards; the last is `body`, the first comes after
-// `from`, which has to be on the way.
+// The bodies on the path from body `from` (-1: the base), which is left out, outwards to `body`, which is the last.
+// `from` must be on the path from the base.
 std::vector<int> way_to(const Mechanism& mechanism, int body, int from = -1);
 
 // R_i^parent at q = 0, without the joint's own motion: Rz(beta) Rx(alpha) Rz(theta).
 Mat3 constant_rotation(const Body& body);
 
-// Robot → Mechanism. Throws Failure(unsupported) for what cannot be made canonical.
+// Robot → Mechanism. Throws Failure(unsupported) for a robot that cannot be made canonical.
 Mechanism make_mechanism(const Robot& robot);
 
 }  // namespace flatdyn

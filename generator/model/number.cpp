@@ -95,14 +95,15 @@ GiNaC::numeric magnitude(const Number& a) {
 
 namespace {
 
-// The digits at `position`, which moves past them.
+// Takes the digits at `position`, which moves past them.
 std::string take_digits(std::string_view text, std::size_t& position) {
   const std::size_t begin = position;
   while (position < text.size() && std::isdigit(static_cast<unsigned char>(text[position])) != 0) ++position;
   return std::string(text.substr(begin, position - begin));
 }
 
-// The exponent at `position` ("e-3"), 0 if there is none. Bounded, so that 1e999999999 cannot exhaust memory.
+// Takes the exponent at `position` ("e-3"), 0 if there is none. It is bounded, so that 1e999999999 cannot exhaust
+// memory.
 int take_exponent(std::string_view text, std::size_t& position) {
   if (position >= text.size() || (text[position] != 'e' && text[position] != 'E')) return 0;
   ++position;
@@ -151,7 +152,7 @@ std::string to_decimal(const Number& a, int digits) {
     text << a;
     throw std::domain_error("not a real number: " + text.str());
   }
-  // CLN prints a float with the precision it has; an exponent is written as in C.
+  // CLN prints a float with its own precision; an exponent is written as in C.
   const cln::cl_R real = cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
   std::ostringstream text;
   cln::cl_print_flags flags;

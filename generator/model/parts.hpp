@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What robots and scenes are written with: numbers, names, poses, bodies and limits, each with its place in its file.
+// The parts that robots and scenes consist of: numbers, names, poses, bodies and limits, each with its place in its
+// file.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,7 @@
 
 namespace flatdyn {
 
-// A name that refers to a link, joint or function, and where it is said.
+// A name that refers to a link, joint or function, and the place where it is written.
 struct Reference {
   std::string name;
   Place place;
@@ -30,22 +31,22 @@ struct Displacement {
   Number angle = 0;                  // rad; only for rotations: rational, multiple of Pi, or free symbol
 };
 
-// Product of displacements, in order: URDF's origin is {translation xyz, rotation_z yaw, rotation_y pitch,
-// rotation_x roll}. Empty: identity.
+// A product of displacements, in order: URDF's origin is {translation xyz, rotation_z yaw, rotation_y pitch, rotation_x
+// roll}. Empty: identity.
 struct Pose {
   std::vector<Displacement> displacements;
   Place place;
 };
 
-// Inertia of a rigid body, (7.11): tensor = [ixx, ixy, ixz; ixy, iyy, iyz; ixz, iyz, izz] with the products of
+// The inertia of a rigid body, (7.11): tensor = [ixx, ixy, ixz; ixy, iyy, iyz; ixz, iyz, izz] with the products of
 // inertia as matrix entries, as URDF writes them (ixy = -∫ x y dm).
 struct Inertial {
   enum class About { centre_of_mass, frame_origin };
   Value mass;                           // kg
-  Pose frame;                           // of the inertial frame in the link frame; axes of `tensor`
+  Pose frame;                           // the inertial frame in the link frame; axes of `tensor`
   Vec3 centre_of_mass = zero_vector();  // in the inertial frame, m (URDF: zero)
   Mat3 tensor = zero_matrix();          // kg m^2, along the axes of the inertial frame
-  About about = About::centre_of_mass;  // the point it is about; frame_origin: the inertial frame's origin
+  About about = About::centre_of_mass;  // the reference point of `tensor`; frame_origin: the inertial frame's origin
   Place place;
 };
 

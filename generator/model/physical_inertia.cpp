@@ -26,7 +26,7 @@ std::optional<InertiaFault> fault_of_inertia(const Mat3& tensor) {
     if (!std::all_of(row.begin(), row.end(), is_rational)) return std::nullopt;
   }
   if (!is_positive_semidefinite(tensor)) return InertiaFault::not_positive_semidefinite;
-  // ∫ r r^T dm = tr(I)/2 E - I: its eigenvalues are half of "the other two together, less this one".
+  // ∫ r r^T dm = tr(I)/2 E - I: each of its eigenvalues is half the sum of two principal moments less the third.
   const Number half_trace = (tensor[0][0] + tensor[1][1] + tensor[2][2]) / 2;
   Mat3 second_moment;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -60,7 +60,7 @@ std::array<double, 3> principal_moments(const Mat3& tensor) {
   }
   const Eigen::Vector3d moments =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
-  // Rounding leaves some 1e-19 where a moment is zero: not shown.
+  // Rounding leaves about 1e-19 where a moment is zero; that is not shown.
   const double noise = 1e-12 * moments.cwiseAbs().maxCoeff();
   const auto shown = [&](Eigen::Index i) { return std::abs(moments(i)) < noise ? 0.0 : moments(i); };
   return {shown(2), shown(1), shown(0)};

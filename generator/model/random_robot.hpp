@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Robots at random, and their parts, in exact numbers: the same on every machine.
+// Random robots and parts in exact numbers, the same on every machine.
 #pragma once
 
 #include <random>
@@ -9,7 +9,7 @@
 
 namespace flatdyn {
 
-// Of hundredths.
+// Random whole multiples of 1/100.
 class RandomHundredths {
  public:
   explicit RandomHundredths(unsigned seed) : engine_(seed) {}
@@ -26,13 +26,13 @@ class RandomHundredths {
   std::mt19937 engine_;
 };
 
-// A body of point masses, so that its inertia is one that a body can have.
+// A body of point masses, so that its inertia is physically possible.
 Link random_link(RandomHundredths& draw, const std::string& name);
 
 // A revolute joint about a skew axis, at the end of a skew arm.
 Joint random_joint(RandomHundredths& draw, const std::string& name, int parent, int child);
 
-// A chain, or a tree in which every link carries two: of such joints and links.
+// A chain, or a tree in which every link carries two others, of such joints and links.
 Robot random_robot(bool chain, int joints, unsigned seed);
 
 }  // namespace flatdyn

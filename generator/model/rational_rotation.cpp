@@ -16,8 +16,8 @@ cln::cl_F to_float(const Number& a) {
   return cln::cl_float(cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()), format);
 }
 
-// The simplest rational that equals `value` to kRationalDigits digits: by continued fractions, so with half as many
-// digits as a decimal would need. The numbers of long chains multiply; short ones keep exact arithmetic fast.
+// The simplest rational that equals `value` to kRationalDigits digits, found by continued fractions: it has half as
+// many digits as a decimal would need. The numbers of long chains multiply; short ones keep exact arithmetic fast.
 Number rational_near(const cln::cl_F& value) {
   if (cln::zerop(value)) return 0;
   const cln::cl_F rounded = cln::cl_float(value, cln::float_format(static_cast<std::uintptr_t>(kRationalDigits)));
@@ -26,7 +26,7 @@ Number rational_near(const cln::cl_F& value) {
 
 bool is_numeric_expression(const Number& a) { return !has_symbols(a); }
 
-// (1 - t^2, 2 t)/(1 + t^2): exactly on the unit circle for any rational t.
+// The rotation (1 - t^2, 2 t)/(1 + t^2): exactly on the unit circle for any rational t.
 PlanarRotation from_half_tangent(const Number& t) {
   const Number norm = 1 + t * t;
   return {(1 - t * t) / norm, 2 * t / norm};
@@ -38,7 +38,7 @@ PlanarRotation quarter_rotation(const cln::cl_I& quarter) {
   return kTurns[cln::cl_I_to_int(cln::mod(quarter, 4))];
 }
 
-// Exact root of a rational square, if it is one.
+// Finds the exact root of a rational square; returns whether it is one.
 bool rational_root(const Number& square, Number& root) {
   if (!is_rational(square)) return false;
   cln::cl_RA result;
@@ -54,7 +54,7 @@ bool is_rest(const Number& a, const Number& whole) {
   return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(a)) < GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(kPart * whole));
 }
 
-// The number that a term of an expanded sum starts with.
+// The numeric coefficient of a term of an expanded sum.
 Number coefficient_of(const Number& term) {
   if (GiNaC::is_a<GiNaC::mul>(term)) return GiNaC::ex_to<GiNaC::mul>(term).op(term.nops() - 1);
   return 1;
@@ -95,7 +95,7 @@ PlanarRotation planar_rotation(const Number& angle) {
   if (turns.info(GiNaC::info_flags::integer)) {
     return quarter_rotation(cln::the<cln::cl_I>(GiNaC::ex_to<GiNaC::numeric>(turns).to_cl_N()));
   }
-  // The nearest quarter turn is exact; what is left is below pi/4, so its half tangent is below 1/2.
+  // The nearest quarter turn is exact; the remaining angle is below pi/4, so its half tangent is below 1/2.
   const cln::cl_F value = to_float(angle);
   const cln::cl_F half_pi = cln::pi(value) / 2;
   const cln::cl_I quarter = cln::round1(value / half_pi);
@@ -157,7 +157,7 @@ Mat3 exact_rotation(const Pose& pose) {
 
 namespace {
 
-// Rotation matrix of the quaternion (w; v), which need not be normalised: rational entries, exactly orthonormal.
+// The rotation matrix of the quaternion (w; v), which need not be normalised: rational entries, exactly orthonormal.
 Mat3 from_quaternion(const Number& w, const Vec3& v) {
   const Number norm = w * w + dot(v, v);
   const Mat3 S = skew(v);
@@ -169,7 +169,7 @@ Mat3 from_quaternion(const Number& w, const Vec3& v) {
   return R;
 }
 
-// Rotation of z onto an axis along ±x, ±y or ±z, with positive `sign` for the positive direction.
+// The rotation of z onto the axis ±x, ±y or ±z, positive if `positive`.
 Mat3 signed_permutation(int axis, bool positive) {
   const PlanarRotation turn{0, positive ? 1 : -1};
   if (axis == 0) return rotation_y(turn);
@@ -196,7 +196,7 @@ Mat3 rotation_onto(const Vec3& axis) {
     const auto at = [&axis, k](int offset) { return axis[static_cast<std::size_t>((k + offset) % 3)]; };
     if (vanishes(at(1)) && vanishes(at(2))) return signed_permutation(k, at(0).info(GiNaC::info_flags::positive));
   }
-  // The half-way quaternion between z and the axis: (1 + u_z; z x u), from the far side if u points down.
+  // The quaternion half-way between z and the axis, (1 + u_z; z x u); from the opposite side if u points down.
   Vec3 u = unit(axis);
   const bool down = u[2].info(GiNaC::info_flags::negative);
   if (down) u = {u[0], -u[1], -u[2]};
@@ -206,7 +206,7 @@ Mat3 rotation_onto(const Vec3& axis) {
 
 namespace {
 
-// (x, y) as a rotation, if its length is 1 but for rests that are left out here and there.
+// (x, y) as a rotation, if its length is 1 up to rounding residues.
 PlanarRotation on_circle(const Number& x, const Number& y) {
   const PlanarRotation found = snap_residue_to_zero(PlanarRotation{x, y});
   if (has_symbols(x) || has_symbols(y) || vanishes(found.c * found.c + found.s * found.s - 1)) return found;

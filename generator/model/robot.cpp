@@ -35,7 +35,7 @@ const char* unit_of(Snap::Kind kind) { return words_for(kind).unit; }
 
 std::vector<int> depth_first_joints(const Robot& robot) {
   std::vector<std::vector<int>> joints_of_link(robot.links.size());
-  // Pushed from the last to the first, so that the first in the file is on top of the stack.
+  // Joints are pushed from the last to the first, so that the first in the file is on top of the stack.
   for (std::size_t j = robot.joints.size(); j-- > 0;) {
     joints_of_link[static_cast<std::size_t>(robot.joints[j].parent)].push_back(static_cast<int>(j));
   }

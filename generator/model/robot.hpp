@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The robot as its file says it: links, joints, motors, in exact numbers, each with its place in the file.
-// Nothing is merged, moved or simplified here; `Mechanism` is what is derived from it.
+// The robot as its file describes it: links, joints, motors, in exact numbers, each with its place in the file. Nothing
+// is merged, moved or simplified here; the `Mechanism` is derived from it.
 #pragma once
 
 #include <array>
@@ -24,24 +24,25 @@ struct Link {
 struct Motor {
   Value mass;                     // kg
   Value inertia_axial;            // I_m about the rotor axis, kg m^2
-  Value inertia_transverse;       // about any axis across it through the centre of mass, kg m^2
+  Value inertia_transverse;       // about any axis perpendicular to it through the centre of mass, kg m^2
   Value gear_ratio;               // k_r = dϑ_m/dq, (7.22); rad/m for a prismatic joint
   int carrier = -1;               // index of the link that carries it; -1: the joint's parent link
   Vec3 axis = {0, 0, 1};          // z_m, in the frame of the carrier; need not be normalised
-  Vec3 position = zero_vector();  // of the rotor's centre of mass, in the frame of the carrier, m
+  Vec3 position = zero_vector();  // the rotor's centre of mass, in the frame of the carrier, m
   Place place;
 };
 
 enum class JointType { fixed, revolute, continuous, prismatic };
 
-// How a joint that is held still would move, and where it is held.
+// The type of motion of a joint that is held still, and the position where it is held.
 struct Held {
   JointType type = JointType::revolute;
   Number position = 0;  // rad or m
 };
 
-// A joint whose position is offset + Σ factor · (coordinate of a joint). If it names itself it has a coordinate of its
-// own, which is then not its position; if not, it has none, and to other joints its name stands for its position.
+// A joint whose position is offset + Σ factor · (coordinate of a joint). If it names itself, it has a coordinate of its
+// own, which then differs from its position. If it does not, it has no coordinate, and where other joints name it, its
+// position is meant.
 struct Coupled {
   struct Term {
     Reference joint;
@@ -56,7 +57,7 @@ struct Coupled {
 // URDF and modified DH: link_offset is the identity. Standard DH: origin is the identity.
 struct Joint {
   std::string name;
-  JointType type = JointType::fixed;  // fixed also where it is held
+  JointType type = JointType::fixed;  // fixed also if the joint is held
   std::optional<Held> held;
   int parent = -1, child = -1;  // indices of links
   Pose origin;
@@ -66,48 +67,48 @@ struct Joint {
   Value coulomb;   // F_s, N·m or N
   Value armature;  // reflected inertia added to b_ii only, kg m^2 or kg
   std::optional<Motor> motor;
-  std::optional<Coupled> coupled;   // of a moving joint only
-  std::optional<bool> independent;  // whether it has a coordinate of its own, as URDF+ marks it
+  std::optional<Coupled> coupled;   // for moving joints only
+  std::optional<bool> independent;  // whether URDF+ marks the joint as having a coordinate of its own
   Limits limits;
   Place place;
 };
 
-// A closed chain, cut at the joint that closes it: a point of one link stays on a point of another, and where there are
-// axes, the line through the point along the one stays on the line along the other.
+// A closed chain, cut at the joint that closes it: a point of one link coincides with a point of another, and if there
+// are axes, the line through the point along the first axis coincides with the line along the second.
 struct Loop {
-  std::string name;  // of the joint that closes it; may be empty
+  std::string name;  // the name of the joint that closes it; may be empty
   std::array<Reference, 2> links;
   std::array<Vec3, 2> points = {zero_vector(), zero_vector()};  // in the links' frames, m
-  bool meets_at_zero = false;               // the second point is where the first one is when all joints are at 0
+  bool meets_at_zero = false;               // the second point is at the first one when all joints are at 0
   std::optional<std::array<Vec3, 2>> axes;  // in the links' frames, of any length
-  std::vector<Reference> dependent;         // joints whose positions follow from the others'
-  bool is_marked = false;                   // these are found from the joints' marks, Joint::independent
+  std::vector<Reference> dependent;         // joints whose positions follow from those of the others
+  bool is_marked = false;                   // the dependent joints are found from the joints' marks, Joint::independent
   Place place;
 };
 
-// "loop \"C\" between \"coupler\" and \"rocker\"", for messages.
+// The loop in messages: "loop \"C\" between \"coupler\" and \"rocker\"".
 std::string name_of(const Loop& loop);
 
 struct FreeSymbol {
   GiNaC::symbol symbol;
   std::string name;
-  Place place;         // where it first appears
-  std::string unit{};  // "kg"; empty where the file does not show it: symbols in products, and pure numbers
+  Place place;         // the place where it first appears
+  std::string unit{};  // "kg"; empty where the file does not show it (symbols in products) and for pure numbers
 };
 
 struct Robot;
 
-// A number that was taken for an exact one: an angle for a multiple of pi/12 (input/common/context.hpp), or what is
-// tiny beside its neighbours for zero (model/snap_dust.hpp).
+// A number that was snapped to an exact one: an angle to a multiple of pi/12 (input/common/context.hpp), or a value
+// tiny beside its neighbours to zero (model/snap_dust.hpp).
 struct Snap {
   enum class Kind { angle, axis, length, product_of_inertia, first_moment, gravity };
   Place place;
   std::string what;     // e.g. "joint \"shoulder\", origin, rpy"
   std::string written;  // the decimal as written
-  Number exact;         // what it became; components of axes are those of the unit vector
-  Number difference;    // exact - written, in the unit of its kind (as a rational, to 50 digits)
+  Number exact;         // the exact value; components of axes are those of the unit vector
+  Number difference;    // exact - written, in the unit of its kind (a rational, to 50 digits)
   Kind kind = Kind::angle;
-  std::function<void(Robot&)> undo{};  // puts the number back as it was written; none for an angle
+  std::function<void(Robot&)> undo{};  // restores the number as it was written; none for an angle
 };
 
 const char* name_of(Snap::Kind kind);  // "product of inertia"
@@ -116,29 +117,31 @@ const char* unit_of(Snap::Kind kind);  // "kg m^2"; "1" for an axis
 struct Robot {
   std::string name;
   std::string file;
-  std::vector<std::string> files;             // all that were read: this one, and a URDF that it names
-  std::vector<Link> links;                    // in file order
-  std::vector<Joint> joints;                  // in file order
-  std::vector<Loop> loops;                    // closed ones; those of coupled joints are part of `joints`
-  std::vector<JointPosition> assembly;        // of some joints: near which the loops are closed; others are near 0
+  std::vector<std::string> files;  // all files that were read: this one, and a URDF that it names
+  std::vector<Link> links;         // in file order
+  std::vector<Joint> joints;       // in file order
+  std::vector<Loop> loops;         // closed loops; those of coupled joints are part of `joints`
+  // Positions of some joints near which the loops are closed; other joints are near 0.
+  std::vector<JointPosition> assembly;
   int root = -1;                              // index of the root link; it is the fixed base
   int tip = -1;                               // index of the link whose frame is the tip
-  Pose tip_offset;                            // of the tip frame in the tip link's frame
+  Pose tip_offset;                            // the tip frame in the tip link's frame
   bool has_payload = false;                   // one of the links' inertials is a payload of the file
   Vec3 gravity = {0, 0, Number(-981) / 100};  // g_0 in the base frame, m/s^2
   std::vector<FreeSymbol> symbols;            // in order of first appearance
   std::vector<Snap> snaps;
-  std::vector<Snap> rounded_angles;  // left as they are, but multiples of pi/12 to two to four digits: 1.57
-  Scene scene;                       // what the user wants of this robot; applied as far as it concerns the robot
+  // Angles kept as written that are multiples of pi/12 rounded to two to four digits: 1.57.
+  std::vector<Snap> rounded_angles;
+  Scene scene;  // the user's choices for this robot, applied as far as they concern the robot
 };
 
-// Indices of all joints, fixed ones too, in depth-first file order. Defined for a valid tree.
+// The indices of all joints, fixed ones too, in depth-first file order. The tree must be valid.
 std::vector<int> depth_first_joints(const Robot& robot);
 
-// For each link, whether a joint before it moves. Defined for a valid tree.
+// By link: whether a joint between the base and it moves. The tree must be valid.
 std::vector<bool> moving_links(const Robot& robot);
 
-// Indices of the moving joints in depth-first file order: the order of q. Defined for a valid tree.
+// The indices of the moving joints in depth-first file order: the order of q. The tree must be valid.
 std::vector<int> moving_joints(const Robot& robot);
 
 }  // namespace flatdyn

@@ -13,7 +13,7 @@
 namespace flatdyn {
 namespace {
 
-// An inertial of the robot, and how its axes lie in the frame of the body that it is part of.
+// An inertial of the robot and the orientation of its axes in the frame of the body that it is part of.
 struct Part {
   std::size_t link = 0, index = 0;
   Mat3 R = identity_matrix();
@@ -32,7 +32,8 @@ class CancelledDust {
   CancelledDust(const Number& part, Robot& robot)
       : part_(magnitude(part)), robot_(robot), size_(robot_size(robot)), mechanism_(make_mechanism(robot)) {}
 
-  // Distances depend on how frames lie, moments on where they are, and products on the centres of mass.
+  // The order matters: distances depend on the frames' orientations, moments on their origins, products on the centres
+  // of mass.
   Mechanism run() {
     snap_turns(part_, robot_, mechanism_);
     for (int body = 0; body < mechanism_.body_count(); ++body) snap_distances(body);
@@ -58,7 +59,7 @@ class CancelledDust {
 
   const Vec3& distance(int body) const { return mechanism_.bodies[static_cast<std::size_t>(body)].p; }
 
-  // Of a joint's frame from its parent's.
+  // Snaps the displacement of a joint's frame from its parent's.
   void snap_distances(int body) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Number found = distance(body)[k];
@@ -141,7 +142,7 @@ class CancelledDust {
     }
   }
 
-  // Unless a body that can exist became one that cannot.
+  // Applies a change, unless a physically possible body would become an impossible one.
   void apply(const Part& part, const Subject& subject, const Number& moment, const Change& change) {
     Inertial& inertial = part.in(robot_);
     const bool could_exist = !fault_of_inertia(central_tensor(inertial));

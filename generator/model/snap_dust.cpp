@@ -33,7 +33,7 @@ GiNaC::numeric largest_of(const Pose& pose) {
   return largest;
 }
 
-// The largest lengths of what joints move, and of all.
+// The largest length in the parts that joints move, and the largest of all.
 struct Sizes {
   GiNaC::numeric moving = 0, all = 0;
 
@@ -60,7 +60,8 @@ Sizes sizes_of(const Robot& robot) {
   return sizes;
 }
 
-// The direction at the nearest multiple of pi/12 in the plane of two axes, if (x, y) of length 1 is that near to it.
+// The direction at the nearest multiple of pi/12 in the plane of two axes, if (x, y), of length 1, is close enough to
+// it.
 std::optional<std::pair<Number, Number>> twelfth_near(double x, double y, double part) {
   const auto n = static_cast<int>(std::lround(std::atan2(y, x) * 12 / std::numbers::pi));
   const Number angle = n * GiNaC::Pi / 12;
@@ -83,7 +84,7 @@ class DustSnapper {
   }
 
  private:
-  // Where a vector or a pose is in this robot or a copy of it.
+  // Finds a vector or a pose in this robot or in a copy of it.
   using VectorIn = std::function<Vec3&(Robot&)>;
   using PoseIn = std::function<Pose&(Robot&)>;
 
@@ -97,7 +98,7 @@ class DustSnapper {
     return is_rational(a) && !a.is_zero() && magnitude(a) < part_ * beside;
   }
 
-  // `label`: of the component. `shown`: the number as written, of an axis as a part of its length.
+  // `label`: the name of the component. `shown`: the number as written; for an axis, divided by the axis's length.
   void record(const Subject& subject, const std::string& label, const Number& shown, const Number& exact,
               std::function<void(Robot&)> undo) {
     constexpr int kDigits = 50;
@@ -137,14 +138,14 @@ class DustSnapper {
     const Vec3 exact = exact_axis(written, unit);
     for (std::size_t k = 0; k < 3; ++k) {
       if (exact[k].is_equal(written[k])) continue;
-      // As a whole: a component alone, as it was written, would belong to an axis of another length.
+      // The undo restores the whole axis: a single component as written would belong to an axis of another length.
       record({Snap::Kind::axis, what, place}, kAxisNames[k], unit[k], exact[k],
              [at, written](Robot& robot) { at(robot) = written; });
     }
     at(robot_) = exact;
   }
 
-  // `written` without dust, or a unit vector if its direction is one of the exact ones. `unit`: the same, of length 1.
+  // `written` without dust, or a unit vector if its direction is one of the exact ones. `unit`: `written` at length 1.
   Vec3 exact_axis(const Vec3& written, const Vec3& unit) const {
     Vec3 exact = written;
     std::vector<std::size_t> left;
@@ -186,7 +187,8 @@ class DustSnapper {
     }
   }
 
-  // What a product stands beside: the smaller moment of its two axes. About an axis without one no body has products.
+  // The reference for a product of inertia: the smaller moment about its two axes. A body without a moment about an
+  // axis has no products with it.
   static GiNaC::numeric beside_product(const Mat3& tensor, std::size_t a, std::size_t b) {
     if (!is_number(tensor[a][a]) || !is_number(tensor[b][b])) return 0;
     const GiNaC::numeric first = magnitude(tensor[a][a]), second = magnitude(tensor[b][b]);
@@ -216,8 +218,8 @@ class DustSnapper {
     put(robot_, 0);
   }
 
-  // A loop that has become coupled joints is no longer in the robot by the time that a snap is undone: nothing depends
-  // on its points then, and a copy that belongs to no robot stands in for it.
+  // Finds a loop. By the time that a snap is undone, a loop may have become coupled joints and left the robot: nothing
+  // depends on its points then, and a copy that belongs to no robot stands in for it.
   std::function<Loop&(Robot&)> loop_at(std::size_t l) const {
     return [copy = std::make_shared<Loop>(robot_.loops[l])](Robot& robot) -> Loop& {
       const auto found = std::find_if(robot.loops.begin(), robot.loops.end(), [&copy](const Loop& loop) {

@@ -13,16 +13,16 @@
 namespace flatdyn {
 namespace {
 
-constexpr std::uintptr_t kDigits = 70;  // of angles that turn by less than 1e-9: what is left of them is below 1e-40
+constexpr std::uintptr_t kDigits = 70;  // for angles below 1e-9, so that their error is below 1e-40
 
-// The number is rational and has no symbols.
+// The value to kDigits digits. `a` must be a real number without symbols.
 cln::cl_F float_of(const Number& a) {
   return cln::cl_float(cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(a).to_cl_N()), cln::float_format(kDigits));
 }
 
 Number exact(const cln::cl_F& a) { return GiNaC::numeric(cln::cl_N(cln::rational(a))); }
 
-// R = Rz(yaw) Ry(pitch) Rx(roll), for a small rotation.
+// The angles of a small rotation R = Rz(yaw) Ry(pitch) Rx(roll).
 std::vector<Displacement> small_turn(const Mat3& R) {
   using Kind = Displacement::Kind;
   const auto entry = [&R](std::size_t i, std::size_t j) { return float_of(R[i][j]); };
@@ -36,13 +36,13 @@ std::vector<Displacement> small_turn(const Mat3& R) {
   return turns;
 }
 
-// The nearest multiple of pi/12 to a rotation in a plane.
+// The multiple of pi/12 nearest to a rotation in a plane.
 Number angle_near(const PlanarRotation& turn) {
   const double angle = std::atan2(nearest_double(turn.s), nearest_double(turn.c));
   return static_cast<int>(std::lround(angle * 12 / std::numbers::pi)) * GiNaC::Pi / 12;
 }
 
-// From `turn` to the angle.
+// The rotation from `turn` to the angle.
 PlanarRotation missing_to(const Number& angle, const PlanarRotation& turn) {
   return planar_rotation(angle) * inverse(turn);
 }
@@ -75,7 +75,7 @@ class TurnSnapper {
     if (!is_dust(missing)) return;
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
                                     [&body](const Joint& each) { return each.name == body.joint; });
-    // Seen from the body's frame.
+    // The missing rotation in the body's frame.
     const Mat3 by = turn == &Body::theta
                         ? rotation_z(missing)
                         : rotation_z(inverse(body.theta)) * rotation_x(missing) * rotation_z(body.theta);
@@ -104,7 +104,8 @@ class TurnSnapper {
   void record(const Joint& joint, const char* what, const Number& angle, const PlanarRotation& missing,
               std::size_t first) {
     constexpr int kDigitsReported = 50;
-    const Number difference = exact_decimal(to_decimal(missing.s, kDigitsReported));  // so small a sine is the angle
+    // The sine of so small an angle is the angle.
+    const Number difference = exact_decimal(to_decimal(missing.s, kDigitsReported));
     const auto index = static_cast<std::size_t>(&joint - robot_.joints.data());
     robot_.snaps.push_back({joint.place, fmt::format("joint \"{}\", {}", joint.name, what),
                             fmt::format("{}", nearest_double(angle - difference)), angle, difference, Snap::Kind::angle,

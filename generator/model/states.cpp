@@ -7,10 +7,10 @@ namespace flatdyn {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
-// Streams of their own, so that what the other functions are given does not depend on them.
+// These streams are separate, so that the inputs of the other functions do not depend on them.
 constexpr unsigned kReferenceSeed = 0x7265666e, kBaseSeed = 0x62617365;
 
-// std::uniform_real_distribution differs between libraries; this does not.
+// std::uniform_real_distribution differs between standard libraries; this one does not.
 class Uniform {
  public:
   explicit Uniform(unsigned seed) : engine_(seed) {}
@@ -36,7 +36,7 @@ Range position_range(const Body& body) {
   return {limit_or(body.limits.lower, -widest), limit_or(body.limits.upper, widest)};
 }
 
-// A limit of zero says that nobody filled it in.
+// A limit's size, or `otherwise` if there is none. A limit of zero means that nobody filled it in.
 double bound(const std::optional<Value>& limit, double otherwise) {
   const double value = limit_or(limit, otherwise);
   return value > 0 ? value : otherwise;

@@ -12,11 +12,11 @@
 
 namespace flatdyn {
 
-// All that any function may be given.
+// The values of all inputs that a function may have, by kind.
 template <class S>
 struct StateOf {
   std::vector<S> q, qd, qdd, tau;
-  std::vector<S> h_e = std::vector<S>(6, S(0));  // tip force and moment
+  std::vector<S> h_e = std::vector<S>(6, S(0));  // tip force, N, and moment, N m
   std::vector<S> parameters;                     // values of the free symbols
   std::vector<S> qd_r, qdd_r;                    // reference rates and accelerations
   std::vector<S> pi_b;                           // base parameters
@@ -29,16 +29,16 @@ struct StateOf {
   std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }
 };
 
-// All kinds of numbers in a state; those that a motion may have, without the robot's free symbols.
+// All kinds of numbers in a state. Those of a motion come first; the free symbols' values are last.
 inline constexpr InputKind kStateKinds[] = {InputKind::q,     InputKind::qd,   InputKind::qdd,
                                             InputKind::tau,   InputKind::h_e,  InputKind::qd_r,
                                             InputKind::qdd_r, InputKind::pi_b, InputKind::parameter};
 inline constexpr std::span kMotionKinds = std::span(kStateKinds).first<std::size(kStateKinds) - 1>();
 
-// Doubles: what the compiled code gets is exactly what the reference gets.
+// A state in doubles: the compiled code gets exactly the same numbers as the reference.
 using State = StateOf<double>;
 
-// The same state in another type: exactly, if that is wider.
+// The same state in another type; exactly the same if that type is wider.
 template <class S>
 StateOf<S> widened(const State& state) {
   const auto wide = [](const std::vector<double>& v) { return std::vector<S>(v.begin(), v.end()); };
@@ -46,14 +46,14 @@ StateOf<S> widened(const State& state) {
           wide(state.parameters), wide(state.qd_r), wide(state.qdd_r), wide(state.pi_b)};
 }
 
-// The state that a function in float is given: every number rounded.
+// The state that a function in float is given: every number is rounded.
 State in_float(State state);
 
-// Uniform within the limits; where there are none: a turn, 1 m, 5 rad/s, 1 m/s, 20 rad/s^2, 10 m/s^2. The same on every
-// machine for the same seed. Base parameters are none.
+// Random states, uniform within the limits; without limits: a turn, 1 m, 5 rad/s, 1 m/s, 20 rad/s^2, 10 m/s^2. They are
+// the same on every machine for the same seed. They have no base parameters.
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed);
 
-// The same for many draws: the mechanism's exact numbers are read once, and draws may go on at the same time.
+// A source of many random states: the mechanism's exact numbers are read once, and several threads may draw at once.
 class StateSource {
  public:
   explicit StateSource(const Mechanism& mechanism);
@@ -64,28 +64,28 @@ class StateSource {
     int position;  // entry of q
     double velocity, acceleration, effort;
   };
-  std::vector<std::pair<double, double>> positions_;  // by entry of q: from, to
+  std::vector<std::pair<double, double>> positions_;  // lower and upper bound, by entry of q
   std::vector<Joint> joints_;                         // by entry of q̇
   std::vector<int> dependent_;                        // entries of q
 };
 
-// Which children searches have: each coordinate is changed with a probability of 2^-a, a drawn from 0 to `rarest`, by
-// 2^-b of the way to another state's, b drawn from `coarsest` to `finest`.
+// The random changes of a child in a search: each coordinate is changed with a probability of 2^-a, with a drawn from 0
+// to `rarest`, by 2^-b of the difference to another state's, with b drawn from `coarsest` to `finest`.
 struct Mutation {
   unsigned rarest = 5, coarsest = 0, finest = 44;  // down to the last places
 };
 
-// A child of `parent` for searches in which errors have no slope to follow: some of its coordinates, few or many, are a
-// part of the way to the other's. So it stays within limits that both keep.
+// A child of `parent` for searches over errors without a gradient: some of its coordinates, few or many, move a part of
+// the way to those of `other`. So it stays within limits that both respect.
 State child(const State& parent, const State& other, std::mt19937_64& random, const Mutation& mutation = {});
 
-// As many base parameters, between -1 and 1, in each of the states.
+// Draws `count` base parameters, between -1 and 1, for each of the states.
 void draw_base_parameters(std::vector<State>& states, int count, unsigned seed);
 
-// The same states, with the values of the robot's free symbols.
+// The same states with these values of the robot's free symbols.
 std::vector<State> with_parameters(std::vector<State> states, const std::vector<Number>& values);
 
-// Joint positions at 0, ±pi/2, ±pi and a thousand turns, speeds zero and large, accelerations zero.
+// States with joint positions at 0, ±pi/2, ±pi and a thousand turns, speeds zero and large, accelerations zero.
 std::vector<State> edge_states(const Mechanism& mechanism);
 
 }  // namespace flatdyn

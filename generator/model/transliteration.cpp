@@ -9,7 +9,7 @@ namespace flatdyn {
 
 namespace {
 
-// Words for consecutive characters, separated by blanks: "-" separates words of a name, "." is nothing.
+// Words for consecutive characters, separated by blanks: "-" separates words of a name, "." stands for no letters.
 struct Block {
   char32_t first;
   std::string_view words;
@@ -48,7 +48,7 @@ std::string_view word_of(const Block& block, char32_t character) {
 }  // namespace
 
 std::string transliterated(char32_t character) {
-  constexpr char32_t kFirstLetter = 0xC0;  // below are signs
+  constexpr char32_t kFirstLetter = 0xC0;  // smaller characters are signs
   for (const Block& block : kBlocks) {
     const std::string_view word = word_of(block, character);
     if (!word.empty()) return word == "." ? "" : std::string(word);

@@ -11,7 +11,7 @@ namespace flatdyn {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kRounded = 1e-3;  // of a turn: 6.2832 and 6.29 are one, too
+constexpr double kRounded = 1e-3;  // as a fraction of a turn: 6.2832 and 6.289 count as one turn, too
 constexpr double kNoLimit = 1e4;   // rad
 
 bool is_multiple_of_15(const Number& degrees) {

@@ -10,7 +10,8 @@ namespace flatdyn {
 
 namespace {
 
-// Walks from the root go as deep as the tree does, each step on the stack; code for so many joints would be of no use.
+// The limit on a tree's size: walks from the root recurse as deep as the tree, and code for more joints would be
+// useless.
 constexpr std::size_t kMostJoints = 2000;
 
 template <class Named>
@@ -25,7 +26,7 @@ void report_duplicates(const std::vector<Named>& all, const std::string& kind, D
   }
 }
 
-// joint_above[link]: index of the joint that moves it, -1 for a root.
+// By link: the index of the joint that moves it, -1 for a root.
 std::vector<int> joints_above(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<int> joint_above(robot.links.size(), -1);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
@@ -45,7 +46,7 @@ std::vector<int> joints_above(const Robot& robot, Diagnostics& diagnostics) {
   return joint_above;
 }
 
-// A link from which the way up never ends at a root; -1 if there is none.
+// A link from which the path towards the base never reaches a root; -1 if there is none.
 int link_in_cycle(const Robot& robot, const std::vector<int>& joint_above) {
   enum class State { unknown, on_the_way, ends };
   std::vector<State> state(robot.links.size(), State::unknown);
@@ -120,7 +121,7 @@ bool find_tree(Robot& robot, Diagnostics& diagnostics) {
     report_cycle(robot, joint_above, link, diagnostics);
     return false;
   }
-  // With a name missing or taken twice, joints may hang on the wrong link: what follows from that is not said.
+  // With a name missing or used twice, joints may be attached to the wrong link; consequences of that are not reported.
   if (!diagnostics.has_errors() && all_named(robot)) find_root(robot, joint_above, diagnostics);
   return robot.root >= 0;
 }
@@ -128,7 +129,7 @@ bool find_tree(Robot& robot, Diagnostics& diagnostics) {
 }  // namespace
 
 bool validate_tree(Robot& robot, Diagnostics& all) {
-  Diagnostics diagnostics;  // of the tree alone: other errors do not keep it from being one
+  Diagnostics diagnostics;  // findings about the tree alone, as other errors do not matter here
   const bool is_tree = find_tree(robot, diagnostics) && !diagnostics.has_errors();
   for (const Diagnostic& diagnostic : diagnostics.all()) all.add(diagnostic);
   return is_tree;

@@ -48,7 +48,7 @@ void check_inertia_without_mass(const std::string& what, const Inertial& inertia
                       "give the mass, or delete the inertia", "bodies with an inertia but no mass");
 }
 
-// One diagonal entry and nothing else: no body has that, but planar models are written so.
+// Whether only one diagonal entry is not zero: no body has such a tensor, but planar models are written so.
 bool is_about_one_axis(const Mat3& tensor) {
   int entries = 0, moments = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -134,7 +134,7 @@ bool take_away_if_zero(std::optional<Value>& limit) {
   return true;
 }
 
-// Exporters write zeros for limits that nobody gave: lower = upper = 0, velocity = 0, ...
+// Removes limits of zero, which exporters write if nobody gave any: lower = upper = 0, velocity = 0, ...
 void take_away_zero_limits(Joint& joint, Diagnostics& diagnostics) {
   Limits& limits = joint.limits;
   std::vector<std::string> zeros;
@@ -185,7 +185,7 @@ void check_joint(Joint& joint, Diagnostics& diagnostics) {
   check_limits(joint, diagnostics);
 }
 
-// A joint that moves neither mass nor inertia makes B(q) singular: no forward dynamics.
+// Reports joints that move neither mass nor inertia: they make B(q) singular, so there is no forward dynamics.
 void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<bool> has_inertia(robot.links.size(), false);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {

@@ -26,7 +26,7 @@ std::vector<bool> alive_nodes(const Draft& draft) {
   return alive;
 }
 
-// Copies `id` and what it needs, operands first.
+// Copies `root` and its operands, operands first.
 void copy_tree(const Draft& draft, NodeId root, Graph& graph, std::vector<NodeId>& image) {
   std::vector<NodeId> stack = {root};
   while (!stack.empty()) {
@@ -46,7 +46,7 @@ void copy_tree(const Draft& draft, NodeId root, Graph& graph, std::vector<NodeId
   }
 }
 
-// Folding may leave nodes behind that nothing reaches any more: products that had a coefficient, say.
+// Removes nodes that folding has left without a use, such as products that had a coefficient.
 Function without_leftovers(Function function) {
   const std::vector<bool> reached = reachable_from(function.graph, roots(function));
   const bool is_all_reached = std::find(reached.begin(), reached.end(), false) == reached.end();
@@ -143,7 +143,7 @@ Function unfolded(const Function& function) {
 }
 
 bool is_worth_repeating(int cost_before, int cost_after) {
-  constexpr int kLeastGain = 400;  // one in so many operations
+  constexpr int kLeastGain = 400;  // one operation in this many
   return (cost_before - cost_after) * kLeastGain >= cost_before && cost_after < cost_before;
 }
 

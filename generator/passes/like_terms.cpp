@@ -16,7 +16,7 @@ int sum_cost(const std::vector<Term>& terms, const Rational& constant) {
   return std::max(total, 0);
 }
 
-// `outer` with its term k, which is the sum `inner`, written out.
+// The sum `cross` with its term k, which is the sum `dot`, expanded.
 Node merged(const Node& cross, std::size_t k, const Node& dot) {
   Node result = cross;
   const Rational factor = cross.terms[k].coefficient;
@@ -34,7 +34,7 @@ Node merged(const Node& cross, std::size_t k, const Node& dot) {
   return result;
 }
 
-// Merges what pays into the node; operands are done already, as ids are a topological order.
+// Merges operands of the node where that pays. Operands have been processed already, as ids are a topological order.
 void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses, Merging merging) {
   for (std::size_t k = 0; k < draft.at(id).terms.size();) {
     const NodeId operand = draft.at(id).terms[k].node;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "passes/passes.hpp"
 
+#include <chrono>
 #include <utility>
 
 #include "passes/draft.hpp"
@@ -26,14 +27,19 @@ const std::vector<Pass>& pass_table() {
   return table;
 }
 
-Function run_passes(Function function, std::vector<PassRecord>* record) {
+Function run_passes(Function function, std::vector<PassRecord>* record, const PassObserver& observer) {
+  using Clock = std::chrono::steady_clock;
   constexpr int kRounds = 4;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 1; round <= kRounds; ++round) {
     const int cost_before = cost(function);
     for (const Pass& pass : pass_table()) {
-      const OperationCount before = count_operations(function);
+      PassRecord done{pass.name, count_operations(function), {}, round, 0};
+      const Clock::time_point start = Clock::now();
       function = pass.run(function);
-      if (record != nullptr) record->push_back({pass.name, before, count_operations(function)});
+      done.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      done.after = count_operations(function);
+      if (observer) observer(done, function);
+      if (record != nullptr) record->push_back(std::move(done));
     }
     if (!is_worth_repeating(cost_before, cost(function))) break;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The table of passes: each a free function Function → Function that leaves every value unchanged (exactly) and
+// The table of passes: each is a free function Function → Function that leaves every value unchanged (exactly) and
 // never raises the operation count.
 #pragma once
 
@@ -18,15 +18,20 @@ struct Pass {
   Function (*run)(const Function&);
 };
 
-// In the order in which they are run.
+// The passes in the order in which they are run.
 const std::vector<Pass>& pass_table();
 
 struct PassRecord {
   std::string pass;
   OperationCount before, after;
+  int round = 1;       // of the table
+  double seconds = 0;  // that the pass took
 };
 
-// Runs the whole table, repeating it until the count no longer falls (at most a few times).
-Function run_passes(Function function, std::vector<PassRecord>* record = nullptr);
+// Called with the record of a pass and the function that it has left.
+using PassObserver = std::function<void(const PassRecord&, const Function&)>;
+
+// Runs the whole table, repeatedly until the cost no longer falls enough (at most a few times).
+Function run_passes(Function function, std::vector<PassRecord>* record = nullptr, const PassObserver& observer = {});
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sums seen as polynomials: what factoring and sharing of partial sums work on.
+// Sums as polynomials, on which factoring and the sharing of partial sums work.
 #pragma once
 
 #include <map>
@@ -9,7 +9,8 @@
 
 namespace flatdyn {
 
-// Factors of a product, sorted, repeated for powers; empty: the number 1. Each has one number, so they compare fast.
+// The number of a product. Its factors are sorted and repeated for powers; a product without factors is 1. Equal
+// products have the same number, so comparison is fast.
 using MonomialId = int;
 
 class MonomialTable {
@@ -20,8 +21,8 @@ class MonomialTable {
   int size() const { return static_cast<int>(factors_.size()); }
 
   MonomialId product(MonomialId a, MonomialId b);
-  MonomialId common(MonomialId a, MonomialId b);    // the largest that divides both
-  MonomialId quotient(MonomialId a, MonomialId b);  // a / b; b divides a
+  MonomialId common(MonomialId a, MonomialId b);    // the greatest common divisor
+  MonomialId quotient(MonomialId a, MonomialId b);  // a / b, where b divides a
   bool divides(MonomialId divisor, MonomialId a) const;
 
  private:
@@ -35,19 +36,19 @@ struct PolynomialTerm {
 };
 
 struct Polynomial {
-  NodeId node;  // the sum that it stands for
+  NodeId node;  // the sum that this polynomial represents
   std::vector<PolynomialTerm> terms;
 };
 
-// Every sum of a function in full normal form as a polynomial; and back. A pass changes `polynomials` in between; a new
-// polynomial is for a node that was added to the draft.
+// Every sum of a function in full normal form as a polynomial, and the way back. A pass changes `polynomials` in
+// between; a new polynomial belongs to a node that was added to the draft.
 struct Polynomials {
   explicit Polynomials(const Function& flat);
 
   Draft draft;
   MonomialTable monomials;
   std::vector<Polynomial> polynomials;
-  std::vector<int> uses;  // of each monomial: by terms, and by anything else that needs the product itself
+  std::vector<int> uses;  // by monomial: its uses by terms and by other nodes that need the product itself
 
   MonomialId monomial_of(NodeId node);
   int& uses_of(MonomialId id);

@@ -5,7 +5,7 @@
 
 namespace flatdyn {
 
-// (1 / a) · b is b / a where nothing else needs 1 / a: one multiplication and one rounding less.
+// Replaces (1 / a) · b by b / a where nothing else needs 1 / a: one multiplication and one rounding less.
 Function quotients(const Function& function);
 
 }  // namespace flatdyn

@@ -10,7 +10,8 @@ namespace {
 
 std::size_t place_of(NodeId id) { return static_cast<std::size_t>(id); }
 
-// Operands come before what uses them; of what could come next, the engine decides.
+// A random topological order: operands come before their users, and the random engine chooses among the nodes that may
+// come next.
 std::vector<NodeId> random_order(const Graph& graph, unsigned seed) {
   std::vector<std::size_t> missing(place_of(graph.size()), 0);
   std::vector<std::vector<NodeId>> users(place_of(graph.size()));

@@ -5,8 +5,8 @@
 
 namespace flatdyn {
 
-// The same function with its nodes in another order, which the seed decides: the same one on every machine. Greedy
-// passes take what comes first of what saves alike, so they find another result. The seed 0 changes nothing.
+// The same function with its nodes in another order, which the seed decides, equally on every machine. Greedy passes
+// take the first of several equal savings, so another order leads them to another result. The seed 0 changes nothing.
 Function reordered(Function function, unsigned seed);
 
 }  // namespace flatdyn

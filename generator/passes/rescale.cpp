@@ -13,12 +13,12 @@ namespace {
 
 std::size_t at(NodeId id) { return static_cast<std::size_t>(id); }
 
-struct Use {  // terms[term] of a sum
+struct Use {  // a use by term `term` of a sum
   NodeId sum;
   std::size_t term;
 };
 
-// For each node: the terms whose product it is a factor of, and whether every use is such a term, to the first power.
+// By node: the terms whose product it is a factor of, and whether every use is such a term, to the first power.
 struct Uses {
   explicit Uses(const Draft& draft) : terms(draft.nodes.size()), is_free(draft.nodes.size(), true) {
     for (const NodeId root : roots(draft.source)) pin(draft, root);
@@ -65,7 +65,7 @@ int multiplications(const Draft& draft, const Node& sum, const std::vector<Use>&
   return total;
 }
 
-// The numbers by which the sum could be divided so that some coefficient becomes 1.
+// The divisors of the sum that make one of its coefficients 1.
 std::vector<Rational> candidates(const Draft& draft, const Node& sum, const std::vector<Use>& uses) {
   constexpr std::size_t kMost = 12;
   std::vector<Rational> result;
@@ -99,7 +99,7 @@ bool rescale_node(Draft& draft, NodeId id, const std::vector<Use>& uses) {
 }  // namespace
 
 Function rescale(const Function& function) {
-  constexpr int kSweeps = 3;  // a sum's factor may give another sum a better one
+  constexpr int kSweeps = 3;  // the factor of one sum may allow a better one for another
   const Function flat = unfolded(function);
   Draft draft(flat);
   const Uses uses(draft);

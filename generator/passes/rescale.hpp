@@ -5,9 +5,8 @@
 
 namespace flatdyn {
 
-// A sum may be computed as any multiple of itself, if all that use it can take the factor into coefficients of theirs:
-// k·a + k·b, used as 3·S, becomes a + b, used as 3·k·S. Each sum gets the multiple that leaves the fewest
-// multiplications.
+// Computes a sum as a multiple of itself where all its users can absorb the factor into their coefficients: k·a + k·b,
+// used as 3·S, becomes a + b, used as 3·k·S. Each sum gets the multiple that leaves the fewest multiplications.
 Function rescale(const Function& function);
 
 }  // namespace flatdyn

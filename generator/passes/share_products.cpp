@@ -13,17 +13,17 @@
 namespace flatdyn {
 namespace {
 
-// A factor: a node (>= 0), or the number -1 - k of a constant.
+// A factor: a node (>= 0), or -1 - k for constant number k.
 using NodeFactor = std::int32_t;
 using NodeFactors = std::vector<NodeFactor>;  // sorted, repeated for powers
 
-// A product that something uses, with the absolute value of its coefficient among the factors.
+// A product in use, with the absolute value of its coefficient among the factors.
 struct Monomial {
   NodeFactors factors;
   int uses = 0;
 };
 
-// Greedy extraction of pairs of factors.
+// Greedy extraction of common pairs of factors.
 class ProductSharing {
  public:
   explicit ProductSharing(const Function& flat) : draft_(flat) {}
@@ -40,13 +40,13 @@ class ProductSharing {
   }
 
  private:
-  static constexpr std::size_t kLongest = 64;  // a longer product is left alone: its pairs would be too many
+  static constexpr std::size_t kLongest = 64;  // a longer product is skipped: it would have too many pairs
   struct Pair {
     NodeFactor a, b;         // a <= b
-    std::vector<int> where;  // monomials that had the pair when they were looked at
-    NodeId node = -1;        // of the product, once it is there
+    std::vector<int> where;  // the monomials that had the pair when they were examined
+    NodeId node = -1;        // the node of the product, once it exists
   };
-  struct Use {  // a sum's term, or (term -1) a node that is itself the product
+  struct Use {  // a sum's term, or, with term = -1, a node that is the product itself
     NodeId node;
     int term;
     int monomial;
@@ -83,7 +83,7 @@ class ProductSharing {
     return it->second;
   }
 
-  // Products as terms are monomials; those used elsewhere (roots, operands of quotients …) are rewritten in place.
+  // Products that are terms become monomials; products with other users (roots, quotients …) are rewritten in place.
   void collect() {
     const NodeId count = static_cast<NodeId>(draft_.nodes.size());
     std::vector<bool> elsewhere(draft_.nodes.size(), false);
@@ -118,7 +118,7 @@ class ProductSharing {
     }
   }
 
-  // How often a product has the pair: x²y² has (x, y) twice.
+  // The number of times that a product contains the pair: x²y² contains (x, y) twice.
   static int multiplicity(const NodeFactors& factors, const Pair& pair) {
     const auto count = [&factors](NodeFactor factor) {
       const auto range = std::equal_range(factors.begin(), factors.end(), factor);
@@ -127,7 +127,7 @@ class ProductSharing {
     return pair.a == pair.b ? count(pair.a) / 2 : std::min(count(pair.a), count(pair.b));
   }
 
-  // Multiplications that go away when the pair becomes a node: one each time that a product has it, less the node's
+  // The multiplications saved by making the pair a node: one for each time that a product contains it, less the node's
   // own.
   int savings(Pair& pair) {
     auto& where = pair.where;
@@ -187,7 +187,7 @@ class ProductSharing {
     return draft_.add_product({a, b});
   }
 
-  // The node of a monomial without its constant, and the constant (1 if there is none).
+  // The constant factor of a monomial (1 if it has none) and the node of its other factors.
   std::pair<Rational, NodeId> build(const Monomial& monomial) {
     NodeFactors nodes = monomial.factors;
     Rational coefficient = 1;
@@ -226,7 +226,7 @@ class ProductSharing {
   std::map<NodeFactors, int> monomial_ids_;
   std::vector<Use> uses_;
   std::vector<Pair> pairs_;
-  std::unordered_map<std::uint64_t, int> pair_ids_;  // looked up in, never iterated over
+  std::unordered_map<std::uint64_t, int> pair_ids_;  // for lookups only, never iterated over
   std::vector<int> touched_;
   std::priority_queue<Candidate> queue_;
 };

@@ -5,11 +5,11 @@
 
 namespace flatdyn {
 
-// x·y·z + … and x·y·w + …: the pair of factors that most products have in common becomes a node of its own, and so on.
-// The coefficient of a product is a factor like any other, so k·x is shared as well; signs are left out.
+// Makes the pair of factors that most products have in common a node, repeatedly: x·y of x·y·z + … and x·y·w + …. The
+// coefficient of a product is a factor like any other, so k·x is shared as well; signs are left out.
 Function share_products(const Function& function);
 
-// The same, the products being multiplied out first, whatever it costs: for passes that change sums.
+// The same pass after multiplying out all products, whatever it costs; for passes that change sums.
 Function with_shared_products(const Function& function);
 
 }  // namespace flatdyn

@@ -15,12 +15,13 @@
 namespace flatdyn {
 namespace {
 
-// Savings are weighed in parts of an operation: a product that u terms use is saved by 1/u when one of them goes.
+// The cost of one operation in the unit of savings: when one of u terms that use a product goes, 1/u of the product is
+// saved.
 constexpr int kOperation = 60;
 
-// How savings are estimated. Neither is best always, so both are tried.
+// How savings are estimated. Neither policy is always the best, so both are tried.
 struct Policy {
-  bool count_shared_products;  // as above, or not at all
+  bool count_shared_products;  // whether a use of a shared product counts as a part of its cost, or as nothing
 };
 
 int is_multiplication(const Rational& coefficient) { return coefficient == 1 || coefficient == -1 ? 0 : kOperation; }
@@ -38,19 +39,19 @@ class SumSharing {
   }
 
  private:
-  // In a very long sum, only terms this close to each other are paired: the work stays linear.
+  // In a very long sum only terms this close to each other are paired, so that the work stays linear.
   static constexpr std::size_t kWindow = 48;
 
-  struct Occurrence {  // polynomial = … + c · factor · (a + ratio · b)
+  struct Occurrence {  // an occurrence: polynomial = … + c · factor · (a + ratio · b)
     int polynomial;
     MonomialId factor;
-    MonomialId first, second;  // factor · a, factor · b
+    MonomialId first, second;  // the products factor · a and factor · b
     auto operator<=>(const Occurrence&) const = default;
   };
-  struct Kernel {  // a + ratio · b, a < b, without common factor
+  struct Kernel {  // the partial sum a + ratio · b, a < b, without a common factor
     MonomialId a, b;
     Rational ratio;
-    std::vector<Occurrence> where;  // when they were looked at
+    std::vector<Occurrence> where;  // the occurrences when they were examined
   };
   struct Candidate {
     int priority, kernel;
@@ -58,11 +59,11 @@ class SumSharing {
       return std::tie(priority, other.kernel) < std::tie(other.priority, kernel);
     }
   };
-  // What extracting a kernel brings, and as which multiple of it the new node is best made.
+  // The savings of extracting a kernel, and the multiple of it that is best made the new node.
   struct Plan {
     int savings = 0;
     Rational scale = 1;
-    int existing = -1;  // a polynomial that is the kernel already
+    int existing = -1;  // the polynomial that is the kernel already
   };
 
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
@@ -98,7 +99,7 @@ class SumSharing {
     }
   }
 
-  // The coefficient c of an occurrence; nothing if it is no longer there.
+  // The coefficient c of an occurrence; nullptr if the occurrence is gone.
   const Rational* coefficient(const Kernel& kernel, const Occurrence& occurrence) {
     const Polynomial& polynomial = p_.polynomials[at(occurrence.polynomial)];
     const PolynomialTerm* first = find(polynomial, occurrence.first);
@@ -112,7 +113,7 @@ class SumSharing {
     return p_.monomials.degree(monomial) == 0 ? 0 : is_multiplication(coefficient);
   }
 
-  // What a term's product costs this term alone.
+  // The share of a product's cost that one term bears.
   int product_cost(MonomialId monomial) {
     const int degree = p_.monomials.degree(monomial), uses = p_.uses_of(monomial);
     if (degree < 2) return 0;
@@ -120,7 +121,7 @@ class SumSharing {
     return policy_.count_shared_products ? (degree - 1) * kOperation / uses : 0;
   }
 
-  // What the new node needs for its own two products, where they do not simply move into it from a sum.
+  // The cost of the new node's own two products, if no sum has them as they are.
   int new_products_cost(const Kernel& kernel) {
     for (const Occurrence& occurrence : kernel.where) {
       if (p_.monomials.degree(occurrence.factor) == 0) return 0;
@@ -132,7 +133,7 @@ class SumSharing {
     return total;
   }
 
-  // All but the coefficient of the new term, which depends on the kernel's scale.
+  // The savings at one occurrence without the coefficient of the new term, which depends on the kernel's scale.
   int savings_at(const Kernel& kernel, const Occurrence& occurrence, const Rational& c) {
     const int before =
         kOperation + coefficient_cost(c, occurrence.first) + coefficient_cost(c * kernel.ratio, occurrence.second);
@@ -141,7 +142,7 @@ class SumSharing {
     return before + product_cost(occurrence.first) + product_cost(occurrence.second) - degree * kOperation;
   }
 
-  // One use of a partial sum saves nothing, unless a coefficient or a factor is taken out.
+  // Whether a partial sum with one use saves nothing because neither a coefficient nor a factor is taken out.
   bool is_hopeless(const Kernel& kernel, const Occurrence& only) const {
     return p_.monomials.degree(only.factor) == 0 && is_multiplication(kernel.ratio) != 0;
   }
@@ -183,7 +184,7 @@ class SumSharing {
     return total;
   }
 
-  // The kernel may be made as scale · (a + ratio · b) for any scale.
+  // Chooses the scale: the kernel may be made as scale · (a + ratio · b) for any scale.
   void choose_scale(const Kernel& kernel, const std::vector<Rational>& coefficients, Plan& best) const {
     std::vector<Rational> scales = {1, 1 / kernel.ratio};
     for (std::size_t k = 0; k < std::min<std::size_t>(coefficients.size(), 4); ++k) scales.push_back(coefficients[k]);
@@ -198,8 +199,8 @@ class SumSharing {
     }
   }
 
-  // Among equal savings, partial sums of products that several sums have go first: a factor that is taken out of one
-  // of these sums would hide them.
+  // Among equal savings, partial sums of products that several sums have go first: taking a factor out of one of these
+  // sums would hide them.
   int priority(const Plan& plan, const Kernel& kernel) const {
     int result = plan.savings;
     if (result <= 0 || kernel.where.size() < 2) return result;
@@ -237,7 +238,7 @@ class SumSharing {
     for (const Occurrence& occurrence : kernel.where) {
       if (occurrence.polynomial == source) continue;
       const Rational* c = coefficient(kernel, occurrence);
-      if (c == nullptr) continue;  // one before has used its terms
+      if (c == nullptr) continue;  // an earlier occurrence has used its terms
       replace(occurrence, {*c / plan.scale, p_.monomials.product(occurrence.factor, shared_monomial)});
     }
     if (plan.existing < 0) index_polynomial(source);
@@ -258,7 +259,7 @@ class SumSharing {
     auto& terms = p_.polynomials[at(occurrence.polynomial)].terms;
     const MonomialId first = occurrence.first, second = occurrence.second;
     std::erase_if(terms, [&](const PolynomialTerm& term) {
-      if (term.monomial == merged.monomial) {  // like terms
+      if (term.monomial == merged.monomial) {  // like terms are added
         merged.coefficient += term.coefficient;
         --p_.uses_of(merged.monomial);
       }
@@ -289,7 +290,7 @@ Function shared_once(const Function& flat) {
 
 }  // namespace
 
-// What has been made a node early and is used once in the end is merged again: then better factors may show.
+// A partial sum that was made a node early and ends up with one use is merged again: better factors may then show.
 Function with_shared_sums(const Function& function) {
   constexpr int kRounds = 3;
   Function best = shared_once(unfolded(function));

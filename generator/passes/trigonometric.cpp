@@ -17,7 +17,7 @@ struct SinCos {
   NodeId sin, cos;
 };
 
-// The sines and cosines of the angles of which a function has both, by the angle's node.
+// The sines and cosines of the angles that have both in the function, by the angle's node.
 std::map<NodeId, SinCos> sines_and_cosines(const Graph& graph) {
   std::map<NodeId, SinCos> result;
   for (NodeId id = 0; id < graph.size(); ++id) {
@@ -30,7 +30,7 @@ std::map<NodeId, SinCos> sines_and_cosines(const Graph& graph) {
   return result;
 }
 
-// Where a square is replaced.
+// The place where a square is replaced.
 enum class Where { same_sum, anywhere };
 
 bool any_square(const Polynomials& p, const Polynomial& polynomial, MonomialId square) {
@@ -38,8 +38,8 @@ bool any_square(const Polynomials& p, const Polynomial& polynomial, MonomialId s
                      [&](const PolynomialTerm& term) { return p.monomials.divides(square, term.monomial); });
 }
 
-// Replaces x² by 1 - y² in sums that have both squares; or, if y²·cofactor is computed anyway, in any. Whether there
-// were any.
+// Replaces x² by 1 - y² in sums that have both squares; or, if y²·cofactor is computed anyway, in any sum. Returns
+// whether it replaced any.
 bool eliminate(Polynomials& p, NodeId x, NodeId y, Where where) {
   const MonomialId square = p.monomials.id({x, x}), other = p.monomials.id({y, y});
   bool changed = false;

@@ -5,8 +5,8 @@
 
 namespace flatdyn {
 
-// s² = 1 - c² or c² = 1 - s² where both squares of an angle stand in one sum, with the same cofactor or not:
-// a·c² + b·s² = b + (a - b)·c². What that opens for sharing decides which squares stay.
+// Replaces s² by 1 - c², or c² by 1 - s², where both squares of an angle occur in one sum, with the same cofactor or
+// not: a·c² + b·s² = b + (a - b)·c². The squares kept are those that leave more to share.
 Function trigonometric(const Function& function);
 
 }  // namespace flatdyn

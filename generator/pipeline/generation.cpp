@@ -35,7 +35,7 @@ EmittedCode emit_and_read_back(const GenerationResult& result) {
   return {{{header, text.header}, {source, text.source}}, EmittedText(text.header, text.source, form.scalar)};
 }
 
-// Everything that is written: the functions, and the members of stages.
+// All functions that are written, including the members of stages.
 std::vector<Function> functions_written(const GenerationResult& result) {
   std::vector<Function> functions = functions_of(result);
   if (!result.stages) return functions;
@@ -74,9 +74,10 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
                                Progress& progress) {
   GenerationResult result;
   // Read, canonicalise.
+  progress.step("reading");
   result.robot = load_robot(robot_file, options);
   const LoadedRobot& robot = result.robot;
-  // Derive, specialise to the scene, optimise: every function in each formulation that there is of it.
+  // Derive, specialise to the scene, optimise: every function in each of its formulations.
   result.functions = make_functions(robot, options, progress, result.findings);
   std::optional<OptimisedFusion> fused;
   if (!options.fused.empty()) fused = make_fusion(robot, options.fused, progress);
@@ -89,11 +90,12 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
     result.torque_deviation = torque_deviation(robot.mechanism, effective_mechanism(robot), robot.robot.scene.at_rest);
   }
   // Emit.
+  progress.step("emitting and reading back");
   result.form = stamped(options, result);
   auto [files, read_back] = emit_and_read_back(result);
   result.files = std::move(files);
   check_narrowed_constants(options, result);
-  // Read back: the text must say what was proven.
+  // Read back: the text must mean what was proven.
   prove_text(read_back, result.functions, result.stages);
   result.read_back = std::move(read_back);
   return result;

@@ -17,10 +17,11 @@
 namespace flatdyn {
 
 struct GenerationOptions : PipelineOptions {
-  std::vector<std::string> staged;  // functions that are members of stages as well
-  std::vector<std::string> fused;   // functions that one more function computes at once
-  EmitOptions form;                 // language, scalars and names; what stamps and facts say is filled in
-  std::function<std::string(const std::vector<OptimisedFunction>&)> options_stamp;  // the options, for the text
+  std::vector<std::string> staged;  // functions that are also members of stages
+  std::vector<std::string> fused;   // functions that one fused function computes together
+  EmitOptions form;                 // language, scalars and names; stamps and facts are filled in
+  // The options as text, for the stamp.
+  std::function<std::string(const std::vector<OptimisedFunction>&)> options_stamp;
 
   bool is_for_float() const;  // whether the code is compiled for float
 };
@@ -31,20 +32,20 @@ struct GeneratedFile {
   std::string text;
 };
 
-// Code that is proven, and all that is known of it.
+// Proven code with everything known about it.
 struct GenerationResult {
   LoadedRobot robot;
   std::vector<OptimisedFunction> functions;  // the fused one last
   std::optional<Stages> stages;
   std::vector<Proof> proofs;
-  std::optional<TorqueDeviation> torque_deviation;  // what an error budget costs
+  std::optional<TorqueDeviation> torque_deviation;  // cost of an error budget
   Diagnostics findings;
   EmitOptions form;
   std::vector<GeneratedFile> files;  // the header, and the source if there is one
   std::optional<EmittedText> read_back;
 };
 
-// Runs all stages but writing. Throws BadInput for errors in the input, Failure(verification_failed) where the code is
+// Runs all stages except writing. Throws BadInput for errors in the input, Failure(verification_failed) if the code is
 // not what the Lagrangian says.
 GenerationResult generate_code(const std::filesystem::path& robot_file, const GenerationOptions& options,
                                Progress& progress);

@@ -33,7 +33,7 @@ const LinkFrame& link_of(const Mechanism& mechanism, const std::string& name) {
   throw Failure(ExitCode::usage, "no link named \"" + name + "\"", hint_for_unknown(name, known, "links"));
 }
 
-// What a name asks for: "jacobian", or "jacobian:hand" for a link.
+// The function that a name asks for: "jacobian", or "jacobian:hand" for a link.
 struct Request {
   const FunctionEntry* entry = nullptr;
   const LinkFrame* link = nullptr;
@@ -51,7 +51,7 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
   return request;
 }
 
-// "Pose of the tip", or "Pose of link hand".
+// The summary "Pose of the tip", or "Pose of link hand".
 std::string summary_of(const Request& request) {
   std::string summary = request.entry->summary;
   const std::string tip = "the tip";
@@ -85,7 +85,7 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
 }
 
 bool may_lose_pivots(const Mechanism& mechanism, const std::string& name) {
-  // In float, some 2^-17 is lost beside 1; well before that results are poor.
+  // In float, about 2^-17 is lost beside 1; results are poor well before that.
   constexpr double kLeast = 0x1p-14;
   return parsed(mechanism, name).entry->divides_by_pivots() && smallest_pivot_share(mechanism) < kLeast;
 }
@@ -107,7 +107,7 @@ std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, cons
   const auto consider = [&](Choices choices) {
     choices.guards_pivots = guards_pivots;
     std::optional<Function> made = formulation(mechanism, name, way, choices);
-    if (!made) return 0;  // nor from any other choices
+    if (!made) return 0;  // other choices yield none, either
     const int operations = count_operations(*made).arithmetic();
     if (!best || operations < fewest) {
       best = Formulation{way, choices, std::move(*made)};

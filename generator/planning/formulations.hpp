@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A function by its name: checked, and derived in each way that there is.
+// A function by its name: checked, and derived in each formulation that exists.
 #pragma once
 
 #include <optional>
@@ -12,22 +12,22 @@
 
 namespace flatdyn {
 
-// Throws Failure(usage) for the name of no function, and for no link of the robot.
+// Throws Failure(usage) if no function has the name, or if it names a link that the robot does not have.
 void check_function_name(const Mechanism& mechanism, const std::string& name);
 
-// 0: the column derive of the table of functions; k: the k-th alternative.
+// 0: the `derive` column of the table of functions; k: its k-th alternative.
 using FormulationIndex = std::size_t;
 inline constexpr FormulationIndex kFormulationCount = 3;  // no function has more
 
-// By name; also "forward_kinematics:LINK", "jacobian:LINK" and "jacobian_dot_qd:LINK" for any named link. nullopt if
-// there is no such way to it. Throws as check_function_name does.
+// Derives a function by its name, also "forward_kinematics:LINK", "jacobian:LINK" and "jacobian_dot_qd:LINK" for any
+// named link. nullopt if the formulation does not exist. Throws as check_function_name does.
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
                                     const Choices& choices);
 
-// Whether the function divides by pivots of B of which, for this robot, rounding may leave nothing.
+// Whether the function divides by pivots of B that rounding may cancel completely for this robot.
 bool may_lose_pivots(const Mechanism& mechanism, const std::string& name);
 
-// Whether what it costs depends on choices.
+// Whether the function's cost depends on choices.
 bool has_choices(const Mechanism& mechanism, const std::string& name);
 
 struct Formulation {
@@ -36,10 +36,11 @@ struct Formulation {
   Function function;
 };
 
-// In every way that there is, each from its cheapest_choices().
+// The function in every formulation that exists, each from its cheapest_choices().
 std::vector<Formulation> formulations(const Mechanism& mechanism, const std::string& name);
 
-// In the first way, from one simple choice for all joints: right at once, and not the cheapest.
+// The function in the first formulation, from one simple choice for all joints: available at once, but not the
+// cheapest.
 Function derive_function(const Mechanism& mechanism, const std::string& name);
 
 }  // namespace flatdyn

@@ -18,7 +18,7 @@
 namespace flatdyn {
 namespace {
 
-// All of them before the first is derived.
+// Checks all names before the first function is derived.
 void check_names(const Mechanism& mechanism, const std::vector<std::string>& names) {
   for (auto name = names.begin(); name != names.end(); ++name) {
     check_function_name(mechanism, *name);
@@ -28,7 +28,7 @@ void check_names(const Mechanism& mechanism, const std::vector<std::string>& nam
   }
 }
 
-// The same functions from the best choices that a search finds for each.
+// Replaces the functions by those from the best choices that a search finds for each.
 void search_choices(const LoadedRobot& model, const SearchLimit& limit, std::vector<Plan>& plans,
                     Diagnostics& findings) {
   std::vector<ChoiceSearch> searches;
@@ -52,9 +52,9 @@ void search_choices(const LoadedRobot& model, const SearchLimit& limit, std::vec
                 fmt::format("--search {} makes the same again", candidates));
 }
 
-// Where rounding leaves nothing of a pivot, what divides by it can only say so.
+// Notes that pivots are lost to rounding at some positions, where functions that divide by them return false.
 void note_lost_pivots(const LoadedRobot& model, const std::vector<Plan>& plans, Diagnostics& findings) {
-  constexpr double kLost = 0x1p-47;  // of a double, where kLeastShare of it is lost
+  constexpr double kLost = 0x1p-47;  // smallest pivot relative to its diagonal entry, in double
   const bool divides = std::any_of(plans.begin(), plans.end(),
                                    [](const Plan& plan) { return !plan.optimised.function.pivot_diagonals.empty(); });
   if (!divides || smallest_pivot_share(effective_mechanism(model)) >= kLost) return;
@@ -64,7 +64,7 @@ void note_lost_pivots(const LoadedRobot& model, const std::vector<Plan>& plans, 
                 "give the links between its joints their inertia");
 }
 
-// Which link is to be mended before a function can divide by B(q), and where it stands.
+// The error for a function that divides by B(q) although a link has too little inertia: the link and its place.
 Diagnostics mending(const Robot& robot, const std::string& function, const SingularInertia& failure) {
   Diagnostics found;
   for (const Joint& joint : robot.joints) {
@@ -89,7 +89,7 @@ std::vector<std::string> names_of_functions(bool on_request, const Mechanism& me
   return names;
 }
 
-// Names that a scene gives, with their places.
+// Checks the names that a scene gives; errors carry their places.
 void check_scene_names(const LoadedRobot& model) {
   std::vector<Reference> functions = model.robot.scene.functions;
   Diagnostics found;

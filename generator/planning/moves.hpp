@@ -9,10 +9,10 @@
 
 namespace flatdyn {
 
-// Whether the choices are others than before.
+// Changes the choices; returns whether they differ from before.
 using Move = std::function<bool(Choices&)>;
 
-// All that change one choice of these: the length unit, one joint's balance, where its frame is, its grouping, or the
+// All changes of a single choice: the length unit, one joint's balance, the place of its frame, its grouping, or the
 // leaf frames.
 std::vector<Move> possible_moves(const Mechanism& mechanism, const Choices& choices);
 

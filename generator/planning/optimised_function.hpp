@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A function as derived, and as the passes and a search left it.
+// A function as it was derived and as the passes and a search left it.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@
 
 namespace flatdyn {
 
-// How a search for the choices of a function went.
+// The course of a search for the choices of a function.
 struct SearchRecord {
   int candidates = 0;
   OperationCount before;
-  bool is_closed_form = false;  // which is made without choices, but for the order of factoring
+  bool is_closed_form = false;  // a closed form depends on no choices but the order of factoring
   Choices choices;
 };
 
@@ -28,7 +28,7 @@ struct OptimisedFunction {
   std::optional<SearchRecord> search;
 };
 
-// Several functions as one, made from one grouping of the parameters, so that they share what they can.
+// Several functions fused into one, made from one grouping of the parameters, so that they share as much as possible.
 struct OptimisedFusion {
   Fusion fusion;
   Function derived;

@@ -23,7 +23,7 @@ OptimisedFunction optimised(const Function& derived, unsigned order = 0) {
   return result;
 }
 
-// Without those that cost so much more than the cheapest that no pass makes up for it.
+// Removes formulations that cost so much more than the cheapest that no pass makes up for it.
 std::vector<Formulation> within_reach(std::vector<Formulation> candidates) {
   constexpr double kReach = 1.5;
   const auto operations = [](const Formulation& each) { return count_operations(each.function).arithmetic(); };
@@ -40,17 +40,19 @@ OptimisedFunction as_needed(const LoadedRobot& model, const Function& derived, u
   return optimised(needed, order);
 }
 
-// More than this times what the reference loses, at some states; searched ones lose up to twice as much.
+// The largest loss of digits allowed, relative to the reference's, at the states tested; at the worst states found by a
+// search, functions lose up to twice as much.
 constexpr double kMostLoss = 2;
 
-// Of functions that are what they are for every scene: of others there is no reference.
+// Whether the function's loss of digits has to be checked. Functions that depend on the scene are not: there is no
+// reference for them.
 bool may_lose_digits(const LoadedRobot& model, const Plan& plan) {
   const Function& made = plan.optimised.function;
   return !plan.is_closed_form && !model.abbreviation && !model.mechanism.has_loops() && is_whole(made) &&
          !made.at_rest && has_choices(model.mechanism, made.name);
 }
 
-// From choices of one formulation.
+// Makes the function from choices, in one formulation.
 std::function<OptimisedFunction(const Choices&)> maker(const LoadedRobot& model, const std::string& name,
                                                        FormulationIndex way) {
   return [&model, name, way](const Choices& choices) {
@@ -58,8 +60,9 @@ std::function<OptimisedFunction(const Choices&)> maker(const LoadedRobot& model,
   };
 }
 
-// Masses that balance first moments may cost digits, far from where they are or beside far lighter links. Then it is
-// the cheapest without such masses, in any formulation, that does not; or what loses least.
+// Makes sure that the function does not lose digits. Masses that balance first moments may cost digits if they are far
+// away or beside far lighter links. If they do, takes the cheapest formulation without such masses that loses none, or
+// the one that loses least.
 void keep_digits(const LoadedRobot& model, const std::string& name, Plan& plan) {
   if (!may_lose_digits(model, plan)) return;
   const RoundingCheck check(model.robot, model.mechanism);
@@ -88,17 +91,18 @@ void keep_cheaper(Plan& plan, const Choices& choices) {
   plan.choices = choices;
 }
 
-// Formulations are compared by what they cost before the passes; after them, other frames and units may cost less.
+// Refines the choices: formulations are compared by their cost before the passes, and after the passes other frames and
+// units may cost less.
 void refine(const Mechanism& mechanism, Plan& plan) {
-  constexpr int kLarge = 1500;  // operations: beyond, it takes long
+  constexpr int kLarge = 1500;  // operations; for more it takes long
   const Function& made = plan.optimised.function;
   if (!has_choices(mechanism, made.name) || count_operations(made).arithmetic() > kLarge) return;
   for (const Choices& other : with_other_still_frames(mechanism, plan.choices)) keep_cheaper(plan, other);
   for (const Choices& other : with_other_length_units(mechanism, plan.choices)) keep_cheaper(plan, other);
 }
 
-// From the choices that cost least, in the formulation, recursive or the closed form, that costs least once what the
-// scene does not need is taken out and the passes are through with it.
+// The plan from the cheapest choices, in the formulation (recursive or closed form) that costs least after
+// specialisation to the scene and the passes.
 Plan cheapest_plan(const LoadedRobot& model, const std::string& name, Progress& progress) {
   const Mechanism& mechanism = effective_mechanism(model);
   progress.step("deriving " + name);

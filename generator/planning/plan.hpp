@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One function, from the formulation and the usual choices from which it costs least; and how it is made from others.
+// The plan of one function: the formulation and the usual choices from which it costs least, and how to make it from
+// other choices.
 #pragma once
 
 #include <functional>
@@ -14,14 +15,15 @@ struct Plan {
   OptimisedFunction optimised;
   Choices choices;
   bool is_closed_form = false;
-  std::function<OptimisedFunction(const Choices&)> remake;  // of the same formulation
+  std::function<OptimisedFunction(const Choices&)> remake;  // in the same formulation
 };
 
-// Throws BadInput where the scene asks of the function what it has not. The model must outlive the plan.
+// The plan of a function. Throws BadInput if the scene asks the function for something that it does not have. The model
+// must outlive the plan.
 Plan planned(const LoadedRobot& model, const std::string& name, Progress& progress);
 
-// Whether the function as made loses much more to rounding than the recursive reference; a plan as above does not,
-// where that can be had.
+// Whether the function as made loses many more digits to rounding than the recursive reference; a plan from planned()
+// does not, where that is possible.
 bool loses_digits(const LoadedRobot& model, const Plan& plan);
 
 }  // namespace flatdyn

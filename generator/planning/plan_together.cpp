@@ -15,23 +15,24 @@
 namespace flatdyn {
 namespace {
 
-// What of a set a function may be made of: the kinetic energy of B, inverse dynamics of B and the bias.
+// The functions of a set from which this one may be made: the kinetic energy from B, inverse dynamics from B and the
+// bias.
 std::vector<std::string> parts_of(const std::string& function) {
   if (function == "kinetic_energy") return {"inertia_matrix"};
   if (function == "inverse_dynamics") return {"inertia_matrix", "bias"};
   return {};
 }
 
-// The function from these.
+// The function made from these parts.
 Function from_parts(const Function& function, const std::vector<const Function*>& parts) {
   return parts.size() == 1 ? from_inertia_matrix(function, *parts[0])
                            : from_inertia_matrix(function, *parts[0], *parts[1]);
 }
 
-// Which way each part is made, by name: B in its second one.
+// The formulation of each part, by the part's name.
 using FormulationOfPart = std::map<std::string, std::size_t>;
 
-// A way to make one function of the set, and of what.
+// One way to make a function of the set, and the formulations of the parts that it is made from.
 struct ReuseCandidate {
   Function function;
   FormulationOfPart made_of;
@@ -43,7 +44,7 @@ class ReuseCandidates {
   ReuseCandidates(const LoadedRobot& model, const std::vector<std::string>& functions, const Choices& choices)
       : model_(model), functions_(functions), choices_(choices) {}
 
-  // Those of the function alone, then those from others that are asked for as well.
+  // The candidates for a function: its own formulations, then those made from other functions of the set.
   std::vector<ReuseCandidate> of(const std::string& name) {
     std::vector<ReuseCandidate> ways;
     for (const Function& way : alone(name)) ways.push_back(in_scene(way, {}));
@@ -58,7 +59,7 @@ class ReuseCandidates {
     return ways;
   }
 
-  // Throws BadInput.
+  // Throws BadInput if the scene asks a function for something that it does not have.
   void refuse_what_the_scene_cannot_have() const { refuse_errors(found_); }
 
  private:
@@ -66,13 +67,13 @@ class ReuseCandidates {
     return std::find(functions_.begin(), functions_.end(), name) != functions_.end();
   }
 
-  // Whether the set has all parts; forward dynamics compute those of inverse dynamics, too.
+  // Whether the set has all parts; forward dynamics computes those of inverse dynamics, too.
   bool makes(const std::string& name, const std::vector<std::string>& parts) const {
     if (name == "inverse_dynamics" && has("forward_dynamics")) return true;
     return !parts.empty() && std::all_of(parts.begin(), parts.end(), [this](const auto& part) { return has(part); });
   }
 
-  // Each way of the first part with each of the second.
+  // All combinations of the parts' formulations.
   std::vector<FormulationOfPart> ways_of(const std::vector<std::string>& parts) {
     std::vector<FormulationOfPart> all(1);
     for (const std::string& part : parts) {
@@ -109,15 +110,15 @@ class ReuseCandidates {
   Diagnostics found_;
 };
 
-// Of each function's ways the one that makes the whole cheapest, one function after the other; what a function is made
-// of comes with it.
+// Chooses for each function, one after the other, the candidate that makes the whole cheapest. A candidate made from
+// parts fixes the formulations of these parts, too.
 class CheapestWays {
  public:
   CheapestWays(const std::vector<std::string>& functions, std::vector<std::vector<ReuseCandidate>> ways)
       : functions_(functions), ways_(std::move(ways)), chosen_(functions.size(), 0), best_(made(chosen_)) {}
 
   Fusion find() {
-    // Once more, as what one function is made of decides what is cheapest for those before.
+    // A second round, because the choice for one function affects what is cheapest for those before it.
     for (int round = 0; round < 2; ++round) {
       for (std::size_t k = 0; k < ways_.size(); ++k) {
         for (std::size_t way = 0; way < ways_[k].size(); ++way) {
@@ -160,7 +161,7 @@ class CheapestWays {
   Fusion best_;
 };
 
-// From the same choices, so that they share what they can.
+// Fuses the functions made from the same choices, so that they share as much as possible.
 Fusion fused_from(const LoadedRobot& model, const std::vector<std::string>& functions, const Choices& choices) {
   ReuseCandidates ways(model, functions, choices);
   std::vector<std::vector<ReuseCandidate>> of_all;
@@ -169,7 +170,7 @@ Fusion fused_from(const LoadedRobot& model, const std::vector<std::string>& func
   return CheapestWays(functions, std::move(of_all)).find();
 }
 
-// Each in its own best form: where there is little to share, that may cost less.
+// The set with each function in its own best form: where there is little to share, that may cost less.
 class SideBySide {
  public:
   SideBySide(const LoadedRobot& model, const std::vector<std::string>& functions, Progress& progress) : model_(model) {
@@ -186,7 +187,7 @@ class SideBySide {
   }
 
  private:
-  // Where that costs less.
+  // Makes the function from others of the set, if that costs less.
   void make_of_others(Function& function) {
     std::vector<const Function*> parts;
     for (const std::string& part : parts_of(function.name)) parts.push_back(whole(part));
@@ -198,7 +199,7 @@ class SideBySide {
     if (cost(fused(made_).function) >= before) std::swap(function, changed);
   }
 
-  // One of the set, if the scene leaves out none of its entries.
+  // A function of the set; nullptr if it is not in the set or the scene leaves out entries of it.
   const Function* whole(const std::string& name) const {
     const auto found = std::find_if(made_.begin(), made_.end(), [&name](const Function& f) { return f.name == name; });
     return found != made_.end() && found->outputs[0].left_out.empty() ? &*found : nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Several functions as one, from the grouping and the formulations from which all of them together cost least.
+// Several functions as one, from the grouping and the formulations that make all of them together cheapest.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-// Throws BadInput where the scene asks of a function what it has not.
+// Throws BadInput if the scene asks a function for something that it does not have.
 OptimisedFusion planned_together(const LoadedRobot& model, const std::vector<std::string>& functions,
                                  Progress& progress);
 

@@ -25,7 +25,7 @@ void ChoiceSearch::start_round() {
   moves_ = possible_moves(*mechanism_, here_);
 }
 
-// The next change that changes anything; on the top of a hill, something else.
+// The next candidate: a move that changes the current choices; after the last move another order, then random restarts.
 ChoiceSearch::Candidate ChoiceSearch::next() {
   constexpr unsigned kOrders = 10;
   if (has_moves_ && is_round_over() && is_improved_) start_round();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Search for the choices from which a function costs least after the passes: up the hill, one change at a time, in a
-// fixed order; then some other orders of factoring; then up the hill again and again from some changes at random of the
-// best, the same ones on every machine. Which candidates are tried depends on nothing but the mechanism and the
-// function, so that their number alone makes the same result again.
+// A local search for the choices from which a function costs least after the passes. It descends by one change at a
+// time, in a fixed order; then it tries some other orders of factoring; then it restarts again and again from random
+// changes of the best choices, the same ones on every machine. The candidates depend only on the mechanism and the
+// function, so their number alone reproduces the result.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace flatdyn {
 
-// The function from these choices, after the passes.
+// Makes the function from these choices, after the passes.
 using MakeFunction = std::function<Function(const Choices&)>;
 
 class ChoiceSearch {
@@ -23,15 +23,15 @@ class ChoiceSearch {
   // `made`: the function from `start`. Without `moves`, only orders of factoring are tried.
   ChoiceSearch(const Mechanism& mechanism, Choices start, const Function& made, bool moves, MakeFunction make);
 
-  void step();       // tries one candidate more
-  void step_back();  // forgets the last one
+  void step();       // tries the next candidate
+  void step_back();  // undoes the last step
 
   const Choices& best() const { return best_; }
 
  private:
   struct Candidate {
     Choices choices;
-    bool is_start = false;  // of another climb, whatever it costs
+    bool is_start = false;  // the start of another descent, accepted whatever it costs
   };
 
   Candidate next();
@@ -42,7 +42,7 @@ class ChoiceSearch {
 
   const Mechanism* mechanism_;
   MakeFunction make_;
-  Choices best_, before_, here_;  // here: where it climbs
+  Choices best_, before_, here_;  // here_: the current choices of the descent
   int cost_, cost_here_;
   std::vector<Move> moves_;
   std::size_t next_move_ = 0;
@@ -51,8 +51,8 @@ class ChoiceSearch {
   std::mt19937_64 random_;
 };
 
-// All searches go on side by side until the limit is reached; then each has tried the number of candidates that is
-// returned. A time is looked at after each candidate.
+// Runs all searches in turn, one candidate each, until the limit is reached; returns the number of candidates that each
+// has tried. A time limit is checked after each candidate.
 int run_searches(std::vector<ChoiceSearch>& searches, const SearchLimit& limit);
 
 }  // namespace flatdyn

@@ -9,13 +9,14 @@ namespace {
 
 constexpr double kLetter = 6.4, kHeight = 14, kClearance = 9, kGap = 6;
 
-// Flags of one half: rows above all of its points.
+// The flags of one half: rows above all of its points.
 class FlagRows {
  public:
-  // `edge`: of the points, where the first row begins.
+  // `edge`: the y above which the first row begins, in pixels.
   explicit FlagRows(double edge) : edge_(edge) {}
 
-  // From right to left: a flag goes over the poles to its right, so it has to be in a row behind their flags.
+  // Places a flag; call it from right to left. A flag that reaches over poles to its right must be in a row above their
+  // flags.
   Box place(const LabelledPoint& point) {
     const double right = point.x + label_width(point.text) + kGap;
     std::size_t row = 0;
@@ -30,7 +31,7 @@ class FlagRows {
 
  private:
   double edge_;
-  std::vector<double> starts_;  // of each row's last flag
+  std::vector<double> starts_;  // left edge of each row's last flag
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where the names of points go, so that none covers another one: like flags on poles, to the right of their poles.
+// Layout of the names of points, so that none covers another: like flags on poles, to the right of their poles.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace flatdyn {
 
-// In pixels, y downwards.
+// A rectangle in pixels, y downwards.
 struct Box {
   double left = 0, top = 0, right = 0, bottom = 0;
 
@@ -21,12 +21,12 @@ struct LabelledPoint {
   std::string text;
 };
 
-// About what a renderer makes of it, in the pictures' size of letters.
+// The approximate width of a text in pixels, at the pictures' font size.
 double label_width(const std::string& text);
 
 // The flag of each point; its pole goes up from the point to the flag's left edge. Flags of points in the lower half of
-// `frame` stand above all points of that half, the others above all points. A flag may go beyond the frame on its right
-// and above.
+// `frame` stand above all points of that half, the others above all points. A flag may extend beyond the frame to the
+// right and upwards.
 std::vector<Box> placed_labels(const std::vector<LabelledPoint>& points, const Box& frame);
 
 }  // namespace flatdyn

@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 constexpr int kWidth = 860, kPanelHeight = 250, kPlaneHeight = 620, kTitleHeight = 40;
 constexpr int kColourBarWidth = 14, kHalfMargin = 2;  // characters
 constexpr std::size_t kColourCount = std::size(kPlotColours);
-// Light in both themes, so that curves and the ink show on all of them.
+// Colours that are light in both themes, so that curves and ink show on both of them.
 constexpr const char *kPaleCell = "#eaf2fb", *kDarkCell = "#3f7fc1";
 
-// gnuplot fails where it is given no number that its axes have a place for; nearer to the largest double its ranges
-// overflow.
+// The largest number drawn: gnuplot fails if no number is within its axes, and its ranges overflow near the largest
+// double.
 constexpr double kLargestDrawn = 1e300;
-// Parts of a range's ends by which these differ at the least: less, and gnuplot finds no marks between them.
+// The least relative width of a range; gnuplot finds no marks in a narrower one.
 constexpr double kNarrowest = 1e-9;
 
 bool has_logarithmic_x(PanelStyle style) {
@@ -60,12 +60,12 @@ std::string data_text(PanelStyle style, const Series& series, const std::string&
   return text + "EOD\n";
 }
 
-// What is named but cannot be drawn says so.
+// The name of a series in the key; it says so if nothing of it can be drawn.
 std::string key_text(PanelStyle style, const Series& series) {
   return series.name.empty() || has_place(style, series) ? series.name : series.name + ": nothing to plot";
 }
 
-// In characters: room beside the panels for the longest name and its stroke.
+// The width, in characters, beside the panels for the longest name and its stroke.
 std::size_t key_width(const std::vector<Panel>& panels) {
   constexpr std::size_t kStroke = 8;
   std::size_t longest = 0;
@@ -125,7 +125,8 @@ std::string marks_text(const Panel& panel) {
   return marks.empty() ? "autofreq" : fmt::format("({})", fmt::join(marks, ", "));
 }
 
-// 1, 2 or 5 times a power of ten: so wide that a window has three to seven marks, whose numbers have room.
+// The distance of marks, 1, 2 or 5 times a power of ten, such that a window has three to seven of them and their
+// numbers have room.
 double mark_step(const Window& window) {
   const double rough = (window.right - window.left) / 7, power = std::pow(10, std::floor(std::log10(rough)));
   for (const double step : {1.0, 2.0, 5.0}) {
@@ -152,7 +153,7 @@ std::string axes_text(const Panel& panel) {
   return "";
 }
 
-// For one axis of one plot; "[]" leaves it to gnuplot.
+// The range of one axis of one plot; "[]" leaves it to gnuplot.
 std::string range_text(const Panel& panel, const std::vector<double> Series::*numbers) {
   double low = kLargestDrawn, high = -kLargestDrawn;
   for (const Series& series : panel.series) {
@@ -167,14 +168,14 @@ std::string range_text(const Panel& panel, const std::vector<double> Series::*nu
   return is_narrow ? fmt::format("[{}:{}]", low - room, high + room) : "[]";
 }
 
-// Where curves would be, above the middle: a guide may go through that.
+// The label of an empty panel, above the middle, where a guide may pass.
 std::string empty_label(const Panel& panel) {
   return fmt::format("set label 1 {} at graph 0.02, graph 0.85 left front noenhanced textcolor rgb '{}'\n",
                      gnuplot_string("nothing to plot" + (panel.if_empty.empty() ? "" : ": " + panel.if_empty)),
                      kPlotInk);
 }
 
-// A frame, where there is no number that could give it one.
+// The plot command, with a fixed frame if no number determines one.
 std::string plot_command(const Panel& panel, const std::vector<std::string>& curves) {
   const bool is_empty = std::none_of(panel.series.begin(), panel.series.end(),
                                      [&](const Series& series) { return has_place(panel.style, series); });
@@ -204,7 +205,7 @@ std::string key_style(const Panel& panel) {
                      kPlotInk);
 }
 
-// Squares take half their edge in both directions.
+// The columns to plot; squares extend by half their edge in both directions.
 std::string columns_text(const Panel& panel, const Series& series) {
   return series.kind == SeriesKind::cells ? fmt::format(" using 1:2:({0}):({0}):3", panel.cell / 2) : "";
 }
@@ -234,7 +235,7 @@ int panel_height(const Panel& panel) {
   return panel.is_half ? kWidth / 2 : kPlaneHeight;
 }
 
-// Panels of one row, from the top.
+// Rows of panels, from the top.
 std::vector<std::vector<const Panel*>> rows_of(const std::vector<Panel>& panels) {
   std::vector<std::vector<const Panel*>> rows;
   for (const Panel& panel : panels) {

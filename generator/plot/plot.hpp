@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Curves as a picture for people, drawn by gnuplot.
+// Pictures of curves, drawn by gnuplot.
 #pragma once
 
 #include <optional>
@@ -24,10 +24,10 @@ struct Series {
 
 enum class PanelStyle {
   curves,
-  marked,  // logarithmic axes; points on the curves, x marked where the first has one
+  marked,  // logarithmic axes; points on the curves, x marked where the first curve has a point
   cloud,   // logarithmic axes; points
-  steps,   // x logarithmic; a histogram's outline
-  plane,   // both axes of one scale; higher than the others
+  steps,   // logarithmic x; the outline of a histogram
+  plane,   // both axes with one scale; higher than the others
 };
 
 struct Note {
@@ -35,7 +35,7 @@ struct Note {
   std::string text;
 };
 
-// What a panel shows of its plane.
+// The visible part of a panel's plane.
 struct Window {
   double left, right, bottom, top;
 };
@@ -44,24 +44,25 @@ struct Panel {
   std::string title, x_label, y_label;
   std::vector<Series> series;
   PanelStyle style = PanelStyle::curves;
-  std::string if_empty = {};          // why, where none of its series has a number that its axes have a place for
-  bool is_half = false;               // beside another one, both without a key
-  std::optional<Window> window = {};  // else as much as the series need
+  std::string if_empty = {};          // the reason if no number of its series is within the axes
+  bool is_half = false;               // beside another panel, both without a key
+  std::optional<Window> window = {};  // default: the extent of the series
   std::vector<Note> notes = {};
   double cell = 0;               // edge of the squares
-  std::string value_label = {};  // of their colours
+  std::string value_label = {};  // label of the squares' colours
   bool has_logarithmic_values = false;
 };
 
 enum class PictureFormat {
   svg,  // without background, in colours for white and for dark pages
-  png,  // on white, twice as many pixels as the SVG is wide and high
+  png,  // on white, with twice as many pixels as the SVG in both directions
 };
 
-// Panels below each other in one picture, two halves in a row. What has no number that its axes have a place for (zero
-// has none on a logarithmic one) says that there is nothing to plot. The same input gives the same bytes. Throws
-// Failure(io) where there is no gnuplot.
+// Draws panels below each other in one picture, with two halves in a row. A panel without a number within its axes
+// (zero is not on a logarithmic one) says that there is nothing to plot. The same input gives the same bytes. Throws
+// Failure(io) if there is no gnuplot.
 std::string plot(const std::string& title, const std::vector<Panel>& panels, PictureFormat format);
+// The same as SVG.
 inline std::string svg_plot(const std::string& title, const std::vector<Panel>& panels) {
   return plot(title, panels, PictureFormat::svg);
 }

@@ -14,16 +14,16 @@ namespace flatdyn {
 namespace {
 
 constexpr double kSheetWidth = 860, kSheetTitle = 44, kSheetPanel = 350;
-// Of a panel's frame, from the panel's edges.
+// The distances, in pixels, of a panel's frame from the panel's edges.
 constexpr double kLeft = 78, kRight = 90, kTop = 34, kBottom = 62;
 
-// One axis: decimal logarithms of its ends, of the least number that is marked, and of the place where zero is shown.
+// An axis: decimal logarithms of its ends, of the least number that is marked, and of the place where zero is shown.
 struct Axis {
   double low = 0, high = 1, first = low, zero = low;
   double part(double value) const { return (std::log10(value) - low) / (high - low); }
 };
 
-// All values with some room around them, `least` decades at the least.
+// An axis for all values with some room around them, at least `least` decades long.
 Axis axis_of(const std::vector<double>& values, double least) {
   Axis axis{1e300, -1e300, 0, 0};
   for (const double value : values) {
@@ -37,7 +37,7 @@ Axis axis_of(const std::vector<double>& values, double least) {
   return {first, axis.high + room, first, first};
 }
 
-// Room for zero below the numbers, if there are any.
+// Adds room for zero below the numbers, if there are any.
 void add_zero(Axis& axis) {
   if (axis.first > axis.high) return;
   const double room = 0.12 * (axis.high - axis.first);
@@ -45,13 +45,13 @@ void add_zero(Axis& axis) {
   axis.zero = axis.first - room / 2;
 }
 
-// Within what axes with room around them can count to.
+// Whether the point is within the numbers that axes with room around them can represent.
 bool point_has_place(const ScatterPoint& point) {
   constexpr double kLeast = 1e-250, kMost = 1e250;
   return point.x > kLeast && point.x < kMost && (point.y == 0 || (point.y > kLeast && point.y < kMost));
 }
 
-// "2e1" is written as 20. One, two and five of each decade; of many decades only the powers of ten.
+// The marks: one, two and five of each decade; for many decades only the powers of ten. "2e1" is written as 20.
 std::string ticks(const Axis& axis) {
   std::vector<std::string> marks;
   const bool few = axis.high - axis.first < 4;
@@ -92,7 +92,7 @@ class PanelWriter {
 
   double height() const { return kSheetPanel + headroom_; }
 
-  // On a sheet of this height, so far from its top.
+  // The commands for panel `index` at distance `top` from the top of a sheet of this height.
   std::string text(std::size_t index, double top, double sheet_height) {
     height_ = sheet_height;
     frame_.top = top + headroom_ + kTop;
@@ -105,18 +105,18 @@ class PanelWriter {
  private:
   double pixel_x(const ScatterPoint& p) const { return frame_.left + x_.part(p.x) * (frame_.right - frame_.left); }
   double pixel_y(const ScatterPoint& p) const { return frame_.bottom - y_.part(p.y) * (frame_.bottom - frame_.top); }
-  // gnuplot counts from the lower left corner, in parts of the sheet.
+  // A position for gnuplot, which counts from the lower left corner in fractions of the sheet.
   std::string screen(double x, double y) const {
     return fmt::format("screen {:.5f}, screen {:.5f}", x / kSheetWidth, 1 - y / height_);
   }
 
-  // Above the names.
+  // The heading above the names.
   std::string heading(double top) const {
     return fmt::format("set label {} at {} center noenhanced textcolor rgb '{}'\n", gnuplot_string(panel_.title),
                        screen((frame_.left + frame_.right) / 2, top + 0.4 * kTop), kPlotInk);
   }
 
-  // The frame with a text in it.
+  // The frame with a text in it, for a panel without points.
   std::string nothing() const {
     return fmt::format("set label 'nothing to plot' at {} center textcolor rgb '{}'\nplot [1:10] [1:10] NaN notitle\n",
                        screen((frame_.left + frame_.right) / 2, (frame_.top + frame_.bottom) / 2), kPlotInk);
@@ -172,7 +172,7 @@ class PanelWriter {
     return text + "EOD\n";
   }
 
-  // A ring marks those on the front.
+  // Points on the front have a ring.
   static std::string plot(std::size_t index) {
     return fmt::format(
         "plot $points{0} using 1:2:4:3 with points pointtype variable pointsize 0.7 linecolor rgb variable notitle, "
@@ -181,8 +181,8 @@ class PanelWriter {
   }
 
   const ScatterPanel& panel_;
-  double height_ = 1;    // of the sheet
-  double headroom_ = 0;  // for names above the frame
+  double height_ = 1;    // height of the sheet
+  double headroom_ = 0;  // height of the names above the frame
   std::vector<ScatterPoint> points_;
   Axis x_, y_;
   Box frame_;

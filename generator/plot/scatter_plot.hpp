@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Named points on logarithmic axes as a picture for people, drawn by gnuplot.
+// Pictures of named points on logarithmic axes, drawn by gnuplot.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@ namespace flatdyn {
 
 struct ScatterPoint {
   std::string name;
-  double x = 0, y = 0;     // x > 0; a y of 0 is drawn below all others, marked "exact"
-  std::size_t colour = 0;  // of kPlotColours
+  double x = 0, y = 0;     // x > 0; y = 0 is drawn below all others, marked "exact"
+  std::size_t colour = 0;  // index into kPlotColours
   bool is_hollow = false;
-  bool on_front = false;  // has a ring
+  bool on_front = false;  // drawn with a ring
 };
 
 struct ScatterPanel {
@@ -21,8 +21,8 @@ struct ScatterPanel {
   std::vector<ScatterPoint> points;
 };
 
-// Panels below each other in one SVG, as svg_plot does it. Points that are not finite are left out; a
-// panel without points says that there is nothing to plot.
+// Draws panels below each other in one SVG, like plot(). Points that are not finite are left out; a panel without
+// points says that there is nothing to plot. Throws Failure(io) if there is no gnuplot.
 std::string svg_scatter(const std::string& title, const std::vector<ScatterPanel>& panels);
 
 }  // namespace flatdyn

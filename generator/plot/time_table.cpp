@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 2000;
 
-// Rows that are drawn: all of them, or of each group the first and those where the column is least and greatest.
+// The rows to draw: all of them, or the first of each group and those where the column is least and greatest in it.
 std::vector<std::size_t> drawn_rows(const std::vector<double>& values) {
   std::vector<std::size_t> rows;
   const std::size_t step = std::max<std::size_t>(1, 3 * values.size() / kMostPoints);
@@ -51,7 +51,7 @@ std::vector<double> TimeTable::column(std::size_t index) const {
 std::string csv_text(const TimeTable& table) {
   std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
   for (const std::vector<double>& row : table.rows) {
-    // + 0.0: no negative zeros.
+    // Adding 0.0 avoids negative zeros.
     for (std::size_t k = 0; k < row.size(); ++k) {
       fmt::format_to(std::back_inserter(text), "{}{}", k == 0 ? "" : ",", row[k] + 0.0);
     }

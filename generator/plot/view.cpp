@@ -7,7 +7,7 @@
 namespace flatdyn {
 namespace {
 
-// Seen from in front of the robot, to its right, and above.
+// A view from in front of the robot, from its right, and from above.
 constexpr double kAzimuth = -50 * std::numbers::pi / 180, kElevation = 25 * std::numbers::pi / 180;
 
 View of_axes(const std::string& name) {

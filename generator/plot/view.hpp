@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From where a picture shows the robot: parallel projections of the base frame.
+// The views in which pictures show the robot: parallel projections of the base frame.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,15 +10,15 @@ namespace flatdyn {
 
 struct View {
   std::string name;
-  bool is_oblique = false;           // sees all three axes
-  std::string across, up;            // labels of the picture's axes; empty where these are none of the base frame's
-  Eigen::Matrix<double, 2, 3> onto;  // p in the base frame, m, to the picture's place
+  bool is_oblique = false;           // shows all three axes
+  std::string across, up;            // labels of the picture's axes; empty if they are not axes of the base frame
+  Eigen::Matrix<double, 2, 3> onto;  // from p in the base frame, m, to the place in the picture
 };
 
-// "xy" from above, "xz" and "yz" from the sides, and "space", which sees all three axes.
+// The view "xy" from above, "xz" or "yz" from the sides, or "space", which shows all three axes.
 View view_of(const std::string& name);
 
-// Those of a technical drawing: from the front, the side, above, and in space.
+// The views of a technical drawing: from the front, from the side, from above, and in space.
 std::vector<View> all_views();
 
 }  // namespace flatdyn

@@ -21,12 +21,12 @@ namespace {
 
 using kainjow::mustache::data;
 
-// "7, 7", in brackets a tuple of Python's even if there is one.
+// The entries as a Python tuple, "7, 7" in brackets, also for a single one.
 std::string tuple_of(const std::vector<std::string>& entries) {
   return fmt::format("({}{})", fmt::join(entries, ", "), entries.size() == 1 ? "," : "");
 }
 
-// Of one state: () of a number, (7,) of a vector, (7, 7) of a matrix.
+// The shape of an output at one state: () for a number, (7,) for a vector, (7, 7) for a matrix.
 std::string shape_of(const Output& output) {
   switch (output.layout) {
     case Layout::scalar:
@@ -102,7 +102,7 @@ class ModuleWriter {
     return row;
   }
 
-  // The method: its arguments, what they are to be, and what it gives back.
+  // Fills in a method: its arguments, their meaning, and its result.
   void write_python(const Function& function, data& row) const {
     std::vector<std::string> names, lengths, shapes;
     data meanings(data::type::list), results(data::type::list);
@@ -134,7 +134,7 @@ class ModuleWriter {
            (loops > 0 ? ", or a closed loop" : "");
   }
 
-  // close_loops() of the C form, which is there if both of these are.
+  // Whether the C form has close_loops(), which it has if both of these functions are generated.
   bool closes_loops() const {
     return std::count_if(functions_.begin(), functions_.end(), [](const Function& function) {
              return function.name == "loop_closure" || function.name == "loop_step";

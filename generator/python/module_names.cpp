@@ -6,7 +6,7 @@
 namespace flatdyn {
 namespace {
 
-// Words with a blank before and behind each.
+// The keywords of Python, each between blanks.
 constexpr std::string_view kKeywords =
     " "
     "False None True and as assert async await break class continue def del elif else except finally for from "

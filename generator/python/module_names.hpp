@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Names that a module of Python cannot have.
+// Names that a Python module cannot have.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@ namespace flatdyn {
 
 bool is_keyword_of_python(std::string_view name);
 
-// Of the standard library, which is searched after the folder of a program; and numpy. A module of that name would be
-// imported in its place, by itself or by the others.
+// Whether the name belongs to the standard library, which is searched after the folder of a program, or is numpy. A
+// generated module of that name would be imported in its place.
 bool is_module_of_python(std::string_view name);
 
 }  // namespace flatdyn

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-// What stands at namespace scope: structs and function templates.
+// Scans namespace scope: structs and function templates.
 class Scanner : TokenCursor {
  public:
   using TokenCursor::TokenCursor;
@@ -58,7 +58,7 @@ class Scanner : TokenCursor {
     }
   }
 
-  // Fields are declared as "Scalar x, y;".
+  // Scans a struct, whose fields are declared as "Scalar x, y;".
   void structure() {
     const std::string name = word(1);
     at_ += 2;
@@ -103,7 +103,7 @@ class Scanner : TokenCursor {
     }
   }
 
-  // Of type "const Scalar*", "Scalar*", or a reference to what is handed on.
+  // Scans parameters of type "const Scalar*" or "Scalar*", and references, which are handed on.
   void parameters(WrittenFunction& written) {
     ++at_;
     while (!is(")")) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Emitted code read back. What is known of a graph is known of the text that people compile only if the text says
-// the same: so it is read by a parser that shares nothing with the printer, and compared.
+// Emitted code, read back. Properties of a graph hold for the text that people compile only if the text says the same;
+// so it is read by a parser that shares nothing with the printer, and compared.
 //
 //   statement   const Scalar x = sum, …;   B[1] = B[7] = sum;   stage.x1 = sum;   return sum;   detail::f_part_1(…);
 //   sum         [-] product {(+|-) product}
 //   product     factor {(*|/) factor}
 //   factor      x   q[2]   parameters.m1   Scalar(0.0825)   detail::sign(sum)   (sum)
 //
-// In C the type's name stands for Scalar, and 0.0825 or 0.0825f for the literal; parameters->m1; arm_sign(sum); and a
-// function that needs sines and cosines calls the one that is given them. In JavaScript no type is named;
-// Math.sin(q[2]) may stand for a factor, and Math.sign(sum).
+// In C the type's name replaces Scalar, and 0.0825 or 0.0825f the literal; there are parameters->m1 and arm_sign(sum);
+// and a function that needs sines and cosines calls the one that takes them as arguments. In JavaScript no type is
+// named; Math.sin(q[2]) and Math.sign(sum) may be factors.
 #pragma once
 
 #include <map>
@@ -25,7 +25,7 @@ namespace flatdyn {
 // A function of the text: its tokens.
 struct WrittenFunction {
   struct Parameter {
-    std::string name;  // empty: not read, or not written
+    std::string name;  // empty: unnamed, or not part of the text
     bool is_output = false;
   };
 
@@ -33,28 +33,29 @@ struct WrittenFunction {
   std::string member_of;  // "Motion"
   std::string returns;    // "void", "bool", "Scalar", "float", "Motion"
   std::vector<Parameter> parameters;
-  std::size_t begin = 0, end = 0;  // of the body, without its braces
+  std::size_t begin = 0, end = 0;  // tokens of the body, without its braces
 };
 
 class EmittedText {
  public:
-  // A C++ header, followed by its source if there is one. Throws Failure(bug) where the text is none of the emitter's.
+  // A C++ header, followed by its source if there is one. Throws Failure(bug) if the emitter cannot have written the
+  // text.
   explicit EmittedText(const std::string& header);
-  // A C header, and then its source, in "double" or "float".
+  // A C header and its source, in "double" or "float".
   EmittedText(const std::string& header, const std::string& source, const std::string& scalar);
   static EmittedText of_javascript(const std::string& module);
 
-  // What constants are rounded to: "double" or "float". C++ is printed with constants in double.
+  // The type to which constants are rounded: "double" or "float". C++ is printed with constants in double.
   std::string constants() const { return is_c() ? scalar_ : "double"; }
 
-  // Those of the robot's namespace, in their order, members of stages included.
+  // The functions of the robot's namespace, in their order, members of stages included.
   const std::vector<WrittenFunction>& functions() const { return functions_; }
 
-  // Function k, as it is executed, for the outputs of `like`. Throws Failure(bug) if the text is no such function.
+  // Function k as it is executed, with the outputs of `like`. Throws Failure(bug) if the text is not such a function.
   StraightLine operations(std::size_t k, const Function& like) const;
 
-  // Function k, as what it computes for the outputs and conditions of `like`. Throws Failure(bug) if the text is no
-  // such function.
+  // Function k as the graph of what it computes, with the outputs and conditions of `like`. Throws Failure(bug) if the
+  // text is not such a function.
   Function read(std::size_t k, const Function& like) const;
 
  private:
@@ -68,12 +69,12 @@ class EmittedText {
   std::string scalar_;  // the type of variables; "number" in JavaScript
   std::vector<Token> tokens_;
   std::vector<WrittenFunction> functions_;
-  std::map<std::string, WrittenFunction> parts_;            // that these call, by name
-  std::map<std::string, std::vector<std::string>> fields_;  // of structs, by name
+  std::map<std::string, WrittenFunction> parts_;            // parts that these functions call, by name
+  std::map<std::string, std::vector<std::string>> fields_;  // fields of structs, by name
 };
 
-// The function with every constant as it is printed: the nearest double, in "float" that rounded once more. Without
-// what is not written, without conditions that always hold, and without scales, which cancel where they are written.
+// The function with every constant as it is printed: rounded to the nearest double, and for "float" once more. It lacks
+// what is not printed: entries left out, conditions that always hold, and pivot diagonals, which cancel.
 Function as_printed(const Function& function, const std::string& scalar = "double");
 
 }  // namespace flatdyn

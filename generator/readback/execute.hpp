@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The results of a straight line's operations over any scalar: float, double, many states at once, a prime field.
+// Execution of a straight line's operations over any scalar: float, double, many states at once, a prime field.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace flatdyn {
 
-// Of the operations that `values` has none of yet, up to the one before `end`. An Arithmetic has:
+// Appends to `values` the results of the operations after those that it has, up to the one before `end`. An Arithmetic
+// has:
 //   using Scalar, with + - * and a sign
 //   Scalar constant(double)
 //   Scalar input(const Input&)

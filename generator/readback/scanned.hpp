@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What stands in emitted text outside of functions.
+// The parts of emitted text outside of function bodies.
 #pragma once
 
 #include <map>
@@ -11,21 +11,21 @@
 namespace flatdyn {
 
 struct Scanned {
-  std::vector<WrittenFunction> functions;                  // the robot's, in their order
-  std::map<std::string, WrittenFunction> parts;            // that only these call, by name
-  std::map<std::string, std::vector<std::string>> fields;  // of structs, by name
+  std::vector<WrittenFunction> functions;                  // the robot's functions, in order
+  std::map<std::string, WrittenFunction> parts;            // parts that only these call, by name
+  std::map<std::string, std::vector<std::string>> fields;  // fields of structs, by name
 };
 
-// Whether a function of the text is none of the robot's own formulas: rounding_is_as_written, and close_loops, which
-// calls the robot's in a loop.
+// Whether a function of the text is not one of the robot's formulas: rounding_is_as_written, and close_loops, which
+// calls the robot's functions in a loop.
 inline bool is_no_formula(const std::string& name) {
   return name.ends_with("rounding_is_as_written") || name.ends_with("close_loops");
 }
 
-// Of a C header and its source. Throws Failure(bug) where the text is none of the emitter's.
+// Scans a C header and its source. Throws Failure(bug) if the emitter cannot have written the text.
 Scanned scanned_c(const std::vector<Token>& tokens, const std::string& scalar);
 
-// Of a JavaScript module. It says of no parameter whether it is an output, and of no function what it returns.
+// Scans a JavaScript module. It does not tell which parameters are outputs, nor what a function returns.
 Scanned scanned_javascript(const std::vector<Token>& tokens);
 
 }  // namespace flatdyn

@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-// At file scope there are declarations, constants, one struct of parameters, and functions.
+// Scans file scope: declarations, constants, one struct of parameters, and functions.
 class CScanner : TokenCursor {
  public:
   CScanner(const std::vector<Token>& tokens, const std::string& scalar) : TokenCursor(tokens), scalar_(scalar) {}
@@ -36,7 +36,7 @@ class CScanner : TokenCursor {
     }
   }
 
-  // The first ; or opening brace.
+  // The position of the first ; or opening brace.
   std::size_t end_of_head() const {
     std::size_t k = at_;
     while (k < tokens_.size() && tokens_[k].text != ";" && tokens_[k].text != "{") ++k;
@@ -44,7 +44,7 @@ class CScanner : TokenCursor {
     return k;
   }
 
-  // typedef struct { float g; float a_1; } arm_parameters;
+  // Scans typedef struct { float g; float a_1; } arm_parameters;
   void structure() {
     at_ += 3;
     std::vector<std::string>& fields = found_.fields["Parameters"];
@@ -75,7 +75,7 @@ class CScanner : TokenCursor {
     }
   }
 
-  // "const float* restrict q," or the last one with its parenthesis.
+  // Scans a parameter: "const float* restrict q," or the last one with its parenthesis.
   void parameter(WrittenFunction& written) {
     const bool is_constant = is("const");
     bool is_pointer = false;
@@ -87,7 +87,8 @@ class CScanner : TokenCursor {
     ++at_;
   }
 
-  // A function that asks for sines and cosines calls the one before it: that is a part of it.
+  // Makes the function before this one a part of it if this one calls it, as a function that asks for sines and cosines
+  // does.
   void forget_what_it_calls(const WrittenFunction& written) {
     if (found_.functions.empty()) return;
     const WrittenFunction& before = found_.functions.back();
@@ -100,7 +101,7 @@ class CScanner : TokenCursor {
   }
 
   const std::string& scalar_;
-  int open_ = 0;  // braces of extern "C"
+  int open_ = 0;  // open braces of extern "C"
   Scanned found_;
 };
 

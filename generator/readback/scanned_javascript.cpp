@@ -7,8 +7,8 @@
 namespace flatdyn {
 namespace {
 
-// A module has constants, functions, and a list of the names that others may use: functions that are not in it are
-// parts of those that are.
+// Scans a module: constants, functions, and a list of the exported names. Functions not in the list are parts of those
+// that are.
 class JavascriptScanner : TokenCursor {
  public:
   using TokenCursor::TokenCursor;
@@ -35,7 +35,7 @@ class JavascriptScanner : TokenCursor {
   }
 
  private:
-  // const parameter_names = ["g", "a_1"];
+  // Scans const parameter_names = ["g", "a_1"];
   void parameter_names() {
     skip_to("[");
     for (; word() != "]"; ++at_) {
@@ -45,7 +45,7 @@ class JavascriptScanner : TokenCursor {
     }
   }
 
-  // function gravity(parameters, q, g) { … }
+  // Scans function gravity(parameters, q, g) { … }
   void function() {
     WrittenFunction written;
     written.name = word(1);
@@ -62,7 +62,7 @@ class JavascriptScanner : TokenCursor {
     if (!is_no_formula(written.name)) functions_.push_back(std::move(written));
   }
 
-  // export {gravity, bias};
+  // Scans export {gravity, bias};
   void exports() {
     for (++at_; word() != ";"; ++at_) exported_.push_back(word());
     ++at_;

@@ -56,8 +56,8 @@ namespace {
   throw Failure(ExitCode::bug, std::string("emitted text cannot be read back: ") + what);
 }
 
-// Repeated squaring doubles powers, and the digits of constants, with every line: what a few lines ask for may fit into
-// no memory. Code that is meant has powers of a few, and constants of some thousand bits.
+// Throws if a node grows too large. Repeated squaring doubles powers, and the digits of constants, with every line, so
+// that a few lines may exceed any memory. Genuine code has small powers and constants of some thousand bits.
 void refuse_growth(const Node& node) {
   constexpr std::size_t kMostFactors = 10'000;
   constexpr std::size_t kMostBits = 1'000'000;

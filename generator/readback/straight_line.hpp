@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A function as its text executes it: one operation after the other, each rounded. A Graph says what is computed; this
-// also says how: left-to-right sums, one product at a time, constants as the text has them.
+// A function as its text executes it: a sequence of operations, each rounded. Unlike a Graph, it has the order of
+// evaluation: left-to-right sums, one product at a time, constants as printed.
 #pragma once
 
 #include <functional>
@@ -14,12 +14,13 @@ namespace flatdyn {
 
 enum class Step : std::uint8_t { constant, input, sine, cosine, negate, add, subtract, multiply, divide, sign, sqrt };
 
-// The k-th operation; its operands are operations before it.
+// One operation; its operands are earlier operations.
 struct Operation {
   Step step = Step::constant;
-  int a = -1, b = -1;  // operands; negate, sign and sqrt have no b; sine and cosine an angle if it is no entry of q
-  double value = 0;    // of a constant
-  Input input{};       // of input; of sine and cosine the joint's position, by the index in arrays of sines
+  // Operands; negate, sign and sqrt have no b; sine and cosine have an angle if it is not an entry of q.
+  int a = -1, b = -1;
+  double value = 0;  // the value of a constant
+  Input input{};     // an input; for sine and cosine the joint's position, by the index in arrays of sines
 
   bool is_sine_or_cosine() const { return step == Step::sine || step == Step::cosine; }
   bool is_sum_or_product() const { return step == Step::add || step == Step::subtract || step == Step::multiply; }
@@ -27,7 +28,8 @@ struct Operation {
 
 class StraightLine {
  public:
-  // Each returns the index of the operation. One that is there already is not made twice: it has the same value.
+  // Each of these returns the index of the operation. An operation that exists already is not added again: it has the
+  // same value.
   int constant(double value);
   int input(Input input);
   int sine(int joint, int angle = -1);
@@ -43,11 +45,11 @@ class StraightLine {
   const Operation& operator[](int k) const { return operations_[static_cast<std::size_t>(k)]; }
   int size() const { return static_cast<int>(operations_.size()); }
 
-  // As it is, without looking for one that is the same.
+  // Appends an operation without looking for an equal one.
   int append(const Operation& operation);
 
   std::vector<std::vector<int>> outputs;  // by output and entry; -1: the text does not write it
-  std::vector<int> validity_conditions;   // what must be > 0
+  std::vector<int> validity_conditions;   // values that must be positive
 
  private:
   using Key = std::tuple<Step, int, int, double, InputKind, int>;
@@ -58,11 +60,11 @@ class StraightLine {
   std::map<Key, int> index_;
 };
 
-// The same, with constants of such values made anew for each operation that reads them.
+// The same operations, but each one that reads a constant selected by `is_apart` has a copy of its own.
 StraightLine with_constants_apart(const StraightLine& lines, const std::function<bool(double)>& is_apart);
 
-// What it computes: the outputs and conditions of `like`, exactly. Throws Failure(bug) where that is none: a division
-// by zero, or powers and constants that grow beyond measure.
+// The graph of what the text computes: the outputs and conditions of `like`, exactly. Throws Failure(bug) if there is
+// none: for a division by zero, or powers and constants that grow too large.
 Function graph_of(const StraightLine& lines, const Function& like);
 
 }  // namespace flatdyn

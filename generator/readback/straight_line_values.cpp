@@ -10,7 +10,7 @@
 namespace flatdyn {
 namespace {
 
-// As T rounds, with given sines of the joints' positions.
+// Arithmetic with T's rounding, and with given sines and cosines of the joints' positions.
 template <class T>
 class RoundedArithmetic {
  public:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a straight line of operations computes at a state: each result rounded, as compiled code rounds it without
-// contraction.
+// Values of a straight line at a state, with each result rounded as compiled code rounds it without contraction.
 #pragma once
 
 #include <vector>
@@ -10,21 +9,21 @@
 
 namespace flatdyn {
 
-// Of the positions, by joint. Of other angles, those of <cmath> in double are taken.
+// The sines and cosines of the positions, by joint. For other angles, those of <cmath> in double are used.
 struct SinesAndCosines {
   std::vector<double> sine, cosine;
 };
 
-// Those of <cmath>, in double.
+// The values of <cmath>, in double.
 SinesAndCosines library_sines(const State& state);
 
-// By operation, in double, with the sines of <cmath>.
+// The values by operation, in double, with the sines of <cmath>.
 std::vector<double> values_of(const StraightLine& lines, const State& state);
 
-// Entries of all outputs, in order; not-a-number where one is not written, or a condition does not hold.
+// The entries of all outputs, in order; NaN for an entry that is not written, and for all if a condition does not hold.
 std::vector<double> outputs_of(const StraightLine& lines, const State& state);
 
-// The same as T rounds, float or double, with given sines.
+// The same with the rounding of T, float or double, and with given sines.
 template <class T>
 std::vector<double> outputs_of(const StraightLine& lines, const State& state, const SinesAndCosines& given);
 

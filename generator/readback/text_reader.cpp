@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Statements of one function, carried out one operation after the other.
+// The statements of one function, executed symbolically one operation after the other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ class TextReader {
                                              text_.tokens_[k].line, what, text_.tokens_[k].text));
   }
 
-  // "" behind the end.
+  // The token's text; "" after the end.
   const std::string& word(std::size_t ahead = 0) const {
     static const std::string none;
     return at_ + ahead < text_.tokens_.size() ? text_.tokens_[at_ + ahead].text : none;
@@ -86,7 +86,7 @@ class TextReader {
     }
   }
 
-  // A function or a part, with variables of its own; arrays are common to all. No part is called twice.
+  // Executes a function or a part. It has variables of its own; arrays are common to all. No part is called twice.
   void carry_out(const WrittenFunction& function) {
     if (!carried_out_.insert(&function).second) fail("a second call of one part");
     const std::size_t back = at_;
@@ -104,7 +104,7 @@ class TextReader {
       if (!text_.is_javascript()) expect(text_.scalar_.c_str());
       definitions();
     } else if (word() == text_.scalar_ || word(1) == "<" || is("(") || is("static_assert")) {
-      skip_past(";");  // arrays, an empty stage, "(void)qd;", or what only compilers ask
+      skip_past(";");  // arrays, an empty stage, "(void)qd;", and compile-time checks
     } else if (accept("sin_cos")) {
       sines_and_cosines();
     } else if (text_.is_c() && ends_with(word(), "_sines_and_cosines")) {
@@ -133,7 +133,7 @@ class TextReader {
     expect(";");
   }
 
-  // sin_cos(q, Joints<1, 2>(), sine, cosine); or of angle, which has been filled.
+  // Reads sin_cos(q, Joints<1, 2>(), sine, cosine); or of `angle`, which has been filled.
   void sines_and_cosines() {
     expect("(");
     const std::string angles = take();
@@ -150,7 +150,7 @@ class TextReader {
     arrays_["cosine"][k] = lines_.cosine(k, angle);
   }
 
-  // An entry of q is known by its index.
+  // The angle of an operation; an entry of q is identified by its index instead.
   int angle_at(int operation) const { return lines_[operation].step == Step::input ? kPosition : operation; }
 
   bool is_input(const std::string& array) const {
@@ -165,7 +165,7 @@ class TextReader {
     return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0;
   }
 
-  // arm_sines_and_cosines(q, 1, 6, sine, cosine); of all between these.
+  // Reads arm_sines_and_cosines(q, 1, 6, sine, cosine); with all angles between the two.
   void sines_and_cosines_in_c() {
     ++at_;
     expect("(");
@@ -182,7 +182,7 @@ class TextReader {
 
   const char* and_also() const { return text_.is_javascript() ? "&&=" : "&="; }
 
-  // "> Scalar(0.0)", "> 0.0f"
+  // Reads "> Scalar(0.0)" or "> 0.0f".
   void above_zero() {
     expect(">");
     if (!text_.is_cpp()) {
@@ -192,7 +192,7 @@ class TextReader {
     }
   }
 
-  // "bool positive = true;", "positive &= D_2 > Scalar(0.0);"
+  // Reads "bool positive = true;" or "positive &= D_2 > Scalar(0.0);".
   void positivity(const char* sign) {
     expect("positive");
     expect(sign);
@@ -203,8 +203,8 @@ class TextReader {
     expect(";");
   }
 
-  // for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0);
-  // for (int k = 0; k < 7; ++k) { positive &= pivots[k] > 0.0f; }
+  // Reads for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0); or for (int k = 0; k < 7; ++k) { positive
+  // &= pivots[k] > 0.0f; }
   void all_pivots() {
     if (!text_.is_cpp()) {
       for (const char* text : {"(", text_.is_c() ? "int" : "let", "k", "=", "0", ";", "k", "<"}) expect(text);
@@ -223,7 +223,7 @@ class TextReader {
     for (const auto& [index, pivot] : arrays_["pivots"]) lines_.validity_conditions.push_back(pivot);
   }
 
-  // True, positive, a stage, or a value.
+  // Reads what a function returns: true, positive, a stage, or a value.
   void give_back() {
     if (word(1) == "(" && text_.parts_.count(word()) != 0) {
       call();
@@ -240,7 +240,7 @@ class TextReader {
     expect(";");
   }
 
-  // detail::f_part_1(q, kept, B);
+  // Reads detail::f_part_1(q, kept, B);
   void call() {
     if (accept("detail")) expect("::");
     const auto part = text_.parts_.find(take());
@@ -253,7 +253,7 @@ class TextReader {
     carry_out(part->second);
   }
 
-  // Every argument has the name that the part knows it by.
+  // Checks that every argument has the name of the part's parameter.
   void arguments_of(const WrittenFunction& part) {
     const char* before = "(";
     for (const WrittenFunction::Parameter& parameter : part.parameters) {
@@ -265,7 +265,7 @@ class TextReader {
     expect(";");
   }
 
-  // "B[1] = B[7] = sum;": entries until there is no other =. Nothing is written before the sum is read.
+  // Reads "B[1] = B[7] = sum;": entries until there is no further =. The sum is read before any entry is written.
   void assignment() {
     std::vector<std::pair<std::string, int>> targets;
     const std::size_t last = last_assignment();
@@ -286,7 +286,7 @@ class TextReader {
     return last;
   }
 
-  // "B[1]", "stage.x1", "result": an array and the index in it.
+  // Reads "B[1]", "stage.x1" or "result": an array and the index in it.
   std::pair<std::string, int> target() {
     const std::string name = take();
     if (accept(".")) return {name, field(written_.returns, take())};
@@ -312,7 +312,7 @@ class TextReader {
     return value;
   }
 
-  // From left to right; a leading minus changes the sign of the first product.
+  // Reads a sum from left to right; a leading minus changes the sign of the first product.
   int sum() {
     const bool is_negative = accept("-");
     int value = product();
@@ -364,7 +364,7 @@ class TextReader {
     return named_value(take());
   }
 
-  // .sin(q[2]), .cos(0.5 * q[2]), .sign(sum), .sqrt(sum)
+  // Reads .sin(q[2]), .cos(0.5 * q[2]), .sign(sum) or .sqrt(sum).
   int library_call() {
     expect(".");
     const std::string function = take();
@@ -377,7 +377,7 @@ class TextReader {
     return function == "sin" ? lines_.sine(joint, angle) : lines_.cosine(joint, angle);
   }
 
-  // Behind the opening one.
+  // Reads the rest of a bracketed sum, after the opening bracket.
   int in_brackets() {
     constexpr int kDeepest = 200;
     if (++depth_ > kDeepest) fail("nested too deeply");
@@ -387,7 +387,7 @@ class TextReader {
     return value;
   }
 
-  // (0.0825), (-2.0)
+  // Reads (0.0825) or (-2.0).
   int literal() {
     expect("(");
     const bool is_negative = accept("-");
@@ -400,7 +400,7 @@ class TextReader {
     return lines_.constant(is_negative ? -value : value);
   }
 
-  // In C and JavaScript: 0.0825 in double, 0.0825f in float: in its own type, and rounded only once.
+  // Reads a literal of C or JavaScript, 0.0825 in double or 0.0825f in float, rounded only once, in its own type.
   int plain_literal() {
     const std::string text = take();
     const bool is_float = text_.scalar_ == "float";
@@ -413,7 +413,7 @@ class TextReader {
     return lines_.constant(is_float ? double(narrow) : value);
   }
 
-  // A variable, an entry of an array, a parameter, or what a stage has stored.
+  // Reads a variable, an entry of an array, a parameter, or a value that a stage has stored.
   int named_value(const std::string& name) {
     if (accept("[")) {
       const int entry = index();
@@ -448,7 +448,7 @@ class TextReader {
     return array->second.at(entry);
   }
 
-  static constexpr int kPosition = -1;  // the angle of a sine that is one of q
+  static constexpr int kPosition = -1;  // stands for an angle that is an entry of q
 
   const EmittedText& text_;
   const WrittenFunction& written_;
@@ -461,7 +461,7 @@ class TextReader {
   int depth_ = 0;
 };
 
-// What JavaScript does not say of its parameters, their order does.
+// The function with the types of its parameters, which in JavaScript follow from their order.
 WrittenFunction EmittedText::as_called(std::size_t k, const Function& like) const {
   WrittenFunction written = functions_.at(k);
   if (!is_javascript()) return written;

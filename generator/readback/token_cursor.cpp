@@ -10,7 +10,7 @@
 namespace flatdyn {
 
 const std::string& TokenCursor::word(std::ptrdiff_t ahead) const {
-  const std::size_t k = at_ + static_cast<std::size_t>(ahead);  // wraps around before the first
+  const std::size_t k = at_ + static_cast<std::size_t>(ahead);  // wraps around before the first token
   if (k >= tokens_.size()) fail("it ends here");
   return tokens_[k].text;
 }

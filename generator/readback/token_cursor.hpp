@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A place among the tokens of emitted text, in C++ or C, that a scanner moves through them.
+// A position among the tokens of emitted text, in C++ or C, that a scanner moves.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,16 @@ class TokenCursor {
  protected:
   bool at_end() const { return at_ >= tokens_.size(); }
   bool is(const char* text) const { return !at_end() && tokens_[at_].text == text; }
-  // Of the token so far ahead, or behind.
+  // The text of the token this far ahead or, if negative, behind.
   const std::string& word(std::ptrdiff_t ahead = 0) const;
 
-  // Past the next `end` that is not within braces.
+  // Moves past the next `end` that is not within braces.
   void skip_past(const char* end);
-  // From one brace to behind its counterpart.
+  // Moves from an opening brace past its counterpart.
   void skip_block();
   void skip_to(const char* text);
 
-  // Throws Failure(bug) with the line that is read.
+  // Throws Failure(bug) with the current line.
   [[noreturn]] void fail(const std::string& what) const;
 
   const std::vector<Token>& tokens_;

@@ -59,7 +59,7 @@ class Lexer {
     return std::min(end + 1, text_.size()) - at_;
   }
 
-  // "1.5e-07": a point, or a sign behind an e.
+  // Whether character k is part of a number like "1.5e-07": a point, or a sign after an e.
   bool is_of_number(std::size_t k) const {
     return text_[k] == '.' || ((text_[k] == '-' || text_[k] == '+') && text_[k - 1] == 'e');
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The words of emitted text: names, numbers, and signs of one to three characters.
+// The tokens of emitted text: names, numbers, and operators of one to three characters.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct Token {
   int line = 0;  // from 1
 };
 
-// Without comments and preprocessor directives.
+// The tokens without comments and preprocessor directives.
 std::vector<Token> tokens_of(const std::string& text);
 
 }  // namespace flatdyn

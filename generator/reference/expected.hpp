@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a function is compared with at a state, and how far a result is from it.
+// The values that a function is compared with at a state, and the deviation of a result from them.
 #pragma once
 
 #include <functional>
@@ -13,25 +13,26 @@
 namespace flatdyn {
 
 struct Expected {
-  std::function<std::vector<Real50>(const State&)> exact;           // from the recursive reference
-  std::function<std::vector<double>(const State&)> rounded, scale;  // the reference in double; magnitudes
-  std::function<std::vector<double>(const State&)> in_float;        // the reference in float
-  // Whether the function has a value there; near a singularity of its task, or of a closed loop, it has none that
-  // doubles could hold.
+  std::function<std::vector<Real50>(const State&)> exact;  // by the recursive reference
+  // By the reference in double; magnitudes of the terms.
+  std::function<std::vector<double>(const State&)> rounded, scale;
+  std::function<std::vector<double>(const State&)> in_float;  // by the reference in float
+  // Whether the function has a value at the state. Near a singularity of its task, or of a closed loop, it has none
+  // that doubles could hold.
   std::function<bool(const State&)> is_regular;
 };
 
-// The recursive reference of one robot, with values for its free symbols.
+// The recursive reference of one robot, with values of its free symbols.
 class ExpectedValues {
  public:
-  // All three must outlive it. `seed` draws the symbols' values.
+  // The robot and the mechanism must outlive this object. `seed` determines the symbols' values.
   ExpectedValues(const Robot& robot, const Mechanism& mechanism, unsigned seed);
 
   const SymbolValues& symbols() const { return symbols_; }
-  // The function must outlive the result.
+  // The expected values of a function, which must outlive the result.
   Expected of(const Function& function) const;
-  // With dependent joints where they close the loops, if they can; states near a singularity of a loop are left out.
-  // The functions have values at any others, too.
+  // Sets dependent joints so that the loops are closed, where that is possible; leaves out states near a singularity of
+  // a loop. The functions have values at states with open loops, too.
   std::vector<State> with_closed_loops(std::vector<State> states) const;
 
  private:
@@ -47,17 +48,19 @@ class ExpectedValues {
   reference::Robot<float> in_float_;
 };
 
-// Symbols by polarisation cost n² recursions each, regressors one per column.
+// Whether one state of the function needs many recursions: Christoffel symbols by polarisation need n², regressors one
+// per column.
 bool costs_many_recursions(const Function& function);
 
-// In 50 digits fewer states where n is large, and of functions that cost many recursions. At most `wanted`.
+// The number of states, at most `wanted`, for a comparison in 50 digits: fewer for large n and for functions that need
+// many recursions.
 std::size_t affordable_states(const Function& function, std::size_t joints, std::size_t wanted);
 
-// The largest over the entries of abs(x - exact) / (ε · magnitude), ε that of double. An entry with magnitude 0 must be
-// 0 to the last bit.
+// The largest abs(x - exact) / (ε · magnitude) over the entries, with ε that of double. An entry with magnitude 0 must
+// be exactly 0.
 double scaled_error(const std::vector<double>& x, const std::vector<Real50>& truth, const std::vector<double>& scale);
 
-// Infinite for what is not a number.
+// abs(x - truth); infinite if x is not a number.
 double absolute_error(double x, const Real50& truth);
 
 struct ErrorSummary {
@@ -65,7 +68,7 @@ struct ErrorSummary {
   double percentile_99 = 0;
 };
 
-// Of errors; zero if there are none.
+// The summary of errors; zero if there are none.
 ErrorSummary summary(std::vector<double> errors);
 
 }  // namespace flatdyn

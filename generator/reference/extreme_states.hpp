@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// States at the edge of what numbers can be.
+// States at the extremes of the number range.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace flatdyn {
 
-// Every coordinate drawn for itself: angles at multiples of pi/2, tiny, or up to 1e8 rad; speeds zero, denormal, up to
-// 1e6; accelerations, torques and forces alike. The first three are all zero, all tiny, all large. No free symbols, no
-// base parameters.
+// Random states whose coordinates are drawn independently: angles at multiples of pi/2, tiny, or up to 1e8 rad; speeds
+// zero, denormal, or up to 1e6; accelerations, torques and forces alike. The first three states are all zero, all tiny,
+// all large. They have no free symbols and no base parameters.
 std::vector<State> extreme_states(const Mechanism& mechanism, int count, unsigned seed);
 
 }  // namespace flatdyn

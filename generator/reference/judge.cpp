@@ -9,8 +9,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Numbers below the smallest normal one lose digits in every code, and lengths, masses and other rates (up to 1e6 here)
-// multiply what is lost: errors of terms that are smaller than so many of it count against that size.
+// The factor on the smallest normal number below which errors count as underflow. Numbers below that one lose digits in
+// every code, and lengths, masses and other rates (up to 1e6 here) multiply the loss: errors of smaller terms are
+// measured against this size.
 constexpr double kUnderflow = 1e12;
 
 double as_double(long double x) { return static_cast<double>(x); }
@@ -51,7 +52,7 @@ RoundingError RoundingJudge::error(const std::vector<double>& values, const Entr
     const double size = as_double(Wide(abs(truth.values[k])));
     const double found = std::isfinite(values[k]) ? as_double(Wide(abs(Wide(values[k]) - truth.values[k]))) : kInfinity;
     if (found == 0) continue;
-    // An entry without terms is zero, to the last bit.
+    // An entry without terms must be exactly zero.
     const double scale = truth.scale[k] > 0 ? std::max(truth.scale[k], underflow_) : 0;
     const double scaled = scale > 0 ? found / (epsilon_ * scale) : kInfinity;
     if (scaled <= worst.scaled) continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How far results in float or double are from the truth, on the scale of the terms that make them up.
+// The deviation of results in float or double from the truth, measured against the size of the terms that they are sums
+// of.
 #pragma once
 
 #include <functional>
@@ -13,15 +14,16 @@
 
 namespace flatdyn {
 
-// Of the entry with the largest scaled error. Its condition is the size of its terms over its own size: with it,
-// rounding errors of the terms, which nobody can avoid, become relative errors of the entry.
+// The error of the entry with the largest scaled error. Its condition is the size of its terms divided by its own size:
+// by this factor, unavoidable rounding errors of the terms become relative errors of the entry.
 struct RoundingError {
-  double scaled = 0;  // in units of the last place of the scalar, of the terms' size; infinite where it should be zero
-  double condition = 1;  // infinite where the entry is zero, and not its terms
-  double relative = 0;   // error over the entry, in units of the last place of the scalar
+  // In units of the last place of the scalar at the terms' size; infinite if the entry should be zero.
+  double scaled = 0;
+  double condition = 1;  // infinite if the entry is zero but its terms are not
+  double relative = 0;   // error divided by the entry, in units of the last place of the scalar
 };
 
-// What an entry has to be, and the sum of the absolute values of its terms.
+// The true value of an entry, and the sum of the absolute values of its terms.
 template <class Wide>
 struct EntryTruth {
   std::vector<Wide> values;
@@ -30,17 +32,17 @@ struct EntryTruth {
 
 class RoundingJudge {
  public:
-  // Both must outlive it. `scalar`: "float" or "double".
+  // The function, and the objects behind `expected`, must outlive this object. `scalar`: "float" or "double".
   RoundingJudge(const Function& function, Expected expected, const std::string& scalar);
 
-  // The state as this scalar holds it.
+  // The state rounded to this scalar.
   State given(const State& state) const { return is_float_ ? in_float(state) : state; }
-  // From the function's own graph in long double, which is enough to see errors of the scalars; fast.
-  // Nothing where the function does not hold.
+  // The truth from the function's own graph in long double, which is fast and accurate enough to see errors of the
+  // scalars. Nothing if the function has no value at the state.
   std::optional<EntryTruth<long double>> truth(const State& given);
-  // From the recursive reference in 50 digits.
+  // The truth from the recursive reference in 50 digits.
   EntryTruth<Real50> exact_truth(const State& given) const;
-  // What the recursive reference comes to in this scalar.
+  // The result of the recursive reference in this scalar.
   std::vector<double> reference(const State& given) const;
 
   template <class Wide>

@@ -31,7 +31,7 @@ double OperationalMagnitude::growth() const {
   return 1 / R.col(column).head<2>().squaredNorm();
 }
 
-// Angles: T^-1 J has the errors of J, and those that T^-1 has itself.
+// With Euler angles, T^-1 J has the errors of J and those of T^-1 itself.
 OperationalMagnitude::Matrix OperationalMagnitude::jacobian_terms() const {
   Matrix terms = reference::jacobian_magnitude(robot_, q_);
   if (task_.angles != reference::Angles::none) {
@@ -43,7 +43,8 @@ OperationalMagnitude::Matrix OperationalMagnitude::jacobian_terms() const {
   return terms(task_.rows, Eigen::all);
 }
 
-// Angles: likewise, and T^-1 Ṫ φ̇ has terms of the size (|ω| / s)², whose errors grow with s as those of T^-1 do.
+// With Euler angles, T^-1 Ṫ φ̇ has additional terms of size (|ω| / s)², whose errors grow with 1 / s as those of T^-1
+// do.
 OperationalMagnitude::Vector OperationalMagnitude::drift_terms(const Vector& qd) const {
   const Eigen::Vector2d of_tip = reference::tip_acceleration_magnitude(robot_, q_, qd);
   Vector terms(6);

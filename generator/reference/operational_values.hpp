@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The operational space's functions: what the reference says they are, and how large rounding errors may be.
+// The operational-space functions: their values by the reference, and the magnitude of their rounding errors.
 #pragma once
 
 #include <vector>
@@ -12,6 +12,7 @@
 
 namespace flatdyn {
 
+// The task in the reference's types.
 template <class S>
 reference::Task<S> reference_task(const Task& task) {
   using reference::Angles;
@@ -21,7 +22,7 @@ reference::Task<S> reference_task(const Task& task) {
   return {task.rows, angles, to_real<S>(task.damping)};
 }
 
-// The entries in the order of the function's outputs.
+// The entries, in the order of the function's outputs.
 template <class S>
 std::vector<S> operational_inertia_entries(const reference::Robot<S>& robot, const reference::VectorX<S>& q,
                                            const Task& of) {
@@ -44,10 +45,10 @@ std::vector<S> operational_bias_entries(const reference::Robot<S>& robot, const 
   return entries;
 }
 
-// Whether J B^-1 Jᵀ, damped if the task is, can be inverted in doubles, with some digits left.
+// Whether J B^-1 Jᵀ, damped if the task is, can be inverted in doubles with some digits left.
 bool is_regular(const reference::Robot<double>& robot, const reference::VectorX<double>& q, const Task& task);
 
-// What an error of the last place in each of the terms of B, J and the torques becomes: inverses pass it on.
+// The effect of an error in the last place of each term of B, J and the torques; inverses propagate it.
 class OperationalMagnitude {
  public:
   OperationalMagnitude(const reference::Robot<double>& robot, const reference::VectorX<double>& q, const Task& task);
@@ -60,13 +61,13 @@ class OperationalMagnitude {
   using Vector = reference::VectorX<double>;
   using Matrix = reference::MatrixX<double>;
 
-  // Of the rows of J, and of J̇ q̇.
+  // The sums of the absolute terms of the rows of J, and of J̇ q̇.
   Matrix jacobian_terms() const;
   Vector drift_terms(const Vector& qd) const;
-  // 1 / s², s the sine or cosine that T has in its determinant: what it makes of an error of R.
+  // 1 / s², where s is the sine or cosine in T's determinant: the factor by which errors of R grow.
   double growth() const;
 
-  // Of B_A J B^-1 b: `b` and the error that it has.
+  // The magnitude of B_A J B^-1 b. `terms`: the error of `b`.
   Vector force(const Vector& b, const Vector& terms) const;
 
   const reference::Robot<double>& robot_;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The functions of the numeric reference are templates, and heavy ones: they are compiled once for each scalar, in
-// reference_double.cpp and its like. This header is among the precompiled ones, so that no other file does it again.
+// Declarations of the numeric reference's templates, which take long to compile: they are instantiated once for each
+// scalar, in reference_double.cpp and its siblings. This header is precompiled, so that no other file instantiates
+// them.
 #pragma once
 
 #include "flatdyn/reference/derivatives.hpp"
 #include "flatdyn/reference/operational.hpp"
 #include "flatdyn/reference/real50.hpp"
 
-// EXTERN: `extern` declares that the functions over S are compiled elsewhere, and nothing compiles them.
+// EXTERN: with `extern`, declares that the functions over S are instantiated elsewhere; empty, instantiates them.
 #define FLATDYN_REFERENCE_OVER(S, EXTERN)                                                                              \
   namespace flatdyn::reference {                                                                                       \
   EXTERN template std::vector<LinkMotion<S>> link_motions(const Robot<S>&, const VectorX<S>&, const VectorX<S>&,       \

@@ -23,7 +23,7 @@ SymbolValues random_symbol_values(const Robot& robot, unsigned seed) {
 template <class S>
 S to_scalar(const Number& a, const GiNaC::exmap& values) {
   constexpr int kDigits = 60;
-  if (a.is_zero()) return S(0);  // which most numbers of a robot are
+  if (a.is_zero()) return S(0);  // most numbers of a robot are zero
   const std::string text = to_decimal(a.subs(values), kDigits);
   if constexpr (std::is_floating_point_v<S>) {
     return Real50(text).convert_to<S>();
@@ -34,7 +34,7 @@ S to_scalar(const Number& a, const GiNaC::exmap& values) {
 
 namespace {
 
-// One conversion from the written robot; holds what every step needs.
+// The state of one conversion from the written robot.
 template <class S>
 class Converter {
  public:
@@ -129,7 +129,7 @@ class Converter {
     }
   }
 
-  // The motion of a joint that is held still becomes part of the way to it.
+  // Makes the motion of a joint that is held still a part of the transform before it.
   void hold(const Joint& joint, reference::Joint<S>& result) const {
     displace(joint.held->type, joint.held->position, joint, result);
   }
@@ -158,7 +158,8 @@ class Converter {
     }
   }
 
-  // Where loops are cut, and what counts as their coordinates, is the mechanism's; frames are those of written links.
+  // Takes from the mechanism where loops are cut and which joints are their coordinates; frames are those of written
+  // links.
   void close_loops() {
     const Mechanism mechanism = make_mechanism(robot_);
     for (const LoopClosure& closure : mechanism.loops) {
@@ -186,7 +187,7 @@ class Converter {
     return static_cast<int>(&link - mechanism.links.data());
   }
 
-  // Where a coupled joint stands when all coordinates are zero becomes part of the way to it.
+  // Makes the offset of a coupled joint at zero coordinates a part of the transform before it.
   void add_offset(std::size_t written, reference::Joint<S>& result) const {
     const Joint& joint = robot_.joints[written];
     if (joint.coupled) displace(joint.type, position_[written].offset, joint, result);
@@ -199,7 +200,7 @@ class Converter {
             unit(joint.motor->axis)};
   }
 
-  // The rotors held still, as bodies on their carriers, (7.63), (7.66).
+  // Adds the rotors, held still, as bodies on their carriers, (7.63), (7.66).
   void add_motors() {
     for (const Joint& joint : robot_.joints) {
       if (!joint.motor || joint.type == JointType::fixed) continue;
@@ -213,7 +214,7 @@ class Converter {
   }
 
   const Robot& robot_;
-  std::vector<LinearPosition> position_;  // of each written joint
+  std::vector<LinearPosition> position_;  // by written joint
   GiNaC::exmap values_;
   reference::Robot<S> result_;
   int next_index_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Robot, as written → the numeric reference's robot, over any scalar. The mechanism's frames, merging and regrouping
-// have no part in it.
+// Robot, as written → the numeric reference's robot, over any scalar. The frames, merging and regrouping of the
+// mechanism are not used.
 #pragma once
 
 #include "flatdyn/reference/kinematics.hpp"
@@ -11,16 +11,17 @@ namespace flatdyn {
 
 using reference::Real50;
 
-// Values for the robot's free symbols, in their order.
+// The values of the robot's free symbols, in their order.
 using SymbolValues = std::vector<Number>;
 
-// Small positive numbers, for each symbol and seed other ones; doubles hold them exactly.
+// Small positive numbers, different for each symbol and seed, that doubles hold exactly.
 SymbolValues random_symbol_values(const Robot& robot, unsigned seed);
 
-// The number nearest to `a`, with the symbols' values put in.
+// The number nearest to `a`, with the symbols' values substituted.
 template <class S>
 S to_scalar(const Number& a, const GiNaC::exmap& values);
 
+// The robot as written, over S, with values for its free symbols.
 template <class S>
 reference::Robot<S> reference_robot(const Robot& robot, const SymbolValues& values);
 

@@ -21,7 +21,7 @@ reference::Robot<S> without_parameters(reference::Robot<S> robot) {
   return robot;
 }
 
-// The written link that body i is called after, in the frame of the body.
+// The frame of the written link that body i is named after, in the frame of the body.
 const LinkFrame& written_frame(const Mechanism& mechanism, int i) {
   const std::string& link = mechanism.bodies[static_cast<std::size_t>(i)].link;
   return *std::find_if(mechanism.links.begin(), mechanism.links.end(),
@@ -91,8 +91,8 @@ reference::Robot<S> unit_robot(const Mechanism& mechanism, reference::Robot<S> r
   return robot;
 }
 
-// Polarisation of what is quadratic in the rates: what B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r) is made of.
-// `torque(qd, qdd, gravity, friction)`.
+// B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r) from inverse dynamics, by polarisation of the part that is
+// quadratic in the rates. `torque(qd, qdd, gravity, friction)`.
 template <class S, class Torque>
 reference::VectorX<S> adaptive(const Torque& torque, const reference::VectorX<S>& qd, const reference::VectorX<S>& qd_r,
                                const reference::VectorX<S>& qdd_r) {
@@ -113,7 +113,7 @@ reference::VectorX<S> adaptive_column(const reference::Robot<S>& robot, const St
   return adaptive<S>(torque, vector_of(state.qd), vector_of(state.qd_r), vector_of(state.qdd_r));
 }
 
-// K π, term by term, and the same with absolute values.
+// K π, and the sums of the absolute values of its terms.
 template <class S>
 std::pair<std::vector<S>, std::vector<S>> combined(const Mechanism& mechanism, const GiNaC::exmap& symbols) {
   using std::abs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Regressors from the recursive Newton–Euler reference: column k is its torque for the written robot with all
-// parameters zero but π_k = 1. The mechanism says only where the frames are that the parameters refer to.
+// parameters zero but π_k = 1. The mechanism only tells which frames the parameters refer to.
 #pragma once
 
 #include <string>
@@ -16,22 +16,23 @@ namespace flatdyn {
 template <class S>
 class RegressorReference {
  public:
-  // For a function of the parameters: "regressor" with all columns, the others with those of the base parameters.
+  // `function`: a function of the parameters; "regressor" has all columns, the others have those of the base
+  // parameters.
   RegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot, const SymbolValues& symbols,
                      const std::string& function);
 
   // The function's entries: Y, Y_b, τ = Y_b π_b, or π_b.
   std::vector<S> values(const StateOf<S>& state) const;
 
-  // Y_b or Y itself: n x columns.
+  // Y_b or Y itself, n x columns.
   reference::MatrixX<S> matrix(const StateOf<S>& state) const;
 
-  // π_b, and the sums of the absolute values of its terms.
+  // π_b; base_magnitudes() are the sums of the absolute values of its terms.
   const std::vector<S>& base_values() const { return base_values_; }
   const std::vector<S>& base_magnitudes() const { return base_magnitudes_; }
 
   const std::string& function() const { return function_; }
-  // The written robot with one parameter 1 and the others 0, one per column.
+  // By column: the written robot with one parameter 1 and the others 0.
   const std::vector<reference::Robot<S>>& units() const { return units_; }
 
  private:
@@ -40,8 +41,8 @@ class RegressorReference {
   std::vector<S> base_values_, base_magnitudes_;  // for base_parameters only
 };
 
-// The sum of the absolute values of each entry's own terms (flatdyn/reference/magnitude.hpp). First moments are pairs
-// of point masses of ±1/2 kg at 1 m, which can count twice.
+// By entry: the sum of the absolute values of its terms (flatdyn/reference/magnitude.hpp). First moments are pairs of
+// point masses of ±1/2 kg at 1 m, which may count twice.
 std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state);
 
 extern template class RegressorReference<float>;

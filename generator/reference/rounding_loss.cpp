@@ -11,7 +11,7 @@ namespace flatdyn {
 namespace {
 
 constexpr int kRandom = 100, kExtreme = 200;
-constexpr std::size_t kDear = 8;  // states, where one costs many recursions
+constexpr std::size_t kDear = 8;  // number of states if one needs many recursions
 constexpr unsigned kSeed = 1;
 
 double loss_at(const Function& function, RoundingJudge& judge, const std::vector<State>& states) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whether a function that was chosen for its cost pays for it in digits.
+// A check whether a formulation that was chosen for its operation count loses digits.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@ namespace flatdyn {
 
 class RoundingCheck {
  public:
-  // Both must outlive it.
+  // The robot and the mechanism must outlive this object.
   RoundingCheck(const Robot& robot, const Mechanism& mechanism);
 
-  // The largest scaled error in double, as a tape computes it, over the largest of the recursive reference, which
-  // counts as one unit at least: at random states, or at extreme ones, where it is more.
+  // The largest scaled error of the function in double, computed by a tape, divided by that of the recursive reference,
+  // which counts as one unit at least; the larger of the values for random and for extreme states.
   double loss(const Function& function) const;
 
  private:

@@ -11,10 +11,10 @@
 namespace flatdyn {
 namespace {
 
-// "jacobian" of "jacobian:hand".
+// The name without a link: "jacobian" for "jacobian:hand".
 std::string stem_of(const Function& function) { return function.name.substr(0, function.name.find(':')); }
 
-// RealArithmetic that converts each of a graph's constants once; they are found by their place in the graph.
+// RealArithmetic that converts each constant of a graph only once, looked up by its node.
 template <class S>
 class CachedArithmetic : public RealArithmetic<S> {
  public:
@@ -45,7 +45,7 @@ struct Arguments {
     h_e.f_e = h.template head<3>();
     h_e.mu_e = h.template tail<3>();
   }
-  const Task& task;  // of the function
+  const Task& task;  // the function's task
   reference::VectorX<S> q, qd, qdd, tau;
   reference::Environment<S> h_e;
 };
@@ -139,7 +139,7 @@ reference::MatrixX<double> absolute_inverse(const MagnitudeRobot& r, const Magni
   return reference::inertia_matrix(r, a.q).inverse().cwiseAbs();
 }
 
-// Of q̈ = B⁻¹ (τ - n): what an error of the size of the terms of B q̈ + n - τ becomes.
+// The magnitude for q̈ = B⁻¹ (τ - n): the effect of an error as large as the terms of B q̈ + n - τ.
 reference::VectorX<double> acceleration_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
   const auto zero = reference::VectorX<double>::Zero(r.size());
   const reference::VectorX<double> qdd = reference::forward_dynamics(r, a.q, a.qd, a.tau).cwiseAbs();
@@ -153,7 +153,8 @@ std::vector<double> torque_derivative_magnitude(const MagnitudeRobot& r, const M
                                       reference::rate_derivative_magnitude(r, a.q, a.qd)});
 }
 
-// Of ∂q̈ = -B⁻¹ ∂(B q̈ + n): an error of the size of the terms of B ∂q̈ + ∂(B q̈ + n), q̈ itself in error, too.
+// The magnitude for ∂q̈ = -B⁻¹ ∂(B q̈ + n): the effect of an error as large as the terms of B ∂q̈ + ∂(B q̈ + n),
+// including that of q̈ itself.
 std::vector<double> acceleration_derivative_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
   using Matrix = reference::MatrixX<double>;
   const Matrix inverse = absolute_inverse(r, a), inertia = reference::inertia_magnitude(r, a.q);
@@ -171,7 +172,7 @@ std::vector<double> kinetic_magnitude(const MagnitudeRobot& r, const MagnitudeAr
   return {0.5 * rate.dot(reference::inertia_magnitude(r, a.q) * rate)};
 }
 
-// Rotations have length 1; positions and levers that of the way to the tip.
+// Entries of rotations have magnitude 1; positions and moment arms have that of the path to the tip.
 std::vector<double> pose_magnitude(const MagnitudeRobot& r, const MagnitudeArguments& a) {
   std::vector<double> entries(9, 1.0);
   entries.insert(entries.end(), 3, reference::reach(r, a.q));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The value of a function at a state, from its graph and from the reference; and the magnitude that its error is
-// measured against.
+// The value of a function at a state, from its graph and from the reference, and the magnitude against which its error
+// is measured.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@
 
 namespace flatdyn {
 
-// Evaluates one function's graph at many states: its constants are converted once. The function must outlive it.
+// Evaluates one function's graph at many states, converting its constants once. The function must outlive this object.
 template <class S>
 class GraphEvaluator {
  public:
   explicit GraphEvaluator(const Function& function) : function_(function) {}
 
-  // Entries of all outputs, in order; nullopt where a condition of the function does not hold (a pivot of B that is not
-  // positive).
+  // The entries of all outputs, in order; nullopt if a condition of the function does not hold (a pivot of B that is
+  // not positive).
   std::optional<std::vector<S>> operator()(const StateOf<S>& state);
 
  private:
@@ -33,7 +33,7 @@ class GraphEvaluator {
 template <class S>
 std::vector<S> reference_values(const Function& function, const reference::Robot<S>& robot, const StateOf<S>& state);
 
-// The robot as a function sees it: one of a named link ("jacobian:hand") takes that link's frame for the tip.
+// The robot for a function: a function of a named link ("jacobian:hand") has that link's frame as its tip.
 template <class S>
 reference::Robot<S> seen_by(const Function& function, const Robot& written, reference::Robot<S> robot) {
   const std::size_t colon = function.name.find(':');
@@ -46,7 +46,7 @@ reference::Robot<S> seen_by(const Function& function, const Robot& written, refe
   return robot;
 }
 
-// The values that are not left out, of all entries of all outputs.
+// The values, among those of all entries of all outputs, that are not left out.
 template <class T>
 std::vector<T> kept_values(const Function& function, const std::vector<T>& all) {
   std::vector<T> kept;
@@ -59,14 +59,14 @@ std::vector<T> kept_values(const Function& function, const std::vector<T>& all) 
   return kept;
 }
 
-// The state in which the function holds.
+// The state at which the function holds: q̇ = 0 if it holds at rest only.
 template <class S>
 StateOf<S> state_for(const Function& function, StateOf<S> state) {
   if (function.at_rest) state.qd.assign(state.qd.size(), S(0));
   return state;
 }
 
-// The sum of the absolute values of each entry's own terms (flatdyn/reference/magnitude.hpp).
+// By entry: the sum of the absolute values of its terms (flatdyn/reference/magnitude.hpp).
 std::vector<double> magnitudes(const Function& function, const reference::Robot<double>& robot, const State& state);
 
 }  // namespace flatdyn

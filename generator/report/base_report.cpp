@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-// One line per reason, with the parameters it holds for.
+// One line per reason, with the parameters to which it applies.
 std::string reasons_text(const std::vector<Unidentifiable>& unseen) {
   std::vector<std::pair<std::string, std::string>> lines;
   for (const Unidentifiable& each : unseen) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Base parameters for people and for programs: each combination, its value, and what cannot be identified.
+// Base parameters for people and for programs: each combination, its value, and the parameters that cannot be
+// identified.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,7 +11,7 @@
 namespace flatdyn {
 
 std::string describe_base(const Mechanism& mechanism, ParameterSet set);
-// Parameters that cannot be identified, each with the reason.
+// The parameters that cannot be identified, each with its reason.
 nlohmann::ordered_json unidentifiable_json(const Mechanism& mechanism, const BaseParameters& base, ParameterSet set);
 nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set);
 

@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-// Blue: in double. Orange: in float. Green: peers.
+// The index of the row's colour: blue for double, orange for float, green for peers.
 std::size_t colour_of(const BenchRow& row) {
   if (row.is_peer) return 2;
   return row.variant.find("float") != std::string::npos ? 1 : 0;

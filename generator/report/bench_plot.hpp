@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// Time against error, a panel per robot and function. SVG.
+// Plots time against error, a panel per robot and function. Returns SVG.
 std::string bench_plot(const std::vector<BenchReport>& reports);
 
 }  // namespace flatdyn

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Three digits, as many as the machine's noise leaves.
+// A time with three digits, as many as the machine's noise leaves.
 std::string nanoseconds(double time) {
   return time < 10 ? fmt::format("{:.2f}", time) : fmt::format("{:.{}f}", time, time < 100 ? 1 : 0);
 }
@@ -82,7 +82,7 @@ ordered_json bench_json_of(const BenchStages& stages) {
   return json;
 }
 
-// What the columns mean, then what is not there.
+// Explains the columns and lists what is missing.
 std::string legend_of(const BenchReport& report) {
   std::string text =
       "ns: one call, in a batch one state; median and quartiles over the rounds. ratio: to \"double\", or the first "

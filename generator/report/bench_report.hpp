@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// A table per function, its variants sorted by time.
+// A table per function, with its variants sorted by time.
 std::string bench_text(const BenchReport& report);
 nlohmann::ordered_json bench_json(const BenchReport& report);
 

@@ -19,7 +19,7 @@ std::vector<std::string> dropped_names(const Abbreviation& abbreviation) {
 
 std::string short_number(double value) { return fmt::format("{:.3g}", value); }
 
-// Three digits, never less than the value: a bound stays one.
+// Rounds up to three digits, so that a bound stays a bound.
 std::string rounded_up(double value) {
   if (value <= 0) return "0";
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);

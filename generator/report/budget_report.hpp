@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an error budget bought, and what was given up for it.
+// The savings of an error budget, and the errors accepted for them.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,11 +13,11 @@ namespace flatdyn {
 // A sentence for the header: "Left out for an error budget: I3xy, m7lx. Within the limits this changes …".
 std::string abbreviation_fact(const Abbreviation& abbreviation);
 
-// A table of the proven bounds beside what was seen.
+// A table of the proven bounds beside the largest deviations found.
 std::string describe_abbreviation(const LoadedRobot& model, const TorqueDeviation& seen);
 nlohmann::ordered_json abbreviation_json(const LoadedRobot& model, const TorqueDeviation& seen);
 
-// Of `verify`, with that table below the functions.
+// The text of `verify`, with that table below the functions.
 std::string to_text(const AbbreviationReport& report, const LoadedRobot& model);
 nlohmann::ordered_json to_json(const AbbreviationReport& report, const LoadedRobot& model);
 

@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-// Longer tables show what is largest; all of them are in the files.
+// The most rows of a table; longer ones show the largest bounds, and the files have all of them.
 constexpr std::size_t kLongestTable = 12;
 
 const std::string kAllZero = "Every entry is 0, and so is its error.\n";
@@ -46,14 +46,14 @@ using Cells = std::vector<std::vector<std::string>>;
 Cells rows_of(const Certificate& certificate, const std::vector<CertifiedOutput>& outputs) {
   Cells rows = {{"output", "unit", "bound", "seen", "ratio", "of effort", "proven by"}};
   for (const CertifiedOutput& output : outputs) {
-    rows.push_back({output.name, output.unit, fmt::format("{:.3e}", output.bound),  // all digits that it has
+    rows.push_back({output.name, output.unit, fmt::format("{:.3e}", output.bound),  // all digits of the bound
                     fmt::format("{:.2e}", output.observed), ratio_text(output), part_of_effort(output),
                     prover(certificate, output)});
   }
   return rows;
 }
 
-// The largest bound, the largest ratio, and what Gappa did not prove.
+// The outputs with the largest bound, the largest ratio, and those that Gappa did not prove.
 std::vector<CertifiedOutput> most_telling(const Certificate& certificate, std::vector<CertifiedOutput> outputs) {
   if (outputs.size() <= kLongestTable) return outputs;
   const auto by = [&outputs](auto less) { return *std::max_element(outputs.begin(), outputs.end(), less); };
@@ -71,7 +71,8 @@ std::string heading(const CertifiedFunction& function) {
   return fmt::format("{}: bounds in {:.1f} s, Gappa {:.1f} s", function.name, function.seconds, function.gappa_seconds);
 }
 
-// "enough", "not proven to be enough", "not enough" for this part of the effort limits, and where.
+// Says whether errors are proven to be below the share `enough` of the effort limits ("enough", "not proven to be
+// enough", "not enough"), and where not.
 std::string judgement(const Certificate& certificate, double enough) {
   std::vector<std::string> unproven, exceeded;
   bool has_torques = false;

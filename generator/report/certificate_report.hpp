@@ -8,11 +8,11 @@
 
 namespace flatdyn {
 
-// A table per function: output, unit, proven bound, largest error seen, their ratio, and of torques what part of the
-// joint's effort limit the bound is; and whether the scalar is enough for `enough` of it.
+// A table per function: output, unit, proven bound, largest error found, their ratio, and for torques the bound as a
+// share of the joint's effort limit; then whether the scalar is enough for the share `enough`.
 std::string describe_certificate(const Certificate& certificate, double enough);
 
-// The same, and what it rests on, for the file that goes with the code. `header` and `hash`: the text it is of.
+// The same text with the assumptions it rests on, for the file beside the code. `header` and `hash` identify the text.
 std::string certificate_markdown(const Certificate& certificate, double enough, const std::string& header,
                                  const std::string& hash);
 

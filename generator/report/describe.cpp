@@ -88,7 +88,7 @@ std::string turn_text(const PlanarRotation& turn, const NumberText& number) {
   return quarters == std::round(quarters) ? fmt::format("{:g} deg", 90 * quarters) : fmt::format("{:.6g} rad", angle);
 }
 
-// Links are numbered as in the names of parameters, m1, I1zz, ...: from 1 on.
+// Links are numbered from 1, as in the names of parameters, m1, I1zz, …
 std::string describe_body(const Body& body, int i, const NumberText& number) {
   const InertialParameters& b = body.inertia;
   const auto turn = [&number](const PlanarRotation& rotation) { return turn_text(rotation, number); };
@@ -102,7 +102,7 @@ std::string describe_body(const Body& body, int i, const NumberText& number) {
   return text;
 }
 
-// In frames that the program chooses.
+// Inertial parameters in the canonical frames.
 nlohmann::ordered_json canonical_json(const Body& body, const NumberText& text) {
   const InertialParameters& b = body.inertia;
   nlohmann::ordered_json json;
@@ -137,7 +137,7 @@ nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
   return joint;
 }
 
-// Of a coupled joint: Σ factor · q + offset, the entries of q by their joints' names.
+// The position of a coupled joint, Σ factor · q + offset, with the entries of q by joint names.
 nlohmann::ordered_json position_json(const Mechanism& mechanism, std::size_t body, const NumberText& text) {
   nlohmann::ordered_json factors = nlohmann::ordered_json::object();
   for (int k = 0; k < mechanism.position_count(); ++k) {
@@ -212,7 +212,7 @@ int structural_zeros(const Function& function) {
 
 namespace {
 
-// mul, add, div, sin/cos as cells of a table.
+// Numbers of multiplications, additions, divisions and sines/cosines as cells of a table.
 std::vector<std::string> count_cells(const std::string& name, const OperationCount& count) {
   return {name, std::to_string(count.multiplications), std::to_string(count.additions), std::to_string(count.divisions),
           std::to_string(count.trigonometric)};
@@ -262,7 +262,7 @@ nlohmann::ordered_json search_json(const SearchRecord& search) {
   return json;
 }
 
-// "308 / 290"; functions made together are not searched for.
+// Multiplications and additions before the search, "308 / 290"; functions made together are not searched.
 std::string before_search(const OptimisedFunction& each) {
   if (!each.search) return "";
   return fmt::format("{} / {}", each.search->before.multiplications, each.search->before.additions);
@@ -297,7 +297,7 @@ struct StagePiece {
   const Function* function;
 };
 
-// at, its members, with, its members: in the order in which they are called.
+// Stages and their members in the order of the calls: at, its members, with, its members.
 std::vector<StagePiece> pieces_of(const Stages& stages) {
   std::vector<StagePiece> pieces = {{"at", &stages.configuration.make}};
   for (const Function& member : stages.configuration.members)

@@ -11,20 +11,20 @@
 
 namespace flatdyn {
 
-// Joints, merged links, snapped numbers with what each changes (verify/snap_effect.hpp). In JSON also the canonical
-// frames and inertial parameters in them: numbers, or the text of an expression in the free symbols.
+// Joints, merged links, and snapped numbers with their effects (verify/snap_effect.hpp). JSON also has the canonical
+// frames and the inertial parameters in them: numbers, or the text of an expression in the free symbols.
 std::string describe_model(const LoadedRobot& model, const std::vector<double>& snap_effects, SnapDetail detail);
 nlohmann::ordered_json model_json(const LoadedRobot& model, const std::vector<double>& snap_effects);
 
-// The canonical bodies, which the names of parameters belong to: where their frames are, and inertial parameters about
-// the frames' origins. In the frames of the file: report/links_in_file.hpp.
+// The canonical bodies, to which the names of parameters refer: their frames, and their inertial parameters about the
+// frames' origins. report/links_in_file.hpp has the links in the frames of the file.
 std::string describe_bodies(const Mechanism& mechanism);
 
-// Per function: operation counts, inputs read, structural zeros.
+// For each function its operation counts, the inputs it reads and its structural zeros.
 std::string describe_functions(const std::vector<OptimisedFunction>& functions,
                                const std::vector<std::string>& symbols);
 
-// What each stage and each of its members costs.
+// The cost of each stage and of each of its members.
 std::string describe_stages(const Stages& stages);
 nlohmann::ordered_json stages_json(const Stages& stages);
 
@@ -33,6 +33,7 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
 
 std::vector<std::string> symbol_names(const Mechanism& mechanism);
 
+// The number of output entries that are always zero.
 int structural_zeros(const Function& function);
 
 }  // namespace flatdyn

@@ -7,7 +7,7 @@
 namespace flatdyn {
 namespace {
 
-// "B_1" of "B_1_2", "tau" of "tau_3".
+// The stem of a column's name: "B_1" for "B_1_2", "tau" for "tau_3".
 std::string stem_of(const std::string& column) { return column.substr(0, column.find_last_of('_')); }
 
 TimeTable numbers_of(const CsvTable& table, std::size_t first, const std::vector<double>& times) {

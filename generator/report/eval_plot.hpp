@@ -9,8 +9,8 @@
 
 namespace flatdyn {
 
-// What `eval` has computed: the columns from `first` on, over `times` (s; of each row), or over the rows' numbers if
-// there are none. One panel per vector, or per row of a matrix.
+// A picture of the results of `eval`: the columns from `first` on, over `times` (s, one per row) or, if there are none,
+// over the rows' numbers. One panel per vector, or per row of a matrix. Returns the bytes.
 std::string eval_plot(const std::string& title, const CsvTable& table, std::size_t first,
                       const std::vector<double>& times, PictureFormat format);
 

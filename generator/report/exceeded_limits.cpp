@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kReachedLimit = 1e-9;  // relative: a limit that is reached is not exceeded
 
-// One quantity of one joint: how far it is beyond its limit (not, if negative), worst over the trajectory.
+// The largest excess of one quantity of one joint over its limit during the trajectory; negative if it keeps the limit.
 struct Excess {
   double value = 0, time = 0, beyond = 0;
 };
@@ -40,7 +40,7 @@ class LimitCheck {
     report(body, what, unit, least, greatest, worst_excess(trajectory_, value, least, greatest));
   }
 
-  // Both signs.
+  // Compares values of both signs with the limit.
   void operator()(const Body& body, const char* what, const std::string& unit, const std::optional<Value>& most,
                   const ValueAt& value) {
     if (!most) return;

@@ -14,7 +14,7 @@
 namespace flatdyn {
 namespace {
 
-// Of the weakest direction: as many parameters as a person looks at.
+// The number of parameters of the weakest direction that are shown.
 constexpr std::size_t kWeakestShown = 5;
 constexpr std::size_t kPointsPerCurve = 500;
 
@@ -38,7 +38,7 @@ std::string use_table(const Mechanism& mechanism, const std::vector<LimitUse>& u
   return aligned_table(rows);
 }
 
-// Indices of π_b, those first that weigh most in the weakest direction.
+// Indices into π_b, those with the largest weight in the weakest direction first.
 std::vector<int> weakest_first(const Eigen::VectorXd& weakest) {
   std::vector<int> order(static_cast<std::size_t>(weakest.size()));
   std::iota(order.begin(), order.end(), 0);
@@ -48,7 +48,7 @@ std::vector<int> weakest_first(const Eigen::VectorXd& weakest) {
   return order;
 }
 
-// A direction has no sign of its own: its largest part is made positive.
+// The sign that makes the largest entry of a direction positive; a direction has no sign of its own.
 double sign_of(const Eigen::VectorXd& direction) {
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
@@ -64,7 +64,7 @@ std::string weakest_table(const BaseParameters& base, const Eigen::VectorXd& wea
   return aligned_table(rows);
 }
 
-// Of the parameters' standard deviations, the motion that was found to the random start; ascending.
+// Ratios of the parameters' standard deviations, planned motion to random start, in ascending order.
 Eigen::VectorXd ratios_of_deviations(const Excitation& excitation) {
   Eigen::VectorXd ratios = excitation.motion.conditioning.standard_deviations.cwiseQuotient(
       excitation.start.conditioning.standard_deviations);
@@ -73,12 +73,12 @@ Eigen::VectorXd ratios_of_deviations(const Excitation& excitation) {
 }
 
 void append(std::string& line, const std::vector<double>& values) {
-  // + 0.0: no negative zeros.
+  // Adding 0.0 avoids negative zeros.
   for (const double value : values) line += fmt::format(",{}", value + 0.0);
 }
 
 Panel motion_panel(const Mechanism& mechanism, const std::string& title, const std::string& label,
-               const std::vector<double>& times) {
+                   const std::vector<double>& times) {
   Panel panel{title, "t in s", label, {}};
   for (const Body& body : mechanism.joints()) panel.series.push_back({body.joint, times, {}});
   return panel;

@@ -12,9 +12,9 @@ namespace flatdyn {
 std::string describe_excitation(const TorqueModel& model, const Excitation& excitation);
 nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation);
 
-// t, q1, …, qd1, …, qdd1, …, tau1, …; every number as short as it can be read back exactly.
+// CSV with columns t, q1, …, qd1, …, qdd1, …, tau1, …, SI. Every number is the shortest text that reads back exactly.
 std::string excitation_csv(const PlannedMotion& motion);
-// Positions, speeds and torques against time, as an SVG.
+// Positions, speeds and torques against time as SVG.
 std::string excitation_plot(const Mechanism& mechanism, const PlannedMotion& motion);
 
 }  // namespace flatdyn

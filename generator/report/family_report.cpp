@@ -30,7 +30,7 @@ std::vector<std::string> series_names(const FamilyReport& report, const std::str
   return names;
 }
 
-// The worst of all members with the same parameter.
+// The largest error of all members with the same parameter, as a curve.
 Series series_of(const FamilyReport& report, const std::string& function, const std::string& scalar, bool reference) {
   std::map<double, double> worst;
   for (const FamilyRow& row : report.rows) {

@@ -12,7 +12,7 @@ namespace flatdyn {
 std::string growth_text(const GrowthReport& report);
 nlohmann::ordered_json growth_json(const GrowthReport& report);
 
-// Operations, time of a call, generation, compilation and the compiler's memory over the number of joints. SVG.
+// Operations, time of a call, generation, compilation and compiler memory over the number of joints, as SVG.
 std::string growth_plot(const GrowthReport& report);
 
 }  // namespace flatdyn

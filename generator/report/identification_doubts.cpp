@@ -8,10 +8,10 @@
 namespace flatdyn {
 namespace {
 
-// A joint whose torque is hardly the model's, while that is no noise of a joint that barely moves. The weights give
-// such a joint up, so that the others say nothing of it.
+// Reports joints whose torque the model hardly explains, unless that is noise of a joint that barely moves. Such a
+// joint gets little weight, so the others' residuals do not show it.
 void doubt_joints(const TorqueModel& model, const Identification& found, std::vector<std::string>& doubts) {
-  constexpr double kHalf = 0.5, kNoise = 0.05;  // of the joint's torque, squared; of the largest torque
+  constexpr double kHalf = 0.5, kNoise = 0.05;  // share of the joint's torque, squared; share of the largest torque
   const std::vector<JointObservations>& joints = found.measurement.observations.joints;
   const auto& bodies = model.mechanism().joints();
   double largest = 0;
@@ -26,7 +26,8 @@ void doubt_joints(const TorqueModel& model, const Identification& found, std::ve
   }
 }
 
-// Base parameters beyond all sizes: of wrong units, or of directions that are hardly told, but too well to be damped.
+// Reports base parameters of implausible size, caused by wrong units or by directions that are hardly told but not
+// damped.
 void doubt_sizes(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& doubts) {
   constexpr double kMuch = 100;
   double largest = 0;
@@ -45,7 +46,7 @@ void doubt_sizes(const TorqueModel& model, const Estimate& estimate, std::vector
 
 void doubt_links(const TorqueModel& model, const Identification& found, std::vector<std::string>& doubts) {
   constexpr double kMuch = 10;                       // standard deviations
-  constexpr double kLarger = 1.5, kRounding = 1e-6;  // of the residual; of the torque
+  constexpr double kLarger = 1.5, kRounding = 1e-6;  // factor on the residual; share of the torque
   const auto& bodies = model.mechanism().joints();
   const PhysicalParameters& physical = found.physical;
   if (physical.largest_misfit > kMuch) {

@@ -13,7 +13,7 @@
 namespace flatdyn {
 namespace {
 
-// Of a direction of unit length those parameters that make up nearly all of it, largest first.
+// The parameters that make up nearly all of a unit direction, largest first.
 std::string main_parameters(const TorqueModel& model, const Eigen::VectorXd& components) {
   constexpr double kShown = 0.2;
   std::vector<int> indices;

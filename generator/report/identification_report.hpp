@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What was identified, for people and as JSON.
+// The results of an identification, for people and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,16 +11,16 @@
 
 namespace flatdyn {
 
-// All that one run found.
+// The results of one run.
 struct Identification {
   Measurement measurement;
   Estimate estimate;
   std::optional<Eigen::VectorXd> joint_by_joint;  // the textbook's sequential procedure, for comparison
   PhysicalParameters physical;
-  std::vector<std::string> doubts;  // doubts_about() all the others
+  std::vector<std::string> doubts;  // doubts_about() the other members
 };
 
-// What can hardly be right, and what may be the reason; a sentence each.
+// Sentences on results that are hardly right, each with a possible reason.
 std::vector<std::string> doubts_about(const TorqueModel& model, const Identification& found);
 
 std::string describe_identification(const TorqueModel& model, const Identification& found);

@@ -10,7 +10,7 @@ namespace {
 
 Number exact(double value) { return exact_decimal(fmt::format("{}", value)); }
 
-// The shortest text of the nearest double. Less than this much of a kg, m or kg m² is what rounding left of nothing.
+// The shortest text of the nearest double; 0 for less than this many kg, kg m or kg m², which is rounding.
 std::string number(const Number& value) {
   constexpr double kSmallest = 1e-15;
   const double nearest = nearest_double(value);
@@ -41,7 +41,8 @@ class RobotText {
   double parameter(int i, Parameter which) const { return pi_[static_cast<std::size_t>(index_of(i, which))]; }
   bool has(int i, Parameter which) const { return present_[static_cast<std::size_t>(index_of(i, which))]; }
 
-  // Of body i without the rotors that it carries, in its canonical frame: a rotor stands in the file by itself.
+  // The inertia of body i in its canonical frame without the rotors that it carries, which have entries of their own in
+  // the file.
   InertialParameters body_without_rotors(int i) const {
     InertialParameters body;
     for (int k = 0; k < kInertialPerBody; ++k) {
@@ -96,7 +97,7 @@ class RobotText {
   void add_joint(int i) {
     const Body& body = model_.mechanism.bodies[static_cast<std::size_t>(i)];
     std::string values;
-    // What the file has and the estimate was made without is taken out.
+    // Subtracts an entry of the file that the estimate was made without.
     const auto add = [&](Parameter which, const char* key, const Number& in_file) {
       if (has(i, which)) values += fmt::format("{} = {}\n", key, number(exact(parameter(i, which))));
       if (!has(i, which) && !vanishes(in_file)) values += fmt::format("{} = 0\n", key);

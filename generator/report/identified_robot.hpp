@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The identified robot as a file: TOML over the robot file that was given.
+// The identified robot as a file: TOML over the given robot file.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,14 @@
 namespace flatdyn {
 
 struct IdentifiedRobot {
-  std::filesystem::path file;         // where it will be written: the robot file is named relative to it
-  std::vector<std::string> comments;  // at its top
+  std::filesystem::path file;         // where it will be written; the robot file is named relative to it
+  std::vector<std::string> comments;  // lines for its top
   std::vector<std::string> settings;  // TOML lines that repeat the options that shaped the model
 };
 
-// Mass, centre of mass and inertia of every moving link; I_m, F_v and F_s where `set` has them. What else moves with a
-// link (merged links, rotors' masses, a payload) is part of it and gets no mass of its own.
+// The text has mass, centre of mass and inertia of every moving link, and I_m, F_v and F_s where `set` includes them.
+// Everything else that moves with a link (merged links, masses of rotors, a payload) is part of it and has no mass of
+// its own.
 std::string identified_robot_text(const LoadedRobot& model, ParameterSet set, const PhysicalParameters& parameters,
                                   const IdentifiedRobot& about);
 

@@ -6,11 +6,11 @@
 
 namespace flatdyn {
 
-// Raised when a key of any output is renamed, goes away, or means something else; new keys leave it. docs/json.md has
-// the keys.
+// The version of the JSON outputs. It rises when a key of any output is renamed, removed or changes its meaning; new
+// keys do not change it. docs/json.md lists the keys.
 inline constexpr int kJsonVersion = 1;
 
-// The object as it is printed and written: its version first, indented, the last line ended.
+// The object as text for printing and writing: with its version first, indented, the last line ended.
 inline std::string json_text(const nlohmann::ordered_json& object) {
   nlohmann::ordered_json versioned = {{"json_version", kJsonVersion}};
   versioned.update(object);

@@ -25,7 +25,7 @@ const LinkFrame& frame_of(const Mechanism& mechanism, int body) {
                        [&](const LinkFrame& frame) { return frame.body == body && frame.link == link; });
 }
 
-// The joints' points of the numeric robot: a link's own joint, those on it, and the tip, all in the link's frame.
+// Points of the numeric robot in the links' frames: each link's own joint, the joints on it, and the tip.
 class Lengths {
  public:
   explicit Lengths(const NumericRobot& robot) : robot_(robot) {}
@@ -36,7 +36,7 @@ class Lengths {
     return found == robot_.joints.end() ? nullptr : &*found;
   }
 
-  // Nothing where the link carries neither a joint that moves nor the tip.
+  // The length of a link, m; none if it carries neither a moving joint nor the tip.
   std::optional<double> of(int link) const {
     const NumericJoint* joint = joint_of(link);
     farthest_.reset();
@@ -71,7 +71,7 @@ int written_link(const Robot& robot, const std::string& name) {
   return static_cast<int>(found - robot.links.begin());
 }
 
-// This holds of all links, also of those that do not move.
+// The summed mass of all links, including those that do not move.
 Number total_mass(const Mechanism& mechanism) {
   Number mass = mechanism.base.mass;
   for (const Body& body : mechanism.bodies) mass += body.inertia.mass;
@@ -85,7 +85,7 @@ std::string moment_text(const Mat3& I, const NumberText& number) {
                      number(I[2][2]), number(I[0][1]), number(I[0][2]), number(I[1][2]));
 }
 
-// With symbols the centre of mass would be a quotient of sums; products are read more easily.
+// With symbols, the centre of mass would be a quotient of sums; its product with the mass is easier to read.
 std::string inertia_text(const InertialParameters& b, const NumberText& number) {
   if (has_symbols(b.mass)) {
     return fmt::format("  m = {} kg, m r = {} kg m\n  I = {} about the link's origin\n", number(b.mass),
@@ -123,7 +123,7 @@ std::string reach_text(const Reach& reach, const std::string& tip) {
   return text + "\n";
 }
 
-// Sums that are 0 but for their rounding.
+// Sets sums to 0 that are only rounding errors.
 double without_dust(double x) {
   constexpr double kDust = 1e-12;  // m
   return std::abs(x) < kDust ? 0 : x;

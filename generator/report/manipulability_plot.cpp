@@ -15,18 +15,19 @@ namespace {
 constexpr std::size_t kEllipsoidsDrawn = 12, kEllipsoidsAcrossMap = 14;
 constexpr std::size_t kJointsInNames = 3;
 constexpr int kOutlinePoints = 120, kOutlinePointsOfMap = 40;
-// Of the arm's length, for the largest half axis.
+// The largest half axis in the picture, as a share of the arm's length.
 constexpr double kDrawnPart = 0.35, kDrawnPartOfPath = 0.12;
-// Of a view's side: where the base frame's axes are, and how long. Their names are a little beyond their ends.
+// The place and the length of the base frame's axes, as shares of a view's side; their names are a little beyond their
+// ends.
 constexpr double kTriadCorner = 0.14, kTriadLength = 0.11, kBeyond = 1.35;
 constexpr double kMargin = 1.06, kFar = std::numeric_limits<double>::infinity();
-// Near singular postures of light wrists, ellipsoids are many times as long as elsewhere. In a map, the common ones are
-// drawn as large as their places allow, and those not that are this many times as long; measures that differ by more
-// have logarithmic colours.
+// Near singular postures of light wrists, ellipsoids are many times as long as elsewhere. In a map, this share of them
+// is drawn as large as the grid allows, and those more than kUncommon times as long are left out; measures that differ
+// by more than kUncommonMeasure get logarithmic colours.
 constexpr double kCommonPart = 0.9, kUncommon = 3, kUncommonMeasure = 20;
 constexpr double kBreak = std::numeric_limits<double>::quiet_NaN();
 
-// From the task's directions to the picture's place: turns show nothing.
+// The projection from the task's directions to the picture; rotations are not shown.
 Eigen::MatrixXd projection(const std::vector<int>& task, const View& view) {
   Eigen::MatrixXd onto = Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(task.size()));
   for (std::size_t i = 0; i < task.size(); ++i) {
@@ -35,7 +36,7 @@ Eigen::MatrixXd projection(const std::vector<int>& task, const View& view) {
   return onto;
 }
 
-// Half axes by column of the ellipses that are drawn: the outline; of an ellipsoid in space, also those through two of
+// The ellipses to draw, with half axes as columns: the outline, and for an ellipsoid in space also those through two of
 // its axes.
 std::vector<Eigen::Matrix2d> ellipses(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto, const View& view) {
   std::vector<Eigen::Matrix2d> all = {shadow(ellipsoid, onto)};
@@ -82,7 +83,7 @@ void add_outline(Series& curve, const Eigen::Vector2d& centre, const Eigen::Matr
   add_point(curve, {kBreak, kBreak});
 }
 
-// Numbers of poses, the ends among them.
+// Indices of poses, evenly spaced, ends included.
 std::vector<std::size_t> evenly(std::size_t count, std::size_t most) {
   std::vector<std::size_t> chosen;
   if (count <= most) most = count;
@@ -154,14 +155,14 @@ Window bounds(const Panel& panel) {
   return window;
 }
 
-// Squares of one size, so that all views have one scale.
+// Gives all panels squares of one size, so that they share one scale.
 void share_scale(std::vector<Panel>& panels) {
   double half = 0;
   for (const Panel& panel : panels) {
     const Window window = bounds(panel);
     half = std::max({half, (window.right - window.left) / 2, (window.top - window.bottom) / 2});
   }
-  half = half > 0 ? half * kMargin : 1;  // of one point
+  half = half > 0 ? half * kMargin : 1;  // at one point only
   for (Panel& panel : panels) {
     const Window window = bounds(panel);
     const double x = (window.left + window.right) / 2, y = (window.bottom + window.top) / 2;
@@ -169,7 +170,7 @@ void share_scale(std::vector<Panel>& panels) {
   }
 }
 
-// The base frame's axes in a corner: a view in space cannot be read without them.
+// Adds the base frame's axes in a corner, without which a view in space cannot be read.
 void add_triad(Panel& panel, const View& view) {
   const Window& window = *panel.window;
   const double side = window.right - window.left;
@@ -184,7 +185,7 @@ void add_triad(Panel& panel, const View& view) {
   panel.series.push_back(std::move(axes));
 }
 
-// All half axes and measures, by time or by number.
+// Curves of all half axes and measures, by time or by number of the pose.
 std::vector<Panel> curves_along(const Drawing& drawing) {
   const bool is_timed = drawing.poses.front().t.has_value();
   const std::string across = is_timed ? "t in s" : "pose";
@@ -203,7 +204,7 @@ std::vector<Panel> curves_along(const Drawing& drawing) {
   return {std::move(lengths), std::move(measure)};
 }
 
-// The cell's numbers in the grid that starts at the first pose.
+// The indices of a pose's cell in the grid that starts at the first pose.
 Eigen::Vector2i cell_of(const ManipulablePose& pose, const ManipulablePose& first, const View& view, double spacing) {
   const Eigen::Vector2d way = view.onto * (pose.skeleton.back() - first.skeleton.back());
   return (way / spacing).array().round().cast<int>();
@@ -215,7 +216,7 @@ double quantile(std::vector<double> values, double part) {
   return *at;
 }
 
-// Cells between drawn ellipsoids, so that some stand side by side across the map.
+// The number of cells between drawn ellipsoids, such that several stand side by side across the map.
 int stride_of(const std::vector<Eigen::Vector2i>& cells) {
   Eigen::Vector2i low = cells.front(), high = cells.front();
   for (const Eigen::Vector2i& cell : cells) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Arms with their dynamic manipulability ellipsoids as pictures, as in Figure 7.15.
+// Pictures of arms with their dynamic manipulability ellipsoids, as in Figure 7.15.
 #pragma once
 
 #include "plot/plot.hpp"
@@ -8,15 +8,15 @@
 
 namespace flatdyn {
 
-// Outlines of the ellipsoids at the arm's tip, of the accelerations along x, y, z, in each view; of spatial ones also
-// the three ellipses through two of their axes. Of more poses than can be told apart, some, evenly spaced, with the
-// tip's path, and all half axes and measures as curves.
+// The outlines, in each view, of the ellipsoids of accelerations along x, y, z at the arm's tip; for spatial ones also
+// the three ellipses through two of their axes. If there are too many poses to tell apart, some are drawn, evenly
+// spaced, with the tip's path, and all half axes and measures as curves.
 std::string manipulability_plot(const std::string& robot, const std::vector<int>& task,
                                 const std::vector<ManipulablePose>& poses, const std::vector<View>& views,
                                 PictureFormat format);
 
-// Poses at places of a square grid in the view's plane, `spacing` m apart, the first one the start: the measure as
-// colour, some ellipsoids about their places, and the arm where it starts.
+// A map of poses on a square grid in the view's plane, `spacing` m apart, the first one the start: the measure as
+// colour, some ellipsoids at their places, and the arm at the start.
 std::string workspace_plot(const std::string& robot, const std::vector<int>& task,
                            const std::vector<ManipulablePose>& poses, const View& view, double spacing,
                            PictureFormat format);

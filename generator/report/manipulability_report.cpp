@@ -19,7 +19,7 @@ const char* direction(int row) {
   return kNames[row];
 }
 
-// Where the measure is smallest and largest.
+// The places of the smallest and the largest measure.
 std::string measure_range(const std::vector<ManipulablePose>& poses) {
   const auto [least, most] = std::minmax_element(poses.begin(), poses.end(), [](const auto& a, const auto& b) {
     return a.ellipsoid.measure < b.ellipsoid.measure;

@@ -14,10 +14,10 @@ struct ManipulablePose {
   std::vector<double> q;
   Ellipsoid ellipsoid;
   std::vector<Eigen::Vector3d> skeleton;  // m, the tip last
-  std::optional<double> t = {};           // s, on a path; all poses have one, or none
+  std::optional<double> t = {};           // s, on a path; all poses have it, or none
 };
 
-// t,q1,…,p_x,p_y,p_z,centre_x,…,length_1,…,axis_1_x,…,measure: SI units.
+// CSV with columns t,q1,…,p_x,p_y,p_z,centre_x,…,length_1,…,axis_1_x,…,measure, in SI units.
 std::string manipulability_csv(const std::vector<int>& task, const std::vector<ManipulablePose>& poses);
 
 std::string describe_manipulability(const std::vector<int>& task, const std::vector<ManipulablePose>& poses);

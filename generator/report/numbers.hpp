@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers in reports. In JSON, what is infinite is null.
+// Numbers in reports. In JSON, infinity is null.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,11 +11,11 @@
 
 namespace flatdyn {
 
-inline constexpr int kJsonDigits = 17;  // of numbers inside texts: a double comes back as it was
+inline constexpr int kJsonDigits = 17;  // digits of numbers inside texts: a double reads back exactly
 
 inline std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
-// A standard deviation, infinite where the data do not tell.
+// A standard deviation as text; infinite where the data do not tell.
 inline std::string deviation_text(double deviation) {
   return std::isfinite(deviation) ? fmt::format("{:.2g}", deviation) : "not told";
 }

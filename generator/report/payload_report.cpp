@@ -14,7 +14,7 @@ constexpr const char* kNames[] = {"m", "m lx", "m ly", "m lz", "Ixx", "Ixy", "Ix
 constexpr const char* kUnits[] = {"kg",     "kg m",   "kg m",   "kg m",   "kg m^2",
                                   "kg m^2", "kg m^2", "kg m^2", "kg m^2", "kg m^2"};
 
-// Of a body with ten parameters.
+// A body given by its ten parameters, about its centre of mass.
 struct Centred {
   double mass;
   Eigen::Vector3d com;

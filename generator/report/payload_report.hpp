@@ -9,14 +9,13 @@
 
 namespace flatdyn {
 
-// What is said of an estimate that no payload explains; nothing of others. `hint`: what may be the reason of a negative
-// mass.
+// Sentences on estimates that no payload explains; none for others. `hint`: a possible reason of a negative mass.
 std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std::string& hint);
 
 std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& payload);
 nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstimate& payload);
 
-// TOML over the robot file: `doubts` as comments, `settings` (lines that repeat the options that shaped the model) and
+// TOML over the robot file: `doubts` as comments, `settings` (lines that repeat the options that shaped the model), and
 // [payload] on the tip's link.
 std::string payload_robot_text(const LoadedRobot& robot, const PayloadEstimate& payload,
                                const std::filesystem::path& file, const std::vector<std::string>& settings,

@@ -6,9 +6,9 @@
 namespace flatdyn {
 namespace {
 
-// Where the samples are drawn: their times; of several logs, one log behind the other, with a gap between them.
+// The abscissae of the samples: their times; several logs follow each other with a gap between them.
 std::vector<double> places_of(const std::vector<MotionSample>& samples, bool is_one_log) {
-  constexpr double kGap = 0.02;  // of all time
+  constexpr double kGap = 0.02;  // share of the total time
   double total = 0;
   for (std::size_t k = 1; k < samples.size(); ++k) {
     if (samples[k].log == samples[k - 1].log) total += samples[k].time - samples[k - 1].time;
@@ -32,7 +32,7 @@ void add(Series& series, double x, double y, bool is_new) {
   series.y.push_back(y);
 }
 
-// Half a row: what is drawn of a joint.
+// One joint's half of a row.
 Panel half_panel(const Body& body, const std::string& what) {
   Panel panel{body.joint + ": " + what, "", torque_unit(body), {{what, {}, {}}}};
   panel.is_half = true;

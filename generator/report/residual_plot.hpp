@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// Per joint over time: the torque as measured, and what the identified parameters leave of it.
+// Per joint over time: the measured torque, and its residual with the identified parameters.
 std::string residual_plot(const TorqueModel& model, const Identification& found, PictureFormat format);
 
 }  // namespace flatdyn

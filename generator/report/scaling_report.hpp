@@ -9,12 +9,12 @@
 
 namespace flatdyn {
 
-// What of a time-optimal law is told beside its motion.
+// Facts on a time-optimal law, beside its motion.
 struct OptimalPace {
   TimeLaw law;
-  std::optional<LimitUsed> between;          // largest use between the grid's points, where it can be asked
-  double slowed_by = 1;                      // all of it, so that the limits hold where the law alone exceeds them
-  double coefficients_ms = 0, solve_ms = 0;  // how long it took to evaluate the dynamics, and then to find the law
+  std::optional<LimitUsed> between;  // largest use between the grid's points, if it can be computed
+  double slowed_by = 1;              // factor on the whole motion that restores limits which the law alone exceeds
+  double coefficients_ms = 0, solve_ms = 0;  // time to evaluate the dynamics, and to find the law
 };
 
 struct ScaledMotion {
@@ -23,16 +23,16 @@ struct ScaledMotion {
   std::optional<OptimalPace> optimal;
   Trajectory before, after;
   std::vector<std::vector<double>> tau_after;
-  // Both sides of every jump, of the motion as given (whose points `linear` counts) and at its new pace.
+  // The points at both sides of every jump, of the motion as given (`linear` counts these) and at its new pace.
   Trajectory sides_before, sides_after;
   std::vector<std::vector<double>> tau_sides_before, tau_sides_after;
-  LimitUsed used;  // of sides_after, from a sweep of its own
+  LimitUsed used;  // use of limits by sides_after, computed separately
 };
 
 std::string describe_scaling(const Mechanism& mechanism, const ScaledMotion& motion);
 nlohmann::ordered_json scaling_json(const Mechanism& mechanism, const ScaledMotion& motion);
 
-// "torque limit 3000 N m of joint \"elbow\"".
+// A limit as text: "torque limit 3000 N m of joint \"elbow\"".
 std::string limit_text(const Mechanism& mechanism, const PaceLimits& limits, LimitKind kind, std::size_t joint);
 
 }  // namespace flatdyn

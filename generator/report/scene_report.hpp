@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a scene fixed, for people, for the stamp of a header and for its documentation.
+// The settings of a scene, for people, for the stamp of a header and for its documentation.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace flatdyn {
 
-// One text per key, by content and never by path: "gravity = [0, 0, 0]", "locked.elbow = pi/2", "static = true". Of
-// --gravity and --fix, too. Empty if nothing is fixed.
+// One text per key, by content and never by path: "gravity = [0, 0, 0]", "locked.elbow = pi/2", "static = true".
+// --gravity and --fix are included. Empty if nothing is set.
 std::vector<std::string> scene_items(const LoadedRobot& model);
 
-// The same of a scene file as one text, "Scene: gravity = [0, 0, 0]; static = true"; empty if there is no such file.
+// The settings of a scene file as one text, "Scene: gravity = [0, 0, 0]; static = true"; empty without such a file.
 std::string scene_stamp(const LoadedRobot& model);
 
 // Sentences for the header: "Joint elbow is held at pi/2 rad. Friction is left out." Empty if there is nothing to say.

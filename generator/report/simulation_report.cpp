@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kEventsShown = 8;
 
-// By joint, in the order of the table.
+// The columns with one number per joint, in the order of the table.
 constexpr std::pair<const char*, Eigen::VectorXd SimulationRow::*> kByJoint[] = {
     {"q", &SimulationRow::q},
     {"qd", &SimulationRow::qd},

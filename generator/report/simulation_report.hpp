@@ -9,14 +9,14 @@
 
 namespace flatdyn {
 
-// t,q1,…,qd1,…,qdd1,…,tau1,…,friction1,…,kinetic,potential,work,dissipated: SI units.
+// Columns t,q1,…,qd1,…,qdd1,…,tau1,…,friction1,…,kinetic,potential,work,dissipated, in SI units.
 TimeTable simulation_table(const SimulatedMotion& motion);
-// t,joint,event
+// CSV with columns t,joint,event.
 std::string events_csv(const Mechanism& mechanism, const SimulatedMotion& motion);
 // Positions, speeds, torques, energies over time.
 std::string simulation_plot(const Mechanism& mechanism, const TimeTable& table, PictureFormat format);
 
-// seconds: that the integration took.
+// seconds: the time that the integration took.
 std::string describe_simulation(const Mechanism& mechanism, const SimulatedMotion& motion, double seconds);
 nlohmann::ordered_json simulation_json(const Mechanism& mechanism, const SimulatedMotion& motion, double seconds);
 

@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-// "1 angle", "3 products of inertia".
+// A count of snaps with its noun: "1 angle", "3 products of inertia".
 std::string counted(Snap::Kind kind, int count) {
   const char* const s = count == 1 ? "" : "s";
   switch (kind) {

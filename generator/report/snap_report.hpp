@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers of the robot file that were taken for exact ones, with what each changes (verify/snap_effect.hpp).
+// Numbers of the robot file that were snapped to exact ones, with the effect of each (verify/snap_effect.hpp).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,15 +10,15 @@
 
 namespace flatdyn {
 
-// How much is said of them where people read.
+// The detail in texts for people.
 enum class SnapDetail { one_line, each };
 
-// "" if there are none. torque_changes: of each snap, N m; N for prismatic joints.
+// The snaps as text, "" if there are none. torque_changes: one per snap, N m, or N for prismatic joints.
 std::string describe_snaps(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes,
                            SnapDetail detail);
 
-// 'joint "j", origin, rpy: 1.5708 taken for pi/2: off by -3.7e-06 rad, changes torques by up to 1e-05', without its
-// place.
+// A snap without its place: 'joint "j", origin, rpy: 1.5708 taken for pi/2: off by -3.7e-06 rad, changes torques by up
+// to 1e-05'.
 std::string snap_text(const Snap& snap, double torque_change);
 
 nlohmann::ordered_json snaps_json(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes);

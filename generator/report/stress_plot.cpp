@@ -10,7 +10,7 @@
 namespace flatdyn {
 namespace {
 
-// Where errors grow as the condition does, nothing but the inherent is lost.
+// The line of the inherent error: the error grows with the condition number and nothing more is lost.
 Series unit_line(const std::vector<Series>& clouds) {
   double largest = 10;
   for (const Series& each : clouds) {
@@ -44,7 +44,7 @@ Panel condition_panel(const StressReport& report, const std::string& scalar) {
   return panel;
 }
 
-// The scalars that were searched.
+// The scalars that the search covered.
 std::vector<std::string> scalars_of(const StressReport& report) {
   std::vector<std::string> scalars;
   for (const char* scalar : {"double", "float"}) {
@@ -60,7 +60,7 @@ bool has_errors(const StressReport& report, const std::string& scalar) {
   });
 }
 
-// Up to the last one that has something.
+// The number of bins up to the last one that is not empty.
 int bins_to_show(const StressReport& report) {
   int last = 20;
   for (const StressRow& row : report.rows) {

@@ -60,7 +60,7 @@ ordered_json stress_row_json(const StressReport& report, const StressRow& row) {
   return json;
 }
 
-// What eval needs to repeat what did not pass; of the others, the worst in double.
+// The rows for `eval` to repeat: those that did not pass; of the others, the worst in double.
 std::vector<const StressRow*> rows_to_show(const StressReport& report) {
   std::vector<const StressRow*> rows;
   const StressRow* worst = nullptr;

@@ -11,10 +11,10 @@
 namespace flatdyn {
 namespace {
 
-// Contributions that a person looks at together.
+// A group of contributions that are shown together.
 struct TermGroup {
   const char* name;
-  const char* key;  // in JSON
+  const char* key;  // key in JSON
   std::vector<TermKind> kinds;
 };
 
@@ -58,7 +58,7 @@ std::vector<double> torques_of(const TorqueHistory& history, int joint) {
   return values;
 }
 
-// Index of the largest magnitude.
+// The index of the largest magnitude.
 std::size_t peak(const std::vector<double>& values) {
   return static_cast<std::size_t>(
       std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
@@ -74,9 +74,10 @@ std::string term_label(const TorqueTerm& term) {
   return text;
 }
 
-constexpr std::size_t kMostCurves = 7;  // as many as there are colours
+constexpr std::size_t kMostCurves = 7;  // the number of colours
 
-// Columns of the table for a joint's contributions, sums of a kind appended to it where the terms are many.
+// Columns of the table for a joint's contributions; if there are many terms, sums of each kind are appended to the
+// table and used instead.
 PanelColumns contributions(const Body& body, int joint, const TorqueHistory& history, std::size_t first_term,
                            TimeTable& table) {
   PanelColumns panel{"torque of " + body.joint, std::string("tau in ") + torque_unit(body), {}, {}};

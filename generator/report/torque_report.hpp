@@ -10,24 +10,24 @@
 
 namespace flatdyn {
 
-// By point, and there by joint.
+// Values by point, and for each point by joint.
 using ByPoint = std::vector<std::vector<double>>;
 
-// t, q1, …, qd1, …, qdd1, …, h_e1, … (where the tip pushes), tau1, … . q is of positions_along() the trajectory, so
-// that of all joints where loops are closed, as it is read again.
+// Columns t, q1, …, qd1, …, qdd1, …, h_e1, … (if the tip pushes), tau1, … . q is that of positions_along() the
+// trajectory, so it has all joints of closed loops, as readers expect.
 TimeTable trajectory_table(const Trajectory& trajectory, const ByPoint& q, const ByPoint& tau);
-// The same, and behind it every term by its name.
+// The same table, followed by every term as a column with its name.
 TimeTable torque_table(const Trajectory& trajectory, const ByPoint& q, const TorqueHistory& history);
 
-// Largest torques by joint and kind of contribution.
+// The largest torques by joint and kind of contribution.
 std::string describe_torques(const Mechanism& mechanism, const Trajectory& trajectory, const TorqueHistory& history);
 nlohmann::ordered_json torques_json(const Mechanism& mechanism, const Trajectory& trajectory,
                                     const TorqueHistory& history);
 
-// Positions, rates, accelerations and torques, of trajectory_table().
+// Panels for positions, rates, accelerations and torques of trajectory_table().
 std::vector<PanelColumns> motion_panels(const Mechanism& mechanism, bool tip_force);
-// The same; then a panel per joint with what its torque is made of, term by term or,
-// where these are many, by kind.
+// A picture with those panels and, per joint, one with the contributions to its torque: term by term or, if there are
+// many, by kind.
 std::string torque_plot(const Mechanism& mechanism, const Trajectory& trajectory, const ByPoint& q,
                         const TorqueHistory& history, PictureFormat format);
 

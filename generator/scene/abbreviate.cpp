@@ -16,17 +16,19 @@
 namespace flatdyn {
 namespace {
 
-// Covers the roundings of the bounds themselves.
+// Covers the rounding errors of the bounds themselves.
 constexpr double kUpward = 1 + 1e-9;
 
-// Largest norms within the limits: of ω, ω̇ and p̈ - g_0 of a body, and how far its origin is from that of its parent.
+// The largest norms, within the limits, of ω, ω̇ and p̈ - g_0 of a body, and of its origin's displacement from its
+// parent's.
 struct LargestMotion {
   double omega = 0, domega = 0, ddp = 0, step = 0;
 
-  double swing() const { return domega + omega * omega; }  // of a point at distance 1
+  double swing() const { return domega + omega * omega; }  // the largest acceleration of a point at distance 1
 };
 
-// A limit of 0 says that nobody gave it, but for positions.
+// The absolute value of a limit. Throws Failure(unsupported) if there is none. A limit of 0 means that nobody gave one,
+// except for positions.
 double limit_of(const Body& body, const std::optional<Value>& limit, const std::string& what) {
   if (!limit || (vanishes(limit->number) && what != "position")) {
     throw Failure(ExitCode::unsupported, fmt::format("error budget: joint \"{}\" has no limit of {}", body.joint, what),
@@ -72,7 +74,8 @@ struct Pull {
   double force = 0, moment = 0;  // about the origin of the body's frame
 };
 
-// Of a unit of the parameter. ω × Î ω of a unit moment about an axis is ω_a (ω × a), at most half of ω² long.
+// The largest force and moment of a unit of the parameter. For a unit moment of inertia about an axis a, ω × Î ω is ω_a
+// (ω × a), of length ω²/2 at most.
 Pull unit_pull(Parameter parameter, const LargestMotion& motion) {
   switch (parameter) {
     case Parameter::m:
@@ -90,8 +93,8 @@ Pull unit_pull(Parameter parameter, const LargestMotion& motion) {
   }
 }
 
-// How much arithmetic of the recursion a parameter brings along, roughly: a mass makes a force, a first moment acts on
-// forces and moments, an inertia on moments only.
+// The rough share of the recursion's arithmetic that a parameter causes: a mass makes a force, a first moment acts on
+// forces and moments, a moment of inertia on moments only.
 double weight(Parameter parameter) {
   switch (parameter) {
     case Parameter::m:
@@ -110,7 +113,7 @@ double weight(Parameter parameter) {
 
 bool is_inertia(Parameter parameter) { return parameter >= Parameter::Ixx; }
 
-// At any angle, as B should be positive definite beyond the limits, too.
+// The mechanism without position limits of revolute joints, as B should be positive definite beyond the limits, too.
 Mechanism turning_freely(Mechanism mechanism) {
   for (Body& body : mechanism.bodies) {
     if (!body.prismatic) body.limits.lower = body.limits.upper = std::nullopt;
@@ -118,7 +121,7 @@ Mechanism turning_freely(Mechanism mechanism) {
   return mechanism;
 }
 
-// B of a model at random positions, positive definite or not.
+// Checks whether B of a model is positive definite at random positions.
 class InertiaCheck {
  public:
   explicit InertiaCheck(const Mechanism& mechanism) {
@@ -146,7 +149,7 @@ class InertiaCheck {
 
 class Abbreviator {
  public:
-  // `values`: those of the base parameters, in their places, and zeros.
+  // `values`: the base parameters' values in their places, and zeros elsewhere.
   Abbreviator(const Mechanism& mechanism, std::vector<InertialParameters> values, const ErrorBudget& budget,
               const Needs& needs)
       : values_(std::move(values)),
@@ -173,7 +176,7 @@ class Abbreviator {
   struct Candidate {
     DroppedParameter parameter;
     Parameter kind;
-    double price = 0;  // largest part of a joint's budget, per operation saved
+    double price = 0;  // largest fraction of a joint's budget per operation saved
   };
 
   std::vector<Candidate> all_candidates() const {
@@ -199,7 +202,7 @@ class Abbreviator {
     return result;
   }
 
-  // By joint: only those from body k to the base feel it.
+  // The bounds by joint: the parameter has an effect only on the joints from body k to the base.
   std::vector<double> bounds(int k, Parameter kind, double value) const {
     std::vector<double> result(result_.budget.size(), 0);
     const Pull pull = unit_pull(kind, motions_[static_cast<std::size_t>(k)]);
@@ -230,7 +233,7 @@ class Abbreviator {
     result_.dropped.push_back(parameter);
   }
 
-  // So much less of it that nothing of the base parameter is left.
+  // Subtracts so much of the parameter that nothing of the base parameter is left.
   static void remove(InertialParameters& inertia, Parameter kind, const InertialParameters& values) {
     inertia = inertia + single_parameter(kind, -entries_of(values)[static_cast<std::size_t>(kind)]);
   }
@@ -244,8 +247,8 @@ class Abbreviator {
 
 }  // namespace
 
-// Of the base parameters, so that nothing is spent on what has no effect anyway. The model keeps the others as they
-// are: how they are grouped is chosen later.
+// Only base parameters are dropped, so that no budget is spent on parameters without effect. The model keeps the other
+// ones as they are: how they are grouped is chosen later.
 Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, const Needs& needs) {
   if (!mechanism.symbols.empty()) {
     throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");

@@ -21,7 +21,7 @@ struct Range {
   int first = 0, last = 0;
 };
 
-// How many indices an output has, and how far each goes.
+// The size of each index of an output.
 std::vector<int> dimensions(const Output& output) {
   switch (output.layout) {
     case Layout::scalar:
@@ -37,7 +37,7 @@ std::vector<int> dimensions(const Output& output) {
   return {};
 }
 
-// Poses and accelerations of the tip, and the rows of a Jacobian, are along axes.
+// Whether an index counts joints. Poses and accelerations of the tip, and the rows of a Jacobian, count axes instead.
 bool counts_joints(const Output& output, std::size_t dimension) {
   if (output.name == "J") return dimension == 1;
   if (output.name == "Y") return dimension == 0;
@@ -54,7 +54,7 @@ std::size_t place_of(const Output& output, const std::vector<int>& indices) {
   return static_cast<std::size_t>(place);
 }
 
-// "tau" and "0..2" of "tau[0..2]".
+// The parts "tau" and "0..2" of "tau[0..2]".
 struct Parts {
   std::string name;
   std::vector<std::string> indices;
@@ -143,7 +143,7 @@ void add_entries(const Output& output, const std::vector<Range>& ranges, std::ve
   }
 }
 
-// "0..2, 5" of the entries of one row that are not left out, each as `form` has it.
+// Appends "0..2, 5" for the entries of one row that are not left out, each written as `form`.
 void add_runs(const Output& output, std::size_t begin, std::size_t count, const std::string& stem, std::string& text) {
   for (std::size_t first = 0, last = 0; first < count; first = last + 1) {
     last = first;

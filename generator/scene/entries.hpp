@@ -10,17 +10,17 @@
 
 namespace flatdyn {
 
-// Places in Output::entries of one output, which one is `output`.
+// Indices into Output::entries of one output, and that output's index.
 struct EntrySelection {
   std::size_t output = 0;
   std::vector<std::size_t> entries;
 };
 
-// `text` is NAME, NAME[i], NAME[i][j] or NAME[i][j][k]; an index is a number from 0, a joint's name where joints are
-// counted, or a range FIRST..LAST of these; indices that are not given mean all. Throws Failure(input) with a hint.
+// Parses `text`: NAME, NAME[i], NAME[i][j] or NAME[i][j][k]. An index is a number from 0, a joint's name where joints
+// are counted, or a range FIRST..LAST of these; omitted indices mean all. Throws Failure(input) with a hint.
 EntrySelection selected_entries(const Function& function, const Mechanism& mechanism, const std::string& text);
 
-// What is computed of an output, in the same form: "tau[0..2], tau[5]"; "B[0][0..3], B[1][1]".
+// The entries of an output that are computed, in the same form: "tau[0..2], tau[5]"; "B[0][0..3], B[1][1]".
 std::string written_entries(const Output& output);
 
 }  // namespace flatdyn

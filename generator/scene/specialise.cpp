@@ -12,7 +12,7 @@ namespace {
 
 std::size_t slot(NodeId id) { return static_cast<std::size_t>(id); }
 
-// The graph with 0 for each velocity, in normal form again: whatever becomes 0 or equal is so at once.
+// The graph with 0 for each velocity, rebuilt in normal form, so that nodes that become 0 or equal are so at once.
 Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
   Graph result;
   for (NodeId id = 0; id < graph.size(); ++id) {
@@ -24,8 +24,8 @@ Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
   return result;
 }
 
-// Its entries cannot be compared one by one with what they have to be: a base regressor is right as a whole, and
-// derivatives of accelerations by the inverse of B that comes with them.
+// Whether the function's entries cannot be compared one by one with the definition: a base regressor is right as a
+// whole, and derivatives of accelerations depend on the inverse of B that comes with them.
 bool is_one_whole(const Function& function) {
   return function.name == "base_regressor" || function.name == "adaptive_regressor" ||
          function.name == "base_parameters" || function.name == "forward_dynamics_derivatives";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Functions as a scene needs them: what it does not need is taken out before the passes.
+// Functions as a scene needs them: parts that it does not need are removed before the passes.
 #pragma once
 
 #include "diagnostics/diagnostics.hpp"
@@ -9,15 +9,15 @@
 
 namespace flatdyn {
 
-// The function where q̇ = 0: what is multiplied by a velocity is gone. Its arguments stay as they are.
-// A function that has no velocities among them stays as it is.
+// The function for q̇ = 0: terms with a velocity as a factor are gone. Its arguments stay the same. A function without
+// velocities among its arguments is returned unchanged.
 Function at_rest(const Function& function);
 
-// The function without entries that nobody asks for. What is wrong with `wanted` goes to `diagnostics`.
+// The function without the entries that the scene does not ask for. Errors in `wanted` are reported to `diagnostics`.
 Function with_outputs(const Function& function, const Mechanism& mechanism, const SceneOutputs& wanted,
                       Diagnostics& diagnostics);
 
-// Both, as far as the scene says so.
+// Applies both, as far as the scene asks for it.
 Function specialised(const Function& function, const Mechanism& mechanism, const Scene& scene,
                      Diagnostics& diagnostics);
 

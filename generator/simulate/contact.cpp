@@ -10,16 +10,16 @@ namespace flatdyn {
 namespace {
 
 constexpr int kMostSweeps = 10000;
-constexpr double kRounding = 1e-12;  // of a force that is as large as it can be
+constexpr double kRounding = 1e-12;  // relative to the largest force possible
 
-// Forces within ranges on some coordinates of a = a_0 + B^-1 λ, so that a_i > 0 only where λ_i is the least it can be
-// and a_i < 0 only where it is the largest: by projected Gauss–Seidel sweeps over B^-1, which converge as B^-1 is
+// Finds forces λ within ranges on some coordinates of a = a_0 + B^-1 λ, such that a_i > 0 only where λ_i is at its
+// minimum and a_i < 0 only where it is at its maximum. Projected Gauss–Seidel sweeps over B^-1 converge since B^-1 is
 // positive definite.
 struct BoundedForces {
   std::vector<Eigen::Index> at;
-  std::vector<HoldingRange> ranges;  // of each of `at`
-  Eigen::VectorXd lambda, result;    // of each of `at`; a, of all: a_0 before solve()
-  Eigen::VectorXd missing;  // of each of `at`: the force that would make a_i zero, the others' being as they are
+  std::vector<HoldingRange> ranges;  // one per entry of `at`
+  Eigen::VectorXd lambda, result;    // lambda: one per entry of `at`; result: a of all coordinates, a_0 before solve()
+  Eigen::VectorXd missing;  // per entry of `at`: the force that would make a_i zero with the other forces unchanged
 };
 
 void solve(const Eigen::MatrixXd& B, BoundedForces& forces) {
@@ -117,7 +117,7 @@ Eigen::VectorXd stopped(const Eigen::MatrixXd& B, const Eigen::VectorXd& qd, con
   }
   impulses.result = qd;
   solve(B, impulses);
-  // A joint that its stop has caught has speed 0 and not a rounding error.
+  // The speed of a joint that its stop has caught is exactly 0, not a rounding error.
   for (std::size_t k = 0; k < impulses.at.size(); ++k) {
     if (impulses.lambda(static_cast<Eigen::Index>(k)) != 0) impulses.result(impulses.at[k]) = 0;
   }

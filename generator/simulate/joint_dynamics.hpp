@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The equations of motion (7.42) in numbers, as fast as the tool can evaluate them: what a simulation steps through.
+// The equations of motion (7.42) in numbers, evaluated fast for a simulation.
 #pragma once
 
 #include <Eigen/Dense>
@@ -12,7 +12,7 @@
 
 namespace flatdyn {
 
-// B(q) and n(q, q̇) = C q̇ + F_v q̇ + g: all of B q̈ + n = τ but dry friction, which is no function of the state.
+// B(q) and n(q, q̇) = C q̇ + F_v q̇ + g: all of B q̈ + n = τ except dry friction, which is no function of the state.
 struct MotionTerms {
   Eigen::MatrixXd B;  // n × n, kg m^2 (kg for prismatic joints)
   Eigen::VectorXd n;  // n, N m (N)
@@ -20,8 +20,8 @@ struct MotionTerms {
 
 class JointDynamics {
  public:
-  // Of the whole model: an error budget, entries left out and "static" of a scene do not count. Throws
-  // Failure(unsupported) where the robot has free symbols.
+  // The dynamics of the whole model: an error budget, entries left out and "static" of a scene are ignored. Throws
+  // Failure(unsupported) if the robot has free symbols.
   JointDynamics(const LoadedRobot& model, Progress& progress);
 
   const Mechanism& mechanism() const { return model_.mechanism; }
@@ -29,13 +29,14 @@ class JointDynamics {
   const Eigen::VectorXd& viscous() const { return viscous_; }  // F_v, N m s (N s/m)
   const Eigen::VectorXd& coulomb() const { return coulomb_; }  // F_s, N m (N)
 
-  // q in rad or m, qd in rad/s or m/s; n numbers each, of the independent joints where loops are closed. Throws
-  // Failure(input) where these cannot be.
+  // B and n at q in rad or m, qd in rad/s or m/s; n numbers each, those of the independent joints if loops are closed.
+  // Throws Failure(input) if the loops cannot be closed.
   const MotionTerms& at(const double* q, const double* qd);
-  const MotionTerms& last() const { return result_; }  // of at()
+  const MotionTerms& last() const { return result_; }  // the last result of at()
   const Eigen::VectorXd& gravity(const double* q);     // N m (N)
   double potential_energy(const double* q);            // J
-  // Of all joints that are not coupled, dependent ones too. Valid until the next call of any of these.
+  // The positions of all joints that are not coupled, dependent ones included. Valid until the next call of any of
+  // these functions.
   std::span<const double> positions(const double* q);
 
  private:

@@ -9,10 +9,10 @@
 namespace flatdyn {
 namespace {
 
-// Beyond an event by so much it has happened: rad/s, rad (m/s, m), and a part of the force that friction holds. It is
-// far below what integration leaves uncertain, and far above rounding.
+// An event has happened once it is exceeded by this much: rad/s (m/s), rad (m), and the share of the force that
+// friction can hold. The slack is far below the integration error and far above rounding.
 constexpr double kSpeedSlack = 1e-11, kPositionSlack = 1e-11, kForceSlack = 1e-9;
-// A joint that an impact leaves slower than this stays at its stop: rad/s, m/s.
+// A joint that an impact leaves slower than this, in rad/s or m/s, stays at its stop.
 constexpr double kSettlingSpeed = 1e-3;
 
 }  // namespace
@@ -80,7 +80,7 @@ double MotionEquation::limit_margin(const MotionState& x, std::size_t i) const {
   return std::min(below, above) + kPositionSlack;
 }
 
-// How far a joint is from reversing, or from breaking away.
+// The distance of a joint from reversing, or from breaking away.
 double MotionEquation::rest_margin(const MotionState& x, const Eigen::VectorXd& lambda, std::size_t i) const {
   const JointContact& contact = contacts_[i];
   const auto row = static_cast<Eigen::Index>(i);
@@ -107,7 +107,8 @@ bool MotionEquation::is_limit_met(const MotionState& x, std::size_t i, int side)
   return beyond > kPositionSlack;
 }
 
-// Where a joint is at the end of its range exactly: where meet_event() has put it, or where it started.
+// The end of its range, -1 or 1, at which a joint is exactly, because meet_event() has put it there or it started
+// there; 0 for other joints.
 std::vector<int> MotionEquation::stops(const MotionState& x) const {
   std::vector<int> sides(contacts_.size(), 0);
   if (simulation_.at_limits != AtLimits::stop) return sides;
@@ -141,7 +142,7 @@ bool MotionEquation::meet_event(MotionState& x, double t, std::vector<MotionEven
   return false;
 }
 
-// Else joints at stops push each other off in ever shorter turns, without end.
+// Without this, joints at stops push each other off at ever shorter intervals, without end.
 void MotionEquation::settle(MotionState& x) const {
   const std::vector<int> at = stops(x);
   for (std::size_t i = 0; i < at.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The arm as a system of differential equations that hold until an event: a joint comes to rest, breaks away, or meets
-// the end of its range.
+// The arm as a system of differential equations that are valid until an event: a joint comes to rest, breaks away, or
+// reaches the end of its range.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace flatdyn {
 
-// q, q̇, the work of the torques so far, and what friction and stops have taken: 2 n + 2 numbers, SI units.
+// q, q̇, the work of the torques so far, and the energy that friction and stops have dissipated: 2 n + 2 numbers, SI.
 using MotionState = std::vector<double>;
 
 enum class EventKind { rests, slides, meets_lower_limit, meets_upper_limit, leaves_limit };
@@ -36,21 +36,21 @@ class MotionEquation {
   // dx/dt, as Boost.Odeint calls it.
   void operator()(const MotionState& x, MotionState& dx, double t);
   ContactMotion motion(const MotionState& x, double t);
-  const Eigen::VectorXd& tau() const { return tau_; }  // at the last motion()
-  // At the last motion() or decide().
+  const Eigen::VectorXd& tau() const { return tau_; }  // τ at the last motion()
+  // The kinetic energy, J, with B of the last motion() or decide().
   double kinetic_energy(const MotionState& x) const;
-  Eigen::VectorXd positions(const MotionState& x);  // of all joints that are not coupled
+  Eigen::VectorXd positions(const MotionState& x);  // positions of all joints that are not coupled
   double potential_energy(const MotionState& x) { return dynamics_.potential_energy(x.data()); }
 
-  // Whether there are dry friction or stops at all.
+  // Whether there is any dry friction or stop.
   bool has_events() const;
 
-  // Negative as soon as an event has happened for which contacts() do not hold any more.
+  // A margin that becomes negative as soon as an event ends the validity of contacts().
   double margin(const MotionState& x, double t);
-  // Brings joints to rest, or against their stops, and decides anew; true if that ends the simulation. What changed
-  // goes to `events`.
+  // Brings joints to rest, or against their stops, and decides contacts anew. Returns true if that ends the simulation.
+  // Changes are appended to `events`.
   bool meet_event(MotionState& x, double t, std::vector<MotionEvent>& events);
-  // At the start and at knots, where torques may jump: what moves from now on.
+  // Decides which joints move from now on, at the start and at knots, where torques may jump.
   void decide(const MotionState& x, double t, std::vector<MotionEvent>& events);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is to be simulated, as written: docs/simulation-format.md.
+// The description of a simulation as written: docs/simulation-format.md.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,16 @@ namespace flatdyn {
 
 enum class AtLimits {
   go_on,  // joints move beyond their range
-  stop,   // and do not bounce
-  end,    // the simulation is over
+  stop,   // joints stop at the ends of their range without bouncing
+  end,    // the simulation ends
 };
 
 enum class IntegrationMethod {
-  adaptive,  // Dormand and Prince's pair of order 5 and 4, steps as long as the tolerance lets them be
-  rk4,       // the classical method of order 4 with steps of one length: what firmware can do
+  adaptive,  // Dormand and Prince's pair of order 5 and 4, with steps as long as the tolerance allows
+  rk4,       // the classical method of order 4 with constant steps, as firmware can use it
 };
 
-// Torques over time, by row one number per joint.
+// Torques over time: each row has one number per joint.
 struct TorqueSamples {
   enum class Between { hold, linear };
   Between between = Between::linear;
@@ -32,39 +32,39 @@ struct TorqueSamples {
   std::vector<std::vector<double>> torques;
 };
 
-// K_P (q_d − q) + K_D (q̇_d − q̇): torques, to which g(q) may be added; or, with q̈_d, the accelerations that computed
-// torque makes of the model.
+// The torques K_P (q_d − q) + K_D (q̇_d − q̇), plus g(q) if wanted; or, with q̈_d added, accelerations that computed
+// torque turns into torques by the model.
 struct FeedbackLaw {
   enum class Kind { pd, computed_torque };
   Kind kind = Kind::pd;
-  std::vector<double> kp, kd, position;  // by joint
-  bool gravity = false;                  // pd: plus g(q)
-  std::optional<Trajectory> trajectory;  // instead of a position
+  std::vector<double> kp, kd, position;  // per joint
+  bool gravity = false;                  // pd: adds g(q)
+  std::optional<Trajectory> trajectory;  // used instead of `position`
 };
 
 struct Simulation {
   double duration = 10;                  // s
   double rate = 1000;                    // rows of the result per second
-  std::vector<double> q, qd;             // at the start: rad, rad/s (m, m/s)
-  std::vector<double> constant;          // torques, N m (N); with one of the next two, added to them
-  std::optional<TorqueSamples> samples;  // at most one of these two
+  std::vector<double> q, qd;             // start: rad, rad/s (m, m/s)
+  std::vector<double> constant;          // torques, N m (N); added to those of `samples` or `feedback`
+  std::optional<TorqueSamples> samples;  // at most one of these two is set
   std::optional<FeedbackLaw> feedback;
-  double period = 0;      // s between torques of a feedback law; 0: at all times
-  bool saturate = false;  // torques end at the joints' effort limits
+  double period = 0;      // s between updates of a feedback law; 0: continuous
+  bool saturate = false;  // torques are limited to the joints' effort limits
   AtLimits at_limits = AtLimits::go_on;
   IntegrationMethod method = IntegrationMethod::adaptive;
-  double tolerance = 1e-9;         // adaptive: of q and q̇ per step, relative and absolute
-  std::vector<std::string> files;  // that it was read from
-  double step = 1e-3;              // rk4, s; made shorter, so that rows fall on steps
+  double tolerance = 1e-9;         // adaptive: error of q and q̇ per step, relative and absolute
+  std::vector<std::string> files;  // the files that it was read from
+  double step = 1e-3;              // rk4, s; shortened so that rows coincide with steps
 };
 
-// All at rest at q = 0, or where its loops are assembled, and without torques; then what the file says. What is wrong
-// goes into `diagnostics`. Throws Failure(io) if a file cannot be read.
+// A simulation without torques that starts at rest at q = 0, or where the loops are assembled.
 Simulation resting(const Robot& robot, const Mechanism& mechanism);
+// Adds the settings of the file. Errors go into `diagnostics`. Throws Failure(io) if a file cannot be read.
 void read_simulation(const std::string& file, const Robot& robot, const Mechanism& mechanism, Simulation& simulation,
                      Diagnostics& diagnostics);
 
-// Columns time and tau1, tau2, … or tau_JOINT, …, in s and N m (N); times rise.
+// Reads columns time and tau1, tau2, … or tau_JOINT, …, in s and N m (N); times must increase.
 TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -49,7 +49,7 @@ class SimulationReader {
  private:
   std::size_t joints() const { return mechanism_.joints().size(); }
 
-  // A file that this one names.
+  // The path of a file that this one names.
   std::filesystem::path beside(const std::string& name) {
     const std::filesystem::path path = std::filesystem::path(file_).parent_path() / name;
     simulation_.files.push_back(path.string());
@@ -69,7 +69,7 @@ class SimulationReader {
     if (const auto given = table.numbers(key, joints())) result = doubles(*given);
   }
 
-  // Positions or rates, which `in_si` brings to rad (m).
+  // Converts positions or rates to rad or m and s.
   using InSi = Number (*)(const Number&, const Body&, const Units&, const Spot&, Diagnostics&);
   void motion(TomlTable& table, const char* key, InSi in_si, std::vector<double>& result) {
     auto given = table.numbers(key, joints());

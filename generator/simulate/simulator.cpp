@@ -12,12 +12,13 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-// Within a step an event may come and go; it is looked for at so many places.
+// The number of places within a step at which an event is looked for, since it may come and go.
 constexpr int kProbes = 4;
-// Events that follow each other without any time in between.
+// The largest number of events at one instant.
 constexpr int kMostEventsAtOnce = 1000;
-// No arm is so fast: a control law must have made it unstable, and it could not be followed for long.
-constexpr double kFastest = 1e5;  // rad/s, m/s
+// The speed, rad/s or m/s, at which a simulation fails: no arm is so fast, and a control law must have made it
+// unstable.
+constexpr double kFastest = 1e5;
 
 class Simulator {
  public:
@@ -30,7 +31,7 @@ class Simulator {
   SimulatedMotion run() {
     equation_.law().start(0, x_.data(), speeds());
     equation_.decide(x_, 0, motion_.events);
-    motion_.events.clear();  // what rests at the start has not come to rest
+    motion_.events.clear();  // joints at rest at the start have not come to rest
     add_rows_until(0, [this](double) -> const MotionState& { return x_; });
     if (simulation_.method == IntegrationMethod::rk4) {
       in_even_steps();
@@ -58,7 +59,7 @@ class Simulator {
     }
   }
 
-  // Returns the length of the step that would come next.
+  // Integrates until an event or `end`. Returns the length of the next step.
   double until_event_or(double end, double step) {
     auto stepper = odeint::make_dense_output(simulation_.tolerance, simulation_.tolerance,
                                              odeint::runge_kutta_dopri5<MotionState>());
@@ -83,7 +84,7 @@ class Simulator {
       require_finite();
       motion_.interrupted = interrupted_(t_);
       if (motion_.interrupted) return 0;
-      // Where a torque may bend, the step ends; what is left within rounding is no step.
+      // The step ends at a knot, where a torque may bend; a remainder within rounding is no step.
       if (end - t_ <= 1e-13 * end) t_ = end;
       const double next = stepper.current_time_step();
       if (t_ < end && t_ + next > end) stepper.initialize(x_, t_, end - t_);
@@ -101,7 +102,7 @@ class Simulator {
     }
   }
 
-  // The time of the first event after `from`, a little late so that it has happened; infinity if there is none.
+  // The time just after the first event in the interval, so that it has happened; infinity if there is none.
   template <class StateAt>
   double first_event(double from, double to, const StateAt& state_at) {
     if (!has_events_) return std::numeric_limits<double>::infinity();
@@ -129,7 +130,7 @@ class Simulator {
     motion_.at_limit = equation_.meet_event(x_, t_, motion_.events);
   }
 
-  // With steps of one length, an event is met at the end of its step.
+  // Constant steps: an event is handled at the end of its step.
   void in_even_steps() {
     const double row = 1 / simulation_.rate;
     const auto per_row = static_cast<long>(std::ceil(row / simulation_.step * (1 - 1e-12)));
@@ -141,7 +142,7 @@ class Simulator {
       t_ = static_cast<double>(k) * step;
       ++motion_.steps;
       require_finite();
-      // Half a step early is as near as a knot can be met.
+      // A knot is met to within half a step.
       if (t_ + step / 2 >= knot) {
         equation_.law().start(t_, x_.data(), speeds());
         knot = equation_.law().next_knot(t_ + step / 2);

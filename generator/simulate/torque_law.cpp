@@ -27,7 +27,7 @@ TorqueLaw::TorqueLaw(const Simulation& simulation, JointDynamics& dynamics)
 
 double TorqueLaw::next_knot(double t) const {
   if (simulation_.feedback && simulation_.period > 0) {
-    // The one at t, if the division makes it a little less than it is, is not the next.
+    // The factor keeps a knot at t from being returned when the division rounds down.
     return (std::floor(t / simulation_.period * (1 + 1e-12)) + 1) * simulation_.period;
   }
   if (!simulation_.samples) return kUnbounded;
@@ -77,7 +77,7 @@ void TorqueLaw::feedback(double t, const double* q, const double* qd) {
   }
 }
 
-// Before the first sample and after the last one, that sample.
+// The torques interpolated at t; before the first sample and after the last one, those of that sample.
 void TorqueLaw::sampled(double t) {
   const TorqueSamples& samples = *simulation_.samples;
   const std::vector<double>& from = samples.torques[sample_];

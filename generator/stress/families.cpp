@@ -22,7 +22,7 @@ const FamilyEntry& entry_of(const std::string& family) {
   throw Failure(ExitCode::usage, "no family named \"" + family + "\"", hint_for_unknown(family, names, "families"));
 }
 
-// Those that the robot can have: B of one that moves no mass somewhere cannot be inverted.
+// The functions that the robot can have: B cannot be inverted if a joint moves no mass.
 std::vector<Function> functions_for(const LoadedRobot& model, const FamilyMember& member, const FamilyOptions& options,
                                     Progress& progress, FamilyReport& report) {
   std::vector<Function> functions;

@@ -24,7 +24,7 @@ void scale(Link& link, const Number& by) {
   }
 }
 
-// Masses and inertias from 10^-e at one end to 10^e at the other.
+// Robots with masses and inertias from 10^-e at one end to 10^e at the other.
 std::vector<FamilyMember> inertia_ratios(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
@@ -40,7 +40,7 @@ std::vector<FamilyMember> inertia_ratios(const FamilySize& size) {
   return members;
 }
 
-// Rotors of 1e-12 to 1e-6 kg m², whose inertia at the joint is that times the square of the ratio.
+// Robots with rotors of 1e-12 to 1e-6 kg m², whose inertia at the joint is that times the square of the ratio.
 std::vector<FamilyMember> gear_ratios(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
@@ -61,7 +61,7 @@ std::vector<FamilyMember> gear_ratios(const FamilySize& size) {
   return members;
 }
 
-// Centres of mass so many metres from their joints.
+// Robots whose centres of mass are `parameter` metres from their joints.
 std::vector<FamilyMember> far_centres(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
@@ -75,7 +75,7 @@ std::vector<FamilyMember> far_centres(const FamilySize& size) {
   return members;
 }
 
-// Axes that are parallel but for so many rad.
+// Robots with axes that are parallel up to `parameter` rad.
 std::vector<FamilyMember> near_parallel(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {
@@ -89,8 +89,8 @@ std::vector<FamilyMember> near_parallel(const FamilySize& size) {
   return members;
 }
 
-// A last link of next to no mass, or of none; and a light link between two joints about the same axis, where B has two
-// equal rows but for the last places.
+// Robots with a last link of almost no mass, or of none; and with a light link between two joints about the same axis,
+// where two rows of B are equal up to the last places.
 std::vector<FamilyMember> light_links(const FamilySize& size) {
   constexpr int kExponents[] = {-6, -12, -18, -30, -100};
   std::vector<FamilyMember> members;
@@ -118,7 +118,7 @@ std::vector<FamilyMember> chains(const FamilySize& size) {
   return members;
 }
 
-// On the joint's parent or on a link before it.
+// A carrier of a motor: the joint's parent, or a link before it.
 int random_carrier(const Robot& robot, int link, RandomHundredths& draw) {
   while (link != robot.root && draw.integer(0, 1) == 0) link = robot.joints[static_cast<std::size_t>(link - 1)].parent;
   return link;
@@ -136,7 +136,7 @@ Motor random_motor(const Robot& robot, int parent, RandomHundredths& draw) {
   return motor;
 }
 
-// Trees of some joints, revolute or prismatic, some with motors on links before them, some with friction.
+// Trees with revolute and prismatic joints, some with motors on earlier links, some with friction.
 std::vector<FamilyMember> trees(const FamilySize& size) {
   std::vector<FamilyMember> members;
   for (int k = 0; k < size.robots; ++k) {

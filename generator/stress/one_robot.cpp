@@ -23,7 +23,7 @@ LoadedRobot model_of(const PlainRobot& robot, const std::filesystem::path& folde
   return load_robot(path, {});
 }
 
-// As `generate` makes it.
+// The function as `generate` makes it.
 Function usual(const LoadedRobot& model, const std::string& name) {
   PipelineOptions options;
   options.functions = {name};
@@ -44,8 +44,8 @@ Choices drawn_choices(const Mechanism& mechanism, std::mt19937& engine) {
   return choices;
 }
 
-// In one of the ways that a search tries, too; of robots of one or two joints one in four from the closed form. A
-// quarter of them go through the passes, which take most of the time.
+// The function in a random formulation out of those that a search tries; for robots of one or two joints, one in four
+// in closed form. A quarter of them go through the passes, which take most of the time.
 Function drawn(const LoadedRobot& model, const std::string& name, std::mt19937& engine) {
   const Mechanism& mechanism = model.mechanism;
   const Choices choices = drawn_choices(mechanism, engine);

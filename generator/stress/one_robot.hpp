@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One random robot: from its file to its functions and their text, and what they come to against the reference.
+// One random robot: from its file to its functions and their text, and their errors against the reference.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@
 
 namespace flatdyn {
 
-// A robot as read from a file of its own, with functions in some form, and their text read back.
+// A robot read from a file of its own, with functions in random formulations, and their text read back.
 class OneRobot {
  public:
-  // `seed` draws forms and states. Throws BadInput if the file is refused; functions that the robot cannot have are
-  // left out.
+  // `seed` selects formulations and states. Throws BadInput if the file is refused; functions that the robot cannot
+  // have are left out.
   OneRobot(const PlainRobot& robot, unsigned seed, bool is_usual, const RandomRobotsOptions& options,
            const std::filesystem::path& folder);
 
@@ -25,9 +25,9 @@ class OneRobot {
   const std::string& name_space() const { return name_space_; }
   const std::string& header() const { return header_; }
 
-  // Of function k, from its text carried out in double.
+  // The values of function k: its text executed in double.
   std::vector<double> carried_out(std::size_t k, const State& state) const;
-  // Of values of function k: the scaled error; infinite where the function does not hold.
+  // The scaled error of values of function k; infinite where the function reports that it has no value.
   double error(std::size_t k, const State& state, const std::vector<double>& values) const;
 
  private:
@@ -40,11 +40,12 @@ class OneRobot {
   std::vector<Expected> expected_;
 };
 
-// What is wrong with it, from its text carried out and from the witness; adds to the report's worst errors.
+// Checks the text as executed and the witness; returns a fault if there is one, and adds to the report's worst errors.
 std::optional<RandomRobotFault> fault_of(const OneRobot& robot, const RandomRobotsOptions& options,
                                          RandomRobotsReport& report);
 
-// What is wrong with values of one function, if their error is above the bound; remembers the worst.
+// Checks values of one function against the bound; returns a fault if the error is above it, and records the worst
+// error.
 std::optional<RandomRobotFault> fault_of(const OneRobot& robot, std::size_t function, const State& state,
                                          const std::vector<double>& values, RandomRobotFault::How how,
                                          const RandomRobotsOptions& options, RandomRobotsReport& report);

@@ -26,12 +26,12 @@ class Dice {
   std::mt19937 engine_;
 };
 
-// What all links of a robot have in common.
+// The kind of robot that all links share.
 struct Kind {
   bool is_chain, has_prismatic, is_nice, has_motors, has_friction;
 };
 
-// On the joint's parent or on a link before it.
+// The carrier of a motor: the joint's parent, or a link before it.
 int carrier_of(Dice& dice, const std::vector<PlainLink>& links, int parent) {
   while (parent != 0 && dice.one_in(2)) parent = links[static_cast<std::size_t>(parent - 1)].parent;
   return parent;
@@ -48,7 +48,7 @@ PlainMotor motor_of(Dice& dice, const std::vector<PlainLink>& links, const Plain
   return motor;
 }
 
-// On the base, on the link before, or on one a little before that.
+// The parent of the next link: the base, the last link, or one a little before that.
 int parent_of(Dice& dice, const Kind& kind, int links) {
   return kind.is_chain ? links : dice.from(std::max(0, links - 2), links);
 }
@@ -75,14 +75,14 @@ PlainLink link_of(Dice& dice, const Kind& kind, const std::vector<PlainLink>& be
   return link;
 }
 
-// Of two neighbours or of all before it; a gripper's second finger, or a belt's angle.
+// Couples a joint to its neighbours or to all before it, like a gripper's second finger or a belt's angle.
 void couple(Dice& dice, PlainRobot& robot) {
   for (std::size_t k = 1; k < robot.links.size(); ++k) {
     PlainLink& link = robot.links[k];
     if (dice.one_in(2)) continue;
     const int before = static_cast<int>(k);
     const int leaders = dice.one_in(3) ? 2 : 1;
-    const int most = robot.links.size() > 5 ? 1 : 2;  // turns of followers of followers multiply
+    const int most = robot.links.size() > 5 ? 1 : 2;  // turns multiply along followers of followers
     for (int i = 0; i < leaders && i < before; ++i) {
       const bool is_whole = !link.is_prismatic && dice.one_in(2);
       const int factor = is_whole ? 100 * dice.from(-most, most) : dice.from(-150, 150);
@@ -95,7 +95,7 @@ void couple(Dice& dice, PlainRobot& robot) {
   }
 }
 
-// "-0.25": an integer of so many decimal places.
+// The integer value / 10^places as text, such as "-0.25".
 std::string decimal(std::int64_t value, int places) {
   std::int64_t whole = 1;
   for (int k = 0; k < places; ++k) whole *= 10;
@@ -118,7 +118,7 @@ std::string angles(const PlainLink& link) {
   return fmt::format("[{}, {}, {}]", turn(link.rpy[0]), turn(link.rpy[1]), turn(link.rpy[2]));
 }
 
-// Of the particles: Σ m (r·r 1 - r rᵀ), in 1e-6 kg m².
+// The inertia of the particles, Σ m (r·r 1 - r rᵀ), in 1e-6 kg m².
 std::int64_t inertia_entry(const PlainLink& link, std::size_t row, std::size_t column) {
   std::int64_t sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -144,7 +144,7 @@ std::string inertia_of(const PlainLink& link) {
 
 std::string link_name(int link) { return link == 0 ? "base" : fmt::format("link{}", link); }
 
-// "key = value", where that is not what the file's reader takes anyway.
+// Writes "key = value", unless it is the default of the file's reader.
 class Lines {
  public:
   void add(const std::string& line) { text_ += line + "\n"; }

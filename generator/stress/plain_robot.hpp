@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Random robots of few digits, as a person might write them: each is a robot file, and can be made simpler until little
+// Random robots with few digits, as a person might write them. Each is a robot file and can be simplified until little
 // is left of it.
 #pragma once
 
@@ -13,36 +13,36 @@ using PlainVector = std::array<int, 3>;  // hundredths
 
 inline constexpr PlainVector kNoVector = {0, 0, 0};
 
-// Its own axis and place, in the carrier's frame.
+// A motor with an axis and a place of its own, in the carrier's frame.
 struct PlainMotor {
   int mass = 0;      // kg/100
   int inertia = 0;   // I_m, kg m²/100,000
   int ratio = 1;     // k_r
-  int carrier = -1;  // link, as `parent`; -1: the joint's parent
+  int carrier = -1;  // index of a link, as `parent`; -1: the joint's parent
   PlainVector axis = {0, 0, 100}, position = kNoVector;
   bool operator==(const PlainMotor&) const = default;
 };
 
-// What a joint's position has of another's coordinate.
+// One term of a joint position that follows another joint's coordinate.
 struct PlainFollowing {
-  int joint = 1;     // the k-th
+  int joint = 1;     // number of the other joint, from 1
   int factor = 100;  // hundredths
   bool operator==(const PlainFollowing&) const = default;
 };
 
-// A link and the joint that moves it. Its inertia is that of three particles, so that a body can have it.
+// A link and the joint that moves it. Its inertia is that of three particles, so it is physically consistent.
 struct PlainLink {
-  int parent = 0;  // 0: the base; k: the k-th link
+  int parent = 0;  // 0: the base; k: link k
   bool is_prismatic = false;
-  bool has_quarter_turns = false;  // then rpy counts quarters of a turn
+  bool has_quarter_turns = false;  // rpy counts quarters of a turn
   PlainVector xyz = kNoVector, rpy = kNoVector, axis = {0, 0, 100};
   int mass = 0;  // kg/100
   PlainVector com = kNoVector;
-  std::array<int, 3> particles = {0, 0, 0};  // kg/100, which count for the inertia about the centre of mass only
+  std::array<int, 3> particles = {0, 0, 0};  // kg/100, used for the inertia about the centre of mass only
   std::array<PlainVector, 3> arms = {};      // m/100
   int viscous = 0, coulomb = 0;              // hundredths
-  std::vector<PlainFollowing> follows;       // before it
-  bool has_coordinate = true;                // of its own
+  std::vector<PlainFollowing> follows;       // the earlier joints that it follows
+  bool has_coordinate = true;                // whether it has a coordinate of its own
   int offset = 0;                            // hundredths
   bool has_motor = false;
   PlainMotor motor;
@@ -54,15 +54,16 @@ struct PlainRobot {
   std::vector<PlainLink> links;
 };
 
-// Mostly of 1 to 4 joints, some of up to 8: a chain or a tree, of revolute and some prismatic joints, some of them in
-// nice directions, half of the robots with motors, half with friction, a third with coupled joints. The same on every
-// machine.
+// A random robot, mostly of 1 to 4 joints, some of up to 8: a chain or a tree of revolute and some prismatic joints,
+// some along simple directions; half of the robots have motors, half friction, a third coupled joints. The same on
+// every machine.
 PlainRobot plain_robot(unsigned seed);
 
-// A TOML robot file (docs/robot-format.md); `comment`: lines to stand at its top.
+// The TOML robot file (docs/robot-format.md); `comment`: lines for its top.
 std::string robot_file(const PlainRobot& robot, const std::vector<std::string>& comment = {});
 
-// Robots with one thing less: a link, a motor, friction, a direction, a digit. What drops most comes first.
+// Robots with one feature less: a link, a motor, friction, a direction, a digit. The largest simplifications come
+// first.
 std::vector<PlainRobot> simpler_robots(const PlainRobot& robot);
 
 }  // namespace flatdyn

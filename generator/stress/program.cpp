@@ -18,7 +18,8 @@ namespace {
 
 using kainjow::mustache::data;
 
-// Rounding as everywhere: the machine's registers, no contraction. Little optimisation is enough, and compiles fast.
+// Flags that round as everywhere: the machine's registers, no contraction. Little optimisation is enough and compiles
+// fast.
 constexpr const char* kFlags = "-std=c++17 -O1 -march=native -ffp-contract=off";
 
 bool is_wanted(const BenchVariant& variant, const std::vector<std::string>& wanted) {
@@ -51,7 +52,7 @@ data variant_row(const Mechanism& mechanism, const Function& function, std::size
   return row;
 }
 
-// A call's arguments, in the order of kStateKinds.
+// The arguments of a call, in the order of kStateKinds.
 data argument_rows(const State& like) {
   data rows(data::type::list);
   std::size_t place = 0;

@@ -16,22 +16,23 @@
 
 namespace flatdyn {
 
-// One function in one variant.
+// A function in one variant.
 struct StressCall {
   BenchVariant variant;
   bool (*entry)(const double* const* in, double* out) = nullptr;
 };
 
-// Those that do all of the work, or all but the sines and cosines.
+// The variants that do all of the work, or all but the sines and cosines.
 std::vector<BenchVariant> stress_variants();
 
 class StressProgram {
  public:
-  // `like` says how many numbers a state has; `wanted`: names of variants, none: all. Throws as SharedLibrary does.
+  // `like`: a state with the sizes of all states; `wanted`: names of variants, empty for all. Throws as SharedLibrary
+  // does.
   StressProgram(const Mechanism& mechanism, const std::vector<Function>& functions, const State& like,
                 const std::vector<std::string>& wanted);
 
-  // Of functions[k], those in `scalar`; batches only where xsimd is installed.
+  // The calls of functions[k] in `scalar`; batches only if xsimd is installed.
   std::vector<StressCall> calls(std::size_t k, const std::string& scalar) const;
   bool has_xsimd() const { return has_xsimd_; }
 
@@ -42,8 +43,8 @@ class StressProgram {
   std::unique_ptr<SharedLibrary> library_;
 };
 
-// Entries of all outputs, in order, as doubles; false where the function returns false, and then nothing is said of
-// `out`.
+// Writes the entries of all outputs, in order, as doubles. Returns false if the function does; then `out` is
+// meaningless.
 bool evaluate(const StressCall& call, const State& state, std::vector<double>& out);
 
 }  // namespace flatdyn

@@ -64,7 +64,7 @@ class RandomRobots {
     return std::make_unique<OneRobot>(robot, seed, is_usual, options_, folder_.path());
   }
 
-  // ---- text that is compiled, while the next robots are derived
+  // ---- text that is compiled while the next robots are derived
 
   void compile() {
     finish_group();
@@ -95,9 +95,9 @@ class RandomRobots {
     return std::nullopt;
   }
 
-  // ---- what is wrong, made small
+  // ---- simplification of failing robots
 
-  // Of a simpler robot, nothing where it is none that a file may have.
+  // The fault of a simpler robot; none if its file is refused.
   std::optional<RandomRobotFault> fault_of_simpler(const PlainRobot& simpler, unsigned seed, bool is_compiled) const {
     RandomRobotsReport unused;
     unused.worst.assign(options_.functions.size(), 0);
@@ -121,7 +121,8 @@ class RandomRobots {
     PlainRobot smallest = drawn;
     RandomRobotFault last = fault;
     std::vector<PlainRobot> simpler = simpler_robots(smallest);
-    // On from where it was after a success, as what could not go before can seldom go then; until nothing can.
+    // After a success the loop goes on from there, since a change that failed before seldom succeeds later; it ends
+    // when no change succeeds.
     for (std::size_t next = 0, refused = 0; refused < simpler.size(); ++next) {
       const PlainRobot& candidate = simpler[next % simpler.size()];
       const std::optional<RandomRobotFault> still = fault_of_simpler(candidate, seed, is_compiled);

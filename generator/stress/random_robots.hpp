@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Random robots, from file to emitted code, against the recursive reference; what differs is made as small as it can
-// be.
+// Random robots, from file to emitted code, compared with the recursive reference; failing robots are simplified as far
+// as possible.
 #pragma once
 
 #include <functional>
@@ -16,10 +16,10 @@
 
 namespace flatdyn {
 
-// As a name beside those of family_table().
+// The name of this family beside those of family_table().
 inline constexpr const char* kRandomFamily = "random";
 
-// What a robot's functions come to at a state: entries of all outputs, by function.
+// The values of a robot's functions at a state: entries of all outputs, one vector per function.
 struct RandomRobotValues {
   const LoadedRobot& model;
   const std::vector<Function>& functions;
@@ -29,52 +29,55 @@ struct RandomRobotValues {
 
 struct RandomRobotsOptions {
   int robots = 1000;
-  unsigned seed = 1;  // of the first; the next has the next
+  unsigned seed = 1;  // seed of the first robot; each next robot has the next seed
   std::vector<std::string> functions = {"inverse_dynamics", "inertia_matrix", "gravity", "forward_dynamics"};
-  int states = 2;            // random ones, of each
+  int states = 2;            // random states per robot
   double bound = 64;         // largest scaled error allowed
-  int compiled_one_in = 10;  // robots whose text is compiled, too; of the others it is read back and carried out
-  int usual_one_in = 200;    // robots that get the functions that `generate` writes; the others are derived in some way
+  int compiled_one_in = 10;  // one in so many robots is compiled; the text of the others is read back and executed
+  // One in so many robots gets the functions that `generate` writes; the others random formulations
+  int usual_one_in = 200;
 
-  // For tests of all this: what a pass with a mistake would make of a function.
+  // A faulty pass, for tests of this check.
   std::function<Function(const Function&)> spoil;
-  // Somebody else who knows what the values have to be: returns the largest scaled error. Called for every state.
+  // An independent check of the values: returns the largest scaled error. Called for every state.
   std::function<double(const RandomRobotValues&)> witness;
 };
 
-// One result that is not what it has to be, and how it was found.
+// A wrong result, and how it was found.
 struct RandomRobotFault {
   enum class How { text, compiled, witness };
   How how = How::text;
-  std::string function;  // empty for the witness, who looks at all of them
-  double error = 0;      // scaled
+  std::string function;  // empty for the witness, which checks all functions
+  double error = 0;      // scaled error
 
-  // Of the same function, found in the same way: what else a robot without masses has wrong with it is another story.
+  // Whether the other fault is of the same function and found in the same way. A robot without masses, for example, has
+  // other faults that do not matter.
   bool is_like(const RandomRobotFault& other) const { return how == other.how && function == other.function; }
 };
 
 // "forward_dynamics, compiled: scaled error 1e+15"
 std::string to_string(const RandomRobotFault& fault);
 
-// A robot of which something is not what it has to be.
+// A robot with a wrong result.
 struct RandomRobotFailure {
   unsigned seed = 0;
-  RandomRobotFault first, last;  // what was found of the robot as drawn, and of the smallest
+  RandomRobotFault first, last;  // the faults of the robot as drawn, and of the smallest one
   PlainRobot drawn, smallest;
-  std::string file;  // of the smallest, as TOML, saying what it is
+  std::string file;  // the smallest robot as TOML, with comments
 };
 
 struct RandomRobotsReport {
   RandomRobotsOptions options;
-  int robots = 0, joints = 0;               // that were looked at; in all
-  int chains = 0, compiled = 0, usual = 0;  // robots of the kind
-  std::vector<double> worst;                // scaled error, by function of the options
+  int robots = 0, joints = 0;               // number of robots, and of all their joints
+  int chains = 0, compiled = 0, usual = 0;  // robots of each kind
+  std::vector<double> worst;                // largest scaled error, one per function of the options
   double worst_witnessed = 0;
   std::vector<RandomRobotFailure> failures;
   bool passed() const { return failures.empty(); }
 };
 
-// Stops after some failures: each takes time to be made small. Throws Failure(io) if there is no compiler.
+// Checks random robots. Stops after some failures, since simplifying each takes time. Throws Failure(io) if there is no
+// compiler.
 RandomRobotsReport stress_random_robots(const RandomRobotsOptions& options, Progress& progress);
 
 }  // namespace flatdyn

@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-// Rounding as everywhere; little optimisation is enough, and compiles fast.
+// Flags that round as everywhere. Little optimisation is enough and compiles fast.
 constexpr const char* kGroupFlags = "-std=c++17 -O1 -ffp-contract=off";
 
 std::string entry_name(std::size_t member, std::size_t function) {

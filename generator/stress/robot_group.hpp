@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The emitted text of many robots, compiled together: most of a compiler's time for one goes into starting.
+// Compiles the emitted text of many robots together: most of the time for a single one is start-up.
 #pragma once
 
 #include <future>
@@ -21,11 +21,11 @@ class RobotGroup {
     std::unique_ptr<OneRobot> robot;
   };
 
-  // Starts to compile, beside what the program does meanwhile: exact numbers have no part in it.
+  // Starts the compiler, which runs beside this program; the members' exact numbers are not needed.
   explicit RobotGroup(std::vector<Member> members);
 
   const std::vector<Member>& members() const { return members_; }
-  // By function of that member. Waits for the compiler; throws as SharedLibrary does.
+  // The entry points of that member, one per function. Waits for the compiler; throws as SharedLibrary does.
   std::vector<PlainEntry> entries(std::size_t member);
 
  private:

@@ -12,7 +12,7 @@ void stand_alone(PlainLink& link) {
   link.offset = 0;
 }
 
-// Without link k (from 1): what it carries moves to its parent.
+// The robot without link k, counted from 1; the links on it move to its parent.
 PlainRobot without_link(const PlainRobot& robot, int k) {
   PlainRobot rest{robot.name, {}};
   const int parent = robot.links[static_cast<std::size_t>(k - 1)].parent;
@@ -33,10 +33,10 @@ PlainRobot without_link(const PlainRobot& robot, int k) {
   return rest;
 }
 
-// Each leaves a link as it is, or makes it simpler.
+// A change that simplifies a link or leaves it as it is.
 using Change = std::function<void(PlainLink&)>;
 
-// To whole numbers, or to one digit.
+// Rounds to a whole number, or halves it.
 int rounder(int value) { return value / 100 * 100 != value ? value / 100 * 100 : value / 2; }
 
 Change without(PlainVector PlainLink::*member) {
@@ -47,7 +47,7 @@ Change without(int PlainLink::*member) {
   return [member](PlainLink& link) { link.*member = 0; };
 }
 
-// One entry to zero, or, where that is asked too much, rounded.
+// Adds changes that set one entry to zero or, as a smaller step, round it.
 void add_entries(std::vector<Change>& changes, PlainVector PlainLink::*member) {
   for (std::size_t k = 0; k < 3; ++k) {
     changes.push_back([=](PlainLink& link) { (link.*member)[k] = 0; });

@@ -16,13 +16,13 @@
 namespace flatdyn {
 namespace {
 
-// Random states are drawn so many at a time: a long run needs no more memory.
+// The number of random states per batch, so that memory does not grow in a long run.
 constexpr int kChunk = 10'000;
-// How many states of each kind are looked at closely, and how many states next to each.
+// The number of suspects of each kind that are examined, and of states next to each.
 constexpr std::size_t kSuspects = 3;
 constexpr int kNeighbours = 24;
 constexpr std::size_t kMostPoints = 400;
-// The least that counts as the reference's error: one rounding of the terms.
+// The least error attributed to the reference: one rounding of the terms.
 constexpr double kLuck = 1;
 constexpr double kLongDoubleServes = 64;
 constexpr const char* kEdge = "edge";
@@ -33,7 +33,7 @@ int bin_of(double scaled) {
   return static_cast<int>(std::clamp(bin, 0.0, kStressBins - 1.0));
 }
 
-// The state and some that differ from it by a millionth: rounding errors there are other ones of the same kind.
+// The state and some that differ from it by a millionth: their rounding errors are different ones of the same kind.
 std::vector<State> neighbours_of(const State& state, unsigned seed) {
   std::mt19937_64 engine(seed);
   const auto part = [&engine] { return (static_cast<double>(engine() >> 11) * 0x1p-52 - 1) * 0x1p-20; };
@@ -53,7 +53,7 @@ struct Suspect {
   double error = 0;
 };
 
-// The worst few of many states.
+// Collects the worst few of many states.
 class Suspects {
  public:
   void add(const State& state, double error) {
@@ -68,7 +68,7 @@ class Suspects {
   std::vector<Suspect> all_;
 };
 
-// One function in one scalar.
+// The stress run of one function in one scalar.
 class StressRun {
  public:
   StressRun(const Function& function, RoundingJudge judge, std::vector<StressCall> calls, const StressOptions& options)
@@ -116,7 +116,7 @@ class StressRun {
 
  private:
   struct Judged {
-    std::optional<RoundingError> error;  // nothing: the function does not hold here, or all variants say so
+    std::optional<RoundingError> error;  // none: the function has no value here, or all variants report that
     std::size_t variant = 0;
     std::vector<double> by_variant;
   };
@@ -182,7 +182,7 @@ class StressRun {
         compare_with_reference(finding, call, given, *truth);
       }
     }
-    // Both infinite: an entry that should be zero is not, in either.
+    // If both are infinite, an entry that should be zero is not, in both.
     finding.ratio = finding.near == finding.reference ? 1 : finding.near / std::max(finding.reference, kLuck);
   }
 
@@ -204,19 +204,19 @@ class StressRun {
   Suspects random_, edges_;
 };
 
-// A robot's states, its free symbols' values and base parameters with them.
+// The states of a robot, with values of its free symbols and base parameters.
 class StressStates {
  public:
   StressStates(const Mechanism& mechanism, const ExpectedValues& expected, int base_parameters, unsigned seed)
       : mechanism_(mechanism), expected_(expected), base_parameters_(base_parameters), seed_(seed) {}
 
-  // With closed loops; fewer, where some are near singular ones. If that are all, loops are left open.
+  // Random states with closed loops. States near singular ones are dropped; if all are, loops are left open.
   std::vector<State> random(int count, int chunk) const {
     const std::vector<State> drawn = random_states(mechanism_, count, seed_ + static_cast<unsigned>(chunk));
     std::vector<State> closed = expected_.with_closed_loops(drawn);
     return completed(closed.empty() ? drawn : std::move(closed));
   }
-  // Those of `verify` come along. Loops are open there: functions have values all the same.
+  // Extreme states, including those of `verify`. Loops are open there: functions have values all the same.
   std::vector<State> edges(int count) const {
     std::vector<State> states = edge_states(mechanism_);
     const std::vector<State> more = extreme_states(mechanism_, count, seed_);
@@ -243,7 +243,8 @@ int base_parameters_of(const std::vector<Function>& functions) {
   return count;
 }
 
-// Fewer states where one costs many recursions; those in float and double cost a small part of those in 50 digits.
+// The number of states that is affordable: fewer if one costs many recursions. Float and double cost a small share of
+// 50 digits.
 int affordable(const Function& function, const Mechanism& mechanism, int wanted) {
   constexpr std::size_t kCheaper = 50;
   if (!costs_many_recursions(function)) return wanted;

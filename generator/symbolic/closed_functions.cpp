@@ -23,7 +23,7 @@ std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism) {
   return result;
 }
 
-// B, c_ijk and g as scalars of a derivation under way.
+// B, c_ijk and g of the closed form as scalars of one derivation.
 class ClosedModel {
  public:
   explicit ClosedModel(const Mechanism& mechanism)
@@ -69,7 +69,7 @@ class ClosedModel {
     return values;
   }
 
-  // As one scalar, written with the sines and cosines of sums of angles.
+  // The expression as one scalar, written with the sines and cosines of sums of angles.
   Number scalar(const Number& expression, const std::string& name) {
     const ReadableSum sum = angles_.rewritten(names_.readable(expression));
     terms_ += sum.size();
@@ -93,8 +93,8 @@ class ClosedModel {
     Number cosine = 1, sine = 0;
   };
 
-  // Of Σ angle_i q_i, from the sines and cosines of the joints: rounding q_1 + q_2 would cost as many digits as the
-  // joints have turned.
+  // The cosine and sine of Σ angle_i q_i from those of the joints: rounding q_1 + q_2 instead would lose digits in
+  // proportion to the turns of the joints.
   CosineSine cosine_sine(const std::vector<int>& angle) {
     CosineSine sum;
     std::string joints;
@@ -123,7 +123,7 @@ class ClosedModel {
   Number gravity(int i) { return scalar(form_.g[at(i)], label("g", {i})); }
   Number qd(int i) { return derivation_.input(InputKind::qd, i); }
 
-  // At [i][k (k + 1) / 2 + j], j <= k.
+  // The Christoffel symbols, at [i][k (k + 1) / 2 + j], j <= k.
   std::vector<Number> christoffel_symbols() {
     std::vector<Number> values;
     for (int i = 0; i < n(); ++i) {
@@ -146,7 +146,7 @@ class ClosedModel {
     return sum;
   }
 
-  // C q̇ and friction.
+  // Entry i of C q̇ plus friction.
   Number velocity_torque(int i) {
     const Body& body = mechanism_.joint(i);  // coupled joints have no friction here
     Number sum = body.viscous * qd(i);
@@ -173,7 +173,7 @@ class ClosedModel {
   std::size_t terms_ = 0;
 };
 
-// Friction of a joint that follows others, which the closed form has not.
+// Whether a joint that follows others has friction, which the closed form does not support.
 bool has_coupled_friction(const Mechanism& mechanism) {
   return mechanism.is_coupled() && std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
            return !vanishes(body.viscous) || !vanishes(body.coulomb);

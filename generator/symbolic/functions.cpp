@@ -38,7 +38,7 @@ Function inverse_dynamics(const Mechanism& mechanism, const Choices& choices) {
   });
 }
 
-// In metres and in the axes of the tip's link, as the wrench at the tip is given.
+// Choices with metres and with the axes of the tip's link, as the wrench at the tip is given in these.
 Choices as_given(Choices choices, const LinkFrame& tip) {
   if (tip.body >= 0) choices.joints[static_cast<std::size_t>(tip.body)].axes = Axes::turning;
   choices.length_unit = 1;
@@ -69,7 +69,8 @@ Function inertia_matrix_function(const Mechanism& mechanism, const Choices& choi
   });
 }
 
-// What closed loops add: (A G)ᵀ B times the second derivatives of the joints' positions. `bench`: of half the inertia.
+// Adds the contribution of closed loops: (A G)ᵀ B times the second derivatives of the joints' positions. `bench`: that
+// of half the inertia.
 void add_curvature(Workbench& bench, ChristoffelSymbols& symbols) {
   Rows B = inertia_matrix(bench.frames);
   for (std::vector<Number>& row : B) {
@@ -168,7 +169,7 @@ Function forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
   });
 }
 
-// Has no b_kk, beside which a pivot could be seen to be lost.
+// Forward dynamics without the diagonal entries b_kk, beside which a pivot could be seen to be lost.
 std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& mechanism, const Choices& choices) {
   if (!has_articulated_form(mechanism) || choices.guards_pivots) return std::nullopt;
   return derived(mechanism, choices, [](Workbench& bench) {
@@ -179,7 +180,7 @@ std::optional<Function> forward_dynamics_by_articulated_bodies(const Mechanism& 
   });
 }
 
-// The composite bodies that B is made from give the bias, too.
+// The bias is computed from the composite bodies that B is made from.
 std::optional<Function> forward_dynamics_by_composite_bodies(const Mechanism& mechanism, const Choices& choices) {
   if (mechanism.has_prismatic_joint() || mechanism.has_loops()) return std::nullopt;
   return derived(mechanism, choices, [](Workbench& bench) {
@@ -207,7 +208,7 @@ Function forward_dynamics_derivatives(const Mechanism& mechanism, const Choices&
   return derived(mechanism, choices, acceleration_derivatives_function);
 }
 
-// Nothing in it is chosen.
+// Derives a function of closed loops, which depends on no choices.
 template <Function (*derive)(Workbench&)>
 Function of_loops(const Mechanism& mechanism, const Choices&) {
   Workbench bench(mechanism);
@@ -275,7 +276,7 @@ Function forward_kinematics_tip(const Mechanism& m, const Choices&) { return for
 Function jacobian_tip(const Mechanism& m, const Choices&) { return jacobian_of(m, m.tip); }
 Function jacobian_dot_qd_tip(const Mechanism& m, const Choices&) { return jacobian_dot_qd_of(m, m.tip); }
 
-// Regressors choose their own parameters.
+// Derives a regressor, which chooses its own parameters.
 template <Function (*derive)(const Mechanism&)>
 Function ungrouped(const Mechanism& mechanism, const Choices&) {
   return derive(mechanism);

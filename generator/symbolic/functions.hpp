@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The functions that flatdyn knows, and their derivation from a mechanism (recursive route).
+// The functions that flatdyn knows, and their derivation from a mechanism (recursive formulations).
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@
 namespace flatdyn {
 
 enum class FunctionKind {
-  dynamics,     // inertial parameters are numbers in it
-  kinematics,   // it has none
+  dynamics,     // uses inertial parameters as numbers
+  kinematics,   // uses no inertial parameters
   loops,        // kinematics of robots with closed loops
-  derivatives,  // of dynamics
-  operational,  // dynamics as the tip feels them
-  regressor,    // they are factors or inputs: it chooses its own
+  derivatives,  // derivatives of dynamics
+  operational,  // operational-space dynamics
+  regressor,    // has the parameters as factors or inputs, and chooses its own
 };
 
 // One row per function: its name, one line of help, and how it is derived.
@@ -28,33 +28,33 @@ struct FunctionEntry {
   const char* equation;
   FunctionKind kind;
   Function (*derive)(const Mechanism&, const Choices&);
-  // Other formulations of the same, where which one costs less depends on the robot; not every robot has them.
+  // Other formulations of the same function; which one costs least depends on the robot, and not every robot has them.
   std::vector<std::optional<Function> (*)(const Mechanism&, const Choices&)> alternatives = {};
 
-  // Left out unless asked for by name: these serve identification, adaptive control, optimisers and control at the tip,
-  // and are larger than all other functions of a controller together.
+  // Whether the function is left out unless asked for by name. These functions serve identification, adaptive control,
+  // optimisers and operational-space control, and are larger than all other functions of a controller together.
   bool is_on_request() const {
     return kind != FunctionKind::dynamics && kind != FunctionKind::kinematics && kind != FunctionKind::loops;
   }
-  // Whether it is found with B = Lᵀ D L, or by articulated bodies.
+  // Whether the function is computed by B = Lᵀ D L, or by articulated bodies.
   bool divides_by_pivots() const {
     return kind == FunctionKind::operational || std::string(name).rfind("forward_dynamics", 0) == 0;
   }
-  // Whether the robot has what the function is about.
+  // Whether the function applies to the robot: those of loops require closed loops.
   bool is_of(const Mechanism& mechanism) const { return kind != FunctionKind::loops || mechanism.has_loops(); }
 };
 
-// In the order in which they are emitted: inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel,
-// coriolis_matrix, gravity, bias, forward_dynamics, kinetic_energy, potential_energy, forward_kinematics, jacobian,
-// jacobian_dot_qd; for robots with closed loops loop_closure, loop_jacobian, loop_step, loop_motion; then on request
-// inverse_dynamics_derivatives, forward_dynamics_derivatives, operational_inertia,
-// operational_bias, null_space_torque, regressor, base_regressor, base_parameters, inverse_dynamics_base,
-// adaptive_regressor.
+// The table, in the order in which functions are emitted: inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix,
+// christoffel, coriolis_matrix, gravity, bias, forward_dynamics, kinetic_energy, potential_energy, forward_kinematics,
+// jacobian, jacobian_dot_qd; for robots with closed loops loop_closure, loop_jacobian, loop_step, loop_motion; then on
+// request inverse_dynamics_derivatives, forward_dynamics_derivatives, operational_inertia, operational_bias,
+// null_space_torque, regressor, base_regressor, base_parameters, inverse_dynamics_base, adaptive_regressor.
 const std::vector<FunctionEntry>& function_table();
 
 using LinkDerivation = Function (*)(const Mechanism&, const LinkFrame&);
 
-// How the function of this name is derived for another link than the tip; null for those that are of none.
+// The derivation of the function of this name for a link other than the tip; null for functions that do not belong to a
+// link.
 LinkDerivation link_derivation(const std::string& name);
 
 }  // namespace flatdyn

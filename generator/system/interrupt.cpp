@@ -14,7 +14,7 @@ namespace {
 
 volatile std::sig_atomic_t has_happened = 0;
 
-// In memory that a signal's handler may read: it may neither allocate nor lock.
+// A folder's name in memory that a signal handler may read; a handler may neither allocate nor lock.
 struct Folder {
   volatile std::sig_atomic_t is_used = 0;
   char path[PATH_MAX] = {};
@@ -23,7 +23,8 @@ std::array<Folder, 64> folders;
 std::array<volatile std::sig_atomic_t, 64> children;  // 0: none
 std::mutex changing;
 
-// All that is called here is safe in a handler (signal-safety(7)); another program removes what is in the folders.
+// Removes a folder. All calls here are safe in a handler (signal-safety(7)); another program removes what is in the
+// folder.
 void remove(const char* folder) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -44,7 +45,7 @@ void clean_up(int signal) {
   ::raise(signal);
 }
 
-// Signals that are ignored, as under nohup, or that someone else has taken, stay so.
+// Installs the handlers. Signals that are ignored, as under nohup, or handled by someone else, stay so.
 void take_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction now = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What becomes of a run that Ctrl-C, or another signal, ends.
+// The end of a run by Ctrl-C or another signal.
 #pragma once
 
 #include <sys/types.h>
@@ -8,8 +8,8 @@
 
 namespace flatdyn {
 
-// While one lives, Ctrl-C does not end the program but is kept in mind: for work of which the part that is done is
-// worth writing.
+// While an object exists, Ctrl-C does not end the program but is remembered, for work whose finished part is worth
+// writing.
 class Interruption {
  public:
   Interruption();
@@ -23,10 +23,11 @@ class Interruption {
   void (*before_)(int);
 };
 
-// Otherwise signals that end the program first remove these folders, at most 64 at a time, and end these processes.
+// Registers folders, at most 64 at a time, that are removed, and processes that are ended, before a signal ends the
+// program.
 void remove_when_interrupted(const std::filesystem::path& folder);
-void keep_when_interrupted(const std::filesystem::path& folder);  // again
+void keep_when_interrupted(const std::filesystem::path& folder);  // reverses that
 void end_when_interrupted(pid_t child);
-void forget_when_interrupted(pid_t child);  // it has ended
+void forget_when_interrupted(pid_t child);  // after it has ended
 
 }  // namespace flatdyn

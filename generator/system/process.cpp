@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The last of the cores: the first one has most of the system's own work.
+// Pins the process to the last core; the first one has most of the system's own work.
 void pin_to_last_core() {
   cpu_set_t allowed, one;
   CPU_ZERO(&allowed);
@@ -50,7 +50,7 @@ int run_command(const std::string& command, const fs::path& folder, bool pinned)
     if (errno != EINTR) throw Failure(ExitCode::io, "a process was lost");
   }
   forget_when_interrupted(child);
-  // Ctrl-C is for this program, too, which may get it a moment later than the process that it has started.
+  // Ctrl-C goes to this program, too, which may get it a moment later than its child.
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) throw Failure(ExitCode::interrupted, "interrupted");
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

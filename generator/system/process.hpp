@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Commands of the machine's shell, and the files through which one talks with them.
+// Commands of the machine's shell, and files exchanged with them.
 #pragma once
 
 #include <filesystem>
@@ -7,19 +7,20 @@
 
 namespace flatdyn {
 
-// Runs a shell's command in `folder`; `pinned`: on one core only, the last one that this process may use. Returns what
-// a shell says: 128 + n after signal n. Throws Failure(interrupted) if Ctrl-C has ended it.
+// Runs a shell command in `folder`; `pinned`: on one core only, the last one that this process may use. Returns the
+// shell's exit status: 128 + n after signal n. Throws Failure(interrupted) if Ctrl-C has ended it.
 int run_command(const std::string& command, const std::filesystem::path& folder, bool pinned = false);
 
-// The text as one word of such a command, whatever is in it.
+// The text quoted as one word of a shell command.
 std::string shell_word(const std::string& text);
 
-// $CXX, or c++. Throws Failure(io) if it cannot be run.
+// The compiler, $CXX or c++. Throws Failure(io) if it cannot be run.
 std::string machine_compiler();
 
+// The content of a file; empty if it cannot be read.
 std::string content_of_file(const std::filesystem::path& path);
 
-// Throws Failure(io).
+// Writes the text. Throws Failure(io).
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace flatdyn

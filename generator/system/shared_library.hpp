@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// C++ text that is compiled by the machine's compiler and called in this process.
+// C++ text compiled by the machine's compiler and called in this process.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ class SharedLibrary {
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
 
-  // A function that the text declares extern "C". Throws Failure(bug) if there is none.
+  // The address of a function that the text declares extern "C". Throws Failure(bug) if there is none.
   void* symbol(const std::string& name) const;
 
  private:

@@ -5,11 +5,11 @@
 
 namespace flatdyn {
 
-// $TMPDIR, or /tmp. Throws Failure(io), which names it, if it is no folder.
+// The root of temporary folders, $TMPDIR or /tmp. Throws Failure(io), with its name, if it is not a folder.
 std::filesystem::path temporary_root();
 
-// Gone with the object, also when what was to be made in it fails half-way, and when Ctrl-C or another signal ends the
-// program. Throws Failure(io).
+// A folder that is removed with the object, also if its construction fails half-way, or if Ctrl-C or another signal
+// ends the program. Throws Failure(io).
 class TemporaryFolder {
  public:
   TemporaryFolder();

@@ -13,10 +13,10 @@
 namespace flatdyn {
 namespace {
 
-// Newton's method stays with the assembly if the independent joints move no further at once.
-constexpr double kFarthestStep = 0.05;  // rad, m
+// The largest step of an independent joint, rad or m, with which Newton's method stays with the assembly.
+constexpr double kFarthestStep = 0.05;
 constexpr int kMostHalvings = 10;
-// Of the links' lengths together: some roundings of the loops' closure.
+// The tolerance of the loops' closure as a share of the links' summed lengths: some roundings.
 constexpr double kClosed = 1e-14;
 
 constexpr const char* kAway = "let the motion stay away from there, or choose other dependent joints";

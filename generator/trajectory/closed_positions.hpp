@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Positions of all joints of a robot with closed loops, along motions that are given by the independent ones.
+// Positions of all joints of a robot with closed loops, along motions given by the independent joints.
 #pragma once
 
 #include <optional>
@@ -17,21 +17,21 @@ class ClosedPositions {
   // where the loops cannot be closed near it.
   explicit ClosedPositions(const LoadedRobot& model);
 
-  // q, rad or m, for that of the independent joints (n numbers, which it may be itself where there are no loops). The
-  // dependent ones follow continuously from where they were the last time, so that the loops stay assembled as they
-  // are; valid until the next call. Throws Failure(input) where that leads to a position in which the loops are
-  // singular or cannot be closed.
+  // Positions q of all joints, rad or m, for those of the independent joints (n numbers; the result may be q_a itself
+  // if there are no loops). The dependent joints follow continuously from the previous call, so that the loops keep
+  // their assembly; valid until the next call. Throws Failure(input) if the loops become singular or cannot be closed
+  // on the way.
   std::span<const double> of(std::span<const double> q_a);
-  // The same at a point of a motion, whose time messages then name.
+  // The positions at a point of a motion, whose time is then named in messages.
   std::span<const double> at(const TrajectoryPoint& point);
-  // For functions that say so of the positions given last.
+  // For functions that report a singularity at the positions given last. Throws Failure(input).
   [[noreturn]] void refuse_singular() const;
 
  private:
   bool close(const Eigen::VectorXd& q_a);
   std::string place_text(const Eigen::VectorXd& q_a) const;
 
-  std::vector<int> independent_;  // entries of q, and their joints' names
+  std::vector<int> independent_;  // indices into q of the independent joints, and the names of these
   std::vector<std::string> joints_;
   std::optional<reference::Robot<double>> robot_;  // with loops
   double tolerance_ = 0;                           // m
@@ -39,7 +39,8 @@ class ClosedPositions {
   std::optional<double> time_;  // s
 };
 
-// Along a motion, by point; those of the trajectory itself where there are no loops. Throws as ClosedPositions does.
+// The positions of all joints by point of a motion; those of the trajectory itself if there are no loops. Throws like
+// ClosedPositions.
 std::vector<std::vector<double>> positions_along(const LoadedRobot& model, const Trajectory& trajectory);
 
 }  // namespace flatdyn

@@ -6,14 +6,14 @@
 namespace flatdyn {
 namespace {
 
-// Of one joint.
+// The motion of one joint at one time.
 struct OneJoint {
   double q, qd, qdd;
 };
 
-// At the part s of the way from a to b, which takes T seconds.
+// The motion at the fraction s of the way from a to b, which takes T seconds.
 OneJoint between(const OneJoint& a, const OneJoint& b, double T, double s) {
-  // q = a + v s + w s²/2 + c_3 s³ + c_4 s⁴ + c_5 s⁵ with rates per s.
+  // q = a + v s + w s²/2 + c_3 s³ + c_4 s⁴ + c_5 s⁵, with derivatives by s.
   const double v = a.qd * T, w = a.qdd * T * T, d = b.q - a.q - v - w / 2;
   const double dv = b.qd * T - v - w, dw = b.qdd * T * T - w;
   const double c_3 = 10 * d - 4 * dv + dw / 2, c_4 = -15 * d + 7 * dv - dw, c_5 = 6 * d - 3 * dv + dw / 2;

@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// No u between least and greatest.
+// An open interval that must not contain u.
 struct Forbidden {
   double least = 0, greatest = kInfinite;
   LimitUsed by;
 };
 
-// Where a u² + b u + c > 0, of u > 0.
+// Forbids the u > 0 at which a u² + b u + c > 0.
 void forbid_positive(double a, double b, double c, const LimitUsed& by, std::vector<Forbidden>& all) {
   const auto add = [&](double least, double greatest) {
     if (greatest > std::max(least, 0.0)) all.push_back({std::max(least, 0.0), greatest, by});
@@ -74,7 +74,7 @@ std::optional<LinearScaling> linear_scaling(const Trajectory& trajectory, const 
   LinearScaling result;
   double u = 1 / least_c;
   for (const Forbidden& interval : intervals) {
-    if (interval.greatest <= u) break;  // all that follow end below, too
+    if (interval.greatest <= u) break;  // all that follow end below u, too
     if (interval.least >= u) continue;
     u = interval.least;
     result.decided_by = interval.by;

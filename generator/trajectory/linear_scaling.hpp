@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Dynamic scaling of trajectories by the linear law r(t) = c t, 7.7: the whole motion takes c times as long. With
-// u = 1/c rates scale by u, accelerations by u², and (path_torques.hpp)
+// Dynamic scaling of trajectories by the linear law r(t) = c t, 7.7: the whole motion takes c times as long. With u =
+// 1/c rates scale by u, accelerations by u², and (path_torques.hpp)
 //   τ = a u² + b u + d,
-// of which every limit forbids intervals of u: the largest u outside of all is exact, friction included.
+// so every limit forbids intervals of u. The largest u outside all of them is exact, friction included.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,18 @@ namespace flatdyn {
 
 struct LinearScaling {
   double c = 1;
-  std::optional<LimitUsed> decided_by;  // the limit that a smaller c would exceed; none where c is the least allowed
+  std::optional<LimitUsed> decided_by;  // the limit that a smaller c would exceed; none if c is the least allowed
 };
 
-// The smallest c ≥ least_c > 0 that keeps all limits at all points; nullopt if there is none: what does not change with
-// the pace is too much for a limit.
+// The smallest c ≥ least_c > 0 that keeps all limits at all points; nullopt if there is none because torques that do
+// not change with the pace exceed a limit.
 std::optional<LinearScaling> linear_scaling(const Trajectory& trajectory, const PathCoefficients& path,
                                             const PaceLimits& limits, double least_c);
 
-// Where |d| is largest, as a part of the torque limit.
+// The largest |d| as a share of its torque limit, and where it occurs.
 LimitUsed most_static_load(const PathCoefficients& path, const PaceLimits& limits);
 
-// c times as long.
+// The trajectory, made c times as long.
 Trajectory slowed(Trajectory trajectory, double c);
 
 }  // namespace flatdyn

@@ -8,7 +8,7 @@ namespace flatdyn {
 
 namespace {
 
-// Smaller ones are no factors of u: their lines would be infinite.
+// The smallest factor of u that counts: the lines of smaller ones would be infinite.
 constexpr double kNoFactor = 1e-100;
 
 }  // namespace
@@ -58,11 +58,11 @@ std::optional<double> PaceRows::zero(double x, const std::vector<Line>& above, c
     const Bound top = lowest(above, x), bottom = highest(below, x);
     if (top.value >= bottom.value) return x;
     const double slope = top.line.slope - bottom.line.slope;
-    // The length grows towards the other end only if its slope says so.
+    // The length can grow towards the other end only if its slope has the right sign.
     if (rightmost ? slope >= 0 : slope <= 0) return std::nullopt;
     const double next = (bottom.line.intercept - top.line.intercept) / slope;
     if (rightmost ? next < other_end : next > other_end) return std::nullopt;
-    if (rightmost ? next >= x : next <= x) return x;  // as near as rounding lets it come
+    if (rightmost ? next >= x : next <= x) return x;  // rounding allows no closer value
     x = next;
   }
   return x;
@@ -84,7 +84,7 @@ double PaceRows::largest_u(double x, double delta, const Interval& next) const {
   const double least = std::max(bottom.value, (next.least - x) / (2 * delta));
   const double u = std::min(top.value, (next.greatest - x) / (2 * delta));
   if (u >= least) return u;
-  // Only rounding gets here. A row of small weight, whose u is known badly, gives way.
+  // This point is reached by rounding only. Of the two rows the one of small weight, whose u is inaccurate, gives way.
   return top.value < bottom.value && bottom.line.weight > top.line.weight ? bottom.value : u;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Linear programmes in two variables, x = ṡ² ≥ 0 and u = s̈, whose objective is x: the lines that bound u leave at every
-// x an interval of u, whose length is concave in x. Its zeros are found by Newton's method, which on so few straight
-// pieces ends after a few steps, exactly.
+// Linear programmes in x = ṡ² ≥ 0 and u = s̈ with objective x. At every x, the lines that bound u leave an interval of
+// u whose length is concave in x. Newton's method finds the zeros of this length; since it is piecewise linear with few
+// pieces, a few steps give them exactly.
 #pragma once
 
 #include <limits>
@@ -10,26 +10,27 @@
 
 namespace flatdyn {
 
+// A closed interval.
 struct Interval {
   double least = 0, greatest = std::numeric_limits<double>::infinity();
 };
 
-// α u + β x ≤ γ for each row that was added.
+// The constraints α u + β x ≤ γ, one per added row.
 class PaceRows {
  public:
   void clear();
   void add(double alpha, double beta, double gamma);
 
-  // All x ≥ 0 with a u for which the rows hold and next.least ≤ x + 2 Δ u ≤ next.greatest; nullopt if there is none.
+  // All x ≥ 0 for which a u satisfies the rows and next.least ≤ x + 2 Δ u ≤ next.greatest; nullopt if there are none.
   std::optional<Interval> reachable(double delta, const Interval& next) const;
-  // Of the u at this x, the largest (or least) that ends within `next`; where rounding leaves none, the one that
-  // violates the rows least.
+  // The largest (or least) u at this x that ends within `next`; if rounding leaves none, the u that violates the rows
+  // least.
   double largest_u(double x, double delta, const Interval& next) const;
-  // The u of the rows at this x that is nearest to `wanted`.
+  // The u that satisfies the rows at this x and is nearest to `wanted`.
   double nearest_u(double x, double wanted) const;
 
  private:
-  // u ≤ intercept + slope x, or ≥; weight: |α|.
+  // A bound u ≤ intercept + slope x, or ≥; weight: |α|.
   struct Line {
     double intercept, slope, weight;
   };
@@ -43,7 +44,7 @@ class PaceRows {
                              double other_end) const;
 
   std::vector<Line> above_, below_;
-  Interval x_;  // from rows without u
+  Interval x_;  // bounds of x by rows without u
 };
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What keeps a motion from running faster: absolute values by joint, infinite where there is none.
+// The limits of speed, acceleration and torque: absolute values, one per joint, infinite where there is none.
 #pragma once
 
 #include <vector>
@@ -17,15 +17,16 @@ struct PaceLimits {
   bool are_infinite() const;
 };
 
-// Those of the robot file and the scene, and no others.
+// The limits of the robot file and the scene.
 PaceLimits given_limits(const Mechanism& mechanism);
 
-// The largest use of a limit, as a part of it, and where; part 0 without limits.
+// The largest use of a limit, as a share of it, and where it occurs; the share is 0 without limits.
 struct LimitUsed {
   double part = 0;
   LimitKind kind = LimitKind::torque;
   std::size_t joint = 0, point = 0;
 };
+// The largest use by the trajectory with torques tau by point, N m or N.
 LimitUsed most_used(const Trajectory& trajectory, const std::vector<std::vector<double>>& tau,
                     const PaceLimits& limits);
 

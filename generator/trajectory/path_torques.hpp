@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The torques of a motion that runs along its path at another pace, 7.7. With s the time of the given motion and s(t)
-// the new law, q̇ = q' ṡ and q̈ = q' s̈ + q'' ṡ², where q', q'' are the rates and accelerations given, and
+// The torques of a motion along its path at another pace, 7.7. With s the time of the given motion and s(t) the new
+// law, q̇ = q' ṡ and q̈ = q' s̈ + q'' ṡ², where q', q'' are the rates and accelerations given, and
 //   τ = m s̈ + a ṡ² + b ṡ + d,
 // m = B q', a = B q'' + C(q, q') q' (7.125), b = F_v q', d = g + F_s sgn(q') + Jᵀ h_e: gravity, Coulomb friction and
-// the tip's force do not change with the pace, viscous friction does so once.
+// the tip's force do not depend on the pace; viscous friction is proportional to it.
 #pragma once
 
 #include <vector>
@@ -17,11 +17,11 @@
 
 namespace flatdyn {
 
-// Point by point, n numbers each; N m or N, and per s², s.
+// The coefficients by point, n numbers each, in N m or N times s², s or 1.
 struct PathCoefficients {
   std::size_t joints = 0;
   std::vector<double> m, a, b, d;
-  std::vector<double> a_before;  // a with the q'' that leads to the point
+  std::vector<double> a_before;  // a with the q'' before the point, where q'' jumps
 
   std::size_t points() const { return d.size() / joints; }
 };
@@ -31,9 +31,9 @@ class PathTorques {
   // Throws Failure(unsupported) for a robot with free symbols.
   PathTorques(const LoadedRobot& model, bool tip_force, Progress& progress);
 
-  // Not from two threads at once.
+  // The coefficients at each point. Not thread-safe.
   PathCoefficients coefficients(const Trajectory& trajectory);
-  // Of the motion as it is, by point.
+  // The torques of the motion at its own pace by point, N m or N.
   std::vector<std::vector<double>> torques(const Trajectory& trajectory);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A trajectory file as written (docs/trajectory-format.md): postures and what leads from one to the next. SI.
+// The contents of a trajectory file (docs/trajectory-format.md): postures, and the moves from one to the next. SI.
 #pragma once
 
 #include <array>
@@ -15,11 +15,11 @@
 
 namespace flatdyn {
 
-// By joint; of one that is not named: where it is already, at the start 0.
+// Positions by joint, rad or m; a joint that is not named keeps its position, which is 0 at the start.
 using JointPosture = std::vector<std::optional<double>>;
 
-// Where the tip is to be; the joints follow. A planar arm of two links has a closed form and needs the elbow; other
-// robots a guess of the positions, or take those before.
+// A posture given by the place of the tip. A planar arm of two links has a closed form and needs the elbow; for other
+// robots the search starts at `guess`, or else at the previous positions.
 struct TipPosture {
   Eigen::Vector3d p;
   std::optional<Elbow> elbow;
@@ -29,21 +29,23 @@ struct TipPosture {
 
 using Posture = std::variant<JointPosture, TipPosture>;
 
-// Requests of a profile with the line of each key.
+// The given keys of a profile, each with its line.
 struct PlacedProfile {
   VelocityShape shape = VelocityShape::triangular;
-  // One number for all joints, or one each.
+  // One number for all joints, or one per joint.
   std::map<std::string, std::vector<double>> given;
   std::map<std::string, Place> places;
   Place place;
 };
 
+// A move of the joints by velocity profiles.
 struct JointMove {
   Posture to;
-  bool relative = false;  // `to` is how far
+  bool relative = false;  // `to` is a displacement
   PlacedProfile profile;
 };
 
+// A straight line of the tip, base axes, m.
 struct LineMove {
   Eigen::Vector3d to;
   bool relative = false;
@@ -52,7 +54,7 @@ struct LineMove {
 };
 
 struct Dwell {
-  double duration = 0;
+  double duration = 0;  // s
 };
 
 struct Segment {
@@ -60,7 +62,7 @@ struct Segment {
   Place place;
 };
 
-// A constant force and moment that the tip exerts on its environment.
+// A constant force, N, and moment, N m, that the tip exerts on its environment, in base axes or in those of the tip.
 struct TipForce {
   std::array<double, 6> h_e{};
   bool in_tip_axes = false;

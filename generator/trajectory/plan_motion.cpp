@@ -15,30 +15,30 @@ namespace flatdyn {
 namespace {
 
 constexpr double kMostSamples = 1e7;
-constexpr double kSameSample = 1e-9;  // of the time between samples, or of all of it
+constexpr double kSameSample = 1e-9;  // as a share of the time between samples, or of the duration
 
 struct JointState {
   Eigen::VectorXd q, qd, qdd;
 };
 
-// One segment in time.
+// The motion during one segment.
 struct Piece {
   double begin = 0, duration = 0;
-  std::function<JointState(double t, Side side)> at;  // t from its begin; may throw Unreachable
-  std::vector<double> jumps{};                        // of accelerations, from its begin
+  std::function<JointState(double t, Side side)> at;  // t from its beginning; may throw Unreachable
+  std::vector<double> jumps{};                        // the times at which accelerations jump, from its beginning
   Place place{};
 };
 
 constexpr const char* kLineHint = "shorten or move the line, or start it in another posture";
 
-// Reported, with its place; the pieces behind it would only repeat it.
+// Thrown after a segment is reported with its place; later ones would only repeat the message.
 struct Refused {};
 
 class PieceMaker {
  public:
   PieceMaker(const TipKinematics& tip, Diagnostics& diagnostics) : tip_(tip), diagnostics_(diagnostics) {}
 
-  // Throws Refused.
+  // The segments of the plan. Throws Refused.
   std::vector<Piece> pieces(const TrajectoryPlan& plan) {
     q_ = Eigen::VectorXd::Zero(tip_.joints());
     q_ = reached(plan.start);
@@ -85,7 +85,7 @@ class PieceMaker {
     return q;
   }
 
-  // The same angles without needless turns: of two a turn apart, the one nearer to where the joint is.
+  // The same angles without needless turns: of two values a turn apart, the one nearer to the joint's present angle.
   Eigen::VectorXd near_present(Eigen::VectorXd q) const {
     return q_ + (q - q_).unaryExpr([](double angle) { return std::remainder(angle, 2 * std::numbers::pi); });
   }
@@ -137,7 +137,7 @@ class PieceMaker {
     return by;
   }
 
-  // q̇ = q' σ̇, q̈ = q'' σ̇² + q' σ̈ with the way σ(t).
+  // q̇ = q' σ̇, q̈ = q'' σ̇² + q' σ̈ with the arc length σ(t).
   Piece piece(const LineMove& move) {
     const Eigen::Vector3d by = move.relative ? move.to : Eigen::Vector3d(move.to - tip_.pose(q_).p);
     if (by.norm() == 0) refuse(place_, "segment: the line has no length", "to wait, write dwell = SECONDS");
@@ -165,7 +165,7 @@ class PieceMaker {
 
   const TipKinematics& tip_;
   Diagnostics& diagnostics_;
-  Eigen::VectorXd q_;  // where the joints are, from segment to segment
+  Eigen::VectorXd q_;  // the joints' positions at the end of the last segment
   Place place_;
 };
 
@@ -189,7 +189,7 @@ std::vector<double> sample_times(double duration, double rate) {
   return times;
 }
 
-// The acceleration that leads to this instant, if it jumps there; else empty.
+// The acceleration just before time t if it jumps there; else empty.
 std::vector<double> acceleration_before(const std::vector<Piece>& pieces, std::vector<Piece>::const_iterator piece,
                                         double t, double tolerance) {
   const auto is_here = [&](double jump) { return std::abs(piece->begin + jump - t) <= tolerance; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// TrajectoryPlan → samples of the motion, positions and derivatives by formula.
+// From TrajectoryPlan to samples of the motion; positions and derivatives come from formulas.
 #pragma once
 
 #include "trajectory/plan.hpp"
@@ -7,10 +7,10 @@
 
 namespace flatdyn {
 
-// At t = 0, 1 / rate, 2 / rate … and at the end; or with a point at every jump of an
-// acceleration and an even number of equal intervals between, so many in all or a few more. Where an acceleration jumps
-// the sample has the one that follows, the last sample the one before. What cannot be moved so (profiles that
-// contradict themselves, places out of reach) goes into `diagnostics` with its line; then the result means nothing.
+// Samples at t = 0, 1 / rate, 2 / rate … and at the end. With `intervals`, there are about that many instead: one
+// sample at every jump of an acceleration and an even number of equal intervals between jumps. At a jump the sample has
+// the acceleration that follows, at the end the one before. Moves that are impossible (contradictory profiles, places
+// out of reach) are errors in `diagnostics` with their line; then the result is meaningless.
 Trajectory planned_motion(const TrajectoryPlan& plan, const TipKinematics& tip, Diagnostics& diagnostics,
                           std::optional<int> intervals = std::nullopt);
 

@@ -70,7 +70,7 @@ class PlanReader {
     return result;
   }
 
-  // A list with a number for each joint, or a table by their names, in which joints may be missing.
+  // Reads a list with a number for each joint, or a table by joint names, in which joints may be missing.
   JointPosture of_joints(TomlTable& table, const std::string& key) {
     JointPosture values(joints());
     if (table.is_table(key)) {
@@ -89,7 +89,7 @@ class PlanReader {
     return values;
   }
 
-  // Of a joint, or a way that it goes: rad or m.
+  // Reads a joint's position or displacement, rad or m.
   double position(const Value& value, const std::string& key, std::size_t joint) {
     const Body& body = mechanism_.joints()[joint];
     const Spot spot{value.place, key + ", joint " + quoted(body.joint)};
@@ -142,7 +142,7 @@ class PlanReader {
     return force;
   }
 
-  // Speeds and accelerations of joints are in degrees where angles are.
+  // Reads a profile. Speeds and accelerations of joints are in degrees if the file's angles are.
   PlacedProfile profile(TomlTable& table, bool of_joints) {
     PlacedProfile profile;
     profile.place = table.place();

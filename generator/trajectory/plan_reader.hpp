@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Trajectory files (docs/trajectory-format.md) → TrajectoryPlan.
+// From trajectory files (docs/trajectory-format.md) to TrajectoryPlan.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace flatdyn {
 
-// What is wrong goes into `diagnostics`; after an error the plan means nothing. Throws Failure(io) for a missing file.
+// Errors go into `diagnostics`; after one the plan is meaningless. Throws Failure(io) for a missing file.
 TrajectoryPlan read_plan(const std::filesystem::path& path, const Mechanism& mechanism, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

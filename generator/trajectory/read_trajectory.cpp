@@ -9,7 +9,7 @@
 namespace flatdyn {
 namespace {
 
-// A filter would make q̇ and q̈ of a log, but loses its ends, and smooths what a plan has as steps.
+// Requires the log's q̇ and q̈. A filter could compute them, but it loses the ends and smooths the steps of a plan.
 void require_derivatives(const LogLayout& layout, const Place& place, Diagnostics& diagnostics) {
   if (layout.has_rates && layout.has_accelerations) return;
   diagnostics.error(place, "no columns for the joints' rates qd and accelerations qdd",
@@ -44,7 +44,7 @@ bool is_at_tip(const Segment& segment) {
   return std::holds_alternative<LineMove>(segment.motion) || (move != nullptr && is_at_tip(move->to));
 }
 
-// Inverse kinematics does not know how loops move the tip.
+// Refuses moves of the tip for robots with closed loops, which inverse kinematics does not support.
 void refuse_tip_moves(const TrajectoryPlan& plan, Diagnostics& diagnostics) {
   const char *what = "places of the tip in robots with closed loops are not supported yet",
              *hint = "say where the independent joints are";

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr double kFastest = 1e12;  // of x: a million times as fast as given is no pace that limits allow
+constexpr double kFastest = 1e12;  // largest x: a million times the given pace means that nothing limits it
 
 bool rests(const TrajectoryPoint& point) {
   return std::all_of(point.qd.begin(), point.qd.end(), [](double rate) { return rate == 0; });
@@ -25,7 +25,7 @@ class PaceMaker {
   TimeLaw law() {
     const std::vector<double> linear(points_.size(), 1 / (c_ * c_));
     TimeLaw best = law_of(linear);
-    if (best.time.empty()) {  // it is the only law, and rounding hides it
+    if (best.time.empty()) {  // it is the only law, but rounding hides it
       best = {linear, std::vector<double>(points_.size(), 0), {}};
       set_times(best);
       return best;
@@ -45,7 +45,7 @@ class PaceMaker {
  private:
   double delta(std::size_t k) const { return points_[k + 1].time - points_[k].time; }
 
-  // Where friction is linearised about x̂ = about[k]. Without times if there is none.
+  // The law with friction linearised about x̂ = about[k]; its times are empty if there is none.
   TimeLaw law_of(const std::vector<double>& about) {
     TimeLaw law;
     law.x.resize(points_.size());
@@ -65,7 +65,7 @@ class PaceMaker {
     return law;
   }
 
-  // From rest to rest, or from an end of the trajectory: pace is free at both ends.
+  // Adds the section from one rest to the next, or from an end of the trajectory; the pace at either end of it is free.
   bool add_section(std::size_t begin, std::size_t end, const std::vector<double>& about, TimeLaw& law) {
     std::vector<Interval> controllable(end - begin + 1);
     if (end + 1 == points_.size()) {
@@ -97,9 +97,9 @@ class PaceMaker {
     return true;
   }
 
-  // The limits at point k, and with the same u at the next one, with the q'' that leads there: else u swings where the
-  // torques hardly depend on it. And where a motion starts between two points, x at the first one is nothing by itself:
-  // it is held to what the second one allows.
+  // Collects the limits at point k and, with the same u, at the next point with the q'' before it; without the latter,
+  // u oscillates where the torques hardly depend on it. Where a motion starts between two points, x at the first one
+  // has no meaning by itself; it is limited to what the second one allows.
   void collect(std::size_t k, const std::vector<double>& about) {
     rows_.clear();
     add_rows(k, about[k], 0, false);
@@ -107,7 +107,7 @@ class PaceMaker {
     add_rows(k + 1, about[k + 1], 2 * delta(k), false);
   }
 
-  // Rows α u + β (x + ahead u) ≤ γ of point k; without the terms in u alone if it rests.
+  // Adds rows α u + β (x + ahead u) ≤ γ of point k; if it rests, without those in u alone.
   void add_rows(std::size_t k, double about, double ahead, bool resting) {
     const auto add = [&](double alpha, double beta, double gamma) {
       rows_.add((resting ? 0 : alpha) + ahead * beta, beta, gamma);
@@ -131,8 +131,9 @@ class PaceMaker {
     }
   }
 
-  // |m u + a x + b √x + d| ≤ L. Towards the limit on the side of friction's sign its tangent is above √x; on the other
-  // side the chord from 0, and √x̂ itself, are below on their sides of x̂, and the lower of both anywhere.
+  // Adds |m u + a x + b √x + d| ≤ L. On the side of the limit towards which friction acts, the tangent at x̂ bounds √x
+  // from above. On the other side, √x is bounded from below by the chord from 0 for x ≤ x̂ and by √x̂ beyond, so by the
+  // lower of the two everywhere.
   template <class Add>
   void add_torque(std::size_t k, double a, double L, double about, const Add& add) const {
     const double m = path_.m[k], b = path_.b[k], d = path_.d[k];
@@ -169,7 +170,7 @@ class PaceMaker {
   PaceRows rows_;
 };
 
-// q̇ = q' √x, q̈ = q' u + q'' x; that before q̇ is q' u_before + q''_before x.
+// q̇ = q' √x, q̈ = q' u + q'' x, and before the point q̈ = q' u_before + q''_before x.
 TrajectoryPoint at_pace(TrajectoryPoint point, double time, double x, double u, std::optional<double> u_before) {
   if (point.qdd_before.empty()) point.qdd_before = point.qdd;
   point.time = time;
@@ -195,7 +196,7 @@ TimeLaw time_optimal_law(const Trajectory& trajectory, const PathCoefficients& p
 
 Trajectory paced(Trajectory trajectory, const TimeLaw& law) {
   for (std::size_t k = 0; k < law.x.size(); ++k) {
-    // Where the motion rests x is that of the motion that follows, and what leads there has its own.
+    // At rest, x belongs to the motion that follows; the motion before has its own.
     const bool continues = k > 0 && !rests(trajectory.points[k]);
     trajectory.points[k] = at_pace(std::move(trajectory.points[k]), law.time[k], law.x[k], law.u[k],
                                    continues ? std::optional(law.u[k - 1]) : std::nullopt);

@@ -68,7 +68,7 @@ Eigen::VectorXd inverse_kinematics(const TipKinematics& tip, const TipGoal& goal
       e = rest;
       damping = std::max(damping / 10, kLeastDamping);
     } else if (e.norm() < kReached) {
-      break;  // no better in double
+      break;  // double allows no better
     } else {
       damping *= 4;
     }

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t kSteps = 200;
 
-// Below this part of the largest, a direction of J is none: a planar arm's tip does not leave its plane.
+// Singular values of J below this share of the largest count as zero: a planar arm's tip does not leave its plane.
 constexpr double kRank = 1e-9;
-// Of the unit vector: what rates do not reach of it.
+// The part of the unit vector that rates may fail to reach.
 constexpr double kAlongTheLine = 1e-7;
 
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& J) {
@@ -24,7 +24,7 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& J) {
   return decomposition.pseudoInverse();
 }
 
-// The angles, whole turns added, nearest to those before.
+// The angles plus the whole turns that bring them nearest to those before.
 Eigen::VectorXd unwrapped(Eigen::VectorXd q, const Eigen::VectorXd& before) {
   for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = before[i] + std::remainder(q[i] - before[i], 2 * std::numbers::pi);
   return q;
@@ -60,7 +60,7 @@ Eigen::VectorXd TipLine::slope(const Eigen::VectorXd& q) const {
       start_.R ? " with its orientation held" : ""));
 }
 
-// By Runge and Kutta's fourth-order step, then to the line.
+// A fourth-order Runge–Kutta step, followed by a projection onto the line.
 Eigen::VectorXd TipLine::stepped(const Eigen::VectorXd& q, double from, double to) const {
   if (arm_) return unwrapped(arm_->positions(goal(to).p, arm_->elbow_of(q)), q);
   const double h = to - from;

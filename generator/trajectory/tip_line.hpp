@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Joint positions along a straight line of the tip, and their derivatives by the way along it, analytically: with the
-// line's unit vector u (and no turn, if the orientation is held) and the Jacobian J of what is held,
+// Joint positions along a straight line of the tip, and their derivatives by the arc length, analytically. With the
+// line's unit vector u (with zero rotation, if the orientation is held) and the Jacobian J of the task,
 //   q' = J⁺ u,   q'' = −J⁺ J' q' + (I − J⁺ J) J'ᵀ J⁺ᵀ q',   J' = dJ/dq · q',
-// J⁺ the pseudo-inverse. The second term is that of the derivative of J⁺ (Golub and Pereyra, 1973) which is left for a
-// u that J reaches; it is zero without redundancy. A redundant arm takes the smallest rates, and so its positions
-// follow from the start: q' is integrated, and what is left to the line removed.
+// where J⁺ is the pseudo-inverse. The second term is the part of the derivative of J⁺ (Golub and Pereyra, 1973) that
+// remains for a u in the range of J; it is zero without redundancy. A redundant arm takes the smallest rates, so its
+// positions depend on the start: q' is integrated, and the deviation from the line removed.
 #pragma once
 
 #include "trajectory/tip_kinematics.hpp"
@@ -12,18 +12,18 @@
 namespace flatdyn {
 
 struct LinePoint {
-  Eigen::VectorXd q, slope, curvature;  // q, q', q'': by metres along the line
+  Eigen::VectorXd q, slope, curvature;  // q, q', q'': derivatives by metres along the line
 };
 
 class TipLine {
  public:
-  // From where the tip is at q to `by` further; every place on the way is tried. The two-link arm keeps its posture.
-  // `tip` must outlive the line. Throws Unreachable.
+  // The line from the tip's place at q to that plus `by`, m; every place on it is checked. A two-link arm keeps its
+  // posture. `tip` must outlive the line. Throws Unreachable.
   TipLine(const TipKinematics& tip, const Eigen::VectorXd& q, const Eigen::Vector3d& by, bool hold_orientation);
 
   double length() const { return length_; }
   const Eigen::VectorXd& end() const { return nodes_.back(); }
-  // 0 ≤ way ≤ length(). Throws Unreachable.
+  // The joint positions at arc length `way` in m, 0 ≤ way ≤ length(). Throws Unreachable.
   LinePoint at(double way) const;
 
  private:
@@ -38,7 +38,7 @@ class TipLine {
   TipGoal start_;
   Eigen::Vector3d u_;
   double length_;
-  std::vector<Eigen::VectorXd> nodes_;  // q at even distances, ends included
+  std::vector<Eigen::VectorXd> nodes_;  // q at equal distances, ends included
 };
 
 }  // namespace flatdyn

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The torques of a motion, each contribution by itself, as (7.42) has them:
+// The torques of a motion, each contribution of (7.42) by itself:
 //   τ_i = Σ_j b_ij q̈_j + Σ_j c_ijj q̇_j² + Σ_{j<k} 2 c_ijk q̇_j q̇_k + g_i + F_vi q̇_i + F_si sgn(q̇_i) + (Jᵀ h_e)_i
-// Motors are part of B: b_ii has the rotor's k_r² I_m and the armature, b_ij what a rotor adds that turns with a link.
+// Motors are part of B: b_ii contains the rotor's k_r² I_m and the armature, b_ij the contribution of a rotor that
+// turns with a link.
 #pragma once
 
 #include <memory>
@@ -20,11 +21,11 @@ namespace flatdyn {
 
 enum class TermKind { own_inertia, coupling, centrifugal, coriolis, gravity, viscous, coulomb, tip_force };
 
-// One term of one joint's torque. j, k: whose acceleration or rates act; -1 where none do.
+// One term of one joint's torque. j, k: the joints whose acceleration or rates act; -1 for none.
 struct TorqueTerm {
   TermKind kind;
   int joint = 0, j = -1, k = -1;
-  std::size_t entry = 0;  // of what it is made from: of B, of the Christoffel symbols
+  std::size_t entry = 0;  // index into the output that it is made from: B, or the Christoffel symbols
 
   // "inertia_1_2", "centrifugal_1_2", "coriolis_1_1_2", "gravity_1", …, joints from 1.
   std::string name() const;
@@ -34,15 +35,16 @@ const char* name_of(TermKind kind);
 
 class TorqueTerms {
  public:
-  // Derives; terms that are zero at every motion are left out. Throws Failure(unsupported) for free symbols.
+  // Derives the functions; terms that are zero for every motion are left out. Throws Failure(unsupported) for free
+  // symbols.
   TorqueTerms(const LoadedRobot& model, bool tip_force, Progress& progress);
 
   int joints() const { return n_; }
-  // Joint by joint, in the order of the formula above.
+  // The terms joint by joint, in the order of the formula above.
   const std::vector<TorqueTerm>& terms() const { return terms_; }
 
-  // Every term, N m or N, into `values`; the torques of inverse dynamics as they are generated, derived apart from the
-  // terms, into `tau`. Not from two threads at once.
+  // Writes every term, N m or N, to `values`, and to `tau` the torques of the generated inverse dynamics, which are
+  // derived independently of the terms. Not thread-safe.
   void evaluate(const TrajectoryPoint& point, std::span<double> values, std::span<double> tau);
 
  private:
@@ -54,17 +56,18 @@ class TorqueTerms {
   std::vector<TorqueTerm> terms_;
   JointFriction friction_;
   std::vector<Tape> tapes_;                   // B, Christoffel symbols, g, J of the tip, inverse dynamics
-  std::vector<std::vector<double>> results_;  // of each
+  std::vector<std::vector<double>> results_;  // one per tape
 };
 
-// Along a trajectory: by point.
+// The torques along a trajectory, by point.
 struct TorqueHistory {
   std::vector<TorqueTerm> terms;
-  std::vector<std::vector<double>> values;  // of each term, N m or N
-  std::vector<std::vector<double>> tau;     // of each joint
-  // Largest difference between a torque and the sum of its terms, over the sum of their absolute values.
+  std::vector<std::vector<double>> values;  // per term, N m or N
+  std::vector<std::vector<double>> tau;     // per joint, N m or N
+  // The largest difference between a torque and the sum of its terms, relative to the sum of their absolute values.
   double disagreement = 0;
 };
+// Evaluates the terms at every point of the trajectory.
 TorqueHistory torque_history(TorqueTerms& terms, const Trajectory& trajectory);
 
 }  // namespace flatdyn

@@ -8,9 +8,9 @@
 namespace flatdyn {
 namespace {
 
-// Of what is given twice: people round.
+// The relative tolerance of redundant values: people round.
 constexpr double kAgreement = 1e-6;
-// Of a duration: an instant this near to a change of acceleration is the change.
+// The share of a duration within which an instant counts as that of a change of acceleration.
 constexpr double kSameInstant = 1e-9;
 
 constexpr const char* kTooShort = "give it more time, or a higher acceleration";
@@ -26,7 +26,7 @@ int given(const ProfileRequest& request) {
          int(request.acceleration_time.has_value());
 }
 
-// Largest root t_a ≤ T / 2 of a t_a (T − t_a) = D.
+// The root t_a ≤ T / 2 of a t_a (T − t_a) = D.
 double acceleration_time_of(double distance, double duration, double acceleration) {
   const double room = duration * duration / 4 - distance / acceleration;
   if (room < -kAgreement * duration * duration) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From rest to rest with a triangular or trapezoidal velocity: a constant acceleration, a constant speed (none of a
-// triangle), the opposite acceleration for as long. With distance D, duration T, acceleration time t_a, speed v and
-// acceleration a
+// A motion from rest to rest with a triangular or trapezoidal velocity: a constant acceleration, a constant speed (not
+// in a triangle), and the opposite acceleration for the same time. With distance D, duration T, acceleration time t_a,
+// speed v and acceleration a
 //   v = a t_a,   D = v (T − t_a),   0 < t_a ≤ T / 2.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace flatdyn {
 
 enum class VelocityShape { triangular, trapezoidal };
 
-// What of a profile is given; magnitudes, SI. A triangle needs one of the four, a trapezium two.
+// The given values of a profile; magnitudes, SI. A triangle needs one of the four, a trapezium two.
 struct ProfileRequest {
   VelocityShape shape = VelocityShape::triangular;
   std::optional<double> duration, acceleration, speed, acceleration_time;
 };
 
-// No profile is so. `key` names the member of the request that is at fault ("" if members are missing).
+// The request has no profile. `key` names the faulty member of the request ("" if members are missing).
 class ProfileConflict : public std::invalid_argument {
  public:
   ProfileConflict(std::string key, const std::string& message, std::string hint)
@@ -32,17 +32,17 @@ class ProfileConflict : public std::invalid_argument {
   std::string key_, hint_;
 };
 
-// One coordinate along its path.
+// A coordinate along its path at one time.
 struct Progression {
   double position = 0, speed = 0, acceleration = 0;  // rad or m, and per s, s²
 };
 
-// Of an instant: where a limit comes from.
+// The side of an instant from which a limit is taken.
 enum class Side { after, before };
 
 class VelocityProfile {
  public:
-  // distance may be negative, or zero for what rests. What is given beyond need must agree. Throws ProfileConflict.
+  // distance: rad or m; may be negative, or zero for rest. Redundant values must agree. Throws ProfileConflict.
   VelocityProfile(double distance, const ProfileRequest& request);
 
   double distance() const { return distance_; }
@@ -50,10 +50,9 @@ class VelocityProfile {
   double acceleration_time() const { return acceleration_time_; }
   double speed() const;         // the largest, a magnitude
   double acceleration() const;  // a magnitude
-  // Where the acceleration jumps, from the start on.
+  // The times in s at which the acceleration jumps, from the start on.
   std::vector<double> jumps() const;
-  // Where the acceleration jumps it is the one that follows, or the one before. Outside of the duration the coordinate
-  // rests.
+  // The state at time t in s. At a jump, `side` selects the acceleration. Outside the duration the coordinate rests.
   Progression at(double t, Side side = Side::after) const;
 
  private:

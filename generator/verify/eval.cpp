@@ -36,13 +36,13 @@ CsvQuantity quantity_of(InputKind kind) {
     case InputKind::parameter:
       return CsvQuantity::symbol;
     case InputKind::q:
-    case InputKind::stored:  // between stages: in no file
+    case InputKind::stored:  // passed between stages, never read from a file
       break;
   }
   return CsvQuantity::q;
 }
 
-// Where each input is found: a column, or nowhere.
+// The place of each input in the table: a column, or none.
 class Columns {
  public:
   Columns(const Mechanism& mechanism, CsvHeading& heading, const std::vector<Input>& inputs, int base_parameters)
@@ -70,7 +70,7 @@ class Columns {
     return found == sources_.end() ? none : found->second[static_cast<std::size_t>(input.index)];
   }
 
-  // By entries of q; none where the function reads none.
+  // The columns of the positions, by entry of q; none for an entry that the function does not read.
   std::vector<std::optional<CsvSource>> positions() const {
     const auto found = sources_.find(InputKind::q);
     return found == sources_.end() ? std::vector<std::optional<CsvSource>>() : found->second;
@@ -114,7 +114,7 @@ std::vector<std::string> all_columns(const Output& output) {
   return names;
 }
 
-// Of the entries that are not left out.
+// The names of the columns for the entries that are not left out.
 std::vector<std::string> output_columns(const Output& output) {
   const std::vector<std::string> all = all_columns(output);
   std::vector<std::string> kept;
@@ -124,12 +124,12 @@ std::vector<std::string> output_columns(const Output& output) {
   return kept;
 }
 
-// All inputs that a function is documented to take: the reference reads them even where the graph does not.
+// The inputs that the graph reads, or all that the function is documented to take: the reference reads them all.
 std::vector<Input> inputs_of(const Mechanism& mechanism, const Function& function, bool all) {
   if (!all) return inputs_read(function);
   std::vector<Input> inputs;
   for (const InputKind kind : function.inputs) {
-    if (kind == InputKind::parameter) continue;  // all of them below
+    if (kind == InputKind::parameter) continue;  // they are added below
     if (kind == InputKind::qd && function.at_rest) continue;
     const int length = input_argument(kind, JointCounts(mechanism), function.base_parameters).length;
     for (int i = 0; i < length; ++i) inputs.push_back({kind, i});
@@ -145,14 +145,14 @@ std::string text_of(double value, int digits) {
 }
 std::string text_of(const Real50& value, int digits) { return value.str(digits); }
 
-// One line of the table after the other, in S.
+// Evaluates the function line by line of the table, in S.
 template <class S>
 class Evaluator {
  public:
   Evaluator(const Robot& robot, const Mechanism& mechanism, const Function& function, const EvalOptions& options)
       : robot_(robot), mechanism_(mechanism), function_(function), options_(options), graph_(function) {}
 
-  // nullopt where a condition of the function does not hold.
+  // The values of one line; nullopt if a condition of the function does not hold.
   std::optional<std::vector<std::string>> operator()(const Columns& columns, const std::vector<Input>& inputs,
                                                      const std::vector<std::string>& entries) {
     const StateOf<S> state = state_of(columns, inputs, entries);
@@ -164,7 +164,7 @@ class Evaluator {
   }
 
  private:
-  // Inputs that are not read stay 0.
+  // The state of one line. Inputs that are not read stay 0.
   StateOf<S> state_of(const Columns& columns, const std::vector<Input>& inputs,
                       const std::vector<std::string>& entries) {
     const std::vector<S> zero(static_cast<std::size_t>(mechanism_.size()), S(0));
@@ -184,9 +184,10 @@ class Evaluator {
     return state;
   }
 
-  // Of all functions, where loops are singular: the reference goes through their motion.
+  // The reference's values; nullopt where a loop is singular, for any function, as the reference needs the loops'
+  // motion.
   std::optional<std::vector<S>> from_reference(const StateOf<S>& state) {
-    // The robot's numbers change with its symbols only.
+    // The robot's numbers change only with its symbols.
     if (!reference_ || !symbols_.empty()) {
       reference_ = seen_by(function_, robot_, reference_robot<S>(robot_, symbols_));
       if (is_regressor(function_.name)) regressor_.emplace(mechanism_, *reference_, symbols_, function_.name);
@@ -208,7 +209,7 @@ class Evaluator {
   std::optional<RegressorReference<S>> regressor_;
 };
 
-// Why a function has no value at a state, and what to do.
+// The reason why a function has no value at a state, and a remedy.
 struct Singularity {
   const char *what, *hint;
 };
@@ -236,7 +237,8 @@ void append_values(Evaluator<S> evaluation, const Columns& columns, const std::v
   }
 }
 
-// Functions hold where loops are closed: a wrong sign of a dependent joint, or degrees, show in the gap.
+// Warns if loops are open, as functions hold for closed loops only: a wrong sign of a dependent joint, or degrees, open
+// a gap.
 void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const CsvTable& states, const Columns& columns,
                         const std::string& file, Diagnostics& diagnostics) {
   if (!mechanism.has_loops() || !mechanism.symbols.empty()) return;
@@ -262,7 +264,7 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
                       "loop_closure and loop_step lead to positions that close them");
 }
 
-// One message for all: a file made for another robot lacks many.
+// Reports all missing columns in one message: a file made for another robot lacks many.
 void say_what_is_missing(const Columns& columns, const std::vector<Input>& inputs, const Function& function,
                          const Place& heading, Diagnostics& diagnostics) {
   std::vector<std::string> missing, by_joint;

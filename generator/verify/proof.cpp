@@ -25,7 +25,7 @@ void require_unchanged(const Function& derived, const Function& function) {
   require(prove_equal(derived, function, kQuick), function.name, "it was before the passes");
 }
 
-// In the order of the text.
+// The functions in the order of the text.
 std::vector<Function> written(const std::vector<OptimisedFunction>& functions, const std::optional<Stages>& stages) {
   std::vector<Function> list = functions_of(functions);
   if (!stages) return list;

@@ -15,14 +15,14 @@ namespace {
 using Vector50 = reference::VectorX<Real50>;
 using Matrix50 = reference::MatrixX<Real50>;
 
-// Derivatives by central differences: error h² from the formula, 1e-60 / h from rounding.
+// The step h of derivatives by central differences: error h² from the formula, 1e-60 / h from rounding.
 const Real50 kStep("1e-20");
 constexpr double kTolerance = 1e-30;
 
 struct ExactState {
   Vector50 q, qd, qdd, tau;
   std::vector<double> parameters;
-  Vector50 rates{};  // of all entries of q; empty: not known
+  Vector50 rates{};  // rates of all entries of q; empty: not known
 };
 
 Vector50 exact_vector(const std::vector<double>& values) {
@@ -44,10 +44,10 @@ class Functions {
     return std::all_of(names.begin(), names.end(), [this](const char* name) { return by_name_.contains(name); });
   }
 
-  // Identities in velocities say nothing of functions that have none.
+  // Whether the functions hold at rest only: identities in velocities do not apply to them.
   bool are_at_rest() const { return is_at_rest_; }
 
-  // Entries of the (only) output.
+  // The entries of the function's (only) output.
   Vector50 operator()(const std::string& name, const ExactState& state) const {
     RealArithmetic<Real50> arithmetic([&state](const Input& input) -> Real50 {
       switch (input.kind) {
@@ -61,7 +61,7 @@ class Functions {
           return state.tau[input.index];
         case InputKind::parameter:
           return Real50(state.parameters[static_cast<std::size_t>(input.index)]);
-        default:  // not read by the functions that have identities here
+        default:  // the functions with identities here do not read other kinds
           break;
       }
       return Real50(0);
@@ -83,7 +83,7 @@ class Functions {
   }
 
  private:
-  std::map<std::string, const Function*> by_name_;  // those that have all entries
+  std::map<std::string, const Function*> by_name_;  // functions without left-out entries
   bool is_at_rest_ = false;
 };
 
@@ -96,7 +96,7 @@ ExactState after(const ExactState& state, const Real50& time) {
 
 double to_double(const Real50& x) { return Real50(abs(x)).convert_to<double>(); }
 
-// Relative size of a sum that should vanish against the size of its parts.
+// The size of a sum that should vanish relative to the size of its terms.
 double relative(const Real50& sum, const Real50& size) {
   return size == 0 ? to_double(sum) : to_double(Real50(sum / size));
 }
@@ -106,15 +106,15 @@ double asymmetry(const Functions& f, const ExactState& state) {
   return relative((B - B.transpose()).norm(), B.norm());
 }
 
-// Rounding apart: 0 for a singular matrix.
+// The smallest pivot of B, up to rounding; 0 for a singular matrix.
 double smallest_pivot(const Functions& f, const ExactState& state) {
   const Matrix50 B = f.matrix("inertia_matrix", state);
   const Real50 pivot = B.ldlt().vectorD().minCoeff();
   return abs(pivot) <= kTolerance * B.norm() ? 0 : pivot.convert_to<double>();
 }
 
-// A joint that moves no inertia (the reader warns of it) makes B singular, which is right for that robot; masses that
-// differ by more than the digits that are computed with make it so but for rounding.
+// A joint that moves no inertia (the reader warns of it) makes B singular, which is right for that robot. Masses that
+// differ by more than the digits of the computation make B singular up to rounding.
 Property definiteness(double smallest_pivot) {
   if (smallest_pivot == 0) return {"B is positive semidefinite", "singular, rounding apart", true};
   return {"B is positive definite", fmt::format("smallest pivot {:.2g}", smallest_pivot), smallest_pivot > 0};
@@ -145,7 +145,7 @@ double round_trip(const Functions& f, ExactState state) {
   return relative((qdd - state.qdd).norm(), qdd.norm());
 }
 
-// Where loops are closed, q is longer than q̇, and only one function knows how all of it moves.
+// With closed loops, q is longer than q̇, and only one function gives the rates of all entries of q.
 Vector50 rates_of(const Functions& f, const ExactState& state) {
   if (state.q.size() == state.qd.size()) return state.qd;
   return f.has({"loop_motion"}) ? f("loop_motion", state) : Vector50();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the equations of motion of any robot obey, checked on the generated functions' graphs in 50 digits.
+// Properties of the equations of motion of any robot, checked on the generated functions' graphs in 50 digits.
 #pragma once
 
 #include "model/states.hpp"
@@ -7,9 +7,9 @@
 
 namespace flatdyn {
 
-// B symmetric and positive definite; wᵀ(Ḃ - 2C)w = 0, (7.48); energy balance, (7.50); forward ∘ inverse = identity.
-// A property whose functions are not among those given is left out.
-// `largest_turn`: of the mechanism; it makes differences by q as much coarser.
+// Checks that B is symmetric and positive definite, wᵀ(Ḃ - 2C)w = 0, (7.48), the energy balance, (7.50), and that
+// forward ∘ inverse dynamics is the identity. A property whose functions are not all given is left out. `largest_turn`:
+// that of the mechanism; it coarsens differences by q by this factor.
 std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states,
                                        double largest_turn = 1);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kInverseDynamics = "inverse_dynamics";
 
-// The least of a few round tolerances that all of them are within.
+// The smallest of a few round tolerances that covers all of these angles.
 const char* tolerance_for(const std::vector<Snap>& angles) {
   const bool all_near = std::all_of(angles.begin(), angles.end(), [](const Snap& angle) {
     return magnitude(angle.difference) <= magnitude(exact_decimal("1e-3"));
@@ -20,7 +20,7 @@ const char* tolerance_for(const std::vector<Snap>& angles) {
   return all_near ? "1e-3" : "2e-3";
 }
 
-// Additions and multiplications of inverse dynamics if the angles are taken for multiples of pi/12.
+// The number of additions and multiplications of inverse dynamics if the angles are snapped to multiples of pi/12.
 std::optional<int> operations_with(const char* tolerance, const LoadedRobot& model, PipelineOptions options) {
   options.read.snap_tolerance = exact_decimal(tolerance);
   options.functions = {kInverseDynamics};
@@ -31,7 +31,7 @@ std::optional<int> operations_with(const char* tolerance, const LoadedRobot& mod
     const LoadedRobot other = load_robot(model.robot.file, options);
     return count_operations(make_functions(other, options, silent, ignored).front().function).arithmetic();
   } catch (const Failure&) {
-    return std::nullopt;  // that robot has other problems: nothing can be promised
+    return std::nullopt;  // that robot has other problems, so no saving is stated
   }
 }
 

@@ -31,11 +31,11 @@ Robot undone(const Snap& snap, Robot robot) {
   return robot;
 }
 
-// The torques of the file's robot with all of its snaps but one angle, the k-th; none: with all.
+// The torques of the robot as read with all of its snaps but that of the k-th angle; with all snaps if k is none.
 std::vector<Vector50> torques_as_read(const Robot& robot, ReadOptions options, std::optional<std::size_t> k,
                                       const std::vector<State>& states) {
   options.left_unsnapped = k;
-  Diagnostics ignored;  // the same as of the model
+  Diagnostics ignored;  // the same as those of the model
   const std::optional<Robot> read = read_robot(robot.file, options, ignored);
   return read ? torques(*read, states) : std::vector<Vector50>();
 }
@@ -43,7 +43,7 @@ std::vector<Vector50> torques_as_read(const Robot& robot, ReadOptions options, s
 double largest_difference(const std::vector<Vector50>& a, const std::vector<Vector50>& b) {
   double largest = 0;
   for (std::size_t s = 0; s < std::min(a.size(), b.size()); ++s) {
-    if (a[s].size() != b[s].size()) continue;  // a loop closes in another way
+    if (a[s].size() != b[s].size()) continue;  // a loop closes on another branch
     largest = std::max(largest, (a[s] - b[s]).cwiseAbs().maxCoeff().convert_to<double>());
   }
   return largest;
@@ -56,9 +56,9 @@ std::vector<double> snap_effects(const LoadedRobot& model, const ReadOptions& op
   if (model.robot.snaps.empty()) return effects;
   const std::vector<State> states = random_states(model.mechanism, kStates, kSeed);
   const std::vector<Vector50> snapped = torques(model.robot, states);
-  Robot without_list = model.robot;  // of which copies are made
+  Robot without_list = model.robot;  // copies are made of it
   without_list.snaps.clear();
-  // An angle is part of many numbers: the file is read again. What is snapped after reading is left out on both sides.
+  // An angle affects many numbers, so the file is read again. Snaps made after reading are left out on both sides.
   const std::vector<Vector50> as_read = torques_as_read(model.robot, options, {}, states);
   for (std::size_t k = 0; k < model.robot.snaps.size(); ++k) {
     const Snap& snap = model.robot.snaps[k];

@@ -30,7 +30,7 @@ std::vector<State> states_within(const Mechanism& mechanism, bool at_rest, int c
 
 }  // namespace
 
-// Compared in double, so that roundings count, too.
+// Compared in double, so that rounding errors count, too.
 bool TorqueDeviation::is_within(const Abbreviation& abbreviation) const {
   constexpr double kRounding = 1e-9;
   for (std::size_t i = 0; i < largest.size(); ++i) {

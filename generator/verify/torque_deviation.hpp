@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an abbreviated model gives up, seen at random states; and whether its functions are those of its own Lagrangian.
+// The torque deviation of an abbreviated model at random states, and the proof that its functions are those of its own
+// Lagrangian.
 #pragma once
 
 #include <string>
@@ -11,8 +12,8 @@
 
 namespace flatdyn {
 
-// The largest change of each joint's torque, N m or N, at random states within the limits, every other one of them at
-// the limits of velocity and acceleration.
+// The largest change of each joint's torque, N m or N, at random states within the limits; every other state is at the
+// limits of velocity and acceleration.
 struct TorqueDeviation {
   int states = 0;
   std::vector<double> largest;  // by joint
@@ -20,7 +21,7 @@ struct TorqueDeviation {
   bool is_within(const Abbreviation& abbreviation) const;
 };
 
-// `at_rest`: q̇ = 0.
+// `at_rest`: only states with q̇ = 0.
 TorqueDeviation torque_deviation(const Mechanism& whole, const Mechanism& part, bool at_rest, int states = 2000);
 
 struct AbbreviationReport {
@@ -33,7 +34,7 @@ struct AbbreviationReport {
   bool passed = false;
 };
 
-// The reference knows the whole model only: there is no numeric comparison but that of the torques.
+// Verifies an abbreviated model. The reference knows only the whole model, so torques are the only numbers compared.
 AbbreviationReport verify_abbreviated(const Mechanism& whole, const Abbreviation& abbreviation,
                                       const std::vector<Function>& functions, bool at_rest);
 

@@ -18,7 +18,7 @@
 namespace flatdyn {
 namespace {
 
-// The mechanism's constants are rationals within 1e-40 of the written ones; what is left after 50-digit sums.
+// Bounds the difference after 50-digit sums: the mechanism's constants are rationals within 1e-40 of the written ones.
 constexpr double kGraphTolerance = 1e-35;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -49,12 +49,12 @@ class Comparison {
     GraphEvaluator<Real50> graph(function);
     std::vector<double> generated, generated_at_edges, reference;
     const std::size_t count = affordable_states(function, random_.empty() ? 1 : random_[0].q.size(), random_.size());
-    // Where states are dear, about as many edge states as random ones.
+    // If evaluation is expensive, about as many edge states as random ones are used.
     constexpr std::size_t kFewestEdges = 4;
     const std::size_t stride = std::max<std::size_t>(1, edge_.size() / std::max(count, kFewestEdges));
     for (std::size_t k = 0; k < count + (edge_.size() + stride - 1) / stride; ++k) {
       const bool is_edge = k >= count;
-      // The function is given all of the state, as its users may: what it does not depend on it must not read.
+      // The function gets the whole state, as from its users: it must not read inputs that it does not depend on.
       const State& given = is_edge ? edge_[(k - count) * stride] : random_[k];
       const State state = state_for(function, given);
       if (!expected.is_regular(state)) continue;
@@ -101,7 +101,7 @@ class Comparison {
            std::all_of(written.begin(), written.end(), [](double entry) { return std::isnan(entry); });
   }
 
-  // Entries that are left out stay as they were: not a number.
+  // Whether the function writes entries that are left out; they were set to NaN before.
   static bool writes_too_much(const Function& function, const std::vector<double>& written) {
     std::size_t k = 0;
     for (const Output& output : function.outputs) {
@@ -112,7 +112,8 @@ class Comparison {
     return false;
   }
 
-  // Emitted code may add the angles of parallel joints; the sum's last place is worth this many of an angle's below 1.
+  // Emitted code may add the angles of parallel joints; the sum's last place is worth this many last places of an angle
+  // below 1.
   static double angle_rounding(const State& state) {
     double sum = 1;
     for (const double q : state.q) sum += std::abs(q);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Is what was generated right? Three answers for every function: exactly (modulo primes, against the Lagrangian); in 50
-// digits (the graph against the recursive Newton–Euler reference); in double (the compiled text against 50 digits, with
-// the reference's own rounding error beside it).
+// Verification of generated functions in three ways: exactly (modulo primes, against the Lagrangian); in 50 digits (the
+// graph against the recursive Newton–Euler reference); in double (the compiled text against 50 digits, beside the
+// reference's own rounding error).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,9 +15,9 @@
 namespace flatdyn {
 
 struct VerifyOptions {
-  int states = 200;  // random states in double; edge states come on top
+  int states = 200;  // random states in double; edge states are added
   unsigned seed = 1;
-  double bound = 16;  // largest scaled error allowed on random states
+  double bound = 16;  // largest scaled error allowed at random states
 };
 
 // Scaled errors: abs(x - exact) / (ε · magnitude), flatdyn/reference/magnitude.hpp.
@@ -28,7 +28,7 @@ struct FunctionReport {
   ErrorSummary generated;   // compiled text in double, random states
   ErrorSummary at_edges;    // the same at edge states, divided by 1 + the sum of all angles
   ErrorSummary reference;   // the reference itself in double
-  std::size_t refused = 0;  // states at which the code says that a pivot is lost in rounding; they count nowhere else
+  std::size_t refused = 0;  // states where the code reports a pivot lost in rounding; they are not counted elsewhere
   bool passed = false;
 };
 
@@ -46,6 +46,7 @@ struct VerifyReport {
   bool passed() const;
 };
 
+// Verifies functions of the mechanism. `robot`: the robot as written, for the reference.
 VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
                     const VerifyOptions& options, Progress& progress);
 

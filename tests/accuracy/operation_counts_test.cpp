@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Operation counts are the product: none may grow unseen. Ceilings are what is reached today.
+// Operation counts are the product: none may grow unnoticed. The ceilings are the present counts.
 #include <gtest/gtest.h>
 
 #include "graph/count.hpp"
@@ -12,7 +12,7 @@ struct Ceiling {
   const char* robot;
   const char* function;
   int multiplications, additions;
-  int candidates = 0;  // of a search
+  int candidates = 0;  // candidates of a search
 };
 
 class OperationCounts : public ::testing::TestWithParam<Ceiling> {};
@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-// Torques are B q̈ and the bias, where both are at hand: two operations for each entry of B.
+// The fused function gets the torques from B q̈ and the bias, two operations for each entry of B.
 TEST(FusedOperationCounts, AreThoseOfBAndOfTheBias) {
   const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/robots/panda.urdf", {});
   Progress quiet(true);

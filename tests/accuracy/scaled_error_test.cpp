@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The compiled text of real robots against 50 digits: what the README promises.
+// The accuracy that the README promises: the compiled text of real robots against 50 digits.
 #include <gtest/gtest.h>
 
 #include "planning/make_functions.hpp"
@@ -22,9 +22,9 @@ VerifyReport report_of(const std::string& robot, const std::vector<std::string>&
 
 class ScaledError : public ::testing::TestWithParam<const char*> {};
 
-// At most 16 units, and nowhere worse than the reference in double by more than 0.6 units: a tenth is how far one set
-// of random states differs from another, the rest is for sines and cosines of sums of parallel joints' angles, which
-// are rounded more often than those of the angles.
+// The bounds are 16 units, and 0.6 units above the reference in double. Different sets of random states differ by a
+// tenth; the rest is for sines and cosines of sums of parallel joints' angles, which are rounded more often than those
+// of the angles.
 TEST_P(ScaledError, IsSmallAndNotWorseThanTheReferences) {
   constexpr double kMore = 0.6;
   const VerifyReport report =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a scene takes away costs nothing, and what is left has the values that the general function has there.
+// The terms that a scene removes cost nothing, and the rest has the values of the general function.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ const Real50 kTolerance("1e-34");
 
 struct Case {
   const char* robot;
-  const char* joint;  // that is held
-  std::size_t index;  // of it
+  const char* joint;  // the joint that is held
+  std::size_t index;  // its index
   const char* position;
 };
 
@@ -34,7 +34,7 @@ std::string name_of(const ::testing::TestParamInfo<Case>& info) {
 
 class InAScene : public ::testing::TestWithParam<Case> {
  protected:
-  // The robot with friction in every joint.
+  // The fixture has the robot with friction in every joint.
   InAScene() {
     const std::string robot = std::string(FLATDYN_SOURCE_DIR "/robots/") + GetParam().robot;
     std::ofstream file(path());
@@ -164,7 +164,7 @@ TEST_P(InAScene, FrictionIsLeftOut) {
   }
 }
 
-// A body that moves with the tip adds its own kinetic energy: m v^2 / 2 of its centre of mass, if it has no inertia.
+// A body that moves with the tip adds its own kinetic energy: m v^2 / 2 of its centre of mass if it has no inertia.
 TEST_P(InAScene, APayloadIsCarried) {
   Scene scene;
   ScenePayload payload;
@@ -194,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, InAScene,
                                            Case{"scara.toml", "d_3", 2, "0.05"}),
                          name_of);
 
-// What README.md says of the example.
+// README.md promises these counts for the example.
 TEST(ExampleScene, TakesNoMoreOperations) {
   const std::string folder = FLATDYN_SOURCE_DIR;
   PipelineOptions options;

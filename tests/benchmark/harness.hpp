@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The states that all benchmarks go through, and their loops.
+// The states of all benchmarks, and the loops over them.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -12,7 +12,7 @@ namespace flatdyn {
 
 inline constexpr std::size_t kJoints = 7, kStates = 1024;
 
-// Entry i of state k at by_entry[i * kStates + k], and at of(k)[i].
+// States in two layouts: entry i of state k is at by_entry[i * kStates + k], and at of(k)[i].
 class States {
  public:
   explicit States(unsigned seed) : by_entry(kJoints * kStates), by_state_(kJoints * kStates) {
@@ -44,7 +44,7 @@ inline const States& qdd() {
   return states;
 }
 
-// function(entry) in another scalar: entry i of state k at [k * kJoints + i].
+// Converts the results of function(entry) to another scalar: entry i of state k is at [k * kJoints + i].
 template <class Scalar, class Function>
 std::vector<Scalar> mapped(const States& states, Function function) {
   std::vector<Scalar> result;
@@ -54,7 +54,7 @@ std::vector<Scalar> mapped(const States& states, Function function) {
   return result;
 }
 
-// call(k) for state after state.
+// Times call(k) for state after state.
 template <class Call>
 void run(benchmark::State& state, Call call) {
   std::size_t k = 0;
@@ -66,7 +66,7 @@ void run(benchmark::State& state, Call call) {
 
 inline void add(const char* name, void (*function)(benchmark::State&)) { benchmark::RegisterBenchmark(name, function); }
 
-// The recursive reference, and Orocos KDL where it is installed.
+// Adds the recursive reference and, if it is installed, Orocos KDL.
 void add_peers();
 
 }  // namespace flatdyn

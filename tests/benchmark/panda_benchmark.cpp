@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time of one call for the Panda: generated code, one state at a time, with other sources of sines and cosines, in
-// float and over SIMD lanes, beside the recursive reference and, where it is installed, Orocos KDL. Every call gets
+// Time of one call for the Panda: generated code for one state at a time, with other sources of sines and cosines, in
+// float and over SIMD lanes, beside the recursive reference and, if it is installed, Orocos KDL. Every call gets
 // another state. scripts/bench runs it.
 #include <cmath>
 
@@ -22,7 +22,7 @@ void run_generated(benchmark::State& state, Call call) {
   });
 }
 
-// Time per state.
+// Times a batch; the result is the time per state.
 template <std::size_t entries, class Call>
 void run_batch(benchmark::State& state, Call call) {
   std::vector<double> result(entries * kStates);

@@ -42,7 +42,7 @@ for name, inputs, entries in (
         in_cpp.append(seconds(lambda: getattr(peer, name)(ctypes.c_size_t(STATES), *pointers)))
         in_python.append(seconds(lambda: getattr(panda, name)(*rows[:inputs])))
     cpp, python = (statistics.median(times) / STATES * 1e9 for times in (in_cpp, in_python))
-    # Of the same states, but for the rounding of sines.
+    # The results for the same states are equal up to the rounding of sines.
     found = getattr(panda, name)(*rows[:inputs]).reshape(STATES, entries).T
     scale = numpy.abs(result).max()
     assert numpy.abs(found - result).max() < 1e4 * numpy.finfo(number).eps * scale, name

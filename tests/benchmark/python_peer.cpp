@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The C++ batch of the functions that python_batch.py times, as a library that it calls: the same states, in the order
-// that flatdyn/batch.hpp wants them, joint by joint.
+// The C++ batch of the functions that python_batch.py times, as a library that it calls: the same states, in the layout
+// of flatdyn/batch.hpp, joint by joint.
 #include <cstddef>
 
 #include "flatdyn/batch.hpp"
 #include "panda.hpp"
 
-using Number = NUMBER;  // "double" or "float", by the compiler's options
+using Number = NUMBER;  // "double" or "float", set by a compiler option
 
 namespace {
 

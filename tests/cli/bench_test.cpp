@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// flatdyn bench: what it measures, prints and writes. How fast something is depends on the machine and is not tested.
+// flatdyn bench: its measurements, output and files. Speed depends on the machine and is not tested.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Two skew joints, the second one prismatic; no rotors and no friction, as KDL wants it.
+// An arm with two skew joints, the second one prismatic, without rotors and friction, which KDL does not have.
 constexpr const char* kArmText = R"(<robot name="arm">
   <link name="base"/>
   <link name="upper"><inertial><origin xyz="0.1 0.2 0.3"/><mass value="2"/>
@@ -71,7 +71,8 @@ void expect_ordered_times(const json& function) {
   }
 }
 
-// In units of the last place: double and peers a few, float 2^29 times as many. MuJoCo's are those of its inertia.
+// The errors in units of the last place: a few in double and for peers, 2^29 times as many in float. MuJoCo's are
+// relative to its inertia.
 void expect_small_errors(const std::map<std::string, json>& rows) {
   for (const auto& [name, row] : rows) {
     const double error = row["scaled_error"]["max"];
@@ -130,7 +131,7 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   expect_stages_of(result["robots"][0]["stages"], functions.size());
 }
 
-// The whole model's numbers are what the errors of an abbreviated function are against.
+// Errors of an abbreviated function are measured against the whole model's values.
 TEST(Bench, ShowsWhatErrorBudgetsBuyAndCost) {
   const Outcome outcome = run_flatdyn(
       "bench robots/panda.urdf -q --json --time 0.02 --states 20 --functions inverse_dynamics,jacobian "
@@ -157,7 +158,7 @@ TEST(Bench, MakesNoBudgetsOfItsOwnForAnAbbreviatedModel) {
   EXPECT_THAT(result["left_out"], Contains("error budget 0.1%: the model has one already"));
 }
 
-// Free symbols, rotors (which the reference knows), and all that SIMD lanes have a part in.
+// A robot with free symbols and rotors (which the reference supports), in all variants with SIMD lanes.
 TEST(Bench, MeasuresLanesOfARobotWithSymbols) {
   const Outcome outcome = run_flatdyn(
       "bench robots/planar_2r.toml -q --time 0.02 --states 10 --functions kinetic_energy "

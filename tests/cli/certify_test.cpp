@@ -59,7 +59,7 @@ TEST(Certify, IsTheSameEachTime) {
   EXPECT_EQ(scripts(), scripts());
 }
 
-// An arm of docs/certificates.md: the long form is there, for more of them, with Gappa.
+// The arm of docs/certificates.md in a short form; the long form, with more arms and with Gappa, is there.
 TEST(Certify, OfAnArmWithRandomTwistsIsWithin300TimesWhatIsSeen) {
   const Scratch scratch;
   const std::string make =
@@ -87,7 +87,7 @@ TEST(Certify, SaysWhetherFloatIsEnough) {
               HasSubstr("float is not enough: errors of more than 1e-07 %"));
 }
 
-// A caller's sines, off by what the certificate was told: -1 and 1 times that, by the bits of a number.
+// A program that passes sines of its own, wrong by the declared error times -1 or 1, chosen by the bits of a number.
 constexpr const char* kWithSinesThatAreOff = R"(#include <cstdio>
 #include <random>
 #include "planar_2r_example_7_2.hpp"
@@ -132,7 +132,7 @@ std::vector<double> inverse_dynamics_bounds(const Scratch& scratch, const std::s
   return bounds;
 }
 
-// With the compiled text.
+// The bound holds for the compiled text with the caller's sines.
 TEST(Certify, HoldsForSinesOfTheCallersOwn) {
   const Scratch scratch;
   const std::vector<double> good = inverse_dynamics_bounds(scratch, "--scalar float");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Outputs that are compared or only named instead of written, and what a build tool is told about them.
+// Outputs that are compared or only named instead of written, and the dependencies that a build tool gets.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(DryRun, NamesTheOutputsAndWritesNothing) {
   EXPECT_TRUE(scratch.is_empty());
 }
 
-// Header and source belong together: each is compared, named and depended on.
+// Header and source belong together: each is compared, named and listed as a target.
 TEST(Pair, IsDeliveredAsTwoFiles) {
   const Scratch scratch;
   const std::string pair = "--form pair --scalar double,float";
@@ -94,8 +94,8 @@ TEST(Pair, IsOfCppOnly) {
   EXPECT_THAT(refused("--form pair --scalar double,half"), HasSubstr("half"));
 }
 
-// A light link far out: masses are in units of its own, so that some constants are beyond float's numbers. Its length
-// of 1e-20 m is dust, which --snap 0 keeps.
+// A light link far out. The program chooses units for masses by it, so some constants are outside float's range. Its
+// length of 1e-20 m is dust, which --snap 0 keeps.
 constexpr const char* kLightLink = R"(<robot name="light">
   <link name="base"/>
   <link name="arm"><inertial><origin xyz="0.5 0 0"/><mass value="1"/>
@@ -153,7 +153,7 @@ TEST(Float, IsWideEnoughForARobot) {
 
 TEST(DryRun, IsNoCheck) { EXPECT_EQ(run_flatdyn(generate("/nowhere/at/all", "-n --check")).code, 2); }
 
-// A scene and the robot file that the robot file is written over count, too; make takes the rule as it is.
+// A scene, and the robot file over which the robot file is written, count, too; make accepts the rule as it is.
 TEST(Depfile, NamesEveryFileThatWasRead) {
   const Scratch scratch;
   scratch.write("a pendulum.toml",
@@ -187,7 +187,7 @@ TEST(Depfile, IsNeitherAnInputNorAnotherOutput) {
   EXPECT_TRUE(scratch.is_empty());
 }
 
-// Every page is read by man without a warning, and knows every option of --help.
+// man reads every page without a warning, and every option of --help is on it.
 TEST(Man, HasAPageForEverySubcommand) {
   const Scratch scratch;
   ASSERT_EQ(run_flatdyn("man -o " + scratch.path("man")).code, 0);
@@ -208,7 +208,7 @@ TEST(Man, HasAPageForEverySubcommand) {
   EXPECT_EQ(run_flatdyn("man generat").code, 2);
 }
 
-// What bash offers for a line, with the cursor at its end.
+// The completions that bash offers for a line with the cursor at its end.
 std::string completed(const std::string& line) {
   const Scratch scratch;
   scratch.write("complete", fmt::format(R"(source <('{}' completion)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every command that these pages give is run as it stands, in a folder of the test's own, and prints what they say.
-// Links, lines and figures of all pages hold, and the pages of commands have the program's own words.
+// Every command on these pages is run as it stands, in a folder of the test's own, and prints what the page shows.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,7 +29,7 @@ std::vector<std::string> lines_of(const fs::path& page) {
   return lines;
 }
 
-// A user's folder: robots/, docs/ and runtime/ are there, what is written goes beside them, and flatdyn is on the PATH.
+// A user's folder: robots/, docs/ and runtime/ are in it, outputs go beside them, and flatdyn is on the PATH.
 class UsersFolder {
  public:
   UsersFolder() {
@@ -39,7 +38,7 @@ class UsersFolder {
     }
   }
 
-  // As it stands on the page.
+  // Runs a command as it stands on the page.
   Outcome run(const std::string& command) const {
     const std::string path = fs::path(FLATDYN_PROGRAM).parent_path().string();
     const int status = std::system(
@@ -54,9 +53,9 @@ class UsersFolder {
   Scratch folder_;
 };
 
-// A line of a code block that begins with one of these is a command.
+// The prefixes of commands in a code block.
 constexpr const char* kPrompts[] = {"    flatdyn ", "    make -C out", "    cd out && cc ", "    g++ ", "    ./"};
-const std::string kPrints = "    → ";  // begins a line of the page that the command before it prints
+const std::string kPrints = "    → ";  // prefix of the expected output of the command before it
 
 bool is_command(const std::string& line) {
   return std::any_of(std::begin(kPrompts), std::end(kPrompts),
@@ -131,7 +130,7 @@ TEST_P(Page, HasCommandsThatRunAndPrintWhatItSays) {
   EXPECT_GT(reading.commands(), 0);
 }
 
-// The page of the format opens with a plan.
+// The page on the format begins with a plan.
 TEST(TrajectoryFormat, HasAnExampleThatRuns) {
   const Scratch scratch;
   std::string plan;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// flatdyn excite: the files that it writes, what it prints, and its exit codes.
+// flatdyn excite: its files, its output, and its exit codes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(Excite, KeepsToItsFolderWhateverTheRobotIsCalled) {
   EXPECT_THAT(scratch.read("folder/an_arm_1_excitation.csv"), StartsWith("t,q1,"));
 }
 
-// The expected torques are those that the recursive reference needs for the motion.
+// The expected torques are those of the recursive reference for the motion.
 TEST(Excite, TorquesAreInverseDynamics) {
   const Scratch scratch;
   ASSERT_EQ(run_flatdyn(kExcite + std::string("-q --duration 5 --rate 20 -o ") + scratch.path()).code, 0);

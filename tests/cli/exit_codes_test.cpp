@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exit codes as docs/exit-codes.md has them, and that nothing is written when something is wrong.
+// Exit codes as in docs/exit-codes.md, and that nothing is written after an error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -54,7 +54,7 @@ TEST(ExitCodes, AWrongFileIsInput) {
   EXPECT_FALSE(std::filesystem::exists(scratch.path("out")));
 }
 
-// What is not there yet for closed loops.
+// These features do not support closed loops yet.
 TEST(ExitCodes, ClosedLoopsAreRefusedWhereTheyAreNotSupported) {
   const Scratch scratch;
   const std::string robot = "robots/slider_crank.toml", out = scratch.path("out");
@@ -105,7 +105,7 @@ TEST(ExitCodes, AJointThatCannotBeDoneYetIsUnsupported) {
   EXPECT_FALSE(std::filesystem::exists(scratch.path("out")));
 }
 
-// No scaled error is below a bound as small as this, unless the result is exact.
+// No scaled error is below so small a bound unless the result is exact.
 TEST(ExitCodes, AFailedVerificationSaysSo) {
   const Outcome outcome = run_flatdyn("verify robots/puma560.toml --functions gravity --states 20 --bound 1e-9");
   EXPECT_EQ(outcome.code, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Real URDF files, if the folder is there (FLATDYN_EXTRA_ROBOTS, or ../shared/robots beside the sources): each
+// Real URDF files, if the folder exists (FLATDYN_EXTRA_ROBOTS, or ../shared/robots beside the sources): each one
 // verifies, or is refused with the reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // `flatdyn generate --language c` and `--firmware`: the folder builds as it is, its self test passes in the emulated
-// processor, and does not where a vector is wrong; code and stack of the Panda's inverse dynamics stay within limits.
+// processor and fails if a vector is wrong; code and stack of the Panda's inverse dynamics stay within limits.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class Firmware : public ::testing::Test {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
 
-  // The exit code, and in `log` what was printed.
+  // Runs make. Returns the exit code; the output is in `log`.
   int make(const std::string& target) {
     const int status = std::system(fmt::format("make -C '{}' {} > '{}' 2>&1", folder_.path(), target, log()).c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -43,7 +43,7 @@ class Firmware : public ::testing::Test {
   std::string log() const { return folder_.path("log"); }
   std::string printed() const { return folder_.read("log"); }
 
-  // A row of `make size`: bytes of code, of .rodata, of stack; spills, instructions, conditional branches.
+  // A row of `make size`: bytes of code, of .rodata and of stack; spills, instructions and conditional branches.
   std::vector<int> row(const std::string& function) const {
     std::istringstream lines(printed());
     for (std::string line; std::getline(lines, line);) {
@@ -58,7 +58,8 @@ class Firmware : public ::testing::Test {
     return {};
   }
 
-  // Straight-line code executes each of its instructions once; the others are the loop's, and pass arguments.
+  // Straight-line code executes each of its instructions once; the remaining ones belong to the loop and pass
+  // arguments.
   void expect_measured_as_counted(const std::string& prefix, const std::vector<std::string>& functions) {
     constexpr int kAround = 20;
     ASSERT_EQ(make("size"), 0) << printed();
@@ -71,7 +72,7 @@ class Firmware : public ::testing::Test {
     ASSERT_EQ(make("measure"), 0) << printed();
     EXPECT_THAT(printed(), Not(HasSubstr("warning")));
     for (std::size_t k = 0; k < functions.size(); ++k) {
-      const std::vector<int> measured = row(functions[k]);  // sines given, and of libm
+      const std::vector<int> measured = row(functions[k]);  // with given sines, and with those of libm
       ASSERT_EQ(measured.size(), 2u) << printed();
       EXPECT_GT(measured[0], counted[k]) << functions[k];
       EXPECT_LE(measured[0], counted[k] + kAround) << functions[k];
@@ -110,8 +111,8 @@ TEST_F(Firmware, PandaInDoubleOnCortexM7Passes) {
   expect_measured_as_counted("panda_", {"inverse_dynamics"});
 }
 
-// C++ in header and source, in float; of the C++ library it needs <cmath>, which for this processor is a package of its
-// own.
+// C++ in header and source, in float. It needs only <cmath> of the C++ library, which is a separate package for this
+// processor.
 TEST_F(Firmware, ThePairInCppIsAsSmallAsTheCForm) {
   if (!has_program("arm-none-eabi-g++")) GTEST_SKIP() << "arm-none-eabi-g++ is not installed: scripts/setup";
   generate("robots/panda.urdf --form pair --scalar float --functions inverse_dynamics");
@@ -130,7 +131,7 @@ TEST_F(Firmware, ThePairInCppIsAsSmallAsTheCForm) {
   ASSERT_TRUE(std::regex_search(text, stack, std::regex("inverse_dynamics.*LibrarySinCos\\]\t([0-9]+)"))) << text;
   constexpr int kHexadecimal = 16;
   EXPECT_LE(std::stoi(code[1], nullptr, kHexadecimal), 3500);
-  EXPECT_LE(std::stoi(stack[1]), 376);  // of the C form
+  EXPECT_LE(std::stoi(stack[1]), 376);  // the C form's
   EXPECT_THAT(text, ::testing::ContainsRegex(" U cosf\n +U sinf\n"));
   EXPECT_THAT(text, Not(::testing::ContainsRegex(" U [^sc]")));
 }
@@ -159,7 +160,7 @@ class OtherProcessor : public Firmware, public ::testing::WithParamInterface<con
     }
   }
 
-  // Different ones.
+  // The number of different constants in a function.
   int numbers_in(const std::string& function) const {
     const std::string source = folder_.read("panda.c");
     const std::size_t begin = source.find("{\n", source.find("void " + function + "("));
@@ -184,8 +185,8 @@ TEST_P(OtherProcessor, RunsThePandaAndNoticesAWrongVector) {
   ASSERT_EQ(given.size(), 6u) << printed();
   EXPECT_GE(given[4], 529);  // instructions: one at least for each operation
   EXPECT_EQ(given[5], 0);    // conditional branches
-  // .rodata: the numbers of the text, but for those that fit into an instruction, and perhaps a negative beside its
-  // number.
+  // .rodata holds the constants of the text, except those that fit into an instruction, and perhaps a negative beside
+  // its number.
   const int numbers = numbers_in("panda_inverse_dynamics_given"), bytes = GetParam() == std::string("riscv32") ? 4 : 8;
   EXPECT_EQ(given[1] % bytes, 0);
   EXPECT_LE(given[1], (numbers + 2) * bytes);
@@ -204,7 +205,7 @@ TEST_P(OtherProcessor, RunsThePandaAndNoticesAWrongVector) {
 INSTANTIATE_TEST_SUITE_P(Firmware, OtherProcessor, ::testing::Values("riscv32", "riscv64", "aarch64"),
                          [](const auto& test) { return std::string(test.param); });
 
-// Control at the tip: states at which the task is singular are left out.
+// Control at the tip; states with a singular task are left out.
 TEST_F(Firmware, TheOperationalSpaceRunsThere) {
   generate("robots/ur5.urdf --firmware cortex-m7 --functions operational_inertia,operational_bias");
   EXPECT_EQ(make("run"), 0) << printed();
@@ -224,7 +225,7 @@ TEST_F(Firmware, ASelfTestCanFail) {
   EXPECT_THAT(printed(), ::testing::ContainsRegex("in float, at [0-9]+ states: FAILED\n"));
 }
 
-// An error that is allowed, but larger than what is proven: then the proof is wrong, or the target is.
+// An error that is allowed but larger than the proven bound shows that the proof or the target is wrong.
 TEST_F(Firmware, AnErrorBeyondTheProvenBoundIsAFailure) {
   generate("robots/panda.urdf --firmware cortex-m4 --functions gravity");
   std::string vectors = folder_.read("test_vectors.c");
@@ -256,13 +257,13 @@ TEST(LanguageC, WritesHeaderAndSource) {
   EXPECT_THAT(source, Not(HasSubstr("double ")));
 }
 
-// Of the required rules only 8.14, restrict, is broken: docs/firmware.md lists why, and the advisory ones.
+// Rule 8.14, restrict, is the only required rule that is violated; docs/firmware.md explains it and the advisory ones.
 TEST(LanguageC, DeviatesFromNoOtherRuleOfMisra) {
   if (!has_program("cppcheck")) GTEST_SKIP() << "cppcheck is not installed: scripts/setup";
   const std::set<std::string> listed = {"2.4", "8.7", "8.14", "10.5", "12.1", "12.3", "13.4"};
   std::set<std::string> found;
   for (const char* options : {"scara.toml", "scara.toml --max-lines 30", "puma560.toml --functions inverse_dynamics"}) {
-    const Scratch folder;  // of two robots the addon takes the enumerations without tags for one
+    const Scratch folder;  // with both robots in one folder, the addon confuses their enumerations without tags
     const Outcome outcome =
         run_flatdyn(fmt::format("generate robots/{} --language c --scalar float -q -o '{}'", options, folder.path()));
     ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -24,7 +24,7 @@ class IdentifyFiles : public ::testing::Test {
     write_log(scratch.path("n.csv"), simulated(model_of("planar_2r_example_7_2.toml"), {.samples = 50}));
     scratch.write("rob.toml", fmt::format("robot = \"{}\"\n", arm));
   }
-  // `arguments` with {0} for the scratch folder.
+  // Runs `arguments` with {0} replaced by the scratch folder.
   Outcome run(const std::string& arguments) const {
     return run_flatdyn(fmt::format(fmt::runtime(arguments), scratch.path()));
   }
@@ -127,7 +127,7 @@ TEST_F(IdentifyFiles, PayloadKeepsTheSettingsAndQuotesNames) {
   EXPECT_EQ(loaded.mechanism.gravity[1], Number(-2));
 }
 
-// The decimal is taken for pi/2, and the file says so.
+// The decimal is snapped to pi/2, and the file says so.
 TEST_F(IdentifyFiles, PayloadRepeatsTheScene) {
   const LoadedRobot before = load_robot(scratch.path("rob.toml"), {});
   const std::string joint = before.mechanism.bodies[0].joint;
@@ -155,7 +155,7 @@ TEST_F(IdentifyFiles, AWristNeedsNoTorques) {
   expect("payload {0}/rob.toml --data {0}/wrist.csv", 3, "no column for the torques");
 }
 
-// Ten seconds from pose to pose are no milliseconds: the robot stands still in them.
+// Ten seconds between poses are not milliseconds: the robot stands still in them.
 TEST_F(IdentifyFiles, AWristTakesPosesThatAreFarApart) {
   std::string log = "t,q0,q1,qd0,qd1,qdd0,qdd1,fx,fy,fz,mx,my,mz\n";
   for (int k = 0; k < 40; ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// flatdyn identify as a user runs it: log in, robot file out, spread over ranks, and the examples of docs/.
+// flatdyn identify as a user runs it: a log as input, a robot file as output, spread over ranks, and the examples of
+// docs/.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ std::vector<std::vector<double>> numbers_of(const std::string& csv) {
   return rows;
 }
 
-// Torques of a robot file at the states of a log.
+// The torques of a robot file at the states of a log.
 std::vector<std::vector<double>> torques(const std::string& robot, const std::string& log) {
   const Outcome outcome = run_flatdyn(fmt::format("eval {} -q --function inverse_dynamics --states {}", robot, log));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -59,8 +60,8 @@ TEST(Identify, WritesARobotFileWhoseTorquesAreThoseMeasured) {
   }
 }
 
-// The robot has neither friction nor rotors, the file has both: where only inertias are asked for, the robot that is
-// written has neither.
+// The robot has neither friction nor rotors, but the file has both. If only inertias are asked for, the robot written
+// has neither.
 TEST(Identify, LeavesFrictionAndRotorsOutWhereOnlyInertiasAreAskedFor) {
   const Scratch scratch;
   const std::string log = scratch.path("log.csv"), output = scratch.path("identified.toml");
@@ -83,7 +84,7 @@ TEST(Identify, LeavesFrictionAndRotorsOutWhereOnlyInertiasAreAskedFor) {
   }
 }
 
-// Torques in mN m.
+// The log has torques in mN m.
 TEST(Identify, SaysWhatIsBeyondAllSizes) {
   const Scratch scratch;
   auto samples = simulated(model_of("planar_2r_example_7_2.toml"), {.samples = 500});
@@ -104,7 +105,7 @@ TEST(Identify, SaysWhatIsBeyondAllSizes) {
   }
 }
 
-// The second joint's torque is another signal: the weights give it up, and nothing else would say so.
+// The second joint's torque is a different signal: its weight becomes so small that no other check would notice.
 TEST(Identify, SaysThatAJointIsNotExplained) {
   const Scratch scratch;
   auto samples = simulated(model_of("planar_2r_example_7_2.toml"), {.samples = 500});
@@ -191,7 +192,7 @@ TEST(Payload, ComesOutAsARobotFile) {
   }
 }
 
-// The mass comes out negative, which no body has.
+// The mass comes out negative, which is impossible.
 TEST(Payload, SaysThatLogsMayBeExchanged) {
   const Scratch scratch;
   scratch.write("truth.toml", fmt::format("robot = \"{}/robots/puma560.toml\"\n[payload]\nmass = 1.5\n"
@@ -233,7 +234,7 @@ TEST(Identify, SaysThatALogIsTooShortForTheFilter) {
   EXPECT_THAT(outcome.err, HasSubstr("none of 50 samples can be used: the filter's window has 89 of them"));
 }
 
-// Four ranks, each with its part of the log.
+// Four ranks, each with a part of the log.
 class MpiTest : public ::testing::Test {
  protected:
   Scratch scratch;
@@ -244,7 +245,7 @@ class MpiTest : public ::testing::Test {
               simulated(model_of("planar_2r_example_7_2.toml"), {.samples = 300000, .rate = 1000}));
   }
 
-  // `limit`: what flatdyn is run by.
+  // Runs the ranks; `limit` is a command that runs flatdyn under a limit.
   void run_ranks(const std::string& limit) {
     scratch.write("rank.sh", fmt::format("{} {} identify robots/planar_2r_example_7_2.toml -q --data {} -o "
                                          "{}$OMPI_COMM_WORLD_RANK.json --part $((OMPI_COMM_WORLD_RANK + 1))/4\n",
@@ -276,7 +277,7 @@ TEST_F(MpiTest, RanksTogetherFindWhatOneRunFinds) {
   }
 }
 
-// While it compiles the regressor, which takes longer.
+// The rank is killed while it compiles the regressor, which takes longest.
 TEST_F(MpiTest, OfARankThatWasKilledThePartIsMissed) {
   run_ranks("exec $(if [ $OMPI_COMM_WORLD_RANK = 2 ]; then echo timeout -s KILL 0.2; fi)");
   const Outcome outcome = merged();
@@ -302,7 +303,7 @@ TEST(Examples, ThePlanarArmIsIdentifiedFromExample72sMotion) {
             0);
 }
 
-// The robot file that is given has all masses wrong: what comes out must be right nevertheless.
+// All masses of the given robot file are wrong; the result must be right nevertheless.
 TEST(Examples, APandaIsIdentifiedFromAnExcitationWithNoise) {
   const Scratch scratch;
   ASSERT_EQ(run_example("identify_panda.sh", scratch.path()).code, 0) << scratch.read("err");

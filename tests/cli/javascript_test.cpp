@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `flatdyn generate --language javascript`: Node imports the module, and it does what its text says.
+// `flatdyn generate --language javascript`: Node imports the module, which behaves as its text says.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ assert.equal(panda.position_upper[0], 2.8973);
       << folder_.read("log");
 }
 
-// The tip's angles take one: what the null space is left with exerts nothing along them, (7.140).
+// The angles of the tip need a square root. Torques in the null space exert nothing along them, (7.140).
 TEST_F(Javascript, TakesSquareRoots) {
   folder_.write("scene.toml", "orientation = \"rpy\"\ntask = [\"theta\", \"psi\"]\n");
   generate("robots/ur5.urdf --functions operational_inertia,null_space_torque --scene '" + folder_.path("scene.toml") +
@@ -79,7 +79,7 @@ for (let j = 0; j < 2; ++j) {
       << folder_.read("log");
 }
 
-// Free symbols of the robot, and a B that is not positive definite.
+// The robot has free symbols, and a B that is not positive definite.
 TEST_F(Javascript, TakesParametersAndSaysWhereThereIsNoResult) {
   generate("robots/planar_2r.toml --functions gravity,forward_dynamics --name arm --max-lines 40");
   EXPECT_EQ(run(R"js(import * as arm from './arm.js';
@@ -116,7 +116,7 @@ assert.deepEqual(arm.parameter_names, ['Math', 'let', 'yield']);
       << folder_.read("log");
 }
 
-// Unicode's separators of lines end a comment there.
+// Unicode's line separators end a comment in JavaScript.
 TEST(JavascriptUsage, CommentsEndWhereTheyShould) {
   const Scratch scratch;
   scratch.write("arm.toml",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `flatdyn derive --latex` prints, in a document: it compiles, and no line is wider than the page.
+// The output of `flatdyn derive --latex` in a document: it compiles, and no line is wider than the page.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -39,7 +39,7 @@ TEST(ManipulabilityCommand, PrintsJson) {
   EXPECT_EQ(document["poses"][1]["q"], (json{1.5, -1.2}));
 }
 
-// Of a spatial arm four views, side by side; along a path also how the half axes change.
+// For a spatial arm there are four views, side by side; along a path also curves of the half axes.
 TEST(ManipulabilityCommand, DrawsViewsAndPaths) {
   const Scratch scratch;
   std::string path = "t,q1,q2,q3,q4,q5,q6\n";

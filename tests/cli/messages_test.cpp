@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a person reads first: mistakes in the command line, help, errors as JSON, robots through pipes.
+// The messages that a person reads first: mistakes on the command line, help, errors as JSON, robots through pipes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

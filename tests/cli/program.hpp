@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Runs the built program as a user does: arguments in; exit code, stdout and stderr out.
+// Runs the built program as a user does: it passes arguments and collects exit code, stdout and stderr.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@ struct Outcome {
   std::string out, err;
 };
 
-// `arguments` as a shell takes them; the current folder is the project's.
+// Runs flatdyn in the project's folder; `arguments` as a shell takes them.
 Outcome run_flatdyn(const std::string& arguments);
 
-// A folder of the test's own, gone at its end.
+// A folder for one test, which is removed at its end.
 class Scratch {
  public:
   Scratch();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Modules that `flatdyn generate --python` writes, compiled and imported as their users do.
+// Modules written by `flatdyn generate --python`, compiled and imported as users do.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ class Python : public ::testing::Test {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
 
-  // With the command that the module's own text names.
+  // Compiles the library with the command that the module's own text names.
   void build(const std::string& name) const {
     const std::string text = folder_.read(name + ".py");
     const std::size_t begin = text.find("cc -std=c99");

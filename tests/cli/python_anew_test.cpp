@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A module, its library and its Parameters as they change with the robot: what does not fit any more is refused.
+// A module, its library and its Parameters after a change of the robot: parts that no longer fit are refused.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace flatdyn::testing {
 namespace {
 
-// With the command that the module names, as one who has just read it.
+// Compiles with the command that the module names, as a reader of it would.
 constexpr const char* kMakesAnew = R"py(import os, subprocess, sys
 sys.dont_write_bytecode = True  # what has the same second and size is the same to Python
 def generate(robot):
@@ -39,7 +39,7 @@ class PythonAnew : public Python {
     write_pendulum("light", 1, 1), write_pendulum("heavy", 2, 1), write_pendulum("double", 1, 2);
   }
 
-  // Masses of `mass` kg at the ends of horizontal links of 1 m each.
+  // Writes a pendulum with masses of `mass` kg at the ends of horizontal links of 1 m each.
   void write_pendulum(const std::string& name, int mass, int links) const {
     std::string text = "name = \"arm\"\ngravity = [0, -10, 0]\ndh = \"standard\"\n";
     for (int k = 0; k < links; ++k) {
@@ -79,7 +79,7 @@ refused(lambda: arm.gravity([0.0]), ValueError, "(2,)")
       << folder_.read("log");
 }
 
-// In another process there is nothing to reload; a library from before there were hashes is no better.
+// Another process has nothing to reload; a library from before hashes existed is refused, too.
 TEST_F(PythonAnew, AStaleLibraryIsRefusedOnImport) {
   EXPECT_EQ(run(kMakesAnew + std::string(R"py(import sys
 def python(code):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `flatdyn generate --python`: the module is imported by Debian's Python with numpy, and does what its text says.
+// `flatdyn generate --python`: Debian's Python imports the module with numpy, and it behaves as its text says.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ for wrong in (lambda: panda.inertia_matrix(np.zeros(6)), lambda: panda.inverse_d
       << folder_.read("log");
 }
 
-// Free symbols of the robot, float, and a B that is not positive definite.
+// The robot has free symbols, is in float, and its B is not positive definite.
 TEST_F(Python, TakesParametersAndSaysWhereThereIsNoResult) {
   generate("robots/planar_2r.toml --scalar float --functions gravity,forward_dynamics --name arm --namespace arm");
   build("arm");
@@ -67,7 +67,7 @@ assert np.isnan(arm.forward_dynamics(none, np.zeros((3, 2)), np.zeros(2), np.zer
       << folder_.read("log");
 }
 
-// The C form's own functions, with libm's sines, in the same library: what batches are compared with.
+// The C form's own functions, with libm's sines, in the same library, for comparison with batches.
 constexpr const char* kSingleCalls = R"py(import ctypes
 import numpy as np
 
@@ -86,7 +86,7 @@ def same_bits(a, b):
     return np.array_equal(a, b, equal_nan=True)
 )py";
 
-// Whatever the last block of lanes has room for. Where sines and cosines are exact, all bits.
+// Batches of sizes that fill the last block of lanes differently. If sines and cosines are exact, all bits agree.
 TEST_F(Python, BatchesAreWhatSingleCallsAre) {
   for (const char* scalar : {"double", "float"}) {
     generate(fmt::format("robots/panda.urdf --functions inverse_dynamics,inertia_matrix,forward_dynamics --scalar {}",
@@ -114,7 +114,7 @@ for n in (1, 7, 8, 9, 1000):
   }
 }
 
-// Prismatic joints, friction with its signs, free symbols; a function that returns a number.
+// A robot with prismatic joints, friction with its signs and free symbols; a function that returns a number.
 TEST_F(Python, BatchesOfRobotsWithoutSinesHaveTheSameBits) {
   generate("robots/cartesian_2.toml --functions inverse_dynamics,inertia_matrix,kinetic_energy");
   build("cartesian_2");
@@ -141,8 +141,8 @@ assert np.nanmin(tau[qd[:, 0] > 0, 0]) > 1 and np.isnan(tau).any() and np.isfini
       << folder_.read("log");
 }
 
-// R of a pendulum are its sine and cosine. Beyond 1e5 rad, in float 6400 rad, the library is asked, in the lanes that
-// need it.
+// R of a pendulum consists of its sine and cosine. Beyond 1e5 rad, in float 6400 rad, the lanes that need it call the
+// library.
 TEST_F(Python, SinesOfBatchesAreRightToOneUlpAndLargeAnglesAreTheLibrarys) {
   for (const char* scalar : {"double", "float"}) {
     generate(fmt::format("robots/pendulum_motor.toml --functions forward_kinematics --scalar {}", scalar));
@@ -175,7 +175,8 @@ assert (np.isnan(R[:, 0, 0]) == ~np.isfinite(q)).all() and (R[q == 0, 1, 0] == 0
   }
 }
 
-// In float, every angle from 1 to 4 rad, every 101st from denormal ones to the library's, and those around the limit.
+// In float: every angle from 1 to 4 rad, every 101st from denormal ones to those of the library, and those around the
+// limit.
 TEST_F(Python, SinesOfFloatsAreRightToOneUlpAtAllAngles) {
   generate("robots/pendulum_motor.toml --functions forward_kinematics --scalar float");
   build("pendulum_motor");
@@ -202,7 +203,7 @@ for first, last, step in (bits(1), bits(4), 1), (1, bits(1), 101), (bits(4), lim
       << folder_.read("log");
 }
 
-// Rows that squares of 16 bytes do not divide, of 2 to 36 entries, with blocks that are full and one that is not.
+// Rows of 2 to 36 entries, which do not all fill squares of 16 bytes, with full blocks and a partial one.
 TEST_F(Python, RowsOfAllLengthsAreReadAndWrittenWhole) {
   for (const char* scalar : {"double", "float"}) {
     for (const std::string robot : {"prismatic_revolute.toml", "scara.toml", "ur5.urdf"}) {
@@ -224,7 +225,7 @@ for function in (arm.inertia_matrix, arm.gravity):
   }
 }
 
-// Of a function's definition: without line breaks, types, or the spreading of numbers over lanes.
+// The statements of a function's definition without line breaks, types, or the spreading of numbers over lanes.
 std::string statements(const std::string& source, const std::string& function, const std::string& prefix) {
   const std::size_t begin = source.find(" " + function + "(");
   if (begin == std::string::npos) return "";
@@ -236,7 +237,7 @@ std::string statements(const std::string& source, const std::string& function, c
   return std::regex_replace(text, std::regex("\\s+"), " ");
 }
 
-// What was proven of one state's text holds for that of lanes.
+// The proof of the text for one state also holds for lanes.
 TEST_F(Python, StatementsOfLanesAreThoseOfOneState) {
   generate("robots/panda.urdf --functions inverse_dynamics,forward_dynamics,base_regressor");
   generate("robots/planar_2r.toml --functions gravity,kinetic_energy,forward_dynamics");
@@ -254,7 +255,7 @@ TEST_F(Python, StatementsOfLanesAreThoseOfOneState) {
   }
 }
 
-// As many packed operations as the text has, and next to none that are not.
+// There are as many packed operations as in the text, and almost no others.
 TEST_F(Python, BatchesAreInSimdRegisters) {
   const bool is_here = std::system("objdump --version > /dev/null 2>&1") == 0;
   if (!is_here || std::system("uname -m | grep -q x86_64") != 0) GTEST_SKIP() << "objdump of x86-64 counts";
@@ -277,7 +278,7 @@ TEST_F(Python, BatchesAreInSimdRegisters) {
   }
 }
 
-// 32 joints, in one block of lanes; its compiler stays quick.
+// 32 joints in one block of lanes; the compiler must stay fast.
 TEST_F(Python, LargeRobotsCompile) {
   generate("robots/humanoid32.urdf --functions inverse_dynamics,inertia_matrix,forward_dynamics --max-lines 500");
   build("humanoid32");
@@ -316,7 +317,7 @@ for k in range(21):
       << folder_.read("log");
 }
 
-// Entries that a scene leaves out are 0, and no compiler sees an array that is not filled.
+// Entries that a scene leaves out are 0, and no compiler warns about an array that is not filled.
 TEST_F(Python, WhatASceneLeavesOutIsZero) {
   folder_.write("few.toml", "[outputs]\ninverse_dynamics = [\"tau[0]\", \"tau[2]\"]\n");
   generate(fmt::format("robots/panda.urdf --scene '{}' --name arm", folder_.path("few.toml")));
@@ -329,7 +330,7 @@ assert (tau[:, [1, 3, 4, 5, 6]] == 0).all() and (tau[:, [0, 2]] != 0).all()
       << folder_.read("log");
 }
 
-// q has the positions of all joints, qd and tau those of the crank.
+// q has the positions of all joints, qd and tau have those of the crank.
 TEST_F(Python, ClosesLoops) {
   generate("robots/slider_crank.toml");
   build("slider_crank");

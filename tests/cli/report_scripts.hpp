@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What tests add to a page of `flatdyn report`, so that it is used as by a person and tells what it shows.
+// Scripts that tests add to a page of `flatdyn report`, to use it like a person and to report what it shows.
 #pragma once
 
 namespace flatdyn::testing {
 
-// Before anything else of the page: what goes wrong is kept.
+// Runs before everything else on the page and records errors.
 inline constexpr const char* kBefore = R"js(<script>
 window.troubles = [];
 addEventListener('error', (event) => troubles.push(String(event.message)));
@@ -12,7 +12,7 @@ addEventListener('securitypolicyviolation', (event) => troubles.push('blocked ' 
 console.error = console.warn = (...words) => troubles.push(words.join(' '));
 </script>)js";
 
-// Behind the page: every slider of every kind is moved.
+// Runs after the page and moves every slider of every kind.
 inline constexpr const char* kMove = R"js(<script>
 const kinds = [...document.querySelectorAll('input[name=kind]')];
 for (const kind of kinds) {
@@ -40,7 +40,7 @@ const read = () => ({
 });
 </script>)js";
 
-// What every control changes, and a motion that plays for a while.
+// Uses every control, and plays a motion for a while.
 inline constexpr const char* kUse = R"js(<script>
 const press = (id) => document.getElementById(id).click();
 const picture = () => document.getElementById('view').innerHTML;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // `flatdyn report`: the page in a browser. It computes what `flatdyn eval` computes, fetches nothing, and is legible on
-// a phone and to those who hear it.
+// a phone and with a screen reader.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ class Report : public ::testing::Test {
     return folder_.read("page.html");
   }
 
-  // What the page tells of itself, with scripts added to it.
+  // The page's report of itself, with scripts added to it.
   json told_by(std::string page, const std::string& scripts, const std::string& frame = "") const {
     const std::size_t head = page.find("<head>") + 6;
     page.insert(head, kBefore);
@@ -117,7 +117,7 @@ TEST_P(MovedReport, ShowsWhatEvalComputes) {
   const std::vector<double> entries = evaluated(robot, "inertia_matrix", csv);
   if (g.size() <= 10) expect_near(shown.at("B"), entries, "B");
 
-  // (7.148), torques scaled by the limits where every joint has one.
+  // (7.148), with torques scaled by the limits if every joint has one.
   const auto n = static_cast<Eigen::Index>(g.size());
   const Matrix B = Eigen::Map<const Matrix>(entries.data(), n, n);
   const std::vector<double> rows = evaluated(robot, "jacobian", csv);
@@ -177,7 +177,7 @@ TEST_F(Report, AnswersEveryControlAndPlays) {
   EXPECT_NE(seen.at("tau"), json(gravity)) << "it does not move";
 }
 
-// No body has these parameters: the page says so, draws on, and comes back.
+// These parameters belong to no real body: the page says so, still draws, and recovers.
 TEST_F(Report, SaysWhereBIsNotPositiveDefinite) {
   const std::string all_zero = R"js(<script>
 const set = (value) => document.querySelectorAll('#symbols input').forEach((field) => {
@@ -195,7 +195,7 @@ set(0);
   EXPECT_EQ(again.at("troubles"), json::array());
 }
 
-// In a frame of 360 pixels nothing is wider than that.
+// Nothing is wider than a frame of 360 pixels.
 TEST_F(Report, FitsOnAPhone) {
   const std::string text = page("robots/panda.urdf");
   const json seen =
@@ -244,7 +244,7 @@ TEST(ReportFile, IsTheSameFromAnyFolder) {
   EXPECT_THAT(pages[0], HasSubstr("--tip link2"));
 }
 
-// The bounds of `flatdyn certify`; where limits are missing there are none.
+// The page shows the bounds of `flatdyn certify`; without limits there are none.
 TEST(ReportFile, HasACertificateOnRequest) {
   const Scratch folder;
   folder.write("arm.toml", R"toml(dh = "standard"
@@ -275,7 +275,7 @@ limits = { velocity = 2, acceleration = 10 }
   EXPECT_FALSE(std::filesystem::exists(none));
 }
 
-// As many squares as the header has entries that are not always zero.
+// The picture has as many squares as the header has entries that are not always zero.
 TEST(ReportFile, MapsTheRegressorAsTheHeaderHasIt) {
   const Scratch folder;
   ASSERT_EQ(run_flatdyn(fmt::format("report robots/scara.toml -q -o '{}'", folder.path("page.html"))).code, 0);
@@ -295,7 +295,7 @@ TEST(ReportFile, MapsTheRegressorAsTheHeaderHasIt) {
             filled);
 }
 
-// What flatdyn stress has saved, and no other file.
+// The page shows the file that flatdyn stress has saved, and accepts no other.
 TEST_F(Report, ShowsTheWorstStates) {
   const std::string robot = "robots/planar_2r_example_7_2.toml", out = folder_.path("found");
   ASSERT_EQ(run_flatdyn(fmt::format("stress {} -q --functions gravity,inverse_dynamics --states 100 --edges 20 "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is left in the output folder when a run is killed, has no room, may not write, or is not alone: the files of one
-// run, whole, or nothing new.
+// The output folder after a run that was killed, had no room, lacked permissions, or was not alone: the complete files
+// of one run, or nothing new.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ namespace {
 using ::testing::HasSubstr;
 using namespace std::chrono_literals;
 
-// Of two kinds, so that a mixture would be seen.
+// The options alternate between two kinds, so that a mixture of runs would be noticed.
 std::string options(bool is_float, const std::string& folder) {
   return fmt::format("generate robots/planar_2r.toml -q --functions gravity,bias -o {}{}", folder,
                      is_float ? " --scalar float" : "");
@@ -43,7 +43,7 @@ std::size_t files_in(const Scratch& scratch) {
   return static_cast<std::size_t>(std::distance(begin(folder), end(folder)));
 }
 
-// Started without a shell between, so that a signal reaches it. `before`: what the child does first.
+// Starts the program without a shell in between, so that a signal reaches it. `before` runs first in the child.
 pid_t started(
     const std::string& arguments, void (*before)() = [] {}) {
   const std::string command =
@@ -57,7 +57,7 @@ pid_t started(
   return child;
 }
 
-// The headers and manifests of a run in double and of one in float, into one folder.
+// Headers and manifests of a run in double and one in float, in the same folder.
 class KilledRuns : public ::testing::Test {
  protected:
   KilledRuns() {
@@ -72,7 +72,7 @@ class KilledRuns : public ::testing::Test {
 
   bool has_manifest() const { return std::filesystem::exists(scratch.path("planar_2r.json")); }
 
-  // The header is whole; the manifest, if it is there, is that of the same run.
+  // The header is complete; the manifest, if it exists, is that of the same run.
   void expect_files_of_one_run() const {
     const auto run = std::find(headers.begin(), headers.end(), scratch.read("planar_2r.hpp")) - headers.begin();
     ASSERT_LT(run, 2);
@@ -92,7 +92,7 @@ TEST_F(KilledRuns, LeaveFilesOfOneRunAtAnyMoment) {
   constexpr int kKills = 24;
   for (int k = 0; k < kKills; ++k) {
     const pid_t child = started(options(k % 2 == 0, scratch.path()));
-    // Over all of a run, and more often about its end, where it writes.
+    // The kills are spread over the whole run, with more of them towards its end, where it writes.
     std::this_thread::sleep_for(k % 3 == 0 ? whole * k / kKills : whole * 3 / 4 + whole * k / (2 * kKills));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
@@ -111,10 +111,10 @@ bool changes_a_folder(std::uint64_t call) {
 
 enum class End { killed, finished };
 
-// Runs the program under this one's eyes, and kills it before the k-th of its calls that rename or remove a file.
+// Runs the program under ptrace and kills it before the k-th of its calls that rename or remove a file.
 End killed_before(int k, const std::string& arguments) {
   const pid_t child = started(arguments, [] { ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr); });
-  constexpr int kCall = SIGTRAP | 0x80;  // how a stop at a system call is told from others
+  constexpr int kCall = SIGTRAP | 0x80;  // distinguishes a stop at a system call from others
   int status = 0;
   while (::waitpid(child, &status, 0) == child && WIFSTOPPED(status)) {
     ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
@@ -141,7 +141,7 @@ TEST_F(KilledRuns, LeaveFilesOfOneRunBetweenAnyTwoStepsOfReplacingThem) {
   if (kills == 0) GTEST_SKIP() << "nobody may be traced here";
   EXPECT_GE(kills, 3);  // a removal, two renamings
   EXPECT_GT(without_manifest, 0);
-  EXPECT_EQ(files_in(scratch), 2u);  // the last run came to its end, and removed what the others had left
+  EXPECT_EQ(files_in(scratch), 2u);  // the last run finished and removed the remains of the others
   EXPECT_TRUE(belong_together(scratch));
 }
 
@@ -149,7 +149,7 @@ TEST(Output, StaysAsItWasWhenThereIsNoRoom) {
   const Scratch scratch;
   ASSERT_EQ(run_flatdyn(options(false, scratch.path())).code, 0);
   const std::string header = scratch.read("planar_2r.hpp");
-  // No file may have more than two kilobytes. Once as an error, once as a signal.
+  // No file may be larger than two kilobytes: once reported as an error, once as a signal.
   const std::string limited = fmt::format("ulimit -f 2; cd '{}'; '{}' {} 2>&1", FLATDYN_SOURCE_DIR, FLATDYN_PROGRAM,
                                           options(true, scratch.path()));
   const int error = std::system(fmt::format("bash -c \"trap '' XFSZ; {}\" > /dev/null", limited).c_str());
@@ -172,7 +172,7 @@ TEST(Output, LeavesNoFolderBehindWhenThereIsNoRoom) {
   }
 }
 
-// Of `generate` and `certify` in one folder: what speaks of a header that is no longer there goes away with it.
+// `generate` and `certify` in one folder: a file about a header that no longer exists goes away with it.
 TEST(Output, HasNothingBesideAHeaderThatSpeaksOfAnother) {
   const Scratch scratch;
   const std::string certify = "certify robots/panda.urdf -q --states 100 --time-limit 0 -o " + scratch.path();
@@ -200,7 +200,7 @@ TEST(Output, HasNothingBesideAHeaderThatSpeaksOfAnother) {
   EXPECT_TRUE(exists("panda.json"));
 }
 
-// The third cannot be renamed: it is the second once more, which is away then.
+// The third file cannot be renamed: it is the second one again, which is absent then.
 TEST(ReplacedFiles, ComeBackIfNotAllCanBe) {
   const Scratch scratch;
   const std::string first = scratch.path("first"), second = scratch.path("second"), third = scratch.path("third");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// flatdyn scale: Problem 7.9, what it writes, and what it refuses.
+// flatdyn scale: Problem 7.9, its outputs, and its refusals.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "cli/program.hpp"
-#include "support/rubbing_arm.hpp"
+#include "support/frictional_arm.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -105,7 +105,7 @@ TEST(Scale, TimeOptimalIsFasterAndItsSamplesCanBeReadAgain) {
   EXPECT_LT(result["largest_use_between"], 1.001);
   EXPECT_GT(result["solve_ms"], 0);
   EXPECT_THAT(scratch.read("out.svg"), HasSubstr("the scaled motion"));
-  // Its torques are those that flatdyn torques finds for it.
+  // flatdyn torques finds the same torques for the result.
   const Outcome again = run_flatdyn("torques robots/planar_2r_example_7_2.toml -q --trajectory " +
                                     scratch.path("out.csv") + " -o " + scratch.path("again.csv"));
   ASSERT_EQ(again.code, 0) << again.err;
@@ -113,7 +113,7 @@ TEST(Scale, TimeOptimalIsFasterAndItsSamplesCanBeReadAgain) {
   for (std::size_t k = 0; k < scaled.size(); ++k) {
     for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(scaled[k][7 + i], torques[k][7 + i], 1e-8);
   }
-  // Samples are the grid themselves.
+  // Given samples are the grid themselves.
   const Outcome of_samples =
       run_flatdyn("scale robots/planar_2r_example_7_2.toml -q --trajectory " + scratch.path("out.csv") +
                   " --torque-limits 2500 --time-optimal --json -o " + scratch.path("slower.csv"));
@@ -122,7 +122,7 @@ TEST(Scale, TimeOptimalIsFasterAndItsSamplesCanBeReadAgain) {
   EXPECT_FALSE(json::parse(of_samples.out).contains("largest_use_between"));
 }
 
-// 10,000 points in less than 50 ms on an idle machine of 2023: measured in docs/problems/7-09.md. Here the bound is
+// 10,000 points in less than 50 ms on an idle machine of 2023, as measured in docs/problems/7-09.md. The bound here is
 // loose.
 TEST(Scale, TimeOptimalOfSevenJointsIsQuick) {
   const Scratch scratch;
@@ -137,7 +137,7 @@ TEST(Scale, TimeOptimalOfSevenJointsIsQuick) {
   EXPECT_LT(result["largest_use_between"], 1.001);
 }
 
-// Viscous friction is linearised, so the law alone may use a little more than a limit: then all of it is slowed down.
+// Viscous friction is linearised, so the law alone may exceed a limit slightly: then the whole motion is slowed down.
 TEST(Scale, TimeOptimalKeepsLimitsWithFriction) {
   const Scratch scratch;
   scratch.write("arm.toml", kRubbingArm);
@@ -168,7 +168,7 @@ TEST(Scale, SaysWhereRestIsTooMuch) {
   EXPECT_TRUE(scratch.is_empty());
 }
 
-// As everywhere: URDF files have zeros where nothing is known.
+// As everywhere, a limit of zero counts as unknown, since URDF files have zeros for unknown limits.
 TEST(Scale, TakesALimitOfZeroInAFileForNoneAndSaysSo) {
   const Scratch scratch;
   scratch.write("scene.toml", "[limits.theta_2]\neffort = 0\n");
@@ -190,7 +190,7 @@ TEST(Scale, RefusesWhatItCannotDo) {
     EXPECT_EQ(run_flatdyn(kScale + std::string(wrong) + out).code, 2) << wrong;
   }
   EXPECT_EQ(run_flatdyn(kScale + std::string("--torque-limits 3000")).code, 2);
-  EXPECT_EQ(run_flatdyn(kScale + out).code, 4);  // no limits at all
+  EXPECT_EQ(run_flatdyn(kScale + out).code, 4);  // there are no limits at all
   EXPECT_EQ(run_flatdyn("scale robots/planar_2r.toml --trajectory docs/examples/planar_2r_line.toml" + out).code, 4);
   EXPECT_TRUE(scratch.is_empty());
 }

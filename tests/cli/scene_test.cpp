@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// --scene, and --gravity and --fix, which go before it.
+// --scene, and --gravity and --fix, which override it.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST_P(VerifiedScene, IsExactlyTheLagrangianOfThatScene) {
   }
 }
 
-// Each kind of key by itself on a robot with motors and friction; all of them on others.
+// Each kind of key by itself on a robot with motors and friction, and all of them on other robots.
 INSTANTIATE_TEST_SUITE_P(
     Keys, VerifiedScene,
     ::testing::Values(
@@ -107,7 +107,7 @@ TEST(Scene, AHeaderCompilesWithoutAWarning) {
 
 constexpr const char* kTipInAngles = "orientation = \"zyz\"\ntask = [\"x\", \"theta\", \"psi\"]\ndamping = 0.01\n";
 
-// Angles take a square root, which each language writes in its own way.
+// Angles need a square root, which each language writes differently.
 TEST(Scene, AnglesAndDampingAreTheSameInCAndSaidInTheHeader) {
   const Scratch scratch;
   const std::string generate =
@@ -185,7 +185,7 @@ TEST(Scene, TheCommandLineGoesBeforeIt) {
   EXPECT_THAT(verified.out, Not(HasSubstr("bias")));
 }
 
-// The same joint at the same place, said in three ways.
+// The same joint at the same place, given in three ways.
 TEST(Scene, FixIsLocked) {
   const Scratch scratch;
   const std::string arm = std::string("robot = \"" FLATDYN_SOURCE_DIR "/robots/scara.toml\"\n");
@@ -234,7 +234,7 @@ TEST(Scene, OtherSubcommandsSayWhatHasNoEffect) {
   EXPECT_THAT(derived.err, HasSubstr("static, error_budget, functions and outputs have no effect here"));
 }
 
-// The identified robot stands for the scene too, so it has to repeat it.
+// The scene is part of the identified robot, so its file has to repeat it.
 TEST(Scene, AnIdentifiedRobotRepeatsItOrIsRefused) {
   const Scratch scratch;
   const std::string identify = "identify robots/planar_2r_example_7_2.toml --data " + scratch.path("none.csv") +

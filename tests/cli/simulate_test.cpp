@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// flatdyn simulate: the files that it writes, what it says of bad input, and Ctrl-C.
+// flatdyn simulate: its files, its messages for bad input, and Ctrl-C.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
-#include "support/rubbing_arm.hpp"
+#include "support/frictional_arm.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -54,7 +54,7 @@ TEST(Simulate, WritesMotionEventsAndPlot) {
   EXPECT_THAT(scratch.read("m.svg"), HasSubstr("energies"));
 }
 
-// What is simulated can be read by `eval`, and needs the torques that it was given: none.
+// `eval` can read the simulation, and finds the torques that it was given: none.
 TEST(Simulate, FallsWithoutTorques) {
   const Scratch scratch;
   ASSERT_EQ(run_flatdyn(kSimulate + ("--duration 2 --rate 20 -o " + scratch.path("fall.csv"))).code, 0);
@@ -90,7 +90,7 @@ TEST(Simulate, DrivesWithSampledTorques) {
   EXPECT_THAT(csv, HasSubstr(",4,3,"));  // after the last sample
 }
 
-// No output replaces what the simulation was read from.
+// No output replaces an input of the simulation.
 TEST(Simulate, KeepsItsInputs) {
   const Scratch scratch;
   scratch.write("tau.csv", "t,tau1,tau2\n0,1,2\n");
@@ -104,7 +104,7 @@ TEST(Simulate, KeepsItsInputs) {
   }
 }
 
-// Inverse, then direct dynamics over a whole motion: the torques of `torques` move the arm along it.
+// Inverse, then forward dynamics over a whole motion: the torques of `torques` move the arm along it.
 TEST(Simulate, MovesAlongTheMotionThatItsTorquesAreOf) {
   const Scratch scratch;
   const Outcome torques = run_flatdyn(
@@ -119,11 +119,11 @@ TEST(Simulate, MovesAlongTheMotionThatItsTorquesAreOf) {
       run_flatdyn(kSimulate + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::vector<std::vector<double>> found = numbers_of(scratch.read("m.csv"));
-  // Torques between samples are straight lines, and jump within one: that is what the difference comes from.
+  // The torques are linear between samples, but jump within one interval, which causes the difference.
   for (const std::size_t joint : {1u, 2u}) EXPECT_NEAR(found.back()[joint], wanted.back()[joint], 0.02);
 }
 
-// A computed-torque law makes up for a wrong start, and then follows.
+// A computed-torque law corrects a wrong start, and then follows the trajectory.
 TEST(Simulate, FollowsATrajectory) {
   const Scratch scratch;
   const Outcome outcome =
@@ -138,7 +138,7 @@ TEST(Simulate, FollowsATrajectory) {
   EXPECT_NEAR(rows.back()[2], end_2, 1e-3);
 }
 
-// An impact of one joint frees the other from its stop, which falls back, and so on: they come to rest all the same.
+// The impact of one joint frees the other from its stop, which falls back, and so on: they come to rest nevertheless.
 TEST(Simulate, JointsAtTheirStopsSettle) {
   const Scratch scratch;
   scratch.write("arm.toml", kRubbingArm);
@@ -165,7 +165,7 @@ TEST(Simulate, EndsWhereAControllerIsUnstable) {
   EXPECT_THAT(outcome.err, HasSubstr("a joint is faster than 100000 rad/s or m/s"));
 }
 
-// It is about functions that are written; limits that it would need are not asked for.
+// An error budget is about functions that are written; simulate does not ask for the limits that it needs.
 TEST(Simulate, AnErrorBudgetHasNoEffect) {
   const Scratch scratch;
   scratch.write("scene.toml", "error_budget = \"1%\"\n");
@@ -175,7 +175,7 @@ TEST(Simulate, AnErrorBudgetHasNoEffect) {
   EXPECT_THAT(outcome.err, HasSubstr("error_budget"));
 }
 
-// The last row is where the motion ends.
+// The last row is at the end of the motion.
 TEST(Simulate, EndsWithARowOfItsOwn) {
   const Scratch scratch;
   ASSERT_EQ(run_flatdyn(kSimulate + ("--duration 0.25 --rate 10 -o " + scratch.path("m.csv"))).code, 0);

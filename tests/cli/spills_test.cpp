@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What compilers spill of the emitted text on a Cortex-M4, whose floating-point unit has 32 registers: in the order
-// that flatdyn gives statements, and in another one; as one function, and in stages. `ctest -R Spills -V` prints it.
+// Register spills of the emitted text on a Cortex-M4, whose floating-point unit has 32 registers: with the statements
+// in flatdyn's order and in another, as one function and in stages. `ctest -R Spills -V` prints them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kFunctions = "inverse_dynamics,inertia_matrix,gravity";
 constexpr const char* kPlain = "-std=c99 -O2 -ffp-contract=off -ffunction-sections -fdata-sections -fstack-usage";
 
-// The panda's folder for a Cortex-M4, and what its report says of spills.
+// The Panda's folder for a Cortex-M4, and the spills in its report.
 class Spills : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -37,7 +37,7 @@ class Spills : public ::testing::Test {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
 
-  // By function, as the object file names it.
+  // The spills by function, named as in the object file.
   std::map<std::string, int> spills(const std::string& command) const {
     const std::string all = fmt::format("cd '{}' && rm -f panda.o && ({}) > log 2>&1", folder_.path(), command);
     EXPECT_EQ(std::system(all.c_str()), 0) << folder_.read("log");
@@ -59,14 +59,15 @@ class Spills : public ::testing::Test {
   Scratch folder_;
 };
 
-// A function's statements by the longest way from its inputs to them, instead of depth-first from its outputs.
+// Sorts a function's statements by the length of the longest path from its inputs, instead of depth-first from its
+// outputs.
 std::string level_by_level(const std::string& body) {
   struct Ordered {
     int level;
     std::string text;
   };
   std::vector<Ordered> statements;
-  std::map<std::string, int> levels;  // of variables
+  std::map<std::string, int> levels;  // by variable
   std::istringstream stream(body);
   for (std::string text; std::getline(stream, text, ';');) {
     if (text.find('=') == std::string::npos) continue;
@@ -98,7 +99,7 @@ std::string reordered(std::string source) {
   return source;
 }
 
-// GCC moves instructions itself, so that the order of the text says little; it must not cost.
+// GCC reorders instructions itself, so the order of the text matters little; it must not cost anything.
 TEST_F(Spills, AreNoMoreThanInAnotherOrder) {
   const std::string source = folder_.read("panda.c");
   for (const char* options : {"", "-fno-schedule-insns"}) {
@@ -118,8 +119,8 @@ TEST_F(Spills, AreNoMoreThanInAnotherOrder) {
   }
 }
 
-// What stages hand on is in their structs. The C++ library for this processor is a package of its own, of which the
-// code needs little.
+// The values that stages pass on are in their structs. The C++ library for this processor is a separate package, of
+// which the code needs little.
 TEST_F(Spills, AreFewerInStages) {
   generate(fmt::format("--form pair --scalar float --functions {0} --stages {0}", kFunctions));
   folder_.write("cmath",
@@ -129,7 +130,7 @@ TEST_F(Spills, AreFewerInStages) {
   const std::map<std::string, int> found = spills(
       "arm-none-eabi-g++ -I. -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -std=c++17 -O2 "
       "-ffp-contract=off -ffunction-sections -fstack-usage -c panda.cpp -o panda.o && sh ./report");
-  // Of all functions whose mangled name has these parts.
+  // The sum over all functions whose mangled name has these parts.
   const auto of = [&found](const std::string& first, const std::string& second) {
     int sum = 0;
     for (const auto& [name, spilt] : found) {

@@ -28,7 +28,7 @@ TEST(Stress, FindsWorstStatesThatEvalRepeats) {
   EXPECT_EQ(row["states"], 50);
   EXPECT_EQ(row["variants"].size(), 5u);
   EXPECT_EQ(row["worst"]["state"], scratch.read("worst_inverse_dynamics_double.csv"));
-  // What the emitted code's graph comes to there is what the reference says, to the last places.
+  // The graph of the emitted code has the reference's values there, up to the last places.
   const std::string eval = "eval robots/prismatic_revolute.toml -q --function inverse_dynamics --states " +
                            scratch.path("worst_inverse_dynamics_double.csv");
   const Outcome graph = run_flatdyn(eval), reference = run_flatdyn(eval + " --reference");

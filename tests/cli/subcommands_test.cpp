@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What each subcommand prints and writes.
+// The output and the files of each subcommand.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Generate, FusesTwoFunctionsOrMore) {
   EXPECT_EQ(run_flatdyn("generate robots/ur5.urdf -q -o /nowhere/at/all --fuse gravity").code, 2);
 }
 
-// Called as its comment says, with -Wshadow and -Wunused on top; members agree with the functions.
+// Stages are called as their comment says, with -Wshadow and -Wunused; members agree with the functions.
 TEST(Generate, WritesStagesAndFusedFunctions) {
   const Scratch scratch;
   const std::string functions = "inertia_matrix,gravity,bias,forward_dynamics,kinetic_energy";
@@ -118,7 +118,7 @@ TEST(Generate, EmitsWhatIsAskedForAndNothingElse) {
   EXPECT_THAT(header, Not(HasSubstr("inverse_dynamics")));
 }
 
-// One joint that moves nothing: B is singular, all else is well defined.
+// The one joint moves no mass: B is singular, everything else is well defined.
 TEST(Generate, LeavesOutForwardDynamicsWhereBIsSingular) {
   const Scratch scratch;
   scratch.write("empty.toml", "[[link]]\n");
@@ -135,7 +135,7 @@ TEST(Generate, LeavesOutForwardDynamicsWhereBIsSingular) {
   EXPECT_EQ(run_flatdyn("verify " + scratch.path("empty.toml") + " --states 5").code, 0);
 }
 
-// A mass on the joint's axis is no mistake of the file: what is left out is the only warning.
+// A mass on the joint's axis is not a mistake of the file: the only warning is about functions left out.
 TEST(Generate, LeavesOutNothingUnderWerror) {
   const Scratch scratch;
   scratch.write("on_axis.toml", "[[link]]\nmass = 1\n");
@@ -225,7 +225,7 @@ TEST(Eval, GivesAMatrixRowByRow) {
   EXPECT_EQ(scratch.read("B.csv"), expected);
 }
 
-// A panel for each row of a matrix, over time where the table has it.
+// One panel for each row of a matrix, over time if the table has it.
 TEST(Eval, DrawsWhatItComputes) {
   const Scratch scratch;
   scratch.write("motion.csv", "time,q1,q2\n0,0.1,0.2\n1,0.3,-0.4\n2,0.5,0.1\n");

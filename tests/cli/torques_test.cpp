@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// flatdyn torques on Example 7.2: what the textbook remarks on figures 7.5 to 7.11, and Problem 7.7.
+// flatdyn torques on Example 7.2: the textbook's remarks on figures 7.5 to 7.11, and Problem 7.7.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -158,7 +158,8 @@ TEST_F(Example72, AStraightLineOfTheTip) {
   EXPECT_GT(c["gravity_1"].back(), 8 * c["gravity_1"].front());
 }
 
-// Problem 7.7: Jᵀ f beside what was there before. At joint 1 f_y x − f_x y of the tip; on the line that grows with x.
+// Problem 7.7: Jᵀ f in addition to the other torques. At joint 1 it is f_y x − f_x y of the tip; along the line that
+// grows with x.
 TEST_F(Example72, WithAForceAtTheTip) {
   for (const std::string name : {"triangular", "trapezoidal", "line"}) {
     Columns without = run(name), with = run(name + "_force");
@@ -197,7 +198,7 @@ TEST_F(Example72, ReportsPeaksForPeopleAndPrograms) {
   EXPECT_EQ(result["files"], json::array({csv}));
 }
 
-// What was written is read again as samples, and gives the same.
+// The written samples are read again and give the same result.
 TEST_F(Example72, FromItsOwnSamples) {
   Columns planned = run("line_force");
   const Outcome outcome =
@@ -221,13 +222,13 @@ TEST(Torques, OfARobotWithFrictionByJointName) {
   EXPECT_NEAR(largest(c["qd1"]), std::numbers::pi / 3, 1e-12);
   EXPECT_GT(largest(c["viscous_1"]), 0);
   EXPECT_EQ(spread(c["coulomb_1"], 1, 90), 0);
-  // Seven kinds of contributions are drawn in place of the many terms.
+  // Seven kinds of contributions are drawn instead of the many terms.
   for (const char* text : {"torque of waist", "own inertia", "coupling", "Coriolis", "friction"}) {
     EXPECT_THAT(scratch.read("out.svg"), HasSubstr(text));
   }
 }
 
-// The tip's place through damped least squares, then a straight line.
+// The tip's place is found by damped least squares, followed by a straight line.
 TEST(Torques, OfAnArmThatNeedsAGuess) {
   const Scratch scratch;
   const auto run = [&](const std::string& start) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One trajectory file per diagnostic in tests/errors/trajectories/, with what flatdyn prints of it on stderr in
-// NAME.expected, to be renewed as those of tests/errors/errors_test.cpp.
+// One trajectory file per diagnostic in tests/errors/trajectories/. NAME.expected has what flatdyn prints on stderr for
+// it; it is updated like those of tests/errors/errors_test.cpp.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

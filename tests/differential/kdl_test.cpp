@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The reference, in 50 digits, against the Orocos Kinematics and Dynamics Library on random robots. KDL works in double
-// and knows no rotors (a joint's inertia there is our armature), no friction in its solvers, and takes gravity at the
+// The reference, in 50 digits, against the Orocos Kinematics and Dynamics Library on random robots. KDL computes in
+// double; it has no rotors (its joints' inertia is our armature), its solvers have no friction, and gravity acts at the
 // base. Errors are measured on the scale of the quantity's own terms.
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ using testing::kdl_chain;
 using testing::random_reference_robot;
 using testing::ReferenceState;
 
-constexpr double kBound = 64;  // scaled error that KDL's own rounding may reach
+constexpr double kBound = 64;  // scaled error allowed for KDL's own rounding
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // Each entry within kBound units of the last place of its magnitude.
@@ -72,7 +72,7 @@ TEST_P(KdlChain, InverseDynamics) {
                "tau");
 }
 
-// KDL wants the wrench that acts on the segment, in its own axes: the tip's, reversed.
+// KDL expects the wrench that acts on the segment, in the segment's axes: the reversed wrench of the tip.
 TEST_P(KdlChain, TipForce) {
   KDL::ChainIdSolver_RNE solver(chain, kdl(robot.gravity));
   KDL::JntArray tau(joints);
@@ -158,7 +158,7 @@ TEST_P(KdlTree, InverseDynamics) {
     }
   }
   ASSERT_EQ(tree.getNrOfJoints(), joints);
-  // Joints were added in the order of q, which is how KDL numbers them.
+  // Joints were added in the order of q, and KDL numbers them in that order.
   KDL::TreeIdSolver_RNE solver(tree, kdl(robot.gravity));
   KDL::JntArray tau(joints);
   ASSERT_EQ(solver.CartToJnt(kdl(s.q), kdl(s.qd), kdl(s.qdd), KDL::WrenchMap(), tau), 0);

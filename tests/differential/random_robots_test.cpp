@@ -24,15 +24,15 @@ bool is_chain(const Robot& robot) {
   return true;
 }
 
-// Peers have other words for rotors and friction.
+// Peers define rotors and friction differently.
 bool is_for_peers(const Robot& robot) {
   return std::none_of(robot.joints.begin(), robot.joints.end(), [](const Joint& joint) {
     return joint.motor || !vanishes(joint.viscous.number) || !vanishes(joint.coulomb.number);
   });
 }
 
-// What a peer makes of a function of the table, at the state. Of coupled joints it knows nothing: it is given the
-// motion of all of them, and A brings the result to the coordinates.
+// A peer's values of a function of the table at the state. Peers do not know coupled joints: they are given the motion
+// of all joints, and A transforms the result to the coordinates.
 std::vector<double> values_of(JointDynamicsPeer& peer, const reference::Robot<double>& robot,
                               const std::string& function, const State& state) {
   Vector room;
@@ -53,13 +53,13 @@ std::vector<double> values_of(JointDynamicsPeer& peer, const reference::Robot<do
   return row_by_row(reference::at_coordinates<double>(robot, vector_of<double>(state.q), tau));
 }
 
-// Somebody else's library as a witness. MuJoCo rounds by what moves the whole tree, about its centre of mass: an entry
-// that is zero for each of its own terms may be a rounding error of others there.
+// Another library as a witness. MuJoCo rounds relative to everything that moves the whole tree, about its centre of
+// mass: an entry whose own terms are all zero may contain rounding errors of other terms there.
 struct Witness {
   std::unique_ptr<JointDynamicsPeer> (*peer)(const reference::Robot<double>&);
   bool (*knows)(const Robot&);
   bool rounds_by_the_largest_entry;
-  int compared = 0;  // functions, at states
+  int compared = 0;  // number of functions times states
   double worst = 0;  // largest scaled difference
 
   double difference(const RandomRobotValues& all) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Readers of files share this when they are given bytes.
+// Files for readers that are given bytes.
 #pragma once
 
 #include <fstream>
@@ -15,7 +15,7 @@ inline void require(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
 }
 
-// Readers take paths. One file of this name, written again and again.
+// The path of a file with these bytes. One file of this name is written again and again.
 inline std::string file_of(std::string_view bytes, const char* name) {
   static const TemporaryFolder folder;
   const std::string path = (folder.path() / name).string();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The corpus of the fuzz targets, file by file: what was found once stays mended, also where nothing is fuzzed.
+// The corpus of the fuzz targets, file by file: errors that were found once stay fixed, also without fuzzing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostSeconds = 5;  // of one file, also with sanitizers; a tenth is usual
+constexpr double kMostSeconds = 5;  // per file, also with sanitizers; a tenth is usual
 
 void replay(const std::string& target, void (*read)(std::string_view)) {
   std::vector<fs::path> files;

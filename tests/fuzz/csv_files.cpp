@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// CSV as the table that eval takes, and as the stream that identify takes: what both accept, they read as the same.
+// CSV as the table that eval reads and as the stream that identify reads: if both accept it, they read the same.
 #include <cmath>
 
 #include "diagnostics/utf8.hpp"
@@ -30,7 +30,7 @@ void require_messages(const Diagnostics& diagnostics) {
   }
 }
 
-// Empty after an error.
+// The samples; empty after an error.
 Samples read_table(const std::string& file) {
   Diagnostics found;
   Samples rows;

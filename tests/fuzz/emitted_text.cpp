@@ -6,7 +6,7 @@
 namespace flatdyn::testing {
 namespace {
 
-constexpr std::size_t kEntries = 64;  // of every output
+constexpr std::size_t kEntries = 64;  // entries of every output
 
 // A function with as many outputs as that of the text.
 Function function_like(const WrittenFunction& written) {
@@ -28,7 +28,7 @@ Function function_like(const WrittenFunction& written) {
 
 }  // namespace
 
-// What is no emitted text is refused.
+// Anything else than emitted text is refused.
 void read_text_bytes(std::string_view bytes) {
   const auto read = [](const auto& text_of) {
     try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Everything that reads what others have written, given any bytes at all. What is refused ends in diagnostics or a
-// Failure; what is accepted is carried on to where nonsense would hurt. All else is a mistake of the program: each of
-// these throws std::logic_error then, or what else was thrown, unless it crashes before.
+// All readers of foreign files, given arbitrary bytes. Refused input ends in diagnostics or a Failure; accepted input
+// is carried on to the places where nonsense would hurt. Anything else is a bug of the program: each of these functions
+// then throws std::logic_error, or passes on what was thrown, unless it crashes before.
 #pragma once
 
 #include <string_view>

@@ -11,11 +11,11 @@
 namespace flatdyn::testing {
 namespace {
 
-constexpr std::size_t kMostLinks = 8;  // of a robot that is carried further
-constexpr int kMostBits = 1 << 16;     // of a number that comes from a file; a rotation has some hundreds
+constexpr std::size_t kMostLinks = 8;  // largest robot that is processed further
+constexpr int kMostBits = 1 << 16;     // largest size of a number from a file; a rotation has some hundred bits
 
 bool is_small(const Number& value) {
-  if (!is_rational(value)) return true;  // free symbols: of their numbers the reader knows the size
+  if (!is_rational(value)) return true;  // free symbols: the reader checks the size of their numbers
   const auto& number = GiNaC::ex_to<GiNaC::numeric>(value);
   return number.numer().int_length() <= kMostBits && number.denom().int_length() <= kMostBits &&
          std::isfinite(nearest_double(value));
@@ -31,7 +31,7 @@ void require_rotation(const PlanarRotation& rotation) {
   require(is_small(rotation.c) && is_small(rotation.s), "a rotation's numbers have grown beyond measure");
 }
 
-// Canonical: exact rotations, and numbers that doubles can hold.
+// Requires exact rotations, and numbers that doubles can hold.
 void require_canonical(const Mechanism& mechanism) {
   for (const Body& body : mechanism.bodies) {
     for (const PlanarRotation& rotation : {body.beta, body.alpha, body.theta}) require_rotation(rotation);
@@ -42,7 +42,7 @@ void require_canonical(const Mechanism& mechanism) {
   }
 }
 
-// The torques of some motion are numbers.
+// Requires that the torques of some motion are numbers.
 void require_torques(const Robot& robot, Eigen::Index joints) {
   const reference::Robot<double> numbers = reference_robot<double>(robot, random_symbol_values(robot, 1));
   const Eigen::VectorXd motion = Eigen::VectorXd::LinSpaced(joints, -1, 1);
@@ -55,7 +55,8 @@ void carry_further(const Robot& robot) {
   try {
     const Mechanism mechanism = make_mechanism(robot);
     require_canonical(mechanism);
-    if (!mechanism.has_loops()) require_torques(robot, mechanism.size());  // loops may be open there, or singular
+    // With loops, these may be open there, or singular.
+    if (!mechanism.has_loops()) require_torques(robot, mechanism.size());
   } catch (const Failure& failure) {
     if (failure.code() != ExitCode::unsupported) throw;
   }
@@ -67,7 +68,7 @@ void read(const std::string& path, const ReadOptions& options) {
   try {
     robot = read_robot(path, options, diagnostics);
   } catch (const Failure& failure) {
-    if (failure.code() != ExitCode::io) throw;  // a file that it names
+    if (failure.code() != ExitCode::io) throw;  // about a file that it names
     return;
   }
   require(robot.has_value() == !diagnostics.has_errors(), "refused without an error, or accepted with one");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The C form of every robot beside its C++ form, in one program: the same bits, in double and in float. It compiles
-// without a warning as C99; two robots link; C++ includes its headers. Of robots with more than four joints a few
-// functions; FLATDYN_ALL_FUNCTIONS=1 compares all that there are of those with up to twenty, which takes some minutes.
+// The C form of every robot beside its C++ form, in one program: the same bits in double and in float. It compiles
+// without a warning as C99; two robots link together; C++ includes its headers. Robots with more than four joints are
+// compared in a few functions; FLATDYN_ALL_FUNCTIONS=1 compares all functions of robots with up to twenty, which takes
+// some minutes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ std::vector<Function> functions_to_compare(const LoadedRobot& model) {
   return functions_of(make_functions(model, options, quiet, left_out));
 }
 
-// "in_float", a C robot of its own; "whole", the C++ one.
+// Options for the C robots "in_double" or "in_float", or for the C++ robot "whole".
 EmitOptions options_of(const std::string& scalar, Language language, int most_lines) {
   EmitOptions options;
   options.name_space = language == Language::c ? "in_" + scalar : "whole";
@@ -52,7 +53,7 @@ EmitOptions options_of(const std::string& scalar, Language language, int most_li
 
 std::string joined(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
 
-// Calls one function of all forms, and counts outputs that differ.
+// Calls one function in all forms, and counts outputs that differ.
 std::string comparison(const Function& function, const std::string& scalar, const std::string& header,
                        bool has_symbols) {
   const std::string name = cpp_identifier(function.name), in_c = "in_" + scalar + "_" + name;
@@ -124,7 +125,7 @@ std::string program(const LoadedRobot& model, const std::vector<Function>& funct
          "1;\n}\n";
 }
 
-// All of one robot, in one folder.
+// The number of differences of one robot, compiled in one folder.
 std::string differences_of(const std::string& robot, int most_lines) {
   const LoadedRobot model = model_of(robot);
   const std::vector<Function> functions = functions_to_compare(model);
@@ -136,7 +137,7 @@ std::string differences_of(const std::string& robot, int most_lines) {
                       own = header_name(model.mechanism, options_of("", Language::c, 0));
     HeaderAndSource text = emit_c(model.mechanism, functions, options_of(kScalars[s], Language::c, most_lines));
     const std::size_t at = text.source.find("#include \"" + own);
-    text.source.replace(at + 10, own.size(), name + ".h");  // two forms of one robot in one folder
+    text.source.replace(at + 10, own.size(), name + ".h");  // two forms of one robot share the folder
     write(folder.path() / (name + ".h"), text.header);
     write(folder.path() / (name + ".c"), text.source);
     headers[s] = text.header;
@@ -173,7 +174,7 @@ TEST(CFormInParts, HasTheBitsOfTheCppForm) {
   }
 }
 
-// The header says so; `restrict` is of outputs only. Of every function, with inputs apart and in one array.
+// The header says so, and only outputs are `restrict`. Every function is called with inputs apart and in one array.
 TEST(CFormsInputs, MayBeOneArray) {
   const LoadedRobot model = model_of("ur5.urdf");
   const std::vector<Function> functions = functions_to_compare(model);

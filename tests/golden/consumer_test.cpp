@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// tests/consumer/header: a CMake project of its own builds against generated/ and runs: an arm in a header, another in
-// header and source.
+// tests/consumer/header: a separate CMake project builds against generated/ and runs, with one arm in a header, and
+// another in header and source.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// flatdyn/eigen.hpp as a user compiles it: what it costs in instructions, and what the compiler says of wrong calls.
+// flatdyn/eigen.hpp as a user compiles it: its cost in instructions, and the compiler's messages for wrong calls.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace arm = panda::functions;
 using Vector = Eigen::Matrix<double, 7, 1>;
 )";
 
-// By rows beside the same by hand; by columns beside a call by itself.
+// Results by rows beside the same code by hand; results by columns beside a plain call.
 constexpr const char* kCosts = R"(
 template <int rows, int columns> using ByRows = Eigen::Matrix<double, rows, columns, Eigen::RowMajor>;
 ByRows<7, 7> B_by_hand(const Vector& q) { ByRows<7, 7> B; panda::inertia_matrix(q.data(), B.data()); return B; }
@@ -46,7 +46,7 @@ std::string compile(const std::string& compiler) {
       compiler, FLATDYN_SOURCE_DIR);
 }
 
-using Counts = std::map<std::string, int>;  // of instructions, by a function's name as linkers know it
+using Counts = std::map<std::string, int>;  // numbers of instructions, by a function's linker name
 
 Counts instructions(const std::string& compiler, const std::string& program) {
   const TemporaryFolder folder;
@@ -95,8 +95,8 @@ TEST_P(EigenCosts, NothingByRows) {
   }
 }
 
-// Compilers that know gnu::flatten keep the entries in registers until they store them, where they belong: without that
-// they would take another 42 loads and 42 stores.
+// Compilers with gnu::flatten keep the entries in registers until they store them in their final places; without it
+// they would need another 42 loads and 42 stores.
 TEST_P(EigenCosts, NextToNothingByColumns) {
   const bool flattens = std::string(GetParam()).starts_with("g++");
   const int more = sum_of(instructions(GetParam(), kByColumns)) - sum_of(instructions(GetParam(), kByItself));
@@ -137,7 +137,7 @@ TEST_P(EigenCalls, AreCheckedWhenTheyAreCompiled) {
 INSTANTIATE_TEST_SUITE_P(Compilers, EigenCalls, ::testing::Values("g++", "clang++"),
                          [](const auto& test) { return test.param == std::string("g++") ? "gcc" : "clang"; });
 
-// Functions of stages, from a header whose source is compiled on its own.
+// Functions of stages, from a header whose source is compiled separately.
 TEST(EigenStages, KnowTheirPositions) {
   const TemporaryFolder folder;
   write(folder.path() / "main.cpp", R"(#include "flatdyn/eigen.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Checked-in output against what the program writes now, byte for byte. `cmake --build … --target regenerate` renews
-// it.
+// Compares checked-in output with what the program writes now, byte for byte. `cmake --build … --target regenerate`
+// updates it.
 #pragma once
 
 #include <filesystem>
@@ -12,24 +12,25 @@ namespace flatdyn::testing {
 // A line of generated/robots.txt: "robots/panda.urdf --functions inverse_dynamics".
 struct GoldenCase {
   std::string robot;    // relative to the source folder
-  std::string options;  // of `flatdyn generate`
+  std::string options;  // options of `flatdyn generate`
 };
 
-// Comments (#) and empty lines left out.
+// Reads the cases; comments (#) and empty lines are skipped.
 std::vector<GoldenCase> read_cases(const std::filesystem::path& table);
 
-// `program` generate robot -o output options, run in `source_dir`. Returns what it printed if it fails, else nothing.
+// Runs `program` generate robot -o output options in `source_dir`. Returns what it printed if it fails, else nothing.
 std::string generate(const std::string& program, const std::filesystem::path& source_dir, const GoldenCase& golden,
                      const std::filesystem::path& output);
 
 // A sentence for each .hpp, .cpp, .h or .c in `produced` that is missing in `expected` or differs from it, with the
-// first line that does; and one if nothing was produced.
+// first different line; and one if nothing was produced.
 std::vector<std::string> differences(const std::filesystem::path& expected, const std::filesystem::path& produced);
 
 std::string content_of(const std::filesystem::path& file);
 void write(const std::filesystem::path& file, const std::string& text);
 
-// What a shell's command prints in `folder`, where it also stays as `log`; after "failed: " if it does not end with 0.
+// The output of a shell command run in `folder`, where it is also kept as `log`; preceded by "failed: " if the command
+// does not end with 0.
 std::string output_of(const std::filesystem::path& folder, const std::string& command);
 
 // A new empty folder, removed at the end of scope.

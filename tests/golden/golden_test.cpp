@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One test per line of generated/robots.txt. Each runs the program in a process of its own, so with its addresses
-// randomised anew: output in GiNaC's order of terms would differ.
+// One test per line of generated/robots.txt. Each runs the program in a separate process with newly randomised
+// addresses, so output in GiNaC's order of terms would differ.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ const fs::path kGenerated = kSource / "generated";
 
 std::vector<GoldenCase> cases() { return read_cases(kGenerated / "robots.txt"); }
 
-// What a robot is checked in as beside its header: empty, "in_c", "as_pair".
+// The form in which a robot is checked in beside its header: empty, "in_c", "as_pair".
 std::string form_of(const GoldenCase& golden) {
   const auto has = [&golden](const char* option) { return golden.options.find(option) != std::string::npos; };
   return has("--language c") ? "in_c" : has("--form pair") ? "as_pair" : "";
@@ -50,7 +50,7 @@ TEST_P(Golden, HeaderIsAsCheckedIn) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Golden, ::testing::ValuesIn(cases()), test_name);
 
-// No robot is left out silently, and no header is left from a robot that is gone.
+// No robot is left out silently, and no header remains from a robot that was removed.
 TEST(GoldenTable, ListsEveryRobot) {
   std::map<std::string, std::set<std::string>> listed;  // by form
   for (const GoldenCase& golden : cases()) {
@@ -91,7 +91,7 @@ std::vector<std::string> cpp_files() {
 
 class GoldenCpp : public ::testing::TestWithParam<std::string> {};
 
-// With every warning an error, by both compilers.
+// Compiled with every warning an error, by both compilers.
 TEST_P(GoldenCpp, CompilesAlone) {
   for (const char* compiler : {"g++", "clang++"}) {
     const std::string command = fmt::format(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The harness itself, on a stand-in for the program: a script that copies the robot file.
+// Tests of the harness with a stand-in for the program: a script that copies the robot file.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

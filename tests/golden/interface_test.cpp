@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Generated code and the runtime's headers of two versions in one build: neither compiler takes them, and what it
-// prints says what to do.
+// Generated code and runtime headers of two versions in one build: neither compiler accepts them, and their messages
+// say what to do.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ int main() {
 }
 )";
 
-// Positions in whole numbers: of a function with sines, without, with sines of the caller's, in stages.
+// Calls with integer positions: functions with sines, without, with the caller's sines, and in stages.
 constexpr const char* kIntegers[] = {"ur5::gravity(q, g);",
                                      "cartesian_2::inertia_matrix(cartesian_2::Parameters<int>(), q, g);",
                                      "ur5::gravity(q, g, ur5::GivenSinCos<int>{q, q});",
@@ -85,7 +85,7 @@ class Interface : public ::testing::TestWithParam<const char*> {
     std::ofstream(folder_.path() / file) << content.replace(at, old.size(), text);
   }
 
-  // What the compiler says; nothing if it takes the program.
+  // The compiler's message; empty if it accepts the program.
   std::string complaint(const char* program) const {
     std::ofstream(folder_.path() / "main.cpp") << program;
     const std::string command = fmt::format(
@@ -118,7 +118,7 @@ TEST_P(Interface, IntegersAreRefused) {
               HasSubstr("lanes are of float or double"));
 }
 
-// Classes may be made of integers, as fixed-point numbers are, and know what they do.
+// Classes over integers, such as fixed-point numbers, are allowed as scalars.
 TEST_P(Interface, ScalarsOfOthersFit) {
   EXPECT_EQ(complaint(R"(#include "ur5.hpp"
 struct Fixed {
@@ -155,7 +155,7 @@ TEST_P(Interface, OfANewerRuntimeIsRefused) {
   EXPECT_EQ(complaint(kOwnScalar), "");
 }
 
-// As it was before there were numbers.
+// Generated code as it was before versions existed.
 TEST_P(Interface, OfGeneratedCodeWithoutANumberIsRefused) {
   replace("ur5.hpp", "  static constexpr int flatdyn_interface = 1;", "");
   EXPECT_THAT(complaint(kTogether), HasSubstr("generate it again, with the flatdyn that the header came with"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The JavaScript of every robot, run by Node, against its graph in 50 digits: rounding errors are as small as those of
-// the C++ form. Whole, and with bodies in parts.
+// The JavaScript of every robot, run by Node, against its graph in 50 digits: rounding errors are as small as in the
+// C++ form. It is tested whole, and with bodies in parts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using nlohmann::json;
 constexpr int kStates = 5;
 constexpr double kBound = 16;  // units, as in verify
 
-// Results by function and state; not a number where an entry is not written, or the function says false.
+// Results by function and state; NaN for an entry that is not written, or if the function returns false.
 constexpr const char* kScript = R"js(import * as robot from './robot.mjs';
 import {readFileSync, writeFileSync} from 'node:fs';
 const {functions, states} = JSON.parse(readFileSync('states.json'));
@@ -45,7 +45,7 @@ bool has_node() { return std::system("node --version > /dev/null 2>&1") == 0; }
 
 std::vector<Function> functions_to_run(const LoadedRobot& model) {
   PipelineOptions options;
-  // Of the humanoid not everything: its 16896 Christoffel symbols take long in 50 digits.
+  // The humanoid is tested in part: its 16896 Christoffel symbols take long in 50 digits.
   if (model.mechanism.size() > 20) {
     options.functions = {"inverse_dynamics", "inertia_matrix", "gravity", "forward_dynamics", "jacobian"};
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// C++ in header and source beside the header alone, of the same robots, in one program: the same bits in double and in
-// float, with sines and cosines of the library and of the caller, in stages and in parts. No warning from either
-// compiler.
+// C++ in header and source beside the header alone, for the same robots, in one program: the same bits in double and in
+// float, with the library's and the caller's sines and cosines, in stages and in parts. Neither compiler warns.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
@@ -36,7 +35,7 @@ const std::vector<std::string> kStaged = {"gravity", "inverse_dynamics"};
 struct Forms {
   LoadedRobot model;
   std::vector<Function> functions;
-  std::string header;  // in namespace whole
+  std::string header;  // the header alone, in namespace whole
   HeaderAndSource pair;
 };
 
@@ -58,7 +57,7 @@ Forms forms_of(const std::string& robot, int most_lines) {
   return forms;
 }
 
-// One call of both, and whether what they write is the same. FORM stands for a form's namespace.
+// Calls both forms and compares what they write. FORM stands for a form's namespace.
 std::string comparison(const std::string& call, const std::string& inputs, const Function& function,
                        const std::string& last) {
   std::size_t length = 0;
@@ -148,7 +147,7 @@ TEST_P(PairForm, HasTheBitsOfTheHeader) {
   const TemporaryFolder folder;
   write_files(folder.path(), forms);
   write(folder.path() / "main.cpp", program(forms));
-  // clang++: of a template whose definition is elsewhere, it wants to know that it is instantiated there.
+  // clang++ warns if a template with its definition elsewhere is not declared as instantiated there.
   for (const char* compiler : {"g++", "clang++ -Wundefined-func-template"}) {
     EXPECT_EQ(output_of(folder.path(), fmt::format("{0} {1} -c apart.cpp && {0} {1} -Wno-unused-variable "
                                                    "-Wno-unused-but-set-variable main.cpp apart.o -o main && ./main",
@@ -158,7 +157,7 @@ TEST_P(PairForm, HasTheBitsOfTheHeader) {
   }
 }
 
-// With free symbols; with friction's sign; with an entry that is always zero; in parts.
+// Robots with free symbols, with friction's sign, with an entry that is always zero, and in parts.
 INSTANTIATE_TEST_SUITE_P(Robots, PairForm,
                          ::testing::Values(PairCase{"scara.toml", 0}, PairCase{"pendulum_motor.toml", 0},
                                            PairCase{"puma560.toml", 0}, PairCase{"cartesian_2.toml", 0},
@@ -168,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, PairForm,
                            return robot.substr(0, robot.find('.'));
                          });
 
-// What a user does not compile needs no flags of theirs; what is not compiled does not link.
+// A user's flags do not matter for code that the user does not compile; code that is not compiled does not link.
 TEST(SourceOfAPair, SaysWhetherItRoundsAsWritten) {
   const Forms forms = forms_of("ur5.urdf", 0);
   const TemporaryFolder folder;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The same input gives the same bytes: in another folder, in a locale whose decimals have a comma, and from a program
-// that another compiler built. What is compared is all that `generate` writes, in every form.
+// The same input gives the same bytes: in another folder, in a locale with decimal commas, and from a program built by
+// another compiler. All files that `generate` writes are compared, in every form.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Robot file, options: every language and form, a scene, a search, an error budget, names given by others.
+// Robot file and options: every language and form, a scene, a search, an error budget, given names.
 const std::vector<std::pair<std::string, std::string>> kRuns = {
     {"panda.urdf", "--functions inverse_dynamics,inertia_matrix,base_regressor"},
     {"panda.urdf", "--functions inverse_dynamics --error-budget 1% --search 20 --name budget"},
@@ -24,14 +24,14 @@ const std::vector<std::pair<std::string, std::string>> kRuns = {
     {"planar_2r.toml", "--python --name module"},
     {"planar_2r_example_7_2.toml", "--firmware cortex-m4 --functions inverse_dynamics,gravity --name firmware"}};
 
-// How a run differs from the one that it is compared with.
+// The difference of a run from the one with which it is compared.
 struct FormulationIndex {
   std::string program = FLATDYN_PROGRAM;
   std::string environment = "LC_ALL=C";
-  std::string folder = "here";  // of robot and output, below a folder of the test's own
+  std::string folder = "here";  // folder of robot and output, below a folder of the test's own
 };
 
-using Files = std::map<std::string, std::string>;  // name, content
+using Files = std::map<std::string, std::string>;  // content by name
 
 Files files_in(const fs::path& folder) {
   Files files;
@@ -41,7 +41,7 @@ Files files_in(const fs::path& folder) {
   return files;
 }
 
-// All outputs, and by "log" what is printed. Copies of the robots are in the folder, so that no path is the same.
+// All outputs, and the printed text as "log". Copies of the robots are in the folder, so that all paths differ.
 Files generated(const FormulationIndex& way) {
   const TemporaryFolder scratch;
   const fs::path folder = scratch.path() / way.folder, output = folder / "out";
@@ -80,7 +80,7 @@ TEST(Reproducible, ComparesAllThatIsWritten) {
 
 TEST(Reproducible, InAnyFolder) { expect_the_usual(generated({.folder = "some where/else, ä"})); }
 
-// Of German, made for the test: Debian installs none.
+// A German locale made for the test: Debian installs none.
 class Locale : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -95,7 +95,7 @@ class Locale : public ::testing::Test {
 };
 
 TEST_F(Locale, ChangesNothing) {
-  // It is one that changes something elsewhere.
+  // This checks that the locale has an effect.
   const std::string print =
       fmt::format("{} bash -c \"printf '%.1f' 0,5\" > '{}'", environment(), (path() / "number").string());
   ASSERT_EQ(std::system(print.c_str()), 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// rounding_is_as_written() of a generated header, built with flags that keep what was certified, and with flags that
-// do not: with g++ and with clang++.
+// rounding_is_as_written() of a generated header, built with flags that keep the certified rounding and with flags that
+// do not, by g++ and by clang++.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -74,13 +74,13 @@ TEST(RoundingIsAsWrittenByGcc, NotInTheRegistersOfTheX87) {
   EXPECT_EQ(answer_of_build("g++", "-O0 -mfpmath=387"), (Answer{false, false}));
 }
 
-// Every result stored, so that it has the digits of a double, but is rounded twice: in float that changes nothing.
+// Every result is stored, so it has the digits of a double but is rounded twice; for float that makes no difference.
 TEST(RoundingIsAsWrittenByGcc, NotWhereResultsAreRoundedTwice) {
   EXPECT_FALSE(answer_of_build("g++", "-O0 -ffp-contract=off -mfpmath=387 -ffloat-store").in_double);
   EXPECT_FALSE(answer_of_build("g++", "-O2 -ffp-contract=off -mfpmath=387 -ffloat-store").in_double);
 }
 
-// The x87 set to 24 digits, as some programs leave it: doubles are floats then.
+// The x87 is set to 24 digits, as some programs leave it: doubles are then floats.
 TEST(RoundingIsAsWrittenByGcc, NotWithTooFewDigits) {
   EXPECT_FALSE(answer_of_build("g++", "-O2 -ffp-contract=off -mfpmath=387 -mpc32").in_double);
   EXPECT_FALSE(answer_of_build("g++", "-O2 -ffp-contract=off -mfpmath=387 -mpc32 -ffloat-store").in_double);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// docs/builds.md from its text: the files that it shows are written, its commands run as they stand, in a folder of the
-// test's own, and print what it says.
+// docs/builds.md is executed from its text: the files that it shows are written, and its commands run as they stand, in
+// a folder of the test's own, and print what it shows.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// A checkout that is built, with a home of its own to install to.
+// A built checkout, with a home folder of its own to install to.
 class Checkout {
  public:
   Checkout() {
@@ -49,18 +49,18 @@ std::string file_name(const std::string& line) {
   return is_name ? line.substr(1, line.size() - 3) : "";
 }
 
-// What the page says in its order.
+// A step of the page, in its order.
 struct Step {
   enum class Kind { command, prints, file } kind;
   std::string text;
-  std::string name = {};  // of a file
+  std::string name = {};  // name of the file
 };
 
 std::vector<Step> steps_of(std::ifstream page) {
   const std::string command = "    ", prints = "    → ";
   std::vector<Step> steps;
   std::string name;
-  bool inside = false;  // of a fence
+  bool inside = false;  // inside a fence
   for (std::string line; std::getline(page, line);) {
     if (line.starts_with("```")) {
       inside = !inside;
@@ -79,7 +79,7 @@ std::vector<Step> steps_of(std::ifstream page) {
   return steps;
 }
 
-// It is built, and IsADebianPackage makes the package.
+// Whether another test covers the command: the build is done, and IsADebianPackage makes the package.
 bool is_done_elsewhere(const std::string& command) {
   return command.starts_with("cmake --preset") || command.find("sudo apt") != std::string::npos;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `cmake --install` leaves is what an outside project needs: tests/consumer/package finds it, generates in its
-// build, and does so again only when something changed. The same with flatdyn's sources in a folder of the project.
+// The result of `cmake --install` is enough for an outside project: tests/consumer/package finds it, generates code in
+// its build, and does so again only after a change. The same holds with flatdyn's sources in a folder of the project.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include "cli/program.hpp"
 
@@ -18,7 +19,7 @@ using ::testing::Not;
 
 const std::string kConsumers = std::string(FLATDYN_SOURCE_DIR) + "/tests/consumer/";
 
-// A project of its own with a copy of the consumer, whose files may be changed.
+// A separate project with a copy of the consumer, whose files may be changed.
 class Project {
  public:
   // `name`: the folder in tests/consumer.
@@ -40,6 +41,17 @@ class Project {
 
   bool make(const std::string& target = "all") {
     return run(fmt::format("cmake --build '{}' --target {}", build(), target));
+  }
+  bool install(const std::string& prefix) {
+    return run(fmt::format("cmake --install '{}' --prefix '{}'", build(), prefix));
+  }
+  // The command that compiles a file.
+  std::string compilation_of(const std::string& file) const {
+    std::istringstream commands(scratch_.read("build/compile_commands.json"));
+    for (std::string line; std::getline(commands, line);) {
+      if (line.find("\"command\"") != std::string::npos && line.find(file + "\"") != std::string::npos) return line;
+    }
+    return "no compilation of " + file;
   }
   bool runs() { return run(fmt::format("'{}/consumer'", build())); }
   std::string log() const { return scratch_.read("log"); }
@@ -93,7 +105,7 @@ TEST_P(Package, IsGeneratedFromAgainOnlyWhenAFileChanged) {
   ASSERT_TRUE(project.make()) << project.log();
   EXPECT_THAT(project.log(), Not(HasSubstr("Generating")));
 
-  // The file that the robot file names, which only the depfile knows of.
+  // arm.urdf is named by the robot file and known only to the depfile.
   project.replace("package/arm.urdf", "<mass value=\"1\"/>", "<mass value=\"3\"/>");
   ASSERT_TRUE(project.make()) << project.log();
   EXPECT_THAT(project.log(), HasSubstr("Generating the dynamics of my_arm"));
@@ -101,7 +113,7 @@ TEST_P(Package, IsGeneratedFromAgainOnlyWhenAFileChanged) {
   EXPECT_THAT(project.log(), HasSubstr("gravity: 78.48 29.43 N m"));
 }
 
-// Without the source, the header is no use: both are made again.
+// Header and source are only useful together, so both are made again if the source is missing.
 TEST_P(Package, MakesBothFilesOfAPairAgain) {
   Project project("package");
   ASSERT_TRUE(project.configure(fmt::format("-G '{}' -D CMAKE_PREFIX_PATH='{}'", GetParam(), prefix())))
@@ -119,6 +131,45 @@ TEST(InstalledPackage, SaysWhichFormsThereAre) {
   EXPECT_THAT(project.log(), HasSubstr("FORM is header or pair, not \"tarball\""));
 }
 
+// A target's name need not be a namespace's; and one that is none is found before anything is built.
+TEST(InstalledPackage, SaysWhichNameIsNoNamespace) {
+  Project project("package");
+  project.replace("package/CMakeLists.txt", "flatdyn_generate(my_arm ROBOT", "flatdyn_generate(my-arm ROBOT");
+  EXPECT_FALSE(project.configure(fmt::format("-D CMAKE_PREFIX_PATH='{}'", prefix())));
+  EXPECT_THAT(project.log(), HasSubstr("\"my-arm\" is no name of a namespace"));
+  EXPECT_THAT(project.log(), HasSubstr("NAMESPACE my_arm"));
+}
+
+// Only sources that are generated have -ffp-contract=off, unless users of the header ask for it.
+TEST(InstalledPackage, LeavesOptionsOfUsersAlone) {
+  Project project("package");
+  const std::string options = fmt::format("-G Ninja -D CMAKE_PREFIX_PATH='{}'", prefix());
+  ASSERT_TRUE(project.configure(options + " -D CMAKE_EXPORT_COMPILE_COMMANDS=ON")) << project.log();
+  EXPECT_THAT(project.compilation_of("main.cpp"), Not(HasSubstr("-ffp-contract=off")));
+  EXPECT_THAT(project.compilation_of("my_arm_as_pair.cpp"), HasSubstr("-ffp-contract=off"));
+  project.replace("package/CMakeLists.txt", "inverse_dynamics)", "inverse_dynamics ROUNDED_AS_WRITTEN)");
+  ASSERT_TRUE(project.configure(options)) << project.log();
+  EXPECT_THAT(project.compilation_of("main.cpp"), HasSubstr("-ffp-contract=off"));
+}
+
+// What links with generated code can be installed and found by a third project.
+TEST(InstalledPackage, IsExportedWithItsUsers) {
+  Project project("package");
+  ASSERT_TRUE(project.configure(fmt::format("-D CMAKE_PREFIX_PATH='{}'", prefix()))) << project.log();
+  ASSERT_TRUE(project.make()) << project.log();
+  const Scratch third;
+  ASSERT_TRUE(project.install(third.path("prefix"))) << project.log();
+  third.write("CMakeLists.txt",
+              "cmake_minimum_required(VERSION 3.20)\nproject(third CXX)\nfind_package(controller REQUIRED)\n"
+              "add_executable(third main.cpp)\ntarget_link_libraries(third consumer::controller)\n");
+  third.write("main.cpp", "#include <my_arm.hpp>\n#include <my_arm_as_pair.hpp>\nint main() {}\n");
+  const std::string build = fmt::format(
+      "(cd '{0}' && cmake -S . -B b -D CMAKE_PREFIX_PATH='{0}/prefix' && "
+      "cmake --build b) > '{0}/log' 2>&1",
+      third.path());
+  EXPECT_EQ(std::system(build.c_str()), 0) << third.read("log");
+}
+
 INSTANTIATE_TEST_SUITE_P(Generators, Package, ::testing::Values("Ninja", "Unix Makefiles"),
                          [](const auto& tool) { return std::string(tool.param, 4); });
 
@@ -131,7 +182,7 @@ TEST(InstalledPackage, SaysWhichFileOfWhichProjectIsWrong) {
   EXPECT_EQ(project.generated("my_arm.hpp"), "");
 }
 
-// docs/examples/controller: in float, against an arm that is simulated in double.
+// docs/examples/controller, in float, with an arm that is simulated in double.
 TEST(InstalledPackage, ControlsASimulatedArm) {
   const Scratch build;
   const std::string command = fmt::format(
@@ -142,7 +193,7 @@ TEST(InstalledPackage, ControlsASimulatedArm) {
   EXPECT_THAT(build.read("log"), HasSubstr("computed torque: follows to"));
 }
 
-// Every library that the program needs is named, and Debian's checker finds no error.
+// Every library that the program needs is listed, and Debian's checker finds no error.
 TEST(InstalledPackage, IsADebianPackage) {
   const Scratch scratch;
   const std::string command = fmt::format(
@@ -175,7 +226,7 @@ TEST(Subdirectory, GeneratesWithAProgramThatIsThere) {
   EXPECT_TRUE(project.runs()) << project.log();
 }
 
-// As for firmware: the compiler is another machine's, flatdyn is this one's.
+// As for firmware, the compiler targets another machine, and flatdyn runs on this one.
 TEST(Subdirectory, GeneratesInACrossBuild) {
   if (std::system("command -v arm-none-eabi-gcc > /dev/null") != 0)
     GTEST_SKIP() << "no arm-none-eabi-gcc: scripts/setup";

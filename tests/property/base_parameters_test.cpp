@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Of random trees: base parameters from regrouping, from samples of prime fields, and from the numeric rank of the
+// Base parameters of random trees: from regrouping, from samples in prime fields, and from the numeric rank of the
 // reference's regressor in 50 digits.
 #include "symbolic/parameters/base_parameters.hpp"
 
@@ -11,6 +11,7 @@
 
 #include "definition/sampled_base.hpp"
 #include "reference/regressor_reference.hpp"
+#include "support/names.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/written_model.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 using Matrix = reference::MatrixX<Real50>;
 
-// Rank of Y sampled in 50 digits: of the columns of `set`, or of Y_b.
+// The rank of Y sampled in 50 digits: of the columns in `set`, or of Y_b.
 Eigen::Index numeric_rank(const Robot& robot, const Mechanism& mechanism, const std::string& function,
                           const std::vector<bool>& columns) {
   const SymbolValues symbols = random_symbol_values(robot, 1);
@@ -66,9 +67,9 @@ struct Placed {
   Number pitch, roll;
 };
 
-// A chain of joints each of which is turned from the base's axes as it is placed, so that equal ones are parallel; all
-// lengths and inertias are in general. Turned there in two parts and back in one: cosines and sines that are rational
-// one by one do not cancel.
+// A chain in which each joint is turned from the base's axes as given, so that equal ones are parallel; lengths and
+// inertias are generic. The turn is made of two parts and undone by one, so that individually rational cosines and
+// sines do not cancel.
 Robot placed_chain(const std::vector<Placed>& joints) {
   testing::Numbers numbers(4);
   Robot robot;
@@ -96,7 +97,7 @@ Robot placed_chain(const std::vector<Placed>& joints) {
 
 constexpr auto kTurn = JointType::revolute, kSlide = JointType::prismatic;
 
-// How the joints of a chain are turned: what is parallel there has to be so in exact numbers, too.
+// Orientations of the joints of a chain; axes that are parallel there must be parallel in exact numbers, too.
 std::vector<std::vector<Placed>> oblique_slides() {
   const Number a = exact_decimal("0.3"), b = exact_decimal("-0.8"), c = exact_decimal("1.1"), quarter = GiNaC::Pi / 2;
   const Placed turn{kTurn, 0, 0}, slide{kSlide, a, b};
@@ -129,8 +130,8 @@ TEST_P(ObliqueSlides, HaveTheSameBaseParametersThreeWays) {
 
 INSTANTIATE_TEST_SUITE_P(Chains, ObliqueSlides, ::testing::Range(std::size_t{0}, oblique_slides().size()));
 
-// Arms of turning and sliding joints, of which some follow one before them, with friction here and there. A last
-// slide's torque depends on few parameters.
+// Arms of revolute and prismatic joints, some of which follow an earlier one, with friction here and there. The torque
+// of a last prismatic joint depends on few parameters.
 std::string coupled_arm(unsigned seed) {
   std::mt19937 engine(seed);
   const auto one_of = [&engine](const auto&... choices) {
@@ -190,7 +191,8 @@ TEST_P(RobotsOfTheRepository, HaveTheRankOfFiftyDigitsOnATiltedBase) {
 INSTANTIATE_TEST_SUITE_P(Files, RobotsOfTheRepository,
                          ::testing::Values("panda.urdf", "ur5.urdf", "puma560.toml", "rx90.toml", "scara.toml",
                                            "planar_2r.toml", "cartesian_2.toml", "prismatic_revolute.toml",
-                                           "quadruped12.urdf"));
+                                           "quadruped12.urdf"),
+                         testing::name_of_text<const char*>);
 
 }  // namespace
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// After every pass, of any function: the same values exactly, no higher count, a graph in normal form.
+// Properties of every pass on any function: exactly the same values, no higher count, a graph in normal form.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Random functions that look like robot dynamics: sums of few products with rational coefficients, much of it shared.
+// Random functions that look like robot dynamics: sums of few products with rational coefficients, with much sharing.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class RandomFunction {
  public:
   explicit RandomFunction(std::uint64_t seed) : random_(seed) {}
 
-  // About `operations` nodes over `joints` joints, and a few outputs.
+  // A function with about `operations` nodes over `joints` joints, and a few outputs.
   Function make(int operations, int joints) {
     function_ = Function{};
     function_.name = "random";
@@ -38,7 +38,7 @@ class RandomFunction {
 
   NodeId simple() { return pool_[static_cast<std::size_t>(below(std::min(static_cast<int>(pool_.size()), 12)))]; }
 
-  // Late ones more often, so that the graph is deep.
+  // A random node; recent ones are more likely, so that the graph is deep.
   NodeId recent() {
     const int size = static_cast<int>(pool_.size());
     return pool_[static_cast<std::size_t>(size - 1 - below(std::min(size, 24)))];
@@ -60,7 +60,7 @@ class RandomFunction {
     return graph().sum(std::move(terms), below(6) == 0 ? number() : Rational(0));
   }
 
-  // Of at most four factors, most often of two.
+  // A product of at most four factors, most often of two.
   NodeId product_of(NodeId a) {
     const NodeId b = any();
     const auto degree = [this](NodeId id) { return graph()[id].op == Op::product ? graph()[id].operands.size() : 1; };
@@ -73,7 +73,7 @@ class RandomFunction {
     switch (below(3)) {
       case 0:
         return graph().sign(qd);
-      case 1:  // never zero but by chance: the denominator holds an input of its own
+      case 1:  // zero only by chance: the denominator contains an input of its own
         return graph().quotient(recent(), graph().sum({{1, any()}, {3, qd}}, 7));
       default: {
         const NodeId angle = graph().sum({{1, graph().input({InputKind::q, below(joints)})},

@@ -63,7 +63,7 @@ void expect_sines_and_cosines(double most_ulps) {
     std::vector<T> x(2048);
     for (std::size_t k = 0; k < x.size(); ++k) {
       double angle = uniform(engine);
-      // Next to zeros, maxima, and where one polynomial takes over from the other.
+      // Angles near zeros and maxima, and near the places where one polynomial replaces the other.
       if (k % 2 == 1) angle = std::clamp(std::nearbyint(angle / (kPi / 4)) * (kPi / 4), -range, range);
       x[k] = static_cast<T>(angle);
     }
@@ -107,7 +107,7 @@ TEST_F(BatchTest, LargeAnglesAreLeftToTheLibraryAndSpoilNoOthers) {
   EXPECT_TRUE(std::signbit(zero[0]));
 }
 
-// Entry i of state k at [i * states + k].
+// Random entries: entry i of state k is at [i * states + k].
 std::vector<double> random_entries(std::size_t entries, std::size_t states, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> uniform(-3, 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Generated functions over Eigen's types, beside the same functions over plain arrays.
+// Generated functions with Eigen's types, beside the same functions with plain arrays.
 #include "flatdyn/eigen.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using JointVector = Eigen::Matrix<double, 7, 1>;
 const JointVector kQ = JointVector::LinSpaced(-0.9, 1.1), kQd = JointVector::LinSpaced(0.7, -0.8),
                   kQdd = JointVector::LinSpaced(0.2, 2.1);
 
-// Entry (i, j) of either kind is the one that the function has at columns * i + j.
+// Entry (i, j) of a matrix of either order is the function's entry columns * i + j.
 template <class Matrix>
 void expect_rows(const Matrix& matrix, const std::vector<double>& rows) {
   ASSERT_EQ(static_cast<std::size_t>(matrix.size()), rows.size());
@@ -51,7 +51,7 @@ TEST(InEigen, MatricesAreOfTheFunctionsShapeInEitherOrder) {
   expect_both_orders<arm::christoffel, Eigen::Matrix<double, 7, 28>>(c);
 }
 
-// What is a silent mistake with data(): J is not its transpose.
+// With data(), this is a silent mistake: J is not its transpose.
 TEST(InEigen, JacobianTimesRatesIsTheTwist) {
   const Eigen::Matrix<double, 6, 1> twist = eigen<arm::jacobian>(kQ) * kQd;
   const double h = 1e-6;
@@ -85,7 +85,7 @@ TEST(InEigen, NumbersAndVectorsComeAsTheyAre) {
   EXPECT_LT((*solved - kQdd).norm(), 1e-10);
 }
 
-// Expressions, parts of longer vectors, vectors of a Map; in float.
+// Expressions, parts of longer vectors, and vectors of a Map; in float.
 TEST(InEigen, TakesWhatHasTheLength) {
   const JointVector g = eigen<arm::gravity>(kQ);
   Eigen::VectorXd longer = Eigen::VectorXd::Constant(9, 5.0);
@@ -99,7 +99,7 @@ TEST(InEigen, TakesWhatHasTheLength) {
   EXPECT_LT((in_float.cast<double>() - g).norm(), 1e-4);
 }
 
-// Parameters come first, sines and cosines last; false is no value.
+// Parameters come first, sines and cosines last; false gives no value.
 TEST(InEigen, HandsOnWhatIsNoVector) {
   namespace planar = planar_2r::functions;
   planar_2r::Parameters<> parameters{};
@@ -113,7 +113,7 @@ TEST(InEigen, HandsOnWhatIsNoVector) {
   EXPECT_TRUE(eigen<planar::forward_dynamics>(parameters, q, zero, g));
 }
 
-// q is longer than qd where loops are closed.
+// q is longer than qd if loops are closed.
 TEST(InEigen, KnowsTheLengthsOfClosedLoops) {
   Eigen::Matrix<double, five_bar::position_count, 1> q = Eigen::Matrix<double, five_bar::position_count, 1>::Zero();
   const auto phi = eigen<five_bar::functions::loop_closure>(q);
@@ -122,7 +122,7 @@ TEST(InEigen, KnowsTheLengthsOfClosedLoops) {
   expect_rows(phi, rows);
 }
 
-// Writes the diagonal only, as of a scene that needs no more.
+// A function that writes the diagonal only, as for a scene that needs no more.
 struct Diagonal {
   template <class Scalar>
   using Shape = void(const Scalar (&q)[2], Scalar (&D)[2][3]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A magnitude bounds its value, is attained where no term cancels, and is zero only where the value must be.
+// A magnitude bounds its value, equals it if no terms cancel, and is zero only if the value is always zero.
 #include "flatdyn/reference/magnitude.hpp"
 
 #include <gtest/gtest.h>
@@ -60,8 +60,8 @@ TEST_P(Magnitudes, BoundTheTipAndThePotentialEnergy) {
   EXPECT_LE(a.tail(3).norm(), kSlack * bound[1]);
 }
 
-// A scale that is far too large would hide errors: over many states the largest torque comes within a factor of its
-// magnitude that grows with the number of links only.
+// A scale that is far too large would hide errors: over many states the largest torque reaches its magnitude up to a
+// factor that grows only with the number of links.
 TEST_P(Magnitudes, AreNotMuchLargerThanTheTorquesCanBe) {
   VectorXd largest = VectorXd::Zero(n);
   for (unsigned k = 0; k < 300; ++k) {
@@ -76,7 +76,7 @@ TEST_P(Magnitudes, AreNotMuchLargerThanTheTorquesCanBe) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Magnitudes, ::testing::Range(1u, 21u));
 
-// A point on a stretched arm: every term points the same way, so nothing cancels.
+// A point on a stretched arm: every term has the same direction, so nothing cancels.
 TEST(Magnitude, IsAttainedWhereNothingCancels) {
   ref::Robot<double> robot;
   robot.links.resize(2);
@@ -96,7 +96,8 @@ TEST(Magnitude, IsAttainedWhereNothingCancels) {
   EXPECT_DOUBLE_EQ(ref::torque_magnitude(robot, q, VectorXd::Zero(1), qdd)[0], tau);
 }
 
-// Two branches do not feel each other's acceleration, and the magnitude says so: not even rounding may appear there.
+// The acceleration of one branch has no effect on the other, and the magnitude says so: not even rounding may appear
+// there.
 TEST(Magnitude, IsZeroBetweenBranches) {
   ref::Robot<double> robot = random_reference_robot<double>(3, {.joints = 2, .chain = true, .rotors = false});
   ASSERT_EQ(robot.size(), 2);

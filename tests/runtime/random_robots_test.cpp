@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The reference against mechanics itself: Lagrange's equations (7.3), by differentiating its energies, on random trees
-// with rotors on any link. Derivatives are central differences in 60 digits, with a step of 1e-18: right to 1e-34.
+// The reference against first principles: Lagrange's equations (7.3), by differentiating its energies, on random trees
+// with rotors on any link. Derivatives are central differences in 60 digits with a step of 1e-18, accurate to 1e-34.
 #include <gtest/gtest.h>
 
 #include "flatdyn/reference/derivatives.hpp"
@@ -19,8 +19,8 @@ using Vector = ref::VectorX<S>;
 using Matrix = ref::MatrixX<S>;
 
 const S kStep("1e-18");
-const S kDifferenced("1e-32");  // tolerance of what is differentiated
-const S kExact("1e-50");        // and of what is not
+const S kDifferenced("1e-32");  // tolerance for derivatives
+const S kExact("1e-50");        // tolerance for everything else
 
 S largest(const Matrix& m) { return m.size() == 0 ? S(0) : m.cwiseAbs().maxCoeff(); }
 
@@ -41,7 +41,7 @@ class RandomRobots : public ::testing::TestWithParam<unsigned> {
     using Result = decltype(f(state.q));
     return Result((f(Vector(state.q + kStep * unit(k))) - f(Vector(state.q - kStep * unit(k)))) / (2 * kStep));
   }
-  // T is a quadratic form in q̇, so B = its Hessian, by polarisation.
+  // B is the Hessian of T, a quadratic form in q̇, by polarisation.
   Matrix inertia_from_energy(const Vector& q) const {
     const auto T = [&](const Vector& qd) { return ref::kinetic_energy(robot, q, qd); };
     Matrix B(n, n);

@@ -42,7 +42,7 @@ TEST(Rk4, LeavesTheStateWhereAccelerationsAreRefused) {
   EXPECT_EQ(qd[1], 4);
 }
 
-// The generated Panda falls as the simulation of the same robot does.
+// The generated Panda falls like the simulation of the same robot.
 TEST(Rk4, StepsAsTheSimulationDoes) {
   const LoadedRobot model = testing::model_of("panda.urdf");
   Simulation simulation = resting(model.robot, model.mechanism);

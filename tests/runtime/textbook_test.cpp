@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The reference against the textbook's closed formulas, in 50 digits, with numbers of no special kind.
+// The reference against the textbook's closed formulas, in 50 digits, with generic numbers.
 #include <gtest/gtest.h>
 
 #include "support/reference_robots.hpp"
@@ -46,7 +46,7 @@ ref::Joint<S> joint(ref::JointType type, int index, const ref::Rotor<S>& rotor) 
 
 ref::Inertial<S> point(const S& mass, const ref::Vector3<S>& r) { return {mass, r, ref::Matrix3<S>::Zero()}; }
 
-// About z alone: across it the inertia is arbitrary, as it must not matter in the plane.
+// A body whose inertia about x and y is arbitrary, since it must not matter in the plane.
 ref::Inertial<S> plane_body(const S& mass, const S& x, const S& I_zz) {
   return {mass, {x, S(0), S(0)}, ref::Vector3<S>(S("0.7"), S("0.9"), I_zz).asDiagonal()};
 }
@@ -73,7 +73,7 @@ TEST(Textbook, PendulumWithMotor) {
   EXPECT_LE(abs(S(ref::kinetic_energy(robot, q, qd) - (I + I_m * k_r * k_r) * qd[0] * qd[0] / 2)), kTolerance);
 }
 
-// Sect. 7.3.1: each motor at the origin of the frame before its joint.
+// Sect. 7.3.1: each motor is at the origin of the frame before its joint.
 TEST(Textbook, TwoLinkCartesianArm) {
   const S m_l1("3.1"), m_l2("2.3"), m_m1("0.9"), m_m2("0.8"), I_m1("0.01"), I_m2("0.02"), k_r1("31"), k_r2("-17"),
       g("9.81");
@@ -140,7 +140,7 @@ TEST_F(PlanarArm, InertiaMatrix) { expect_near(ref::inertia_matrix(robot, q), B(
 
 TEST_F(PlanarArm, Gravity) { expect_near(ref::gravity(robot, q), gravity(), "g"); }
 
-// Columns 11, 12, 22 of c_ijk.
+// The columns for 11, 12 and 22 of c_ijk.
 TEST_F(PlanarArm, ChristoffelSymbols) {
   Matrix c(2, 3);
   c << S(0), h(), h(), -h(), S(0), S(0);

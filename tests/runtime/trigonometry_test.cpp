@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where generated code has its sines and cosines from. Compiled for any machine, and again with AVX2 (CMakeLists.txt).
+// The sources of sines and cosines for generated code. Compiled for any machine, and again with AVX2 (CMakeLists.txt).
 #include "flatdyn/trigonometry.hpp"
 
 #include <gtest/gtest.h>
@@ -103,7 +103,7 @@ TEST_F(TrigonometryTest, PrismaticPositionsAreReadBesideGivenSines) {
   EXPECT_EQ(p_given[2], p[2]);
 }
 
-// A policy of the user's own: here, one that counts.
+// A policy of the user's own: this one counts.
 struct Counting {
   int* calls;
   int* joints;

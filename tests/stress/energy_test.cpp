@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The Panda falling freely, by its generated code: its energy is kept as well as the integrator allows, and Ḃ - 2C
-// stays skew-symmetric.
+// The Panda falling freely, by its generated code: its energy is kept as accurately as the integrator allows, and Ḃ -
+// 2C stays skew-symmetric.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -36,7 +36,7 @@ FreeMotion slope(const FreeMotion& state) {
   return result;
 }
 
-// The classical method of Runge and Kutta, of order 4.
+// The classical Runge–Kutta method of order 4.
 FreeMotion stepped(const FreeMotion& s, double h) {
   const auto moved = [&s](double part, const FreeMotion& by) {
     return FreeMotion{along(s.q, part, by.q), along(s.qd, part, by.qd)};
@@ -98,8 +98,8 @@ FreeMotion after(FreeMotion s, int steps, double h) {
   return s;
 }
 
-// Free motion is chaotic: with another step it soon is another one. So the two steps are compared over a quarter of a
-// second at a time, from the same states on the way.
+// Free motion is chaotic: with another step it soon differs completely. So the two steps are compared over a quarter of
+// a second at a time, from the same intermediate states.
 TEST(FreeMotionOfThePanda, KeepsItsEnergyAsWellAsTheIntegratorAllows) {
   constexpr double kStep = 1e-3;
   constexpr int kSteps = 250;
@@ -118,7 +118,7 @@ TEST(FreeMotionOfThePanda, KeepsItsEnergyAsWellAsTheIntegratorAllows) {
       "%g s: energy %.6g J, at the end %.3g J more; changes per quarter of a second %.3g J, at half the step "
       "%.3g J: %.3g times less\n",
       kSeconds, first, total, coarse / parts, fine / parts, coarse / fine);
-  // Of order 4: sixteen times less.
+  // The method has order 4, so half the step gives a sixteenth of the error.
   EXPECT_GT(coarse / fine, 14);
   EXPECT_LT(coarse / fine, 36);
   EXPECT_LT(std::abs(total), 1e-3);

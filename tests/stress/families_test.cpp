@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Short forms of `flatdyn stress`: robots that are hard on numbers, and one of robots/. The long ones by command.
+// Short forms of `flatdyn stress`: robots that are hard on numbers, and one of robots/. The long forms are run by
+// command.
 #include "stress/families.hpp"
 
 #include <gtest/gtest.h>
 
 #include "report/family_report.hpp"
+#include "support/names.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -27,7 +29,7 @@ FamilyReport report_of(const std::string& family, int robots, const std::vector<
 
 class Families : public ::testing::TestWithParam<const char*> {};
 
-// Nowhere more than four times what the reference loses in the same precision, nowhere above 64 units.
+// The errors are at most four times the reference's in the same precision, and at most 64 units.
 TEST_P(Families, LoseNoMoreThanTheReference) {
   const FamilyReport report = report_of(GetParam(), 1, {"inverse_dynamics"});
   EXPECT_EQ(report.rows.size(), 2u);
@@ -35,10 +37,12 @@ TEST_P(Families, LoseNoMoreThanTheReference) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hard, Families,
-                         ::testing::Values("inertia_ratios", "gear_ratios", "far_centres", "near_parallel", "trees"));
+                         ::testing::Values("inertia_ratios", "gear_ratios", "far_centres", "near_parallel", "trees"),
+                         name_of_text<const char*>);
 
-// Where masses that balance first moments of the parent, which cost least, lost 6 to 20 times what the reference does;
-// or, of nearly parallel axes, moments about the common normal's feet, a thousand metres away, 5 times.
+// Robots on which cheaper formulations were worse than the reference: masses that balance first moments of the parent,
+// which cost least, lost 6 to 20 times as much; moments about the feet of the common normal of nearly parallel axes, a
+// thousand metres away, 5 times.
 struct HardCase {
   const char* family;
   int joints;
@@ -59,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Hard, HardCases,
                                            HardCase{"near_parallel", 5, 41}),
                          [](const auto& hard) { return std::string(hard.param.family); });
 
-// Where B is singular to the last place of the scalar, forward dynamics say so, at every state.
+// If B is singular to the last place of the scalar, forward dynamics report it, at every state.
 TEST(LightLinks, AreComputedOrSaidToBeLost) {
   const FamilyReport report = report_of("light_links", 6, {"forward_dynamics"});
   EXPECT_TRUE(report.passed()) << family_text(report);
@@ -68,7 +72,7 @@ TEST(LightLinks, AreComputedOrSaidToBeLost) {
     const bool is_float = row.found.scalar == "float";
     const bool is_lost = row.label == "between equal axes 1e-18" ||
                          (is_float && row.label != "between equal axes 1e-6" && row.label.rfind("between", 0) == 0);
-    if (is_float && row.label == "between equal axes 1e-6") continue;  // at some states
+    if (is_float && row.label == "between equal axes 1e-6") continue;  // at some states only
     EXPECT_EQ(row.found.refused, is_lost ? row.found.tried : 0u) << row.label << ", " << row.found.scalar;
   }
   ASSERT_EQ(report.left_out.size(), 1u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Infinities and NaN in the inputs of generated code: they reach the outputs that depend on them, and no others;
-// nothing stops, in one state or over lanes.
+// Infinities and NaN in the inputs of generated code reach the outputs that depend on them and no others; nothing
+// traps, for one state or over lanes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ TEST_P(NotANumber, ReachesWhatThePositionTurns) {
   }
 }
 
-// The Panda's base stands upright: the first position turns nothing that gravity feels.
+// The Panda's base stands upright, so gravity does not depend on the first position.
 TEST_P(NotANumber, DoesNotReachWhatDoesNotDependOnIt) {
   Numbers x;
   const std::vector<double> before = torques(x);

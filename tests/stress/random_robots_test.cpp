@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A mistake that a pass might make is found among random robots, and made small.
+// A fault that a pass might have is found among random robots, and its robot is simplified.
 #include "stress/random_robots.hpp"
 
 #include <gtest/gtest.h>
@@ -40,12 +40,12 @@ TEST(RandomRobots, WithAMistakeAreFoundAndMadeSmall) {
     EXPECT_LE(failure.smallest.links.size(), 2u) << failure.file;
     EXPECT_LT(failure.file.size(), robot_file(failure.drawn).size());
     EXPECT_NE(failure.file.find("flatdyn stress --family random"), std::string::npos);
-    // No single thing can be taken away any more.
+    // Nothing more can be removed.
     for (const PlainLink& link : failure.smallest.links) EXPECT_FALSE(link.has_motor) << failure.file;
   }
 }
 
-// The compiler's part: what it makes of the text is called, not only the text carried out.
+// The compiled text is called, not only the text executed.
 TEST(RandomRobots, AreCompiled) {
   RandomRobotsOptions options;
   options.robots = 30;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// States in which much moves.
+// States with fast motion.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace flatdyn::testing {
 
-// Every second one is at the limits of all rates and accelerations.
+// Random states; every second one is at the limits of all rates and accelerations.
 inline std::vector<State> fast_states(const Mechanism& mechanism, int count) {
   const InputLimits limits = input_limits(mechanism);
   std::vector<State> states = random_states(mechanism, count, 1);

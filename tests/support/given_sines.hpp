@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Statements of a test's program that fill sine[k] and cosine[k] as callers do who have them from elsewhere: of the
-// entries of q, and of multiples of them by which coupled joints turn.
+// Statements of a test's program that fill sine[k] and cosine[k] like callers who have them from elsewhere: those of
+// the entries of q, and of the multiples of them by which coupled joints turn.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A robot of robots/ with its regressor, and what is identified from its simulated motion.
+// A robot of robots/ with its regressor, and the parameters identified from its simulated motion.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,8 +32,8 @@ struct Arm {
   }
 };
 
-// Without noise every base parameter is found to 1e-9 of itself and share of the largest. The torques are those of the
-// recursive reference, which knows nothing of regressors.
+// Without noise, every base parameter is found to 1e-9 of itself and to `share` of the largest. The torques are those
+// of the recursive reference, which is independent of regressors.
 inline void expect_recovery(const Arm& arm, const std::string& robot,
                             const SimulationOptions& options = {.samples = 600}, double share = 1e-13) {
   const Eigen::VectorXd truth = arm.truth();

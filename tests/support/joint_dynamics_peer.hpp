@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What somebody else's library makes of a robot's joints, without rotors and friction; positions, rates and torques by
-// the index of the joint.
+// Another library's dynamics of a robot's joints, without rotors and friction; positions, rates and torques are indexed
+// by joint.
 #pragma once
 
 #include "flatdyn/reference/robot.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The reference's robot as one of the Orocos Kinematics and Dynamics Library, which knows no rotors (a joint's inertia
-// there is our armature) and no friction.
+// The reference's robot as one of the Orocos Kinematics and Dynamics Library, which has no rotors (its joints' inertia
+// is our armature) and no friction.
 #pragma once
 
 #include <kdl/chain.hpp>
@@ -38,7 +38,7 @@ inline KDL::RigidBodyInertia kdl(const reference::Link<double>& link) {
   return sum;
 }
 
-// A joint is two segments: its constant displacement, then the motion with the link behind it.
+// A joint consists of two segments: its constant displacement, then the motion with the link after it.
 inline std::vector<KDL::Segment> segments(const reference::Robot<double>& robot,
                                           const reference::Joint<double>& joint) {
   const std::string name = std::to_string(joint.child);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Robots of robots/ whose joints all have limits.
+// Robots of robots/ with limits for all joints.
 #pragma once
 
 #include "planning/formulations.hpp"
@@ -7,7 +7,8 @@
 
 namespace flatdyn::testing {
 
-// Every joint moves at up to 2 /s and 10 /s^2, and takes 100 N m (N); prismatic ones half a metre each way.
+// Sets limits: every joint moves at up to 2 /s and 10 /s^2 and exerts up to 100 N m (N); prismatic ones move half a
+// metre each way.
 inline Mechanism within_limits(Mechanism mechanism) {
   for (Body& body : mechanism.bodies) {
     body.limits.velocity = Value{2, {}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The reference's robot as one of MuJoCo. Its file only says what hangs on what: the numbers are put into the model
-// afterwards, as MuJoCo's own principal axes of inertia are good to nine digits, and as it refuses links that no body
-// could be.
+// The reference's robot as one of MuJoCo. Its file has only the tree; the numbers are put into the model afterwards,
+// since MuJoCo's principal axes of inertia are accurate to only nine digits, and since it refuses links that are not
+// physically consistent.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -23,7 +23,7 @@ class MujocoTree : public JointDynamicsPeer {
   explicit MujocoTree(const reference::Robot<double>& robot) : robot_(robot), model_(loaded(), mj_deleteModel) {
     for (int axis = 0; axis < 3; ++axis) model_->opt.gravity[axis] = robot.gravity[axis];
     for (const Joint& joint : robot_.joints) place(joint);
-    // What MuJoCo has found out from the file's numbers, and would leave out.
+    // These flags would make MuJoCo skip terms that are zero for the file's numbers.
     std::fill_n(model_->body_simple, model_->nbody, mjtByte(0));
     std::fill_n(model_->body_sameframe, model_->nbody, mjtByte(0));
     std::fill_n(model_->dof_simplenum, model_->nv, 0);
@@ -81,7 +81,7 @@ class MujocoTree : public JointDynamicsPeer {
 
   static std::string name_of(int link) { return "link" + std::to_string(link); }
 
-  // MuJoCo counts joints depth first.
+  // The index of a joint in MuJoCo, which counts depth first.
   int place_of(int joint) const { return model_->jnt_dofadr[mj_name2id(model_.get(), mjOBJ_JOINT, moving(joint))]; }
   const char* moving(int joint) const { return names_.at(static_cast<std::size_t>(joint)).c_str(); }
   void set(double* to, const Vector& v) const {
@@ -123,7 +123,7 @@ class MujocoTree : public JointDynamicsPeer {
     return model;
   }
 
-  // A link's frame in MuJoCo's body, which is the joint's frame.
+  // The frame of a link in MuJoCo's body, which is the joint's frame.
   Frame frame_of(int link) const {
     for (const Joint& joint : robot_.joints) {
       if (joint.child == link) return {joint.R_1, joint.p_1};
@@ -173,7 +173,7 @@ class MujocoTree : public JointDynamicsPeer {
   }
 
   const reference::Robot<double>& robot_;
-  std::vector<std::string> names_;  // of joints in MuJoCo's model
+  std::vector<std::string> names_;  // names of joints in MuJoCo's model
   std::unique_ptr<mjModel, void (*)(mjModel*)> model_;
   struct Delete {
     void operator()(mjData* data) const { mj_deleteData(data); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Functions with a mistake in them, as a pass with a mistake would leave them.
+// Functions with a mistake, as a faulty pass would leave them.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace flatdyn::testing {
 
 enum class Mutation { flip_sign, drop_term, swap_trigonometry, wrong_index, wrong_operand };
 
-// The function with one node changed; the others are made again over it.
+// The function with one node changed; the nodes that depend on it are rebuilt.
 inline Function mutant(const Function& function, NodeId victim, Mutation mutation) {
   Graph g;
   std::vector<NodeId> moved;

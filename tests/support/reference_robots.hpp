@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Robots and states for tests of the numeric reference, made directly in its own types: no file, no generator.
+// Robots and states for tests of the numeric reference, made directly in its types, without files or the generator.
 #pragma once
 
 #include <random>
@@ -11,7 +11,7 @@ namespace flatdyn::testing {
 
 using Digits50 = reference::Real50;
 
-// Multiples of 1/128 below 1: the same in every scalar type, so that one robot can be had in all of them.
+// Draws multiples of 1/128 below 1, which are the same in every scalar type, so that a robot exists in all of them.
 template <class S>
 class Draw {
  public:
@@ -47,7 +47,7 @@ struct RandomRobot {
   bool friction = true;
 };
 
-// A body of point masses: its inertia is one that a real body can have.
+// A body of point masses, so its inertia is physically consistent.
 template <class S>
 reference::Inertial<S> random_body(Draw<S>& draw) {
   reference::Inertial<S> body;
@@ -61,8 +61,8 @@ reference::Inertial<S> random_body(Draw<S>& draw) {
   return body;
 }
 
-// Fixed, revolute and prismatic joints about any axes, in a chain or a tree; the last link's frame, displaced, is the
-// tip. Rotors sit on any link that exists when their joint is made, not only on the joint's parent.
+// A chain or a tree of fixed, revolute and prismatic joints about any axes; the tip is the last link's frame,
+// displaced. Rotors may be on any link that exists when their joint is made, not only on the joint's parent.
 template <class S>
 reference::Robot<S> random_reference_robot(unsigned seed, const RandomRobot& options = {}) {
   using reference::JointType;
@@ -89,8 +89,8 @@ reference::Robot<S> random_reference_robot(unsigned seed, const RandomRobot& opt
       if (options.friction) joint.viscous = draw.positive();
       if (options.friction) joint.coulomb = draw.positive();
       if (options.rotors) {
-        joint.rotor = reference::Rotor<S>{draw.integer(0, i), S(draw.integer(-40, 60)),
-                                          draw.positive() / S(64), draw.direction()};
+        joint.rotor = reference::Rotor<S>{draw.integer(0, i), S(draw.integer(-40, 60)), draw.positive() / S(64),
+                                          draw.direction()};
       }
     }
     robot.joints.push_back(joint);
@@ -102,7 +102,7 @@ reference::Robot<S> random_reference_robot(unsigned seed, const RandomRobot& opt
   return robot;
 }
 
-// A state of n joints with angles of some turns' size.
+// A state of n joints with angles of some turns.
 template <class S>
 struct ReferenceState {
   ReferenceState(unsigned seed, int n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The robots of robots/, read.
+// The robots of robots/ as models.
 #pragma once
 
 #include <fstream>
@@ -14,7 +14,7 @@ inline LoadedRobot model_of(const std::string& file) {
   return load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file, {});
 }
 
-// As written, to be changed.
+// The text of a robot file, for changes.
 inline std::string text_of_robot(const std::string& file) {
   std::ifstream stream(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file);
   return {std::istreambuf_iterator<char>(stream), {}};

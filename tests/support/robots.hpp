@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Robots made in code, for tests of the stages behind the readers.
+// Robots made in code, for tests of the stages after the readers.
 #pragma once
 
 #include <random>
@@ -46,7 +46,7 @@ class Numbers {
   std::mt19937 engine_;
 };
 
-// Inertia tensor of a body made of three point masses on skew arms: what a real body has.
+// The inertia tensor of a body of three point masses on skew arms, which is physically consistent.
 inline Mat3 real_tensor(Numbers& numbers) {
   Mat3 tensor = zero_matrix();
   for (int k = 0; k < 3; ++k) tensor = tensor + steiner(numbers.positive(), numbers.vector());
@@ -64,7 +64,7 @@ inline Motor motor(Numbers& numbers) {
   return m;
 }
 
-// A tree of revolute, prismatic and fixed joints in random directions, some of them nice, with motors and friction.
+// A tree of revolute, prismatic and fixed joints in random directions, some of them simple, with motors and friction.
 inline Robot random_tree(unsigned seed, int joints, bool chain = false) {
   Numbers numbers(seed);
   Robot robot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Motion of a robot of which everything is known: sums of sines, torques by the recursive reference.
+// The motion of a known robot: sums of sines, with torques by the recursive reference.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,18 +27,18 @@ struct SimulationOptions {
   double fundamental = 0.1;  // Hz; five harmonics
   double noise = 0;          // standard deviation of τ, N m or N
   unsigned seed = 1;
-  bool moving = true;     // otherwise only the first joint moves
-  bool standing = false;  // every sample is a pose in which the robot stands still
+  bool moving = true;     // if false, only the first joint moves
+  bool standing = false;  // if true, every sample is a pose in which the robot stands still
   double amplitude = 1;
-  std::vector<double> around{};  // where loops are closed: all of q, about which the independent joints move
+  std::vector<double> around{};  // for closed loops: all of q, about which the independent joints move
 };
 
-// Uniform in [-1, 1], the same on every machine.
+// Draws numbers uniform in [-1, 1], the same on every machine.
 class Uniform {
  public:
   explicit Uniform(unsigned seed) : engine_(seed) {}
   double operator()() { return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1; }
-  // Of unit variance.
+  // A normal number of variance 1.
   double normal() {
     constexpr double kLeast = 1e-12;
     const double u = std::max(std::abs((*this)()), kLeast);
@@ -49,7 +49,7 @@ class Uniform {
   std::mt19937 engine_;
 };
 
-// Positions of all joints for those of the independent ones, near where they were before.
+// The positions of all joints for those of the independent ones, near the previous positions.
 inline Eigen::VectorXd closed(const reference::Robot<double>& robot, const Eigen::VectorXd& independent,
                               Eigen::VectorXd before) {
   if (robot.loops.empty()) return independent;

@@ -5,7 +5,7 @@
 
 namespace flatdyn::testing {
 
-// The same mechanism with a task of one row, which leaves joints over: then every function can be derived.
+// The same mechanism with a task of one row, which leaves redundant joints: then every function can be derived.
 inline Mechanism with_spare_joints(Mechanism mechanism) {
   mechanism.task.rows = {task_rows(mechanism).front()};
   return mechanism;

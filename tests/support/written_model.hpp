@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A robot as a person writes it, read.
+// A robot as a person writes it, as a model.
 #pragma once
 
 #include <fstream>

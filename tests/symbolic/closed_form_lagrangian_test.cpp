@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The closed form against Lagrange's equations in GF(p): composite links in link frames against the plain sum (7.32)
-// in the base frame, derivatives by GiNaC against dual numbers.
+// The closed form against Lagrange's equations in GF(p): composite links in link frames against the plain sum (7.32) in
+// the base frame, derivatives by GiNaC against dual numbers.
 #include <gtest/gtest.h>
 
 #include "definition/lagrangian.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using F = ModP<kMersenne61>;
 
-// Inputs of kind parameter from a table: the robot's symbols, then c, s and d of each joint.
+// Arithmetic with a table for the inputs of kind parameter: the robot's symbols, then c, s and d of each joint.
 struct TableArithmetic {
   using Scalar = F;
   F constant(const Rational& value) const { return F::from(value); }
@@ -28,7 +28,7 @@ struct TableArithmetic {
 struct Point {
   std::vector<JointPoint<F>> q;
   TableArithmetic arithmetic;
-  std::vector<FreeSymbol> symbols;  // that arithmetic.values belong to
+  std::vector<FreeSymbol> symbols;  // the symbols of arithmetic.values
 };
 
 Point random_point(const Mechanism& mechanism, const ClosedForm& form, std::uint64_t seed) {
@@ -84,7 +84,8 @@ TEST(ClosedFormAndLagrangian, AgreeOnTextbookRobotsWithSymbols) {
   }
 }
 
-// Quarter turns between the axes, as in real arms: revolute but for one joint, with all inertial parameters and motors.
+// An arm like real ones, with quarter turns between the axes: revolute except for one joint, with all inertial
+// parameters and motors.
 Robot seven_axis_arm(unsigned seed) {
   testing::Numbers numbers(seed);
   Robot robot;

@@ -11,7 +11,7 @@ namespace {
 
 using testing::symbol;
 
-// Two polynomials are the same if their difference is nothing once sin² is replaced.
+// Two polynomials are the same if their difference vanishes once sin² is replaced.
 ::testing::AssertionResult same(const Number& a, const Number& b, const ClosedForm& form) {
   const Number difference = reduced(a - b, form);
   if (difference.is_zero()) return ::testing::AssertionSuccess();

@@ -13,7 +13,7 @@
 namespace flatdyn {
 namespace {
 
-// The closed form of a robot file, and its symbols by name.
+// The closed form of a robot file, with its symbols by name.
 struct Derived {
   explicit Derived(const std::string& file) : model(testing::model_of(file)), form(closed_form(model.mechanism)) {}
 
@@ -29,8 +29,7 @@ struct Derived {
 
 Number square(const Number& x) { return x * x; }
 
-// B_a and g_a as on the chapter's pages on the arm, but for I and m of link 1'' in b_a22, where the book has those of
-// 1'.
+// B_a and g_a as in the chapter, except for I and m of link 1'' in b_a22, where the book has those of 1'.
 TEST(Parallelogram, IsTheBooks) {
   const Derived arm("parallelogram.toml");
   const Number m1 = arm("m_l1"), m2 = arm("m_l2"), m3 = arm("m_l3"), m1b = arm("m_l1b"), g = arm("g");
@@ -56,7 +55,7 @@ TEST(Parallelogram, IsFoundFromItsLoop) {
   }
 }
 
-// A rhombus can fold, opposite links on each other; it is not taken for folded, in whatever order joints are named.
+// A rhombus can fold with opposite links on each other; it is not recognised as folded, in any order of joint names.
 TEST(Rhombus, IsNotTakenForFolded) {
   for (const char* dependent : {"\"b\", \"c\"", "\"c\", \"b\""}) {
     const std::string text = std::string(R"(name = "rhombus"
@@ -90,7 +89,7 @@ dependent = [)") + dependent +
   }
 }
 
-// m_3' (l_3' - a_1') / (m_2' l_2') = a_1' / a_1'': then B_a is diagonal and constant.
+// With m_3' (l_3' - a_1') / (m_2' l_2') = a_1' / a_1'', B_a is diagonal and constant.
 TEST(Parallelogram, IsDecoupledByDesign) {
   const Derived arm("parallelogram.toml");
   const Number a1 = arm("a_1");
@@ -108,8 +107,8 @@ TEST(Parallelogram, IsDecoupledByDesign) {
   }
 }
 
-// Without motors: no Coriolis torque (c_112 = 0), each centrifugal one by the other link's absolute velocity, g_1
-// without theta_2.
+// Without motors there is no Coriolis torque (c_112 = 0), each centrifugal torque comes from the other link's absolute
+// velocity, and g_1 does not depend on theta_2.
 TEST(AbsoluteAngles, AreProblem7_6) {
   const Derived arm("planar_2r_absolute.toml");
   const Number m2 = arm("m_l2"), a1 = arm("a_1"), l2 = arm("l_2"), k2 = arm("k_r2"), I2 = arm("I_m2");
@@ -124,10 +123,10 @@ TEST(AbsoluteAngles, AreProblem7_6) {
   EXPECT_TRUE(arm.equal(arm.form.g[1], m2 * l2 * arm("g") * arm.form.c[1]));
 }
 
-// B = Tᵀ B' T with q' = T q: the same arm.
+// B = Tᵀ B' T with q' = T q, for the same arm.
 TEST(AbsoluteAngles, AreALinearChangeOfCoordinates) {
   const Derived absolute("planar_2r_absolute.toml"), relative("planar_2r.toml");
-  GiNaC::exmap same;  // symbols of the one file for those of the other, and theta_2 = theta_2' - theta_1'
+  GiNaC::exmap same;  // maps symbols of one file to those of the other, and theta_2 to theta_2' - theta_1'
   for (const FreeSymbol& symbol : relative.model.mechanism.symbols) same[symbol.symbol] = absolute(symbol.name.c_str());
   same[relative.form.c[0]] = absolute.form.c[0];
   same[relative.form.s[0]] = absolute.form.s[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `derive` prints, character by character.
+// The output of `derive`, character by character.
 #include "symbolic/notation/derive.hpp"
 
 #include <gmock/gmock.h>
@@ -94,7 +94,7 @@ TEST(DeriveLatex, PlanarArm) {
   EXPECT_THAT(text, HasSubstr("  \\tau_{2} &= (I_{l_{2}} + "));
 }
 
-// Three parallel joints with numbers.
+// A planar arm of three parallel joints with numbers.
 Robot three_link_planar() {
   Robot robot;
   robot.name = "three_link_planar";
@@ -120,7 +120,7 @@ TEST(DeriveText, SumsOfParallelAnglesWithNumbers) {
 
 TEST(DeriveText, WritesCosinesOutWhereNamesCollide) {
   Robot robot = testing::two_link_planar();
-  robot.symbols.front().name = "c_1";  // of m_l1
+  robot.symbols.front().name = "c_1";  // the symbol m_l1
   const std::string text = derive_text(make_mechanism(robot));
   EXPECT_THAT(text, HasSubstr("\ng_2 = m_l2 l_2 g cos(q_1 + q_2)\n"));
   EXPECT_THAT(text, Not(HasSubstr("cos(q_1),")));
@@ -139,7 +139,7 @@ TEST(DeriveText, RefusesLongChains) {
   EXPECT_THROW(derive_text(make_mechanism(testing::random_tree(1, 20, true))), Failure);
 }
 
-// c_1 c_2 - s_1 s_2 and its like, through a mechanism of three parallel joints.
+// c_1 c_2 - s_1 s_2 and similar terms, by a mechanism of three parallel joints.
 TEST(AngleRewriter, KnowsWhatIsShorter) {
   const Mechanism mechanism = make_mechanism(three_link_planar());
   const ClosedForm form = closed_form(mechanism);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Dust of CAD exporters costs nothing: a dusty robot's code is the clean one's, to the last character.
+// Dust of CAD exporters costs nothing: the code of a dusty robot equals that of the clean one, to the last character.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-// Zeros of an attribute become `dust`, with changing signs.
+// The text with zeros of an attribute replaced by `dust` with alternating signs.
 std::string with_dust(const std::string& text, const std::string& attribute, const std::string& dust) {
   const std::regex values(attribute + "=\"([^\"]*)\"");
   std::string result;
@@ -49,7 +49,7 @@ class DustyRobots : public ::testing::Test {
     Mechanism mechanism;
     std::vector<Function> functions;
   };
-  // Of the robot in this text.
+  // The mechanism of the robot in this text.
   Derived effective_mechanism(const std::string& urdf) const {
     std::ofstream(file_) << urdf;
     PipelineOptions options;

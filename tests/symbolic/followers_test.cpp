@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Joints that follow others by any factors: their closed form by hand, limits and angles, and the same torques from the
-// tree with the forces that hold the couplings.
+// Joints that follow others by any factors: their closed form by hand, limits and angles, and the same torques as the
+// tree with constraint forces.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -112,14 +112,14 @@ TEST_F(Machine, HasACoordinateForEachIndependentJoint) {
 
 TEST_F(Machine, EveryFunctionIsTheLagrangians) {
   for (const FunctionEntry& entry : function_table()) {
-    // Three coordinates: the operational functions have tasks of their own below.
+    // The robot has three coordinates: the operational functions have tests of their own below.
     if (!entry.is_of(model_.mechanism) || entry.kind == FunctionKind::operational) continue;
     const Function function = derive_function(model_.mechanism, entry.name);
     EXPECT_TRUE(prove_exactly(model_.mechanism, function).equal) << entry.name;
   }
 }
 
-// The joint stands where it is held, and the joints that follow its coordinate know where that is.
+// The joint stays where it is held, and the joints that follow its coordinate are placed accordingly.
 TEST_F(Machine, IsHeldAtAJointsPosition) {
   std::string text = kMachine;
   text.insert(text.find("[[link]]"), "[fixed]\nelbow = 0.25\n");
@@ -169,7 +169,7 @@ position = "'a-b' - own"
   EXPECT_DOUBLE_EQ(number(own.effort), 14);
 }
 
-// A crank that drives a rack: its coordinate is an angle here and a length there.
+// A crank that drives a rack: the coordinate is an angle in one case and a length in the other.
 TEST(CrankAndRack, HaveTheSameClosedForm) {
   const Mechanism mechanism = testing::model_of_toml(R"(name = "rack"
 [[link]]
@@ -206,7 +206,7 @@ TEST_F(Machine, BaseParametersAreThoseOfTheSamples) {
   EXPECT_EQ(sampled.rank, base.size());
 }
 
-// Two links in a plane, the second turning by 2/3 of what the first one does.
+// Two links in a plane; the second turns by 2/3 of the first one's angle.
 constexpr const char* kFraction = R"(name = "fraction"
 gravity = [0, "-g", 0]
 [[link]]
@@ -244,7 +244,7 @@ TEST(FollowerByAFraction, AsksForTheSineOfTheFraction) {
   EXPECT_THAT(header, ::testing::HasSubstr("angle[1] = Scalar(0.6666666666666666) * q[0];"));
 }
 
-// A gripper's fingers that turn by any fractions, one of them across the axis of what carries it.
+// A gripper whose fingers turn by arbitrary fractions, one of them across the axis of the joint that carries it.
 constexpr const char* kGripper = R"(name = "gripper"
 [[link]]
 joint = "wrist"
@@ -283,7 +283,7 @@ TEST(FollowerByAFraction, BaseParametersAreThoseOfTheSamples) {
 TEST(FollowerByAFraction, EveryFunctionIsTheLagrangians) {
   const Mechanism mechanism = testing::model_of_toml(kGripper).mechanism;
   for (const FunctionEntry& entry : function_table()) {
-    if (!entry.is_of(mechanism) || entry.kind == FunctionKind::operational) continue;  // of two coordinates
+    if (!entry.is_of(mechanism) || entry.kind == FunctionKind::operational) continue;  // the robot has two coordinates
     EXPECT_TRUE(prove_exactly(mechanism, derive_function(mechanism, entry.name)).equal) << entry.name;
   }
 }
@@ -292,7 +292,7 @@ TEST(FollowerByAFraction, IsIdentified) {
   testing::expect_recovery(testing::Arm(testing::model_of_toml(kGripper)), "gripper");
 }
 
-// Every follower with a factor of its own: more angles than a short function has lines.
+// Every follower has a factor of its own, so there are more angles than a short function has lines.
 TEST(FollowerByAFraction, HasItsAnglesInPartsWhereFunctionsAreShort) {
   constexpr int kFollowers = 40, kMostLines = 30;
   std::string text = "name = \"fan\"\n[[link]]\njoint = \"a\"\nmass = 1\ncom = [0.1, 0, 0]\n";
@@ -334,7 +334,7 @@ TEST(FollowerByAFraction, MayBeOffByAsManyLastPlacesAsItTurnsMore) {
 
 TEST_F(Machine, IsIdentifiedInItsCoordinates) { testing::expect_recovery(testing::Arm(model_), "machine"); }
 
-// Each follows the two before it: asked of every time anew, the first would be reached a million million times.
+// Each joint follows the two before it: without memoisation, the first would be visited 1e12 times.
 TEST(Followers, AreFollowedOnceEach) {
   std::string text = "name = \"rabbits\"\n";
   for (int i = 1; i <= 60; ++i) {
@@ -345,8 +345,8 @@ TEST(Followers, AreFollowedOnceEach) {
   EXPECT_EQ(mechanism.coupling.back()[1], GiNaC::fibonacci(59));
 }
 
-// The tree with the couplings as constraints Φ = q_joint - A q = 0, whose forces are found with the accelerations:
-// [B_t Φᵀ; Φ 0] [q̈_t; λ] = [τ_t - n_t; 0]. Φ's rows are a basis of what is normal to the columns of A.
+// The tree with the couplings as constraints Φ = q_joint - A q = 0, whose forces are found with the accelerations: [B_t
+// Φᵀ; Φ 0] [q̈_t; λ] = [τ_t - n_t; 0]. The rows of Φ are a basis of the space normal to the columns of A.
 TEST_F(Machine, MovesAsTheTreeWithConstraintForces) {
   using namespace reference;
   const reference::Robot<double> coupled = reference_robot<double>(model_.robot, {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Problems of the textbook's chapter that are about formulas and not about a command: docs/problems/.
+// Problems of the textbook's chapter that are about formulas rather than a command: docs/problems/.
 #include <gtest/gtest.h>
 
 #include "support/robot_models.hpp"
@@ -15,7 +15,7 @@ Number slope(const Number& f, int k, const ClosedForm& form) {
   return f.diff(s) * c - f.diff(c) * s;
 }
 
-// Of the two-link planar arm: both matrices C, and wᵀ (Ḃ - 2 C) w.
+// Both matrices C of the two-link planar arm, and wᵀ (Ḃ - 2 C) w.
 struct TwoMatrices {
   Mechanism mechanism = make_mechanism(testing::two_link_planar());
   ClosedForm form = closed_form(mechanism);
@@ -45,7 +45,7 @@ struct TwoMatrices {
   Number torque(const Rows& C, std::size_t i) const { return reduced(C[i][0] * qd[0] + C[i][1] * qd[1], form); }
 };
 
-// (7.49) holds for any choice of C, (7.48) only for the Christoffel symbols'.
+// (7.49) holds for any choice of C, (7.48) only for that of the Christoffel symbols.
 TEST(Problems, P7_2) {
   const TwoMatrices arm;
   for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE((arm.torque(arm.symmetric, i) - arm.torque(arm.plain, i)).is_zero());

@@ -13,7 +13,7 @@
 namespace flatdyn {
 namespace {
 
-// A graph's values as expressions, sines and cosines of joint angles being symbols.
+// The values of a graph as expressions, with sines and cosines of joint angles as symbols.
 class Expressions {
  public:
   using Scalar = Number;
@@ -59,7 +59,7 @@ class TwoLinkPlanarArm : public ::testing::Test {
  protected:
   Number value(const std::string& name) const { return testing::symbol(mechanism, name); }
 
-  // c² + s² = 1 for both joints.
+  // Applies c² + s² = 1 for both joints.
   Number normal(const Number& e) const {
     return e.expand()
         .subs(GiNaC::lst{GiNaC::pow(x.s[0], 2) == 1 - GiNaC::pow(x.c[0], 2),
@@ -67,7 +67,7 @@ class TwoLinkPlanarArm : public ::testing::Test {
         .expand();
   }
 
-  // Column of Y for a change of parameters given in the textbook's frame i, at the end of link i.
+  // An entry of Y for a change of parameters given in the textbook's frame i, at the end of link i.
   Number entry(std::size_t row, int i, const InertialParameters& in_textbook_frame) const {
     const Number a = value("a_" + std::to_string(i + 1));
     const std::vector<Number> change = entries_of(transformed(in_textbook_frame, identity_matrix(), {a, 0, 0}));

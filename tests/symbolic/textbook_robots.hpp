@@ -8,7 +8,7 @@
 
 namespace flatdyn::testing {
 
-// The symbols of a robot by name, in the order in which they are asked for first.
+// The symbols of a robot by name, in the order of first use.
 class Symbols {
  public:
   explicit Symbols(Robot& robot) : robot_(robot) {}
@@ -43,8 +43,8 @@ inline Motor textbook_motor(Symbols& symbol, const std::string& i, bool with_mas
   return motor;
 }
 
-// 7.3.2, standard DH frames: frame i at the end of link i, centre of mass l_i from the joint. `shuffle` makes the
-// symbols in another order, for tests that it makes no difference.
+// 7.3.2, standard DH frames: frame i at the end of link i, centre of mass l_i from the joint. `shuffle` creates the
+// symbols in another order, to test that it makes no difference.
 inline Robot two_link_planar(bool shuffle = false) {
   Robot robot;
   robot.name = "two_link_planar";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Compiled twice (CMakeLists.txt): FLATDYN_KERNEL is the name of the function. Eigen's namespace is renamed along, so
-// that the linker does not mix up instructions of the two.
+// This file is compiled twice (CMakeLists.txt), with FLATDYN_KERNEL the name of the function. Eigen's namespace is
+// renamed too, so that the linker does not mix up the instructions of the two.
 #define Eigen FLATDYN_KERNEL_EIGEN
 #include <Eigen/Core>
 #include <cmath>
@@ -11,8 +11,8 @@ namespace flatdyn {
 
 void FLATDYN_KERNEL(double* R, FoldedColumn* rows, int cols);
 
-// Householder's reflections (Golub and Van Loan, 5.1). Above the rows, R has only its diagonal entry in column j, so
-// that reflection j is of one row of R and these rows: short enough to stay in registers.
+// Householder reflections (Golub and Van Loan, 5.1). R has only its diagonal entry in column j, so reflection j
+// involves one row of R and these rows, which is short enough to stay in registers.
 void FLATDYN_KERNEL(double* R, FoldedColumn* rows, int cols) {
   using Column = Eigen::Map<Eigen::Matrix<double, kFoldedRows, 1>, Eigen::Aligned64>;
   for (int j = 0; j < cols; ++j) {

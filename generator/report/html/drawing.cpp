@@ -10,7 +10,7 @@
 namespace flatdyn {
 namespace {
 
-// Where a link's own point is in the body's frame.
+// The frame shifted to a point given in it.
 LinkFrame moved_by(LinkFrame frame, const Vec3& point) {
   frame.p = frame.p + frame.R * point;
   return frame;
@@ -42,7 +42,7 @@ class DrawingMaker {
     return found == robot_.joints.end() ? nullptr : &*found;
   }
 
-  // Bodies whose joints have no coordinate.
+  // The bodies whose joints have no coordinate of their own.
   std::vector<int> followers() const {
     std::vector<int> bodies;
     for (int i = 0; i < mechanism_.body_count(); ++i) {
@@ -53,14 +53,15 @@ class DrawingMaker {
     return bodies;
   }
 
-  // Standard DH has a link's frame at its end: then the joint is where the link before has its frame.
+  // The index of a point on the joint's axis. In standard DH a link's frame is at its end, so the joint is at the frame
+  // of the previous link.
   int point_on_axis(const Body& body) const {
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
                                     [&body](const Joint& each) { return each.name == body.joint; });
     return joint->link_offset.displacements.empty() ? joint->child : joint->parent;
   }
 
-  // A link that no joint goes on from: as far as the tip, or else its centre of mass.
+  // Adds a line for a link without further joints: to the tip, or else to its centre of mass.
   void add_stub(int link, Drawing& drawing) {
     if (link == robot_.tip && !robot_.tip_offset.displacements.empty()) {
       drawing.lines.emplace_back(link, static_cast<int>(frames_.size()));
@@ -102,7 +103,7 @@ class DrawingMaker {
 
   const Robot& robot_;
   const Mechanism& mechanism_;
-  std::vector<LinkFrame> frames_;  // points are their origins
+  std::vector<LinkFrame> frames_;  // their points are the frames' origins
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a robot is drawn from: points that its joints move, lines between them, and the joints' axes.
+// The data of a robot's picture: points that move with the joints, lines between them, and the joints' axes.
 #pragma once
 
 #include <utility>
@@ -13,21 +13,22 @@ namespace flatdyn {
 
 struct Drawing {
   struct Follower {
-    int point = 0;  // on its axis
+    int point = 0;  // a point on its axis
     bool prismatic = false;
   };
 
-  // "drawing" of q: `points` (3 per point, m), `axes` (3 per joint, then per follower, unit: z of its body) and
-  // `gravity` (m/s^2), all in the base frame. After the passes.
+  // The function "drawing" of q, after the passes. Outputs, all in the base frame: `points` (3 per point, m), `axes` (3
+  // per joint, then 3 per follower; unit vectors, z of the body) and `gravity` (m/s^2).
   Function function;
   int points = 0;
-  std::vector<std::pair<int, int>> lines;  // between points
-  std::vector<int> joints;                 // by joint in the order of q: the point that lies on its axis
-  std::vector<Follower> followers;         // joints that q has no entry for
+  std::vector<std::pair<int, int>> lines;  // pairs of points
+  std::vector<int> joints;                 // for each joint, in the order of q, a point on its axis
+  std::vector<Follower> followers;         // joints without an entry of q
 };
 
-// One point per written link, its frame's origin, with a line along every joint of the file, fixed ones too; and the
-// centres of mass of last links whose frames are at their joints, as in URDF. `mechanism`: made of `robot`.
+// The drawing has one point per link of the file, at its frame's origin, with a line along every joint, fixed ones
+// included; and the centres of mass of last links whose frames are at their joints, as in URDF. `mechanism`: made from
+// `robot`.
 Drawing drawing_of(const Robot& robot, const Mechanism& mechanism);
 
 }  // namespace flatdyn

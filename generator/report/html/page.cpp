@@ -22,7 +22,7 @@ namespace {
 using kainjow::mustache::data;
 using nlohmann::ordered_json;
 
-// As it may stand in a script element: nothing in a string or a comment of it ends that, or begins a comment of HTML.
+// The code with escapes, so that no string or comment in it ends the script element or begins a comment of HTML.
 std::string for_script_element(const std::string& code) {
   return with_replaced(with_replaced(code, "</", "<\\/"), "<!--", "<\\!--");
 }
@@ -52,7 +52,7 @@ std::string facts_text(const LoadedRobot& model) {
   return text;
 }
 
-// For the page's own script. Limits that are not there, or that nobody filled in, are null.
+// A joint for the page's script. Missing limits, and those that nobody filled in, are null.
 ordered_json joint_json(const Body& body, int point) {
   const auto limit = [](const std::optional<Value>& value) -> ordered_json {
     if (!value || has_symbols(value->number)) return nullptr;
@@ -96,7 +96,7 @@ data maps(const std::vector<OptimisedFunction>& functions) {
   data list(data::type::list);
   for (const OptimisedFunction& each : functions) {
     for (const Output& output : each.function.outputs) {
-      if (each.function.name == "regressor") continue;  // too wide for a place among them
+      if (each.function.name == "regressor") continue;  // too wide for a map
       const bool is_map = output.layout == Layout::matrix || output.layout == Layout::christoffel;
       if (!is_map || output.entries.empty() || each.function.name == "forward_kinematics") continue;
       const int filled = nonzero_entries(each.function, output);

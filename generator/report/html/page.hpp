@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All of a robot on one page of HTML that needs nothing else: it moves, by the emitted functions themselves.
+// One HTML page about a robot that needs no other file; the emitted functions themselves move the robot on it.
 #pragma once
 
 #include <optional>
@@ -15,30 +15,30 @@
 
 namespace flatdyn {
 
-// The functions that the page runs. The others are only counted.
+// The functions that the page runs; for all others it shows operation counts only.
 const std::vector<std::string>& functions_of_page();
 
 struct PageContent {
   const LoadedRobot& model;
-  std::vector<OptimisedFunction> functions;  // those of the page among them
+  std::vector<OptimisedFunction> functions;  // includes the functions of the page
   Drawing drawing;
-  Diagnostics findings;  // beside those of the model
+  Diagnostics findings;  // in addition to those of the model
   std::vector<double> snap_effects;
-  ParameterSet parameters = ParameterSet::given;  // that base parameters are made of
-  std::string options;                            // that shaped the page
-  std::string proof;                              // a sentence: what was proven of the functions
-  std::optional<Certificate> certificate{};       // of the torques
-  std::optional<WorstStates> worst_states{};      // that a search has found
+  ParameterSet parameters = ParameterSet::given;  // the set from which base parameters are made
+  std::string options;                            // the options that shaped the page
+  std::string proof;                              // a sentence on what was proven of the functions
+  std::optional<Certificate> certificate{};       // certificate of the torques
+  std::optional<WorstStates> worst_states{};      // worst states found by a search
 };
 
-// The page's functions as JavaScript: the body of a function that returns them. With what it prints, in its order.
+// The page's functions as JavaScript, the body of a function that returns them, with the functions in their order.
 struct PageCode {
   std::string text;
   std::vector<OptimisedFunction> functions;
 };
 PageCode page_code(const PageContent& content);
 
-// Deterministic. Every name of the robot file is escaped.
+// The page as text. Deterministic. Every name of the robot file is escaped.
 std::string report_page(const PageContent& content, const PageCode& code);
 
 }  // namespace flatdyn

@@ -9,7 +9,7 @@
 namespace flatdyn {
 namespace {
 
-// Pixels: of an entry with what is between two of them, between two joints, left of the rows, and below them.
+// Sizes in pixels: an entry's pitch across and down, the gap between joints, and the margins left of and below the map.
 constexpr int kSide = 9, kHeight = 12, kGap = 6, kLeft = 22, kBelow = 18;
 constexpr int kGroup = kSide * kParametersPerJoint;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which entries of the regressor are always zero, as a picture.
+// A picture of the regressor's structural zeros.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace flatdyn {
 
-// SVG with a row per torque and thirteen columns per joint, those of a joint together and the joints numbered from 1;
-// in the colours of the page that it stands in. `label` is escaped.
+// SVG with a row per torque and thirteen columns per joint, grouped by joint and numbered from 1, in the colours of the
+// page around it. `label` is escaped.
 std::string regressor_map(const Function& function, const Output& Y, const std::string& label);
 
 }  // namespace flatdyn

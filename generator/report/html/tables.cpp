@@ -20,14 +20,14 @@ namespace {
 using kainjow::mustache::data;
 using nlohmann::ordered_json;
 
-// A number, the text of an expression, or nothing.
+// The text of a cell: a number, an expression, or nothing.
 std::string cell(const ordered_json& json, const char* key) {
   if (!json.contains(key)) return "–";
   const ordered_json& value = json.at(key);
   return value.is_string() ? value.get<std::string>() : fmt::format("{:.6g}", value.get<double>());
 }
 
-// What a pass saved of a function, over all of its turns.
+// The operations that a pass saved in a function, summed over its rounds.
 int saved_by(const OptimisedFunction& each, const std::string& pass) {
   int saved = 0;
   for (const PassRecord& record : each.passes) {
@@ -69,7 +69,7 @@ void write_operations(data& page, const std::vector<OptimisedFunction>& function
 namespace {
 
 data unseen_rows(const ordered_json& unseen) {
-  std::vector<std::pair<std::string, std::string>> lines;  // names with one reason
+  std::vector<std::pair<std::string, std::string>> lines;  // names that share a reason
   for (const ordered_json& each : unseen) {
     const std::string why = each.at("why");
     if (lines.empty() || lines.back().second != why) lines.emplace_back("", why);
@@ -122,7 +122,7 @@ void write_certificate(data& page, const std::optional<Certificate>& certificate
     for (const CertifiedOutput& output : function.outputs) {
       data row;
       row["output"] = output.name;
-      row["bound"] = fmt::format("{:.3e}", output.bound);  // all digits that it has
+      row["bound"] = fmt::format("{:.3e}", output.bound);  // all digits of the bound
       row["seen"] = fmt::format("{:.1e}", output.observed);
       row["unit"] = output.unit;
       row["effort"] = output.effort ? fmt::format("{:.1e} %", 100 * output.bound / *output.effort) : "–";

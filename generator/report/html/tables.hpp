@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The tables of a report, as what its template is filled with.
+// The tables of a report as data for its template.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -14,22 +14,22 @@
 
 namespace flatdyn {
 
-// Operation counts per function, and what each pass saved of them.
+// Operation counts per function, with the savings of each pass.
 void write_operations(kainjow::mustache::data& page, const std::vector<OptimisedFunction>& functions);
 
-// Base parameters with their values, and what cannot be identified.
+// Base parameters with their values, and the parameters that cannot be identified.
 void write_base(kainjow::mustache::data& page, const Mechanism& mechanism, ParameterSet set);
 
-// How large the rounding errors of the torques can be, if that was asked for.
+// Bounds of the torques' rounding errors, if a certificate was asked for.
 void write_certificate(kainjow::mustache::data& page, const std::optional<Certificate>& certificate);
 
-// Where rounding errors were largest, if a search for such states was given.
+// The states with the largest rounding errors, if a search for them was given.
 void write_worst_states(kainjow::mustache::data& page, const std::optional<WorstStates>& states);
 
-// Joints with their limits, what a scene fixed, snapped numbers.
+// Joints with their limits, the settings of a scene, and snapped numbers.
 void write_model(kainjow::mustache::data& page, const LoadedRobot& model, const std::vector<double>& snap_effects);
 
-// What was found while reading and deriving. Of files their names only, so that the page is the same from any folder.
+// The findings of reading and deriving. Files are named without folders, so the page does not depend on the folder.
 void write_notes(kainjow::mustache::data& page, const LoadedRobot& model, const Diagnostics& findings);
 
 }  // namespace flatdyn

@@ -16,7 +16,7 @@ using nlohmann::json;
 
 constexpr const char* kMakeIt = "make it with: flatdyn stress ROBOT -o FOLDER, which writes FOLDER/stress.json";
 
-// JSON has no infinity: it is null.
+// The number with two digits; null stands for infinity, which JSON lacks.
 std::string two_digits(const json& number) {
   return number.is_null() ? "∞" : fmt::format("{:.2g}", number.get<double>());
 }
@@ -30,7 +30,7 @@ WorstState row_of(const json& row) {
           worst.at("state").get<std::string>(),  row.at("passed").get<bool>()};
 }
 
-// The line of a byte of the text, counted from 1.
+// The line that contains a byte of the text, counted from 1.
 int line_of(const std::string& text, std::size_t byte) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));

@@ -10,7 +10,7 @@
 namespace flatdyn {
 namespace {
 
-// Pixels: small matrices in large squares, wide ones in small.
+// The side of a square in pixels: large for small matrices, small for wide ones.
 int side_of_square(const Output& output) {
   constexpr int kWidest = 420, kLargest = 22, kSmallest = 3;
   return std::clamp(kWidest / std::max(output.rows, output.cols), kSmallest, kLargest);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which entries of a matrix are always zero, as a picture.
+// A picture of a matrix's structural zeros.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace flatdyn {
 
-// SVG with a square per entry, filled where it is not always zero; in the colours of the page that it stands in.
-// `label` is escaped.
+// SVG with a square per entry, filled unless the entry is always zero, in the colours of the page around it. `label` is
+// escaped.
 std::string zero_map(const Function& function, const Output& output, const std::string& label);
 
-// Entries that are not always zero.
+// The number of entries that are not always zero.
 int nonzero_entries(const Function& function, const Output& output);
 
 }  // namespace flatdyn

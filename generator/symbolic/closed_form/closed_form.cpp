@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The sum over bodies in (7.32) is taken from the tips inwards, in link frames: with joints k+1 … n held still, all
-// that joint k carries is one augmented link, and b_jk is the product of column j of that link's Jacobian with the
-// momentum that a unit rate of joint k gives it. The column depends on q_{j+1} … q_k only, the momentum on q_{k+1} …
-// q_n only: so hardly anything cancels.
+// The sum over bodies in (7.32) is taken from the tips inwards, in link frames: with joints k+1 … n held still, joint k
+// and its descendants are one augmented link, and b_jk is the product of column j of that link's Jacobian with the
+// link's momentum at a unit rate of joint k. The column depends on q_{j+1} … q_k only, the momentum on q_{k+1} … q_n
+// only, so hardly any terms cancel.
 #include "symbolic/closed_form/closed_form.hpp"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ class Lagrange {
  private:
   const Body& body(int i) const { return mechanism_.bodies[at(i)]; }
 
-  // By which multiples of coordinates joint i moves.
+  // The multiples of coordinates by which joint i moves.
   std::vector<Number> factors_of(int i) const {
     if (mechanism_.is_coupled()) return mechanism_.coupling[at(i)];
     std::vector<Number> own(at(mechanism_.size()), 0);
@@ -84,7 +84,7 @@ class Lagrange {
     return sum;
   }
 
-  // Cosine and sine of the sum of multiples, by the addition theorems.
+  // The cosine and sine of joint i's angle, a sum of multiples, by the addition theorems.
   PlanarRotation turn_of_joint(int i) const {
     const std::vector<Number> turns = mechanism_.is_coupled() ? turns_of(mechanism_, i) : factors_of(i);
     PlanarRotation total;
@@ -96,7 +96,7 @@ class Lagrange {
     return {total.c.expand(), total.s.expand()};
   }
 
-  // Aᵀ B A and Aᵀ g.
+  // Replaces B and g by Aᵀ B A and Aᵀ g, where A is the coupling.
   void gather_at_coordinates() {
     const auto n = at(mechanism_.size());
     const Rows& A = mechanism_.coupling;
@@ -114,14 +114,14 @@ class Lagrange {
     form_.g = std::move(g);
   }
 
-  // Displacement of frame i in its parent's frame, with the slide of a prismatic joint.
+  // The displacement of frame i in its parent's frame, including the slide of a prismatic joint.
   Vec3 displacement(int i) const {
     const Body& b = body(i);
     if (!b.prismatic) return b.p;
     return b.p + turn_z(b.beta, turn_x(b.alpha, Vec3{0, 0, slide_[at(i)]}));
   }
 
-  // A free vector of the parent in frame i: transposed Rz(beta) Rx(alpha) Rz(theta) Rz(q).
+  // A free vector of the parent, rotated to frame i by the transpose of Rz(beta) Rx(alpha) Rz(theta) Rz(q).
   Vec3 to_child(int i, const Vec3& v) const {
     const Body& b = body(i);
     const Vec3 fixed = expanded_vector(turn_z(back(b.theta), turn_x(back(b.alpha), turn_z(back(b.beta), v))));
@@ -129,14 +129,15 @@ class Lagrange {
     return expanded_vector(turn_z(back(angle_[at(i)]), fixed));
   }
 
-  template <class Quantity>  // vector or symmetric tensor of frame i, in its parent's axes
+  template <class Quantity>  // a vector or symmetric tensor of frame i, in its parent's axes
   Quantity to_parent(int i, Quantity v) const {
     const Body& b = body(i);
     if (!b.prismatic) v = turn_z(angle_[at(i)], v);
     return turn_z(b.beta, turn_x(b.alpha, turn_z(b.theta, v)));
   }
 
-  // Columns j of the Jacobians of frame i, in its own axes, for all joints between it and the base: (7.18), (7.19).
+  // Adds the columns j of the Jacobians of frame i, in its own axes, for all joints between it and the base: (7.18),
+  // (7.19).
   void add_columns(int i) {
     std::map<int, JacobianColumn> columns;
     if (body(i).parent >= 0) {
@@ -149,7 +150,7 @@ class Lagrange {
     (body(i).prismatic ? own.linear : own.angular) = {0, 0, 1};
     columns_.push_back(std::move(columns));
 
-    // Gravity's direction goes the same way: g_k = -g_0ᵀ J_P summed over the composite link, (7.39).
+    // The direction of gravity is rotated likewise: g_k = -g_0ᵀ J_P summed over the composite link, (7.39).
     const Vec3& above = body(i).parent < 0 ? mechanism_.gravity : gravity_[at(body(i).parent)];
     gravity_.push_back(to_child(i, above));
   }
@@ -176,7 +177,7 @@ class Lagrange {
     composite_[at(parent)] = composite_[at(parent)] + transformed(turned, identity_matrix(), displacement(i));
   }
 
-  // The spinning rotor of joint i: the last two terms of (7.64), and the armature.
+  // Adds the spinning rotor of joint i, the last two terms of (7.64), and the armature.
   void add_rotor(int i) {
     Number& own = form_.B[at(i)][at(i)];
     own += body(i).armature;
@@ -198,7 +199,7 @@ class Lagrange {
     }
   }
 
-  // ∂/∂q_k, with ∂c/∂q = -s and ∂s/∂q = c. A coordinate that turns one joint may move another that slides.
+  // ∂/∂q_k, with ∂c/∂q = -s and ∂s/∂q = c. A coordinate that turns one joint may move another, prismatic one.
   Number derivative(const Number& b, int k) const {
     const auto turned = [&](int angle) {
       const GiNaC::symbol &c = form_.c[at(angle)], &s = form_.s[at(angle)];
@@ -215,7 +216,7 @@ class Lagrange {
   void add_christoffel_symbols() {
     const int n = mechanism_.size();
     form_.c_ijk.assign(at(n), std::vector<Number>(at(n * (n + 1) / 2), 0));
-    // ∂b_ij/∂q_k for i <= j; in a tree zero unless joint k comes after joint i.
+    // ∂b_ij/∂q_k for i <= j; in a tree it is zero unless joint k comes after joint i.
     std::vector<Rows> db(at(n));
     for (int k = 0; k < n; ++k) {
       db[at(k)].assign(at(n), std::vector<Number>(at(n), 0));
@@ -237,14 +238,14 @@ class Lagrange {
 
   const Mechanism& mechanism_;
   ClosedForm form_;
-  std::vector<PlanarRotation> angle_;  // of each body's joint
+  std::vector<PlanarRotation> angle_;  // by body: its joint's angle
   std::vector<Number> slide_;
   std::vector<std::map<int, JacobianColumn>> columns_;
   std::vector<Vec3> gravity_;
   std::vector<InertialParameters> composite_;
 };
 
-// The cosine that goes with a sine: c_i with s_i, cos(x) with sin(x); 0 for what is no sine.
+// The cosine of the same angle as a sine: c_i for s_i, cos(x) for sin(x); 0 if the factor is not a sine.
 Number cosine_of(const Number& factor, const ClosedForm& form) {
   if (GiNaC::is_a<GiNaC::symbol>(factor)) {
     for (std::size_t i = 0; i < form.s.size(); ++i) {
@@ -257,7 +258,7 @@ Number cosine_of(const Number& factor, const ClosedForm& form) {
   return is_sine ? Number(GiNaC::cos(factor.op(0))) : Number(0);
 }
 
-// One factor of a term; `changed` if it was a power of a sine.
+// A factor of a term with powers of sines reduced; `changed` is set if it was such a power.
 Number reduced_factor(const Number& factor, const ClosedForm& form, bool& changed) {
   if (!GiNaC::is_a<GiNaC::power>(factor) || !factor.op(1).info(GiNaC::info_flags::posint)) return factor;
   const Number cosine = cosine_of(factor.op(0), form);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The model in closed form, by Lagrange: what people read, and the definition for small robots. Polynomials in
-// s_i = sin q_i, c_i = cos q_i, d_i and the free symbols, expanded, with s_i² replaced by 1 - c_i²: so equal means
-// equal.
+// The model in closed form, by Lagrange, for people to read and as the definition for small robots. It has polynomials
+// in s_i = sin q_i, c_i = cos q_i, d_i and the free symbols, expanded, with s_i² replaced by 1 - c_i², so that equal
+// functions are equal expressions.
 #pragma once
 
 #include <vector>
@@ -21,12 +21,14 @@ struct ClosedForm {
   const Number& christoffel(int i, int j, int k) const;
 };
 
-// An index of joints as one of vectors.
+// The index of a joint as an index of vectors.
 inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+// B, the Christoffel symbols and g of the mechanism, expanded.
 ClosedForm closed_form(const Mechanism& mechanism);
 
-// sin(x)² → 1 - cos(x)² everywhere, expanded: for the joints' s_i and c_i, and for angles that are free symbols.
+// Replaces sin(x)² by 1 - cos(x)² everywhere and expands, for the joints' s_i and c_i and for angles that are free
+// symbols.
 Number reduced(const Number& expression, const ClosedForm& form);
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// q̈ from torques, (7.115), (7.116).
+// The accelerations q̈ from torques, (7.115), (7.116).
 #pragma once
 
 #include "symbolic/dynamics/factorisation.hpp"
@@ -7,10 +7,10 @@
 
 namespace flatdyn {
 
-// C q̇ + g + friction.
+// The bias torques C q̇ + g + friction.
 std::vector<Number> bias_torques(Workbench& bench);
 
-// q̈ of B q̈ = τ - bias, B factorised; with bias_torques(), or the bias as given.
+// The solution q̈ of B q̈ = τ - bias, with B factorised. The bias is bias_torques(), or as given.
 std::vector<Number> accelerations(Workbench& bench, const Factorisation& B);
 std::vector<Number> accelerations(Workbench& bench, const Factorisation& B, const std::vector<Number>& bias);
 

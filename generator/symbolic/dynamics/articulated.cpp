@@ -6,8 +6,8 @@
 namespace flatdyn {
 namespace {
 
-// The wrench that a body, and what hangs on it, takes: force M a + G α + F, moment about the frame's origin Gᵀ a + J α
-// + N, for the accelerations a (of the origin, less g_0) and α of its frame, in its axes.
+// An articulated body: the wrench needed by a body and its descendants for the accelerations a (of the origin, less
+// g_0) and α of its frame, in its axes. The force is M a + G α + F, the moment about the frame's origin Gᵀ a + J α + N.
 struct ArticulatedBody {
   Mat3 M = zero_matrix(), G = zero_matrix(), J = zero_matrix();
   Vec3 F = zero_vector(), N = zero_vector();
@@ -33,7 +33,8 @@ ArticulatedBody named_body(Derivation& d, const ArticulatedBody& a, const std::s
           d.named(a.F, "Fa_" + n), d.named(a.N, "Na_" + n)};
 }
 
-// About a pole that is at -p of the old one, whose acceleration the old one's exceeds by -S(p) α + c.
+// The same body about a reference point at -p from the old one; the old point's acceleration is the new one's plus
+// -S(p) α + c.
 ArticulatedBody shifted_reference_point(const ArticulatedBody& a, const Vec3& p, const Vec3& c) {
   const Mat3 S = skew(p);
   ArticulatedBody moved;
@@ -69,16 +70,16 @@ class ArticulatedRecursion {
   }
 
  private:
-  // What the recursions find out about a joint and the body that it moves.
+  // Intermediate results for a joint and the body that it moves.
   struct Joint {
-    Vec3 omega = zero_vector();  // of the body, its axes
-    Vec3 drift = zero_vector();  // q̇ ω × z, or 2 q̇ ω × z: the part of α, or a, that q̇ makes
-    Vec3 c = zero_vector();      // ω × (ω × p), parent's axes
-    Vec3 force = zero_vector();  // wrench per unit of q̈
+    Vec3 omega = zero_vector();  // the body's, in its axes
+    Vec3 drift = zero_vector();  // q̇ ω × z for α, or 2 q̇ ω × z for a: the part that q̇ causes
+    Vec3 c = zero_vector();      // ω × (ω × p), in the parent's axes
+    Vec3 force = zero_vector();  // force and moment of the wrench per unit of q̈
     Vec3 moment = zero_vector();
     Vec3 rotor = zero_vector();     // k_r I_m z_m, on the parent
-    Number pivot = 0, inverse = 0;  // what q̈ feels, and one over it
-    Number rest = 0;                // of τ, for what the body's bias leaves
+    Number pivot = 0, inverse = 0;  // the inertia at the joint, and its reciprocal
+    Number rest = 0;                // τ less the torque that the body's bias needs
     Number qdd = 0;
     Vec3 alpha = zero_vector(), a = zero_vector();
   };
@@ -135,7 +136,7 @@ class ArticulatedRecursion {
     return tau;
   }
 
-  // Lets joint i move freely, and hangs what is left of the body on its parent.
+  // Lets joint i move freely, and adds the remaining inertia of the body to its parent.
   void reduce(int i) {
     const std::string n = label(i);
     ArticulatedBody all = named_body(d_, body(i), n);
@@ -174,7 +175,7 @@ class ArticulatedRecursion {
     }
     all = shifted_reference_point(up(i, all), frames_.p(i), j.c);
     if (!vanishes(dot(j.rotor, j.rotor))) {
-      // The rotor's reaction makes the column of q̈ longer by k_r I_m z_m: what the dyads miss.
+      // The rotor's reaction adds k_r I_m z_m to the column of q̈, which the dyads do not include.
       const Vec3 f = frames_.to_parent(i, j.force, "fu_" + n);
       const Vec3 mu = d_.named(frames_.to_parent(i, moment, "muu_" + n) + cross(frames_.p(i), f), "mup_" + n);
       const Vec3 spin = d_.named(j.inverse * j.rotor, "spin_" + n);
@@ -197,7 +198,7 @@ class ArticulatedRecursion {
             frames_.to_parent(i, a.F, "Fu_" + n), frames_.to_parent(i, a.N, "Nu_" + n)};
   }
 
-  // From the base outwards: q̈_i, and the accelerations of body i.
+  // Computes q̈_i and the accelerations of body i, from the base outwards.
   void accelerate(int i) {
     const std::string n = label(i);
     Joint& j = joint(i);

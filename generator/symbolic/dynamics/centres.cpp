@@ -9,16 +9,17 @@ namespace {
 
 const Body& body_of(const Mechanism& mechanism, int i) { return mechanism.bodies[static_cast<std::size_t>(i)]; }
 
-// A point of the parent's frame, in the frame of a body at q = 0.
+// A point of the parent's frame, expressed in the frame of a body at q = 0.
 Vec3 seen_from(const Body& body, const Vec3& point) {
   return expanded(transpose(constant_rotation(body)) * (point - body.p));
 }
 
-constexpr int kWorthwhile = 3;  // axes through one point
+constexpr int kWorthwhile = 3;  // least number of axes through one point
 
 bool is_on_axis(const Vec3& point) { return vanishes(point[0]) && vanishes(point[1]); }
 
-// Where the axis of `body` crosses that of its parent: z in the parent's frame.
+// The point where the axis of `body` crosses that of its parent, as z in the parent's frame; nothing if they do not
+// cross.
 std::optional<Number> crossing(const Body& body) {
   const Vec3 origin = seen_from(body, zero_vector()), along = seen_from(body, {0, 0, 1}) - origin;
   for (const std::size_t k : {0U, 1U}) {

@@ -8,13 +8,13 @@ namespace {
 
 int parent_of(Frames& frames, int i) { return frames.body(i).parent; }
 
-// 2 (p·h) 1 - p hᵀ - h pᵀ + m (p·p 1 - p pᵀ): the change of inertia when the pole moves from the origin of frame i to
-// that of its parent, h the first moment about the old pole.
+// 2 (p·h) 1 - p hᵀ - h pᵀ + m (p·p 1 - p pᵀ): the change of an inertia when the reference point moves from the origin
+// of frame i to that of its parent; h is the first moment about the old point.
 Mat3 inertia_shift(const Number& m, const Vec3& h, const Vec3& p) {
   return inertia_between(p, h + (m / 2) * p);
 }
 
-// The same about the axis alone, to which that of body i is parallel, with h and p in axes of frame i.
+// The zz entry of that change, if the axes of body i and its parent are parallel; h and p are in axes of frame i.
 Number moved_axis(const Body& body, const Number& m, const Vec3& h, const Vec3& p) {
   return 2 * (p[0] * h[0] + p[1] * h[1]) + m * (body.p[0] * body.p[0] + body.p[1] * body.p[1]);
 }
@@ -105,13 +105,13 @@ Rows inertia_matrix(Frames& frames) {
 
 namespace {
 
-// dI/dq_k of composite body k, which turns or slides with joint k under a fixed observer.
+// dI/dq_k of composite body k, which turns or slides with joint k, for a fixed observer.
 InertialParameters rate_of(Derivation& d, const Body& body, const InertialParameters& composite, const std::string& n) {
   const Vec3& h = composite.first_moment;
   const Mat3& I = composite.inertia;
   InertialParameters rate;
   if (body.prismatic) {
-    // The pole stays, the body moves along z: h' = m z, I' = 2 (z·h) 1 - z hᵀ - h zᵀ.
+    // The reference point is fixed while the body moves along z: h' = m z, I' = 2 (z·h) 1 - z hᵀ - h zᵀ.
     rate.first_moment = {0, 0, composite.mass};
     rate.inertia = {Vec3{2 * h[2], 0, -h[0]}, Vec3{0, 2 * h[2], -h[1]}, Vec3{-h[0], -h[1], 0}};
   } else {
@@ -123,18 +123,18 @@ InertialParameters rate_of(Derivation& d, const Body& body, const InertialParame
   return {0, d.named(rate.first_moment, "dh_" + n), d.named_symmetric(rate.inertia, "dI_" + n)};
 }
 
-// (rate of inertia) · twist. The mass does not change, so v acts on the first moment only.
+// (rate of inertia) · twist. The mass is constant, so v acts on the first moment only.
 Wrench applied(const InertialParameters& rate, const Twist& twist) {
   return {cross(twist.omega, rate.first_moment), rate.inertia * twist.omega + cross(rate.first_moment, twist.v)};
 }
 
-// Half derivatives of B: swept[{i, k, j}] = ½ ∂b_ij/∂q_k for i < k <= j, turned[{i, j, k}] = ½ ∂b_ij/∂q_k for
-// i <= j < k, the only ones that are not zero.
+// Halves of the derivatives of B that are not zero: swept[{i, k, j}] = ½ ∂b_ij/∂q_k for i < k <= j, turned[{i, j, k}] =
+// ½ ∂b_ij/∂q_k for i <= j < k.
 struct HalfDerivatives {
   std::map<std::array<int, 3>, Number> swept, turned;
 };
 
-HalfDerivatives half_derivatives(Frames& frames) {  // of a mechanism with halved inertias
+HalfDerivatives half_derivatives(Frames& frames) {  // the frames' mechanism has halved inertias
   Derivation& d = frames.derivation();
   const std::vector<InertialParameters> bodies = composites(frames);
   const std::vector<std::map<int, Twist>> twists = unit_twists(frames);

@@ -12,7 +12,7 @@ struct AtAxis {
   Mat3 I = zero_matrix();
   Vec3 omega = zero_vector(), ddp = zero_vector();
   Mat3 U = zero_matrix();
-  Number domega_z = 0, difference = 0;  // of the transverse moments of inertia
+  Number domega_z = 0, difference = 0;  // difference: I_xx - I_yy
 };
 
 AtAxis at_axis(Frames& frames, int i, const LinkMotion& parent, const InertialParameters& body) {
@@ -29,7 +29,7 @@ AtAxis at_axis(Frames& frames, int i, const LinkMotion& parent, const InertialPa
   return here;
 }
 
-// About the axis, of composite body i when its joint is locked.
+// The moment about the axis of composite body i when its joint is locked.
 Number carried_moment(Derivation& d, const AtAxis& here, const std::string& n) {
   const Number xy = d.named(here.omega[0] * here.omega[1], "omega_o_" + n + "_xy");
   const Number squares = d.named(here.U[1][1] - here.U[0][0], "U_o_" + n + "_yy_xx");
@@ -37,7 +37,7 @@ Number carried_moment(Derivation& d, const AtAxis& here, const std::string& n) {
          squares * here.I[0][1] - here.U[1][2] * here.I[0][2] + here.U[0][2] * here.I[1][2];
 }
 
-// Of composite body i, for what its own rate adds to the accelerations.
+// The wrench on composite body i by the accelerations that its own joint's rate causes.
 Wrench rate_wrench(Derivation& d, const AtAxis& here, const Number& qd, const std::string& n) {
   const Vec3 &h = here.h, &w = here.omega;
   const Mat3& I = here.I;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bias torques where the composite bodies are known anyway, as in forward dynamics.
+// Bias torques from composite bodies, for use where these are known anyway, as in forward dynamics.
 //
-// All behind joint i moves as it would if the joint were locked, and beside that, because of q̇_i, a point at r from the
-// joint's origin is accelerated by (-β x, -β y, γ_x x + γ_y y), β = q̇ (q̇ + 2 ω_z), γ = 2 q̇ ω, with ω that of the
-// parent's body. That field gives a wrench, of composite body i, to all joints before. Joint i itself feels of the
-// field only what it feels of all fields before: one moment about its axis. All of it is taken in axes that do not turn
-// with the joint: there composite bodies are on their way to the parent.
+// Joint i's composite body moves as if the joint were locked, and in addition, because of q̇_i, a point at r from the
+// joint's origin has the acceleration (-β x, -β y, γ_x x + γ_y y), β = q̇ (q̇ + 2 ω_z), γ = 2 q̇ ω, with ω that of the
+// parent's body. This field of accelerations requires a wrench on composite body i, which acts on all joints before i.
+// At joint i itself the field acts only as the sum of all fields before it does: by one moment about its axis. All
+// quantities are in axes that do not turn with the joint: there composite bodies are transformed to the parent anyway.
 #pragma once
 
 #include "symbolic/dynamics/newton_euler.hpp"
 
 namespace flatdyn {
 
-// C q̇ + g + friction of a mechanism without prismatic joints: torques() where motion.qdd is zero. `bodies`:
+// C q̇ + g + friction of a mechanism without prismatic joints: torques() with motion.qdd zero. `bodies`:
 // composites(frames).
 std::vector<Number> composite_bias_torques(Frames& frames, const Motion& motion,
                                            const std::vector<InertialParameters>& bodies);

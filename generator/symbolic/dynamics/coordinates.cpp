@@ -8,7 +8,7 @@ namespace {
 
 std::string names_of(int i, int k) { return "_" + label(i) + "_" + label(k); }
 
-// A; where loops are closed, A G: by body, how its joint moves with the coordinates.
+// The matrix A, or A G with closed loops: row i is the rate of body i's joint per rate of each coordinate.
 Rows factors_of(const Mechanism& mechanism, Derivation& derivation) {
   if (!mechanism.has_loops()) return mechanism.coupling;
   const Rows G = ClosedLoops(mechanism, derivation).motion();
@@ -41,7 +41,7 @@ std::vector<Number> rates_of(const Mechanism& mechanism, Derivation& derivation,
   return joint_motion(mechanism, derivation, inputs(derivation, kind, mechanism.size()), names.at(kind));
 }
 
-// Of all bodies' joints, for motions of theirs that close the loops.
+// The accelerations of all bodies' joints while those of the coordinates are zero, for motions that close the loops.
 std::vector<Number> drift_along(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& rates,
                                 const std::vector<Number>& rates_r, const std::string& name) {
   const std::vector<Number> drift = ClosedLoops(mechanism, derivation).drift(rates, rates_r, name);

@@ -20,7 +20,7 @@ TorqueDerivatives derivatives_at_coordinates(Workbench& bench, const Motion& mot
   return {folded(tau.dq, "dtau"), folded(tau.dqd, "dtaud")};
 }
 
-// A q̈.
+// The accelerations A q̈ of all bodies' joints.
 std::vector<Number> accelerations_of_joints(Workbench& bench, const Factorisation& B) {
   const std::vector<Number> qdd = accelerations(bench, B);
   return joint_motion(bench.mechanism, bench.derivation, qdd, "qdd_j");
@@ -49,7 +49,7 @@ Function torque_derivatives_function(Workbench& bench) {
                    derivative_output(bench, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
 }
 
-// From B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
+// Differentiates B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
 Function acceleration_derivatives_function(Workbench& bench) {
   const Factorisation B(bench.frames, bench.inertia());
   const Motion motion{bench.joint_motion(InputKind::qd), accelerations_of_joints(bench, B), bench.mechanism.gravity,

@@ -7,7 +7,7 @@
 namespace flatdyn {
 namespace {
 
-// e, y, w of the accelerations e + y × r + 2 w × u.
+// The vectors e, y, w of a field of accelerations e + y × r + 2 w × u.
 struct Field {
   Vec3 e = zero_vector(), y = zero_vector(), w = zero_vector();
 };
@@ -61,7 +61,7 @@ class TorqueDerivation {
     return {zero_vector(), twice, {0, 0, 1}};
   }
 
-  // What it takes to give all behind joint k these accelerations.
+  // The wrench that gives composite body k these accelerations.
   Wrench applied(int k, const Field& field) {
     const InertialParameters& body = at(bodies_, k);
     const Momenta& momenta = at(momenta_, k);
@@ -70,13 +70,13 @@ class TorqueDerivation {
     return {force, cross(H, field.e) + body.inertia * field.y + momenta.dI * field.w + cross(field.w, momenta.L)};
   }
 
-  // A row of accelerations to a torque: τ = f·e + μ·y + κ·w.
+  // The linear map from a field of accelerations to a torque: τ = f·e + μ·y + κ·w.
   struct Row {
     Wrench wrench;
     Vec3 kappa = zero_vector();
   };
 
-  // What joint i feels when all behind it is accelerated.
+  // The torque of joint i as a function of a field of accelerations of composite body i.
   Row felt_by(int i) {
     const Momenta& momenta = at(momenta_, i);
     const Wrench wrench = unit_wrench(frames_, i, at(bodies_, i));
@@ -84,7 +84,7 @@ class TorqueDerivation {
     return {wrench, z_column(momenta.dI) + Vec3{momenta.L[1], -momenta.L[0], 0}};
   }
 
-  // ∂τ_i/∂q_k and ∂τ_i/∂q̇_k for k = i and every joint before it.
+  // Computes ∂τ_i/∂q_k and ∂τ_i/∂q̇_k for k = i and every joint before it.
   void row(int i) {
     Row row = felt_by(i);
     const Body& body = frames_.body(i);
@@ -99,7 +99,7 @@ class TorqueDerivation {
     }
   }
 
-  // A row about the origin of frame k, about that of its parent.
+  // Transforms a row from the origin of frame k to that of its parent.
   Row in_parent(int k, const Row& row, const std::string& n) {
     const std::string from = n + "k";
     const Vec3 slid = row.kappa + Number(2) * cross(slide_rate(frames_, k, motion_, at(links_, k)), row.wrench.f);
@@ -109,7 +109,7 @@ class TorqueDerivation {
                         Number(2) * cross(carried, wrench.f)};
   }
 
-  // Its rotor feels how the carrier turns, last term of (7.114).
+  // Adds the torque on the rotor of joint i by its carrier's rotation, last term of (7.114).
   void add_rotor(int i, Row& row) {
     const Vec3 unit = rotor_momentum(frames_, i);
     row.wrench.mu = row.wrench.mu + unit;
@@ -120,7 +120,7 @@ class TorqueDerivation {
     return dot(row.wrench.f, field.e) + dot(row.wrench.mu, field.y) + dot(row.kappa, field.w);
   }
 
-  // ∂τ_i/∂q_k of the joints i before k.
+  // Computes ∂τ_i/∂q_k for the joints i before k.
   void column_of_position(int k) {
     const Wrench relative = applied(k, field_of_position(k)), turned = swept_by(frames_.body(k), at(wrenches_, k));
     climb(k, {relative.f + turned.f, relative.mu + turned.mu}, zero_vector(), result_.dq, "q");
@@ -134,7 +134,7 @@ class TorqueDerivation {
     climb(k, applied(k, field_of_rate(k)), at_carrier, result_.dqd, "qd");
   }
 
-  // What the joints before k feel of a wrench on all behind k, and of a moment on the carrier of its rotor.
+  // The torques at the joints before k of a wrench on composite body k, and of a moment on the carrier of its rotor.
   void climb(int k, Wrench wrench, const Vec3& at_carrier, Rows& result, const std::string& what) {
     for (int i = k; frames_.body(i).parent >= 0;) {
       const std::string n = what + label(k) + "_" + label(i);

@@ -65,8 +65,8 @@ Number kinetic_energy(Frames& frames) {
 
 namespace {
 
-// Of all that a joint carries, the link's first moment about the origin of its frame and its mass; about the same point
-// at q_i = 0 and in axes that do not turn with the joint; and of the whole robot about the base frame's origin.
+// First moments and masses of composite bodies. at_axis: about the origin of frame i at q_i = 0, in axes that do not
+// turn with the joint; base: of the whole robot about the base frame's origin.
 struct FirstMoments {
   std::vector<Vec3> at_axis;
   std::vector<Number> mass;
@@ -103,7 +103,8 @@ Number potential_energy(Frames& frames) {
 
 namespace {
 
-// The largest entry of g_0, where all are numbers: measured in it, a vertical g_0 costs no multiplications.
+// The absolute value of the largest entry of g_0, if all are numbers: in units of it, a vertical g_0 costs no
+// multiplications.
 Number unit_of_gravity(const Vec3& g) {
   GiNaC::numeric largest = 0;
   for (const Number& entry : g) {

@@ -5,13 +5,14 @@
 
 namespace flatdyn {
 
-// T of (7.31), rotors included, J.
+// The kinetic energy T of (7.31), rotors included, J.
 Number kinetic_energy(Frames& frames);
 
-// U of (7.36), zero for a mass at the base frame's origin, J.
+// The potential energy U of (7.36), zero for a mass at the base frame's origin, J.
 Number potential_energy(Frames& frames);
 
-// g(q) of (7.39): the derivatives of U. What a joint carries has one first moment, so that no link's force is needed.
+// The gravity torques g(q) of (7.39), the derivatives of U. Only the first moment of each composite body is needed, not
+// the forces on links.
 std::vector<Number> gravity_torques(Frames& frames);
 
 }  // namespace flatdyn

@@ -46,7 +46,7 @@ Vec3 EulerRates::of(const Vec3& omega) const {
   return derivation_.named(Vec3{omega[2] - w_ * psi, theta, psi}, "dphi");
 }
 
-// By differentiation of the rates, with ȧ = ω × a. What is left of ψ's is (θ̇ / s) (φ̇ - w ψ̇), where θ̇ / s needs no
+// Differentiates the rates, with ȧ = ω × a. The remaining term of ψ's is (θ̇ / s) (φ̇ - w ψ̇), where θ̇ / s needs no
 // root.
 Vec3 EulerRates::changes(const Vec3& omega, const Vec3& alpha) const {
   Derivation& d = derivation_;

@@ -20,7 +20,7 @@ SingularInertia::SingularInertia(const Body& body)
 Factorisation::Factorisation(Frames& frames, Rows B)
     : derivation_(frames.derivation()), L_(std::move(B)), inverse_(L_.size()) {
   const Mechanism& mechanism = frames.mechanism();
-  // Coupled joints on different branches feel each other: then zeros are found one by one.
+  // Coupled joints on different branches may have non-zero entries; zeros are then found one by one.
   for (int k = 0; k < mechanism.size(); ++k) parents_.push_back(mechanism.is_coupled() ? k - 1 : frames.body(k).parent);
   factorise([&mechanism](std::size_t k) { throw SingularInertia(mechanism.joint(static_cast<int>(k))); });
 }
@@ -78,8 +78,8 @@ std::vector<Number> Factorisation::solve(std::vector<Number> b, const std::strin
   return finished(half_solved(std::move(b), "y"), name);
 }
 
-// Column k from L x = D⁻¹ y, Lᵀ y = e_k. Of x all before entry k is known from the columns before, by symmetry, and of
-// y no more is needed than its end, which is that of e_k.
+// Column k is found from L x = D⁻¹ y, Lᵀ y = e_k. The entries of x before k are known from the previous columns, by
+// symmetry, and of y only its end is needed, which is that of e_k.
 Rows Factorisation::inverse(const std::string& name) const {
   const std::size_t n = L_.size();
   Rows result(n, std::vector<Number>(n, 0));

@@ -40,7 +40,7 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
   Derivation& d = frames.derivation();
   std::vector<JacobianColumn> columns(static_cast<std::size_t>(frames.mechanism().body_count()));
   const Vec3 p_e = point_in_base(frames, link.body, link.p, "p");
-  // From the base outwards: two columns of each frame's rotation are needed to place the next axis and origin.
+  // Goes from the base outwards: two columns of each frame's rotation are needed to place the next axis and origin.
   SymbolicPose here;
   for (const int i : way_to(frames.mechanism(), link.body)) {
     const std::string n = label(i);
@@ -53,7 +53,7 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
       const Vec3 lever = d.named(p_e - origin, "r_" + n);
       J = {d.named(cross(z, lever), "J_P" + n), z};
     }
-    Mat3 rows;  // of R_i: each a row of R_(i-1) seen in frame i
+    Mat3 rows;  // rows of R_i: each is a row of R_(i-1) expressed in frame i
     for (std::size_t k = 0; k < 3; ++k) rows[k] = frames.to_child(i, here.R[k], "R_" + n + std::to_string(k));
     here = {rows, origin};
   }
@@ -62,8 +62,8 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
 
 namespace {
 
-// ω̇ of a body from the joints' own q̇ ω × z, and from what accelerates them in closed loops. As a part of U it stands
-// beside ω², which may be far larger.
+// ω̇ of a body from the joints' own q̇ ω × z, and from their accelerations in closed loops. It is not taken from U,
+// where it is added to ω², which may be far larger.
 Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion>& links, const Motion& motion) {
   Derivation& d = frames.derivation();
   Vec3 domega = zero_vector();

@@ -12,13 +12,14 @@ struct SymbolicPose {
   Vec3 p = zero_vector();
 };
 
-// Of a link's frame in the base frame.
+// The pose of a link's frame in the base frame.
 SymbolicPose pose(Frames& frames, const LinkFrame& link);
 
-// Geometric Jacobian of a link's frame, columns J_Pi, J_Oi as in (7.18), (7.19); zero for joints not before it.
+// The geometric Jacobian of a link's frame, columns J_Pi, J_Oi as in (7.18), (7.19), in the base frame; zero for joints
+// that do not move it.
 std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link);
 
-// J̇ q̇: what is left of the frame's acceleration when q̈ = 0 (linear, angular).
+// J̇ q̇: the frame's acceleration while q̈ = 0 (linear, angular), in the base frame.
 JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link);
 
 // A wrench given in base axes at the frame's origin, as one on its body in body axes.

@@ -13,7 +13,7 @@ ClosedLoops loops_of(Workbench& bench) {
                 "its joints are independent, or follow others linearly: q is all that there is to know");
 }
 
-// G q̇, G q̈ + dG/dt q̇ of every entry of q.
+// G times an entry per coordinate, for every entry of q: G q̇ are the rates, G q̈ the accelerations without drift.
 std::vector<Number> along(const Rows& G, const std::vector<Number>& coordinates) {
   std::vector<Number> result;
   for (const std::vector<Number>& row : G) {

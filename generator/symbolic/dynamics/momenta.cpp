@@ -4,7 +4,8 @@
 namespace flatdyn {
 namespace {
 
-// Seen from a pole at which the old one is at p, moving with u. `first_moment`: about the old pole.
+// The momenta about another reference point, from which the old one is at p and moves with u. `first_moment`: about the
+// old point.
 Momenta shifted_momenta(const Momenta& a, const Number& mass, const Vec3& first_moment, const Vec3& p,
                                 const Vec3& u) {
   const Vec3 about_new = first_moment + mass * p;
@@ -19,14 +20,14 @@ Momenta named_momenta(Derivation& d, const Momenta& a, const std::string& n) {
   return {d.named(a.P, "P_" + n), d.named(a.L, "L_" + n), d.named_symmetric(a.dI, "dI_" + n)};
 }
 
-// Of body i alone: u = ω × r.
+// The momenta of body i alone: u = ω × r.
 Momenta own_momenta(Frames& frames, int i, const LinkMotion& link) {
   const InertialParameters& body = frames.inertia(i);
   const Mat3 turned = skew(link.omega) * body.inertia;
   return {cross(link.omega, body.first_moment), body.inertia * link.omega, turned + transpose(turned)};
 }
 
-// What composite body i adds to its parent's.
+// The contribution of composite body i to its parent's.
 Momenta in_parent(Frames& frames, int i, const Momenta& composite, const InertialParameters& body, const Vec3& slide_u,
                   const Vec3& omega) {
   Derivation& d = frames.derivation();

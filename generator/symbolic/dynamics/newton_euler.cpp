@@ -4,8 +4,8 @@
 namespace flatdyn {
 namespace {
 
-// What a body has in common with its parent: the points of the joint's axis are accelerated alike as parts of either,
-// so U_i z = U_parent z. In axes of frame i: that column, ω and ω̇_z of the parent's body.
+// Quantities that a body shares with its parent: points on the joint's axis have the same acceleration as parts of
+// either, so U_i z = U_parent z. In axes of frame i: that column, and ω and ω̇_z of the parent's body.
 struct AxisMotion {
   Vec3 omega = zero_vector(), U_z = zero_vector();
   Number domega_z = 0;
@@ -20,7 +20,7 @@ AxisMotion axis_motion(Frames& frames, int i, const LinkMotion& parent) {
           d.named(dot(z, parent.domega), "domega_r_" + n + "_z")};
 }
 
-// U = S(ω̇) + S(ω)² and ω̇, of which the column U z and ω̇_z are known.
+// Computes U = S(ω̇) + S(ω)² and ω̇ from the column U z and ω̇_z.
 void complete_motion(Derivation& d, LinkMotion& link, const Vec3& U_z, const Number& domega_z, const std::string& i) {
   const auto square = [&](std::size_t a, std::size_t b, const char* name) {
     return d.named(link.omega[a] * link.omega[b], "omega_" + i + name);
@@ -55,8 +55,8 @@ LinkMotion link_motion(Frames& frames, int i, const LinkMotion& parent, const Mo
   return link;
 }
 
-// The part of Î ω̇ + ω × Î ω that comes from the diagonal of Î. With the pseudo-inertia Σ = (tr Î / 2) 1 - Î it is a sum
-// of entries of U, shorter where Σ_zz has been regrouped away; otherwise products of ω serve.
+// The part of Î ω̇ + ω × Î ω that comes from the diagonal of Î. With the pseudo-inertia Σ = (tr Î / 2) 1 - Î it is a
+// sum of entries of U, shorter where Σ_zz has been regrouped away; otherwise products of ω are used.
 Vec3 diagonal_moment(Derivation& d, const Mat3& I, const LinkMotion& link, const std::string& n) {
   const Mat3& U = link.U;
   const Vec3 &w = link.omega, &dw = link.domega;
@@ -99,7 +99,7 @@ Wrench inertial_wrench(Frames& frames, int i, const LinkMotion& link) {
                      "N_" + n)};
 }
 
-// What the spinning rotor of joint i does to the link that carries it, last two terms of (7.105).
+// The reaction of joint i's spinning rotor on the link that carries it, last two terms of (7.105).
 Vec3 rotor_reaction(Frames& frames, int i, const LinkMotion& carrier, const Motion& motion) {
   Derivation& d = frames.derivation();
   const Rotor& rotor = *frames.body(i).rotor;
@@ -132,12 +132,12 @@ std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion) {
 
 Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string& name) {
   Derivation& d = frames.derivation();
-  const Number q = frames.slide(i);  // lever along z of frame i, for a prismatic joint
+  const Number q = frames.slide(i);  // moment arm along z of frame i, for a prismatic joint
   const Vec3 mu = d.named(wrench.mu + Vec3{-q * wrench.f[1], q * wrench.f[0], 0}, "mu_s_" + name);
   const Vec3 f = frames.to_parent(i, wrench.f, "f_u_" + name);
   const Vec3 turned = frames.to_parent(i, mu, "mu_u_" + name);
   Vec3 levered = cross(frames.p(i), f);
-  // About axes that are parallel f need not be turned.
+  // For parallel axes the z entry does not need the rotated f.
   if (const auto& p = frames.p_in_own_axes(i)) levered[2] = frames.axis_in_parent(i)[2] * cross(*p, wrench.f)[2];
   return {f, turned + levered};
 }

@@ -9,7 +9,7 @@
 
 namespace flatdyn {
 
-// What drives the recursion. Zero entries are left out of the result by themselves.
+// The input of the recursion. Zero entries do not appear in the result.
 struct Motion {
   std::vector<Number> qd, qdd;
   Vec3 gravity = zero_vector();  // g_0, base frame
@@ -20,12 +20,13 @@ struct Motion {
 struct LinkMotion {
   Vec3 omega = zero_vector();   // rad/s
   Vec3 domega = zero_vector();  // rad/s^2
-  Vec3 ddp = zero_vector();     // of the frame's origin, m/s^2
+  Vec3 ddp = zero_vector();     // acceleration of the frame's origin less g_0, m/s^2
   Mat3 U = zero_matrix();       // 1/s^2
 };
+// The motions of all bodies, from the base outwards.
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion);
 
-// Of the base, which gravity is made to accelerate.
+// The motion of the base: it is accelerated so that gravity acts on all bodies.
 LinkMotion base_motion(Frames& frames, const Motion& motion);
 
 // A force and its moment about the origin of a body's frame, in that frame.
@@ -34,29 +35,29 @@ struct Wrench {
   Vec3 mu = zero_vector();  // N m
 };
 
-// The wrench f_i, μ_i that each body gets through its joint, (7.112), (7.113), in its own frame. `tip`: wrench that the
+// The wrench f_i, μ_i on each body through its joint, (7.112), (7.113), in its own frame. `tip`: the wrench that the
 // tip exerts on the environment, on the tip's body.
 std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links,
                                    const std::optional<Wrench>& tip = std::nullopt);
 
-// Generalised forces τ, (7.114).
+// The generalised forces τ, (7.114).
 std::vector<Number> torques(Frames& frames, const Motion& motion, const std::optional<Wrench>& tip = std::nullopt);
 
-// What spinning rotors do to the bodies that carry them, in the bodies' frames.
+// The reactions of spinning rotors on the bodies that carry them, in the bodies' frames.
 std::vector<Wrench> rotor_reactions(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links);
 
-// τ_i, (7.114), of the wrench that body i gets through its joint: with motor and friction.
+// τ_i, (7.114), from the wrench on body i through its joint, with motor and friction.
 Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vector<LinkMotion>& links,
                     const Motion& motion);
 
-// k_r I_m z_m: the angular momentum of joint i's rotor for a unit rate, in the frame of the body that carries it. There
-// must be one.
+// k_r I_m z_m: the angular momentum of joint i's rotor for a unit rate, in the frame of the body that carries it. The
+// joint must have a rotor.
 Vec3 rotor_momentum(Frames& frames, int i);
 
-// What a joint feels of its own motor: the armature, and k_r^2 I_m of the rotor.
+// The inertia of a joint's own motor at the joint: the armature, and k_r^2 I_m of the rotor.
 Number reflected_inertia(const Body& body);
 
-// Component of a wrench that joint i feels.
+// The component of a wrench along joint i: its torque or force.
 Number felt(Frames& frames, int i, const Wrench& wrench);
 
 // A wrench on body i, given about its frame's origin, in the frame of its parent about the parent's origin.

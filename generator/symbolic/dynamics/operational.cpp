@@ -14,7 +14,7 @@
 namespace flatdyn {
 namespace {
 
-// Several numbers of rows of a task, or of joints, as a matrix; and sums over the joints.
+// The matrices of the task, with rows for its directions and for joints, and sums over the joints.
 class OperationalSpace {
  public:
   explicit OperationalSpace(Workbench& bench)
@@ -30,14 +30,14 @@ class OperationalSpace {
   std::size_t size() const { return task_.rows.size(); }
   const Task& task() const { return task_; }
 
-  // B_A b.
+  // The product B_A b.
   std::vector<Number> inertia_times(std::vector<Number> b, const std::string& name) const {
     return factors_.solve(std::move(b), name);
   }
   Rows inertia() const { return factors_.inverse("b_a"); }
 
-  // r² / (tr M tr M^-1) of the matrix M that is inverted, λ_1 … λ_r its eigenvalues: 1 where all of them are equal. As
-  // tr M ≥ max λ and tr M^-1 ≥ 1 / min λ, it is between min λ / max λ and r² times that.
+  // r² / (tr M tr M^-1) of the matrix M that is inverted, with eigenvalues λ_1 … λ_r: 1 if all of them are equal. As tr
+  // M ≥ max λ and tr M^-1 ≥ 1 / min λ, it is between min λ / max λ and r² times that.
   Number condition(const Rows& inverse) const {
     if (size() == 1) return 1;
     Derivation& d = bench_.derivation;
@@ -50,7 +50,7 @@ class OperationalSpace {
     return d.quotient(static_cast<int>(size() * size()), traces, "condition");
   }
 
-  // J B^-1 b, for b by joint.
+  // J B^-1 b, where b has an entry per joint.
   std::vector<Number> acceleration(const std::vector<Number>& b, const std::string& name) const {
     const std::vector<Number> y = B_.half_solved(b, "y_" + name);
     std::vector<Number> result;
@@ -69,7 +69,7 @@ class OperationalSpace {
     return result;
   }
 
-  // Jᵀ f.
+  // The joint torques Jᵀ f.
   std::vector<Number> torques_of(const std::vector<Number>& f) const {
     std::vector<Number> result(J_.front().size(), 0);
     for (std::size_t i = 0; i < size(); ++i) {
@@ -79,7 +79,7 @@ class OperationalSpace {
   }
 
   Function finished(std::vector<InputKind> inputs, std::vector<Output> outputs) const {
-    // Every arm has poses in which J B⁻¹ Jᵀ is singular: its pivots are guarded always, and so come first.
+    // Every arm has poses in which J B⁻¹ Jᵀ is singular, so its pivots are always guarded, and come first.
     Conditions conditions{bench_.nodes(factors_.pivots()), bench_.nodes(factors_.diagonal())};
     const Conditions of_B = conditions_of(bench_, B_);
     conditions.validity_conditions.insert(conditions.validity_conditions.end(), of_B.validity_conditions.begin(),
@@ -92,7 +92,7 @@ class OperationalSpace {
   }
 
  private:
-  // Of a chain of k bodies: all entries of a matrix may be there.
+  // The parents for a chain of bodies, with which all entries of a matrix may be non-zero.
   static std::vector<int> chain(std::size_t size) {
     std::vector<int> parents(size);
     std::iota(parents.begin(), parents.end(), -1);
@@ -119,7 +119,7 @@ class OperationalSpace {
     return Z;
   }
 
-  // J B^-1 Jᵀ: what a unit force at the tip accelerates it by; and λ² 1.
+  // J B^-1 Jᵀ, the acceleration of the tip by a unit force, plus λ² 1.
   Rows damped_mobility() const {
     const Number damping = GiNaC::numeric(Rational(task_.damping * task_.damping).str().c_str());
     Rows M(size(), std::vector<Number>(size(), 0));
@@ -149,7 +149,7 @@ std::string of_task(const std::string& what, const OperationalSpace& space) {
   return what + " of the task " + task_text(space.task().rows, space.task().orientation);
 }
 
-// Where M = J B^-1 Jᵀ + λ² 1 is inverted.
+// The meaning of the condition of the inverted matrix, M = J B^-1 Jᵀ + λ² 1.
 std::string condition_meaning(const OperationalSpace& space) {
   return space.task().is_damped()
              ? "0..1, r^2 / (tr M tr M^-1) of M = J B^-1 J^T + lambda^2 1: small where the task is singular"

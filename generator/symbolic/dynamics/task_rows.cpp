@@ -18,7 +18,7 @@
 namespace flatdyn {
 namespace {
 
-// Angles are needed only for rows of theirs.
+// The rates of Euler angles, if any of the rows needs them.
 std::optional<EulerRates> euler_rates(Workbench& bench, const std::vector<int>& rows, Orientation orientation) {
   const bool turns = std::any_of(rows.begin(), rows.end(), [](int row) { return row >= 3; });
   if (!turns || orientation == Orientation::angular_velocity) return std::nullopt;
@@ -40,7 +40,7 @@ std::vector<JacobianColumn> tip_jacobian(Workbench& bench) {
 
 using FieldColumns = std::vector<std::vector<ModP<kMersenne61>>>;
 
-// By joint, at a random point of a large prime field.
+// The Jacobian's columns, by joint, at a random point of a large prime field.
 FieldColumns drawn_columns(const Function& jacobian, std::uint64_t seed) {
   ModPArithmetic<kMersenne61> arithmetic(seed);
   const auto values = evaluate(jacobian, arithmetic);
@@ -52,7 +52,7 @@ FieldColumns drawn_columns(const Function& jacobian, std::uint64_t seed) {
   return columns;
 }
 
-// At a point where angles have a sine, see FieldArithmetic::sqrt.
+// The columns at a point where the angles have a sine, see FieldArithmetic::sqrt.
 FieldColumns columns_somewhere(const Function& jacobian, Orientation orientation) {
   constexpr std::uint64_t kAttempts = 64;
   for (std::uint64_t seed = 1; seed <= kAttempts; ++seed) {
@@ -65,8 +65,8 @@ FieldColumns columns_somewhere(const Function& jacobian, Orientation orientation
   fail_without_angles(orientation);
 }
 
-// These rows of the Jacobian at a random point. They are independent there, or not zero, if they are anywhere, but for
-// a chance of about 1e-17.
+// These rows of the Jacobian at a random point, as columns by joint. If they are independent, or not zero, anywhere,
+// they are so at this point, except with a probability of about 1e-17.
 FieldColumns columns_of(const Mechanism& mechanism, const std::vector<int>& rows) {
   Workbench bench(mechanism);
   const std::vector<NodeId> entries = bench.nodes(task_jacobian(bench, rows, mechanism.task.orientation));
@@ -75,7 +75,7 @@ FieldColumns columns_of(const Mechanism& mechanism, const std::vector<int>& rows
   return columns_somewhere(jacobian, mechanism.task.orientation);
 }
 
-// Of the rows in this order, those that do not depend on the ones before.
+// Those of the rows, in this order, that are independent of the ones before.
 std::vector<int> independent(const Mechanism& mechanism, const std::vector<int>& rows) {
   FieldColumns columns = columns_of(mechanism, rows);
   std::vector<int> kept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The directions of the tip that a task is about, and the Jacobian of their rates.
+// The directions of the tip that form the task, and the Jacobian of their rates.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace flatdyn {
 
-// Rows of the Jacobian that make up the task, rising: 0 to 2 the velocity along x, y, z, 3 to 5 the rotation about
-// them, or the rates of Euler angles. Those that the scene names; else all that are independent at almost every
-// position, the first ones where there is a choice (x and y of an arm in the plane). Throws Failure(unsupported) if
-// those named depend on each other everywhere.
+// The rows of the Jacobian that form the task, ascending: 0 to 2 are the velocity along x, y, z, 3 to 5 the rotation
+// about them, or the rates of Euler angles. They are the rows that the scene names; else all that are independent at
+// almost every position, the first ones where there is a choice (x and y of a planar arm). Throws Failure(unsupported)
+// if the rows named depend on each other everywhere.
 std::vector<int> task_rows(const Mechanism& mechanism);
 
-// Those of x, y, z along which joints move the tip, also where they do so in one fixed way, as along a curve.
+// The directions among x, y, z in which joints move the tip, even if only along a fixed curve.
 std::vector<int> moved_directions(const Mechanism& mechanism);
 
-// "x, y, z, rx, ry, rz", those of a task; with Euler angles "x, y, z, phi, theta, psi".
+// The rows of a task in words: "x, y, z, rx, ry, rz"; with Euler angles "x, y, z, phi, theta, psi".
 std::string task_text(const std::vector<int>& rows, Orientation orientation = Orientation::angular_velocity);
 
-// By row of `rows`, by joint: of the geometric Jacobian, or of the analytical one, (3.62).
+// The task's Jacobian, by row of `rows` and by joint: the geometric one, or the analytical one, (3.62).
 Rows task_jacobian(Workbench& bench, const std::vector<int>& rows, Orientation orientation);
 
 // J̇ q̇ of the same rows.

@@ -43,7 +43,8 @@ Output scalar_output(const std::string& name, NodeId entry, const std::string& m
 
 namespace {
 
-// Of the loops that the outputs have to be closed for: of whose determinants they have the reciprocals.
+// The conditions of the loops that the outputs depend on: their entries contain the reciprocals of these loops'
+// determinants.
 std::vector<NodeId> loop_conditions(const Mechanism& mechanism, Derivation& derivation,
                                     const std::vector<Output>& outputs) {
   std::vector<NodeId> entries, result;

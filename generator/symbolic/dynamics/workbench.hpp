@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One derivation under way: what every function of the table starts from, and how it becomes a Function.
+// The state of one derivation: what every function of the table starts from, and how it becomes a Function.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct Workbench {
   static std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism);
 
   int size() const { return mechanism.size(); }
-  // Of every coordinate; and of every body's joint, whose motion follows from the coordinates.
+  // The inputs of a kind for every coordinate, and the motion of every body's joint, which follows from them.
   std::vector<Number> all(InputKind kind) { return inputs(derivation, kind, size()); }
   std::vector<Number> joint_motion(InputKind kind) { return flatdyn::joint_motion(mechanism, derivation, kind); }
-  // What is left of it where q̈ is zero.
+  // The accelerations of the joints while q̈ is zero.
   std::vector<Number> joint_drift() { return flatdyn::joint_drift(mechanism, derivation, InputKind::qd); }
   std::vector<Number> at_coordinates(const std::vector<Number>& tau) {
     return flatdyn::at_coordinates(mechanism, derivation, tau, "tau");
@@ -38,10 +38,10 @@ struct Workbench {
   const Mechanism& mechanism;
   Derivation derivation;
   Frames frames;
-  bool guards_pivots = false;  // of Choices
+  bool guards_pivots = false;  // as in Choices
 };
 
-// The pivots of a factorisation; with their scales where they are guarded.
+// The pivots of a factorisation, and their diagonal entries if they are guarded.
 struct Conditions {
   std::vector<NodeId> validity_conditions, pivot_diagonals;
 };
@@ -52,7 +52,8 @@ Output matrix_output(const std::string& name, int rows, int cols, std::vector<No
                      const std::string& meaning);
 Output scalar_output(const std::string& name, NodeId entry, const std::string& meaning);
 
-// Takes the graph out of the derivation. Where loops are closed, those that count must not be singular.
+// Makes a Function and takes the graph out of the derivation. With closed loops, the loops that the outputs depend on
+// must not be singular.
 Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<InputKind> inputs,
                   std::vector<Output> outputs, Conditions conditions = {});
 inline Function finished(Workbench& bench, std::vector<InputKind> inputs, std::vector<Output> outputs,

@@ -22,7 +22,7 @@ Vec3 axis_of(const Body& body) {
   return {R[0][2], R[1][2], R[2][2]};
 }
 
-// Where the common normal to a child's axis meets the body's own.
+// The point on the body's own axis, as z in its frame, where the common normal to a child's axis meets it.
 Number foot_of_common_normal(const Body& child) {
   const Vec3 axis = axis_of(child), &p = child.p;
   const Number across = (axis[0] * axis[0] + axis[1] * axis[1]).expand();
@@ -100,10 +100,10 @@ std::vector<Number> possible_rises(const Mechanism& mechanism, int i) {
 }
 
 std::vector<Number> possible_length_units(const Mechanism& mechanism) {
-  std::vector<std::pair<Number, int>> lengths;  // with how often they occur
+  std::vector<std::pair<Number, int>> lengths;  // with the number of their occurrences
   if (mechanism.has_prismatic_joint()) return {};
   for (const Body& body : mechanism.bodies) {
-    if (body.parent < 0) continue;  // how far the first joint is from the base moves nothing
+    if (body.parent < 0) continue;  // the distance of the first joint from the base has no effect
     for (const Number& entry : body.p) {
       if (!is_rational(entry) || vanishes(entry)) continue;
       const Number length = GiNaC::abs(entry);
@@ -149,7 +149,7 @@ std::vector<Choices> with_other_length_units(const Mechanism& mechanism, const C
 
 namespace {
 
-// Every joint's mass balances an entry of the parent's first moment, if there is one that it can.
+// Lets every joint's mass balance an entry of the parent's first moment, where that is possible.
 Choices balanced(const Mechanism& mechanism, Choices choices, Balance first, Balance second) {
   for (std::size_t k = 0; k < choices.joints.size(); ++k) {
     const Vec3& p = mechanism.bodies[k].p;

@@ -16,7 +16,7 @@ namespace {
   throw Failure(ExitCode::unsupported, text.str(), "use rational expressions, sin and cos of the free symbols");
 }
 
-// A text of an expression that does not depend on the order in which GiNaC keeps its operands.
+// The text of an expression; it does not depend on the order in which GiNaC keeps operands.
 std::string canonical_text(const Number& e) {
   std::ostringstream head;
   if (GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::numeric>(e)) {
@@ -59,13 +59,14 @@ Number Derivation::symbol_of(NodeId id) {
   return symbol;
 }
 
-// Numbers stay numbers and a negative stays a negative: signs must remain visible to GiNaC's collection of like terms.
+// The symbol of a node. Numbers stay numbers and negatives stay negatives, as signs must be visible to GiNaC's
+// collection of like terms.
 Number Derivation::name_node(NodeId id, const std::string& name) {
   const Node& node = graph_[id];
   if (node.op == Op::constant) return GiNaC::numeric(node.value.str().c_str());
   if (node.op == Op::sum && node.terms.size() == 1 && node.value == 0) {
     const Rational coefficient = node.terms[0].coefficient;
-    // The name is the negative's: what it is the negative of goes by its own name, or by none.
+    // The name belongs to the negative; its operand keeps its own name, or none.
     if (coefficient == -1) return -name_node(node.terms[0].node, "");
   }
   if (node.op != Op::input && !name.empty()) graph_.set_name(id, name);
@@ -112,8 +113,8 @@ Number Derivation::quotient(const Number& numerator, const Number& denominator, 
   return name_node(graph_.quotient(above, node(denominator)), name);
 }
 
-// Factors that are no symbols yet: sin, cos and reciprocals of free symbols. They become nodes in the order of their
-// canonical text, whatever order GiNaC walks them in.
+// Makes nodes of factors that are not symbols yet: sin, cos and reciprocals of free symbols. They are processed in the
+// order of their canonical text, whatever order GiNaC has them in.
 void Derivation::import_foreign_factors(const Number& expanded) {
   std::map<std::string, Number> foreign;
   const auto visit_factor = [&](const Number& factor) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The bridge from GiNaC to the Graph. A derivation works with GiNaC expressions over atomic symbols and names each
-// scalar as soon as it is made: the expression is expanded, crosses into the Graph, and is from then on one symbol. So
-// nothing swells, like terms of one scalar are collected by GiNaC, and order and text belong to the Graph alone.
+// scalar as soon as it is made: the expression is expanded, added to the Graph, and is from then on one symbol. So
+// expressions stay small, GiNaC collects like terms of one scalar, and order and text are the Graph's alone.
 #pragma once
 
 #include <map>
@@ -20,8 +20,8 @@ class Derivation {
 
   Number input(InputKind kind, int index);
 
-  // The scalar as one symbol (or as it is, when it is a number, a symbol or a symbol's negative). `name` is what people
-  // see in the emitted code.
+  // The scalar as one symbol (or unchanged if it is a number, a symbol or a symbol's negative). `name`: its name in the
+  // emitted code.
   Number named(const Number& expression, const std::string& name);
   Vec3 named(const Vec3& expression, const std::string& name);            // name_x, name_y, name_z
   Mat3 named_symmetric(const Mat3& expression, const std::string& name);  // name_xx, name_xy, …
@@ -51,7 +51,8 @@ class Derivation {
   void multiply_by(const Number& factor, Monomial& monomial) const;
 
   Graph graph_;
-  std::map<Number, NodeId, GiNaC::ex_is_less> node_of_;  // looked up only, never walked: its order is GiNaC's
+  // For lookups only, never iterated over, as its order is GiNaC's.
+  std::map<Number, NodeId, GiNaC::ex_is_less> node_of_;
   std::map<NodeId, Number> symbol_of_;
 };
 

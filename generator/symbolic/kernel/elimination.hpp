@@ -11,14 +11,14 @@
 
 namespace flatdyn {
 
-// The reduced row echelon form: row r has 1 at pivots[r], and the other rows 0 there.
+// The reduced row echelon form: row r has 1 at pivots[r], where all other rows have 0.
 template <class F>
 struct Echelon {
   std::vector<std::vector<F>> rows;
   std::vector<std::size_t> pivots;
 };
 
-// To keep what a field makes short: expressions in symbols do not cancel by themselves.
+// Simplifies an element where the field needs it: expressions in symbols do not cancel by themselves.
 template <class F>
 F simplified(F x) {
   return x;
@@ -28,13 +28,14 @@ inline Number simplified(Number x) {
   return is_rational(x) ? x : x.normal();
 }
 
+// row -= factor · other.
 template <class F>
 void subtract_multiple(std::vector<F>& row, const F& factor, const std::vector<F>& other) {
   for (std::size_t k = 0; k < row.size(); ++k) row[k] = simplified<F>(row[k] - factor * other[k]);
 }
 
-// Pivots are taken from the left: a column has one if and only if it does not depend on those before it.
-// `is_zero` decides.
+// The reduced echelon form of the rows. Pivots are taken from the left: a column has one if and only if it does not
+// depend on those before it. `is_zero` decides whether an element is zero.
 template <class F, class IsZero>
 Echelon<F> reduced_echelon(std::vector<std::vector<F>> rows, IsZero is_zero) {
   Echelon<F> result;
@@ -60,13 +61,13 @@ Echelon<F> reduced_echelon(std::vector<std::vector<F>> rows, IsZero is_zero) {
   return result;
 }
 
-// The space that rows span, in a field whose numbers can be compared.
+// The space that rows span, in a field whose elements can be compared.
 template <class F>
 class RowSpace {
  public:
   std::size_t rank() const { return rows_.size(); }
 
-  // Returns false for a row that is in the space; takes any other one in.
+  // Extends the space by a row; returns false if it is in the space already.
   bool extend(std::vector<F> row) {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const F factor = row[pivots_[r]];
@@ -82,7 +83,7 @@ class RowSpace {
   }
 
  private:
-  std::vector<std::vector<F>> rows_;  // each 1 at its pivot, where those after it are 0
+  std::vector<std::vector<F>> rows_;  // each has 1 at its pivot, where those after it have 0
   std::vector<std::size_t> pivots_;
 };
 

@@ -83,7 +83,8 @@ Frames::Turn Frames::turn_by_joint(int i) {
   return turn;
 }
 
-// The link's parameters in axes that do not turn. The inertia is not named entry by entry: its trace stays a number.
+// Makes the axes of link i still, and expresses its parameters in them. The inertia is not named entry by entry, so
+// that its trace stays a number.
 void Frames::hold(int i) {
   const auto k = static_cast<std::size_t>(i);
   const std::string n = label(i);
@@ -103,8 +104,9 @@ void Frames::hold(int i) {
   }
 }
 
-// To a joint whose axis is parallel: Rz(held) Rz(beta) Rx(alpha) Rz(gamma), alpha = 0 or pi, is Rx(alpha) turned by all
-// of these angles together; the first ones the other way round where alpha = pi.
+// Transfers the angle of a link with still axes to a child with a parallel axis: Rz(held) Rz(beta) Rx(alpha) Rz(gamma),
+// alpha = 0 or pi, is Rx(alpha) followed by a rotation by the sum of all these angles, in which the first ones change
+// sign if alpha = pi.
 void Frames::hand_on(const Turn& held, int child) {
   const auto k = static_cast<std::size_t>(child);
   Turn& turn = turns_[k];
@@ -120,14 +122,14 @@ void Frames::hand_on(const Turn& held, int child) {
   turn.beta = {};
 }
 
-// The same where joints are coupled: the multiples of coordinates are added up first, as some may cancel.
+// The same for coupled joints: the multiples of coordinates are added up first, as some may cancel.
 void Frames::hand_on_multiples(const Turn& held, int child) {
   Turn& turn = turns_[static_cast<std::size_t>(child)];
   const bool flips = turn.alpha.c.is_equal(-1);
   PlanarRotation constant = held.constant * turn.beta;
   if (flips) constant = back(constant);
   turn.constant = constant * turn.constant;
-  turn.multiples.resize(held.multiples.size(), 0);  // a joint that slides has none
+  turn.multiples.resize(held.multiples.size(), 0);  // a prismatic joint has none
   for (std::size_t k = 0; k < held.multiples.size(); ++k) {
     turn.multiples[k] += flips ? -held.multiples[k] : held.multiples[k];
   }
@@ -158,7 +160,7 @@ Vec3 Frames::up_from_axis(int i, const Vec3& v, const std::string& name) {
   return derivation_.named(turn_z(turn_of(i).beta, b), name);
 }
 
-// Columns, then rows.
+// Rotates the columns, then the rows.
 Mat3 Frames::down_to_axis(int i, const Mat3& tensor, const std::string& name) {
   static const char* const kAxes[] = {"_x", "_y", "_z"};
   Mat3 half, result;

@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-// "m1_2x3": back by coordinate 1, twice by coordinate 3.
+// The label of a sum of multiples: "m1_2x3" for minus coordinate 1 plus twice coordinate 3.
 std::string turn_label(const std::vector<Number>& multiples) {
   std::string text;
   for (std::size_t k = 0; k < multiples.size(); ++k) {
@@ -21,7 +21,7 @@ std::string turn_label(const std::vector<Number>& multiples) {
   return text;
 }
 
-// k times an angle: half of k, twice, and once more if k is odd.
+// The rotation by k times an angle, by doubling: twice the rotation by half of k, and once more if k is odd.
 PlanarRotation multiple(Derivation& d, const PlanarRotation& a, int times, const std::string& name) {
   if (times == 1) return a;
   const PlanarRotation half = multiple(d, a, times / 2, name);

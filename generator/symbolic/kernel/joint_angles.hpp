@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-// "3" for body 2: people count joints from 1.
+// The label of body i, counted from 1 as in the emitted code: "3" for body 2.
 std::string label(int i);
 
 // The inputs of one kind (q, q̇, q̈, ...) as a vector of `size` entries.
@@ -19,11 +19,11 @@ std::vector<Number> inputs(Derivation& derivation, InputKind kind, int size);
 // Σ factors[k] values[k].
 Number sum_of(const std::vector<Number>& factors, const std::vector<Number>& values);
 
-// c_name, s_name.
+// The rotation with its entries named c_name, s_name.
 PlanarRotation named(Derivation& derivation, const PlanarRotation& rotation, const std::string& name);
 
-// Cosine and sine of a sum of whole multiples of the mechanism's angles (turns_of), by the addition theorems: so the
-// only angles whose cosines and sines have to be evaluated, or given, are those, most of them coordinates.
+// The cosine and sine of a sum of whole multiples of the mechanism's angles (turns_of), by the addition theorems. So
+// only the cosines and sines of these angles, most of them coordinates, have to be evaluated or given.
 PlanarRotation turn_by(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& multiples);
 
 // The position of body i's joint, rad or m.

@@ -21,9 +21,9 @@ Number movable_inertia(const Mat3& I, Grouping grouping) {
   return 0;
 }
 
-// The part of link i that can as well be fixed to its parent. Revolute: what a turn about z leaves as it is and the
-// joint's own rate does not move: mass, first moment along z, a transverse inertia. Prismatic: the inertia tensor,
-// because the link does not turn against its parent.
+// The part of link i that may as well be fixed to its parent. Revolute: the part that is symmetric about z and that the
+// joint's own rate does not move, i.e. a mass, a first moment along z, a transverse inertia. Prismatic: the inertia
+// tensor, because the link does not turn relative to its parent.
 InertialParameters movable(const Body& body, Grouping grouping) {
   InertialParameters part;
   if (body.prismatic) {
@@ -44,7 +44,7 @@ InertialParameters negative(const InertialParameters& a) {
 
 std::size_t entry_of(Balance balance) { return balance == Balance::x ? 0 : 1; }
 
-// Of every body with all that it carries.
+// The mass of every body with all its descendants.
 std::vector<Number> carried_masses(const Mechanism& mechanism) {
   std::vector<Number> masses;
   for (const Body& body : mechanism.bodies) masses.push_back(body.inertia.mass);
@@ -55,16 +55,16 @@ std::vector<Number> carried_masses(const Mechanism& mechanism) {
   return masses;
 }
 
-// What the link is given the negative of has to cancel again in every torque: of a mass far above those that move, the
-// rounding errors would stay.
+// Whether a mass is too large to be moved. The negative that the link gets has to cancel in every torque; if the mass
+// is far above those that move, its rounding errors remain.
 bool is_too_heavy(const Number& mass, const Number& carried) {
   constexpr int kMost = 2;
   if (!is_rational(mass) || !is_rational(carried)) return false;
   return GiNaC::ex_to<GiNaC::numeric>(GiNaC::abs(mass) - kMost * carried).is_positive();
 }
 
-// The mass that cancels an entry of the parent's first moment, as it stands with `part` moved there; nothing if none
-// does. `carried`: by the joint.
+// The mass that cancels an entry of the parent's first moment after `part` has been moved to the parent; nothing if
+// none does. `carried`: the mass that the joint carries.
 std::optional<Number> balancing_mass(const Body& body, const Body& parent, const InertialParameters& part,
                                      Balance balance, const Number& carried) {
   if (balance == Balance::no || body.prismatic || !can_balance(body.p, balance)) return std::nullopt;
@@ -80,7 +80,7 @@ std::optional<Number> balancing_mass(const Body& body, const Body& parent, const
 }  // namespace
 
 bool can_balance(const Vec3& p, Balance balance) {
-  constexpr int kLeast = 1000;                             // part of the largest entry
+  constexpr int kLeast = 1000;                             // the arm must be at least 1/kLeast of the largest entry
   static const Number kShortest = exact_decimal("1e-12");  // m
   if (balance == Balance::no) return false;
   const Number& arm = p[entry_of(balance)];
@@ -108,8 +108,8 @@ Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>
     body.inertia = body.inertia + negative(part);
     InertialParameters& parent =
         body.parent < 0 ? result.base : result.bodies[static_cast<std::size_t>(body.parent)].inertia;
-    // The part does not change when the joint turns, so where it is put is the frame at q = 0. A prismatic joint's
-    // tensor has no mass: its place does not matter.
+    // The part does not change when the joint turns, so it is moved with the frame at q = 0. A prismatic joint's tensor
+    // has no mass, so its place does not matter.
     parent = parent + transformed(part, constant_rotation(body), body.p);
   }
   return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Turns about z and x of vectors, as (cos, sin); and the cycle of axes that makes one of the other.
+// Rotations of vectors about z and x, given as (cos, sin), and the cyclic permutation of axes that converts one to the
+// other.
 #pragma once
 
 #include "model/mechanism.hpp"
@@ -14,10 +15,11 @@ inline Vec3 turn_x(const PlanarRotation& a, const Vec3& v) {
   return {v[0], a.c * v[1] - a.s * v[2], a.s * v[1] + a.c * v[2]};
 }
 
-// The turn back: Rz(back(a)) = Rz(a)ᵀ.
+// The inverse rotation: Rz(back(a)) = Rz(a)ᵀ.
 inline PlanarRotation back(const PlanarRotation& a) { return {a.c, -a.s}; }
 
-// x → y → z → x, so that a turn about x is one about z of the cycled tensor. Twice is the cycle back.
+// The tensor with axes permuted x → y → z → x, so that a rotation about x becomes one about z. Applied twice, it is the
+// inverse permutation.
 inline Mat3 cycled(const Mat3& T) {
   Mat3 result;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -14,7 +14,7 @@ struct Amplitudes {
   Rational cosine = 0, sine = 0;
 };
 
-// Σ a cos x + b sin x; the first coefficient of each angle x is positive.
+// A sum Σ a cos x + b sin x; the first coefficient of each angle x is positive.
 using Harmonics = std::map<Angle, Amplitudes>;
 
 Angle combined(const Angle& a, const Angle& b, int sign) {
@@ -38,7 +38,7 @@ void add(Harmonics& sum, Angle angle, const Rational& cosine, Rational sine) {
   if (first != angle.end()) own.sine += sine;
 }
 
-// Products become sums: cos x cos a = (cos(x-a) + cos(x+a))/2, and so on.
+// Multiplies by a factor; products become sums: cos x cos a = (cos(x-a) + cos(x+a))/2, and so on.
 Harmonics multiplied(const Harmonics& sum, const Factor& factor) {
   Harmonics result;
   const Rational half(1, 2);
@@ -56,7 +56,7 @@ Harmonics multiplied(const Harmonics& sum, const Factor& factor) {
   return result;
 }
 
-// c_12, s_3: every coefficient 0 or 1.
+// Whether the angle is a plain sum, as in c_12 or s_3: every coefficient is 0 or 1.
 bool is_plain(const Angle& a) {
   return std::all_of(a.begin(), a.end(), [](int k) { return k == 0 || k == 1; });
 }
@@ -88,8 +88,8 @@ struct Wave {
   bool is_sine;
 };
 
-// Two waves of the same size as one product of two plain functions: cos x + cos y = 2 cos u cos v with u = (x+y)/2,
-// v = (x-y)/2. Only if x or y is not plain itself.
+// Two waves of the same amplitude as one product of two plain functions: cos x + cos y = 2 cos u cos v with u =
+// (x+y)/2, v = (x-y)/2. Nothing if x and y are both plain themselves.
 std::optional<std::pair<Monomial, Rational>> joined(const Wave& x, const Wave& y) {
   if (x.is_sine != y.is_sine || (is_plain(x.angle) && is_plain(y.angle))) return std::nullopt;
   const bool same = x.amplitude == y.amplitude;
@@ -109,7 +109,7 @@ std::optional<std::pair<Monomial, Rational>> joined(const Wave& x, const Wave& y
   return {{product_of(factor(false, *u), factor(true, *v)), Rational(twice * sign_v)}};
 }
 
-// The sum of waves with as many pairs joined as are found in order.
+// The sum of waves, with pairs joined greedily in order.
 ReadableSum with_pairs_joined(const Harmonics& sum) {
   std::vector<Wave> waves;
   for (const auto& [angle, amplitude] : sum) {
@@ -176,7 +176,7 @@ AngleRewriter::AngleRewriter(const Mechanism& mechanism) : angles_(mechanism.ang
   }
   for (int k = 0; k < mechanism.size(); ++k) {
     if (mechanism.joint(k).prismatic) continue;
-    // Coupled joints turn by each other's coordinates, whatever the axes.
+    // Angles of coupled joints may be sums of any coordinates, whatever the axes.
     groups_[mechanism.is_coupled() ? 0 : group_of[static_cast<std::size_t>(k)]].push_back(k);
   }
   for (int k = mechanism.position_count(); k < mechanism.angle_count(); ++k) groups_[0].push_back(k);
@@ -185,7 +185,7 @@ AngleRewriter::AngleRewriter(const Mechanism& mechanism) : angles_(mechanism.ang
 
 ReadableSum AngleRewriter::rewritten(ReadableSum sum) const {
   for (const std::vector<int>& group : groups_) {
-    std::map<Monomial, ReadableSum> by_context;  // everything else → polynomial in the group's sines and cosines
+    std::map<Monomial, ReadableSum> by_context;  // other factors → polynomial in the group's sines and cosines
     for (const auto& [monomial, coefficient] : sum) {
       Monomial context, own;
       for (const auto& power : monomial) (belongs(power.first, group) ? own : context).insert(power);

@@ -11,7 +11,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kExact = 0;  // in the place of a number of digits
+constexpr int kExact = 0;  // as a number of digits: exact
 
 std::string printed(const Number& e) {
   std::ostringstream text;
@@ -19,7 +19,7 @@ std::string printed(const Number& e) {
   return text.str();
 }
 
-// A decimal if it ends, "0.425"; else a fraction, "1/3".
+// A finite decimal as "0.425", another rational as a fraction, "1/3".
 std::string exact_text(const Number& magnitude) {
   constexpr int kMostPlaces = 60;
   const auto number = GiNaC::ex_to<GiNaC::numeric>(magnitude);
@@ -37,11 +37,12 @@ std::string exact_text(const Number& magnitude) {
 std::string number_text(const Number& magnitude, int digits) {
   if (digits == kExact && is_rational(magnitude)) return exact_text(magnitude);
   const double number = nearest_double(magnitude);
-  if (digits >= std::numeric_limits<double>::max_digits10) return fmt::format("{}", number);  // the shortest of these
+  // The shortest text of the double.
+  if (digits >= std::numeric_limits<double>::max_digits10) return fmt::format("{}", number);
   return fmt::format("{:.{}g}", number, digits);
 }
 
-// A summand, its sign apart.
+// A summand with its sign kept apart.
 struct Summand {
   bool negative = false;
   std::string body;
@@ -107,7 +108,7 @@ std::vector<Summand> pieces_of(const Number& polynomial, int digits) {
 
 std::string sum_text(const Number& polynomial, int digits) { return joined_summands(pieces_of(polynomial.expand(), digits)); }
 
-// A coefficient that stands before a parameter's name, its sign apart; nothing for 1.
+// The coefficient before a parameter's name, with its sign kept apart; empty for 1.
 Summand coefficient_piece(const Number& coefficient, int digits) {
   const Number whole = coefficient.normal(), below = whole.denom(), above = whole.numer().expand();
   if (is_rational(whole) || is_rational(below)) {

@@ -8,10 +8,12 @@
 
 namespace flatdyn {
 
-// A coefficient in an order of its own, whatever GiNaC's: "a_1^2", "(2 a_1 + a_2)"; numbers exactly: "0.425", "1/3".
+// A coefficient in a fixed order that does not depend on GiNaC's: "a_1^2", "(2 a_1 + a_2)"; numbers exactly: "0.425",
+// "1/3".
 std::string coefficient_text(const Number& coefficient);
 
-// Base parameter k: the one that is kept first, the others in the order of π; numbers to `digits` significant digits.
+// Base parameter k as a sum: the kept parameter first, the others in the order of π, with numbers to `digits`
+// significant digits.
 std::string combination_text(const BaseParameters& base, int k, int digits = 6);
 
 }  // namespace flatdyn

@@ -6,7 +6,7 @@
 namespace flatdyn {
 namespace {
 
-// One more term of a sum: "a", "a - 2 b", "a - 2 b + pi/2". `what`: what the number multiplies, if anything.
+// Appends a term to a sum: "a", "a - 2 b", "a - 2 b + pi/2". `what`: the factor after the number, if any.
 void append_term(std::string& sum, const Number& number, const std::string& what) {
   const bool negative = nearest_double(number) < 0;
   const Number size = negative ? -number : number;

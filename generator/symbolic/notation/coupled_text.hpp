@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where coupled joints are, for people.
+// The positions of coupled joints as text.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,16 @@
 
 namespace flatdyn {
 
-// What an entry of q is called.
+// The name of an entry of q.
 using CoordinateName = std::function<std::string(int)>;
 
-// "right_finger = q[0] + 0.01" of every joint whose position is no entry of q, rad or m.
+// A line like "right_finger = q[0] + 0.01" for every joint whose position is not an entry of q, rad or m.
 std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const CoordinateName& coordinate);
 
-// "7 joints", "3 joints, 1 of them independent".
+// The number of joints: "7 joints", "3 joints, 1 of them independent".
 std::string joints_text(const Mechanism& mechanism);
 
-// Of one closed loop.
+// The names of a closed loop's dependent joints.
 std::vector<std::string> dependent_joint_names(const Mechanism& mechanism, const LoopClosure& loop);
 
 }  // namespace flatdyn

@@ -16,7 +16,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kLongestChain = 8;  // joints from base to tip: each one multiplies the number of terms by three
+constexpr int kLongestChain = 8;  // joints from base to tip: each one triples the number of terms
 
 void refuse_long_chains(const Mechanism& mechanism) {
   if (mechanism.has_loops()) {
@@ -32,7 +32,7 @@ void refuse_long_chains(const Mechanism& mechanism) {
                 fmt::format("derive takes robots with at most {} joints in a row", kLongestChain));
 }
 
-// A sum for people, or, if it is too long, its number of terms.
+// A sum as text or, if it is too long, its number of terms.
 struct Readable {
   ReadableSum sum;
   int terms = 0;
@@ -92,7 +92,7 @@ class Deriver {
     }
   }
 
-  // Whether a joint that slides follows coordinate k.
+  // Whether a prismatic joint follows coordinate k.
   bool moves_a_slide(int k) const {
     for (std::size_t i = 0; i < mechanism_.coupling.size(); ++i) {
       if (mechanism_.bodies[i].prismatic && !vanishes(mechanism_.coupling[i][at(k)])) return true;
@@ -123,9 +123,9 @@ class Deriver {
     return sum;
   }
 
-  // All symbols with j <= k that are not zero, in order; those that share a value, up to sign, under one name.
+  // Adds all symbols with j <= k that are not zero, in order; symbols that share a value, up to sign, get one name.
   void add_christoffel_symbols() {
-    std::map<ReadableSum, int> uses;  // of the value as it first occurs
+    std::map<ReadableSum, int> uses;  // uses of a value in the form in which it first occurs
     c_.assign(at(n()), {});
     const auto known = [&uses](const ReadableSum& sum) {
       const auto same = uses.find(sum);
@@ -175,7 +175,7 @@ class Deriver {
     model_.christoffel.push_back(std::move(result));
   }
 
-  // "h", as in 7.3.2, unless the robot has such a symbol.
+  // The name of shared values: "h", as in 7.3.2, unless the robot has such a symbol.
   std::string shared_name() const {
     std::string name = "h";
     const auto taken = [&](const std::string& symbol) { return symbol == name || symbol.rfind(name + "_", 0) == 0; };
@@ -183,7 +183,7 @@ class Deriver {
     return name;
   }
 
-  // Σ b_ij qdd_j + Σ c_ijj qd_j² + Σ 2 c_ijk qd_j qd_k + friction + g_i = tau_i.
+  // Adds the equation Σ b_ij qdd_j + Σ c_ijj qd_j² + Σ 2 c_ijk qd_j qd_k + friction + g_i = tau_i.
   void add_equation(int i) {
     std::vector<Piece> pieces;
     int terms = 0;
@@ -215,7 +215,7 @@ class Deriver {
         {pretty_.coordinate("tau", i), left_out ? left_out_text(terms) : Pretty::joined(pieces), terms, left_out});
   }
 
-  // What equation i has of friction: factors of velocity, and what they multiply.
+  // The friction terms of equation i: functions of velocity, each with its coefficient.
   std::vector<std::pair<std::string, Number>> friction_of(int i) const {
     if (!mechanism_.is_coupled()) {
       const Body& body = mechanism_.joint(i);
@@ -235,7 +235,7 @@ class Deriver {
     return terms;
   }
 
-  // "qd_2 - qd_1"
+  // A joint's rate as text: "qd_2 - qd_1".
   std::string rate_text(const std::vector<Number>& factors) const {
     std::vector<Piece> pieces;
     for (std::size_t k = 0; k < factors.size(); ++k) {

@@ -11,15 +11,15 @@
 namespace flatdyn {
 
 struct DeriveOptions {
-  int max_terms = 200;  // an expression with more is left out, and its number of terms said instead
-  int digits = 10;      // of numbers that would need more
+  int max_terms = 200;  // a longer expression is left out, and its number of terms given instead
+  int digits = 10;      // digits of numbers that would need more
 };
 
-// "b_12 = b_21" and what it is. Of an equation of motion: the torque's name and the left side.
+// A name like "b_12 = b_21" and its expression. For an equation of motion: the torque's name and the left side.
 struct DerivedLine {
   std::string name;
   std::string text;
-  int terms = 0;          // of the expression
+  int terms = 0;          // terms of the expression
   bool left_out = false;  // then `text` says so
 };
 
@@ -27,16 +27,17 @@ struct DerivedModel {
   std::vector<DerivedLine> joints;       // q_i, and the joint's name and type
   std::vector<std::string> coupled;      // "theta_2 = q_2 - q_1": joints that follow others
   std::vector<DerivedLine> inertia;      // b_ij for i <= j
-  std::vector<DerivedLine> shared;       // h = …, for what several Christoffel symbols share
+  std::vector<DerivedLine> shared;       // h = …, where several Christoffel symbols share a value
   std::vector<DerivedLine> christoffel;  // those that are not zero
   std::vector<DerivedLine> gravity;
   std::vector<DerivedLine> equations;  // (7.42) without tip force
-  std::vector<std::string> notes;      // notation, rounding, what was left out
+  std::vector<std::string> notes;      // about notation, rounding, and what was left out
 };
 
-// Throws Failure(unsupported) for a chain so long that its closed form is of no use to anyone.
+// Throws Failure(unsupported) for a chain so long that its closed form would be useless.
 DerivedModel derive_model(const Mechanism& mechanism, const DeriveOptions& options, Notation notation);
 
+// The model in closed form as text, or in LaTeX. Throws as derive_model does.
 std::string derive_text(const Mechanism& mechanism, const DeriveOptions& options = {});
 std::string derive_latex(const Mechanism& mechanism, const DeriveOptions& options = {});
 

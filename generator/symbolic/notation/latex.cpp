@@ -17,7 +17,7 @@ std::string letters(const std::string& word) {
   return "\\mathit{" + word + "}";
 }
 
-// Letters with a number at the end: "l1" → "l_{1}".
+// A word with a subscript for the number at its end: "l1" → "l_{1}".
 std::string numbered(const std::string& word) {
   std::size_t digits = word.size();
   while (digits > 0 && std::isdigit(static_cast<unsigned char>(word[digits - 1])) != 0) --digits;
@@ -25,16 +25,16 @@ std::string numbered(const std::string& word) {
   return letters(word.substr(0, digits)) + "_{" + word.substr(digits) + "}";
 }
 
-// Characters that fit into a line of 10 pt on A4, with subscripts at their smaller size.
+// The width of a line of 10 pt on A4, in characters; subscripts count at their smaller size.
 constexpr double kLineWidth = 68;
 constexpr double kSubscriptWidth = 0.65;
 
-// About as wide as it prints, in characters.
+// The approximate printed width, in characters.
 double printed_width(const std::string& text) {
   double width = 0;
   int depth = 0;
   for (std::size_t k = 0; k < text.size(); ++k) {
-    if (text[k] == '\\') {  // a command is one character, or an accent over one
+    if (text[k] == '\\') {  // a command counts as one character, or is an accent over one
       while (k + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[k + 1])) != 0) ++k;
       width += 1;
     } else if (text[k] == '{' || text[k] == '}') {
@@ -50,7 +50,7 @@ double printed_width(const std::string& text) {
 
 std::string latex_name(const std::string& name) {
   const std::size_t bracket = name.find_first_of("( ");
-  if (bracket != std::string::npos) {  // sin(alpha), (a + b): what is inside stays as it is
+  if (bracket != std::string::npos) {  // sin(alpha), (a + b): the text inside is not changed
     const bool is_function = name.rfind("sin(", 0) == 0 || name.rfind("cos(", 0) == 0;
     return is_function ? "\\" + name.substr(0, 4) + latex_name(name.substr(4, name.size() - 5)) + ")" : name;
   }
@@ -71,7 +71,7 @@ std::string latex_lines(const std::string& formula) {
   std::string result;
   double width = 0;
   for (std::size_t begin = 0; begin < formula.size();) {
-    // One summand, from its sign to the next one's.
+    // The end of one summand, which begins with its sign.
     std::size_t end = formula.find_first_of("+-", begin + 1);
     while (end != std::string::npos && (formula[end - 1] != ' ' || formula[end + 1] != ' ')) {
       end = formula.find_first_of("+-", end + 1);

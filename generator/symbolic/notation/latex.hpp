@@ -12,7 +12,7 @@ std::string latex_name(const std::string& name);
 // "1.5e-05" → "1.5 \cdot 10^{-5}".
 std::string latex_number(const std::string& decimal);
 
-// A formula for the right-hand side of an align environment: broken before a + or - where a line would be wider than a
+// A formula for the right-hand side of an align environment, broken before a + or - where a line would be wider than a
 // page of A4.
 std::string latex_lines(const std::string& formula);
 

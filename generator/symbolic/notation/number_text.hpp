@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The constants of one robot as people write them, in an order that is the same in every run.
+// The constants of one robot as text, in an order that is the same in every run.
 #pragma once
 
 #include <string>
@@ -12,21 +12,22 @@ class NumberText {
  public:
   explicit NumberText(const Mechanism& mechanism, int digits = 6) : names_(mechanism, no_motion_), digits_(digits) {}
 
-  // "0.333", "pi/2", "m_l1 l_1^2 + I_l1": to so many digits if it is no short decimal.
+  // The text of a number: "0.333", "pi/2", "m_l1 l_1^2 + I_l1"; rounded to the number of digits if it is not a short
+  // decimal.
   std::string operator()(const Number& number) const;
-  // "(0, -g, 0)"
+  // The text of a vector: "(0, -g, 0)".
   std::string operator()(const Vec3& vector) const;
 
  private:
-  ClosedForm no_motion_;  // constants have neither sines nor coordinates of joints
+  ClosedForm no_motion_;  // constants contain neither sines nor coordinates of joints
   Names names_;
   int digits_;
 };
 
-// The text of a number without free symbols. 17 digits or more: the shortest text of the nearest double.
+// The text of a number without free symbols. With 17 digits or more it is the shortest text of the nearest double.
 std::string plain_number_text(const Number& number, int digits = 6);
 
-// Of a rational factor: "2/3" where no short decimal says the same.
+// The text of a rational factor: "2/3" if no short decimal equals it.
 std::string factor_text(const Number& factor);
 
 }  // namespace flatdyn

@@ -46,7 +46,8 @@ int degree_in_motion(const Monomial& monomial) {
   return degree;
 }
 
-// The largest number that divides all coefficients: gcd of numerators over lcm of denominators; negative if all are.
+// The largest number that divides all coefficients: gcd of numerators over lcm of denominators; negative if all
+// coefficients are.
 Rational content(const ReadableSum& sum) {
   boost::multiprecision::mpz_int above = 0, below = 1;
   bool all_negative = true;
@@ -58,7 +59,7 @@ Rational content(const ReadableSum& sum) {
   return Rational(all_negative ? boost::multiprecision::mpz_int(-above) : above, below);
 }
 
-// Whether what is left of the coefficients is worth pulling the content out: small whole numbers.
+// Whether factoring out the divisor leaves small whole numbers, so that it is worth doing.
 bool leaves_small_numbers(const ReadableSum& sum, const Rational& divisor) {
   return std::all_of(sum.begin(), sum.end(), [&](const auto& term) { return abs(term.second / divisor) <= 99; });
 }
@@ -109,7 +110,7 @@ std::string Pretty::number(const Rational& magnitude, bool with_symbols) {
   return notation_ == Notation::latex ? latex_number(plain) : plain;
 }
 
-// Of the angle: by how much it turns with each of them.
+// The multiples of the coordinates in a factor's angle.
 std::vector<Rational> Pretty::multiples_of_coordinates(const Factor& factor) const {
   const auto n = static_cast<std::size_t>(joints_);
   std::vector<Rational> multiples(factor.angle.begin(), factor.angle.begin() + static_cast<std::ptrdiff_t>(n));
@@ -167,7 +168,7 @@ std::string Pretty::product(const Rational& magnitude, const Monomial& factors) 
   return number(magnitude, with_symbols) + " " + monomial(factors);
 }
 
-// Constants first, then by degree in what moves.
+// The terms with constants first, then by degree in the joints' motion.
 std::vector<Piece> Pretty::sorted_terms(const ReadableSum& sum) {
   std::vector<std::pair<Monomial, Rational>> terms(sum.begin(), sum.end());
   std::stable_sort(terms.begin(), terms.end(),

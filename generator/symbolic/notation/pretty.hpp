@@ -11,10 +11,10 @@ namespace flatdyn {
 
 enum class Notation { text, latex };
 
-// What terms are grouped by: masses and inertias, as in B, or gravity and joint positions, as in g.
+// The factors by which terms are grouped: masses and inertias, as in B, or gravity and joint positions, as in g.
 enum class GroupBy { parameters, motion };
 
-// A summand, its sign apart.
+// A summand with its sign kept apart.
 struct Piece {
   bool negative = false;
   std::string body;
@@ -28,7 +28,7 @@ class Pretty {
   std::vector<Piece> pieces(const ReadableSum& sum, GroupBy group_by);
   std::string text(const ReadableSum& sum, GroupBy group_by) { return joined(pieces(sum, group_by)); }
 
-  // The sum times what `suffix` says, as one summand: in parentheses if need be.
+  // The sum times the factor `suffix`, as one summand, in parentheses if necessary.
   static Piece times(const std::vector<Piece>& pieces, const std::string& suffix);
   static std::string joined(const std::vector<Piece>& pieces);
 
@@ -36,7 +36,7 @@ class Pretty {
   std::string coordinate(const std::string& letter, int joint) const;  // "qd_1", "\dot{q}_{1}"
 
   bool rounded() const { return rounded_; }        // whether a number was not printed in full
-  bool long_names() const { return long_names_; }  // whether cos(q_1) is written out, as c_1 is a symbol of the robot
+  bool long_names() const { return long_names_; }  // whether cos(q_1) is written out, as the robot has a symbol c_1
 
  private:
   std::string number(const Rational& magnitude, bool with_symbols);

@@ -34,7 +34,7 @@ void for_terms(const Number& expanded, const Visit& visit) {
   }
 }
 
-// Text of an angle or of a sum under a fraction bar: small, sorted by text.
+// The text of an angle, or of a sum under a fraction bar, with its terms sorted by text.
 std::string plain_text(const Number& e) {
   std::ostringstream text;
   if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
@@ -57,7 +57,7 @@ std::string factor_text(const Number& e) {
   return GiNaC::is_a<GiNaC::add>(e) ? "(" + plain_text(e) + ")" : plain_text(e);
 }
 
-// (number at the end, letters between underscore and number, letters before): what people sort names by.
+// The key by which people sort names: (number at the end, letters between underscore and number, letters before).
 auto natural_key(const std::string& name) {
   std::size_t digits = name.size();
   while (digits > 0 && std::isdigit(static_cast<unsigned char>(name[digits - 1])) != 0) --digits;
@@ -76,7 +76,7 @@ bool contains(const Mat3& matrix, const GiNaC::symbol& symbol) {
   return std::any_of(matrix.begin(), matrix.end(), [&](const Vec3& row) { return contains(row, symbol); });
 }
 
-// What a symbol is, from where it stands in the model: masses and inertias are what B is linear in.
+// The kind of a symbol, by its place in the model: B is linear in masses and inertias.
 FactorKind kind_of(const GiNaC::symbol& symbol, const Mechanism& mechanism) {
   if (contains(mechanism.gravity, symbol)) return FactorKind::gravity;
   bool is_length = false, is_dynamic = false;
@@ -90,7 +90,7 @@ FactorKind kind_of(const GiNaC::symbol& symbol, const Mechanism& mechanism) {
   return is_dynamic && !is_length ? FactorKind::dynamic : FactorKind::other;
 }
 
-// Every constant of a body that may be an expression.
+// All constants of a body that may be expressions.
 std::vector<Number> constants_of(const Body& body) {
   const InertialParameters& inertia = body.inertia;
   std::vector<Number> constants = {body.viscous, body.coulomb, body.armature, inertia.mass};

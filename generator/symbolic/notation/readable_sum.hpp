@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A polynomial in an order of its own, for people: terms of named factors. GiNaC's order by address ends here.
+// A polynomial with terms of named factors, in a readable order that does not depend on GiNaC's order by address.
 #pragma once
 
 #include <compare>
@@ -12,11 +12,11 @@
 
 namespace flatdyn {
 
-// In the order in which factors are written: k_r^2 I_m, m a g d_1 c_2 s_12.
+// The kinds of factors, in the order in which they are written: k_r^2 I_m, m a g d_1 c_2 s_12.
 enum class FactorKind { gear, dynamic, other, gravity, coordinate, cosine, sine };
 
-// gear … gravity: `index` into Names; coordinate: d of joint `index`; cosine, sine: of Σ angle[i] q_i,
-// and beyond q of Mechanism::angles.
+// A factor. gear … gravity: `index` into Names; coordinate: d of joint `index`; cosine, sine: of Σ angle[i] q_i,
+// followed by multiples of Mechanism::angles.
 struct Factor {
   FactorKind kind = FactorKind::other;
   int index = 0;
@@ -27,17 +27,17 @@ struct Factor {
   bool is_trigonometric() const { return kind == FactorKind::cosine || kind == FactorKind::sine; }
 };
 
-using Monomial = std::map<Factor, int>;  // with exponents, not zero
+using Monomial = std::map<Factor, int>;  // exponents are not zero
 using ReadableSum = std::map<Monomial, Rational>;
 
-// What the factors of a robot's sums are called, in the order in which people list them: by the number at the name's
-// end (the link), then by what is between the underscore and the number, then by what is before it: I_l1, m_l1, I_m1,
-// I_l2. A factor is a free symbol, its sine or cosine, or the reciprocal of an expression in free symbols.
+// The names of the factors in a robot's sums, in the order in which people list them: by the number at the name's end
+// (the link), then by the letters between underscore and number, then by those before: I_l1, m_l1, I_m1, I_l2. A factor
+// is a free symbol, its sine or cosine, or the reciprocal of an expression in free symbols.
 class Names {
  public:
   Names(const Mechanism& mechanism, const ClosedForm& form);
 
-  // Throws Failure(unsupported) for an expression that is no polynomial in the factors known.
+  // The expression as a sum. Throws Failure(unsupported) if it is not a polynomial in the known factors.
   ReadableSum readable(const Number& expression) const;
   const std::string& name(const Factor& factor) const { return entries_[static_cast<std::size_t>(factor.index)].name; }
   const Number& expression(const Factor& factor) const {
@@ -59,7 +59,8 @@ class Names {
   const ClosedForm& form_;
 };
 
-// Sums of parallel joint angles, c_1 c_2 - s_1 s_2 = c_12, and squares, 1 - c_1² = s_1², where that leaves fewer terms.
+// Rewrites a sum by c_1 c_2 - s_1 s_2 = c_12 for angles of parallel joints, and by 1 - c_1² = s_1², where that leaves
+// fewer terms.
 class AngleRewriter {
  public:
   explicit AngleRewriter(const Mechanism& mechanism);
@@ -67,7 +68,7 @@ class AngleRewriter {
   ReadableSum rewritten(ReadableSum sum) const;
 
  private:
-  std::vector<std::vector<int>> groups_;  // angles of joints with parallel axes, each in order
+  std::vector<std::vector<int>> groups_;  // angles of joints with parallel axes, each group in order
   int angles_;
 };
 

@@ -24,7 +24,7 @@ void add_multiple(ParameterForm& form, const Number& factor, const ParameterForm
   }
 }
 
-// What of a redundant part is a body: ten parameters.
+// The ten parameters of a body in a redundant part.
 InertialParameters inertia_of(const RedundantPart& part) {
   InertialParameters body;
   for (int k = 0; k < kInertialPerBody; ++k) {
@@ -33,7 +33,7 @@ InertialParameters inertia_of(const RedundantPart& part) {
   return body;
 }
 
-// The parameters of all joints as forms in the original ones, while parts of them move towards the base.
+// The parameters of all joints as linear forms in the original ones, while parts of them are moved towards the base.
 class Regrouping {
  public:
   explicit Regrouping(const Mechanism& mechanism) : mechanism_(mechanism) {
@@ -51,7 +51,7 @@ class Regrouping {
     return forms_[static_cast<std::size_t>(kParametersPerJoint * j) + parameter];
   }
 
-  // Takes the part out of joint j, so that its lead vanishes, and puts its body into the parent.
+  // Subtracts the part from joint j, so that its lead vanishes, and adds its body to the parent.
   void move(int j, const RedundantPart& part) {
     const auto lead = static_cast<std::size_t>(part.lead);
     const ParameterForm amount = form(j, lead);
@@ -71,7 +71,7 @@ class Regrouping {
   std::vector<ParameterForm> forms_;
 };
 
-// Places in π in the order in which they are kept.
+// The indices in π in the order in which they are kept.
 std::vector<int> by_preference(const Mechanism& mechanism) {
   std::vector<int> order;
   for (int i = 0; i < mechanism.body_count(); ++i) {
@@ -85,7 +85,7 @@ Number coefficient(const ParameterForm& form, int index) {
   return found == form.end() ? Number(0) : found->second;
 }
 
-// Reduced echelon form of the rows of K, with the parameters that are not `present` struck out.
+// The reduced echelon form of the rows of K, without the parameters that are not `present`.
 template <class IsZero>
 BaseParameters reduced(std::vector<ParameterForm> rows, const std::vector<int>& order, const std::vector<bool>& present,
                        IsZero is_zero) {

@@ -27,15 +27,15 @@ Function sampled_function(const Mechanism& mechanism, const BaseParameters& base
 
 using F = ModP<kMersenne61>;
 
-// Beyond the number of columns. A state in general brings a row that is new, as long as there is one: some rows, such
-// as a last slide's, depend on few parameters.
+// The number of sampled states beyond the number of columns. A general state adds a new row as long as there is one;
+// but some rows, such as that of a last prismatic joint, depend on few parameters.
 constexpr std::uint64_t kSpareStates = 4;
 
 std::uint64_t most_states(const Function& function) {
   return static_cast<std::uint64_t>(function.outputs.front().cols) + kSpareStates;
 }
 
-// A coordinate's angle, or a multiple of one; none of the robot's symbols.
+// Whether an angle is a coordinate or a multiple of one, without symbols of the robot.
 bool is_coordinate(const Graph& graph, NodeId angle) {
   const Node& node = graph[graph.is_scaled(angle) ? graph[angle].terms.front().node : angle];
   return node.op == Op::input && node.input.kind == InputKind::q;
@@ -43,7 +43,7 @@ bool is_coordinate(const Graph& graph, NodeId angle) {
 
 Number exact(const Rational& value) { return GiNaC::numeric(value.str().c_str()); }
 
-// A state of random rational numbers, the robot's own symbols kept.
+// A state of random rational numbers in which the robot's own symbols are kept.
 class SampledState {
  public:
   using Scalar = Number;
@@ -70,7 +70,7 @@ class SampledState {
   RationalArithmetic drawn_;
 };
 
-// Y_b in one state, row by row.
+// Y_b at one state, row by row.
 template <class State>
 std::vector<std::vector<typename State::Scalar>> sampled_rows(const Function& function, State state) {
   const std::vector<typename State::Scalar> values = evaluate(function, state);
@@ -86,7 +86,7 @@ std::vector<std::vector<typename State::Scalar>> sampled_rows(const Function& fu
   return rows;
 }
 
-// A state modulo a large prime. Symbols have the same values in all.
+// A state modulo a large prime. Symbols have the same values in all states.
 class FieldState {
  public:
   using Arithmetic = ModPArithmetic<>;
@@ -116,8 +116,8 @@ class FieldState {
   Arithmetic drawn_, symbols_{0};
 };
 
-// Of Y_b in all states. Decided modulo a large prime, where that is cheap: with symbols, and where loops are closed,
-// exact elimination is not.
+// The rank of Y_b over all states, computed modulo a large prime, where that is cheap: exact elimination is not, with
+// symbols and closed loops.
 std::size_t rank_of(const Function& function) {
   RowSpace<F> space;
   const auto columns = static_cast<std::size_t>(function.outputs.front().cols);
@@ -127,7 +127,7 @@ std::size_t rank_of(const Function& function) {
   return space.rank();
 }
 
-// Of as many exact rows as the rank, each independent of those before it.
+// The echelon form of as many exact rows as the rank, each independent of those before it.
 Echelon<Number> sampled_echelon(const Mechanism& mechanism, const Function& function, std::size_t rank) {
   ModPArithmetic<> arithmetic(1);
   const NumberMap<ModPArithmetic<>> field(mechanism.symbols, arithmetic);
@@ -143,7 +143,7 @@ Echelon<Number> sampled_echelon(const Mechanism& mechanism, const Function& func
   return reduced_echelon(std::move(rows), [&field](const Number& x) { return field(x) == F(0); });
 }
 
-// Elimination keeps what comes first: joint by joint, and of a joint's parameters those that are preferred.
+// Sorts parameters so that elimination keeps the preferred ones: joint by joint, and within a joint by preference.
 BaseParameters sorted_by_preference(const BaseParameters& base) {
   std::vector<std::pair<std::pair<int, std::ptrdiff_t>, std::size_t>> order;
   for (std::size_t k = 0; k < base.columns.size(); ++k) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Base parameters where joints are coupled: what the tree's joints could tell apart, their coordinates may not.
+// Base parameters of robots with coupled joints: parameters that are independent for the tree's joints may be dependent
+// at the coordinates.
 #pragma once
 
 #include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
 
-// Of `base`, the base parameters of the tree, those that are independent at the coordinates: exact elimination of
-// Aᵀ Y_b at random rational states, the robot's symbols kept. What does not depend on the states is the row space, and
-// so its reduced echelon form.
+// Reduces `base`, the base parameters of the tree, to those that are independent at the coordinates, by exact
+// elimination of Aᵀ Y_b at random rational states with the robot's symbols kept. The row space, and so its reduced
+// echelon form, does not depend on the states.
 BaseParameters reduced_at_coordinates(const Mechanism& mechanism, const BaseParameters& base);
 
 }  // namespace flatdyn

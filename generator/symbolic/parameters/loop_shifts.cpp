@@ -30,7 +30,8 @@ ParameterForm sum(ParameterForm a, const Number& factor, const ParameterForm& b)
   return a;
 }
 
-// Parameters that the model does not have may be part of δ where nothing depends on them.
+// Whether a shift δ is possible: it may contain parameters that the model does not have only if no form depends on
+// them.
 bool is_possible(const ParameterForm& shift, const std::vector<ParameterForm>& forms, const std::vector<bool>& present,
                  const IsZero& is_zero) {
   ParameterForm absent = shift;
@@ -39,8 +40,8 @@ bool is_possible(const ParameterForm& shift, const std::vector<ParameterForm>& f
                      [&](const ParameterForm& form) { return is_zero(product(form, absent)); });
 }
 
-// Frames that are turned by any angles are rational to 40 digits: what would be zero is nearly so. It must not become
-// what others are divided by.
+// The size of numbers. Frames rotated by arbitrary angles are rational approximations to 40 digits, so that numbers
+// that should be zero are merely tiny. They must not be used as divisors.
 class Size {
  public:
   explicit Size(const Mechanism& mechanism) : arithmetic_(somewhere), value_(mechanism.symbols, arithmetic_) {}
@@ -54,13 +55,13 @@ class Size {
   NumberMap<RealArithmetic<Real50>> value_;
 };
 
-// In the order in which parameters are kept.
+// The rank of a parameter in the order in which parameters are kept.
 int preference_rank(int index) {
   const auto* place = std::find(std::begin(kPreference), std::end(kPreference), parameter_of(index));
   return kParametersPerJoint * joint_of(index) + static_cast<int>(place - std::begin(kPreference));
 }
 
-// The row of K that goes.
+// The row of K to be removed.
 std::optional<std::size_t> last_row(const BaseParameters& base, const std::vector<Number>& amounts, const Size& size) {
   std::optional<std::size_t> last;
   for (std::size_t k = 0; k < amounts.size(); ++k) {
@@ -72,8 +73,8 @@ std::optional<std::size_t> last_row(const BaseParameters& base, const std::vecto
 
 Vec3 third_axis(const LoopClosure& loop) { return {loop.axes[0][2], loop.axes[1][2], loop.axes[2][2]}; }
 
-// The third of the loop's axes in the frame of an end's body, if its joints leave it there: they turn about it, or
-// slide.
+// The third of the loop's axes in the frame of an end's body, if the joints on the path keep its direction: they turn
+// about it, or slide. Otherwise nothing.
 std::optional<Vec3> carried_axis(const Mechanism& mechanism, const LoopClosure& loop, const LoopClosure::End& end,
                                  const Size& size) {
   Vec3 axis = third_axis(loop);
@@ -87,7 +88,7 @@ std::optional<Vec3> carried_axis(const Mechanism& mechanism, const LoopClosure& 
   return axis;
 }
 
-// Parameters of masses on the line p + z axis, of which only ∫ z^power is not zero.
+// The parameters of masses on the line p + z axis with ∫ z^power = 1 and all other moments 0.
 InertialParameters masses_on_line(const Vec3& p, const Vec3& axis, std::size_t power) {
   switch (power) {
     case 0:
@@ -108,13 +109,14 @@ void add(int body, const InertialParameters& parameters, int sign, ParameterForm
   }
 }
 
-// Products of inertia with the loop's direction n, as of ∫ z r = n × v: those of all links together are n × the way
-// round the loop, which is nothing. Whether n points up or down makes no difference.
+// Products of inertia with the loop's direction n, as of ∫ z r = n × v. Their sum over all links is n × the closed path
+// round the loop, which is zero. The sign of n does not matter.
 InertialParameters products_of(const Vec3& n, const Vec3& v) {
   return {0, zero_vector(), inertia_between(n, cross(n, v))};
 }
 
-// Of a loop whose joints share the direction of its third axis. Nothing if one slides: no link has its length.
+// The shift of products of inertia for a loop whose joints share the direction of its third axis. Empty if one is
+// prismatic, as the length of a link then varies.
 ParameterForm products_round_loop(const Mechanism& mechanism, const LoopClosure& loop) {
   const Vec3 joint_axis = {0, 0, 1};
   ParameterForm shift;
@@ -156,7 +158,7 @@ std::vector<ParameterForm> shifts_of(const Mechanism& mechanism, const LoopClosu
   return shifts;
 }
 
-// All δ, loop by loop.
+// The shifts δ of all loops, loop by loop.
 std::vector<ParameterForm> loop_shifts(const Mechanism& mechanism, const Size& size) {
   std::vector<ParameterForm> all;
   for (const LoopClosure& loop : mechanism.loops) {

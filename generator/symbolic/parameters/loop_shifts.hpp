@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What closed loops hide of the parameters. A point mass at one of the points where a loop is closed, and as much less
-// at the other, which moves with it, change neither energy: δ with Y δ = 0 wherever the loop is closed. In a loop whose
-// joints all turn about one direction, masses anywhere on the line through the points in that direction do so: their
-// sum, and their first and second moments along the line, three δ. If they all turn, products of inertia with that
-// direction that are perpendicular to the links' lengths add up to nothing, too: a fourth δ.
+// Parameter directions that closed loops hide. Adding a point mass at one of the points where a loop is closed, and
+// subtracting it at the other, which moves with it, changes neither energy: δ with Y δ = 0 wherever the loop is closed.
+// In a loop whose joints all turn about one direction, the same holds for masses anywhere on the line through the
+// points in that direction: their sum, and their first and second moments along the line, are three δ. If all joints
+// are revolute, products of inertia with that direction that are perpendicular to the links' lengths add up to zero,
+// too: a fourth δ.
 #pragma once
 
 #include <functional>
@@ -13,9 +14,8 @@
 
 namespace flatdyn {
 
-// With one parameter less for each δ that has a part in those of the model, the last that it may be.
-// `forms`: the parameters of the tree, those that the model does not have included, which are those that are not
-// `present`.
+// Removes one parameter for each δ that affects those of the model, the last possible one. `forms`: the parameters of
+// the tree, including those that the model does not have, which are not `present`.
 BaseParameters without_shifts(const Mechanism& mechanism, BaseParameters base, const std::vector<ParameterForm>& forms,
                               const std::vector<bool>& present, const std::function<bool(const Number&)>& is_zero);
 

@@ -6,7 +6,7 @@
 namespace flatdyn {
 namespace {
 
-// Row and column of an inertia's place in (7.77).
+// The row and column of a moment of inertia, by its place in (7.77).
 struct Place {
   std::size_t row, col;
 };

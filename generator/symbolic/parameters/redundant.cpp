@@ -12,9 +12,9 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kSamples = kEnergyParameters + 5;  // more motions than unknowns: none is likely to be special
+constexpr int kSamples = kEnergyParameters + 5;  // more motions than unknowns, so that they are in general position
 
-// Random motions: over a prime field for the dimension of M_j, in rationals for its vectors.
+// Sources of random motions: over a prime field for the dimension of M_j, in rationals for its vectors.
 struct PrimeField {
   using F = ModP<kMersenne61>;
   explicit PrimeField(const Mechanism& mechanism) : number(mechanism.symbols, arithmetic) {}
@@ -35,13 +35,13 @@ struct Rationals {
   std::mt19937_64 engine{1};
 };
 
-// Where a joint is and how fast it moves.
+// The position and rate of a joint.
 template <class F>
 struct JointState {
   F c = F(1), s = F(0), d = F(0), rate = F(0);
 };
 
-// What a body's energy depends on, in its own frame.
+// The state that a body's energy depends on, in its own frame.
 template <class F>
 struct BodyState {
   Vector3<F> omega{F(0), F(0), F(0)}, v{F(0), F(0), F(0)}, g{F(0), F(0), F(0)};  // rad/s, m/s, m/s^2
@@ -61,7 +61,8 @@ class Energies {
     }
   }
 
-  // One random motion of the whole tree; for every joint the energies of its parameters, less those at q_j = q̇_j = 0.
+  // The energies at one random motion of the whole tree: for every joint those of its parameters, less those at q_j =
+  // q̇_j = 0.
   std::vector<Row> sample() {
     std::vector<BodyState<F>> states;
     std::vector<Row> rows;
@@ -128,7 +129,7 @@ class Energies {
             w[2] * w[2]};
   }
 
-  // Twice the last two terms of (7.70); nothing when the joint stands still.
+  // Twice the last two terms of (7.70); zero when the joint does not move.
   F rotor_energy(int j, const std::vector<BodyState<F>>& states, const F& rate) const {
     const auto& rotor = mechanism_.bodies[static_cast<std::size_t>(j)].rotor;
     if (!rotor) return rate * rate;
@@ -150,7 +151,7 @@ std::vector<Parameter> energy_preference() {
   return order;
 }
 
-// samples[s][j]: row of joint j. The rows of one joint, columns in the order of preference.
+// The rows of joint j, samples[s][j], with columns in the order of preference.
 template <class F>
 std::vector<std::vector<F>> rows_of(const std::vector<std::vector<std::vector<F>>>& samples, int j) {
   std::vector<std::vector<F>> rows;
@@ -216,7 +217,7 @@ std::vector<std::vector<std::vector<typename Source::F>>> samples_of(const Mecha
   return samples;
 }
 
-// The bodies up to j only: exact numbers grow with the distance from the base.
+// The mechanism with the bodies up to j only, as exact numbers grow with the distance from the base.
 Mechanism up_to(const Mechanism& mechanism, int j) {
   Mechanism part = mechanism;
   part.bodies.resize(static_cast<std::size_t>(j) + 1);

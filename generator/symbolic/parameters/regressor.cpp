@@ -7,7 +7,7 @@
 namespace flatdyn {
 namespace {
 
-// Î ω̇ + ω × Î ω for a unit entry of Î, in the entries that the bodies share.
+// Î ω̇ + ω × Î ω for a unit entry of Î, from products that the parameters of a body share.
 Vec3 unit_moment(Derivation& d, Parameter parameter, const BodyMotion& body, const std::string& n) {
   const Mat3 &W = body.products, &U = body.U;
   const Vec3& dw = body.domega;
@@ -32,7 +32,7 @@ Vec3 unit_moment(Derivation& d, Parameter parameter, const BodyMotion& body, con
   }
 }
 
-// The wrench that a unit parameter of a body takes, about the origin of its frame.
+// The wrench for a unit parameter of a body, about the origin of its frame.
 Wrench unit_wrench(Derivation& d, Parameter parameter, const BodyMotion& body, const std::string& n) {
   const Mat3& U = body.U;
   const Vec3& a = body.ddp;
@@ -93,7 +93,7 @@ class Columns {
                                       "n_" + label(centre) + "_" + parameter_name(index));
   }
 
-  // Last two terms of (7.105), and k_r (ω̇_c · z_m + k_r q̈) at the joint itself, (7.114).
+  // The rotor's column: the last two terms of (7.105), and k_r (ω̇_c · z_m + k_r q̈) at the joint itself, (7.114).
   std::vector<Number> rotor_column(int j) {
     Derivation& d = frames_.derivation();
     const auto jj = static_cast<std::size_t>(j);

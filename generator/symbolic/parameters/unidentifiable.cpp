@@ -4,17 +4,17 @@
 namespace flatdyn {
 namespace {
 
-// How freely a body turns: what the joints from the base to it allow.
+// The freedom of a body to turn, given by the joints from the base to it.
 struct Turning {
-  int turns = 0;         // revolute joints
-  int slides = 0;        // prismatic ones
-  bool parallel = true;  // all revolute axes, and along z of the body
+  int turns = 0;         // number of revolute joints
+  int slides = 0;        // number of prismatic joints
+  bool parallel = true;  // whether all revolute axes are parallel, and along z of the body
 };
 
-// Axes are compared at q = 0: parallel ones stay so when the joints between them turn about them, or slide.
+// Axes are compared at q = 0: parallel ones stay parallel when the joints between them turn about them, or slide.
 Turning turning_of(const Mechanism& mechanism, int body) {
   Turning result;
-  Vec3 own_z = {0, 0, 1};  // z of the body, seen from further and further towards the base
+  Vec3 own_z = {0, 0, 1};  // z of the body in the frames on the path to the base
   for (int k = body; k >= 0; k = mechanism.bodies[static_cast<std::size_t>(k)].parent) {
     const Body& joint = mechanism.bodies[static_cast<std::size_t>(k)];
     result.parallel = result.parallel && (joint.prismatic || (vanishes(own_z[0]) && vanishes(own_z[1])));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Parameters that no torque depends on, and why.
+// Parameters that no torque depends on, and the reasons.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 namespace flatdyn {
 
 struct Unidentifiable {
-  int index = 0;       // in π
-  std::string reason;  // one clause for people
+  int index = 0;       // index in π
+  std::string reason;  // one clause of text
 };
 
-// Those of `set` that occur in no base parameter.
+// The parameters of `set` that occur in no base parameter.
 std::vector<Unidentifiable> unidentifiable(const Mechanism& mechanism, const BaseParameters& base, ParameterSet set);
 
 }  // namespace flatdyn

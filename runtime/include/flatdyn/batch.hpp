@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One generated function at many states: several states at a time in the lanes of SIMD registers (xsimd: Debian's
-// libxsimd-dev), and with OpenMP (-fopenmp) on all cores. The lanes' width is that of the machine compiled for:
-// -march=native, or -mavx2 -mfma.
+// Evaluates a generated function at many states: several states at a time in the lanes of SIMD registers (xsimd:
+// Debian's libxsimd-dev), and with OpenMP (-fopenmp) on all cores. The width of the lanes is that of the target
+// machine: -march=native, or -mavx2 -mfma.
 //
 //   std::vector<double> q(7 * n), qd(7 * n), qdd(7 * n), tau(7 * n);   // joint i of state k at [i * n + k]
 //   flatdyn::for_each_state<double>(n, [](auto... of) { panda::inverse_dynamics(of...); },
 //                                   flatdyn::in<7>(q.data(), n), flatdyn::in<7>(qd.data(), n),
 //                                   flatdyn::in<7>(qdd.data(), n), flatdyn::out<7>(tau.data(), n));
 //
-// Arrays that begin at a multiple of 64 bytes, and n a multiple of 64 / sizeof(T), are fastest: no access takes two
-// cache lines. The results of a state do not depend on the states beside it, and differ from those of scalar calls by
-// the rounding of sines and cosines only (where the compiler contracts products and sums alike).
+// Arrays that begin at a multiple of 64 bytes, and n a multiple of 64 / sizeof(T), are fastest: no access crosses cache
+// lines. The results of a state do not depend on the states beside it. They differ from those of scalar calls only by
+// the rounding of sines and cosines, provided that the compiler contracts products and sums alike in both.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@
 
 namespace flatdyn {
 
-// A scalar type for generated code: as many numbers of type T as a register has.
+// A scalar type for generated code: as many numbers of type T as a register holds.
 template <class T>
 class Lanes {
   static_assert(std::is_floating_point_v<T>, "lanes are of float or double");
@@ -32,7 +32,7 @@ class Lanes {
  public:
   using Batch = xsimd::batch<T>;
   static constexpr std::size_t width = Batch::size;
-  static constexpr int flatdyn_interface = kInterface;  // generated code asks for it
+  static constexpr int flatdyn_interface = kInterface;  // checked by generated code
 
   Lanes() = default;
   explicit Lanes(double x) noexcept : batch_(static_cast<T>(x)) {}
@@ -40,7 +40,7 @@ class Lanes {
 
   const Batch& batch() const noexcept { return batch_; }
 
-  // True in some lanes and false in others. As one answer: true if it is so in all of them.
+  // The result of a comparison in each lane. Converted to bool it is true if it is true in all lanes.
   class Mask {
    public:
     explicit Mask(const typename Batch::batch_bool_type& lanes) noexcept : lanes_(lanes) {}
@@ -67,7 +67,7 @@ class Lanes {
   Batch batch_;
 };
 
-// Where an argument has its entries: entry i of state k at first[i * stride + k].
+// The entries of an argument: entry i of state k is at first[i * stride + k].
 template <int entries, class T>
 struct Columns {
   T* first;
@@ -90,7 +90,7 @@ namespace detail {
 template <int entries, class T>
 class Argument {
  public:
-  // `count` states from `state` on; of fewer than lanes, the last one is repeated.
+  // Loads `count` states from `state` on; if there are more lanes, the last state is repeated.
   Argument(const Columns<entries, const T>& columns, std::size_t state, std::size_t count) noexcept {
     for (std::size_t i = 0; i < entries; ++i) {
       const T* from = columns.first + i * columns.stride + state;
@@ -141,7 +141,7 @@ bool holds(Call& call, Pointers... pointers) noexcept {
   }
 }
 
-// `call` at `count` states from `state` on, no more than lanes.
+// Applies `call` to `count` states from `state` on, at most one per lane.
 template <class Call, std::size_t... k, class... Arrays>
 bool at_lanes(Call& call, std::size_t state, std::size_t count, std::index_sequence<k...>,
               const Arrays&... arrays) noexcept {
@@ -153,9 +153,9 @@ bool at_lanes(Call& call, std::size_t state, std::size_t count, std::index_seque
 
 }  // namespace detail
 
-// call(a, b, …) with pointers to Lanes<T>, for all `states`; the arrays as its arguments come. Inputs may be
-// the same array; outputs may overlap neither inputs nor each other. False if the call was false for any state, as
-// forward_dynamics is where B is not positive definite.
+// Applies call(a, b, …), with pointers to Lanes<T>, to all `states`; the arrays are in the order of its arguments.
+// Inputs may share an array; outputs must overlap neither inputs nor each other. Returns false if the call returned
+// false for any state, as forward_dynamics does if B is not positive definite.
 template <class T, class Call, class... Arrays>
 bool for_each_state(std::size_t states, Call call, const Arrays&... arrays) noexcept {
   constexpr std::size_t width = Lanes<T>::width;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Generated functions for programs that compute with Eigen: vectors go in, vectors and matrices come back by value,
-// each of the size that the function says.
+// Calls generated functions with Eigen types: arguments are vectors, results are vectors and matrices by value, each of
+// the function's size.
 //
 //   #include "panda.hpp"
 //   #include "flatdyn/eigen.hpp"
@@ -12,15 +12,15 @@
 //   const auto [R, p] = flatdyn::eigen<arm::forward_kinematics>(q);
 //   if (const auto qdd = flatdyn::eigen<arm::forward_dynamics>(q, qd, tau)) move(*qdd);
 //
-// What a function returns false for is an empty std::optional here. Arguments are those of the function, without its
-// outputs: a robot's Parameters first, a source of sines and cosines last; of a function in stages, the stage and what
-// it does not know yet, as in flatdyn::eigen<arm::inertia_matrix>(panda::at(q.data())). Vectors have the length that
-// the function wants, and the compiler knows it: x.head<7>() of a longer one, or of one that is Eigen::Dynamic.
-// Christoffel symbols are a matrix, c_ijk = c_ikj in row i and column k (k + 1) / 2 + j, j <= k.
+// A function that returns false gives an empty std::optional here. The arguments are those of the function, without its
+// outputs: a robot's Parameters first, a source of sines and cosines last; for a function in stages, the stage and the
+// inputs that it does not have yet, as in flatdyn::eigen<arm::inertia_matrix>(panda::at(q.data())). Vectors must have
+// the function's length at compile time: take x.head<7>() of a longer or an Eigen::Dynamic vector. Christoffel symbols
+// are a matrix, c_ijk = c_ikj in row i and column k (k + 1) / 2 + j, j <= k.
 //
-// Nothing is copied: vectors, and matrices of Eigen::RowMajor, are written where they are returned. Where a matrix is
-// column by column, its function is compiled for it once more by compilers that know gnu::flatten, and stores where the
-// entries belong; others store twice.
+// Nothing is copied: vectors, and matrices of Eigen::RowMajor, are written where they are returned. For a matrix of
+// Eigen::ColMajor, compilers with gnu::flatten compile the function a second time, such that it stores entries in their
+// final places; with other compilers entries are stored twice.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,7 +34,7 @@ namespace flatdyn {
 
 namespace eigen_detail {
 
-// A parameter of a function stands for results, or for vectors that are passed.
+// The shape of a function's parameter, which is either a result or a vector argument.
 template <class Parameter, int order>
 struct Shaped {
   using Results = std::tuple<>;
@@ -53,7 +53,7 @@ struct Shaped<Scalar (&)[n], order> {
   using Vectors = std::tuple<>;
 };
 
-// A single row or column has one order only.
+// A single row or column, for which storage order does not matter.
 template <class Scalar, std::size_t rows, std::size_t columns, int order>
 struct Shaped<Scalar (&)[rows][columns], order> {
   static constexpr int kOrder = columns == 1 ? int{Eigen::ColMajor} : rows == 1 ? int{Eigen::RowMajor} : order;
@@ -81,7 +81,7 @@ struct TypeIs {
   using type = Type;
 };
 
-// That of the first vector; where there is none, that of the stage.
+// The scalar type of the first vector; without one, that of the stage.
 template <template <class> class Stage, class Scalar>
 TypeIs<Scalar> scalar_of_stage(const Stage<Scalar>*);
 template <class First, class... Others>
@@ -100,7 +100,7 @@ inline constexpr bool kLeavesOut = false;
 template <class Function>
 inline constexpr bool kLeavesOut<Function, std::enable_if_t<Function::leaves_out>> = true;
 
-// Where a function writes a result, row by row; entries that it leaves out are zero.
+// The place to which a function writes a result, row by row; entries that it leaves out are zero.
 template <class Result, bool leaves_out>
 class Target {
  public:
@@ -124,7 +124,7 @@ class Target {
   }
 
   void finish() noexcept {
-    constexpr int kMost = 1024;  // beyond, compilers take long
+    constexpr int kMost = 1024;  // compilers take long for more
     if constexpr (!kIsInPlace && kSize <= kMost) {
       store_all(std::make_integer_sequence<int, kSize>{});
     } else if constexpr (!kIsInPlace) {
@@ -133,7 +133,7 @@ class Target {
   }
 
  private:
-  // One by one, so that the compiler sees which is which.
+  // Stores the entries one by one, so that the compiler knows their indices.
   template <int... k>
   void store_all(std::integer_sequence<int, k...>) noexcept {
     const int each[] = {(store(k), 0)...};
@@ -145,7 +145,7 @@ class Target {
   Scalar rows_[kIsInPlace ? 1 : kSize];
 };
 
-// An argument as a generated function takes it: the numbers of a vector, anything else as it is.
+// An argument in the form that a generated function takes: the numbers of a vector, anything else as it is.
 template <class Argument, class Vector>
 class Passed {
  public:
@@ -167,7 +167,7 @@ class Passed<Argument, void> {
   const Argument& argument_;
 };
 
-// Arguments by their places: which are vectors, and what comes before the outputs.
+// The places of arguments: which are vectors, and how many come before the outputs.
 template <class... Arguments>
 struct Places {
   static constexpr std::size_t kCount = sizeof...(Arguments);
@@ -180,7 +180,7 @@ struct Places {
   }
   static constexpr std::size_t kVectors = vectors_before(kCount);
 
-  // Outputs come behind the last vector; where there is none, behind the stage.
+  // The outputs follow the last vector or, if there is none, the stage.
   static constexpr std::size_t before_outputs() noexcept {
     std::size_t count = kVectors == 0 ? 1 : kCount;
     while (kVectors > 0 && !kIsVector[count - 1]) --count;
@@ -188,7 +188,7 @@ struct Places {
   }
 };
 
-// Which vector of the function the argument at a place is: the first ones may be known to a stage.
+// The index of the function's vector that the argument at a place stands for: a stage may already have the first ones.
 template <class Vectors, class Placed, std::size_t place>
 constexpr auto vector_at() noexcept {
   constexpr std::size_t count = std::tuple_size_v<Vectors>;
@@ -248,7 +248,7 @@ class Call {
     }
   }
 
-  // What is returned is the variable itself: compilers see to that at the outermost level of a function.
+  // The variable itself is returned, which compilers ensure at the outermost level of a function.
   [[gnu::always_inline]] static Value always(const Arguments&... arguments) noexcept {
     Value value;
     written(value, arguments...);
@@ -274,7 +274,7 @@ class Call {
     return (TargetAt<k>::kIsInPlace && ...);
   }
 
-  // The function becomes part of this one, so that it stores where entries belong.
+  // Inlines the function here, so that it stores entries in their final places.
   [[gnu::flatten]] static auto called_in_one(Value& value, const Arguments&... arguments) noexcept {
     return called(value, kAtResults, kAtArguments, arguments...);
   }
@@ -289,7 +289,7 @@ class Call {
     return returned;
   }
 
-  // True of a function that returns nothing.
+  // Returns true for a function that returns nothing.
   template <class AllPassed, class Targets, std::size_t... before, std::size_t... result, std::size_t... behind>
   [[gnu::always_inline]] static auto call(const AllPassed& passed, Targets& targets, std::index_sequence<before...>,
                                           std::index_sequence<result...>, std::index_sequence<behind...>) noexcept {
@@ -308,8 +308,8 @@ class Call {
 
 }  // namespace eigen_detail
 
-// `Function` of generated code, such as panda::functions::jacobian, at these arguments. `order`: of the matrices that
-// it returns, Eigen::ColMajor or Eigen::RowMajor.
+// Calls `Function` of generated code, such as panda::functions::jacobian, with these arguments. `order`: the storage
+// order of the matrices returned, Eigen::ColMajor or Eigen::RowMajor.
 template <class Function, int order = Eigen::ColMajor, class... Arguments>
 [[gnu::always_inline]] inline auto eigen(const Arguments&... arguments) noexcept {
   using Scalar = typename decltype(eigen_detail::scalar_of<Arguments...>())::type;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One step of the classical Runge–Kutta method of order 4 for a robot, for firmware: steps of one length, no heap, no
-// exceptions, nothing but arithmetic. `flatdyn simulate --method rk4` steps the same way.
+// One step of the classical Runge–Kutta method of order 4 for a robot, suitable for firmware: constant steps, no heap,
+// no exceptions, only arithmetic. `flatdyn simulate --method rk4` steps the same way.
 //
 //   const auto arm = [&](const float* q, const float* qd, float* qdd) {
 //     return panda::forward_dynamics(q, qd, tau, qdd);
@@ -10,14 +10,16 @@
 
 namespace flatdyn {
 
-// From q, qd (n numbers each: rad, rad/s; m, m/s) to those after dt (s). accelerations(q, qd, qdd) writes n numbers and
-// returns false where it cannot; then the step returns false, and q and qd are as they were. The error of a step goes
-// with dt^5, as long as the accelerations are smooth: Coulomb friction is not.
+// Advances q, qd (n numbers each: rad, rad/s; m, m/s) by dt (s). accelerations(q, qd, qdd) writes n numbers, or returns
+// false if it cannot; then the step returns false and leaves q and qd unchanged. The error of a step is proportional to
+// dt^5 if the accelerations are smooth, which Coulomb friction is not.
 template <int n, class Scalar, class Accelerations>
 bool rk4_step(Scalar* q, Scalar* qd, Scalar dt, const Accelerations& accelerations) {
   constexpr int kStages = 4;
-  const Scalar ahead[kStages] = {Scalar(0.0), dt / Scalar(2.0), dt / Scalar(2.0), dt};  // from the start to each stage
-  const Scalar part[kStages] = {Scalar(1.0), Scalar(2.0), Scalar(2.0), Scalar(1.0)};    // of each stage in the sum
+  // The time from the start to each stage.
+  const Scalar ahead[kStages] = {Scalar(0.0), dt / Scalar(2.0), dt / Scalar(2.0), dt};
+  // The weight of each stage in the sum.
+  const Scalar part[kStages] = {Scalar(1.0), Scalar(2.0), Scalar(2.0), Scalar(1.0)};
   Scalar slope_q[n] = {}, slope_qd[n] = {}, sum_q[n] = {}, sum_qd[n] = {};
   for (int stage = 0; stage < kStages; ++stage) {
     Scalar stage_q[n], stage_qd[n];

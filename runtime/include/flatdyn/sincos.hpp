@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sine and cosine of several angles at a time, without branches, so that the compiler sees what a sine and a cosine of
-// the same angle have in common. Not for -ffast-math, which would undo the roundings that they are built on.
+// Sine and cosine of several angles at a time, without branches, so that the compiler can share what a sine and a
+// cosine of the same angle have in common. Not for -ffast-math, which would undo the roundings on which they rely.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-// Angles up to this size are reduced to within π/4 without loss, larger ones are left to <cmath>. rad
+// The largest angle, rad, that is reduced to [-π/4, π/4] without loss; <cmath> computes larger ones.
 inline constexpr double kReducedAngles = 1e5;
 
 namespace detail {
@@ -26,8 +26,8 @@ inline __m512d fused(__m512d a, __m512d b, __m512d c) noexcept { return _mm512_f
 #endif
 #endif
 
-// a b + c and c - a b: with one rounding where the machine has such instructions, with two elsewhere. Written out, as
-// the compiler must not contract anything in generated code, and xsimd 8 has them for some registers only.
+// a b + c and c - a b, with one rounding where the machine has such instructions, with two elsewhere. They are written
+// out since the compiler must not contract anything in generated code, and xsimd 8 has them for some registers only.
 template <class Batch>
 inline Batch multiply_add(const Batch& a, const Batch& b, const Batch& c) noexcept {
 #ifdef __FMA__
@@ -46,7 +46,7 @@ inline Batch subtract_product(const Batch& c, const Batch& a, const Batch& b) no
 #endif
 }
 
-// c_0 + z (c_1 + z (…))
+// The polynomial c_0 + z (c_1 + z (…)).
 template <class Batch, class T>
 inline Batch polynomial(const Batch&, T c) noexcept {
   return Batch(c);
@@ -56,7 +56,7 @@ inline Batch polynomial(const Batch& z, T c, Higher... higher) noexcept {
   return multiply_add(z, polynomial(z, higher...), Batch(c));
 }
 
-// a b rounded to an integer, for |a b| below a quarter of 1 / ε: there is no room for a fraction beside 1.5 / ε.
+// a b rounded to an integer, for |a b| below a quarter of 1 / ε: added to 1.5 / ε, a number has no room for a fraction.
 template <class Batch>
 inline Batch nearest_integer(const Batch& a, const Batch& b) noexcept {
   using T = typename Batch::value_type;
@@ -69,7 +69,7 @@ struct SineAndCosine {
   Batch sine, cosine;
 };
 
-// Of n π/2 + r, from those of r.
+// Sine and cosine of n π/2 + r from those of r.
 template <class Batch>
 inline SineAndCosine<Batch> in_quadrant(const Batch& n, const Batch& s, const Batch& c) noexcept {
   using T = typename Batch::value_type;
@@ -81,14 +81,14 @@ inline SineAndCosine<Batch> in_quadrant(const Batch& n, const Batch& s, const Ba
   return {xsimd::select(sine_flips, -sine, sine), xsimd::select(cosine_flips, -cosine, cosine)};
 }
 
-// x = n π/2 + r - excess, |r| <= π/4 but for a rounding, excess what its 53 bits have no room for.
+// x = n π/2 + r - excess with |r| <= π/4 up to a rounding; excess is the part that the 53 bits of r cannot hold.
 template <class Batch>
 struct Reduced {
   Batch n, r, excess;
 };
 
-// π/2 in three parts, of which the first two have 33 bits: with an n below 2^20 their products are exact (Cody and
-// Waite; the split and its two steps as in fdlibm's e_rem_pio2.c).
+// Reduces x with π/2 in three parts, the first two of 33 bits: their products with an n below 2^20 are exact (Cody and
+// Waite; the split and its two steps are those of fdlibm's e_rem_pio2.c).
 template <class Batch>
 inline Reduced<Batch> reduced(const Batch& x) noexcept {
   const Batch n = nearest_integer(x, Batch(0x1.45f306dc9c883p-1));
@@ -124,7 +124,7 @@ inline SineAndCosine<xsimd::batch<double, A>> sine_and_cosine(const xsimd::batch
   return in_quadrant(a.n, sine_near_zero(a.r, a.excess), cosine_near_zero(a.r, a.excess));
 }
 
-// In float π/2 in three parts, too; n times a part has one rounding only together with the difference. (Coefficients of
+// For float, π/2 is in three parts, too; n times a part is rounded once, together with the difference. (Coefficients of
 // Cephes' sinf.c and cosf.c.)
 template <class A>
 inline SineAndCosine<xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<float, A>& x) noexcept {
@@ -144,13 +144,13 @@ inline SineAndCosine<xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<
 #endif
 }
 
-// Where x is too large, or no number.
+// True in lanes where x is too large, or not a number.
 template <class Batch>
 inline auto is_large(const Batch& x) noexcept {
   return !(xsimd::abs(x) <= Batch(static_cast<typename Batch::value_type>(kReducedAngles)));
 }
 
-// `value`, but where x is too large the function of <cmath>.
+// `value`, or the function of <cmath> in lanes where x is too large.
 template <class Batch, class Function>
 inline Batch or_library(const Batch& x, const Batch& value, Function function) noexcept {
   const auto large = is_large(x);
@@ -163,7 +163,7 @@ inline Batch or_library(const Batch& x, const Batch& value, Function function) n
 
 }  // namespace detail
 
-// In double to 1 ulp, in float to 2; NaN of what is not finite.
+// The sine, in double to 1 ulp, in float to 2; NaN if x is not finite.
 template <class T, class A>
 inline xsimd::batch<T, A> sine(const xsimd::batch<T, A>& x) noexcept {
   return detail::or_library(x, detail::sine_and_cosine(x).sine, [](T a) { return std::sin(a); });

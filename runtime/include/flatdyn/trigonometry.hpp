@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sines and cosines of all joints at once, in SIMD registers (xsimd: Debian's libxsimd-dev), as the last argument
-// of generated functions:
+// A source of sines and cosines that computes those of all joints at once, in SIMD registers (xsimd: Debian's
+// libxsimd-dev); it is the last argument of generated functions:
 //
 //   panda::inverse_dynamics(q, qd, qdd, tau, flatdyn::TogetherSinCos());
 //
-// In double to 1 ulp up to 1e5 rad, beyond that by <cmath>. The registers' width is that of the machine compiled for.
+// In double they are right to 1 ulp up to 1e5 rad; beyond that <cmath> computes them. The width of the registers is
+// that of the target machine.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace flatdyn {
 
 namespace detail {
 
-// The widest register that n numbers fill; else the narrowest there is.
+// The widest register that n numbers fill; else the narrowest.
 template <class T, std::size_t n, std::size_t width = xsimd::batch<T>::size>
 constexpr std::size_t width_for() {
   if constexpr (width <= n || std::is_void_v<xsimd::make_sized_batch_t<T, width / 2>>) {
@@ -29,7 +30,8 @@ constexpr std::size_t width_for() {
   }
 }
 
-// Of n numbers in a row, at least as many as lanes; the last lanes overlap those before them.
+// Writes the sines and cosines of n numbers in a row, at least as many as lanes; the last lanes overlap the previous
+// ones.
 template <std::size_t n, class T>
 inline void sin_cos_of_row(const T* x, T* s, T* c) noexcept {
   constexpr std::size_t width = width_for<T, n>();
@@ -51,7 +53,7 @@ constexpr bool is_row() {
 }  // namespace detail
 
 struct TogetherSinCos {
-  // Joints<joint...> is a type of the generated header.
+  // Writes the sines and cosines of these joints; Joints<joint...> is a type of the generated header.
   template <class T, template <int...> class Joints, int... joint>
   void operator()(const T* q, Joints<joint...>, T* s, T* c) const noexcept {
     static_assert(detail::interface_of<Joints<joint...>>(nullptr) == kInterface,

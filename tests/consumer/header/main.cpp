@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses generated code as anyone would, and checks what must hold whatever the arm: B is symmetric with a positive
-// diagonal, standing still needs gravity's torques and no others, and float agrees with double. The Panda is a header;
-// the planar arm, a header and a source, must give the bits that its header form gives.
+// Uses generated code as anyone would, and checks what holds for any arm: B is symmetric with a positive diagonal,
+// standing still needs only gravity's torques, and float agrees with double. The Panda is a header; the planar arm, a
+// header and a source, must give the bits that its header form gives.
 #include <cmath>
 #include <cstdio>
 

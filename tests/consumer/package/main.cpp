@@ -28,7 +28,7 @@ int main() {
   const bool right = close(g[0], 4 * kGravity) && close(g[1], kGravity);
   const bool alike = close(tau[0], g[0]) && close(tau[1], g[1]);
   const bool same = in_c[0] == tau[0] && in_c[1] == tau[1] && as_pair[0] == tau[0] && as_pair[1] == tau[1] &&
-                    of_eigen[0] == g[0] && of_eigen[1] == g[1];  // bits
+                    of_eigen[0] == g[0] && of_eigen[1] == g[1];  // bit for bit
   const bool rounded = my_arm::rounding_is_as_written() && my_arm_as_pair::rounding_is_as_written<float>();
   return right && alike && same && rounded ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What libFuzzer calls: one of the readers, FLATDYN_FUZZ_TARGET.
+// The entry point that libFuzzer calls: one of the readers, FLATDYN_FUZZ_TARGET.
 #include "fuzz/readers.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// No error that is seen is larger than its bound; and what is bounded is what the text executes.
+// No observed error is larger than its bound, and the bound is about what the text executes.
 #include "certify/certificate.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ std::vector<Function> functions_to_certify(const Mechanism& mechanism, const std
   return functions;
 }
 
-// Without Gappa, which has no part in what is tested here.
+// The certificate without Gappa, which is not needed for what is tested here.
 Certificate certificate_of(const Mechanism& mechanism, const std::string& scalar, const std::vector<std::string>& names,
                            CertifyOptions options = {}) {
   options.scalar = scalar;
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Certificates,
                            return name;
                          });
 
-// Neither parallel nor at right angles: rotations by constant angles are recognised, too.
+// Axes neither parallel nor at right angles: rotations by constant angles are recognised, too.
 TEST(Certificate, OfAxesAtAnyAngle) {
   std::string text = testing::text_of_robot("rx90.toml");
   for (const auto& [right_angle, other] : {std::pair("\"pi/2\"", "1.1"), std::pair("\"-pi/2\"", "-0.8")}) {
@@ -80,7 +80,7 @@ TEST(Certificate, OfAxesAtAnyAngle) {
   }
 }
 
-// A ceiling, as for operation counts: without motions it is 2.9e-11.
+// A ceiling, as for operation counts; without recognising motions the bound is 2.9e-11.
 TEST(Certificate, OfRandomTwistsStaysAsGoodAsItIs) {
   const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/docs/examples/general_7r.toml", {});
   const Certificate certificate = certificate_of(model.mechanism, "double", {"inverse_dynamics"});
@@ -89,7 +89,7 @@ TEST(Certificate, OfRandomTwistsStaysAsGoodAsItIs) {
   EXPECT_LE(first.bound, 1.68e-11);
 }
 
-// Little effort finds proven bounds, too, and not much larger ones.
+// Little effort also finds proven bounds, and not much larger ones.
 TEST(Certificate, IsSmallerAfterMoreEffort) {
   const Mechanism mechanism = testing::limited_robot("puma560.toml");
   const auto sum_of_bounds = [&mechanism](int effort) {
@@ -109,7 +109,7 @@ TEST(Certificate, IsSmallerAfterMoreEffort) {
   EXPECT_LT(little, 1.15 * much);
 }
 
-// Sines from a table: what is seen is above what is proven of good ones, and within what is proven of the table's.
+// Sines from a table: errors are above the bound for accurate sines, and below the bound for the table's.
 TEST_P(Certificates, KnowWhatSinesMayBeOff) {
   const auto& [robot, scalar] = GetParam();
   const Mechanism mechanism = testing::limited_robot(robot);
@@ -127,7 +127,7 @@ TEST_P(Certificates, KnowWhatSinesMayBeOff) {
   EXPECT_GT(above, 0);
 }
 
-// Bit for bit, at any state.
+// The values agree bit for bit, at any state.
 TEST(StraightLine, IsWhatTheCompiledTextDoes) {
   const Mechanism mechanism = testing::limited_robot("puma560.toml");
   const std::vector<Function> functions = functions_to_certify(mechanism, {"inverse_dynamics", "forward_dynamics"});
@@ -144,7 +144,7 @@ TEST(StraightLine, IsWhatTheCompiledTextDoes) {
   }
 }
 
-// What Gappa takes for granted: results and derivatives of all operations, at random states.
+// The norms that Gappa takes for granted: results and derivatives of all operations, at random states.
 TEST(Norms, AreAboveResultsAndDerivatives) {
   const Mechanism mechanism = testing::limited_robot("rx90.toml");
   const std::vector<Function> functions = functions_to_certify(mechanism, {"inverse_dynamics"});
@@ -152,23 +152,23 @@ TEST(Norms, AreAboveResultsAndDerivatives) {
   const RoundingModel model{rounding_format("double"), 0x1p-53, [](double) { return 1e-16; }};
   ErrorAnalysis analysis(text, model, input_limits(mechanism));
   analysis.error_of(text.outputs[0][1]);
-  ASSERT_GT(analysis.text().size(), analysis.executed());  // derivatives are there
+  ASSERT_GT(analysis.text().size(), analysis.executed());  // derivatives exist
   std::vector<double> largest(static_cast<std::size_t>(analysis.text().size()), 0);
   for (const State& state : random_states(mechanism, 300, 1)) {
     const std::vector<double> values = values_of(analysis.text(), state);
     for (std::size_t k = 0; k < values.size(); ++k) largest[k] = std::max(largest[k], std::abs(values[k]));
   }
-  constexpr double kRoundings = 1e-12;  // of the values themselves
+  constexpr double kRoundings = 1e-12;  // share of the values, for their own rounding
   double looseness = 0;
   for (int k = 0; k < analysis.text().size(); ++k) {
     const double seen = largest[static_cast<std::size_t>(k)], bound = analysis.norms().largest(k);
     EXPECT_LE(seen, bound + kRoundings) << "operation " << k;
     looseness += std::log(std::max(bound, kRoundings) / std::max(seen, kRoundings));
   }
-  EXPECT_LT(std::exp(looseness / analysis.text().size()), 20);  // in the geometric mean
+  EXPECT_LT(std::exp(looseness / analysis.text().size()), 20);  // geometric mean
 }
 
-// All of a function's entries are zero: there is nothing to look for.
+// All entries of the function are zero, so there is nothing to bound.
 TEST(Certify, OfAFunctionThatIsZero) {
   Mechanism mechanism = testing::limited_robot("panda.urdf");
   mechanism.gravity = zero_vector();
@@ -198,7 +198,7 @@ TEST(Certify, RefusesWhatItCannotBound) {
   EXPECT_THROW(certificate_of(testing::limited_robot("planar_2r.toml"), "double", {"gravity"}), Failure);
 }
 
-// More of them than joints: their numbers are none of joints.
+// There are more base parameters than joints, so their indices are not those of joints.
 TEST(Certify, RefusesInputsWithoutLimits) {
   const Mechanism mechanism = testing::limited_robot("planar_2r_example_7_2.toml");
   for (const char* name : {"inverse_dynamics_base", "inverse_dynamics_tip_force", "adaptive_regressor"}) {
@@ -206,7 +206,7 @@ TEST(Certify, RefusesInputsWithoutLimits) {
   }
 }
 
-// Two numbers of the model that are printed alike have errors of their own.
+// Two numbers of the model with the same text have separate errors.
 TEST(StraightLine, KeepsConstantsApart) {
   StraightLine lines;
   const int x = lines.input({InputKind::qd, 0}), c = lines.constant(0.5), d = lines.constant(0.25);
@@ -218,7 +218,7 @@ TEST(StraightLine, KeepsConstantsApart) {
     halves += apart[k].value == 0.5 ? 1 : 0;
     quarters += apart[k].value == 0.25 ? 1 : 0;
   }
-  EXPECT_EQ(halves, 3);  // the one that nobody reads any more, and two
+  EXPECT_EQ(halves, 3);  // one that nothing reads any more, and two others
   EXPECT_EQ(quarters, 1);
   EXPECT_EQ(apart[apart.outputs[0][0]].step, Step::add);
 }

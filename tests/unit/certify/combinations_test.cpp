@@ -6,7 +6,7 @@
 namespace flatdyn {
 namespace {
 
-// y = 2 a - b is one of the columns a, b. That y + 1e-13 a² is none is seen in the field only.
+// y = 2 a - b is a combination of the columns a and b. Only the field shows that y + 1e-13 a² is none.
 TEST(Combinations, AreDecidedExactly) {
   std::vector<std::vector<Combinations::F>> D;
   std::vector<Combinations::F> y, nearly;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Error bounds that can be added up by hand, and what Gappa says of them.
+// Error bounds that can be added up by hand, and Gappa's results for them.
 #include "certify/error_terms.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ double only_error(const ErrorGroup& group) {
   return group.components.size() == 1 && group.components[0].size() == 1 ? group.components[0][0].error : NAN;
 }
 
-// (x + y) z with |x|, |y| <= 0.7 and |z| <= 3.
+// The function (x + y) z with |x|, |y| <= 0.7 and |z| <= 3.
 class SumTimesThree : public ::testing::TestWithParam<const char*> {
  protected:
   SumTimesThree() : format_(rounding_format(GetParam())) {
@@ -39,7 +39,7 @@ class SumTimesThree : public ::testing::TestWithParam<const char*> {
   std::unique_ptr<ErrorAnalysis> analysis_;
 };
 
-// The sum is within 1.4, so its error is u; it reaches the product three times. The product is within 4.2: 4 u.
+// The sum is within 1.4, so its error is u, which the product multiplies by three. The product is within 4.2: 4 u.
 TEST_P(SumTimesThree, HasTheErrorThatIsAddedUpByHand) {
   const OutputError error = analysis_->error_of(output_);
   const double u = std::ldexp(1.0, -format_.precision);
@@ -79,7 +79,7 @@ TEST_P(SumTimesThree, WithABoundThatIsTooSmallIsRefused) {
 INSTANTIATE_TEST_SUITE_P(Scalars, SumTimesThree, ::testing::Values("double", "float"),
                          [](const auto& of) { return of.param; });
 
-// x y - y x: the two products are one operation, and nothing is left of its error.
+// x y - y x: the two products are one operation, and its error cancels.
 TEST(ErrorAnalysis, SeesErrorsThatCancel) {
   StraightLine lines;
   const int x = lines.input({InputKind::qd, 0}), y = lines.input({InputKind::qd, 1});
@@ -101,14 +101,14 @@ TEST(ErrorAnalysis, CountsSinesAndConstants) {
                          [](const Input&) { return 1.5; });
   const OutputError error = analysis.error_of(output);
   ASSERT_EQ(error.groups.size(), 4u);
-  EXPECT_EQ(only_error(error.groups[0]), 1e-18);  // reaches the output by 1.5
+  EXPECT_EQ(only_error(error.groups[0]), 1e-18);  // reaches the output with factor 1.5
   EXPECT_NEAR(error.groups[0].sensitivity, 1.5, 0.003);
   const double by_hand = 1.5e-18 + 0x1p-53 * 0.15 + 0x1p-53 * 0.1 + 0x1p-56;
   EXPECT_GE(error.bound, by_hand);
   EXPECT_LE(error.bound, 1.005 * by_hand);
 }
 
-// c (x + u) - s (y + v), and then times z: the errors of both sums are a vector, which is turned and does not grow.
+// c (x + u) - s (y + v), then times z: the errors of both sums form a vector, which is rotated and does not grow.
 TEST(ErrorAnalysis, BoundsErrorsOfAVectorTogether) {
   StraightLine lines;
   const auto speed = [&lines](int k) { return lines.input({InputKind::qd, k}); };
@@ -143,7 +143,7 @@ TEST(ErrorAnalysis, RefusesExactProductsThatOverflow) {
   EXPECT_THROW(bound_of(1e30), Failure);
 }
 
-// x y z of 1e-120 each, which is 0 in double: its bound is not, and neither is its error's.
+// x y z of 1e-120 each is 0 in double; its bound is not, and neither is that of its error.
 TEST(ErrorAnalysis, BoundsOfTinyNumbersDoNotVanish) {
   StraightLine lines;
   const auto speed = [&lines](int k) { return lines.input({InputKind::qd, k}); };
@@ -156,7 +156,7 @@ TEST(ErrorAnalysis, BoundsOfTinyNumbersDoNotVanish) {
   EXPECT_GT(error.bound, 0);
 }
 
-// Many read a sine: the derivative by it is no more than by way of each of them.
+// Many operations read a sine: its derivative is at most the sum over them.
 TEST(ErrorAnalysis, ADerivativeIsNoLargerThanItsReadersAllow) {
   StraightLine lines;
   const int c = lines.cosine(0), s = lines.sine(0);
@@ -165,7 +165,7 @@ TEST(ErrorAnalysis, ADerivativeIsNoLargerThanItsReadersAllow) {
     const int turned = lines.multiply(k % 2 == 0 ? c : s, sum);
     sum = lines.add(turned, lines.input({InputKind::qd, k}));
   }
-  constexpr int kEnough = 16;  // for the sizes of the sums
+  constexpr int kEnough = 16;  // enough for the sizes of the sums
   ErrorAnalysis analysis(
       lines, {rounding_format("double"), 0x1p-53, [](double) { return 0.0; }}, [](const Input&) { return 1.0; },
       nullptr, kEnough);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How large motions of links can be, against what is seen.
+// Bounds of the motions of links, against observed values.
 #include "certify/motion_bounds.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kSmall = 1e-9;  // what is seen is rounded
+constexpr double kSmall = 1e-9;  // slack for the rounding of observed values
 
 class MotionsOfLinks {
  public:
@@ -30,7 +30,7 @@ class MotionsOfLinks {
   std::vector<FieldMotion<double>> operator()(const State& state) const {
     return field_motions(mechanism_, points(state), state.qd, state.qdd);
   }
-  // (u, u × r) of a joint's axis, by link.
+  // The vectors (u, u × r) of a joint's axis, one per link.
   std::vector<FieldMotion<double>> of_joint(const State& state, int joint) const {
     MechanismOver<double> weightless = mechanism_;
     weightless.gravity = {0, 0, 0};
@@ -70,7 +70,7 @@ TEST_P(BoundsOfMotions, AreAboveAllThatLinksDo) {
   const std::vector<State> states = testing::fast_states(mechanism_, 400);
   for (int link = 0; link < mechanism_.size(); ++link) {
     for (int rows = 1; rows <= 3; ++rows) {
-      // Some entries only, so that none hides the others.
+      // Only some rows are used, so that none hides the others.
       MatrixXd M = random_rows(rows, MotionBasis::kSize, random_);
       for (Eigen::Index k = 0; k < M.cols(); ++k) M.col(k) *= random_() % 3 == 0 ? 1 : 0;
       double seen = 0;

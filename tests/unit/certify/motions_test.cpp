@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which operations of a text are motions of links.
+// Recognition of the operations of a text that are motions of links.
 #include "certify/motions.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST_P(TextOfArm, IsOfMotionsInPart) {
   const std::unique_ptr<Motions> motions = read_.motions();
   motions->recognise(read_.text(), std::nullopt);
   EXPECT_GT(recognised(*motions, read_.text()), read_.text().size() / 4);
-  EXPECT_EQ(motions->group(read_.text().outputs[0][0]), -1);  // all links are in it
+  EXPECT_EQ(motions->group(read_.text().outputs[0][0]), -1);  // all links contribute to it
   std::vector<double> seen(static_cast<std::size_t>(read_.text().size()), 0);
   for (const State& state : testing::fast_states(mechanism_, 300)) {
     const std::vector<double> values = values_of(read_.text(), state);
@@ -77,7 +77,7 @@ TEST_P(TextOfArm, IsOfMotionsInPart) {
   }
 }
 
-// Two results of one link together: with any factors, and as a vector.
+// Two results of one link together, with any factors and as a vector.
 TEST_P(TextOfArm, HasVectorsOfOneMotion) {
   const std::unique_ptr<Motions> motions = read_.motions();
   motions->recognise(read_.text(), std::nullopt);
@@ -102,20 +102,20 @@ TEST_P(TextOfArm, IsBoundedFromAboveWithMotions) {
   ErrorAnalysis analysis = read_.analysis();
   analysis.error_of(read_.text().outputs[0][1], 1);
   const StraightLine& all = analysis.text();
-  ASSERT_GT(all.size(), analysis.executed());  // derivatives are there
+  ASSERT_GT(all.size(), analysis.executed());  // derivatives exist
   std::vector<double> seen(static_cast<std::size_t>(all.size()), 0);
   for (const State& state : testing::fast_states(mechanism_, 100)) {
     const std::vector<double> values = values_of(all, state);
     for (std::size_t k = 0; k < values.size(); ++k) seen[k] = std::max(seen[k], std::abs(values[k]));
   }
-  constexpr double kLeast = 1e-12;  // roundings of the values themselves
+  constexpr double kLeast = 1e-12;  // slack for rounding of the values themselves
   double looseness = 0;
   for (int k = 0; k < all.size(); ++k) {
     const double largest = seen[static_cast<std::size_t>(k)], bound = analysis.norms().largest(k);
     EXPECT_LE(largest, bound + kLeast) << "operation " << k;
     looseness += std::log(std::max(bound, kLeast) / std::max(largest, kLeast));
   }
-  EXPECT_LT(std::exp(looseness / all.size()), 8);  // in the geometric mean
+  EXPECT_LT(std::exp(looseness / all.size()), 8);  // geometric mean
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, TextOfArm, ::testing::Values("/robots/rx90.toml", "/docs/examples/general_7r.toml"),
@@ -132,7 +132,7 @@ TEST(Motions, AreNoneOfPrismaticJoints) {
   EXPECT_EQ(recognised(*motions, read.text()), 0);
 }
 
-// 0.1 stands for two numbers: what it is a factor of is none of a motion, for all that is known.
+// 0.1 stands for two numbers, so its products cannot be recognised as those of a motion.
 TEST(Motions, NeedExactConstants) {
   const Mechanism mechanism = testing::limited_robot("rx90.toml");
   StraightLine lines;

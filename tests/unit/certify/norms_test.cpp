@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bounds of intermediate results, where they are known by hand.
+// Bounds of intermediate results that are known by hand.
 #include "certify/norms.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ using ::testing::AllOf;
 using ::testing::Ge;
 using ::testing::Le;
 
-// Velocities up to 3, 4, 3, 4, ...
+// Velocities are bounded by 3, 4, 3, 4, …
 double limit_of_norms_test(const Input& input) { return input.index % 2 == 0 ? 3 : 4; }
 
 class NormsTest : public ::testing::Test {
@@ -37,7 +37,7 @@ class NormsTest : public ::testing::Test {
   StraightLine lines_;
 };
 
-// From the value to half a percent more, which the four digits of rounded bounds may come to.
+// Matches from the value to half a percent more, which covers the four digits of rounded bounds.
 auto just_above(double value) { return AllOf(Ge(value), Le(1.005 * value)); }
 
 TEST_F(NormsTest, ARotationKeepsTheNorm) {
@@ -49,7 +49,7 @@ TEST_F(NormsTest, ARotationKeepsTheNorm) {
 }
 
 TEST_F(NormsTest, RotationsAboutDifferentAxesKeepIt) {
-  // (x, y, z) about z, then about x, then about z again: a component is never longer than (3, 4, 3).
+  // (x, y, z) rotated about z, then about x, then about z again: a component is never longer than (3, 4, 3).
   auto [x, y] = rotated(0, speed(0), speed(1));
   auto [y2, z2] = rotated(1, y, speed(2));
   auto [x3, y3] = rotated(2, x, y2);
@@ -58,9 +58,9 @@ TEST_F(NormsTest, RotationsAboutDifferentAxesKeepIt) {
   EXPECT_THAT(of.largest(x3), just_above(std::sqrt(34.0)));
 }
 
-// Nearly: what is left of a vector after a twist is a part of it that does not turn as a whole.
+// Almost: after a twist, the rest of a vector contains a part that does not rotate with the whole.
 TEST_F(NormsTest, ConstantTwistsBetweenThemNearlyKeepIt) {
-  // Sines and cosines of 1 rad, as literals: rotations but for their rounding.
+  // Sines and cosines of 1 rad as literals: rotations up to rounding.
   const int s = lines_.constant(0.8414709848078965), c = lines_.constant(0.5403023058681398);
   int x = speed(0), y = speed(1), z = speed(2);
   for (int joint = 0; joint < 4; ++joint) {
@@ -74,7 +74,7 @@ TEST_F(NormsTest, ConstantTwistsBetweenThemNearlyKeepIt) {
 }
 
 TEST_F(NormsTest, ASineOfASumTurns) {
-  const auto [c, s] = rotated(1, lines_.cosine(0), lines_.sine(0));  // of q_0 + q_1
+  const auto [c, s] = rotated(1, lines_.cosine(0), lines_.sine(0));  // sine and cosine of q_0 + q_1
   const int x = speed(0), y = speed(1);
   const int turned = lines_.subtract(lines_.multiply(c, x), lines_.multiply(s, y));
   Norms of = norms();
@@ -89,7 +89,7 @@ TEST_F(NormsTest, AProductWithASumIsMultipliedOut) {
   EXPECT_THAT(of.largest(rest), just_above(25));  // y^2 - x^2, as x^2 and y^2; and not 49 + 42
 }
 
-// Each of the two is at most 5, but not at once.
+// Each of the two is at most 5, but not both at the same time.
 TEST_F(NormsTest, ProductsOfComponentsOfOneVector) {
   const auto [x, y] = rotated(0, speed(0), speed(1));
   Norms of = norms();

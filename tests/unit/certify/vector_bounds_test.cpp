@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bounds of vectors against what is seen, and where they are known by hand.
+// Bounds of vectors, against observed values and against values known by hand.
 #include "certify/vector_bounds.hpp"
 
 #include <gmock/gmock.h>
@@ -48,11 +48,11 @@ TEST(OfAnyAngle, IsAsLongAsTheVectorAtEveryAngle) {
     const VectorXd phi = random(cols, 1);
     const double seen = seen_at_all_angles(C, S, phi), bound = (N * phi).norm();
     EXPECT_LE(seen, std::hypot(bound, kRestOfAngles) + kRounding);
-    EXPECT_LE(bound, 1.2 * std::hypot((C * phi).norm(), (S * phi).norm()));  // as (C, S) would be
+    EXPECT_LE(bound, 1.2 * std::hypot((C * phi).norm(), (S * phi).norm()));  // the value that (C, S) could reach
   }
 }
 
-// (c x - s y, s x + c y) and, beside it, c z.
+// (c x - s y, s x + c y) and, in addition, c z.
 TEST(OfAnyAngle, IsNoLongerWhereRowsTurnIntoEachOther) {
   MatrixXd C(3, 3), S(3, 3);
   C << 1, 0, 0, 0, 1, 0, 0, 0, 1;

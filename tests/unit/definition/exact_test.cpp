@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The exact comparison says yes to what is derived, and no to every mutant of it.
+// The exact comparison accepts what is derived, and rejects every mutant of it.
 #include "definition/exact.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::vector<std::string> function_names(const Mechanism& mechanism) {
   return names;
 }
 
-// The pivots of two factorisations differ.
+// Leaves out the pivots, which differ between two factorisations.
 Function with_accelerations_only(Function function) {
   function.validity_conditions.clear();
   return function;
@@ -55,7 +55,7 @@ TEST(ProveExactly, AcceptsEveryDerivedFunctionOfRandomTrees) {
   }
 }
 
-// With rotors on their parents, prismatic joints, branches, and nothing of these.
+// Robots with rotors on parents, with prismatic joints, with branches, and without any of these.
 TEST(ProveExactly, AcceptsForwardDynamicsInEveryWay) {
   for (const char* robot : {"planar_2r_example_7_2.toml", "scara.toml", "ur5.urdf", "quadruped12.urdf"}) {
     const Mechanism mechanism = testing::model_of(robot).mechanism;
@@ -117,7 +117,7 @@ TEST(ProveExactly, RefusesAFunctionItDoesNotKnow) {
   EXPECT_THROW(prove_exactly(mechanism, function), Failure);
 }
 
-// A dropped term, a flipped sign and a sine for a cosine at every node that has them.
+// A dropped term, a flipped sign and a cosine replaced by a sine, at every node that has them.
 TEST(ProveExactly, CatchesEveryMutant) {
   const Mechanism mechanism = make_mechanism(testing::random_tree(1, 3, true));
   ExactOptions quick;

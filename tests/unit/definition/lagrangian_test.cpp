@@ -122,7 +122,7 @@ TEST(Lagrangian, GravityIsTheDerivativeOfPotentialEnergy) {
   }
 }
 
-// Power of the tip force is the power of its joint torques; kinetic energy changes by what inertial torques do.
+// The power of the tip force is that of its joint torques; kinetic energy changes by the work of inertial torques.
 TEST(Lagrangian, BalancesPower) {
   const Mechanism mechanism = make_mechanism(testing::random_tree(7, 6, true));
   InField at = in_field(mechanism, 7);

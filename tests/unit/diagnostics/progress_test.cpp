@@ -13,7 +13,7 @@
 namespace flatdyn {
 namespace {
 
-// All that a program writes to a terminal as its stderr.
+// The output of a program whose stderr is a terminal.
 std::string on_terminal(void (*program)()) {
   int terminal = 0;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);

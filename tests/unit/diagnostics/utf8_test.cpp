@@ -18,8 +18,8 @@ TEST(Utf8, TakesCharactersOfAllLengths) {
 TEST(Utf8, RefusesWhatIsNone) {
   for (const char* text : {"gr\xF6\xDF"
                            "e",                                             // Latin-1
-                           "\x80", "\xC3", "\xE2\x82", "\xC3(",             // a byte too many, or too few
-                           "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\x80",  // longer than need be
+                           "\x80", "\xC3", "\xE2\x82", "\xC3(",             // a byte too many or too few
+                           "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\x80",  // overlong forms
                            "\xED\xA0\x80",                                  // a surrogate
                            "\xF4\x90\x80\x80", "\xFF"}) {                   // beyond Unicode
     EXPECT_FALSE(is_utf8(text)) << text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Compiles and runs emitted headers as their users would.
+// Compiles and runs emitted headers as users do.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace flatdyn::testing {
 
-// g++, and clang++ where it is installed.
+// g++, and clang++ if it is installed.
 std::vector<std::string> compilers();
 
 struct Source {
@@ -17,11 +17,11 @@ struct Source {
 
 struct Run {
   bool built = false;
-  std::string output;  // of the program; of the compiler if that failed
+  std::string output;  // the program's output, or the compiler's if that failed
 };
 
-// Writes the sources into a fresh folder, compiles all .cpp files with every warning an error and without exceptions
-// and RTTI, links them, and runs the result.
+// Writes the sources to a new folder, compiles all .cpp files with every warning an error and without exceptions and
+// RTTI, links them, and runs the result.
 Run build_and_run(const std::string& compiler, const std::vector<Source>& sources);
 
 }  // namespace flatdyn::testing

@@ -22,10 +22,11 @@ TEST(Dialect, WritesLiterals) {
   EXPECT_EQ(Dialect::c("float", "arm").infinity(true), "-HUGE_VALF");
 }
 
-// As a cast from double does: one tenth in float, of as many digits as tell it from its neighbours.
+// A literal rounds like a cast from double: one tenth in float, with as many digits as distinguish it from its
+// neighbours.
 TEST(Dialect, RoundsToFloatByWayOfDouble) {
   EXPECT_EQ(Dialect::c("float", "arm").literal(Rational(1, 10)), "0.1f");
-  // A little above the middle of two floats, at which its nearest double is: half to even.
+  // A number slightly above the middle of two floats whose nearest double is that middle: half to even.
   const Rational middle = 1 + Rational(1, 1 << 24);
   const Rational above = middle + Rational(1, boost::multiprecision::mpz_int(1) << 80);
   EXPECT_EQ(Dialect::c("float", "arm").literal(above), "1.0f");
@@ -46,7 +47,7 @@ TEST(Dialect, TakesSquareRootsFromTheLibrary) {
   EXPECT_EQ(Dialect::javascript().sqrt("x"), "Math.sqrt(x)");
 }
 
-// Vectors of GNU C: no number of one state meets them as it is.
+// Vectors of GNU C: every scalar constant must be spread over lanes.
 TEST(Dialect, SpreadsNumbersOverLanes) {
   const Dialect lanes = Dialect::c_lanes("float", "arm");
   EXPECT_EQ(lanes.scalar(), "arm_lanes");
@@ -69,7 +70,7 @@ TEST(Dialect, WritesExpressionsOfTheSameShape) {
   EXPECT_EQ(printer.definition(scaled), "-0.5f * a");
 }
 
-// A C compiler sees "- -0.5f" as what it is, but people should not have to.
+// A C compiler reads "- -0.5f" correctly, but people should not have to.
 TEST(Dialect, NegativeConstantsNeverMeetASign) {
   testing::Builder b;
   const NodeId a = b.q(0), product = b.times({b.scaled("-1/2", a), b.q(1)});

@@ -125,7 +125,7 @@ Function two_link_kinetic_energy() {
 Function two_link_forward_dynamics() {
   Builder b;
   const std::vector<NodeId> B = inertia_entries(b);
-  const NodeId l = b.named(b.graph.quotient(B[1], B[3]), "qdd");  // takes the output's name on purpose
+  const NodeId l = b.named(b.graph.quotient(B[1], B[3]), "qdd");  // has the output's name on purpose
   const NodeId pivot = b.named(b.plus({B[0], b.scaled("-1", b.times({l, B[1]}))}), "sin");
   const NodeId qdd_1 = b.graph.quotient(b.plus({b.tau(0), b.scaled("-1", b.times({l, b.tau(1)}))}), pivot);
   const NodeId qdd_2 = b.graph.quotient(b.plus({b.tau(1), b.scaled("-1", b.times({B[1], qdd_1}))}), B[3]);

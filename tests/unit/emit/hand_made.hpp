@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A two-link planar arm, its mechanism's data and functions written by hand, so that emission is tested alone.
+// A two-link planar arm, with its mechanism's data and functions written by hand, so that emission is tested alone.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace flatdyn::testing {
 
-// Shorthands over a Graph.
+// A shorthand for building a Graph.
 class Builder {
  public:
   NodeId q(int i) { return graph.input({InputKind::q, i}); }
@@ -26,7 +26,8 @@ class Builder {
   Graph graph;
 };
 
-// Revolute joints "shoulder" (with limits) and "double" (a C++ keyword, none); `symbols` are its free symbols.
+// A mechanism with revolute joints "shoulder" (with limits) and "double" (a C++ keyword, without limits); `symbols` are
+// its free symbols.
 Mechanism two_link_mechanism(const std::vector<std::string>& symbols = {});
 
 Function two_link_inertia_matrix();
@@ -35,7 +36,7 @@ Function two_link_kinetic_energy();    // returns its value
 Function two_link_forward_dynamics();  // returns bool; output named like a local
 Function pendulum_gravity();           // reads the parameter "m1"
 
-// The value of every output entry in order, at q_i = 0.3 + i, qd_i = -0.7 + i, qdd_i = 0.2 + i, tau_i = 1.5 - i, and
+// The values of all output entries in order at q_i = 0.3 + i, qd_i = -0.7 + i, qdd_i = 0.2 + i, tau_i = 1.5 - i, and
 // every parameter 1.25.
 std::vector<double> values_of(const Function& function);
 

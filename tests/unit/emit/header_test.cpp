@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The header as its users get it: it compiles without a warning, and computes what the graph says.
+// The header as users get it: it compiles without a warning, and computes the graph's values.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<Function> all_functions() {
 
 std::string header() { return emit_cpp(testing::two_link_mechanism({"m1"}), all_functions(), {}); }
 
-// Prints all outputs at the state of testing::values_of, in the order of all_functions().
+// A program that prints all outputs at the state of testing::values_of, in the order of all_functions().
 std::string driver(const std::string& scalar) {
   return R"(#include <cstdio>
 #include "robot.hpp"
@@ -54,7 +54,7 @@ int main() {
 )";
 }
 
-// Another translation unit with the same header: overlapping arguments, and states that are no numbers.
+// Another translation unit with the same header: overlapping arguments, and states that are not numbers.
 constexpr const char* kSecondUnit = R"(#include "robot.hpp"
 int second_unit();
 int second_unit() {
@@ -132,7 +132,7 @@ std::string guard_in(const std::string& text) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-// Names that have the same letters in capitals; and one name for two robots, where the second must not vanish.
+// Names that are equal in capitals; and one name for two robots, where the second header must not vanish.
 TEST(Header, HasAGuardOfItsOwn) {
   std::map<std::string, std::string> owners;
   for (const Language language : {Language::cpp, Language::c}) {

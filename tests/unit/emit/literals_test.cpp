@@ -45,7 +45,7 @@ TEST(Literals, ReadBackAsTheNearestDouble) {
   EXPECT_EQ(nearest_double(power_of_two(-1074)), std::numeric_limits<double>::denorm_min());
 }
 
-// A tie between two doubles goes to the even one; anything beyond it does not.
+// A tie between two doubles is rounded to the even one; anything beyond the tie is not.
 TEST(Literals, RoundHalfToEven) {
   const Rational ulp = power_of_two(-52);
   EXPECT_EQ(nearest_double(1 + ulp / 2), 1.0);

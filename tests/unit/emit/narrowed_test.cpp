@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-// tau = q Π (constant + qd), which are all written.
+// The function tau = q Π (constant + qd), in which all constants are written.
 Function with_constants(const std::string& name, const std::vector<Rational>& constants) {
   Function function;
   function.name = name;
@@ -17,7 +17,7 @@ Function with_constants(const std::string& name, const std::vector<Rational>& co
   const NodeId rate = graph.input({InputKind::qd, 0});
   for (const Rational& constant : constants) factors.push_back(graph.sum({{1, rate}}, constant));
   function.outputs.push_back({"tau", Layout::vector, 1, 1, {graph.product(factors)}, ""});
-  graph.scaled(Rational("1" + std::string(60, '0')), rate);  // of no use, and not written
+  graph.scaled(Rational("1" + std::string(60, '0')), rate);  // an unused node, which is not written
   return function;
 }
 
@@ -25,7 +25,7 @@ Rational tenth_to(std::size_t power) { return Rational("1/1" + std::string(power
 Rational ten_to(std::size_t power) { return Rational("1" + std::string(power, '0')); }
 
 TEST(Narrowed, NothingThatFloatHas) {
-  const Rational subnormal{static_cast<double>(std::numeric_limits<float>::denorm_min())};  // exact there
+  const Rational subnormal{static_cast<double>(std::numeric_limits<float>::denorm_min())};  // exact in float
   EXPECT_TRUE(
       narrowed_constants({with_constants("f", {1, Rational("1/3"), tenth_to(37), ten_to(38), subnormal})}).empty());
   Diagnostics findings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Functions in parts: no line too many, no place too many, and the same bits.
+// Functions in parts: no function is too long, no storage is wasted, and the bits are the same.
 #include "emit/parts.hpp"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ using ::testing::Not;
 
 const std::vector<std::string> kStaged = {"inertia_matrix", "bias", "forward_dynamics", "kinetic_energy"};
 
-// Made once, written in several ways.
+// Functions made once and written in several ways.
 class PartsOf {
  public:
   explicit PartsOf(const char* robot) : model_(testing::model_of(robot)) {
@@ -32,7 +32,7 @@ class PartsOf {
     stages_ = stages_of(make_fusion(model_, kStaged, quiet).fusion);
   }
 
-  // 0: whole.
+  // The header; most_lines = 0 leaves functions whole.
   std::string header(int most_lines) const {
     EmitOptions emit;
     emit.name_space = most_lines == 0 ? "whole" : "cut";
@@ -48,7 +48,7 @@ class PartsOf {
 
 bool begins_with(const std::string& line, const std::string& begin) { return line.rfind(begin, 0) == 0; }
 
-// From the line of its name to its closing brace.
+// The length in lines of the longest function, from its name to its closing brace.
 int longest_function(const std::string& header) {
   std::istringstream text(header);
   int longest = 0, lines = 0;
@@ -72,7 +72,7 @@ TEST(Parts, AreNotLongerThanAskedFor) {
   }
 }
 
-// Both headers in one program. Outputs may overlap inputs; a state that is none is noticed.
+// Both headers in one program. Outputs may overlap inputs, and a state that is not a number is detected.
 constexpr const char* kComparison = R"(#include <limits>
 #include <cstdio>
 #include <cstring>
@@ -119,7 +119,7 @@ TEST(Parts, ComputeTheSameBits) {
   }
 }
 
-// x_0; x_1 from x_0; x_2 from x_1; ...
+// The steps x_0; x_1 from x_0; x_2 from x_1; …
 std::vector<PartStep> chain_of_steps(int count) {
   std::vector<PartStep> steps;
   for (int k = 0; k < count; ++k) steps.push_back({"1 + " + std::to_string(k), k, {}, {}});

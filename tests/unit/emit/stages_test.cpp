@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fusing functions and cutting the whole into stages changes no value: compared in GF(p), on random trees with rotors.
+// Fusing functions and cutting the whole into stages changes no value, by comparison in GF(p) on random trees with
+// rotors.
 #include "emit/stages.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 
 using Residue = ModP<kMersenne61>;
 
-// What a stage has stored is given, the rest drawn.
+// Arithmetic in which the stored values of a stage are given and the rest is random.
 struct WithStored : ModPArithmetic<> {
   WithStored(std::uint64_t seed, std::vector<Residue> fields) : ModPArithmetic<>(seed), stored(std::move(fields)) {}
 
@@ -86,7 +87,8 @@ int operations(const Stages& stages) {
   return total;
 }
 
-// The steps of a member depend on what no stage is given (accelerations, torques); without such, all are the stages'.
+// The steps of a member depend on inputs that no stage has (accelerations, torques); all other steps belong to the
+// stages.
 TEST(Stages, ComputeNothingTwice) {
   const Fusion fusion =
       optimised(make_mechanism(testing::random_tree(3, 6)), {"inertia_matrix", "gravity", "coriolis_matrix", "bias"});

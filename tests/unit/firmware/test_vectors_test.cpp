@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a self test on a target compares with: bounds are those of the certificate, and the search finds worse states
-// than are drawn.
+// The vectors of a self test on a target: the bounds are those of the certificate, and the search finds worse states
+// than the random ones.
 #include "firmware/test_vectors.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ namespace {
 using ::testing::Each;
 using ::testing::Field;
 
-constexpr std::size_t kDrawn = 12;  // states before those that are searched
+constexpr std::size_t kDrawn = 12;  // states before those that the search finds
 
 struct Made {
   LoadedRobot model;
@@ -45,7 +45,7 @@ Made made(const char* robot, const std::vector<std::string>& names, const std::s
   return result;
 }
 
-// Gravity of the UR5 reads angles only, so its bounds hold everywhere; what reads speeds is not proven at 1000 rad/s.
+// Gravity of the UR5 reads angles only, so its bounds hold everywhere; functions of speeds have no proof at 1000 rad/s.
 TEST(TestVectors, HaveTheBoundsOfTheCertificate) {
   const Made ur5 = made("ur5.urdf", {"gravity", "bias"}, "float");
   CertifyOptions options;
@@ -77,7 +77,7 @@ TEST(TestVectors, ProveNothingWhereThereIsNoCertificate) {
   EXPECT_THAT(made("planar_2r.toml", {"gravity"}, "double").vectors.expected[0], Each(is_unproven));
 }
 
-// The largest scaled error at these states, as the text is executed.
+// The largest scaled error at these states when the text is executed.
 double largest_error(const Made& of, std::size_t begin, std::size_t end) {
   const ExpectedValues values(of.model.robot, of.model.mechanism, 1);
   const Function& function = of.functions.front();

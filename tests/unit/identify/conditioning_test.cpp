@@ -18,7 +18,7 @@ MatrixXd some_matrix() {
   return matrix;
 }
 
-// Columns c, s and (1, 1)/√2-like: singular values of [[1, cos φ], [0, sin φ]] are √(1 ± cos φ).
+// Columns at an angle φ: the singular values of [[1, cos φ], [0, sin φ]] are √(1 ± cos φ).
 TEST(Conditioning, IsThatOfTheColumnsAtUnitLength) {
   const double angle = 0.3;
   MatrixXd matrix = MatrixXd::Zero(4, 2);
@@ -29,12 +29,12 @@ TEST(Conditioning, IsThatOfTheColumnsAtUnitLength) {
   EXPECT_NEAR(result.scaled, std::sqrt((1 + std::cos(angle)) / (1 - std::cos(angle))), 1e-12);
   EXPECT_NEAR(result.relative, result.scaled, 1e-12);
   EXPECT_GT(result.unscaled, 1e5);
-  // The two columns are alike, so their difference shows least.
+  // The two columns are similar, so their difference is least visible.
   EXPECT_NEAR(std::abs(result.weakest(0)), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(result.weakest(0), -result.weakest(1), 1e-12);
 }
 
-// A column a hundredth as long as in other motions counts as that; unit length would hide it.
+// A column a hundredth as long as in other motions counts as such; unit length would hide it.
 TEST(Conditioning, KnowsColumnsThatAreShorterThanElsewhere) {
   MatrixXd matrix = MatrixXd::Identity(3, 2);
   matrix(1, 1) = 0.01;

@@ -36,7 +36,7 @@ ExcitationOptions short_search() {
   ExcitationOptions options;
   options.rate = 20;
   options.evaluations = 300;
-  options.time = {};  // sanitizers take long
+  options.time = {};  // no limit, since sanitizers are slow
   return options;
 }
 
@@ -47,7 +47,7 @@ TEST(Excitation, IsMuchBetterThanARandomMotion) {
   EXPECT_FALSE(excitation.out_of_time);
 }
 
-// The limits of the mechanism as the file has them, not as the search sees them.
+// Checks the limits of the mechanism as in the file, not as the search sees them.
 void expect_within_limits(const TorqueModel& model, const PlannedMotion& motion, double margin) {
   const std::vector<JointLimits> limits = motion_limits(model.mechanism());
   for (std::size_t k = 0; k < motion.samples.size(); ++k) {
@@ -70,7 +70,7 @@ TEST(Excitation, KeepsTheLimitsAndUsesThem) {
   }
 }
 
-// Gravity at q = 0 takes 1030 N m of what the shoulder may; the motion that ignores torques needs more than all of it.
+// Gravity at q = 0 takes 1030 N m of the shoulder's limit; the motion that ignores torques exceeds the whole limit.
 TEST(Excitation, KeepsTorqueLimits) {
   LoadedRobot model = model_of("planar_2r_example_7_2.toml");
   const ExcitationOptions options = short_search();
@@ -90,7 +90,7 @@ TEST(Excitation, KeepsTorqueLimits) {
 
 double largest_use(const LimitUse& use) { return std::max({use.position, use.speed, use.acceleration}); }
 
-// With columns of unit length the finger's first joint could stand still: nothing told that by the criterion.
+// With columns of unit length the finger's first joint could stand still without a change of the criterion.
 TEST(Excitation, LetsNoJointStandStill) {
   const Excited finger("finger.toml");
   const Excitation excitation = found(finger.torques, {.duration = 5, .evaluations = 600, .time = {}});
@@ -98,7 +98,7 @@ TEST(Excitation, LetsNoJointStandStill) {
   EXPECT_LT(excitation.motion.conditioning.unscaled, 0.2 * excitation.start.conditioning.unscaled);
 }
 
-// Gravity takes most of what the elbow may exert; the base and the wrist load it little, and keep moving.
+// Gravity takes most of the elbow's limit; the base and the wrist hardly load it, and keep moving.
 TEST(Excitation, MovesLessOnlyWhatLoadsATorqueLimit) {
   LoadedRobot model = model_of("ur5.urdf");
   constexpr int limit = 20;
@@ -110,7 +110,7 @@ TEST(Excitation, MovesLessOnlyWhatLoadsATorqueLimit) {
   expect_within_limits(limited, excitation.motion, options.margin);
   EXPECT_GT(excitation.motion.use[2].torque, 0.7 * options.margin);
   for (const std::size_t i : {0u, 3u, 4u, 5u}) EXPECT_GT(largest_use(excitation.motion.use[i]), 0.5) << i;
-  // Shrunk from a motion that needs more, it told less than a random one did.
+  // Shrunk from a motion that exceeds limits, the motion told less than a random one.
   EXPECT_LT(excitation.motion.cost, excitation.start.cost - 0.3);
 }
 
@@ -124,7 +124,7 @@ TEST(Excitation, IsNotWorseThanTheStart) {
   }
 }
 
-// With 50 samples of five harmonics, a sine's top may lie between two.
+// With 50 samples of five harmonics, the maximum of a sine may lie between two.
 TEST(Excitation, KeepsLimitsBetweenSamples) {
   ExcitationOptions options = short_search();
   options.duration = 5;
@@ -178,7 +178,7 @@ TEST(Excitation, TorquesAreThoseOfTheFile) {
 
 TEST(ExcitationObjective, GradientIsTheDerivative) {
   std::vector<JointLimits> limits = within_margin(motion_limits(planar_arm().mechanism()), 0.9);
-  limits[0].torque = 900;  // passed by the random motion: the penalty has a slope too
+  limits[0].torque = 900;  // exceeded by the random motion, so that the penalty has a slope, too
   ExcitationObjective objective(planar_arm(), limits, 10, 3);
   std::mt19937 engine(5);
   std::vector<double> x(static_cast<std::size_t>(objective.size())), gradient(x.size());

@@ -41,7 +41,7 @@ TEST(FourierTrajectory, SpeedAndAccelerationAreTheDerivatives) {
   }
 }
 
-// What is left when the Fourier series is taken away is a polynomial of degree five: its sixth differences vanish.
+// Without the Fourier series a polynomial of degree five remains: its sixth differences vanish.
 TEST(FourierTrajectory, IsAFourierSeriesPlusAQuintic) {
   const double frequency = 2 * 3.141592653589793 / kDuration, a = 0.8, b = -1.3;
   const FourierTrajectory trajectory(kDuration, {0}, {{{0, a}, {0, b}}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Base parameters from simulated motion, whose truth is known.
+// Base parameters from simulated motion with known truth.
 #include "identify/least_squares.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(LeastSquares, JointByJointFindsTheSameWithoutNoise) {
   EXPECT_LT((found - arm.truth()).norm(), 1e-9 * arm.truth().norm());
 }
 
-// 95 % intervals contain the truth 95 % of the time: over 400 noisy runs and all parameters.
+// 95 % intervals contain the truth 95 % of the time, over 400 noisy runs and all parameters.
 TEST(LeastSquares, IntervalsAreHonest) {
   constexpr int kRuns = 400;
   constexpr double kTwoSided95 = 1.959964;
@@ -45,7 +45,7 @@ TEST(LeastSquares, IntervalsAreHonest) {
   EXPECT_LE(part, 0.97);
 }
 
-// The second joint is ten times noisier: with the weights its rows count a hundredth.
+// The second joint is ten times noisier, so its rows have a hundredth of the weight.
 TEST(LeastSquares, WeightsFollowTheNoiseOfEachJoint) {
   const Arm arm("planar_2r_example_7_2.toml");
   auto samples = simulated(arm.robot, {.samples = 2000});
@@ -60,7 +60,7 @@ TEST(LeastSquares, WeightsFollowTheNoiseOfEachJoint) {
   EXPECT_NEAR(found.torque_deviations(1), 5, 0.5);
 }
 
-// Only the first joint moves: what that does not tell stays as it was.
+// Only the first joint moves: parameters that this does not tell stay at their prior values.
 TEST(LeastSquares, WhatTheMotionDoesNotTellStaysAtThePrior) {
   const Arm arm("puma560.toml");
   const Observations observations = arm.observed(simulated(arm.robot, {.samples = 500, .moving = false}));
@@ -68,7 +68,7 @@ TEST(LeastSquares, WhatTheMotionDoesNotTellStaysAtThePrior) {
   const Estimate found = estimate(observations, prior);
   EXPECT_FALSE(found.damped.empty());
   EXPECT_TRUE(found.values.allFinite());
-  // A parameter that a damped direction has a part in is not known at all; others are.
+  // A parameter with a part in a damped direction is not known at all; others are.
   EXPECT_TRUE(std::isinf(found.standard_deviations.maxCoeff()));
   EXPECT_TRUE(std::isfinite(found.standard_deviations.minCoeff()));
   for (Eigen::Index k = 0; k < prior.size(); ++k) {
@@ -81,8 +81,8 @@ TEST(LeastSquares, WhatTheMotionDoesNotTellStaysAtThePrior) {
   }
 }
 
-// Encoders of joints that are held are never quite still, so that no singular value is zero: it is the noise of the
-// torques that hides their columns.
+// Encoders of joints that are held always have some noise, so no singular value is zero: the noise of the torques hides
+// the columns of these joints.
 TEST(LeastSquares, WhatNoiseHidesStaysNearThePrior) {
   const Arm arm("ur5.urdf");
   auto samples = simulated(arm.robot, {.samples = 2000, .noise = 1, .moving = false});
@@ -109,7 +109,7 @@ TEST(LeastSquares, WhatNoiseHidesStaysNearThePrior) {
   }
 }
 
-// A file whose sizes are far too small is no reason to take what the motion tells for noise.
+// If the sizes in a file are far too small, the information of the motion is still not taken for noise.
 TEST(LeastSquares, WhatTheMotionTellsDoesNotStayAtAFileOfOtherSizes) {
   const Arm arm("planar_2r_example_7_2.toml");
   const Observations observations = arm.observed(simulated(arm.robot, {.samples = 400, .noise = 50}));
@@ -147,7 +147,7 @@ TEST(LeastSquares, FewerEquationsThanParametersAreRefused) {
   EXPECT_THROW(estimate(arm.observed(simulated(arm.robot, {.samples = 3})), arm.truth()), Failure);
 }
 
-// The information about some parameters when the others are unknown is the inverse of their part of the covariance.
+// The information on some parameters with the others unknown is the inverse of their block of the covariance.
 TEST(LeastSquares, InformationOfTheFirstIsThatOfTheirCovariance) {
   const Arm arm("planar_2r_example_7_2.toml");
   const Estimate found = estimate(arm.observed(simulated(arm.robot, {.samples = 200, .noise = 1})), arm.truth());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Logs as people write them, and what they get wrong: each mistake with its line.
+// Logs as people write them, with typical mistakes: each one is reported with its line.
 #include "identify/log_reader.hpp"
 
 #include <fmt/format.h>
@@ -140,7 +140,7 @@ TEST_F(LogTest, OtherSeparatorsAndDecimalCommasAreRead) {
   EXPECT_THAT(found.all().back().hint, HasSubstr("decimal points, or all of them decimal commas"));
 }
 
-// A double tells 1.4e18 from 1.4e18 + 256.
+// A double can distinguish 1.4e18 from 1.4e18 + 256, but not smaller steps.
 TEST_F(LogTest, ClocksKeepTheirDigits) {
   const std::pair<const char*, const char*> logs[] = {
       {"timestamp,q1,q2,tau1,tau2\n1400000000000000001,0,0,0,0\n1400000000001000002,0,0,0,0\n",
@@ -218,7 +218,7 @@ TEST_F(LogTest, AFileThatIsNotThereIsAFailureOfReading) {
   EXPECT_THROW(LogReader("/nowhere/log.csv", planar_arm(), true, found), Failure);
 }
 
-// A sine, with `scale` times what is right as its rate.
+// The log of a sine whose rates are `scale` times the right ones.
 std::string sine_log(double position_scale, double rate_scale) {
   std::string text = "t,q1,q2,tau1,tau2,qd1,qd2\n";
   for (int k = 0; k < 200; ++k) {
@@ -246,7 +246,7 @@ TEST_F(LogTest, DegreesThatAreNotDeclaredAreNoticed) {
   EXPECT_TRUE(found.all().empty());
 }
 
-// Samples of the planar arm without limits: what `q1` gives at t.
+// The log of a planar arm without limits, with q1 given as a function of time.
 std::string motion_log(int samples, double step, const std::function<double(double)>& q1) {
   std::string text = "t,q1,q2,tau1,tau2\n";
   for (int k = 0; k < samples; ++k) text += fmt::format("{},{},0,0,0\n", step * k, q1(step * k));
@@ -273,7 +273,7 @@ TEST_F(LogTest, MessagesNameColumnsAsTheyAreWritten) {
   EXPECT_THAT(found.all().back().hint, HasSubstr("q0 [deg]"));
 }
 
-// Long after the lines that the plan is made from.
+// The jump is long after the lines from which the plan is made.
 TEST_F(LogTest, AnAngleThatJumpsIsFoundWhereverItIs) {
   write(motion_log(20000, 0.01, [](double t) { return std::sin(t) + (t < 150 ? 0 : 2 * std::numbers::pi); }));
   read_all();
@@ -311,8 +311,8 @@ TEST_F(LogTest, MillisecondsAreAWarning) {
   EXPECT_THAT(found.all()[0].hint, HasSubstr("t [ms]"));
 }
 
-// Poses may be as far apart as they like, and rates that an encoder's noise makes tell nothing of what is between them.
-// Milliseconds are told by rates that agree with them.
+// Poses may be any time apart, and rates from encoder noise tell nothing of the motion between them. Milliseconds are
+// detected by rates that agree with them.
 TEST_F(LogTest, PosesThatAreFarApartAreNoMilliseconds) {
   const auto poses = [](const std::function<double(int)>& rate, double scale) {
     std::string text = "t,q1,q2,tau1,tau2,qd1,qd2,qdd1,qdd2\n";
@@ -330,7 +330,7 @@ TEST_F(LogTest, PosesThatAreFarApartAreNoMilliseconds) {
   EXPECT_THAT(found.all()[0].hint, HasSubstr("is the time in ms? Then write the column's heading as t [ms]"));
 }
 
-// Limits are kept by every line, not just by those that the plan is made from.
+// Limits are checked on every line, not only on those from which the plan is made.
 TEST_F(LogTest, APositionOutsideTheLimitsIsFoundWhereverItIs) {
   Mechanism limited = planar_arm();
   limited.bodies[0].limits.lower = Value{.number = -1, .place = {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Logs → observations: derivatives, gaps, and parts that make up the whole.
+// From logs to observations: derivatives, gaps, and parts that make up the whole.
 #include "identify/measurement.hpp"
 
 #include <gmock/gmock.h>
@@ -88,7 +88,7 @@ TEST_F(MeasurementTest, DerivativesThatAreMissingComeFromTheFilter) {
   }
 }
 
-// What the filter leaves of white noise is not quite white at the samples that are used, and the less so the more are.
+// Filtered white noise is not quite white at the samples used, and less so the more samples are used.
 TEST_F(MeasurementTest, IntervalsAreHonestWhereDerivativesComeFromTheFilter) {
   constexpr int kRuns = 120;
   constexpr double kTwoSided95 = 1.959964;
@@ -164,7 +164,7 @@ class PartsTest : public MeasurementTest {
   }
 };
 
-// Also at the edges of the blocks, where a part needs its neighbours' samples for the filter.
+// The parts also agree at the edges of blocks, where the filter needs the neighbours' samples.
 TEST_F(PartsTest, MakeUpTheWhole) {
   const Measurement whole = measured({whole_log});
   const Measurement merged = merge_parts(parts(), torque_model(), found);
@@ -175,7 +175,7 @@ TEST_F(PartsTest, MakeUpTheWhole) {
   EXPECT_LE(merged.samples.size(), ThinnedSamples::kMost);
 }
 
-// What is filtered has correlated noise, whichever log comes first, and whichever part has it.
+// Filtered samples have correlated noise, in whichever order the logs come and whichever part has them.
 TEST_F(PartsTest, OfLogsThatAreFilteredAndThatAreNotMakeUpTheWhole) {
   const std::vector<std::filesystem::path> logs = {
       log(simulated(arm(), {.samples = 3000, .rate = 1000, .noise = 1})),
@@ -193,7 +193,7 @@ TEST_F(PartsTest, OfLogsThatAreFilteredAndThatAreNotMakeUpTheWhole) {
   EXPECT_LT((a.standard_deviations - b.standard_deviations).norm(), 1e-9 * b.standard_deviations.norm());
 }
 
-// Times of several logs may be the same: both are drawn, each by itself.
+// Several logs may have the same times: both are drawn, each by itself.
 TEST_F(PartsTest, HaveSamplesOfAllLogs) {
   std::vector<std::filesystem::path> logs, files;
   for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -218,7 +218,7 @@ TEST_F(MeasurementTest, TheSameLogTwiceIsRefused) {
   EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("the same log as"));
 }
 
-// Every process may be given them in another order.
+// Processes may get the logs in different orders.
 TEST_F(PartsTest, OfManyShortLogsHaveTheirShareEach) {
   std::vector<std::filesystem::path> logs;
   for (int k = 0; k < 30; ++k) {
@@ -239,7 +239,7 @@ TEST_F(PartsTest, OfManyShortLogsHaveTheirShareEach) {
   EXPECT_LT(largest_difference(merged.observations, whole.observations), 1e-13);
 }
 
-// Of all lines every one has one part, and no part has a block more than another.
+// Every line belongs to exactly one part, and parts differ by one block at most.
 TEST(BlockSharesTest, AreEqual) {
   constexpr int kParts = 4;
   const long lengths[] = {10, 3 * kBlock + 5, 0, kBlock, 2 * kBlock - 1, 77, 1, 40000};
@@ -256,7 +256,7 @@ TEST(BlockSharesTest, AreEqual) {
       }
       ASSERT_EQ(owners, 1) << line << " of " << length;
     }
-    shares[1].owns(length + 2 * kBlock);  // what is asked beyond the end has no effect
+    shares[1].owns(length + 2 * kBlock);  // lines beyond the end have no effect
     for (BlockShares& share : shares) share.end_log(length);
     const auto [least, most] = std::minmax_element(lines.begin(), lines.end());
     EXPECT_LE(*most - *least, kBlock);
@@ -309,7 +309,7 @@ TEST_F(PartsTest, OfAnotherVersionAreRefused) {
   }
 }
 
-// Numbers of parts that no part file has.
+// Numbers of parts that no part file can have.
 TEST_F(PartsTest, OfWhichThereAreTooManyAreNoParts) {
   const auto short_log = log(simulated(arm(), {.samples = 50}));
   for (const StreamOptions options : {StreamOptions{.parts = 1000000000}, StreamOptions{.part = 5, .parts = 4}}) {

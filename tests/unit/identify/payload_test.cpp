@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A payload that is known, found from torques and from a sensor at the wrist.
+// A known payload, found from torques and from a sensor at the wrist.
 #include "identify/payload.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(Payload, IsTheChangeOfTheLastLink) {
   }
 }
 
-// The arm's own parameters in the file are wrong; the log without payload says what they are.
+// The arm's own parameters in the file are wrong; the log without payload gives the right ones.
 TEST(Payload, IsFoundAgainstALogWithoutIt) {
   Progress quiet(true);
   const LoadedRobot truth = testing::model_of("puma560.toml");
@@ -79,7 +79,7 @@ TEST(Payload, IsFoundAgainstALogWithoutIt) {
   const PayloadEstimate found = found_against(800);
   EXPECT_NEAR(found.values(0), 1.5, 0.01);
   EXPECT_LT((found.values - known_payload()).cwiseAbs().maxCoeff(), 0.02);
-  // What a short log without payload leaves open is open in the payload, too: intervals say so.
+  // The uncertainty that a short log without payload leaves is part of the payload's intervals.
   const PayloadEstimate rough = found_against(80);
   EXPECT_GT(rough.standard_deviations(0), 1.5 * found.standard_deviations(0));
   for (Eigen::Index k = 0; k < 10; ++k) {
@@ -97,8 +97,8 @@ std::vector<testing::SimulatedSample> with_noise(std::vector<testing::SimulatedS
   return samples;
 }
 
-// Every row of the log with the payload stands there three times, which tells no more than once: a correlation of 3.
-// The other log has a fifth of its noise.
+// Every row of the log with the payload is repeated three times, which adds no information: a correlation of 3. The
+// other log has a fifth of its noise.
 TEST(Payload, HasHonestIntervalsWhereLogsHaveDifferentNoise) {
   constexpr int kRuns = 200, kTimes = 3;
   constexpr double kTwoSided95 = 1.959964;
@@ -124,7 +124,7 @@ TEST(Payload, HasHonestIntervalsWhereLogsHaveDifferentNoise) {
   EXPECT_LE(part, 0.97);
 }
 
-// A robot that only stands still tells the mass and its centre, and nothing of the inertia.
+// A robot that only stands still tells the mass and its centre, but not the inertia.
 TEST(Payload, KeepsItsCentreWhereOnlyPosesWereMeasured) {
   Progress quiet(true);
   const LoadedRobot model = testing::model_of("panda.urdf");
@@ -149,7 +149,7 @@ TEST(Payload, IsFoundByASensorAtTheWristInSpiteOfItsOffsets) {
   WristObserver observer(model.robot);
   for (const testing::SimulatedSample& each : simulated(model, {.samples = 500})) {
     const auto motion = reference::link_motions<double>(body, each.q, each.qd, each.qdd, true);
-    Eigen::Vector3d f(1, -2, 3), mu(0.1, 0.2, -0.3);  // offsets of the sensor
+    Eigen::Vector3d f(1, -2, 3), mu(0.1, 0.2, -0.3);  // the sensor's offsets
     const auto tip = static_cast<std::size_t>(body.tip);
     reference::detail::add_inertial_wrench(body.links[tip], motion[tip], f, mu);
     const double h_e[] = {f.x(), f.y(), f.z(), mu.x(), mu.y(), mu.z()};

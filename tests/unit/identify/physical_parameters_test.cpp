@@ -40,7 +40,7 @@ void expect_bodies(const std::vector<double>& pi) {
   }
 }
 
-// Every base parameter known by itself, with this standard deviation.
+// An estimate in which every base parameter is known by itself, with this standard deviation.
 Estimate known(const VectorXd& pi_b, const VectorXd& deviations) {
   Estimate estimate;
   estimate.values = pi_b;
@@ -49,7 +49,7 @@ Estimate known(const VectorXd& pi_b, const VectorXd& deviations) {
 }
 
 TEST(PseudoInertia, IsThatOfPointMasses) {
-  // Masses 2 and 3 kg at (1, 0, 0) and (0, 2, 1).
+  // Masses of 2 and 3 kg at (1, 0, 0) and (0, 2, 1).
   const double ten[] = {5, 2, 6, 3, 3 * 5, 0, 0, 2 + 3, -6, 2 + 3 * 4};
   const Eigen::Matrix4d P = pseudo_inertia(ten);
   Eigen::Matrix4d expected = Eigen::Matrix4d::Zero();
@@ -66,7 +66,7 @@ LinkShape some_link() {
   return link;
 }
 
-// y such that E + sym(y) is well within what a body can have.
+// A y such that E + sym(y) is safely positive definite.
 LinkShape::Vector some_move() {
   LinkShape::Vector y;
   y << 0.3, -0.1, 0.2, 0.15, 0.05, -0.4, 0.1, 0.2, -0.05, 0.6, 0.3, -0.2, 1;
@@ -113,7 +113,7 @@ TEST(LinkShape, GradientIsThatOfItsDivergence) {
   }
 }
 
-// π_b of the file itself: nothing has to move.
+// With the file's own π_b, nothing has to move.
 TEST(PhysicalParameters, OfTheFilesOwnBaseParametersAreTheFiles) {
   const LoadedRobot model = testing::model_of("panda.urdf");
   const BaseParameters base = base_parameters(model.mechanism);
@@ -137,7 +137,7 @@ TEST(PhysicalParameters, AreTheFilesWhereNothingIsKnown) {
   EXPECT_LT(found.divergence, 1e-9);
 }
 
-// The masses of another robot: what π_b says is met, by links that a body can have.
+// The masses are those of another robot: physically consistent links agree with its π_b.
 TEST(PhysicalParameters, MeetBaseParametersFarFromTheFile) {
   const LoadedRobot truth = testing::model_of("panda.urdf");
   const BaseParameters base = base_parameters(truth.mechanism);
@@ -158,7 +158,7 @@ TEST(PhysicalParameters, MeetBaseParametersFarFromTheFile) {
   EXPECT_GT(found.divergence, 0.1);
 }
 
-// No body has a negative moment of inertia: the nearest that one has is found, and the misfit is told.
+// No body has a negative moment of inertia: the nearest consistent one is found, and the misfit is reported.
 TEST(PhysicalParameters, AreBodiesEvenIfBaseParametersAreNot) {
   const LoadedRobot model = testing::model_of("planar_2r_example_7_2.toml");
   const BaseParameters base = base_parameters(model.mechanism, ParameterSet::inertial);
@@ -172,7 +172,7 @@ TEST(PhysicalParameters, AreBodiesEvenIfBaseParametersAreNot) {
   EXPECT_GT(found.largest_misfit, 10);
 }
 
-// Only one joint moves, and the file's masses are wrong: the links agree with what that motion tells, all of it.
+// Only one joint moves, and the file's masses are wrong: the links agree with all that this motion tells.
 TEST(PhysicalParameters, AgreeWithAllThatAPoorMotionTells) {
   const testing::Arm arm("puma560.toml");
   Mechanism wrong = arm.robot.mechanism;
@@ -188,7 +188,7 @@ TEST(PhysicalParameters, AgreeWithAllThatAPoorMotionTells) {
   for (const JointObservations& joint : observations.joints) EXPECT_LT(joint.rms_residual(pi_b), 0.2);
 }
 
-// Slender rods are no thicker than a body must be, and the file that is given to start from has them thick.
+// Slender rods are almost flat bodies, and the file from which the search starts has thick ones.
 TEST(PhysicalParameters, OfSlenderRodsAreFound) {
   const testing::Arm arm("finger.toml");
   Mechanism thick = arm.robot.mechanism;
@@ -209,7 +209,7 @@ TEST(PhysicalParameters, OfSlenderRodsAreFound) {
   }
 }
 
-// A link that is hardly more than the rotor that it carries is a body without it, too.
+// A link that consists almost only of the rotor that it carries is physically consistent without it, too.
 TEST(PhysicalParameters, LeaveABodyWhenRotorsAreTakenOut) {
   const LoadedRobot model = testing::model_of("planar_2r_example_7_2.toml");
   Mechanism light = model.mechanism;

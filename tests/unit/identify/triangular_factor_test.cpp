@@ -17,7 +17,7 @@ TriangularFactor folded(const Eigen::MatrixXd& rows) {
   return factor;
 }
 
-// Rᵀ R = [A b]ᵀ [A b], and R is triangular: all that R is for.
+// Checks Rᵀ R = [A b]ᵀ [A b] and that R is triangular.
 void expect_factor_of(const Eigen::MatrixXd& R, const Eigen::MatrixXd& rows) {
   EXPECT_TRUE(R.isUpperTriangular(0));
   EXPECT_LT((R.transpose() * R - rows.transpose() * rows).norm(), 1e-12 * rows.squaredNorm());

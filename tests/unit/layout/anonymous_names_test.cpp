@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sources of one folder may be compiled as one file (cmake/UnityByFolder.cmake), where their anonymous namespaces are
-// one. So no two files of a folder give one name to a function, a type or a constant of their own.
+// Sources of one folder may be compiled as one file (cmake/UnityByFolder.cmake), which joins their anonymous
+// namespaces. So no two files of a folder may use one name for a local function, type or constant.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ std::string without_text(std::string line) {
   return std::regex_replace(line, kComment, "");
 }
 
-// The name that a line at the margin declares, or an empty string.
+// The name declared by an unindented line, or an empty string.
 std::string declared_name(const std::string& line) {
   static const std::regex kType(R"(^(struct|class|enum class|union) (\w+).*)");
   static const std::regex kFunction(R"(^[\w:]+(<.*>)?[\w:&* ]*?[ &*](\w+)\(.*)");
@@ -32,11 +32,10 @@ std::string declared_name(const std::string& line) {
   return "";
 }
 
-// The names in the anonymous namespaces of a file, as clang-format lays it out: what stands in a namespace is not
-// indented.
+// The names in the anonymous namespaces of a file formatted by clang-format, which does not indent in namespaces.
 std::set<std::string> anonymous_names(const std::vector<std::string>& lines) {
   std::set<std::string> names;
-  std::vector<bool> is_anonymous;  // by open namespace
+  std::vector<bool> is_anonymous;  // one per open namespace
   long depth = 0;
   bool in_raw_text = false;
   for (const std::string& each : lines) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The project's own sources, for tests of how they are laid out.
+// The project's own sources, for tests of their layout.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace flatdyn::testing {
 
 struct SourceFile {
   std::filesystem::path path;      // absolute
-  std::string name;                // "model/robot.hpp": from the folder that was asked for
+  std::string name;                // path below the given folder, "model/robot.hpp"
   std::string folder;              // "model"
   std::vector<std::string> lines;  // the first is line 1
 };

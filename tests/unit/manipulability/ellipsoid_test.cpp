@@ -17,7 +17,7 @@ namespace {
 using testing::model_of;
 using testing::model_of_toml;
 
-// Of the recursive reference at a position.
+// The recursive reference's quantities at a position.
 struct ArmPose {
   Eigen::MatrixXd B, J;
   Eigen::VectorXd g;
@@ -58,7 +58,7 @@ LoadedRobot planar_3r() {
   return model_of_toml(text);
 }
 
-// (7.148): torques B J† (v̇ + J B^-1 g) that make the accelerations on the ellipsoid all have the norm.
+// (7.148): the torques B J† (v̇ + J B^-1 g) of accelerations on the ellipsoid all have the given norm.
 TEST(Manipulability, EndsOfTheAxesTakeTorquesOfTheNorm) {
   for (const auto& [model, q] : {std::pair{model_of("planar_2r_example_7_2.toml"), std::vector{0.5, 1.0}},
                                  std::pair{planar_3r(), std::vector{1.9, -1.2, -0.9}},
@@ -77,7 +77,7 @@ TEST(Manipulability, EndsOfTheAxesTakeTorquesOfTheNorm) {
   }
 }
 
-// Problem 7.12: of an arm that is not redundant, √det(J Jᵀ) = w det B, w the measure for torques of norm 1.
+// Problem 7.12: for an arm without redundancy, √det(J Jᵀ) = w det B, where w is the measure for torques of norm 1.
 TEST(Manipulability, MeasureIsThatOfTheJacobianOverTheInertia) {
   std::vector<int> task;
   const LoadedRobot model = model_of("planar_2r_example_7_2.toml");
@@ -96,13 +96,13 @@ TEST(Manipulability, IsFlatWhereTheJacobianIsSingular) {
   EXPECT_EQ(task, (std::vector{0, 1}));
   EXPECT_LE(ellipsoid.lengths(1), 1e-15);
   EXPECT_LE(ellipsoid.measure, 1e-15);
-  // As it is just beside.
+  // The ellipsoid of a posture close by.
   const Ellipsoid beside = ellipsoid_of(model_of("planar_2r_example_7_2.toml"), {0.3, 1e-9}, 1, task);
   EXPECT_NEAR(ellipsoid.lengths(0), beside.lengths(0), 1e-9);
   EXPECT_NEAR(std::abs(ellipsoid.axes(0, 1)), std::cos(0.3), 1e-9);
 }
 
-// A pendulum's tip goes along a circle: forward by l for each rad, wherever it is.
+// A pendulum's tip moves on a circle: forward by l per rad, wherever it is.
 TEST(Manipulability, IsFlatWhereTheTipHasACurveToMoveOn) {
   const LoadedRobot pendulum = model_of_toml(kPendulum);
   for (const double theta : {0.0, 0.5, 1.5707963267948966}) {
@@ -165,7 +165,7 @@ TEST(Manipulability, KnowsWhereATipIsThatIsNoLinksFrame) {
   EXPECT_LE((points[2] - 0.5 * Eigen::Vector3d(std::cos(0.5), std::sin(0.5), 0)).norm(), 1e-15);
 }
 
-// All of the ellipsoid's points are seen within the outline, and some on it.
+// The outline contains all projected points of the ellipsoid, and touches some.
 TEST(Shadow, IsTheOutline) {
   srand(7);
   for (int trial = 0; trial < 20; ++trial) {

@@ -37,7 +37,7 @@ class WorkspaceMap : public ::testing::Test {
   std::optional<TipKinematics> tip;
 };
 
-// The annulus between 0.4 and 1.6 m has so many places on the grid, and the tip is at one place of it each time.
+// The annulus between 0.4 and 1.6 m has this many places on the grid, and the tip is at a different one each time.
 TEST_F(WorkspaceMap, IsAllThatTheTipGetsTo) {
   const std::vector<Eigen::VectorXd> q = places(model_of_toml(two_links("")));
   const Eigen::Vector3d start = tip->pose(kStart).p;
@@ -77,10 +77,10 @@ TEST_F(WorkspaceMap, StaysWithinLimits) {
   EXPECT_FALSE(is_within_limits(model.mechanism, Eigen::Vector2d(0, 1.6)));
 }
 
-// Two joints in a plane have no place beside the start where the tip is turned as there.
+// Two joints in a plane have no place beside the start at which the tip keeps its orientation.
 TEST_F(WorkspaceMap, HoldsAnOrientation) { EXPECT_EQ(places(model_of_toml(two_links("")), true).size(), 1U); }
 
-// A gantry without limits has no end: the map does.
+// The workspace of a gantry without limits is infinite; the map is not.
 TEST_F(WorkspaceMap, EndsWhereTheWorkspaceDoesNot) {
   const LoadedRobot gantry = model_of_toml(
       "name = \"gantry\"\n[[link]]\njoint = \"x\"\ntype = \"prismatic\"\naxis = [1, 0, 0]\nmass = 1\n"

@@ -10,7 +10,7 @@
 namespace flatdyn {
 namespace {
 
-// Poses of links say where the frames are.
+// The poses of links determine where the frames are.
 TEST(RaisedFrames, LeaveLinksWhereTheyAre) {
   const Mechanism arm = testing::model_of("panda.urdf").mechanism;
   const Mechanism raised = with_frame_raised(with_frame_raised(arm, 2, Number(1) / 3), 6, Number(-2) / 7);

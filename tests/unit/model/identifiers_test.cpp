@@ -27,7 +27,7 @@ TEST(Identifiers, WritesLettersOfOtherScriptsInAscii) {
   EXPECT_EQ(cpp_identifier("45°"), "x45");
   EXPECT_EQ(cpp_identifier("a\xFF"
                            "b"),
-            "a_b");  // no UTF-8
+            "a_b");  // not UTF-8
 }
 
 TEST(Identifiers, AvoidsWhatCppReserves) {

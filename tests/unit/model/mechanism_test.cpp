@@ -34,7 +34,7 @@ Placed placed(const Pose& pose) {
   return result;
 }
 
-// The displacement by which a joint moves its child, from Rodrigues' formula: c 1 + s S(u) + (1 - c) u uᵀ.
+// The displacement by which a joint moves its child, by Rodrigues' formula: c 1 + s S(u) + (1 - c) u uᵀ.
 Placed motion(const Joint& joint, const Number& q) {
   const Vec3 u = unit(joint.axis);
   if (joint.type == JointType::prismatic) return {identity_matrix(), q * u};
@@ -48,7 +48,7 @@ Placed motion(const Joint& joint, const Number& q) {
   return {R, zero_vector()};
 }
 
-// Links of the robot as written, placed for joint positions q[joint].
+// The links of the robot as written, placed for joint positions q[joint].
 std::vector<Placed> written_links(const Robot& robot, const std::vector<Number>& q) {
   std::vector<Placed> links(robot.links.size());
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {  // parents come first in random_tree
@@ -73,7 +73,7 @@ std::vector<Placed> mechanism_bodies(const Mechanism& mechanism, const std::vect
 
 class RandomTree : public ::testing::TestWithParam<unsigned> {};
 
-// Wherever the canonical frames have gone, every written link must be where the file puts it.
+// Every written link must be where the file puts it, whatever the canonical frames are.
 TEST_P(RandomTree, LinksStayWhereTheyAreWritten) {
   GiNaC::Digits = 60;
   const Robot robot = random_tree(GetParam(), 5);
@@ -103,7 +103,7 @@ TEST_P(RandomTree, LinksStayWhereTheyAreWritten) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomTree, ::testing::Range(1u, 13u));
 
-// The common normal of axes that are 1e-6 rad from parallel is a million times as far away as the axes are apart.
+// The common normal of axes that are 1e-6 rad from parallel is a million times as far away as the axes' distance.
 TEST(NearlyParallelAxes, HaveFramesThatAreNear) {
   Robot robot = random_tree(1, 5);
   for (Joint& joint : robot.joints) {

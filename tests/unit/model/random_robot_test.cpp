@@ -14,7 +14,7 @@ class DrawnRobot : public ::testing::TestWithParam<bool> {};
 TEST_P(DrawnRobot, IsARobotThatCanBe) {
   Robot robot = random_robot(GetParam(), 9, 3);
   Diagnostics found;
-  robot.root = -1;  // to be found
+  robot.root = -1;  // to be determined
   EXPECT_TRUE(validate_tree(robot, found));
   validate_values(robot, {}, found);
   for (const Diagnostic& each : found.all()) ADD_FAILURE() << to_string(each);

@@ -40,7 +40,7 @@ TEST_F(CancelledDust, FirstMomentsThatCancelButForDust) {
 }
 
 TEST_F(CancelledDust, OthersStay) {
-  for (const char* com : {"0.1 0.1 0", "0.100000001 0.1 0"}) {  // zero already; 1e-9 m of 0.3 m
+  for (const char* com : {"0.1 0.1 0", "0.100000001 0.1 0"}) {  // zero already; 1e-9 m relative to 0.3 m
     Robot robot = merged(com);
     const Mechanism before = make_mechanism(robot), after = snapped(robot);
     EXPECT_TRUE(robot.snaps.empty()) << com;
@@ -72,7 +72,7 @@ TEST_F(CancelledDust, AreUndoneAlone) {
 }
 
 TEST_F(CancelledDust, AxesThatMeetButForDust) {
-  // 0.3 m along a direction at 0.3 rad, to 15 digits: the second joint's axis passes through the first's but for these.
+  // A displacement of 0.3 m at 0.3 rad with 15 digits: the second joint's axis intersects the first's up to rounding.
   const std::string text =
       "<robot name='r'><link name='base'/><link name='a'/><link name='b'><inertial><origin xyz='0 0.1 0.2'/><mass "
       "value='3'/><inertia ixx='0.1' iyy='0.1' izz='0.1' ixy='0' ixz='0' iyz='0'/></inertial></link>\n<joint name='i' "
@@ -92,7 +92,7 @@ TEST_F(CancelledDust, AxesThatMeetButForDust) {
   EXPECT_TRUE(make_mechanism(undone).bodies[1].p[0].is_equal(before.bodies[1].p[0]));
 }
 
-// Two joints whose axes are at a right angle, by a frame that is turned by 0.3 and -0.3 rad on the way.
+// Two joints with perpendicular axes, by frames that are turned by 0.3 and -0.3 rad in between.
 std::string turned_arm(const std::string& back, const std::string& axis = "0 1 0") {
   return "<robot name='r'><link name='base'/><link name='a'/><link name='b'><inertial><origin xyz='0 0.1 0.2'/><mass "
          "value='3'/><inertia ixx='0.1' iyy='0.1' izz='0.1' ixy='0' ixz='0' iyz='0'/></inertial></link>\n<joint "

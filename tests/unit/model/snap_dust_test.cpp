@@ -9,7 +9,7 @@
 namespace flatdyn {
 namespace {
 
-// Two links of a length; `origin` is of the second joint, whose axis and body are given, too.
+// Two links of a length; `origin` is that of the second joint, whose axis and body are given, too.
 struct Dusty {
   std::string origin = "0 0 0.5";
   std::string axis = "0 0 1";
@@ -111,17 +111,17 @@ TEST_F(DustSnapping, ProductsOfInertiaAreTinyBesideBothMoments) {
   EXPECT_TRUE(robot.links[2].inertials[0].tensor[0][1].is_zero());
   EXPECT_TRUE(robot.links[2].inertials[0].tensor[1][0].is_zero());
   EXPECT_TRUE(with("ixx='0.01' iyy='0.02' izz='0.02'", "1.1e-11").snaps.empty());
-  EXPECT_TRUE(with("ixx='1e-9' iyy='0.02' izz='0.02'", "3e-12").snaps.empty());  // not beside ixx
+  EXPECT_TRUE(with("ixx='1e-9' iyy='0.02' izz='0.02'", "3e-12").snaps.empty());  // 3e-12 is no dust beside ixx
 }
 
 TEST_F(DustSnapping, AThinRodHasNoMomentThatProductsCouldStandBeside) {
   const Robot robot = of({.inertia = "ixx='0' iyy='0.02' izz='0.02' ixy='1e-18' ixz='0' iyz='0'"});
   EXPECT_EQ(robot.snaps.size(), 1U);
-  EXPECT_FALSE(diagnostics_.has_warnings());  // without the dust a body can have it
+  EXPECT_FALSE(diagnostics_.has_warnings());  // without the dust it is physically consistent
 }
 
 TEST_F(DustSnapping, ABodyThatCanExistStaysOne) {
-  // A rod along (2e-5, 2e-5, 1), whose mass is on its axis only: without the small ixy, some would have to be negative.
+  // A rod along (2e-5, 2e-5, 1) with mass on its axis only: without the small ixy, some mass would have to be negative.
   const Robot robot = of({.inertia = "ixx='1.0000000004' iyy='1.0000000004' izz='0.0000000008' ixy='-0.0000000004' "
                                      "ixz='-0.00002' iyz='-0.00002'"});
   EXPECT_TRUE(robot.snaps.empty());
@@ -148,7 +148,7 @@ TEST_F(DustSnapping, FollowsTheOption) {
   EXPECT_EQ(of(dusty, options).snaps.size(), 3U);
   options.snap_tolerance = exact_decimal("1e-14");
   EXPECT_EQ(of(dusty, options).snaps.size(), 0U);
-  options.snap_tolerance = exact_decimal("1e-3");  // of angles: dust stays what it is
+  options.snap_tolerance = exact_decimal("1e-3");  // the tolerance is for angles; dust keeps its own threshold
   EXPECT_TRUE(of({.axis = "1e-4 0 1"}, options).snaps.empty());
   options.snap_tolerance = 0;
   const Robot robot = of(dusty, options);

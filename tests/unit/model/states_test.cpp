@@ -43,7 +43,7 @@ TEST(States, StayWithinTheLimitsAndFillThem) {
   EXPECT_GE(unlimited, 4.9) << "a velocity limit of 0 says nothing";
 }
 
-// These numbers are those of std::mt19937_64, which the standard fixes, and of nothing else.
+// These numbers depend only on std::mt19937_64, which the standard defines.
 TEST(States, AreTheSameOnEveryMachine) {
   std::mt19937_64 engine(7);
   const double first = -0.25 + 0.75 * (static_cast<double>(engine() >> 11) / 9007199254740992.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which numbers are asked about, on both sides of each threshold.
+// The numbers that cause a question about units, on both sides of each threshold.
 #include "model/unit_doubts.hpp"
 
 #include <gtest/gtest.h>

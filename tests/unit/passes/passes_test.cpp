@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Each pass on the smallest graph that it is for. That values stay the same is tested in tests/property.
+// Each pass on the smallest graph to which it applies. tests/property tests that values stay the same.
 #include "passes/passes.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ class PassTest : public ::testing::Test {
   NodeId input(int k) { return graph.input({InputKind::qd, k}); }
   NodeId mul(std::vector<NodeId> factors) { return graph.product(std::move(factors)); }
 
-  // The count after a pass, which must have changed no value.
+  // The count after a pass, which must not change a value.
   OperationCount after(Function (*pass)(const Function&), const std::vector<NodeId>& outputs) {
     function.inputs = {InputKind::q, InputKind::qd};
     function.outputs = {{"y", Layout::vector, static_cast<int>(outputs.size()), 1, outputs, "anything"}};
@@ -83,7 +83,7 @@ TEST_F(PassTest, ShareSumsUsesASumThatIsThere) {
   EXPECT_EQ(after(share_sums, {sum, graph.sum({{1, a}, {1, b}, {1, c}})}), count(0, 2));
 }
 
-// c - (a - b + c) is b - a, which the sum within has, too.
+// c - (a - b + c) is b - a, which the inner sum contains, too.
 TEST_F(PassTest, ShareSumsLooksIntoASumWhoseTermsCancel) {
   const NodeId sum = graph.sum({{1, a}, {-1, b}, {1, c}});
   EXPECT_EQ(after(share_sums, {sum, graph.sum({{1, c}, {-1, sum}})}), count(0, 2));
@@ -115,7 +115,7 @@ TEST_F(PassTest, TrigonometricKnowsPythagoras) {
 
 TEST_F(PassTest, TrigonometricSharesWhatRotationsShare) {
   const NodeId q = graph.input({InputKind::q, 0}), s = graph.sin(q), co = graph.cos(q), sc = mul({s, co, c});
-  // The moments of inertia (a, b, c = xx, yy, xy) turned by q: their sum stays.
+  // The moments of inertia (a, b, c = xx, yy, xy) rotated by q: their sum is invariant.
   const NodeId xx = graph.sum({{1, mul({co, co, a})}, {1, mul({s, s, b})}, {2, sc}});
   const NodeId yy = graph.sum({{1, mul({s, s, a})}, {1, mul({co, co, b})}, {-2, sc}});
   EXPECT_LT(after(trigonometric, {xx, yy}).arithmetic(), after(share_sums, {xx, yy}).arithmetic());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// B singular to the last place: a link of next to no mass between two joints about the same axis. What is left of a
-// pivot is rounding error then, and functions that divide by it say so.
+// B singular to the last place: a link of almost no mass between two joints about the same axis. A pivot is then only
+// rounding error, and functions that divide by it report that.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(LostPivots, AreASmallShareOfTheDiagonal) {
 }
 
 TEST(LostPivots, AreCheckedOnlyWhereTheyMayBeLost) {
-  // Those of J B^-1 J^T always.
+  // The pivots of J B^-1 J^T are always checked.
   for (const auto& [mass, of_B] : {std::pair("1", 0U), std::pair("1e-30", 3U)}) {
     for (const OptimisedFunction& made : that_divide_by_pivots(arm_with_link_of_mass(mass))) {
       EXPECT_EQ(made.function.pivot_diagonals.size(), made.function.task.rows.size() + of_B)
@@ -66,7 +66,7 @@ TEST(LostPivots, AreCheckedOnlyWhereTheyMayBeLost) {
   }
 }
 
-// Near the stretched pose, 1e-9 rad from singular, J B^-1 J^T has a pivot that is rounding error.
+// Near the stretched pose, 1e-9 rad from singular, J B^-1 J^T has a pivot that is only rounding error.
 TEST(LostPivots, AreCheckedInTheOperationalSpaceOfAnyArm) {
   const LoadedRobot arm = testing::model_of_toml(R"(
 [[link]]

@@ -19,7 +19,7 @@ constexpr const char* kSearched[] = {
     "inverse_dynamics", "inertia_matrix", "coriolis_matrix", "forward_dynamics",
     "potential_energy", "kinetic_energy", "gravity",         "inverse_dynamics_tip_force"};
 
-// Of odd seeds without sliding joints: there, lengths are free, too.
+// A random robot; those of odd seeds have no prismatic joints, so lengths are free, too.
 Robot random_robot(unsigned seed) {
   Robot robot = testing::random_tree(seed, 5);
   for (Joint& joint : robot.joints) {
@@ -28,7 +28,7 @@ Robot random_robot(unsigned seed) {
   return robot;
 }
 
-// Every kind of move, one after the other on top of the ones before, is still the Lagrangian's function.
+// After every kind of move, applied one after the other, the function is still the Lagrangian's.
 class RandomChoices : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomChoices, GiveTheSameFunctions) {
@@ -61,7 +61,7 @@ TEST_P(RandomChoices, StillFramesGiveTheSameFunctions) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomChoices, ::testing::Range(1u, 7u));
 
-// Inverse dynamics of one robot, searched for.
+// Inverse dynamics of one robot after a search.
 struct Searched {
   explicit Searched(const char* robot) : mechanism(testing::model_of(robot).mechanism) {}
 

@@ -45,7 +45,7 @@ TEST(PlacedLabels, NeitherNamesNorPolesCrossNames) {
   for (int run = 0; run < 200; ++run) {
     std::vector<LabelledPoint> points;
     for (int k = 0; k < 24; ++k) {
-      const int band = k % 2 == 0 ? 330 : 20;  // two bands, as double and float make them
+      const int band = k % 2 == 0 ? 330 : 20;  // two bands, like those of double and float
       const auto length = static_cast<std::size_t>(3 + below(18));
       points.push_back({100 + below(600) + 0.04 * k, static_cast<double>(band + below(10)), std::string(length, 'x')});
     }

@@ -39,7 +39,7 @@ constexpr PanelStyle kStyles[] = {PanelStyle::curves, PanelStyle::marked, PanelS
 
 bool is_linear(PanelStyle style) { return style == PanelStyle::curves || style == PanelStyle::plane; }
 
-// Each series in a panel of its own.
+// Each list of series in a panel of its own.
 std::vector<Panel> panels_of(const std::vector<std::vector<Series>>& each, PanelStyle style) {
   std::vector<Panel> panels;
   for (const std::vector<Series>& series : each) panels.push_back({"panel", "", "", series, style, "no robot"});
@@ -65,7 +65,7 @@ TEST(Plot, SaysWhereThereIsNothingToPlot) {
   EXPECT_THAT(svg_plot("no panels", {}), HasSubstr("nothing to plot"));
 }
 
-// Of which gnuplot would make no range, or none that it can mark.
+// Data for which gnuplot would choose no range, or one without marks.
 TEST(Plot, DrawsOnePointAndConstants) {
   const std::vector<std::vector<Series>> hard = {{{"point", {1}, {5}}},
                                                  {{"constant", {1, 2, 3}, {5, 5, 5}}},

@@ -16,7 +16,7 @@ TEST(TimeTable, AsCsvComesBackExactly) {
   EXPECT_EQ(csv_text(table), "t,q1\n0,0\n0.1,0.3333333333333333\n");
 }
 
-// A peak of one sample among a hundred thousand is still there.
+// A peak of one sample among a hundred thousand must be visible.
 TEST(TimePlot, OfALongTableKeepsItsExtremes) {
   TimeTable table{{"t", "q1"}, {}};
   for (int k = 0; k < 100000; ++k) table.rows.push_back({k * 1e-3, k == 54321 ? 1000.0 : 0.0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The emitted text, read back: what is printed is found again, and every slip of the printer would be.
+// The emitted text, read back: everything printed is found again, and every slip of the printer would be noticed.
 #include "readback/emitted_text.hpp"
 #include "planning/make_functions.hpp"
 
@@ -67,7 +67,7 @@ TEST(EmittedText, HasTheFunctionsInOrder) {
                                      "Motion:bias", "Motion:forward_dynamics"));
 }
 
-// Where `text` stands in statements.
+// The places of `text` in statements.
 std::vector<std::size_t> places_of(const std::string& header, const std::string& text) {
   std::vector<std::size_t> places;
   for (std::size_t at = header.find(text); at != std::string::npos; at = header.find(text, at + 1)) {
@@ -117,7 +117,7 @@ TEST(EmittedText, WithAnotherAngleIsRefused) {
   }
 }
 
-// Made once, written in several ways.
+// Functions made once and printed in several ways.
 class PrintedOnce {
  public:
   explicit PrintedOnce(const char* robot) : model_(testing::model_of(robot)) {
@@ -167,7 +167,7 @@ TEST(EmittedText, InCIsWhatWasPrinted) {
   }
 }
 
-// Every one of these changes what the text computes, wherever it is made.
+// Each of these changes alters what the text computes, wherever it is made.
 TEST(EmittedText, InCWithASlipIsRefused) {
   const PrintedOnce all("scara.toml");
   const HeaderAndSource printed = all.text("float");
@@ -261,7 +261,7 @@ TEST(EmittedText, InJavascriptThatIsNoneIsRefused) {
   EXPECT_THROW(all.prove_javascript(module + "}"), Failure);
 }
 
-// The body of a function of one output, g.
+// Reads the body of a function of one output, g.
 void read_body(const std::string& body, const std::string& before = "") {
   const std::string function = "template <class Scalar>\nvoid f(const Scalar* q, Scalar* g) {\n" + body + "}\n";
   Function like;

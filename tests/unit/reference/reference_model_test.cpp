@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a robot file says must reach the reference: frames of inertias, points that they are about, unnormalised axes,
-// the order of joints, motors, symbols.
+// The data of a robot file must reach the reference: frames of inertias, their reference points, unnormalised axes, the
+// order of joints, motors, symbols.
 #include "reference/reference_model.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(ReferenceModel, MovesInertiasToTheCentreOfMass) {
   Inertial about_origin = box();
   about_origin.about = Inertial::About::frame_origin;
   const auto robot = reference_robot<Real50>(one_joint(about_origin), {});
-  reference::Matrix3<Real50> expected;  // less m r² about y and z of the inertial frame
+  reference::Matrix3<Real50> expected;  // minus m r² about y and z of the inertial frame
   expected << decimal("1.98"), decimal("-0.2"), 0, decimal("-0.2"), 1, 0, 0, 0, decimal("2.98");
   expect_near(robot.links[1].inertials.at(0).inertia, expected);
 }
@@ -66,7 +66,7 @@ TEST(ReferenceModel, NormalisesAxes) {
   expect_near(robot.joints.at(0).axis, reference::Vector3<Real50>(decimal("0.6"), 0, decimal("0.8")));
 }
 
-// URDF's roll, pitch, yaw: R = Rz(yaw) Ry(pitch) Rx(roll), exact angles to 50 digits.
+// URDF's roll, pitch, yaw: R = Rz(yaw) Ry(pitch) Rx(roll), with exact angles to 50 digits.
 TEST(ReferenceModel, MultipliesDisplacementsFromTheLeft) {
   Robot robot = one_joint(box());
   robot.joints[0].origin.displacements = {translation({1, 0, 0}), rotation(Kind::rotation_z, GiNaC::Pi / 2),
@@ -131,7 +131,7 @@ TEST(ReferenceModel, PutsInTheSymbolsValues) {
   EXPECT_EQ(Real50(to_scalar<double>(drawn[0], {})), to_scalar<Real50>(drawn[0], {})) << "doubles must hold them";
 }
 
-// A decimal goes to the nearest double.
+// A decimal is rounded to the nearest double.
 TEST(ReferenceModel, RoundsOnce) { EXPECT_EQ(to_scalar<double>(exact_decimal("0.1"), {}), 0.1); }
 
 }  // namespace

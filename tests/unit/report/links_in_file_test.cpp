@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Lengths, masses and centres of mass as the file has them, wherever the canonical frames are.
+// Lengths, masses and centres of mass are those of the file, whatever the canonical frames are.
 #include "report/links_in_file.hpp"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ TEST(LinksInFile, AreThoseOfThePandasFile) {
   EXPECT_NEAR(links[2].length.value(), 0.0825, 1e-12);
 }
 
-// Standard DH: the link's frame is at its far end, and the joint at -a.
+// Standard DH: the link's frame is at its far end, and the joint is at -a.
 constexpr const char* kArm = R"(dh = "standard"
 [[link]]
 joint = "first"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is given up stays below the bound, and the bound below the budget.
+// The error of an abbreviated function stays below its bound, and the bound below the budget.
 #include "scene/abbreviate.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace flatdyn {
 namespace {
 
-// Every joint moves at up to 2 /s and 10 /s^2, and takes 100 N m (N).
+// Sets limits: every joint moves at up to 2 /s and 10 /s^2 and exerts up to 100 N m (N).
 Mechanism with_limits(Mechanism mechanism) {
   for (Body& body : mechanism.bodies) {
     body.limits.velocity = Value{2, {}};
@@ -78,7 +78,7 @@ TEST(ErrorBudget, KeepsBPositiveDefinite) {
     EXPECT_FALSE(result.dropped.empty());
     const Function forward = derive_function(result.mechanism, "forward_dynamics");
     GraphEvaluator<double> acceleration(forward);
-    // Another seed than the one by which it is kept.
+    // The seed differs from that of the check in the program.
     for (const State& state : random_states(ur5, 300, 7)) EXPECT_TRUE(acceleration(state)) << budget;
   }
 }

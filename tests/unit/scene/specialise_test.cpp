@@ -35,7 +35,7 @@ TEST_F(Specialise, EveryFunctionAtRestIsWhatTheLagrangianSaysThere) {
   }
 }
 
-// What is at rest is compared with the Lagrangian at rest, so a function that goes on to read velocities is found out.
+// A function at rest is compared with the Lagrangian at rest, so one that still reads velocities is detected.
 TEST_F(Specialise, AFunctionThatReadsVelocitiesIsNotAtRest) {
   Function moving = derive_function(mechanism, "inverse_dynamics");
   EXPECT_TRUE(prove_exactly(mechanism, moving).equal);

@@ -65,7 +65,7 @@ TEST(Contact, AnImpactTakesTheSpeedThatGoesThroughTheStopAndSharesTheRest) {
   EXPECT_EQ(stopped(pair(), -before, {-1, 0}), -before);
 }
 
-// Coulomb's law, for random arms: what is held takes no more than it can, what slides is opposed by all of it.
+// Coulomb's law, for random arms: holding forces stay within F_s, and sliding is opposed by all of it.
 TEST(Contact, KeepsCoulombsLaw) {
   std::mt19937 engine(1);
   std::normal_distribution<double> normal;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Simulated motion against motions that are known in closed form.
+// Simulated motion against motions known in closed form.
 #include "simulate/simulator.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 using testing::model_of;
 using testing::model_of_toml;
 
-// 2 kg that slide along z, which is horizontal.
+// A body of 2 kg that slides along z, which is horizontal.
 LoadedRobot block(const std::string& friction) {
   return model_of_toml(
       "name = \"block\"\ngravity = [0, \"-9.81\", 0]\ndh = \"standard\"\n[[link]]\njoint = \"rail\"\n"
@@ -47,7 +47,7 @@ const SimulationRow& at(const SimulatedMotion& motion, double time) {
 
 class BlockTest : public ::testing::TestWithParam<IntegrationMethod> {
  protected:
-  // 2 kg, F_s = 4 N: it loses 2 m/s in every second.
+  // A start with this speed: with 2 kg and F_s = 4 N it loses 2 m/s in every second.
   Simulation moving(const LoadedRobot& model, double speed, double duration) const {
     Simulation simulation = resting(model.robot, model.mechanism);
     simulation.qd = {speed};
@@ -118,11 +118,11 @@ INSTANTIATE_TEST_SUITE_P(Methods, BlockTest, ::testing::Values(IntegrationMethod
                            return std::string(method.param == IntegrationMethod::rk4 ? "Rk4" : "Adaptive");
                          });
 
-// Through the period of the mathematical pendulum, 4 K(sin(θ/2)) sqrt(l/g).
+// The period of the mathematical pendulum is 4 K(sin(θ/2)) sqrt(l/g).
 TEST(Simulator, SwingsAsLongAsAPendulumDoes) {
   const LoadedRobot model = pendulum();
   Simulation simulation = resting(model.robot, model.mechanism);
-  const double amplitude = 2;  // rad, from hanging
+  const double amplitude = 2;  // rad from hanging
   simulation.q = {amplitude - std::numbers::pi / 2};
   const double period = 4 * boost::math::ellint_1(std::sin(amplitude / 2)) / std::sqrt(9.81);
   simulation.duration = period;
@@ -174,7 +174,8 @@ TEST(Simulator, ComputedTorqueMakesTheErrorLinear) {
   }
 }
 
-// Inverse∘direct, over a whole motion with dry friction: the recursive reference needs, for each row's q̈, its torque.
+// Inverse after forward dynamics, over a whole motion with dry friction: the recursive reference finds each row's
+// torque from its q̈.
 TEST(Simulator, EveryRowIsInverseDynamicsOfItsMotion) {
   for (const char* name : {"panda.urdf", "puma560.toml"}) {
     const LoadedRobot model = model_of(name);
@@ -192,7 +193,7 @@ TEST(Simulator, EveryRowIsInverseDynamicsOfItsMotion) {
   }
 }
 
-// A digital controller: its torque stays for a period.
+// A digital controller keeps its torque for a period.
 TEST(Simulator, HoldsTheTorqueForThePeriod) {
   const LoadedRobot model = block("");
   Simulation simulation = resting(model.robot, model.mechanism);
@@ -203,7 +204,7 @@ TEST(Simulator, HoldsTheTorqueForThePeriod) {
   const SimulatedMotion motion = run(model, simulation);
   for (const SimulationRow& row : motion.rows) {
     const double measured = std::floor(row.time * 10 + 1e-6) / 10;
-    if (std::abs(row.time - measured) < 1e-9) continue;  // the old torque or the new one
+    if (std::abs(row.time - measured) < 1e-9) continue;  // either the old torque or the new one
     const SimulationRow& then = at(motion, measured);
     EXPECT_NEAR(row.tau(0), 10 * (0.5 - then.q(0)) - 2 * then.qd(0), 1e-9) << row.time;
   }
@@ -239,7 +240,7 @@ TEST(Simulator, SaysWhereAMotionCannotBeFollowed) {
   EXPECT_THROW(run(model, simulation), Failure);
 }
 
-// What a simulation computes, in numbers that no other use of the machine changes: 10 s of the Panda under PD control.
+// The number of evaluations, which does not depend on the machine's load: 10 s of the Panda under PD control.
 TEST(Simulator, TakesFewEvaluations) {
   const LoadedRobot model = model_of("panda.urdf");
   Simulation simulation = resting(model.robot, model.mechanism);

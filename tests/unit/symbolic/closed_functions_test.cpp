@@ -46,8 +46,8 @@ TEST(ClosedVariants, IsNotTriedWhereItWouldBeLong) {
   EXPECT_FALSE(closed_variant(arm, derive_function(arm, "jacobian")).has_value());
 }
 
-// (7.31) with the numbers of Example 7.2: a quadratic form with one cosine, which costs the recursion three
-// multiplications more.
+// (7.31) with the numbers of Example 7.2: a quadratic form with one cosine; the recursion needs three multiplications
+// more.
 TEST(ClosedVariants, IsWhatThePlanarArmsEnergyIsEmittedFrom) {
   const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/robots/planar_2r_example_7_2.toml", {});
   PipelineOptions options;
@@ -57,7 +57,7 @@ TEST(ClosedVariants, IsWhatThePlanarArmsEnergyIsEmittedFrom) {
   EXPECT_EQ(count_operations(make_functions(model, options, quiet, left_out).at(0).function).multiplications, 7);
 }
 
-// cos(q_1 + q_2) of an angle that was rounded is wrong by as many digits as the joints have turned.
+// cos(q_1 + q_2) of a rounded angle loses as many digits as the joints have turned.
 TEST(ClosedVariants, TakesNoSineOfASum) {
   const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/robots/planar_2r.toml", {});
   const std::optional<Function> closed = closed_variant(model.mechanism, derive_function(model.mechanism, "gravity"));

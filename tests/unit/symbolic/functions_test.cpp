@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Identities between the functions of one robot, exactly, at random points of a prime field.
+// Identities between the functions of one robot, exact, at random points of a prime field.
 #include "planning/formulations.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Field = ModP<kMersenne61>;
 
-// Random inputs, but joint torques as given.
+// Arithmetic with random inputs except given joint torques.
 struct GivenTorques : ModPArithmetic<> {
   GivenTorques(std::uint64_t seed, std::vector<Field> torques) : ModPArithmetic<>(seed), tau(std::move(torques)) {}
   Field input(const Input& input) const {

@@ -18,7 +18,7 @@ TEST(RunCommand, SaysHowItEnded) {
 }
 
 TEST(RunCommand, EndsTheRunWhereCtrlCHasEndedIt) {
-  const auto before = std::signal(SIGINT, SIG_DFL);  // a process in the background ignores it
+  const auto before = std::signal(SIGINT, SIG_DFL);  // a background process may ignore it
   const TemporaryFolder folder;
   try {
     run_command("kill -INT $$", folder.path());

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// Sets $TMPDIR, and what it was at the end.
+// Sets $TMPDIR, and restores it at the end.
 class TemporaryRoot {
  public:
   explicit TemporaryRoot(const fs::path& root) {
@@ -51,14 +51,14 @@ TEST(TemporaryFolder, SaysThatTmpdirIsNoFolder) {
   }
 }
 
-// What a child process that is ended by `signal` leaves behind, and how it ended.
+// Checks how a child process ended by `signal` has ended, and that it leaves nothing behind.
 void expect_nothing_left(int signal) {
   const TemporaryFolder cross;
   const TemporaryRoot root(cross.path());
   const pid_t child = ::fork();
   if (child == 0) {
-    keep_when_interrupted(cross.path());  // the parent's
-    std::signal(signal, SIG_DFL);         // whoever runs the tests in the background ignores it
+    keep_when_interrupted(cross.path());  // the parent's folder
+    std::signal(signal, SIG_DFL);         // ignored if the tests run in the background
     const TemporaryFolder one, two;
     write_file(one.path() / "file", "text");
     ::raise(signal);

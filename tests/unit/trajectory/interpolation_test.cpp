@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-// q = sin t, sampled.
+// Samples of q = sin t.
 Trajectory sine(double step, int count) {
   Trajectory trajectory;
   for (int k = 0; k < count; ++k) {
@@ -47,7 +47,7 @@ TEST(Interpolation, MeetsTheSamplesAndStandsOutside) {
   }
 }
 
-// A motion with triangular velocity has jumps of acceleration: between them it is a parabola, exactly.
+// A motion with triangular velocity has jumps of acceleration; between them it is exactly a parabola.
 TEST(Interpolation, KnowsBothSidesOfAJump) {
   Trajectory trajectory;
   trajectory.points = {{0, {0}, {0}, {2}, {}}, {1, {1}, {2}, {-2}, {}, {2}}, {2, {2}, {0}, {0}, {}, {-2}}};

@@ -13,7 +13,7 @@ struct Row {
   double alpha, beta, gamma;
 };
 
-// The interval of x by trying every vertex: where two rows meet, and where one of them has no u.
+// The interval of x by trying every vertex: intersections of two rows, and rows without u.
 std::optional<Interval> by_vertices(const std::vector<Row>& rows) {
   std::optional<Interval> found;
   const auto try_point = [&](double u, double x) {
@@ -36,7 +36,7 @@ std::optional<Interval> by_vertices(const std::vector<Row>& rows) {
   return found;
 }
 
-// Random rows, bounded by x ≤ 50: as many that leave something as that leave nothing.
+// Random rows, bounded by x ≤ 50: about as many have a solution as have none.
 TEST(PaceRows, FindTheIntervalThatAllVerticesGive) {
   std::mt19937 engine(11);
   std::uniform_real_distribution<double> factor(-1, 1), room(-0.3, 1);
@@ -53,7 +53,7 @@ TEST(PaceRows, FindTheIntervalThatAllVerticesGive) {
       all.push_back(row);
     }
     const std::optional<Interval> expected = by_vertices(all), interval = rows.reachable(delta, next);
-    // Sets as thin as rounding count as either.
+    // Sets as thin as rounding may count either way.
     if (expected && expected->greatest - expected->least < 1e-6) continue;
     ASSERT_EQ(interval.has_value(), expected.has_value()) << trial;
     (expected ? found : empty) += 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Motions as planned: where the tip goes, and positions, rates and accelerations that belong to each other.
+// Planned motions: the tip's places, and consistency of positions, rates and accelerations.
 #include "trajectory/plan_motion.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Trajectory motion_of(const TrajectoryPlan& plan, const TipKinematics& tip) {
   return trajectory;
 }
 
-// q̇ against differences of q, q̈ against those of q̇, but where an acceleration jumps.
+// Compares q̇ with differences of q, and q̈ with those of q̇, except where an acceleration jumps.
 void expect_derivatives(const Trajectory& trajectory, double rate_error, double acceleration_error, double jump) {
   const auto& p = trajectory.points;
   for (std::size_t k = 1; k + 1 < p.size(); ++k) {
@@ -48,7 +48,7 @@ void expect_derivatives(const Trajectory& trajectory, double rate_error, double 
 
 class LineOf : public ::testing::Test {
  protected:
-  // Tip on the line, its speed and acceleration those of the profile: J q̇ and J q̈ + J̇ q̇.
+  // Checks that the tip is on the line with the speed and acceleration of the profile: J q̇ and J q̈ + J̇ q̇.
   static void expect_line(const Trajectory& trajectory, const TipKinematics& tip, const VelocityProfile& way,
                           const Eigen::Vector3d& from, const Eigen::Vector3d& u, int rows) {
     const Eigen::Matrix3d R = tip.pose(vector(trajectory.points[0].q)).R;
@@ -89,7 +89,7 @@ TEST_F(LineOf, ThePlanarArm) {
   EXPECT_NEAR(trajectory.points.back().q[1], std::acos((3.24 - 2) / 2), 1e-12);
 }
 
-// Seven joints for three or six: q̈ is the derivative of the smallest rates, not the smallest accelerations.
+// Seven joints for three or six directions: q̈ is the derivative of the smallest rates, not the smallest acceleration.
 TEST_F(LineOf, ARedundantArmWithAndWithoutItsOrientation) {
   const TipKinematics tip(model_of("panda.urdf").robot);
   const std::vector<double> start = {0.1, -0.6, 0.2, -2.1, 0.1, 1.6, 0.7};
@@ -122,7 +122,7 @@ TEST(PlannedMotion, GoesFromSegmentToSegmentAndWaits) {
   EXPECT_EQ(trajectory.points.size(), 226u);
   const auto q_at = [&](int k) { return trajectory.points[static_cast<std::size_t>(k)].q; };
   EXPECT_EQ(q_at(0), (std::vector<double>{0.5, 0}));
-  EXPECT_NEAR(q_at(25)[0], 1.0, 1e-12);  // half of the way in half of the time
+  EXPECT_NEAR(q_at(25)[0], 1.0, 1e-12);  // half the distance in half the time
   EXPECT_EQ(q_at(75)[0], 1.5);           // waits for the second joint
   EXPECT_EQ(q_at(110), (std::vector<double>{1.5, 1.0}));
   EXPECT_EQ(q_at(225), (std::vector<double>{1.5, 0.25}));
@@ -130,7 +130,7 @@ TEST(PlannedMotion, GoesFromSegmentToSegmentAndWaits) {
   expect_derivatives(trajectory, 1e-9, 1e-9, 0.1);
 }
 
-// The instants of jumps are points of their own, an even number of intervals apart; rates are exactly zero at rest.
+// The times of jumps are samples of their own, an even number of intervals apart; rates are exactly zero at rest.
 TEST(PlannedMotion, InIntervalsHasAPointAtEveryJump) {
   const TipKinematics tip(model_of("planar_2r_example_7_2.toml").robot);
   TrajectoryPlan plan;
@@ -164,7 +164,7 @@ TEST(PlannedMotion, InIntervalsHasAPointAtEveryJump) {
   }
 }
 
-// However slowly it is sampled, a motion has its two ends.
+// At any sampling rate, a motion has its two ends.
 TEST(PlannedMotion, HasItsEndsAtAnyRate) {
   const TipKinematics tip(model_of("planar_2r_example_7_2.toml").robot);
   for (const double rate : {1e-9, 1.0, 1e5}) {
@@ -182,7 +182,7 @@ TEST(PlannedMotion, HasItsEndsAtAnyRate) {
   }
 }
 
-// Along the tip's own axes the force turns with it.
+// In the tip's own axes the force turns with the tip.
 TEST(PlannedMotion, TurnsAForceWithTheTip) {
   const TipKinematics tip(model_of("planar_2r_example_7_2.toml").robot);
   TrajectoryPlan plan;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Positions that may be in degrees: in trajectories, and in simulations, which ask in the same words.
+// Positions that may be in degrees, in trajectories and in simulations, which ask in the same words.
 #include "trajectory/plan_reader.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-// Joints of three kinds: with limits, without, and one that turns without end; and one that slides.
+// An arm of four joints: with limits, without, a continuous one, and a prismatic one.
 LoadedRobot arm() {
   return testing::model_of_toml(
       "[[link]]\njoint = \"a\"\nmass = 1\nlimits = { lower = -8, upper = 8 }\n"
@@ -36,7 +36,7 @@ std::vector<std::string> messages(const Diagnostics& found) {
   return all;
 }
 
-// What is said of a trajectory that starts there.
+// The messages about a trajectory that starts there.
 std::vector<std::string> asked_of_start(const std::string& start, const std::string& top = "") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "plan.toml";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Motions at another pace: the linear law against the definition, the time-optimal one against the linear one, against
+// Motions at another pace: the linear law against its definition; the time-optimal one against the linear one, against
 // limits, and where it is known in closed form.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 struct Case {
   LoadedRobot model;
   Trajectory trajectory, sides;  // as planned, and with both sides of jumps
-  PathCoefficients grid, path;   // of these
+  PathCoefficients grid, path;   // the coefficients of these
   PaceLimits limits;
   PathTorques torques;
 };
@@ -28,7 +28,7 @@ PlacedProfile triangular(double duration, std::size_t joints) {
   return {VelocityShape::triangular, {{"duration", std::vector<double>(joints, duration)}}, {}, {}};
 }
 
-// Every joint goes to and fro, with a pause between; limits that scale with what the motion needs.
+// Every joint moves forth and back with a pause in between; the limits scale with the motion's needs.
 Case case_of(const char* robot, double torque_part, int intervals = 600) {
   LoadedRobot model = model_of(robot);
   const auto n = static_cast<std::size_t>(model.mechanism.size());
@@ -72,7 +72,7 @@ TEST(PathTorques, AreThoseOfTheMotionAtAnyPace) {
   }
 }
 
-// Between samples that both rest.
+// The time between samples that are both at rest.
 double waiting_time(const Trajectory& trajectory) {
   const auto rests = [](const TrajectoryPoint& point) { return point.qd == std::vector<double>(point.qd.size(), 0); };
   double time = 0;
@@ -85,7 +85,7 @@ double waiting_time(const Trajectory& trajectory) {
 
 class ScalingOf : public ::testing::TestWithParam<const char*> {};
 
-// At c the deciding limit is reached and none exceeded; at a little less it is exceeded.
+// At c the deciding limit is reached and none exceeded; at a slightly smaller c it is exceeded.
 TEST_P(ScalingOf, TheLinearLawIsTheLeast) {
   Case c = case_of(GetParam(), 0.7);
   const std::optional<LinearScaling> law = linear_scaling(c.sides, c.path, c.limits, 1e-6);
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, ScalingOf,
                            return name.substr(0, name.find('.'));
                          });
 
-// A pendulum's joint under a limit of acceleration alone: bang-bang, T = 2 sqrt(D / a), whatever the given profile.
+// One joint under a limit of acceleration alone: bang-bang, T = 2 sqrt(D / a), whatever the given profile.
 TEST(TimeOptimal, IsBangBangUnderALimitOfAcceleration) {
   const double D = 1.3, a = 7;
   Trajectory slow;
@@ -144,7 +144,7 @@ TEST(TimeOptimal, IsBangBangUnderALimitOfAcceleration) {
   EXPECT_NEAR(with_speed.time.back(), D / 1.5 + 1.5 / a, 2e-3);
 }
 
-// Of several rounds about friction each is faster, and limits hold with the friction that there is.
+// Each round of linearising friction is faster than the one before, and limits hold with the real friction.
 TEST(TimeOptimal, LinearisesFrictionUntilItIsExact) {
   Case c = case_of("puma560.toml", 0.6);
   const std::optional<LinearScaling> linear = linear_scaling(c.sides, c.path, c.limits, 1e-6);
@@ -157,8 +157,8 @@ TEST(TimeOptimal, LinearisesFrictionUntilItIsExact) {
   EXPECT_GT(used.part, 1 - 1e-4);
 }
 
-// A straight line in the space of joints is one path however it was run: steps in the given acceleration must not be
-// felt. Sampled as a triangle and as a trapezium, the law takes the same time, from plans and from their samples.
+// A straight line in joint space is one path however it was sampled: steps of the given acceleration must have no
+// effect. Sampled with a triangle and with a trapezium, the law takes the same time, from plans and from their samples.
 TEST(TimeOptimal, DependsOnThePathAlone) {
   const LoadedRobot model = model_of("planar_2r_example_7_2.toml");
   Progress quiet(true);
@@ -207,8 +207,8 @@ TEST(LinearScaling, IsRefusedWhereRestIsTooMuch) {
   EXPECT_NEAR(load.part, 1 / 0.9, 1e-12);
 }
 
-// Forbidden from both sides: gravity of 10 against a limit of 6 is carried only where the motion helps, 10 − 8 u² ≤ 6,
-// and not too fast: 10 − 8 u² ≥ −6.
+// Forbidden on both sides: a gravity of 10 with a limit of 6 is possible only if the motion helps, 10 − 8 u² ≤ 6, and
+// is not too fast, 10 − 8 u² ≥ −6.
 TEST(LinearScaling, TakesTheLargestOfAllowedPieces) {
   Trajectory point;
   point.points = {{0, {0}, {1}, {1}, {}}};

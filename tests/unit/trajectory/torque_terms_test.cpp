@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Each contribution by itself: they add up to the recursive reference's torques, for arms, trees, motors and friction.
+// The contributions add up to the recursive reference's torques, for arms, trees, motors and friction.
 #include "trajectory/torque_terms.hpp"
 
 #include <gmock/gmock.h>
@@ -72,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, TermsOf,
                            return name.substr(0, name.find('.'));
                          });
 
-// (7.82): b_12 depends on the second angle alone, nothing is centrifugal at the joint that moves itself, and the second
-// joint feels no Coriolis torque: such terms are not there at all.
+// (7.82): b_12 depends on the second angle alone, a joint's own speed causes no centrifugal torque at it, and the
+// second joint has no Coriolis torque: such terms do not exist.
 TEST(TorqueTerms, LeaveOutWhatIsAlwaysZero) {
   Progress quiet(true);
   const TorqueTerms terms(model_of("planar_2r_example_7_2.toml"), false, quiet);
@@ -83,7 +83,7 @@ TEST(TorqueTerms, LeaveOutWhatIsAlwaysZero) {
                                             "gravity_1", "inertia_2_1", "inertia_2_2", "centrifugal_2_1", "gravity_2"));
 }
 
-// A scene that wants one entry at rest does not take terms away.
+// A scene that wants one entry at rest does not remove terms.
 TEST(TorqueTerms, AreThoseOfTheWholeRobotWhateverTheSceneAsksFor) {
   LoadedRobot model = model_of("planar_2r_example_7_2.toml");
   model.robot.scene.at_rest = true;
@@ -102,7 +102,7 @@ TEST(TorqueTerms, NeedNumbers) {
   }
 }
 
-// The sum is told from the torques, which are derived apart from it.
+// The sum is compared with the torques, which are derived independently.
 TEST(TorqueTerms, DisagreementOfAHistoryIsRounding) {
   Progress quiet(true);
   TorqueTerms terms(model_of("puma560.toml"), false, quiet);

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 constexpr auto kTriangular = VelocityShape::triangular;
 constexpr auto kTrapezoidal = VelocityShape::trapezoidal;
 
-// Speed is the derivative of position, acceleration that of speed, wherever it does not jump.
+// Checks that speed is the derivative of position, and acceleration that of speed, except at jumps.
 void expect_consistent(const VelocityProfile& profile) {
   const double T = profile.duration(), h = 1e-6 * T;
   for (int k = 1; k < 40; ++k) {

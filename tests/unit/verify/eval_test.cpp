@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using testing::joint;
 using ::testing::StartsWith;
 
-// A slide that carries a pendulum of mass m: b_11 = 2 + m, b_12 = -m sin(q_2) for a lever of 1 m.
+// A prismatic joint that carries a pendulum of mass m: b_11 = 2 + m, b_12 = -m sin(q_2) for a lever of 1 m.
 class Eval : public ::testing::Test {
  protected:
   Eval() {
@@ -77,13 +77,13 @@ TEST_F(Eval, TakesJointNames) {
   EXPECT_EQ(evaluate("inertia_matrix", named).rows.at(0).at(4), evaluate("inertia_matrix", states).rows.at(1).at(5));
 }
 
-// An argument that this robot's function does not need is no column that nobody knows.
+// A column for an input that this robot's function does not need is not unknown.
 TEST_F(Eval, NamesColumnsThatTheFunctionDoesNotTake) {
   evaluate("gravity", {{"m", "q1", "q2", "qd1", "room", "time"}, {{"1", "1", "2", "3", "kitchen", "x"}}, {2}});
   EXPECT_THAT(messages, ElementsAre("states.csv:1: note: columns that are not used: qd1, room"));
 }
 
-// What the function does not read must not shift what it reads.
+// Columns that the function does not read must not shift those that it reads.
 TEST_F(Eval, TakesColumnsCountedFromZero) {
   const CsvTable zero{{"q0", "q1", "m"}, {{"7", "0.5", "0.5"}}, {2}};
   EXPECT_EQ(evaluate("inertia_matrix", zero).rows.at(0).at(4), evaluate("inertia_matrix", states).rows.at(1).at(5));
@@ -115,7 +115,7 @@ TEST_F(Eval, TakesTipForcesByBothNames) {
   const CsvTable second = evaluate("inverse_dynamics_tip_force", numbered);
   ASSERT_EQ(first.rows.size(), 1u);
   EXPECT_EQ(first.rows, second.rows);
-  // The tip is at the joint: g acts on the bob alone, the moment about z is the third.
+  // The tip is at the joint: gravity acts on the bob alone, and the moment about z is the third entry.
   EXPECT_THAT(first.rows[0][13], "10");
   EXPECT_THAT(first.rows[0][14], "12.81");
 }
@@ -133,7 +133,7 @@ TEST_F(Eval, NamesColumnsThatAreMissing) {
                                       "    hint: by joint, they are called qd_"));
 }
 
-// Without the bob's mass the second joint moves nothing: there is no acceleration to give.
+// Without the bob's mass the second joint moves no mass, so there is no acceleration to return.
 TEST_F(Eval, RefusesAnIndefiniteInertiaMatrix) {
   const CsvTable table{{"m", "q1", "q2", "qd1", "qd2", "tau1", "tau2"},
                        {{"1", "0", "0", "0", "0", "1", "1"}, {"0", "0", "0", "0", "0", "1", "1"}},

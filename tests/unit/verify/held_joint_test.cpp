@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A robot with a joint that is held is the robot with that joint at its place: axes in any direction, all types.
+// A robot with a held joint equals the robot with that joint fixed in place: axes in any direction, all types.
 #include <gtest/gtest.h>
 
 #include "planning/formulations.hpp"

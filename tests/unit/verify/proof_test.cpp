@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What generate proves before it writes: right functions pass, and a mistake after any pass is caught.
+// The proof that generate makes before it writes: right functions pass, and a mistake after any pass is caught.
 #include "verify/proof.hpp"
 #include "planning/make_functions.hpp"
 
@@ -26,7 +26,7 @@ std::vector<Mutation> mutations_of(const Node& node) {
   return {};
 }
 
-// A mistake somewhere in what the outputs need.
+// The function with a mistake in a node that the outputs need.
 Function with_mistake(const Function& function, std::mt19937& engine) {
   const std::vector<bool> alive = reachable_from(function.graph, roots(function));
   for (;;) {
@@ -37,7 +37,7 @@ Function with_mistake(const Function& function, std::mt19937& engine) {
   }
 }
 
-// The passes in order, with a mistake in the result of pass `faulty`.
+// Runs the passes in order, with a mistake in the result of pass `faulty`.
 Function through_passes(Function function, std::size_t faulty, std::mt19937& engine) {
   const std::vector<Pass>& passes = pass_table();
   for (std::size_t k = 0; k < passes.size(); ++k) {

@@ -13,14 +13,14 @@ using ::testing::Not;
 
 class RoundedAngles : public RobotFiles {
  protected:
-  // Three links whose axes are at these angles to each other.
+  // An arm of three links whose axes are at these angles to each other.
   std::string arm(const std::string& first, const std::string& second) const {
     return write("arm.toml",
                  "dh = \"modified\"\n[[link]]\nmass = 1\ncom = [0.1, 0.2, 0]\n[[link]]\nmass = 1\na = 0.1\n"
                  "com = [0.1, 0, 0.1]\nalpha = " +
                      first + "\n[[link]]\nmass = 1\na = 0.2\ncom = [0.1, 0, 0]\nalpha = " + second + "\n");
   }
-  // What is said of the robot in this file; with operations if inverse dynamics are made.
+  // The messages about the robot in this file; with operation counts if inverse dynamics are made.
   Diagnostics said_of(const std::string& file, bool with_functions) const {
     PipelineOptions options;
     options.functions = {"inverse_dynamics"};

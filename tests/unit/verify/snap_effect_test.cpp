@@ -9,7 +9,7 @@
 namespace flatdyn {
 namespace {
 
-// A pendulum whose axis is tilted by 90 degrees less 1e-6: the torque m g l cos q has a part of that size.
+// A pendulum with its axis tilted by 90 degrees minus 1e-6: the torque m g l cos q has a part of that size.
 constexpr const char* kPendulum =
     "<robot name='p'><link name='b'/><link name='l'><inertial><origin xyz='1 0 0'/><mass value='2'/>"
     "<inertia ixx='0.1' iyy='0.1' izz='0.1' ixy='0' ixz='0' iyz='0'/></inertial></link>"
@@ -30,7 +30,7 @@ std::vector<double> effects_of(const std::string& rpy, const std::string& axis =
 }
 
 TEST(SnapEffects, HaveTheSizeOfTheAngleTimesTheTorque) {
-  const std::vector<double> effects = effects_of("0.000001 0 0");  // taken for 0: gravity along the axis
+  const std::vector<double> effects = effects_of("0.000001 0 0");  // snapped to 0: gravity along the axis
   ASSERT_EQ(effects.size(), 1u);
   EXPECT_GT(effects[0], 1e-6);
   EXPECT_LT(effects[0], 2 * 9.81 * 1e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Verification must find what is wrong: right functions pass, and each way of spoiling one is caught.
+// Verification must detect errors: right functions pass, and each way of spoiling one is caught.
 #include "verify/verify.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ class Verify : public ::testing::Test {
     Progress quiet(true);
     return verify(robot, mechanism, functions, {.states = 20}, quiet);
   }
-  // The function with one entry of its first output multiplied.
+  // The function with one entry of its first output multiplied by a factor.
   Function spoiled(const std::string& name, std::size_t entry, const Rational& factor) const {
     Function function = derive(name);
     NodeId& id = function.outputs.at(0).entries.at(entry);
@@ -58,7 +58,7 @@ TEST_F(Verify, PassesWhatIsRight) {
   EXPECT_TRUE(report.passed()) << to_text(report);
 }
 
-// A part in 10^30 is far below what doubles show: fifty digits see it, and so does the exact comparison.
+// A relative error of 1e-30 is far below what doubles show; fifty digits reveal it, and so does the exact comparison.
 TEST_F(Verify, SeesAPartInTenToTheThirty) {
   const Rational nearly = 1 + Rational(1) / pow(boost::multiprecision::mpz_int(10), 30);
   const VerifyReport report = run({spoiled("gravity", 0, nearly)});
@@ -118,7 +118,7 @@ TEST_F(Verify, TheCompiledTextComputesWhatTheGraphDoes) {
   }
 }
 
-// A body whose mass is a symbol, at the value 0: B is singular, the compiled function says false.
+// A body whose mass is a symbol, with value 0: B is singular, and the compiled function returns false.
 TEST(Compiled, GivesNoNumbersWhereTheFunctionReturnsFalse) {
   const GiNaC::symbol m("m");
   Robot robot = testing::random_tree(5, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed loops of the reference: how the joints that depend on others move with them. Φ(q) = 0 says that the points
-// meet where loops were cut; Φ_q q̇ = 0 gives q̇ = G q̇_a, and its derivative q̈ = G q̈_a + γ.
+// Closed loops of the reference: the motion of the dependent joints. Φ(q) = 0 says that the points meet at which loops
+// were cut; Φ_q q̇ = 0 gives q̇ = G q̇_a, and its derivative q̈ = G q̈_a + γ.
 #pragma once
 
 #include "flatdyn/reference/newton_euler_of_tree.hpp"
@@ -9,7 +9,7 @@ namespace flatdyn::reference {
 
 namespace detail {
 
-// Whether a joint is between a link and the base.
+// Whether the joint lies between the base and the link.
 template <class S>
 bool carries(const Robot<S>& robot, const Joint<S>& joint, int link) {
   for (std::size_t j = robot.joints.size(); j-- > 0;) {
@@ -20,7 +20,7 @@ bool carries(const Robot<S>& robot, const Joint<S>& joint, int link) {
   return false;
 }
 
-// Whether a joint moves one end of a loop against the carrier.
+// Whether the joint moves this end of the loop relative to the loop's carrier.
 template <class S>
 bool moves_end(const Robot<S>& robot, const Loop<S>& loop, const Joint<S>& joint, int end) {
   return joint.index >= 0 && carries(robot, joint, loop.links[end]) && !carries(robot, joint, loop.carrier);
@@ -44,13 +44,13 @@ Vector3<S> end_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses, int en
   return link.p + link.R * loop.points[end];
 }
 
-// What lies between its ends, the components that joints change.
+// The displacement between the loop's ends, m: the components that joints change.
 template <class S>
 VectorX<S> gap_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses) {
   return rows_of(loop, in_axes(loop, poses, Vector3<S>(end_of(loop, poses, 1) - end_of(loop, poses, 0))));
 }
 
-// Of one loop, a column for each joint.
+// The Jacobian of one loop, with a column for each joint.
 template <class S>
 MatrixX<S> loop_jacobian_of_joints(const Robot<S>& robot, const Loop<S>& loop, const std::vector<Pose<S>>& poses) {
   MatrixX<S> J = MatrixX<S>::Zero(static_cast<Eigen::Index>(loop.rows.size()), robot.joint_count());
@@ -67,8 +67,8 @@ MatrixX<S> loop_jacobian_of_joints(const Robot<S>& robot, const Loop<S>& loop, c
   return J;
 }
 
-// Φ̇_q q̇ of one loop, of the joints' rates: what its points accelerate against each other if no joint does. Joints that
-// carry the loop as a whole stand still for it.
+// Φ̇_q q̇ of one loop for rates of the joints: the relative acceleration of its points while q̈ = 0. Joints that carry
+// the whole loop have no effect on it.
 template <class S>
 VectorX<S> loop_drift_of_joints(const Robot<S>& robot, const Loop<S>& loop, const std::vector<Pose<S>>& poses,
                                 const VectorX<S>& positions, VectorX<S> rates) {
@@ -87,7 +87,7 @@ VectorX<S> loop_drift_of_joints(const Robot<S>& robot, const Loop<S>& loop, cons
   return rows_of(loop, in_axes(loop, poses, gap));
 }
 
-// Of up to three rows, over any scalar.
+// The determinant of a matrix of up to three rows, over any scalar.
 template <class S>
 S determinant(const MatrixX<S>& A) {
   if (A.rows() == 1) return A(0, 0);
@@ -105,7 +105,7 @@ MatrixX<S> dependent_columns(const Loop<S>& loop, const MatrixX<S>& J) {
   return own;
 }
 
-// x of Φ_d x = b, by Cramer's rule.
+// The solution x of Φ_d x = b by Cramer's rule.
 template <class S>
 VectorX<S> dependent_solution(const Loop<S>& loop, const MatrixX<S>& J, const VectorX<S>& b) {
   const MatrixX<S> own = dependent_columns(loop, J);
@@ -118,8 +118,8 @@ VectorX<S> dependent_solution(const Loop<S>& loop, const MatrixX<S>& J, const Ve
   return x;
 }
 
-// Where all joints but the dependent ones of later loops are known: loop by loop, Φ_q values + extra = 0. `extra(loop,
-// poses)`, by row.
+// Completes `values`, loop by loop, such that Φ_q values + extra = 0; each loop solves for its own dependent joints,
+// and all others are known by then. `extra(loop, poses)` has an entry per row.
 template <class S, class Extra>
 VectorX<S> completed(const Robot<S>& robot, const std::vector<Pose<S>>& poses, VectorX<S> values, const Extra& extra) {
   for (const Loop<S>& loop : robot.loops) {
@@ -133,7 +133,7 @@ VectorX<S> completed(const Robot<S>& robot, const std::vector<Pose<S>>& poses, V
 
 }  // namespace detail
 
-// Φ, loop by loop, m.
+// Φ of all loops, m.
 template <class S>
 VectorX<S> loop_closure(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
@@ -146,7 +146,7 @@ VectorX<S> loop_closure(const Robot<S>& robot, const VectorX<S>& q) {
   return Eigen::Map<const VectorX<S>>(entries.data(), static_cast<Eigen::Index>(entries.size()));
 }
 
-// Φ_q.
+// Φ_q of all loops.
 template <class S>
 MatrixX<S> loop_jacobian(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
@@ -160,7 +160,7 @@ MatrixX<S> loop_jacobian(const Robot<S>& robot, const VectorX<S>& q) {
   return J;
 }
 
-// G, m × n.
+// G, m × n: the rates of all entries of q by those of the independent ones.
 template <class S>
 MatrixX<S> loop_motion(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
@@ -176,7 +176,7 @@ MatrixX<S> loop_motion(const Robot<S>& robot, const VectorX<S>& q) {
   return G;
 }
 
-// γ, of every entry of q.
+// γ, the accelerations of all entries of q while q̈_a = 0.
 template <class S>
 VectorX<S> loop_drift(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
   VectorX<S> room;
@@ -189,7 +189,7 @@ VectorX<S> loop_drift(const Robot<S>& robot, const VectorX<S>& q, const VectorX<
   return detail::completed(robot, poses, VectorX<S>(VectorX<S>::Zero(q.size())), drift);
 }
 
-// Newton's step.
+// The change of q by one Newton step towards closed loops.
 template <class S>
 VectorX<S> loop_step(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
@@ -198,9 +198,9 @@ VectorX<S> loop_step(const Robot<S>& robot, const VectorX<S>& q) {
   return detail::completed(robot, poses, VectorX<S>(VectorX<S>::Zero(q.size())), gap);
 }
 
-// q with its dependent joints moved so that all loops are closed to within the tolerance, m, by Newton's method with
-// halved steps where a full one does not lessen the gap. False, and q is as it was, if that is not reached: the loops
-// cannot be closed from here, or are singular.
+// Moves the dependent joints in q such that all loops are closed within the tolerance, m, by Newton's method, with
+// halved steps if a full one does not reduce the gap. Returns false and leaves q unchanged if the loops cannot be
+// closed from here, or are singular.
 template <class S>
 bool close_loops(const Robot<S>& robot, VectorX<S>& q, const S& tolerance) {
   constexpr int kMostSteps = 50, kMostHalvings = 20;
@@ -222,13 +222,13 @@ bool close_loops(const Robot<S>& robot, VectorX<S>& q, const S& tolerance) {
   return true;
 }
 
-// Below this regularity, rates of dependent joints mean nothing any more. Generated functions have a bound of their
-// own, against the largest determinant that links of these lengths allow.
+// The regularity below which the rates of dependent joints are meaningless. Generated functions use a bound of their
+// own, relative to the largest determinant that links of these lengths allow.
 inline constexpr double kSingularLoop = 1e-6;
 
 namespace detail {
 
-// 1 × joints: the lengths that a loop's columns have where links are stretched out.
+// 1 × joints: the largest lengths of a loop's columns, those of stretched links.
 template <class S>
 MatrixX<S> stretched_lengths(const Robot<S>& robot, const Loop<S>& loop, const VectorX<S>& positions) {
   using std::abs;
@@ -247,9 +247,9 @@ MatrixX<S> stretched_lengths(const Robot<S>& robot, const Loop<S>& loop, const V
 
 }  // namespace detail
 
-// How far the loops are from being singular: the smallest determinant that is divided by, against the product of the
-// lengths of its columns. 1 if there are no loops. A column that is short because an axis goes through the loop's point
-// makes a loop singular, too: it counts as a thousandth of what the links allow at least.
+// The distance of the loops from singularity, 0 to 1: the smallest determinant that is divided by, relative to the
+// product of the lengths of its columns; 1 if there are no loops. A column that is short because an axis goes through
+// the loop's point makes a loop singular, too: its length counts as at least a thousandth of what the links allow.
 template <class S>
 S loop_regularity(const Robot<S>& robot, const VectorX<S>& q) {
   using std::abs;
@@ -271,13 +271,13 @@ S loop_regularity(const Robot<S>& robot, const VectorX<S>& q) {
   return smallest;
 }
 
-// How the joints move with the coordinates: A, or A G.
+// The rates of the moving joints by those of the coordinates: A, or A G if loops are closed.
 template <class S>
 MatrixX<S> motion_of_joints(const Robot<S>& robot, const VectorX<S>& q) {
   return robot.loops.empty() ? robot.coupling : MatrixX<S>(robot.coupling.lazyProduct(loop_motion(robot, q)));
 }
 
-// Rates of the moving joints; `room` holds them where they are not the coordinates'.
+// The rates of the moving joints; stored in `room` if they differ from the coordinates' rates.
 template <class S>
 const VectorX<S>& rates_of_joints(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, VectorX<S>& room) {
   if (robot.loops.empty()) return of_joints(robot, qd, room);
@@ -293,7 +293,7 @@ const VectorX<S>& accelerations_of_joints(const Robot<S>& robot, const VectorX<S
   return room;
 }
 
-// Torques at the coordinates, of those at the joints.
+// The torques at the coordinates that correspond to torques at the joints.
 template <class S>
 VectorX<S> at_coordinates(const Robot<S>& robot, const VectorX<S>& q, VectorX<S> tau) {
   if (robot.coupling.size() == 0) return tau;

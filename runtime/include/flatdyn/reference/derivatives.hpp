@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives of the reference's functions by positions and velocities, one direction at a time.
+// Derivatives of the reference's functions by positions and velocities, computed one direction at a time.
 #pragma once
 
 #include "flatdyn/reference/newton_euler.hpp"
@@ -7,13 +7,13 @@
 
 namespace flatdyn::reference {
 
-// By q (per rad or m) and by q̇ (per rad/s or m/s): row i is of entry i, column k by joint k.
+// Derivatives by q (per rad or m) and by q̇ (per rad/s or m/s): row i for entry i, column k for joint k.
 template <class S>
 struct Derivatives {
   MatrixX<S> dq, dqd;
 };
 
-// Of inverse_dynamics; sgn counts as constant.
+// The derivatives of inverse_dynamics; sgn counts as constant.
 template <class S>
 Derivatives<S> inverse_dynamics_derivatives(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
                                             const VectorX<S>& qdd) {
@@ -44,7 +44,7 @@ Derivatives<S> inverse_dynamics_derivatives(const Robot<S>& robot, const VectorX
   return result;
 }
 
-// Of forward_dynamics, from B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n). B⁻¹ is the derivative by τ.
+// The derivatives of forward_dynamics, from B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n). B⁻¹ is the derivative by τ.
 template <class S>
 struct AccelerationDerivatives {
   MatrixX<S> dq, dqd, dtau;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Euler angles of a rotation matrix, (2.19) and (2.22), and the matrix T between their rates and the angular velocity,
-// ω = T(φ) φ̇, (3.64): by the angles themselves, where generated code has sines and cosines from R.
+// ω = T(φ) φ̇, (3.64). T is computed from the angles; generated code takes their sines and cosines from R.
 #pragma once
 
 #include "flatdyn/reference/kinematics.hpp"
@@ -22,7 +22,7 @@ Vector3<S> euler_angles(const Matrix3<S>& R, Angles angles) {
   return {atan2(R(1, 0), R(0, 0)), atan2(S(-R(2, 0)), cosine), atan2(R(2, 1), R(2, 2))};
 }
 
-// Columns: the axes that φ, θ and ψ turn about, in base axes.
+// T: its columns are the axes about which φ, θ and ψ turn, in base axes.
 template <class S>
 Matrix3<S> rates_to_velocity(const Vector3<S>& angles, Angles kind) {
   using std::cos;
@@ -37,7 +37,7 @@ Matrix3<S> rates_to_velocity(const Vector3<S>& angles, Angles kind) {
   return T;
 }
 
-// dT/dt where the angles change at these rates.
+// dT/dt for these rates of the angles.
 template <class S>
 Matrix3<S> rates_to_velocity_dot(const Vector3<S>& angles, const Vector3<S>& rates, Angles kind) {
   using std::cos;

@@ -18,7 +18,7 @@ Pose<S> tip_pose(const Robot<S>& robot, const VectorX<S>& q) {
   return {link.R * robot.R_tip, link.p + link.R * robot.p_tip};
 }
 
-// Geometric Jacobian of the tip, base axes, linear rows first, (7.18), (7.19).
+// The geometric Jacobian of the tip, base axes, linear rows first, (7.18), (7.19).
 template <class S>
 MatrixX<S> jacobian(const Robot<S>& robot, const VectorX<S>& q) {
   const std::vector<Pose<S>> poses = link_poses(robot, q);
@@ -44,7 +44,7 @@ MatrixX<S> jacobian(const Robot<S>& robot, const VectorX<S>& q) {
   return J;
 }
 
-// J̇ q̇ of the tip: its acceleration when q̈ = 0, base axes, linear first.
+// J̇ q̇ of the tip: its acceleration while q̈ = 0, base axes, linear part first.
 template <class S>
 VectorX<S> jacobian_dot_qd(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
   const VectorX<S> zero = VectorX<S>::Zero(robot.size());
@@ -55,7 +55,7 @@ VectorX<S> jacobian_dot_qd(const Robot<S>& robot, const VectorX<S>& q, const Vec
   return a;
 }
 
-// Zero for a mass at the base frame's origin, (7.36).
+// The potential energy, J, (7.36); zero for a mass at the base frame's origin.
 template <class S>
 S potential_energy(const Robot<S>& robot, const VectorX<S>& q) {
   const std::vector<Pose<S>> poses = link_poses(robot, q);
@@ -68,7 +68,7 @@ S potential_energy(const Robot<S>& robot, const VectorX<S>& q) {
   return U;
 }
 
-// (7.20), (7.30): links and still rotors, then what the rotors' spin adds.
+// The kinetic energy, J, (7.20), (7.30): links with still rotors, then the part of the rotors' spin.
 template <class S>
 S kinetic_energy(const Robot<S>& robot, const VectorX<S>& coordinates, const VectorX<S>& coordinate_rates) {
   VectorX<S> positions, rates;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scale against which rounding errors are measured. Relative error means nothing where a torque passes through
-// zero; what counts is the size of the terms that are added up. The magnitude of a torque is the value that the
-// Newton–Euler recursion gives when every vector is replaced by its length and every sign by plus: the sum of the
-// absolute values of the torque's own terms. A code that loses bits by adding and subtracting more than the physics
-// asks for shows up against it; cancellation that lies in the robot does not.
+// The scale for rounding errors. A relative error is meaningless where a torque passes through zero; the size of the
+// terms that are added up is what counts. The magnitude of a torque is the value of the Newton–Euler recursion with
+// every vector replaced by its length and every sign by plus: the sum of the absolute values of the torque's own terms.
+// Code that loses bits by more additions and subtractions than the physics needs shows large errors on this scale;
+// cancellation that is inherent in the robot does not.
 #pragma once
 
 #include "flatdyn/reference/motion_magnitude.hpp"
@@ -13,12 +13,12 @@ namespace flatdyn::reference {
 struct MagnitudeOptions {
   bool gravity = true;
   bool friction = true;
-  double f_e = 0, mu_e = 0;  // lengths of the tip force and moment
+  double f_e = 0, mu_e = 0;  // lengths of the tip's force, N, and moment, N m
 };
 
 namespace detail {
 
-// Magnitude of each moving joint's torque, of the magnitudes of their motion.
+// The magnitude of each moving joint's torque for the magnitudes of their motion.
 inline VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const VectorX<double>& q,
                                                 const VectorX<double>& qd, const VectorX<double>& qdd,
                                                 const MagnitudeOptions& options) {
@@ -68,7 +68,7 @@ inline VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, cons
 
 }  // namespace detail
 
-// Magnitude of each entry of inverse_dynamics.
+// The magnitude of each entry of inverse_dynamics, N m or N.
 inline VectorX<double> torque_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd,
                                         const VectorX<double>& qdd, const MagnitudeOptions& options = {}) {
   const VectorX<double> tau =
@@ -77,7 +77,7 @@ inline VectorX<double> torque_magnitude(const Robot<double>& robot, const Vector
   return robot.coupling.size() == 0 ? tau : VectorX<double>(detail::motion_magnitude(robot, q).transpose() * tau);
 }
 
-// Of B: the magnitude of the torques for a unit acceleration.
+// The magnitude of B: that of the torques for unit accelerations.
 inline MatrixX<double> inertia_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const Eigen::Index n = robot.size();
   const VectorX<double> zero = VectorX<double>::Zero(n);
@@ -88,7 +88,7 @@ inline MatrixX<double> inertia_magnitude(const Robot<double>& robot, const Vecto
   return B;
 }
 
-// Of c_ijk, j <= k, laid out as in christoffel(): the velocity torque of two unit rates.
+// The magnitudes of c_ijk, j <= k, laid out as in christoffel(): those of the velocity torque for two unit rates.
 inline MatrixX<double> christoffel_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const Eigen::Index n = robot.size();
   const VectorX<double> zero = VectorX<double>::Zero(n);
@@ -103,7 +103,7 @@ inline MatrixX<double> christoffel_magnitude(const Robot<double>& robot, const V
   return c;
 }
 
-// Of C: Σ_k mag(c_ijk) |q̇_k|.
+// The magnitude of C: Σ_k mag(c_ijk) |q̇_k|.
 inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                           const VectorX<double>& qd) {
   const Eigen::Index n = robot.size();
@@ -118,8 +118,8 @@ inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const Vect
   return C;
 }
 
-// Of the derivatives of inverse_dynamics by q. A turn by a small angle changes a term by no more than its size times
-// the angle; a slide by a unit is taken as it is.
+// The magnitude of the derivatives of inverse_dynamics by q. A rotation by a small angle changes a term by at most its
+// size times the angle; for a prismatic joint a displacement by a unit is used.
 inline MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                                      const VectorX<double>& qd, const VectorX<double>& qdd) {
   const MagnitudeOptions options{.friction = false};
@@ -138,7 +138,7 @@ inline MatrixX<double> position_derivative_magnitude(const Robot<double>& robot,
   return A.transpose() * result * A;
 }
 
-// By q̇: 2 C and viscous friction.
+// The magnitude of the derivatives by q̇: 2 C and viscous friction.
 inline MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                                  const VectorX<double>& qd) {
   VectorX<double> viscous = VectorX<double>::Zero(robot.joint_count());
@@ -153,7 +153,7 @@ inline MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, con
   return 2 * coriolis_magnitude(robot, q, qd) + friction;
 }
 
-// Length of the way from the base to the tip's origin.
+// The length of the path from the base to the tip's origin along the links, m.
 inline double reach(const Robot<double>& robot, const VectorX<double>& coordinates) {
   const VectorX<double> q = detail::of_joints(robot, coordinates);
   double length = robot.p_tip.norm();
@@ -168,8 +168,8 @@ inline double reach(const Robot<double>& robot, const VectorX<double>& coordinat
   return length;
 }
 
-// Of J: a revolute joint's column is an axis, crossed with the difference of two positions, and that axis; a prismatic
-// joint's is an axis; joints that do not move the tip have none.
+// The magnitude of J. The column of a revolute joint is an axis crossed with the difference of two positions, and that
+// axis; that of a prismatic joint is an axis; joints that do not move the tip have zeros.
 inline MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const double way = reach(robot, q);
   MatrixX<double> J = MatrixX<double>::Zero(6, robot.joint_count());
@@ -185,7 +185,7 @@ inline MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const Vect
   return J;
 }
 
-// Of J̇ q̇: the tip's acceleration, linear and angular, from the recursion in lengths.
+// The magnitudes of J̇ q̇: the tip's acceleration, linear and angular, by the recursion over lengths.
 inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const VectorX<double>& coordinates,
                                                   const VectorX<double>& coordinate_rates) {
   const VectorX<double> q = detail::of_joints(robot, coordinates),
@@ -202,7 +202,7 @@ inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, co
   return {tip.ddp + tip.swing(robot.p_tip.norm()), tip.domega};
 }
 
-// Σ |m| ‖g_0‖ · (length of the way to the centre of mass).
+// The magnitude of the potential energy: Σ |m| ‖g_0‖ · (length of the path to the centre of mass).
 inline double potential_magnitude(const Robot<double>& robot, const VectorX<double>& coordinates) {
   const VectorX<double> q = detail::of_joints(robot, coordinates);
   std::vector<double> way(robot.links.size(), 0);

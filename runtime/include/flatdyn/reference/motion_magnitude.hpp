@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large the terms are that the joints' motion is the sum of: of positions, rates and accelerations, and, where
-// loops are closed, of what the dependent joints are found from. Errors of that size in the equations of a loop become,
-// in their solution, what |Φ_d⁻¹| makes of them.
+// Magnitudes of the joints' motion: the size of the terms that positions, rates and accelerations are sums of and, if
+// loops are closed, of the terms from which the dependent joints are found. Errors of that size in the equations of a
+// loop are multiplied by |Φ_d⁻¹| in their solution.
 #pragma once
 
 #include <algorithm>
@@ -33,13 +33,13 @@ inline MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>&
   return child;
 }
 
-// The sum of the terms of a joint's position.
+// The summed magnitudes of the terms of the joints' positions.
 inline VectorX<double> of_joints(const Robot<double>& robot, const VectorX<double>& q) {
   if (robot.coupling.size() == 0) return q.cwiseAbs();
   return robot.coupling.cwiseAbs() * q.cwiseAbs();
 }
 
-// Of Φ_q of one loop, by joint: what turns an end has the length of the way to it.
+// The magnitude of one loop's Φ_q by joint: for a revolute joint, the length of the path to the end that it turns.
 inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const Loop<double>& loop,
                                                const VectorX<double>& positions) {
   MatrixX<double> J = MatrixX<double>::Zero(static_cast<Eigen::Index>(loop.rows.size()), robot.joint_count());
@@ -61,7 +61,7 @@ inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const
   return J;
 }
 
-// From the carrier of a loop to both of its ends.
+// The length of the path from the carrier of a loop to both of its ends, m.
 inline double length_of(const Robot<double>& robot, const Loop<double>& loop, const VectorX<double>& positions) {
   double length = 0;
   for (int end = 0; end < 2; ++end) {
@@ -78,7 +78,7 @@ inline double length_of(const Robot<double>& robot, const Loop<double>& loop, co
   return length;
 }
 
-// Of Φ̇_q q̇ of one loop: what its ends accelerate by.
+// The magnitude of Φ̇_q q̇ of one loop: the acceleration of its ends.
 inline double loop_drift_magnitude(const Robot<double>& robot, const Loop<double>& loop,
                                    const VectorX<double>& positions, const VectorX<double>& rates) {
   std::vector<MotionMagnitude> motions(robot.links.size());
@@ -96,8 +96,8 @@ inline double loop_drift_magnitude(const Robot<double>& robot, const Loop<double
   return sum;
 }
 
-// Of values of all entries of q that close the loops, Φ_q values + extra = 0, where those of the independent entries
-// are known: what errors of the size of all terms become in the solution. `values`: the solution itself.
+// The magnitudes of values of all entries of q that close the loops, Φ_q values + extra = 0, from the known ones of the
+// independent entries: errors of the size of all terms, as they appear in the solution. `values`: the solution itself.
 template <class Extra>
 VectorX<double> completed_magnitude(const Robot<double>& robot, const VectorX<double>& q, VectorX<double> known,
                                     const VectorX<double>& values, const Extra& extra) {
@@ -121,7 +121,7 @@ VectorX<double> completed_magnitude(const Robot<double>& robot, const VectorX<do
 
 }  // namespace detail
 
-// Of G.
+// The magnitude of G.
 inline MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const MatrixX<double> G = loop_motion(robot, q);
   MatrixX<double> result(G.rows(), G.cols());
@@ -135,13 +135,13 @@ inline MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const V
 
 namespace detail {
 
-// Of A, or of A G.
+// The magnitude of A, or of A G.
 inline MatrixX<double> motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   if (robot.loops.empty()) return robot.coupling.cwiseAbs();
   return robot.coupling.cwiseAbs() * loop_motion_magnitude(robot, q);
 }
 
-// The sum of the terms of a joint's rate.
+// The summed magnitudes of the terms of the joints' rates.
 inline VectorX<double> rates_of_joints(const Robot<double>& robot, const VectorX<double>& q,
                                        const VectorX<double>& qd) {
   if (robot.coupling.size() == 0) return qd.cwiseAbs();
@@ -150,7 +150,7 @@ inline VectorX<double> rates_of_joints(const Robot<double>& robot, const VectorX
 
 }  // namespace detail
 
-// Of γ.
+// The magnitude of γ.
 inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                             const VectorX<double>& qd) {
   const VectorX<double> positions = detail::of_joints(robot, q), rates = detail::rates_of_joints(robot, q, qd);
@@ -160,7 +160,7 @@ inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const Ve
   return detail::completed_magnitude(robot, q, VectorX<double>::Zero(q.size()), loop_drift(robot, q, qd), drift);
 }
 
-// Of Φ: the lengths of the ways to both ends.
+// The magnitude of Φ: the lengths of the paths to both ends.
 inline VectorX<double> loop_closure_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   std::vector<double> entries;
   const VectorX<double> positions = detail::of_joints(robot, q);
@@ -170,7 +170,7 @@ inline VectorX<double> loop_closure_magnitude(const Robot<double>& robot, const 
   return Eigen::Map<const VectorX<double>>(entries.data(), static_cast<Eigen::Index>(entries.size()));
 }
 
-// Of Φ_q.
+// The magnitude of Φ_q.
 inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const VectorX<double> positions = detail::of_joints(robot, q);
   MatrixX<double> J(0, q.size());
@@ -182,7 +182,7 @@ inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const
   return J;
 }
 
-// Of Newton's step.
+// The magnitude of the Newton step.
 inline VectorX<double> loop_step_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const VectorX<double> positions = detail::of_joints(robot, q);
   const auto gap = [&](const Loop<double>& loop) { return detail::length_of(robot, loop, positions); };
@@ -191,7 +191,7 @@ inline VectorX<double> loop_step_magnitude(const Robot<double>& robot, const Vec
 
 namespace detail {
 
-// Of its acceleration.
+// The summed magnitudes of the terms of the joints' accelerations.
 inline VectorX<double> accelerations_of_joints(const Robot<double>& robot, const VectorX<double>& q,
                                                const VectorX<double>& qd, const VectorX<double>& qdd) {
   if (robot.loops.empty()) return rates_of_joints(robot, q, qdd);

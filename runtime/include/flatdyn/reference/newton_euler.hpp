@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The dynamics by the recursive Newton–Euler algorithm, in the robot's coordinates. It shares no code with the
-// generator: it is what generated code is compared with.
+// generator; generated code is compared with it.
 #pragma once
 
 #include "flatdyn/reference/closed_loops.hpp"
 
 namespace flatdyn::reference {
 
-// Motion of every link.
+// The motion of every link for q, q̇ and q̈.
 template <class S>
 std::vector<LinkMotion<S>> link_motions(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
                                         const VectorX<S>& qdd, bool gravity) {
@@ -16,7 +16,7 @@ std::vector<LinkMotion<S>> link_motions(const Robot<S>& robot, const VectorX<S>&
                                  accelerations_of_joints(robot, q, qd, qdd, accelerations), gravity);
 }
 
-// τ = B q̈ + C q̇ + F_v q̇ + F_s sgn(q̇) + g + Jᵀ h_e, (7.42); N m, N for prismatic joints.
+// τ = B q̈ + C q̇ + F_v q̇ + F_s sgn(q̇) + g + Jᵀ h_e, (7.42); N m, or N for prismatic joints.
 template <class S>
 VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& qdd,
                             const Environment<S>& environment = {}) {
@@ -27,7 +27,7 @@ VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const Ve
                               accelerations_of_joints(robot, q, qd, qdd, accelerations), environment));
 }
 
-// Column by column, 7.6: g_0 = 0, q̇ = 0, q̈ = e_i.
+// B, column by column, 7.6: torques for g_0 = 0, q̇ = 0, q̈ = e_i.
 template <class S>
 MatrixX<S> inertia_matrix(const Robot<S>& robot, const VectorX<S>& q) {
   const Eigen::Index n = robot.size();
@@ -41,7 +41,7 @@ MatrixX<S> inertia_matrix(const Robot<S>& robot, const VectorX<S>& q) {
   return B;
 }
 
-// C q̇ + F_v q̇ + F_s sgn(q̇) + g, 7.6: q̈ = 0.
+// C q̇ + F_v q̇ + F_s sgn(q̇) + g, 7.6: the torques for q̈ = 0.
 template <class S>
 VectorX<S> bias(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
   return inverse_dynamics(robot, q, qd, VectorX<S>(VectorX<S>::Zero(robot.size())));
@@ -53,15 +53,15 @@ VectorX<S> gravity(const Robot<S>& robot, const VectorX<S>& q) {
   return inverse_dynamics(robot, q, zero, zero);
 }
 
-// B q̈ = τ - bias, by Cholesky's factorisation.
+// q̈ from B q̈ = τ - bias by Cholesky factorisation.
 template <class S>
 VectorX<S> forward_dynamics(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& tau) {
   const VectorX<S> rest = tau - bias(robot, q, qd);
   return inertia_matrix(robot, q).llt().solve(rest);
 }
 
-// c_ijk of (7.45), column k(k+1)/2 + j for j <= k, row i. The velocity torque n(q̇) is a quadratic form, so
-// c_ijj = n_i(e_j) and c_ijk = ½ (n_i(e_j + e_k) - n_i(e_j) - n_i(e_k)).
+// c_ijk of (7.45) in row i and column k(k+1)/2 + j for j <= k. The velocity torque n(q̇) is a quadratic form, so c_ijj
+// = n_i(e_j) and c_ijk = ½ (n_i(e_j + e_k) - n_i(e_j) - n_i(e_k)).
 template <class S>
 MatrixX<S> christoffel(const Robot<S>& robot, const VectorX<S>& q) {
   const Eigen::Index n = robot.size();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The recursive Newton–Euler algorithm of the textbook, (7.107)–(7.114), over any scalar, for trees of joints with any
-// axes, each with a motion of its own.
+// axes, in which every joint moves by itself.
 #pragma once
 
 #include "flatdyn/reference/robot.hpp"
 
 namespace flatdyn::reference {
 
-// What acts besides the joints' motion. h_e: force and moment that the tip exerts on the environment, in base axes, the
-// moment about the tip's origin, (7.42).
+// The influences besides the joints' motion. h_e: the force and moment that the tip exerts on the environment, in base
+// axes, the moment about the tip's origin, (7.42).
 template <class S>
 struct Environment {
   bool gravity = true;
@@ -23,13 +23,13 @@ struct Pose {
   Vector3<S> p = Vector3<S>::Zero();      // m
 };
 
-// Motion of a link's frame, in its own axes.
+// The motion of a link's frame, in its own axes.
 template <class S>
 struct LinkMotion {
   Matrix3<S> R = Matrix3<S>::Identity();   // link axes in base axes
   Vector3<S> omega = Vector3<S>::Zero();   // rad/s
   Vector3<S> domega = Vector3<S>::Zero();  // rad/s^2
-  Vector3<S> ddp = Vector3<S>::Zero();     // of the origin, less g_0, m/s^2
+  Vector3<S> ddp = Vector3<S>::Zero();     // acceleration of the origin, minus g_0, m/s^2
 };
 
 namespace detail {
@@ -39,13 +39,13 @@ S sign(const S& x) {
   return S((x > S(0)) - (x < S(0)));
 }
 
-// ω̇ × r + ω × (ω × r): what a point at r accelerates against the frame's origin.
+// ω̇ × r + ω × (ω × r): the acceleration of a point at r relative to the frame's origin.
 template <class S>
 Vector3<S> swing(const Vector3<S>& omega, const Vector3<S>& domega, const Vector3<S>& r) {
   return domega.cross(r) + omega.cross(omega.cross(r));
 }
 
-// Forward recursion over one joint, (7.107)–(7.109).
+// The forward recursion over one joint, (7.107)–(7.109).
 template <class S>
 LinkMotion<S> moved(const LinkMotion<S>& parent, const Joint<S>& joint, const JointPlacement<S>& place, const S& qd,
                     const S& qdd) {
@@ -66,7 +66,7 @@ LinkMotion<S> moved(const LinkMotion<S>& parent, const Joint<S>& joint, const Jo
   return child;
 }
 
-// Inertial force and moment about the link's origin, (7.110), (7.112), (7.113).
+// Adds the inertial force and moment about the link's origin, (7.110), (7.112), (7.113).
 template <class S>
 void add_inertial_wrench(const Link<S>& link, const LinkMotion<S>& motion, Vector3<S>& f, Vector3<S>& mu) {
   for (const Inertial<S>& body : link.inertials) {
@@ -89,7 +89,7 @@ std::vector<Pose<S>> poses_of_tree(const Robot<S>& robot, const VectorX<S>& q) {
   return poses;
 }
 
-// The links' motion for the motion of all moving joints; at fixed joints nothing but the frame changes.
+// The links' motion for the motion of all moving joints; a fixed joint changes only the frame.
 template <class S>
 std::vector<LinkMotion<S>> motions_of_tree(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
                                            const VectorX<S>& qdd, bool gravity) {
@@ -106,7 +106,7 @@ std::vector<LinkMotion<S>> motions_of_tree(const Robot<S>& robot, const VectorX<
   return motions;
 }
 
-// Torques at all moving joints for their motion.
+// The torques at all moving joints for their motion, N m or N.
 template <class S>
 VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& qdd,
                            const Environment<S>& environment) {
@@ -120,7 +120,7 @@ VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const Vec
   mu[tip] += motions[tip].R.transpose() * environment.mu_e + robot.p_tip.cross(f_e);
 
   VectorX<S> tau = VectorX<S>::Zero(q.size());
-  // Rotors: their spin acts on their carrier, (7.105), and on their joint, (7.111), (7.114).
+  // The spin of rotors acts on their carrier, (7.105), and on their joint, (7.111), (7.114).
   for (const Joint<S>& joint : robot.joints) {
     if (joint.index < 0) continue;
     const S &v = qd[joint.index], &a = qdd[joint.index];
@@ -131,7 +131,7 @@ VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const Vec
     const Vector3<S> turning = carrier.omega.cross(rotor.axis);
     const S spin = rotor.gear_ratio * rotor.inertia;
     mu[static_cast<std::size_t>(rotor.carrier)] += spin * a * rotor.axis + spin * v * turning;
-    // Of ω̇_m only what turns about z_m counts: k_r q̇ ω × z_m is normal to it.
+    // Only the component of ω̇_m along z_m counts: k_r q̇ ω × z_m is normal to it.
     tau[joint.index] += spin * (carrier.domega.dot(rotor.axis) + rotor.gear_ratio * a);
   }
 

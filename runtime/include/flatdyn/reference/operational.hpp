@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference's dynamics in the operational space of the tip, (7.130)–(7.141), by inverting matrices as the textbook
-// writes it: with the geometric Jacobian or, where the task has Euler angles, with the analytical one, (3.62).
+// writes it: with the geometric Jacobian or, if the task has Euler angles, with the analytical one, (3.62).
 #pragma once
 
 #include "flatdyn/reference/euler_angles.hpp"
 
 namespace flatdyn::reference {
 
-// rows: of the Jacobian, 0 to 5; B_A is the inverse of J B^-1 Jᵀ + damping² 1.
+// The task. rows: those of the Jacobian, 0 to 5. B_A is the inverse of J B^-1 Jᵀ + damping² 1.
 template <class S>
 struct Task {
   std::vector<int> rows;
@@ -30,7 +30,7 @@ MatrixX<S> task_jacobian(const Robot<S>& robot, const VectorX<S>& q, const Task<
   return MatrixX<S>(J(task.rows, Eigen::all));
 }
 
-// J̇ q̇ of the same rows: of angles T^-1 (ω̇ - Ṫ φ̇).
+// J̇ q̇ of the same rows; for angles T^-1 (ω̇ - Ṫ φ̇).
 template <class S>
 VectorX<S> task_drift(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const Task<S>& task) {
   VectorX<S> drift = jacobian_dot_qd(robot, q, qd);
@@ -62,14 +62,14 @@ MatrixX<S> consistent_inverse(const OperationalSpace<S>& space) {
   return space.B_inverse * space.J.transpose() * space.B_A;
 }
 
-// r² / (tr M tr M^-1) of the matrix M that B_A is the inverse of.
+// The condition measure r² / (tr M tr M^-1) of the matrix M whose inverse is B_A.
 template <class S>
 S condition(const OperationalSpace<S>& space) {
   const MatrixX<S> M = space.B_A.inverse();
   return S(M.rows() * M.rows()) / (M.trace() * space.B_A.trace());
 }
 
-// C_A ẋ; joint friction is left out.
+// C_A ẋ, without joint friction.
 template <class S>
 VectorX<S> operational_coriolis(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const Task<S>& task) {
   const OperationalSpace<S> space = operational_space(robot, q, task);
@@ -84,7 +84,7 @@ VectorX<S> operational_gravity(const Robot<S>& robot, const VectorX<S>& q, const
   return space.B_A * space.J * space.B_inverse * gravity(robot, q);
 }
 
-// (1 − Jᵀ J̄ᵀ) τ.
+// (1 − Jᵀ J̄ᵀ) τ, the torques in the null space.
 template <class S>
 VectorX<S> null_space_torque(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& tau, const Task<S>& task) {
   const OperationalSpace<S> space = operational_space(robot, q, task);

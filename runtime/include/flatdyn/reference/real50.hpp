@@ -7,7 +7,7 @@
 
 namespace flatdyn::reference {
 
-// What "50 digits" are: a few more are carried. Rounded correctly by MPFR, its sines and cosines too.
+// The type for "50 digits", which carries a few more. MPFR rounds it correctly, sines and cosines included.
 using Real50 =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robot as written, for the numeric reference: nothing merged, no frame moved, fixed joints kept.
+// The robot as written, for the numeric reference: links are not merged, frames not moved, fixed joints kept.
 #pragma once
 
 #include <Eigen/Dense>
@@ -16,7 +16,7 @@ using VectorX = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 template <class S>
 using MatrixX = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
-// A rigid body fixed to a link; a still rotor is one, too.
+// A rigid body fixed to a link, such as a still rotor.
 template <class S>
 struct Inertial {
   S mass = S(0);                            // kg
@@ -29,7 +29,7 @@ struct Link {
   std::vector<Inertial<S>> inertials;
 };
 
-// A rotor that turns at k_r q̇ about z_m against the link that carries it, (7.23).
+// A rotor that turns at k_r q̇ about z_m relative to the link that carries it, (7.23).
 template <class S>
 struct Rotor {
   int carrier = 0;                        // link
@@ -40,7 +40,7 @@ struct Rotor {
 
 enum class JointType { fixed, revolute, prismatic };
 
-// Child frame in parent frame: (R_0, p_0) · motion(axis, q) · (R_1, p_1).
+// A joint. The child frame in the parent frame is (R_0, p_0) · motion(axis, q) · (R_1, p_1).
 template <class S>
 struct Joint {
   JointType type = JointType::fixed;
@@ -53,31 +53,32 @@ struct Joint {
   Rotor<S> rotor;  // inertia 0: none
 };
 
-// A closed loop, cut where a point of one link meets a point of another. What lies between them is measured along the
-// columns of `axes`, which are fixed to a link that all of the loop moves with.
+// A closed loop, cut where a point of one link meets a point of another. The displacement between them is measured
+// along the columns of `axes`, which are fixed to a link with which the whole loop moves.
 template <class S>
 struct Loop {
   int links[2] = {0, 0};
   Vector3<S> points[2] = {Vector3<S>::Zero(), Vector3<S>::Zero()};  // in the links' frames, m
   int carrier = 0;                                                  // link
   Matrix3<S> axes = Matrix3<S>::Identity();                         // in the carrier's frame
-  std::vector<int> rows;                                            // the components that joints change, of 0 to 2
-  std::vector<int> dependent;                                       // entries of q, as many
+  std::vector<int> rows;                                            // the components, 0 to 2, that joints change
+  std::vector<int> dependent;                                       // indices into q, one per row
 };
 
 template <class S>
 struct Robot {
   std::vector<Link<S>> links;
-  std::vector<Joint<S>> joints;  // a link's own joint before those that it carries
+  std::vector<Joint<S>> joints;  // a link's own joint comes before those on it
   int root = 0;
   Vector3<S> gravity = Vector3<S>(S(0), S(0), S(-9.81));  // g_0, base frame, m/s^2
   int tip = 0;                                            // link
   Matrix3<S> R_tip = Matrix3<S>::Identity();              // tip frame in the tip link
   Vector3<S> p_tip = Vector3<S>::Zero();
-  // Where joints are coupled: the positions of the moving joints are coupling · q, constants being part of R_0 and p_0.
-  // Empty: they are q.
+  // For coupled joints, the positions of the moving joints are coupling · q; constants are part of R_0 and p_0. Empty
+  // if the positions are q.
   MatrixX<S> coupling;
-  // Loops find their dependent joints in this order. With loops, q̇, q̈ and τ are those of the independent entries of q.
+  // The loops, in the order in which they find their dependent joints. With loops, q̇, q̈ and τ are those of the
+  // independent entries of q.
   std::vector<Loop<S>> loops;
   std::vector<int> independent;
 
@@ -86,13 +87,13 @@ struct Robot {
     for (const Joint<S>& joint : joints) n += joint.index >= 0 ? 1 : 0;
     return n;
   }
-  // Of q.
+  // The length of q.
   int position_count() const { return coupling.size() > 0 ? static_cast<int>(coupling.cols()) : joint_count(); }
-  // Of q̇.
+  // The length of q̇.
   int size() const { return loops.empty() ? position_count() : static_cast<int>(independent.size()); }
 };
 
-// Positions of the moving joints, and what else is linear in them; `room` holds them where joints are coupled.
+// The positions of the moving joints, or any other linear function of q; stored in `room` if joints are coupled.
 template <class S>
 const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<S>& room) {
   if (robot.coupling.size() == 0) return q;
@@ -100,7 +101,7 @@ const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<
   return room;
 }
 
-// Rotation by an angle about a unit axis (Rodrigues).
+// The rotation by an angle about a unit axis (Rodrigues).
 template <class S>
 Matrix3<S> rotation_about(const Vector3<S>& u, const S& angle) {
   using std::cos;
@@ -111,8 +112,9 @@ Matrix3<S> rotation_about(const Vector3<S>& u, const S& angle) {
   return Matrix3<S>::Identity() + s * K + (S(1) - c) * (K * K);
 }
 
-// Where a joint stands for a position q: rotation of the child frame in the parent's, the joint's axis in parent and
-// child axes, and the two constant displacements, the first (with the slide) in parent axes, the second in child axes.
+// The placement of a joint at position q: the rotation of the child frame in the parent frame, the joint's axis in
+// parent and child axes, and two displacements: the first, including that of a prismatic joint, in parent axes, the
+// second in child axes.
 template <class S>
 struct JointPlacement {
   Matrix3<S> R;

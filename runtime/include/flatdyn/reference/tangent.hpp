@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A number and its slope along one direction: the reference, evaluated over it, is differentiated by the chain rule.
+// A number with its derivative along one direction: evaluated over it, the reference is differentiated by the chain
+// rule.
 #pragma once
 
 #include <Eigen/Dense>
@@ -48,7 +49,7 @@ struct Tangent {
   }
 };
 
-// The same robot over tangents, all of its numbers constant. For robots without closed loops.
+// The same robot over tangents, with all of its numbers constant. For robots without closed loops.
 template <class S>
 Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
   using T = Tangent<S>;

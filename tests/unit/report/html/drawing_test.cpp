@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-// Against the reference: every link's point, and the axes of the joints.
+// Compares every link's point and the axes of the joints with the reference.
 void expect_as_the_reference(const std::string& file) {
   const LoadedRobot model = testing::model_of(file);
   const Drawing drawing = drawing_of(model.robot, model.mechanism);
@@ -42,7 +42,7 @@ TEST(Drawing, HasEveryLinkWhereItIs) {
   }
 }
 
-// The axis of a revolute joint keeps its point, however the joint turns.
+// The point on the axis of a revolute joint does not move when the joint turns.
 TEST(Drawing, PutsJointsOnTheirAxes) {
   for (const char* file : {"panda.urdf", "rx90.toml", "planar_2r.toml"}) {
     const LoadedRobot model = testing::model_of(file);

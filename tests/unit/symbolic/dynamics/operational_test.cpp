@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The operational space's functions against what the textbook says of them, in 50 digits.
+// The functions of the operational space against the textbook's statements on them, in 50 digits.
 #include "symbolic/dynamics/operational.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ class OperationalSpaceOf {
   Function derived(const std::string& function) const { return derive_function(model_.mechanism, function); }
   const Mechanism& mechanism() const { return model_.mechanism; }
 
-  // All outputs of a function at a state, one after the other; nothing where it does not hold.
+  // All outputs of a function at a state, one after the other; none where it has no value.
   std::optional<std::vector<Real50>> result(const std::string& function, const StateOf<Real50>& where) const {
     const Function made = derived(function);
     return GraphEvaluator<Real50>(made)(where);
@@ -91,7 +91,7 @@ TEST(Operational, RefusesATaskThatTheTipCannotDo) {
   EXPECT_THROW(derive_function(arm, "null_space_torque"), Failure);
 }
 
-// Problem 7.10: dB_A/dt - 2 C_A is skew-symmetric; for the velocities of a motion, ẋᵀ (½ dB_A/dt ẋ - C_A ẋ) = 0. In
+// Problem 7.10: dB_A/dt - 2 C_A is skew-symmetric. For the velocities of a motion, ẋᵀ (½ dB_A/dt ẋ - C_A ẋ) = 0, in
 // Euler angles, too.
 TEST(Operational, InertiaChangesByTwiceTheCoriolisMatrix) {
   const std::vector<std::pair<const char*, Orientation>> spaces = {
@@ -114,8 +114,8 @@ TEST(Operational, InertiaChangesByTwiceTheCoriolisMatrix) {
   }
 }
 
-// (7.133), (7.140), (7.141): whatever else drives the joints, τ = Jᵀ γ + (1 - Jᵀ J̄ᵀ) τ_0 gives the tip the
-// acceleration B_A^-1 (γ - C_A ẋ - g_A); friction apart, which is no part of the model in the operational space.
+// (7.133), (7.140), (7.141): whatever τ_0 drives the joints, τ = Jᵀ γ + (1 - Jᵀ J̄ᵀ) τ_0 gives the tip the acceleration
+// B_A^-1 (γ - C_A ẋ - g_A), without friction, which is not part of the operational space's model.
 TEST(Operational, SpareTorquesDoNotMoveTheTip) {
   for (const Task& task : {Task{{0, 1, 2}}, Task{{0, 2, 4}, Orientation::zyz}, Task{{3, 4, 5}, Orientation::rpy}}) {
     OperationalSpaceOf space(model_of("panda.urdf"), task);
@@ -142,7 +142,7 @@ TEST(Operational, SpareTorquesDoNotMoveTheTip) {
   }
 }
 
-// The reference's rates are those of the angles that it takes from R, and its drift is what they change by.
+// The reference's rates are those of the angles that it takes from R, and its drift is their change.
 TEST(Operational, TheReferenceDifferentiatesTheAngles) {
   const Real50 step("1e-18");
   for (const Orientation orientation : {Orientation::zyz, Orientation::rpy}) {
@@ -181,7 +181,7 @@ TEST(Operational, IsProvenInAnglesAndWithDamping) {
   }
 }
 
-// A wrist whose joints are the angles: roll, pitch and yaw.
+// A wrist whose joints are the angles roll, pitch and yaw.
 constexpr const char* kWrist = R"toml(name = "wrist"
 [[link]]
 mass = 1
@@ -214,7 +214,8 @@ TEST(Operational, OfAWristInItsOwnAnglesIsTheJointSpace) {
   EXPECT_GT(c.norm(), Real50("1e-3"));
 }
 
-// Of J B^-1 Jᵀ: between the ratio of its smallest to its largest eigenvalue and r² times that.
+// The condition measure of J B^-1 Jᵀ lies between the ratio of its smallest to its largest eigenvalue and r² times
+// that.
 void expect_condition(const OperationalSpaceOf& space, const Vector50& q, const Real50& at_most) {
   const auto of = reference::operational_space(space.arm, q, space.task);
   const Eigen::MatrixXd B_A = of.B_A.cast<double>();
@@ -222,7 +223,7 @@ void expect_condition(const OperationalSpaceOf& space, const Vector50& q, const 
   const double ratio = sizes.minCoeff() / sizes.maxCoeff(), squared = static_cast<double>(B_A.rows() * B_A.rows());
   const Vector50 values = space.values("operational_inertia", space.at(q));
   const auto condition = static_cast<double>(values[values.size() - 1]);
-  constexpr double kOfDoubles = 0.02;  // the smallest eigenvalue near a singularity
+  constexpr double kOfDoubles = 0.02;  // relative error, in double, of the smallest eigenvalue near a singularity
   EXPECT_GE(condition, ratio * (1 - kOfDoubles));
   EXPECT_LE(condition, ratio * squared * (1 + kOfDoubles));
   EXPECT_LE(Real50(condition), at_most);
@@ -238,7 +239,7 @@ TEST(Operational, TellsOfAStretchedArm) {
   expect_condition(space, bent_by("1e-6"), Real50("1e-11"));
   EXPECT_FALSE(space.result("operational_inertia", space.at(bent_by("0"))).has_value());
 
-  // As stiff as 1 / λ² at most, and all but undamped far from there.
+  // B_A is at most as stiff as 1 / λ², and almost undamped far from there.
   const Matrix50 B_A = damped.inertia(bent_by("0"));
   EXPECT_LE(B_A.trace(), Real50(2) * 10000);
   EXPECT_GT(B_A.trace(), Real50(9000));
@@ -247,7 +248,7 @@ TEST(Operational, TellsOfAStretchedArm) {
   EXPECT_LE((damped.inertia(bent_by("1.5")) - bent).norm(), bent.norm() * bent.norm() / 10000);
 }
 
-// In ZYZ angles, where the wrist's x axis is level: the angles' rates grow beyond measure, its inertia does not.
+// In ZYZ angles, with the wrist's x axis level, the angles' rates grow beyond all bounds, its inertia does not.
 TEST(Operational, TellsOfAnglesThatAreSingular) {
   const OperationalSpaceOf space(testing::model_of_toml(kWrist), {{3, 4, 5}, Orientation::zyz});
   const auto tilted_by = [](const char* angle) { return Vector50{{Real50("0.2"), Real50(angle), Real50(0)}}; };

@@ -40,7 +40,7 @@ TEST(Derivation, TakesSinesCosinesAndReciprocalsOfFreeSymbols) {
   EXPECT_THROW(d.node(GiNaC::sqrt(a)), Failure);
 }
 
-// GiNaC keeps terms by address: the same sum built from symbols made in another order must become the same nodes.
+// GiNaC orders terms by address: the same sum of symbols created in another order must become the same nodes.
 TEST(Derivation, DoesNotDependOnTheOrderInGiNaC) {
   std::vector<std::string> texts;
   for (int round = 0; round < 8; ++round) {

@@ -21,7 +21,7 @@ TEST(IsLever, OnlyAnArmThatIsOne) {
   EXPECT_TRUE(can_balance({a, 0, 1}, Balance::x));
 }
 
-// What random robots found: links whose frames rational rotations put next to each other, but for 1e-41 m.
+// A case that random robots found: rational rotations put frames of links next to each other, 1e-41 m apart.
 TEST(Regrouped, MassesStayWithinReason) {
   for (const char* arm : {"1e-41", "-1e-41", "0.3"}) {
     Mechanism mechanism = make_mechanism(random_tree(3, 3, true));

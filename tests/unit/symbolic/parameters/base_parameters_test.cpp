@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How many base parameters there are, which, and that link-by-link regrouping and sampling agree on every number of K.
+// The number of base parameters and their choice, and that link-by-link regrouping and sampling agree on every entry of
+// K.
 #include "symbolic/parameters/base_parameters.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ void expect_agreement(const Mechanism& mechanism) {
   }
 }
 
-// A chain by modified DH constants, general inertias; gravity along the first axis.
+// A chain with modified DH constants and general inertias; gravity is along the first axis.
 Robot dh_chain(const std::string& name, const std::vector<std::array<Number, 3>>& a_alpha_d,
                const std::string& prismatic = "") {
   testing::Numbers numbers(5);
@@ -103,11 +104,11 @@ TEST(BaseParameters, AreAsManyAsIsKnown) {
   expect_counts(planar(false), {4, 5, 9});
 }
 
-// Two slides at a right angle: m_1 + m_2 and m_2, or with rotors two that the motors see; friction adds two each.
+// Two perpendicular prismatic joints: m_1 + m_2 and m_2, or with rotors two that the motors feel; friction adds two
+// each.
 TEST(BaseParameters, OfACartesianArm) { expect_counts(testing::model_of("cartesian_2.toml").mechanism, {2, 3, 7}); }
 
-// Angles, and the lengths of axes, are replaced by rational numbers, each by itself: what is left of their sums is
-// zero.
+// Angles, and lengths of axes, are replaced by rational numbers one by one; sums of them that must cancel still vanish.
 TEST(BaseParameters, AreAsFewWhereAnglesCancel) {
   Robot robot = dh_chain("turned there and back", {{0, 0, 0}, {centi(50), 0, 0}});
   for (const int angle : {30, 20, -50}) {
@@ -131,7 +132,7 @@ TEST(BaseParameters, AreAsFewForASlideAtARightAngleOfAnyDirection) {
   }
 }
 
-// The second axis goes through the first, which is along (1, 2, 2); the first common normal has no length.
+// The second axis intersects the first, which is along (1, 2, 2); the first common normal has no length.
 TEST(BaseParameters, AreAsFewWhereAxesMeetAtAnyAngle) {
   Robot robot = dh_chain("meeting", {{0, 0, 0}, {0, 0, 0}});
   robot.gravity = zero_vector();
@@ -158,7 +159,7 @@ TEST(BaseParameters, OfADozenJointsOnFourLegs) {
   EXPECT_EQ(base_parameters(mechanism, ParameterSet::inertial).size(), 68);
 }
 
-// On a wall the first joint feels gravity: two first moments more, and no longer the same for any tilt.
+// On a wall or a slope the first joint feels gravity: two more first moments count.
 TEST(BaseParameters, DependOnHowTheBaseIsMounted) {
   for (const char* file : {"ur5.urdf", "panda.urdf", "quadruped12.urdf", "rx90.toml"}) {
     Mechanism mechanism = testing::model_of(file).mechanism;
@@ -172,7 +173,8 @@ TEST(BaseParameters, DependOnHowTheBaseIsMounted) {
     mechanism.gravity = zero_vector();  // in orbit
     expect_agreement(mechanism);
     const int in_orbit = base_parameters(mechanism, ParameterSet::inertial).size();
-    if (mechanism.name == "quadruped12") {  // four first axes along x: gravity crosses them unless it is along x, too
+    // The four first axes are along x: gravity crosses them unless it is along x, too.
+    if (mechanism.name == "quadruped12") {
       EXPECT_EQ(tilted, upright);
       EXPECT_EQ(on_wall, upright - 8);
       continue;
@@ -189,7 +191,7 @@ TEST(BaseParameters, WithoutGravityAPrismaticArmKeepsItsMasses) {
   expect_agreement(mechanism);
 }
 
-// Each K π gives the same torques as π: with_base_parameters() is the same robot to all that can be measured.
+// All π with the same K π give the same torques: with_base_parameters() is the same robot as far as torques tell.
 TEST(BaseParameters, AreAllThatTorquesDependOn) {
   for (const unsigned seed : {2U, 3U, 8U}) {
     const Mechanism mechanism = make_mechanism(testing::random_tree(seed, 5));
@@ -205,7 +207,7 @@ TEST(BaseParameters, AreAllThatTorquesDependOn) {
   }
 }
 
-// The comparison sees a number of K that is wrong, a parameter that is missing and one too many.
+// The comparison notices a wrong entry of K, a missing parameter and one too many.
 TEST(SampledBase, NoticesEveryMistake) {
   const Mechanism mechanism = testing::model_of("ur5.urdf").mechanism;
   const BaseParameters base = base_parameters(mechanism, ParameterSet::inertial);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The functions of base parameters against the others, exactly, and what they cost.
+// The functions of base parameters against the others, exactly, and their cost.
 #include "symbolic/parameters/regressor_functions.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using Field = ModP<kMersenne61>;
 
-// Random inputs, but base parameters as given, and reference rates equal to the rates if asked for.
+// Arithmetic with random inputs except given base parameters and, if asked for, reference rates equal to the rates.
 struct GivenParameters : ModPArithmetic<> {
   GivenParameters(const std::vector<Field>& values, bool same) : ModPArithmetic<>(11), pi_b(values), same_rates(same) {}
   Field input(const Input& input) const {

@@ -34,7 +34,7 @@ class RandomRegressor : public ::testing::TestWithParam<unsigned> {
   int n = mechanism.size();
 };
 
-// (7.81), with motors on whatever link they are and both kinds of friction.
+// (7.81), with motors on any link and both kinds of friction.
 TEST_P(RandomRegressor, TimesTheParametersIsTheTorque) {
   const std::vector<Field> Y = field_values(function, 7),
                            tau = field_values(derive_function(mechanism, "inverse_dynamics"), 7);
@@ -46,8 +46,8 @@ TEST_P(RandomRegressor, TimesTheParametersIsTheTorque) {
   }
 }
 
-// (7.80): joint i does not feel parameters of bodies that it does not move; and of its own, it feels each that the
-// joint's type allows.
+// (7.80): torque i does not depend on bodies that joint i does not move; of its own body, it depends on each parameter
+// that the joint's type allows.
 TEST_P(RandomRegressor, HasStructuralZerosByBranch) {
   const Graph& graph = function.graph;
   for (int i = 0; i < n; ++i) {
@@ -77,7 +77,7 @@ TEST(Regressor, IsBlockUpperTriangularForAChain) {
   }
 }
 
-// A payload held fast by the last link adds to that link's parameters, and the regressor stays as it is.
+// A payload fixed to the last link adds to that link's parameters, and the regressor does not change.
 TEST(Regressor, TakesATipPayloadAsParametersOfTheLastLink) {
   Robot robot = testing::random_tree(6, 4, true);
   const Mechanism bare = make_mechanism(robot);

@@ -3,7 +3,7 @@
 
 namespace flatdyn::testing {
 
-// Two links that rub, within limits.
+// Two links with friction and limits.
 inline constexpr const char* kRubbingArm = R"(name = "rubbing_arm"
 gravity = [0, "-9.81", 0]
 dh = "standard"
