@@ -3,7 +3,9 @@
 // at the other, which moves with it, change neither energy: δ with Y δ = 0 wherever the loop is closed. In a loop whose
 // joints all turn about one direction, masses anywhere on the line through the points in that direction do so: their
 // sum, and their first and second moments along the line, three δ. If they all turn, products of inertia with that
-// direction that are perpendicular to the links' lengths add up to nothing, too: a fourth δ.
+// direction that are perpendicular to the links' lengths add up to nothing, too: a fourth δ. In a loop that is closed
+// along an axis in space, masses anywhere on that axis do so: three δ, of which the first moments' is left out where it is
+// not known whether the two ends' axes point the same way.
 #pragma once
 
 #include <functional>

@@ -16,7 +16,7 @@ namespace {
 // Newton's method stays with the assembly if the independent joints move no further at once.
 constexpr double kFarthestStep = 0.05;  // rad, m
 constexpr int kMostHalvings = 10;
-// Of the links' lengths together: some roundings of the loops' closure.
+// Of the links' lengths together, and of axes that meet: some roundings of the loops' closure.
 constexpr double kClosed = 1e-14;
 
 constexpr const char* kAway = "let the motion stay away from there, or choose other dependent joints";
@@ -24,7 +24,9 @@ constexpr const char* kAway = "let the motion stay away from there, or choose ot
 double reach(const reference::Robot<double>& robot) {
   double length = 0;
   for (const auto& joint : robot.joints) length += joint.p_0.norm();
-  for (const auto& loop : robot.loops) length += loop.points[0].norm() + loop.points[1].norm();
+  for (const auto& loop : robot.loops) {
+    length += loop.points[0].norm() + loop.points[1].norm() + (reference::detail::aligns_axes(loop) ? 1 : 0);
+  }
   return length;
 }
 

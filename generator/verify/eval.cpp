@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -243,6 +244,8 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
   const auto reference = reference_robot<double>(robot, {});
   double most = 0;
   int line = 0;
+  const bool has_axes = std::any_of(mechanism.loops.begin(), mechanism.loops.end(),
+                                    [](const LoopClosure& loop) { return loop.aligns_axes(); });
   for (std::size_t k = 0; k < states.rows.size(); ++k) {
     Eigen::VectorXd q(mechanism.position_count());
     for (int p = 0; p < mechanism.position_count(); ++p) {
@@ -258,7 +261,8 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
   constexpr double kClosed = 1e-6;  // m
   if (most <= kClosed) return;
   diagnostics.warning({file, line},
-                      fmt::format("the loops are open here, by {:.3g} m: values hold where they are closed", most),
+                      fmt::format("the loops are open here, by {:.3g} m{}: values hold where they are closed", most,
+                                  has_axes ? " or rad" : ""),
                       "loop_closure and loop_step lead to positions that close them");
 }
 
