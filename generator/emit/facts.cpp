@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "emit/writer.hpp"
+#include "model/loop_closure.hpp"
 #include "symbolic/coupled_text.hpp"
 #include "symbolic/number_text.hpp"
 
@@ -25,12 +26,11 @@ std::string coupled_text(const std::vector<std::string>& joints) {
 
 std::string loop_text(const Mechanism& mechanism) {
   constexpr const char* kAxes =
-      " Where axes meet, a_lk is the one end's, e_lk are two directions across the other's, n_lk the moments of the one "
+      " Where axes meet, a_lk is the one end's, e_lk are two directions across the other's, n_lk the moments of the "
+      "one "
       "about the others, and M_lk minors of the determinant.";
   std::vector<std::string> dependent;
-  bool is_along_axes = false;
   for (const LoopClosure& loop : mechanism.loops) {
-    is_along_axes = is_along_axes || loop.aligns_axes();
     for (const std::string& joint : dependent_joint_names(mechanism, loop)) dependent.push_back(joint);
   }
   return fmt::format(
@@ -40,7 +40,7 @@ std::string loop_text(const Mechanism& mechanism) {
       "reciprocal of the determinant that its joints are found with, and regular_lk is positive unless the loop is "
       "singular.{} A_i_j is how joint i moves with the joint of qd[j - 1], drift how it accelerates if that one does "
       "not.",
-      fmt::join(dependent, ", "), is_along_axes ? kAxes : "");
+      fmt::join(dependent, ", "), aligns_axes(mechanism) ? kAxes : "");
 }
 
 }  // namespace

@@ -250,7 +250,8 @@ class TomlReader {
     loop.points[1] = row.vector("to", Quantity::length, zero_vector());
     loop.dependent = dependent;
     const bool has_axes = row.has("from_axis") || row.has("to_axis");
-    loop.axes = {row.vector("from_axis", Quantity::other, {0, 0, 1}), row.vector("to_axis", Quantity::other, {0, 0, 1})};
+    loop.axes = {row.vector("from_axis", Quantity::other, {0, 0, 1}),
+                 row.vector("to_axis", Quantity::other, {0, 0, 1})};
     row.reject_unknown_keys();
     if (!has_axes) loop.axes.reset();
     if (has_axes && !check_axes(row, *loop.axes)) return;

@@ -211,4 +211,9 @@ void check_loops(const Robot& robot, const Mechanism& open, Diagnostics& diagnos
   }
 }
 
+bool aligns_axes(const Mechanism& mechanism) {
+  return std::any_of(mechanism.loops.begin(), mechanism.loops.end(),
+                     [](const LoopClosure& loop) { return loop.aligns_axes(); });
+}
+
 }  // namespace flatdyn

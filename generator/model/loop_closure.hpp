@@ -17,4 +17,7 @@ void add_loops(const Robot& robot, Mechanism& tree);
 // position. `tree`: without loops.
 void check_loops(const Robot& robot, const Mechanism& tree, Diagnostics& diagnostics);
 
+// Whether one of its loops has equations of axes.
+bool aligns_axes(const Mechanism& mechanism);
+
 }  // namespace flatdyn

@@ -94,8 +94,9 @@ struct LoopClosure {
   int carrier = -1;               // the body nearest to the ends that both are moved by; -1: the base
   Mat3 axes = identity_matrix();  // the axes of components 0 to 2, as columns, in the carrier's frame
   int components = kOfPoints;     // 5 if axes meet, too
-  Vec3 across[2] = {zero_vector(), zero_vector()};  // e_1 and e_2 in the first end's body: with its axis e_1 × e_2 a frame
-  Vec3 axis = zero_vector();                        // a in the second end's body, unit
+  // In the first end's body e_1 and e_2, which with its axis e_1 × e_2 are a frame; in the second's a, unit.
+  Vec3 across[2] = {zero_vector(), zero_vector()};
+  Vec3 axis = zero_vector();
   int sense = 0;                  // whether a is e_1 × e_2 (1) or its opposite (-1) as assembled; 0: not known
   std::vector<std::size_t> rows;  // of the components, in their order
   std::vector<int> dependent;     // entries of q that follow from the others; as many as rows

@@ -10,8 +10,9 @@
 
 namespace flatdyn {
 
-// Such a point on each end's axis, if there are any, in the frames of the ends' bodies: where the axis of the last joint
-// before an end goes through it. Whether the other joints leave it alone, and whether the two meet, is not looked at.
+// Such a point on each end's axis, if there are any, in the frames of the ends' bodies: where the axis of the last
+// joint before an end goes through it. Whether the other joints leave it alone, and whether the two meet, is not looked
+// at.
 std::optional<std::array<Vec3, 2>> still_points(const Mechanism& tree, const LoopClosure& loop);
 
 }  // namespace flatdyn

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/loop_functions.hpp"
 
-#include <algorithm>
-
 #include "diagnostics/diagnostics.hpp"
+#include "model/loop_closure.hpp"
 #include "symbolic/loops.hpp"
 
 namespace flatdyn {
@@ -30,13 +29,11 @@ std::vector<Number> along(const Rows& G, const std::vector<Number>& coordinates)
 
 Function loop_closure_function(Workbench& bench) {
   const std::vector<NodeId> phi = bench.nodes(loops_of(bench).closure());
-  const std::vector<LoopClosure>& loops = bench.mechanism.loops;
-  const bool has_axes = std::any_of(loops.begin(), loops.end(), [](const LoopClosure& loop) { return loop.aligns_axes(); });
   return finished(bench, {InputKind::q},
                   {vector_output("phi", phi,
-                                 has_axes ? "loop by loop: what lies between the points that meet, m, and between axes "
-                                            "that meet, cosines with two directions across; 0 if closed"
-                                          : "loop by loop, m: what lies between the points that meet; 0 if closed")});
+                                 aligns_axes(bench.mechanism)
+                                     ? "loop by loop: m between points that meet, cosines where axes do; 0 if closed"
+                                     : "loop by loop, m: what lies between the points that meet; 0 if closed")});
 }
 
 Function loop_jacobian_function(Workbench& bench) {

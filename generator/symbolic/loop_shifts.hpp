@@ -4,8 +4,8 @@
 // joints all turn about one direction, masses anywhere on the line through the points in that direction do so: their
 // sum, and their first and second moments along the line, three δ. If they all turn, products of inertia with that
 // direction that are perpendicular to the links' lengths add up to nothing, too: a fourth δ. In a loop that is closed
-// along an axis in space, masses anywhere on that axis do so: three δ, of which the first moments' is left out where it is
-// not known whether the two ends' axes point the same way.
+// along an axis in space, masses anywhere on that axis do so: three δ, of which the first moments' is left out where it
+// is not known whether the two ends' axes point the same way.
 #pragma once
 
 #include <functional>

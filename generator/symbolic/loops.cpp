@@ -202,7 +202,8 @@ std::vector<Number> ClosedLoops::axis_drift(const Loop& loop, const Motion& firs
     const Vec3& e = loop.across[k];
     const Number e_s_u = along(e, s_u, "along_e"), e_s_v = along(e, s_v, "along_e");
     const Number e_u = e_s_u - along(e, w_u, "along_e"), e_v = e_s_v - along(e, w_v, "along_e");
-    result.push_back(dot(loop.normals[k], second.domega - first.domega) - loop.gap[LoopClosure::kOfPoints + k] * square +
+    result.push_back(dot(loop.normals[k], second.domega - first.domega) -
+                     loop.gap[LoopClosure::kOfPoints + k] * square +
                      half * (e_s_u * a_v + e_s_v * a_u - a_w_u * e_v - a_w_v * e_u));
   }
   return result;
@@ -268,8 +269,8 @@ ClosedLoops::Reach ClosedLoops::reach_of(std::size_t l, int position) const {
   return {d_.named(column.count * column.squares, entry_name(name, at(position))), turns.count * turns.squares};
 }
 
-// ℓ², of a length like those by which joints that turn move the ends: of a loop whose axes meet, rows of points and those
-// of axes are compared by it. Of a spherical linkage there is none, and none is needed.
+// ℓ², of a length like those by which joints that turn move the ends: of a loop whose axes meet, rows of points and
+// those of axes are compared by it. Of a spherical linkage there is none, and none is needed.
 Number ClosedLoops::length_scale(std::size_t l) const {
   if (mechanism_.loops[l].rows.front() >= LoopClosure::kOfPoints) return 0;
   Number sum = 0;
@@ -283,9 +284,9 @@ Number ClosedLoops::length_scale(std::size_t l) const {
   return d_.named(sum / count, "scale2_l" + label(static_cast<int>(l)));
 }
 
-// Squared, by Hadamard: a determinant is at most the product of its columns' lengths. Where axes meet, rows of points are
-// divided by ℓ, and what slides is multiplied by it, so that all have no unit: |Φ_d|² ℓ^2r is at most this, with r rows of
-// axes.
+// Squared, by Hadamard: a determinant is at most the product of its columns' lengths. Where axes meet, rows of points
+// are divided by ℓ, and what slides is multiplied by it, so that all have no unit: |Φ_d|² ℓ^2r is at most this, with r
+// rows of axes.
 Number ClosedLoops::largest_determinant(std::size_t l, const Number& scale) const {
   const LoopClosure& closure = mechanism_.loops[l];
   const bool has_points = closure.rows.front() < LoopClosure::kOfPoints;

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -11,6 +10,7 @@
 #include "flatdyn/reference/closed_loops.hpp"
 #include "input/csv_positions.hpp"
 #include "input/csv_text.hpp"
+#include "model/loop_closure.hpp"
 #include "verify/regressor_outputs.hpp"
 #include "verify/regressor_reference.hpp"
 #include "verify/values.hpp"
@@ -244,8 +244,6 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
   const auto reference = reference_robot<double>(robot, {});
   double most = 0;
   int line = 0;
-  const bool has_axes = std::any_of(mechanism.loops.begin(), mechanism.loops.end(),
-                                    [](const LoopClosure& loop) { return loop.aligns_axes(); });
   for (std::size_t k = 0; k < states.rows.size(); ++k) {
     Eigen::VectorXd q(mechanism.position_count());
     for (int p = 0; p < mechanism.position_count(); ++p) {
@@ -262,7 +260,7 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
   if (most <= kClosed) return;
   diagnostics.warning({file, line},
                       fmt::format("the loops are open here, by {:.3g} m{}: values hold where they are closed", most,
-                                  has_axes ? " or rad" : ""),
+                                  aligns_axes(mechanism) ? " or rad" : ""),
                       "loop_closure and loop_step lead to positions that close them");
 }
 

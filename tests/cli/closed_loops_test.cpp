@@ -41,6 +41,24 @@ TEST_F(ClosedLoops, OpenOnesAreSaidSo) {
   EXPECT_THAT(open.err, HasSubstr("open.csv:2: warning: the loops are open here, by 0."));
 }
 
+// In a plane, a hinge's axis says no more than its point.
+TEST_F(ClosedLoops, AxesInAPlaneAreWrittenAsPoints) {
+  const std::string points = text_of_robot("four_bar.toml");
+  std::string axes = points;
+  axes.insert(axes.find("dependent = "), "from_axis = [0, 0, 1]\nto_axis = [0, 0, -2]\n");
+  std::string headers[2];
+  for (const bool has_axes : {false, true}) {
+    scratch.write("four_bar.toml", has_axes ? axes : points);
+    ASSERT_EQ(run_flatdyn("generate " + scratch.path("four_bar.toml") + " -q -o " + scratch.path("out")).code, 0);
+    std::istringstream lines(scratch.read("out/four_bar.hpp"));
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("// Input: ")) headers[has_axes] += line + "\n";
+    }
+  }
+  EXPECT_GT(headers[0].size(), 10000U);
+  EXPECT_EQ(headers[0], headers[1]);
+}
+
 TEST_F(ClosedLoops, RatesOfAllJointsAreRefused) {
   const Outcome outcome = eval("q1,q2,q3,qd1,qd2,qd3,qdd1\n0.3,-0.45,0.44,1,0,0,0\n", "--function inverse_dynamics");
   EXPECT_EQ(outcome.code, 3);

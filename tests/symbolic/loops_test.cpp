@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Closed loops: four-bar linkage, slider-crank, five-bar, Andrews' squeezer, and a loop in space. Their functions
-// against the Lagrangian, against the tree with the forces that hold the loops, and against numbers from elsewhere.
+// Closed loops: four-bar linkage, slider-crank, five-bar, Andrews' squeezer, and loops in space, cut at a point or
+// along an axis. Their functions against the Lagrangian, against the tree with the forces that hold the loops, and
+// against numbers from elsewhere.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 #include <span>
 
@@ -14,6 +16,7 @@
 #include "model/assembly.hpp"
 #include "model/states.hpp"
 #include "support/identified_arm.hpp"
+#include "support/spatial_loops.hpp"
 #include "support/written_model.hpp"
 #include "symbolic/formulations.hpp"
 #include "symbolic/functions.hpp"
@@ -118,7 +121,12 @@ xyz = [0.05, 0.02, 0.01]
 )";
 
 Model loop_model(const std::string& name) {
-  return name == "spatial" ? testing::model_of_toml(kSpatial) : testing::model_of(name);
+  const std::map<std::string, std::string> written = {{"spatial", kSpatial},
+                                                      {"cut_at_hinge", testing::kCutAtHinge},
+                                                      {"cylinders", testing::kCylinders},
+                                                      {"spherical", testing::kSphericalFourBar}};
+  const auto found = written.find(name);
+  return found == written.end() ? testing::model_of(name) : testing::model_of_toml(found->second);
 }
 
 class Loops : public ::testing::TestWithParam<const char*> {
@@ -213,7 +221,8 @@ TEST_P(Loops, MoveAsTheTreeWithConstraintForces) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Loops,
                          ::testing::Values("slider_crank.toml", "four_bar.toml", "five_bar.toml",
-                                           "andrews_squeezer.toml", "spatial"),
+                                           "andrews_squeezer.toml", "spatial", "cut_at_hinge", "cylinders",
+                                           "spherical"),
                          [](const auto& robot) {
                            const std::string name = robot.param;
                            return name.substr(0, name.find('.'));
@@ -368,6 +377,24 @@ TEST(RobotsWithLoops, HaveTheRankOfTheirBaseParameters) {
   EXPECT_EQ(rows_too_many(testing::model_of("slider_crank.toml"), 3), 0);
   EXPECT_EQ(rows_too_many(testing::model_of("five_bar.toml")), 0);
   EXPECT_EQ(rows_too_many(testing::model_of("andrews_squeezer.toml"), 3), 0);
+}
+
+// Which way the axes point to each other where the loop is assembled, is known: masses and their moments along the
+// axis, which the cut hides, are three rows, and where it is not known two.
+TEST(LoopsAlongAxes, HaveTheRankOfTheirBaseParameters) {
+  const auto assembled = [](const std::string& positions) {
+    return testing::model_of_toml(testing::kCutAtHinge + positions);
+  };
+  const Model same = assembled("q2 = 0.196\nq3 = -1.627\nb1 = -0.14\nb2 = 0.616\nb3 = -1.179\n");
+  const Model opposite = assembled("q2 = 0.029\nq3 = -2.336\nb1 = -0.77\nb2 = -2.693\nb3 = 1.957\n");
+  for (const Model* model : {&same, &opposite}) {
+    EXPECT_EQ(rows_too_many(*model), 0);
+    EXPECT_NE(model->mechanism.loops[0].sense, 0);
+  }
+  const Model unknown = assembled("");
+  EXPECT_EQ(unknown.mechanism.loops[0].sense, 0);
+  EXPECT_EQ(base_parameters(unknown.mechanism).columns.size(), base_parameters(same.mechanism).columns.size() + 1);
+  EXPECT_EQ(rows_too_many(testing::model_of_toml(testing::kSphericalFourBar)), 0);
 }
 
 // Without noise, at positions where the loops are closed: all of π_b, so there K has no parameter too many.

@@ -312,6 +312,23 @@ TEST_F(UrdfLoops, DustInAxesAndPointsIsNone) {
   EXPECT_EQ(found.loops[0].rows.size(), 2U);
 }
 
+// A hinge in space: five joints follow, and axes of any length are unit in their links' bodies.
+TEST_F(UrdfLoops, AHingeInSpaceTakesFiveJoints) {
+  std::string text;
+  const char *const axes[] = {"0 0 1", "0 1 0", "1 0 0"}, *const links[] = {"base", "a", "b", "c", "d", "e", "f"};
+  for (std::size_t k = 1; k < 7; ++k) {
+    text += link(links[k]) + joint(std::string("J") + links[k], {links[k - 1], links[k], "0.2 0.05 0.1", axes[k % 3]});
+  }
+  const Mechanism found = make_mechanism(
+      read("r.urdf",
+           robot(text + "<loop name=\"D\" type=\"revolute\">" + end("predecessor", "f", "xyz=\"0.1 0 0\"") +
+                 end("successor", "base", "xyz=\"0.3 0.3 0\" rpy=\"0.4 0 0.2\"") + "<axis xyz=\"0 2 0\"/></loop>")));
+  ASSERT_EQ(found.loops.size(), 1U);
+  EXPECT_THAT(dependent_of(found, 0), ElementsAre("Jb", "Jc", "Jd", "Je", "Jf"));
+  EXPECT_EQ(found.loops[0].rows, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+  EXPECT_TRUE(vanishes(dot(found.loops[0].axis, found.loops[0].axis) - 1));
+}
+
 // A ball joint in space: three joints follow.
 TEST_F(UrdfLoops, ABallJointInSpaceTakesThreeJoints) {
   const std::string text =

@@ -133,7 +133,9 @@ VectorX<S> loop_drift_of_joints(const Robot<S>& robot, const Loop<S>& loop, cons
     const Vector3<S> a = link.R * (link.ddp + swing(link.omega, link.domega, loop.points[end]));
     gap += end == 0 ? Vector3<S>(-a) : a;
   }
-  const auto motion = [&](int end) -> const LinkMotion<S>& { return motions[static_cast<std::size_t>(loop.links[end])]; };
+  const auto motion = [&](int end) -> const LinkMotion<S>& {
+    return motions[static_cast<std::size_t>(loop.links[end])];
+  };
   Components<S> components;
   components.template head<3>() = in_axes(loop, poses, gap);
   components.template tail<2>() = axis_drift(loop, motion(0), motion(1));
@@ -262,9 +264,9 @@ VectorX<S> loop_step(const Robot<S>& robot, const VectorX<S>& q) {
   return detail::completed(robot, poses, VectorX<S>(VectorX<S>::Zero(q.size())), gap);
 }
 
-// q with its dependent joints moved so that all loops are closed to within the tolerance, m and 1, by Newton's method with
-// halved steps where a full one does not lessen the gap. False, and q is as it was, if that is not reached: the loops
-// cannot be closed from here, or are singular.
+// q with its dependent joints moved so that all loops are closed to within the tolerance, m and 1, by Newton's method
+// with halved steps where a full one does not lessen the gap. False, and q is as it was, if that is not reached: the
+// loops cannot be closed from here, or are singular.
 template <class S>
 bool close_loops(const Robot<S>& robot, VectorX<S>& q, const S& tolerance) {
   constexpr int kMostSteps = 50, kMostHalvings = 20;
@@ -326,7 +328,8 @@ void compare_rows(const Robot<S>& robot, const Loop<S>& loop, MatrixX<S>& J, Mat
   lengths /= length;
   for (const Joint<S>& joint : robot.joints) {
     const bool turns = joint.index >= 0 && joint.type == JointType::revolute;
-    if (turns && (moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1))) lengths(0, joint.index) += S(1);
+    if (turns && (moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1)))
+      lengths(0, joint.index) += S(1);
   }
 }
 
@@ -349,8 +352,7 @@ S loop_regularity(const Robot<S>& robot, const VectorX<S>& q) {
     MatrixX<S> lengths = detail::stretched_lengths(robot, loop, positions);
     detail::compare_rows(robot, loop, J, lengths);
     const MatrixX<S> own = detail::dependent_columns<S>(loop, J.lazyProduct(robot.coupling));
-    const MatrixX<S> stretched =
-        detail::dependent_columns<S>(loop, lengths.lazyProduct(robot.coupling.cwiseAbs()));
+    const MatrixX<S> stretched = detail::dependent_columns<S>(loop, lengths.lazyProduct(robot.coupling.cwiseAbs()));
     S largest(1);
     for (Eigen::Index k = 0; k < own.cols(); ++k) largest *= max(S(own.col(k).norm()), S(stretched(0, k) / 1000));
     smallest = min(smallest, S(abs(detail::determinant(own)) / largest));

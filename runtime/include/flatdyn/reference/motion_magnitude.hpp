@@ -90,7 +90,7 @@ inline double length_of(const Robot<double>& robot, const Loop<double>& loop, co
 
 // Of Φ̇_q q̇ of one loop: what its ends accelerate by, and its axes.
 inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const Loop<double>& loop,
-                                   const VectorX<double>& positions, const VectorX<double>& rates) {
+                                            const VectorX<double>& positions, const VectorX<double>& rates) {
   std::vector<MotionMagnitude> motions(robot.links.size());
   for (const Joint<double>& joint : robot.joints) {
     const bool is_in_loop = moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1);

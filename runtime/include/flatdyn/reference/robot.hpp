@@ -61,11 +61,11 @@ struct Loop {
   Vector3<S> points[2] = {Vector3<S>::Zero(), Vector3<S>::Zero()};  // in the links' frames, m
   int carrier = 0;                                                  // link
   Matrix3<S> axes = Matrix3<S>::Identity();                         // in the carrier's frame
-  // Where axes meet, too: two directions across the first link's, and the second's, unit, in frames of the links. Else 0.
+  // Where axes meet, too: two directions across the first link's, and the second's axis, unit, in the links' frames.
   Vector3<S> across[2] = {Vector3<S>::Zero(), Vector3<S>::Zero()};
   Vector3<S> axis = Vector3<S>::Zero();
-  std::vector<int> rows;                                            // the components that joints change, of 0 to 4
-  std::vector<int> dependent;                                       // entries of q, as many
+  std::vector<int> rows;       // the components that joints change, of 0 to 4
+  std::vector<int> dependent;  // entries of q, as many
 };
 
 template <class S>
