@@ -194,4 +194,43 @@ q2 = 1.0
 q3 = 1.0
 )";
 
+// Beyond a coupler and a link called last: three more hinges, and the one that is cut.
+inline const std::string kHingeOfCarried = R"([[link]]
+name = "u1"
+joint = "u1"
+parent = "coupler"
+axis = [1, 0.3, 0]
+xyz = [0.3, 0, 0.05]
+mass = 0.3
+com = [0.05, 0.02, 0.03]
+inertia = { xx = 0.004, yy = 0.0052, zz = 0.0062, xy = 0.0001, xz = 0.0003, yz = -0.0004 }
+inertia_about = "com"
+[[link]]
+name = "u2"
+joint = "u2"
+axis = [0, 1, 0.4]
+xyz = [0.1, 0.05, 0]
+mass = 0.25
+com = [0.04, 0.01, 0.03]
+inertia = { xx = 0.003, yy = 0.0042, zz = 0.0052, xy = 0.0001, xz = 0.0003, yz = -0.0004 }
+inertia_about = "com"
+[[link]]
+name = "u3"
+joint = "u3"
+parent = "last"
+axis = [0.2, 1, 0]
+xyz = [0.3, 0, 0.02]
+mass = 0.28
+com = [0.05, -0.01, 0.03]
+inertia = { xx = 0.003, yy = 0.0043, zz = 0.0053, xy = 0.0001, xz = 0.0002, yz = -0.0004 }
+inertia_about = "com"
+[[loop]]
+links = ["u2", "u3"]
+from = [0.1, 0.02, 0.03]
+to = [0.15, 0, 0.05]
+from_axis = [1, 1, 0]
+to_axis = [1, 0, 0.5]
+dependent = ["t2", "t3", "u1", "u2", "u3"]
+)";
+
 }  // namespace flatdyn::testing

@@ -382,17 +382,28 @@ TEST(RobotsWithLoops, HaveTheRankOfTheirBaseParameters) {
 // Which way the axes point to each other where the loop is assembled, is known: masses and their moments along the
 // axis, which the cut hides, are three rows, and where it is not known two.
 TEST(LoopsAlongAxes, HaveTheRankOfTheirBaseParameters) {
-  const auto assembled = [](const std::string& positions) {
-    return testing::model_of_toml(testing::kCutAtHinge + positions);
-  };
-  const Model same = assembled("q2 = 0.196\nq3 = -1.627\nb1 = -0.14\nb2 = 0.616\nb3 = -1.179\n");
-  const Model opposite = assembled("q2 = 0.029\nq3 = -2.336\nb1 = -0.77\nb2 = -2.693\nb3 = 1.957\n");
-  for (const Model* model : {&same, &opposite}) {
-    EXPECT_EQ(rows_too_many(*model), 0);
-    EXPECT_NE(model->mechanism.loops[0].sense, 0);
-  }
-  const Model unknown = assembled("");
+  const std::string loop = carried(testing::kHingeOfCarried);
+  const Model unknown = testing::model_of_toml(loop), same = testing::model_of_toml(loop + R"([assembly]
+t1 = 0.9
+t2 = -0.497
+t3 = 1.209
+u1 = 1.113
+u2 = 0.336
+u3 = 0.011
+)"),
+              opposite = testing::model_of_toml(loop + R"([assembly]
+t1 = 0.9
+t2 = -1.124
+t3 = -0.355
+u1 = 1.801
+u2 = -1.017
+u3 = -2.759
+)");
+  EXPECT_EQ(same.mechanism.loops[0].sense, 1);
+  EXPECT_EQ(opposite.mechanism.loops[0].sense, -1);
   EXPECT_EQ(unknown.mechanism.loops[0].sense, 0);
+  EXPECT_EQ(rows_too_many(same), 0);
+  EXPECT_EQ(rows_too_many(opposite), 0);
   EXPECT_EQ(base_parameters(unknown.mechanism).columns.size(), base_parameters(same.mechanism).columns.size() + 1);
   EXPECT_EQ(rows_too_many(testing::model_of_toml(testing::kSphericalFourBar)), 0);
 }
