@@ -3,6 +3,7 @@
 #pragma once
 
 #include "diagnostics/diagnostics.hpp"
+#include "model/mechanism.hpp"
 #include "model/robot.hpp"
 
 namespace flatdyn {
