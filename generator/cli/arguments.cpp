@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/commands.hpp"
+#include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
 #include "diagnostics/table.hpp"
 #include "input/common/expression.hpp"
@@ -173,6 +174,7 @@ void RobotArguments::add_to(CLI::App& command) {
 }
 
 void RobotArguments::add_settings_to(CLI::App& command) {
+  const std::size_t before = command.get_options({}).size();
   command
       .add_option(
           "--snap", snap,
@@ -206,6 +208,8 @@ void RobotArguments::add_settings_to(CLI::App& command) {
   command.add_flag("--json", json, "print JSON on stdout");
   command.add_flag("-q,--quiet", quiet, "no notes, no progress, no tables beside files that are written");
   command.add_flag("-v,--verbose", verbose, "list what is otherwise told in one line");
+  const std::vector<CLI::Option*> options = command.get_options({});
+  for (std::size_t i = before; i < options.size(); ++i) options[i]->group(kCommonOptions);
 }
 
 void add_error_budget_option(CLI::App& command, RobotArguments& arguments) {

@@ -16,7 +16,10 @@ std::string NarrowHelp::make_option_desc(const CLI::Option* option) const {
 }
 
 std::string NarrowHelp::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
-  return wrapped(CLI::Formatter::make_help(app, std::move(name), mode), kWidth);
+  std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+  // CLI11 puts two empty lines between groups of options.
+  for (std::size_t gap; (gap = text.find("\n\n\n")) != std::string::npos;) text.erase(gap, 1);
+  return wrapped(text, kWidth);
 }
 
 }  // namespace flatdyn

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Manual pages in the macros of man(7), made from the data of --help, so that the two cannot differ.
+// Manual pages in the macros of man(7), and the references of docs/commands/ in Markdown. Both are made from the
+// data of --help, so that they cannot differ.
 #include <fmt/format.h>
 
-#include <sstream>
-
 #include "cli/commands.hpp"
+#include "cli/markdown.hpp"
 #include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
 #include "diagnostics/diagnostics.hpp"
@@ -50,22 +50,6 @@ std::string option_rows(const CLI::App& command) {
   return rows;
 }
 
-// The parts of a description: paragraphs for people, and indented lines with commands to copy.
-struct Description {
-  std::string first, text, examples;
-};
-
-Description description_of(const CLI::App& command) {
-  Description result;
-  std::istringstream lines(command.get_description());
-  for (std::string line; std::getline(lines, line);) {
-    std::string& part = line.rfind("  ", 0) == 0 ? result.examples : result.text;
-    if (result.first.empty()) result.first = line;
-    if (!line.empty()) part += (part.empty() ? "" : "\n") + line;
-  }
-  return result;
-}
-
 std::string head(const std::string& name, const std::string& summary) {
   const std::string full_stop_dropped = summary.substr(0, summary.find_last_not_of('.') + 1);
   return fmt::format(".TH {} 1 \"\" \"flatdyn {}\" \"flatdyn\"\n", roff(name), FLATDYN_VERSION) +
@@ -100,19 +84,25 @@ std::string page_of_program(const CLI::App& app) {
          section("COMMANDS", rows) + exit_status() + section("SEE ALSO", pages + "\n");
 }
 
-ExitCode print_page(const CLI::App& app, const std::string& name) {
+struct ManArguments {
+  std::string subcommand, folder;
+  bool is_markdown = false;
+};
+
+ExitCode print_page(const CLI::App& app, const ManArguments& arguments) {
+  const std::string& name = arguments.subcommand;
   std::vector<std::string> names;
   for (const CLI::App* command : subcommands(app)) {
     names.push_back(command->get_name());
     if (names.back() != name) continue;
-    fmt::print("{}", page_of_command(*command));
+    fmt::print("{}", arguments.is_markdown ? markdown_of_command(*command) : page_of_command(*command));
     return ExitCode::ok;
   }
   if (!name.empty()) {
     throw Failure(ExitCode::usage, "there is no subcommand \"" + name + "\"",
                   hint_for_unknown(name, names, "subcommands"));
   }
-  fmt::print("{}", page_of_program(app));
+  fmt::print("{}", arguments.is_markdown ? markdown_of_program(app) : page_of_program(app));
   return ExitCode::ok;
 }
 
@@ -125,10 +115,6 @@ ExitCode write_pages(const CLI::App& app, const std::filesystem::path& folder) {
   return ExitCode::ok;
 }
 
-struct ManArguments {
-  std::string subcommand, folder;
-};
-
 }  // namespace
 
 Run add_man(CLI::App& app) {
@@ -139,12 +125,13 @@ Run add_man(CLI::App& app) {
   const auto arguments = std::make_shared<ManArguments>();
   auto* name = command->add_option("subcommand", arguments->subcommand, "whose page; default: the program's");
   name->type_name("NAME");
-  command->add_option("-o,--output", arguments->folder, "write all pages to this folder; made if it is not there")
-      ->excludes(name)
-      ->check(kNotEmpty)
-      ->type_name("FOLDER");
+  auto* folder =
+      command->add_option("-o,--output", arguments->folder, "write all pages to this folder; made if it is not there");
+  folder->excludes(name)->check(kNotEmpty)->type_name("FOLDER");
+  command->add_flag("--markdown", arguments->is_markdown, "print the reference of docs/commands/ instead, in Markdown")
+      ->excludes(folder);
   return [&app, arguments] {
-    return arguments->folder.empty() ? print_page(app, arguments->subcommand) : write_pages(app, arguments->folder);
+    return arguments->folder.empty() ? print_page(app, *arguments) : write_pages(app, arguments->folder);
   };
 }
 

@@ -122,7 +122,7 @@ std::string families_text() {
 Run add_stress(CLI::App& app) {
   auto* command = app.add_subcommand(
       "stress",
-      "Search for the states at which rounding errors of generated code are largest, and compare them with 50 digits\n"
+      "Search for the states at which rounding errors of generated code are largest, and compare them with 50 digits "
       "and with what the recursive Newton-Euler reference loses in the same precision.\n\n"
       "  flatdyn stress robots/panda.urdf --functions inverse_dynamics,inertia_matrix\n"
       "  flatdyn stress robots/ur5.urdf -o out/ --states 1000000\n"

@@ -228,7 +228,7 @@ printf '%s ' "${{COMPREPLY[@]}}"
 
 TEST(Completion, OffersSubcommandsOptionsValuesFilesAndFunctions) {
   EXPECT_EQ(completed("flatdyn ge"), "generate ");
-  EXPECT_EQ(completed("flatdyn generate --sc"), "--scene --scalar ");
+  EXPECT_EQ(completed("flatdyn generate --sc"), "--scalar --scene ");
   EXPECT_EQ(completed("flatdyn generate --scalar "), "double float ");
   EXPECT_EQ(completed("flatdyn generate robots/pan"), "robots/panda.urdf ");
   EXPECT_EQ(completed("flatdyn verify --functions gravity,coriolis"), "gravity,coriolis_matrix ");

@@ -195,6 +195,15 @@ TEST(Help, OpensWithTwoRunnableExamples) {
   EXPECT_THAT(run_flatdyn("--version").out, StartsWith("flatdyn "));
 }
 
+TEST(Help, HasACommandsOwnOptionsBeforeThoseForAnyRobot) {
+  const std::string help = run_flatdyn("generate --help").out;
+  const std::size_t any_robot = help.find("\nOptions for any robot:\n");
+  ASSERT_NE(any_robot, std::string::npos) << help;
+  EXPECT_LT(help.find("--stages"), any_robot);
+  EXPECT_GT(help.find("--snap"), any_robot);
+  EXPECT_THAT(help, Not(HasSubstr("\n\n\n")));
+}
+
 TEST(Derive, PrintsThePlanarArmAsTheTextbookDoes) {
   const Outcome outcome = run_flatdyn("derive -q robots/planar_2r.toml");
   EXPECT_EQ(outcome.code, 0);
