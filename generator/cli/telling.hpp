@@ -14,6 +14,9 @@ namespace flatdyn {
 // On stderr, behind what waits for stdout, so that both come in order on a terminal.
 void print_diagnostics(const Diagnostics& diagnostics, const Manner& manner);
 
+// With --json, a run that Ctrl-C ends before it has a result prints an object of errors all the same.
+void prepare_for_interruption(const Manner& manner);
+
 // On stdout, after the line that says what the program is busy with is erased.
 void print_result(const std::string& text);
 

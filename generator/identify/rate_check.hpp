@@ -43,9 +43,6 @@ class RateCheck {
   // The unit, "ms", "us" or "ns", in which times would agree with all rates; nullptr if there is none, or no motion.
   const char* unit_of_times() const;
 
-  // s from sample to sample, from where on they are far apart.
-  static constexpr double kFarApart = 1;
-
  private:
   // No robot's joint turns so fast, but many degrees pass in a second.
   static constexpr double kFastest = 100;  // rad/s

@@ -143,6 +143,7 @@ void CsvHeading::place_numbered(CsvQuantity quantity, const std::vector<std::siz
   const bool from_zero =
       std::any_of(columns.begin(), columns.end(), [&](std::size_t column) { return columns_[column].number == 0; });
   if (from_zero) count_from_zero(columns);
+  doubt_count(quantity, columns, length);
   for (const std::size_t column : columns) {
     const int entry = *columns_[column].number - (from_zero ? 0 : 1);
     if (entry < length) {
@@ -182,6 +183,15 @@ bool CsvHeading::is_counted_well(CsvQuantity quantity, const std::vector<std::si
                   "which column is which joint's",
                   stem, first));
   return false;
+}
+
+// q1 to q5 of six joints: the first five, or the last five of a set from q0 to q5 whose first column is missing.
+void CsvHeading::doubt_count(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length) {
+  std::set<int> numbers;
+  for (const std::size_t column : columns) numbers.insert(*columns_[column].number);
+  if (*numbers.begin() != 1 || *numbers.rbegin() != length - 1 || static_cast<int>(numbers.size()) != length - 1)
+    return;
+  perhaps_from_zero_.push_back(set_of_columns(stem_of(quantity), 1, length - 1));
 }
 
 void CsvHeading::count_from_zero(const std::vector<std::size_t>& columns) {
@@ -285,6 +295,13 @@ void CsvHeading::finish() {
   if (!from_zero_.empty()) {
     diagnostics_.note(place_, fmt::format("columns counted from 0: {}", fmt::join(from_zero_, ", ")), {},
                       "headings with columns counted from 0");
+  }
+  if (!perhaps_from_zero_.empty() && wrong_.empty()) {
+    diagnostics_.warning(place_,
+                         fmt::format("{}: the last joint has no column; is the set counted from 0, and its 0 missing? "
+                                     "It is counted from 1 here",
+                                     fmt::join(perhaps_from_zero_, ", ")),
+                         "give a column to each joint, or name columns by joint");
   }
   if (!in_file_order_.empty()) {
     std::vector<std::string> joints;

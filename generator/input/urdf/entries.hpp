@@ -47,6 +47,9 @@ bool has_key(const UrdfElement& element, std::string_view name);
 // The name in URDF of the key that an entry gives; "" if it gives none.
 std::string key_of(const UrdfElement& element, const UrdfEntry& entry);
 
+// The texts directly in the element, before and behind its children.
+std::string text_in(const tinyxml2::XMLElement& element);
+
 // The value of an element that is one value itself: <damping>10</damping> or <damping value="10"/>.
 std::string value_of(const tinyxml2::XMLElement& element);
 
