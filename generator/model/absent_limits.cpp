@@ -6,7 +6,6 @@
 #include <array>
 #include <functional>
 
-
 namespace flatdyn {
 namespace {
 
@@ -48,7 +47,7 @@ void take_away(Joint& joint, const std::function<bool(std::size_t, const Number&
                    "give the limits, or leave them out", kind);
 }
 
-bool is_number(const std::optional<Value>& limit, int number) {
+bool is_exactly(const std::optional<Value>& limit, int number) {
   return limit && !has_symbols(limit->number) && limit->number.is_equal(number);
 }
 
@@ -56,14 +55,14 @@ bool is_number(const std::optional<Value>& limit, int number) {
 
 void take_away_absent_limits(Joint& joint, Diagnostics& diagnostics) {
   const Limits& limits = joint.limits;
-  const bool is_zero_range = is_number(limits.lower, 0) && is_number(limits.upper, 0);
+  const bool is_zero_range = is_exactly(limits.lower, 0) && is_exactly(limits.upper, 0);
   take_away(
       joint, [&](std::size_t i, const Number& limit) { return vanishes(limit) && (i > 1 || is_zero_range); },
       "limits of 0", "joints with limits of 0, which are taken as not given", diagnostics);
   take_away(
       joint, [](std::size_t i, const Number& limit) { return magnitude(limit) > (i > 1 ? kLargest : kFarthest); },
       "limits beyond what a joint reaches", "joints with huge limits, which are taken as not given", diagnostics);
-  if (!is_number(limits.lower, 1) || !is_number(limits.upper, 0)) return;
+  if (!is_exactly(limits.lower, 1) || !is_exactly(limits.upper, 0)) return;
   take_away(
       joint, [](std::size_t i, const Number&) { return i <= 1; }, "limits from 1 to 0, Bullet's word for none,",
       "joints with limits from 1 to 0, which are taken as not given", diagnostics);

@@ -111,6 +111,7 @@ std::vector<std::optional<CsvSource>> CsvHeading::find(CsvQuantity quantity, int
                        "leave one of them out: a joint is named once, by its number or by its name");
     wrong_.insert(quantity);
   }
+  if (length > 1 && !found.back()) doubt_count(quantity, length);
   return found;
 }
 
@@ -143,7 +144,6 @@ void CsvHeading::place_numbered(CsvQuantity quantity, const std::vector<std::siz
   const bool from_zero =
       std::any_of(columns.begin(), columns.end(), [&](std::size_t column) { return columns_[column].number == 0; });
   if (from_zero) count_from_zero(columns);
-  doubt_count(quantity, columns, length);
   for (const std::size_t column : columns) {
     const int entry = *columns_[column].number - (from_zero ? 0 : 1);
     if (entry < length) {
@@ -186,11 +186,14 @@ bool CsvHeading::is_counted_well(CsvQuantity quantity, const std::vector<std::si
 }
 
 // q1 to q5 of six joints: the first five, or the last five of a set from q0 to q5 whose first column is missing.
-void CsvHeading::doubt_count(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length) {
+void CsvHeading::doubt_count(CsvQuantity quantity, int length) {
   std::set<int> numbers;
-  for (const std::size_t column : columns) numbers.insert(*columns_[column].number);
-  if (*numbers.begin() != 1 || *numbers.rbegin() != length - 1 || static_cast<int>(numbers.size()) != length - 1)
-    return;
+  for (const std::size_t column : columns_of(quantity)) {
+    if (!columns_[column].number || joint_name_of(column)) return;
+    numbers.insert(*columns_[column].number);
+  }
+  const bool is_all_but_one = static_cast<int>(numbers.size()) == length - 1;
+  if (!is_all_but_one || *numbers.begin() != 1 || *numbers.rbegin() != length - 1) return;
   perhaps_from_zero_.push_back(set_of_columns(stem_of(quantity), 1, length - 1));
 }
 
@@ -296,7 +299,7 @@ void CsvHeading::finish() {
     diagnostics_.note(place_, fmt::format("columns counted from 0: {}", fmt::join(from_zero_, ", ")), {},
                       "headings with columns counted from 0");
   }
-  if (!perhaps_from_zero_.empty() && wrong_.empty()) {
+  if (!perhaps_from_zero_.empty() && !diagnostics_.has_errors()) {
     diagnostics_.warning(place_,
                          fmt::format("{}: the last joint has no column; is the set counted from 0, and its 0 missing? "
                                      "It is counted from 1 here",

@@ -65,7 +65,7 @@ class CsvHeading {
   Entries entries_of(CsvQuantity quantity, int length);
   void place_numbered(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length, Entries& entries);
   bool is_counted_well(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length);
-  void doubt_count(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length);
+  void doubt_count(CsvQuantity quantity, int length);
   void count_from_zero(const std::vector<std::size_t>& columns);
   void leave_out(CsvQuantity quantity, std::size_t column, int length);
   void place_by_joint_names(CsvQuantity quantity, const std::vector<std::size_t>& columns, Entries& entries);

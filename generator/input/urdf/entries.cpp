@@ -72,6 +72,13 @@ const UrdfElement* known_urdf_element(std::string_view tag) {
   return found == kElements.end() ? nullptr : &found->second;
 }
 
+std::string home_of_value(std::string_view name) {
+  for (const char* tag : {"origin", "inertia", "dynamics", "limit"}) {
+    if (has_key(*known_urdf_element(tag), name)) return tag;
+  }
+  return "";
+}
+
 std::vector<std::string> key_names_of(const UrdfElement& element) {
   std::vector<std::string> names;
   for (const UrdfKey& key : element.keys) names.push_back(key.name);

@@ -39,6 +39,10 @@ struct UrdfElement {
 // nullptr if no values are read of elements with this name.
 const UrdfElement* known_urdf_element(std::string_view tag);
 
+// The element that a value of this name is read from, where there is only one for it: "dynamics" of "damping"; "" if
+// there is none.
+std::string home_of_value(std::string_view name);
+
 // The names of the keys, for messages.
 std::vector<std::string> key_names_of(const UrdfElement& element);
 

@@ -106,6 +106,7 @@ class NameChecker {
     unread_.check(element, joint, {both(kOfJoint, both(kOfRotor, kBesideThem)), kIrrelevantInJoint, moves});
     check_values(element, joint, both(kOfJoint, kOfRotor));
     unknown_.check_misplaced(element, joint);
+    check_attributes_of_rotor(element, joint);
     for (const XMLElement* actuator : elements_in(element, "actuator")) check_part(*actuator, joint + ", actuator");
   }
 

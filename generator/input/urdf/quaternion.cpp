@@ -14,7 +14,7 @@ Number to_many_digits(const Number& angle) { return exact_decimal(to_decimal(ang
 // Exact arguments, of which at most one is 0.
 Number angle_between(const Number& sine, const Number& cosine) {
   if (sine.is_zero() && cosine.is_zero()) return 0;
-  return to_many_digits(GiNaC::atan2(GiNaC::ex_to<GiNaC::numeric>(sine), GiNaC::ex_to<GiNaC::numeric>(cosine)));
+  return to_many_digits(GiNaC::atan2(sine, cosine));
 }
 
 }  // namespace

@@ -27,14 +27,6 @@ std::string list_of(const Names& names) {
   return text;
 }
 
-// The element that a value of this name is read from, where there is only one for it; "" if there is none.
-std::string home_of(std::string_view name) {
-  for (const char* tag : {"origin", "inertia", "dynamics", "limit"}) {
-    if (has_key(*known_urdf_element(tag), name)) return tag;
-  }
-  return "";
-}
-
 bool is_si_unit(std::string_view unit) {
   constexpr auto kUnits = std::to_array<std::string_view>(
       {"m", "meter", "meters", "rad", "radian", "radians", "kg", "kg m^2", "kg*m^2", "N", "Nm", "N m", "SI", "si"});
@@ -95,13 +87,15 @@ bool UnknownEntries::refuse(const XMLElement& element, const UrdfEntry& entry, c
                        "it is read from <" + home + ">: write it there, or delete it");
     return true;
   }
-  const std::string home = home_of(entry.name);
+  const std::string home = home_of_value(entry.name);
   if (!home.empty() && home != element.Name() && !says_zero(entry.text)) {
     diagnostics_.error(place, what + ": " + shown(entry) + " has no effect here",
                        "it is read from <" + home + ">: write it there, or delete it");
     return true;
   }
-  const std::string hint = known.hint_for(entry.name);
+  const bool is_rotor = has_key(known.element, "armature") && is_of_rotor(entry.name) && !says_zero(entry.text);
+  const std::string hint =
+      is_rotor ? "write armature, which is gear_ratio^2 * rotor_inertia" : known.hint_for(entry.name);
   if (hint.empty()) return false;
   diagnostics_.error(place, what + ": unknown " + called(entry), hint);
   return true;
@@ -142,7 +136,7 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
 void UnknownEntries::check_misplaced(const XMLElement& holder, const std::string& what) {
   for (const tinyxml2::XMLAttribute* a = holder.FirstAttribute(); a != nullptr; a = a->Next()) {
     const UrdfEntry entry{a->Name(), a->Value(), holder.GetLineNum(), Form::attribute};
-    const std::string home = home_of(entry.name);
+    const std::string home = home_of_value(entry.name);
     const bool is_element = known_urdf_element(entry.name) != nullptr;
     if ((home.empty() && !is_element) || has_namespace(entry.name) || says_zero(entry.text)) continue;
     diagnostics_.error(values_.place(holder), what + ": " + shown(entry) + " has no effect here",

@@ -76,6 +76,14 @@ const XMLElement* body_below(const XMLElement& element, const NameList& tags) {
   return nullptr;
 }
 
+// Whether values of URDF's elements may be meant where the element stands: in a link, its <inertial>, or a joint.
+bool holds_values(const XMLElement& element) {
+  const std::string_view holder = element.Parent()->Value();
+  const tinyxml2::XMLNode* above = element.Parent()->Parent();
+  return holder == "link" || holder == "inertial" ||
+         (holder == "joint" && above != nullptr && std::string_view(above->Value()) == "robot");
+}
+
 }  // namespace
 
 std::string home_of_element(std::string_view name) {
@@ -138,9 +146,10 @@ bool UnreadElements::refuse_words_of_sdf(const Element& element, const std::stri
 }
 
 bool UnreadElements::refuse_place(const Element& element, const std::string& what) {
-  const std::string home = home_of_element(element.Name());
+  const std::string of_element = home_of_element(element.Name()), of_value = home_of_value(element.Name());
+  const std::string& home = of_element.empty() && holds_values(element) ? of_value : of_element;
   if (home.empty()) return false;
-  if (known_urdf_element(element.Name()) != nullptr && is_nothing(element)) return true;
+  if ((of_element.empty() || known_urdf_element(element.Name()) != nullptr) && is_nothing(element)) return true;
   diagnostics_.error(values_.place(element), what + ": " + tag_of(element) + " has no effect here",
                      "it is read from <" + home + ">: write it there, or delete it");
   return true;
@@ -160,7 +169,8 @@ void UnreadElements::check_one(const Element& element, const std::string& what, 
   const std::string_view name = element.Name();
   if (refuse_spelling(element, what, names.read)) return;
   if (brings_in_files(name)) {
-    diagnostics_.error(values_.place(element), what + ": " + tag_of(element) + " is not read, and what it names is not",
+    diagnostics_.error(values_.place(element),
+                       what + ": " + tag_of(element) + " is not read, nor the file that it names",
                        "put in the file that it names; xacro does that for <xacro:include>");
     return;
   }

@@ -58,6 +58,12 @@ class Refuser {
   // Parameters go to drivers, which may be told gear ratios; an inertia there is one that the joint feels.
   void check_controlled(const XMLElement& joint) {
     if (is_at_rest(robot_, joint.Attribute("name"))) return;
+    for (const XMLElement* element : elements_in(joint)) {
+      const std::string_view tag = element->Name();
+      if (tag != "param" && is_of_dynamics(tag) && tag.find("mimic") == std::string_view::npos) {
+        refuse_unsupported(*element, " in <ros2_control>", "write it in the joint itself, or delete it", values_);
+      }
+    }
     for (const XMLElement* parameter : elements_in(joint)) {
       const char* name = parameter->Attribute("name");
       if (name == nullptr || std::string_view(parameter->Name()) != "param" || says_zero(value_of(*parameter)))

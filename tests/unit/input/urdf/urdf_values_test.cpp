@@ -92,6 +92,12 @@ TEST_F(UrdfValuesRead, AQuaternionKeepsItsDigits) {
   EXPECT_NEAR(std::sin(yaw) * std::cos(pitch), 2 * (0.5 * 0.5 - 0.1 * 0.7), 1e-15);
 }
 
+TEST_F(UrdfValuesRead, AQuaternionIsExactToManyDigits) {
+  const auto d = joint("revolute", R"(<origin quat_xyzw="0 0 0.6 0.8"/>)").origin.displacements;
+  ASSERT_EQ(d.size(), 1U);
+  EXPECT_EQ(to_decimal(d[0].angle, 60), to_decimal(2 * GiNaC::atan(Number(3) / 4), 60));
+}
+
 TEST_F(UrdfValuesRead, AQuaternionMustAgreeAndHaveUnitLength) {
   EXPECT_EQ(joint("revolute", R"(<origin rpy="0 0 1.5707963" quat_xyzw="0 0 0.7071068 0.7071068"/>)")
                 .origin.displacements.size(),
