@@ -84,6 +84,9 @@ bool check_magnitude(const Number& value, const std::string& shown, const Spot& 
 enum class Bound { lower, upper, magnitude };
 void check_infinite_limit(std::string_view written, Bound bound, const Spot& spot, Diagnostics& diagnostics);
 
+// /dev/stdin, <(...) of a shell: what is there can be read once, and its name tells nothing.
+bool is_pipe(const std::filesystem::path& path);
+
 FileKind kind_of(const std::filesystem::path& path);  // by its extension; .xacro is a URDF
 
 // False, and a diagnostic, if a file is larger than 64 MB.

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "diagnostics/diagnostics.hpp"
+
 namespace flatdyn {
 
 // A decimal as it is written, to 18 places behind its point.
@@ -41,5 +43,15 @@ std::optional<ExactTime> joined_time(std::string_view seconds, std::string_view 
 // The unit, "s", "ms", "us" or "ns", in which a number is a time between 2001 and 2100 counted from 1970; nullptr if it
 // is none in any of them.
 const char* unit_since_1970(std::string_view text);
+
+// Samples that are so far apart, s, are perhaps in another unit.
+inline constexpr double kFarApart = 1;
+
+// The unit that the time between samples, read as seconds, suggests by its size.
+const char* unit_by_size(double step);
+
+// Whether the times of a column are in this unit: a warning that asks.
+void ask_for_unit_of_time(double step, const std::string& unit, const std::string& column, const Place& place,
+                          Diagnostics& diagnostics);
 
 }  // namespace flatdyn
