@@ -29,7 +29,8 @@ std::string prefix_of(const Place& place, Severity severity) {
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
-  std::string text = prefix_of(diagnostic.place, diagnostic.severity) + name_of(diagnostic.severity) + ": " + diagnostic.message;
+  std::string text =
+      prefix_of(diagnostic.place, diagnostic.severity) + name_of(diagnostic.severity) + ": " + diagnostic.message;
   if (!diagnostic.hint.empty()) text += "\n    hint: " + diagnostic.hint;
   return text;
 }

@@ -86,7 +86,7 @@ class LoopCheck {
     return !stays_open(0, gap) && !stays_open(1, gap) && !stays_open(2, gap);
   }
 
-  // Of a loop along axes in space.
+  // For a loop along axes in space.
   bool can_align(const LoopSample& sample) {
     const std::vector<Real> gap = sample.gap();
     const Matrix<Real> rows = sample.rows();

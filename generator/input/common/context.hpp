@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the readers share while one robot is read: the options, the list of findings, symbols, snapped angles.
+// The state that the readers share while one robot is read: the options, the list of findings, symbols, snapped angles.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace flatdyn {
 
-// What a number stands for in messages, and where it is: `joint "shoulder", origin rpy`.
+// The meaning of a number in messages, and its place: `joint "shoulder", origin rpy`.
 struct Spot {
   Place place;
   std::string what;

@@ -20,7 +20,7 @@ constexpr double kMostTerms = 40;             // of a sum, once all is multiplie
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// What an expression in symbols would grow to, multiplied out. A few nested powers are enough to fill any memory.
+// The size of an expression in symbols, multiplied out. A few nested powers are enough to fill any memory.
 struct Growth {
   double terms = 1;   // at most
   double degree = 0;  // of the highest power

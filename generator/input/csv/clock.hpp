@@ -30,7 +30,7 @@ struct CsvClock {
 
   // Seconds since the origin. nullopt if the text is no finite number.
   std::optional<double> seconds(std::string_view text) const;
-  // Of a time in seconds and nanoseconds, both whole numbers; the origin is in nanoseconds.
+  // For a time in seconds and nanoseconds, both whole numbers; the origin is in nanoseconds.
   std::optional<double> seconds(std::string_view seconds, std::string_view nanoseconds) const;
 
   // Counts times from the first one, if they are so long ago that doubles would lose digits of them (10⁶ s).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which column of a CSV file is which of the robot's quantities: the one place that every command takes headings from.
-// What is read is described in docs/csv.md.
+// docs/csv.md describes what is read.
 #pragma once
 
 #include <map>

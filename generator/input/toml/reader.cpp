@@ -223,7 +223,7 @@ class TomlReader {
     }
   }
 
-  // Of a loop.
+  // For a loop.
   bool check_axes(const TomlTable& row, const std::array<Vec3, 2>& axes) {
     static constexpr std::array<const char*, 2> kKeys = {"from_axis", "to_axis"};
     for (std::size_t e = 0; e < 2; ++e) {

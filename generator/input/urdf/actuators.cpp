@@ -19,7 +19,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-// What is said about the rotor of one joint, wherever it is said.
+// The numbers of the rotor of one joint, wherever they stand.
 struct Reflected {
   std::optional<Value> armature;
   std::optional<Value> rotor_inertia;

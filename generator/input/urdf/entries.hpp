@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an element of a URDF says, wherever in the element it says so: <axis xyz="0 1 0"/>, and as other programs and
-// people write it, <axis><xyz>0 1 0</xyz></axis> and <axis>0 1 0</axis>.
+// The values of an element of a URDF, wherever in the element they stand: <axis xyz="0 1 0"/>, and as other programs
+// and people write it, <axis><xyz>0 1 0</xyz></axis> and <axis>0 1 0</axis>.
 #pragma once
 
 #include <tinyxml2.h>

@@ -92,7 +92,7 @@ class NameChecker {
     unknown_.check_misplaced(*inertial, link + ", inertial");
   }
 
-  // Of a joint that does not move, what it would move by does not matter.
+  // For a joint that does not move, the numbers of its motion do not matter.
   void check_joint(const XMLElement& element) {
     const std::string joint = what(element);
     const char* type = element.Attribute("type");

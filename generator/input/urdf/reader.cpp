@@ -257,7 +257,7 @@ const tinyxml2::XMLNode* content_beside(const XMLElement& root) {
   return nullptr;
 }
 
-// What processing instructions say concerns other programs, but the parser takes none within the robot, and no XML
+// Processing instructions concern other programs, but the parser takes none within the robot, and no XML
 // declaration after a comment. Blanks stand in for them, so that lines keep their numbers.
 std::string without_instructions(std::string text) {
   const auto end_of = [&text](std::size_t begin, std::string_view mark) {

@@ -62,7 +62,7 @@ class SimulatorChecker {
                       kSimulatorHint, "settings of simulators that are not read");
   }
 
-  // What is about contact, sight or measurement, or read elsewhere, is left aside.
+  // Elements about contact, sight or measurement, or that are read elsewhere, are left aside.
   void check_parts(const XMLElement& holder, const std::string& what, bool is_still) {
     static constexpr auto kAside = std::to_array<std::string_view>(
         {"plugin", "sensor", "visual", "collision", "surface", "material", "physics", "mimic"});
@@ -129,7 +129,7 @@ class SimulatorChecker {
     }
   }
 
-  // Of joints, also in classes within classes.
+  // Defaults of joints, also in classes within classes.
   void check_defaults(const XMLElement& defaults) {
     for (const XMLElement* joint : elements_in(defaults, "joint")) {
       for (const char* key : {"armature", "damping", "frictionloss", "stiffness"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a URDF tells single simulators, in <gazebo> and <mujoco>. Most of it is about contact and drawing. What it says
-// about dynamics is noted as not read; loops and springs there are refused. Mimics are read by mimics.hpp.
+// Settings of single simulators in a URDF, in <gazebo> and <mujoco>. Most of them is about contact and drawing. What it
+// says about dynamics is noted as not read; loops and springs there are refused. Mimics are read by mimics.hpp.
 #pragma once
 
 #include "input/urdf/values.hpp"

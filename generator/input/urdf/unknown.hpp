@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What stands in an element of a URDF and is not read there: left out with a note, or refused where something that is
-// meant may be lost by that.
+// Attributes and elements in an element of a URDF that are not read there. They are left out with a note, or refused
+// where something that is meant may be lost.
 #pragma once
 
 #include <tinyxml2.h>

@@ -31,7 +31,7 @@ class UnreadElements {
   void check_spelling(const tinyxml2::XMLElement& holder, const std::string& what,
                       const std::vector<std::string>& read);
 
-  // What has a mass, in an element that has nothing to do with dynamics: <visual><inertial>.
+  // Elements with a mass in an element that has nothing to do with dynamics: <visual><inertial>.
   void check_bodies_in(const tinyxml2::XMLElement& element, const std::string& what);
 
   void note(const tinyxml2::XMLElement& element, const std::string& what);

@@ -17,7 +17,7 @@ constexpr const char* kConstraintHint = "supported: <loop> of type revolute or s
 constexpr const char* kForceHint = "delete it, or add its forces to what the generated code returns";
 constexpr const char* kArmatureHint = "write the reflected inertia as <dynamics armature=\"...\"/> of the joint";
 
-// What to do instead of a constraint or force element; nullptr for all other elements.
+// The hint for a constraint or force element; nullptr for all other elements.
 const char* hint_instead_of(std::string_view name) {
   const auto has = [name](std::string_view part) { return name.find(part) != std::string_view::npos; };
   if (name == "force_element" || name == "cable") return kForceHint;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What changes the dynamics and is not read: constraints, springs, cables, rotors in ros2_control. Refused, never
-// skipped.
+// Elements that change the dynamics and are not read: constraints, springs, cables, rotors in ros2_control. They are
+// refused, never skipped.
 #pragma once
 
 #include <string_view>

@@ -22,15 +22,15 @@ class ClosedLoops {
   Rows jacobian() const;
   // G, m × n: q̇ = G q̇_a keeps Φ where it is.
   Rows motion() const;
-  // Of all entries of q, for no acceleration of the independent joints: d/dt G times q̇_r = G_r q̇_a, while q̇ moves as
-  // `rates`; `rates` and `rates_r` by body.
+  // The accelerations of all entries of q for no acceleration of the independent joints: d/dt G times q̇_r = G_r q̇_a,
+  // while q̇ moves as `rates`; `rates` and `rates_r` by body.
   std::vector<Number> drift(const std::vector<Number>& rates, const std::vector<Number>& rates_r,
                             const std::string& name) const;
   // Newton's step: what it takes to be added to q, in which independent joints stay where they are.
   std::vector<Number> step() const;
 
-  // Of each loop: the determinant that is divided by, squared, less a trifle of the largest that it could be. Positive,
-  // unless the loop is singular or within 1e-6 of it.
+  // For each loop, the determinant that is divided by, squared, less a small fraction of the largest that it could be.
+  // Positive, unless the loop is singular or within 1e-6 of it.
   struct Condition {
     NodeId reciprocal;  // of the determinant: who does not need it does not need the condition
     NodeId validity_conditions;
@@ -38,7 +38,7 @@ class ClosedLoops {
   std::vector<Condition> conditions() const;
 
  private:
-  // What one joint of the loop does to one end, in the loop's axes.
+  // The effect of one joint of the loop on one end, in the loop's axes.
   struct Joint {
     int body = 0;
     bool slides = false;
@@ -60,7 +60,7 @@ class ClosedLoops {
     Vec3 normals[2];       // a × e_1, a × e_2
   };
   using Extra = std::function<std::vector<Number>(const Loop&, std::size_t)>;
-  // Of an end, when no joint accelerates.
+  // The acceleration of an end while q̈ = 0.
   struct Motion {
     Vec3 omega_u = zero_vector(), omega_v = zero_vector();
     Vec3 domega = zero_vector(), a = zero_vector();
@@ -82,7 +82,7 @@ class ClosedLoops {
     Number squares;  // their sum
     int count;
   };
-  // What an entry of q does at most per rad or m, squared.
+  // The largest effect of an entry of q per rad or m, squared.
   struct Reach {
     Number moves, turns;  // of the end, of its axis
   };

@@ -81,7 +81,7 @@ TEST_F(UrdfValuesRead, AQuaternionIsARotation) {
   for (const Displacement& each : pitch) EXPECT_TRUE(is_rational(each.angle * 12 / GiNaC::Pi));
 }
 
-// Of a general rotation, against the matrix that the quaternion gives.
+// A general rotation, against the matrix that the quaternion gives.
 TEST_F(UrdfValuesRead, AQuaternionKeepsItsDigits) {
   const auto d = joint("revolute", R"(<origin quat_xyzw="0.1 -0.7 0.5 0.5"/>)").origin.displacements;
   ASSERT_EQ(d.size(), 3U);
