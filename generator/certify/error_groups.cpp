@@ -41,7 +41,7 @@ ErrorGroup group_of(const std::vector<const ErrorsByDerivative*>& parts, double 
   ErrorGroup result;
   for (const ErrorsByDerivative* part : parts) result.components.push_back(part->errors);
   std::reverse(result.components.begin(), result.components.end());
-  result.sensitivity = rounded_up(sensitivity);
+  result.sensitivity = rounded_up(sensitivity, kBoundDigits);
   result.bound = error * result.sensitivity * kUpward;
   return result;
 }

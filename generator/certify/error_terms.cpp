@@ -125,7 +125,7 @@ OutputError ErrorAnalysis::error_of(int output, std::optional<int> joint) {
   for (ErrorsByDerivative& alike : errors) std::reverse(alike.errors.begin(), alike.errors.end());
   OutputError result{output, grouped(errors, norms_), 0};
   for (const ErrorGroup& group : result.groups) result.bound += group.bound;
-  result.bound = rounded_up(result.bound);
+  result.bound = rounded_up(result.bound, kBoundDigits);
   return result;
 }
 

@@ -155,7 +155,7 @@ std::vector<GappaScript> rounding_scripts(const std::string& function, ErrorAnal
     if (!(before > 0)) continue;
     const std::string exact = expression(analysis, k);
     const std::string result = operand(analysis, k);
-    hypotheses.push_back({within(exact, four_digits(before)), result});
+    hypotheses.push_back({within(exact, bound_text(before)), result});
     goals.push_back({within(fmt::format("rnd({0}) - ({0})", exact), number(analysis.norms().own_error(k))), ""});
     if (goals.size() == kLongest) finish();
   }
@@ -177,13 +177,13 @@ GappaScript sum_script(const std::string& function, const std::string& output, c
     for (const AlikeErrors& alike : group.components) {
       for (const ErrorTerm& term : alike) line += within(error_name(term), number(term.error)) + " /\\ ";
     }
-    hypotheses.push_back({line + within(derivative, four_digits(group.sensitivity)), ""});
+    hypotheses.push_back({line + within(derivative, bound_text(group.sensitivity)), ""});
     terms.push_back(derivative + " * " + length_of_errors(group));
   }
   const std::string in = unit.empty() ? "" : ", " + unit;
   const std::string sum = fmt::format("{}", fmt::join(terms, "\n  + "));
   return {name, fmt::format(fmt::runtime(kSum), output, function, in, function, name) +
-                    formula(hypotheses, {{within(sum, four_digits(error.bound)), ""}})};
+                    formula(hypotheses, {{within(sum, bound_text(error.bound)), ""}})};
 }
 
 }  // namespace flatdyn

@@ -127,7 +127,7 @@ void Norms::bound(int k, Expansion& expansion) {
   if (k >= executed_ && !std::isfinite(of_motion)) return;
   const double by_form = norm(expansion.form) + expansion.slack;
   const double by_operation = k < executed_ ? std::min(by_form, largest_by_operands(k)) : by_form;
-  const double size = rounded_up(std::min(by_operation, of_motion));
+  const double size = rounded_up(std::min(by_operation, of_motion), kBoundDigits);
   if (k < executed_ && !(size <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
   if (is_rounded(k)) {
     expansion.before_rounding = size;

@@ -32,17 +32,6 @@ const RoundingFormat& rounding_format(const std::string& scalar) {
   return scalar == "float" ? in_float : in_double;
 }
 
-std::string four_digits(double value) { return fmt::format("{:.4g}", value); }
-
-// Raises the last digit until the number is large enough, as a rule once.
-double rounded_up(double value) {
-  if (!(value > 0)) return 0;
-  for (double raised = value;; raised *= 1 + 1e-4) {
-    const std::string text = four_digits(raised);
-    double read = 0;
-    std::from_chars(text.data(), text.data() + text.size(), read);
-    if (read >= value * kUpward) return read;
-  }
-}
+std::string bound_text(double value) { return fmt::format("{:.{}g}", value, kBoundDigits); }
 
 }  // namespace flatdyn

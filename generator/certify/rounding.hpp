@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "model/rounded_up.hpp"
+
 namespace flatdyn {
 
 struct RoundingFormat {
@@ -24,12 +26,8 @@ struct RoundingFormat {
 // The format of "double" or "float".
 const RoundingFormat& rounding_format(const std::string& scalar);
 
-// Covers the rounding errors of the bounds themselves, which are sums and products of positive doubles.
-inline constexpr double kUpward = 1 + 1e-9;
-
-// A number of four decimal digits that exceeds `value` by at least a few rounding errors, for people and for Gappa; and
-// its text.
-double rounded_up(double value);
-std::string four_digits(double value);
+// The digits of bounds in certificates, and a bound's text in so many.
+inline constexpr int kBoundDigits = 4;
+std::string bound_text(double value);
 
 }  // namespace flatdyn

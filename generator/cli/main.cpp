@@ -29,6 +29,7 @@ ExitCode run(const Run& command) {
 }
 
 ExitCode run(const Run& command, const Manner& manner) {
+  prepare_for_interruption(manner);
   try {
     return run(command);
   } catch (const BadInput& bad) {

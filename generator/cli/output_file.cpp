@@ -45,6 +45,13 @@ TextFile followed(const TextFile& file) {
 
 // Checks, before anything is written, what rename() would report too late or not at all.
 void check_writable(const TextFile& file) {
+  constexpr std::size_t kLongestName = 200;  // of 255; a temporary file beside it has a longer one
+  const std::string name = file.path.filename().string();
+  if (name.size() > kLongestName) {
+    throw Failure(ExitCode::input,
+                  fmt::format("{}...: a name of {} bytes is too long for a file", name.substr(0, 40), name.size()),
+                  "generated files are called as the robot; --name gives a shorter name");
+  }
   if (fs::is_directory(file.path)) cannot_write(file.path, std::strerror(EISDIR));
   if (fs::exists(file.path) && ::access(file.path.c_str(), W_OK) != 0) cannot_write(file.path, std::strerror(errno));
 }

@@ -5,6 +5,7 @@
 
 #include "diagnostics/progress.hpp"
 #include "report/json_text.hpp"
+#include "system/interrupt.hpp"
 
 namespace flatdyn {
 namespace {
@@ -22,11 +23,13 @@ nlohmann::ordered_json json_of(const Diagnostic& diagnostic) {
   return json;
 }
 
-void print_errors(const Diagnostics& errors, ExitCode code) {
+std::string errors_text(const Diagnostics& errors, ExitCode code) {
   nlohmann::ordered_json json = {{"exit_code", static_cast<int>(code)}, {"errors", nlohmann::ordered_json::array()}};
   for (const Diagnostic& diagnostic : errors.all()) json["errors"].push_back(json_of(diagnostic));
-  print_result(json_text(json));
+  return json_text(json);
 }
+
+void print_errors(const Diagnostics& errors, ExitCode code) { print_result(errors_text(errors, code)); }
 
 void print_message(const std::string& text) {
   std::fflush(stdout);
@@ -44,8 +47,16 @@ void print_diagnostics(const Diagnostics& diagnostics, const Manner& manner) {
   print_message(told(diagnostics, manner));
 }
 
+void prepare_for_interruption(const Manner& manner) {
+  if (!manner.json) return;
+  Diagnostics errors;
+  errors.error({}, "interrupted before there was a result");
+  say_when_interrupted(errors_text(errors, ExitCode::interrupted));
+}
+
 void print_result(const std::string& text) {
   erase_progress();
+  say_when_interrupted("");
   fmt::print("{}", text);
 }
 

@@ -14,6 +14,9 @@ namespace flatdyn {
 // Prints to stderr after flushing stdout, so that both appear in order on a terminal.
 void print_diagnostics(const Diagnostics& diagnostics, const Manner& manner);
 
+// With --json, a run that Ctrl-C ends before it has a result prints an object of errors all the same.
+void prepare_for_interruption(const Manner& manner);
+
 // Prints to stdout after erasing the line of progress.
 void print_result(const std::string& text);
 

@@ -56,6 +56,16 @@ std::string as_part_of_a_line(std::string message) {
   return message;
 }
 
+// An option of one value that has several; nullptr if there is none.
+const CLI::Option* given_too_often(const CLI::App& command) {
+  const std::vector<const CLI::Option*> options = command.get_options();
+  const auto found = std::find_if(options.begin(), options.end(), [](const CLI::Option* option) {
+    return option->get_items_expected_max() == 1 && option->count() > 1 &&
+           option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw;
+  });
+  return found == options.end() ? nullptr : *found;
+}
+
 }  // namespace
 
 Failure usage_failure(const CLI::App& app, const CLI::ParseError& error) {
@@ -68,6 +78,10 @@ Failure usage_failure(const CLI::App& app, const CLI::ParseError& error) {
   if (!left_over.empty()) {
     return {ExitCode::usage, fmt::format("{}: \"{}\" is more than it takes", called(app, command), left_over.front()),
             hint};
+  }
+  if (const CLI::Option* repeated = given_too_often(command)) {
+    return {ExitCode::usage, fmt::format("{} is given {} times", repeated->get_name(), repeated->count()),
+            "give it once; " + hint};
   }
   return {ExitCode::usage, as_part_of_a_line(error.what()), hint};
 }

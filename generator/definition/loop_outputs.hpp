@@ -29,7 +29,7 @@ class LoopOutputs {
 
  private:
   Values gap(const FieldLoop<F>& loop) const {
-    const Vector3<F> all = geometry_.gap(loop);
+    const Values all = geometry_.gap(loop);
     Values rows;
     for (const std::size_t row : loop.rows) rows.push_back(all[row]);
     return rows;

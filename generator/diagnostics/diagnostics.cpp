@@ -20,8 +20,8 @@ std::string name_of(Severity severity) {
   throw std::logic_error("unknown severity");
 }
 
-std::string prefix_of(const Place& place) {
-  if (place.file.empty()) return "";
+std::string prefix_of(const Place& place, Severity severity) {
+  if (place.file.empty()) return severity == Severity::error ? "flatdyn: " : "";
   if (place.line <= 0) return place.file + ": ";
   return place.file + ":" + std::to_string(place.line) + ": ";
 }
@@ -29,7 +29,8 @@ std::string prefix_of(const Place& place) {
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
-  std::string text = prefix_of(diagnostic.place) + name_of(diagnostic.severity) + ": " + diagnostic.message;
+  std::string text =
+      prefix_of(diagnostic.place, diagnostic.severity) + name_of(diagnostic.severity) + ": " + diagnostic.message;
   if (!diagnostic.hint.empty()) text += "\n    hint: " + diagnostic.hint;
   return text;
 }

@@ -25,4 +25,7 @@ bool is_utf16(std::string_view bytes);
 // The text in UTF-8, without a byte order mark, of bytes for which is_utf16() holds; nullopt if it is damaged.
 std::optional<std::string> utf8_of_utf16(std::string_view bytes);
 
+// The same of bytes in ISO 8859-1, each of which is a character.
+std::string utf8_of_latin1(std::string_view bytes);
+
 }  // namespace flatdyn

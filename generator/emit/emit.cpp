@@ -30,6 +30,7 @@
 #include "flatdyn/interface.hpp"
 #include "graph/count.hpp"
 #include "model/identifiers.hpp"
+#include "model/loop_closure.hpp"
 #include "symbolic/notation/coupled_text.hpp"
 #include "symbolic/notation/number_text.hpp"
 #include "templates.hpp"
@@ -343,6 +344,7 @@ class PageWriter {
     if (closure.empty() || step.empty()) return;
     std::size_t rows = 0;
     for (const LoopClosure& loop : mechanism_.loops) rows += loop.rows.size();
+    header["closes_axes?"] = aligns_axes(mechanism_);
     header["loop_closure"] = closure;
     header["loop_step"] = step;
     header["closure_count"] = std::to_string(rows);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "emit/writer.hpp"
+#include "model/loop_closure.hpp"
 #include "symbolic/notation/coupled_text.hpp"
 #include "symbolic/notation/number_text.hpp"
 
@@ -24,6 +25,10 @@ std::string coupled_text(const std::vector<std::string>& joints) {
 }
 
 std::string loop_text(const Mechanism& mechanism) {
+  constexpr const char* kAxes =
+      " Where axes meet, a_lk is the one end's, e_lk are two directions across the other's, n_lk the moments of the "
+      "one "
+      "about the others, and M_lk minors of the determinant.";
   std::vector<std::string> dependent;
   for (const LoopClosure& loop : mechanism.loops) {
     for (const std::string& joint : dependent_joint_names(mechanism, loop)) dependent.push_back(joint);
@@ -33,9 +38,9 @@ std::string loop_text(const Mechanism& mechanism) {
       "those of the others. Functions hold where q closes the loops. Names with lk belong to loop k: R_lk, p_lk "
       "and r_lk to the way from its carrier to its two ends, Phi_lk to its closure's derivative by q, inv_lk is the "
       "reciprocal of the determinant that its joints are found with, and regular_lk is positive unless the loop is "
-      "singular. A_i_j is how joint i moves with the joint of qd[j - 1], drift how it accelerates if that one does "
+      "singular.{} A_i_j is how joint i moves with the joint of qd[j - 1], drift how it accelerates if that one does "
       "not.",
-      fmt::join(dependent, ", "));
+      fmt::join(dependent, ", "), aligns_axes(mechanism) ? kAxes : "");
 }
 
 }  // namespace

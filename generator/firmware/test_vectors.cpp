@@ -13,6 +13,7 @@
 #include "firmware/proven_bounds.hpp"
 #include "firmware/worst_state_found.hpp"
 #include "model/angles.hpp"
+#include "model/rounded_up.hpp"
 #include "readback/emitted_text.hpp"
 #include "reference/expected.hpp"
 #include "reference/values.hpp"
@@ -48,13 +49,8 @@ double angle_rounding(const State& state) {
   return sum;
 }
 
-// Rounds up to four digits: the last ones come from sines of <cmath>, which differ between machines.
-double rounded_up(double x) {
-  const std::string text = fmt::format("{:.3e}", x * 1.0005);
-  double result = 0;
-  std::from_chars(text.data(), text.data() + text.size(), result);
-  return result;
-}
+// The digits of allowed errors: the last ones come from sines of <cmath>, which differ between machines.
+constexpr int kAllowedDigits = 4;
 
 // Sets values below the reference's own rounding to 0: entries that are computed without an error are proven to be
 // equal.
@@ -125,7 +121,7 @@ class VectorMaker {
       std::size_t k = 0;
       for (const Output& output : function.outputs) {
         for (std::size_t e = 0; e < output.entries.size(); ++e, ++k) {
-          const double allowed = output.leaves_out(e) ? -1 : rounded_up(unit * scale[k]);
+          const double allowed = output.leaves_out(e) ? -1 : rounded_up(unit * scale[k], kAllowedDigits);
           result_.expected.back().push_back(entry_of(exact[k], scale[k], allowed, proven[k]));
         }
       }

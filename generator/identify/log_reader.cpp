@@ -89,7 +89,8 @@ bool LogReader::next(double* channels) {
       last_time_ = time;
       return true;
     }
-    complain(fmt::format("time does not grow: {} s after {} s", time, last_time_),
+    complain(time < last_time_ ? fmt::format("time does not grow: {} s after {} s", time, last_time_)
+                               : fmt::format("time does not grow: {} s twice, to the 16 digits that are kept", time),
              "sort the log by time, and give each run a file of its own");
     last_time_ = time;
   }

@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+#include "input/csv/clock.hpp"
+
 namespace flatdyn {
 namespace {
 

@@ -43,9 +43,6 @@ class RateCheck {
   // The unit of time, "ms", "us" or "ns", that would agree with all rates; nullptr if there is none, or no motion.
   const char* unit_of_times() const;
 
-  // The time in s between samples from which on they count as far apart.
-  static constexpr double kFarApart = 1;
-
  private:
   // A speed that no robot's joint reaches in rad/s, but that is common in deg/s.
   static constexpr double kFastest = 100;  // rad/s

@@ -9,6 +9,7 @@
 #include "identify/position_check.hpp"
 #include "identify/rate_check.hpp"
 #include "identify/zero_phase.hpp"
+#include "input/csv/clock.hpp"
 
 namespace flatdyn {
 namespace {
@@ -57,13 +58,9 @@ double jitter_of(const std::vector<double>& steps, double dt) {
 // no unit, or are all zero, belong to poses, which may be any time apart. Otherwise the size of the steps decides.
 void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& place, Diagnostics& diagnostics) {
   const double dt = plan.filter.dt;
-  if (dt < RateCheck::kFarApart) return;
-  const char* const by_size = dt < 1e3 ? "ms" : dt < 1e6 ? "us" : "ns";
-  const char* const unit = plan.layout().has_rates ? rates.unit_of_times() : by_size;
-  if (unit == nullptr) return;
-  diagnostics.warning(place, fmt::format("from one sample to the next, {:.6g} s pass", dt),
-                      fmt::format("is the time in {0}? Then write the column's heading as {1} [{0}]", unit,
-                                  plan.heading.channel_names().front()));
+  if (dt < kFarApart) return;
+  const char* const unit = plan.layout().has_rates ? rates.unit_of_times() : unit_by_size(dt);
+  if (unit != nullptr) ask_for_unit_of_time(dt, unit, plan.heading.channel_names().front(), place, diagnostics);
 }
 
 // Reports only errors of positions and rates, before a long log is read; warnings follow when all of it is.

@@ -75,8 +75,26 @@ void hand_over(const Diagnostics& found, Diagnostics& diagnostics) {
   for (Diagnostic& diagnostic : sorted) diagnostics.add(std::move(diagnostic));
 }
 
+// Whether the XML declaration says that each byte is a character of ISO 8859-1.
+bool is_declared_latin1(const std::string& text) {
+  if (text.compare(0, 5, "<?xml") != 0) return false;
+  std::string declaration = text.substr(0, text.find("?>"));
+  for (char& c : declaration) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  return declaration.find("iso-8859-1\"") != std::string::npos ||
+         declaration.find("iso-8859-1'") != std::string::npos || declaration.find("latin1") != std::string::npos ||
+         declaration.find("latin-1") != std::string::npos;
+}
+
 // Editors on Windows save UTF-16 under the name of "Unicode".
 std::optional<std::string> as_utf8(const Source& source, Diagnostics& diagnostics) {
+  if (source.kind == FileKind::urdf && is_declared_latin1(source.text)) {
+    std::string text = utf8_of_latin1(source.text);
+    if (text != source.text) {
+      diagnostics.note({source.name, 1}, "the file is ISO 8859-1, by its first line: it is read as that",
+                       "save it as UTF-8 for other programs");
+    }
+    return text;
+  }
   if (!is_utf16(source.text)) return source.text;
   std::optional<std::string> text = utf8_of_utf16(source.text);
   if (text) {
@@ -118,9 +136,10 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   ask_about_units(robot, context);
 }
 
-// "arm" of arm.toml and of arm.urdf.xacro; stdin has no name.
+// "arm" of arm.toml and of arm.urdf.xacro; stdin and pipes have no name.
 void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnostics, Robot& robot) {
-  robot.name = path == kStandardInput ? "robot" : (is_xacro(path) ? path.stem() : path).stem().string();
+  robot.name =
+      path == kStandardInput || is_pipe(path) ? "robot" : (is_xacro(path) ? path.stem() : path).stem().string();
   if (is_utf8(robot.name)) return;
   diagnostics.error({path.string(), 0}, "the name of the file, which the robot takes, is not UTF-8",
                     "rename the file, or give the robot a name in it");

@@ -99,7 +99,8 @@ void check_coordinates(const Robot& robot, Diagnostics& diagnostics) {
   if (!has_coupled_joints(robot)) return;
   const std::vector<LinearPosition> positions = joint_positions(robot);
   const std::vector<int> owners = joints_with_coordinates(robot);
-  for (const int owner : owners) check_coordinate_range(robot, owner, coordinate_limits(robot, positions, owner), diagnostics);
+  for (const int owner : owners)
+    check_coordinate_range(robot, owner, coordinate_limits(robot, positions, owner), diagnostics);
   for (std::size_t j = 0; j < positions.size(); ++j) {
     if (positions[j].factors.size() > 1) note_idle_limits(robot.joints[j], diagnostics);
   }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 #include "model/loop_sample.hpp"
@@ -41,32 +40,6 @@ OpenLoop open_loop(Loop& written, const Mechanism& tree) {
     if (bodies.count(tree.body_at(k)) > 0 && depends_on(loop.rows, k)) loop.own.push_back(k);
   }
   return loop;
-}
-
-// The part of a column of the rows that is orthogonal to the unit vectors.
-std::vector<Real> rest_of(const Matrix<Real>& rows, int column, const std::vector<std::vector<Real>>& units) {
-  std::vector<Real> rest;
-  for (int i = 0; i < rows.rows(); ++i) rest.push_back(rows(i, column));
-  for (const std::vector<Real>& unit : units) {
-    const Real along = std::inner_product(rest.begin(), rest.end(), unit.begin(), Real(0));
-    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= along * unit[i];
-  }
-  return rest;
-}
-
-// The first of the candidates that the loop determines, as many as it has rows that are independent.
-Positions determined(const Matrix<Real>& rows, const Positions& candidates) {
-  std::vector<std::vector<Real>> units;
-  Positions chosen;
-  for (const int k : candidates) {
-    std::vector<Real> rest = rest_of(rows, k, units);
-    const Real length = sqrt(std::inner_product(rest.begin(), rest.end(), rest.begin(), Real(0)));
-    if (LoopSample::is_zero(length)) continue;
-    for (Real& each : rest) each /= length;
-    units.push_back(std::move(rest));
-    chosen.push_back(k);
-  }
-  return chosen;
 }
 
 class DependentJoints {
@@ -134,7 +107,7 @@ class DependentJoints {
                  [this](int k) { return !is_marked(k, true) && taken_.count(k) == 0; });
     std::stable_sort(candidates.begin(), candidates.end(),
                      [this](int a, int b) { return loops_with(a) < loops_with(b); });
-    give(loop, determined(loop.rows, candidates));
+    give(loop, independent_columns(loop.rows, candidates));
     if (loop.written->dependent.empty()) return;  // the check of the loop reports the reason
     std::vector<std::string> names;
     for (const Reference& joint : loop.written->dependent) names.push_back("\"" + joint.name + "\"");

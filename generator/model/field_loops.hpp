@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Closed loops over any field, by their definition: the closure Φ of each loop from the poses of the bodies in the base
-// frame, and G from Φ_q G = 0, so that q̇ = G q̇_a with q̇_a of the independent joints.
+// Closed loops over any field, by their definition: the closure Φ of each loop (model/mechanism.hpp) from the poses of
+// the bodies in the base frame, and G from Φ_q G = 0, so that q̇ = G q̇_a with q̇_a of the independent joints.
 #pragma once
 
 #include <utility>
@@ -17,18 +17,30 @@ class LoopGeometry {
   LoopGeometry(const MechanismOver<F>& mechanism, const std::vector<JointPoint<S>>& q)
       : mechanism_(mechanism), poses_(body_poses(mechanism, q)) {}
 
-  // All components of the way from the first end to the second, those that the joints do not change, too.
-  Vector3<S> gap(const FieldLoop<F>& loop) const { return in_axes(loop, minus(end(loop, 1), end(loop, 0))); }
+  // All components of Φ, those that the joints do not change, too.
+  std::vector<S> gap(const FieldLoop<F>& loop) const {
+    const Vector3<S> way = in_axes(loop, minus(end(loop, 1), end(loop, 0)));
+    std::vector<S> components(way.begin(), way.end());
+    if (loop.components > 3) {
+      const Vector3<S> axis = turned(loop, 1, loop.axis);
+      for (const Vector3<F>& e : loop.across) components.push_back(dot(turned(loop, 0, e), axis));
+    }
+    return components;
+  }
 
-  // Its derivative by each entry of q, 3 × m.
+  // Their derivatives by each entry of q, a row for each component. Of e·a: what turns a by ω changes it by
+  // e·(ω × a) = ω·(a × e), what turns e by as much less.
   Matrix<S> jacobian(const FieldLoop<F>& loop) const {
-    Matrix<S> J(3, mechanism_.position_count());
+    Matrix<S> J(loop.components, mechanism_.position_count());
+    const std::vector<Vector3<S>> normals = normals_of(loop);
     for (std::size_t e = 0; e < 2; ++e) {
       const Vector3<S> p = end(loop, e);
       for (int i = loop.bodies[e]; i != loop.carrier; i = mechanism_.bodies[static_cast<std::size_t>(i)].parent) {
-        const Vector3<S> column = in_axes(loop, moved_by(i, p));
+        const Vector3<S> moved = in_axes(loop, moved_by(i, p));
+        std::vector<S> column(moved.begin(), moved.end());
+        for (const Vector3<S>& normal : normals) column.push_back(turned_by(i, normal));
         for (int k = 0; k < J.cols(); ++k) {
-          for (int row = 0; row < 3; ++row) {
+          for (int row = 0; row < J.rows(); ++row) {
             const S part = column[static_cast<std::size_t>(row)] * factor(i, k);
             J(row, k) += e == 0 ? -part : part;
           }
@@ -36,6 +48,11 @@ class LoopGeometry {
       }
     }
     return J;
+  }
+
+  // The cosine of the angle between its axes: e_1 × e_2 and a.
+  S cosine(const FieldLoop<F>& loop) const {
+    return dot(cross(turned(loop, 0, loop.across[0]), turned(loop, 0, loop.across[1])), turned(loop, 1, loop.axis));
   }
 
   // Φ_q of one loop: the rows that count.
@@ -60,11 +77,31 @@ class LoopGeometry {
     return plus(body.p, times(body.R, p));
   }
 
-  Vector3<S> moved_by(int i, const Vector3<S>& p) const {
-    const Pose3<S>& pose = poses_[static_cast<std::size_t>(i)];
-    const Vector3<S> z = {pose.R[0][2], pose.R[1][2], pose.R[2][2]};
-    return mechanism_.bodies[static_cast<std::size_t>(i)].prismatic ? z : cross(z, minus(p, pose.p));
+  // A direction in the body of an end, in the base frame.
+  Vector3<S> turned(const FieldLoop<F>& loop, std::size_t e, const Vector3<F>& v) const {
+    if (loop.bodies[e] < 0) return {S(v[0]), S(v[1]), S(v[2])};
+    return times(poses_[static_cast<std::size_t>(loop.bodies[e])].R, v);
   }
+
+  // a × e_1 and a × e_2, if axes meet.
+  std::vector<Vector3<S>> normals_of(const FieldLoop<F>& loop) const {
+    std::vector<Vector3<S>> normals;
+    if (loop.components == 3) return normals;
+    const Vector3<S> axis = turned(loop, 1, loop.axis);
+    for (const Vector3<F>& e : loop.across) normals.push_back(cross(axis, turned(loop, 0, e)));
+    return normals;
+  }
+
+  Vector3<S> axis_of(int i) const {
+    const Matrix3<S>& R = poses_[static_cast<std::size_t>(i)].R;
+    return {R[0][2], R[1][2], R[2][2]};
+  }
+  bool slides(int i) const { return mechanism_.bodies[static_cast<std::size_t>(i)].prismatic; }
+
+  Vector3<S> moved_by(int i, const Vector3<S>& p) const {
+    return slides(i) ? axis_of(i) : cross(axis_of(i), minus(p, poses_[static_cast<std::size_t>(i)].p));
+  }
+  S turned_by(int i, const Vector3<S>& normal) const { return slides(i) ? S{} : dot(axis_of(i), normal); }
 
   Vector3<S> in_axes(const FieldLoop<F>& loop, Vector3<S> v) const {
     if (loop.carrier >= 0) v = times(transposed(poses_[static_cast<std::size_t>(loop.carrier)].R), v);
@@ -75,7 +112,7 @@ class LoopGeometry {
   std::vector<Pose3<S>> poses_;
 };
 
-// By its first row. For matrices of up to three.
+// By its first row. For matrices of up to five.
 template <class S>
 S determinant(const Matrix<S>& A) {
   if (A.rows() == 1) return A(0, 0);

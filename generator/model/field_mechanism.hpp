@@ -49,6 +49,8 @@ struct FieldLoop {
   Vector3<F> points[2];
   int carrier;
   Matrix3<F> axes;
+  int components;
+  Vector3<F> across[2], axis;
   std::vector<std::size_t> rows;
   std::vector<int> dependent;
 };
@@ -227,6 +229,9 @@ class MechanismMap {
             {mapped(a.ends[0].p), mapped(a.ends[1].p)},
             a.carrier,
             mapped(a.axes),
+            a.components,
+            {mapped(a.across[0]), mapped(a.across[1])},
+            mapped(a.axis),
             a.rows,
             a.dependent};
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "diagnostics/characters.hpp"
 #include "diagnostics/utf8.hpp"
 #include "model/transliteration.hpp"
 
@@ -161,8 +162,6 @@ constexpr auto kReserved = std::to_array<std::string_view>({
     "signgam",
 });
 
-// ASCII only, so that the result does not depend on the locale.
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 // A name in ASCII. Robot files are UTF-8; a byte that belongs to no character separates words.

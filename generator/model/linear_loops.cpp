@@ -144,7 +144,7 @@ class LoopSettler {
   bool settle(const Loop& loop) {
     CutLoop cut;
     cut.tree = make_mechanism(open_tree());
-    if (!find_ends(loop, cut) || !find_joints(loop, cut)) return false;
+    if (!find_ends(loop, cut) || !find_joints(loop, cut) || !is_of_points(loop, robot_, diagnostics_)) return false;
     constexpr std::size_t kMostDependent = 2, kMostIndependent = 3;
     std::vector<Solution> solutions;
     if (cut.dependent.size() <= kMostDependent && cut.independent.size() <= kMostIndependent) {
@@ -295,11 +295,9 @@ void settle_loops(Robot& robot, Diagnostics& diagnostics) {
     for (const Diagnostic& choice : choices.all()) diagnostics.add(choice);
   };
   if (choices.has_errors()) return tell();
-  const Robot written = robot;
   std::erase_if(robot.loops, [&](const Loop& loop) { return LoopSettler(robot, diagnostics).settle(loop); });
   if (diagnostics.has_errors()) return;
   if (!robot.loops.empty()) check_loops(robot, open_mechanism(robot), diagnostics);
-  if (!diagnostics.has_errors()) check_loop_axes(written, diagnostics);
   if (!diagnostics.has_errors()) tell();
 }
 

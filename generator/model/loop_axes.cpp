@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "model/joint_points.hpp"
+#include "model/assembly.hpp"
 #include "model/loop_sample.hpp"
 #include "model/rational_rotation.hpp"
 
@@ -13,11 +13,6 @@ namespace flatdyn {
 namespace {
 
 using Real = LoopSample::Real;
-
-const LinkFrame& frame_of(const Mechanism& tree, const std::string& link) {
-  return *std::find_if(tree.links.begin(), tree.links.end(),
-                       [&link](const LinkFrame& each) { return each.link == link; });
-}
 
 // A pose in the base frame, in exact numbers.
 struct ExactPose {
@@ -43,51 +38,12 @@ ExactPose link_at_zero(const Mechanism& tree, const std::string& link) {
   return placed(pose_at_zero(tree, frame.body), frame.R, frame.p);
 }
 
-// The axes of one loop in the base frame, unit.
-struct AxisPair {
-  std::array<Vector3<Real>, 2> axes;
-
-  Real cosine() const { return dot(axes[0], axes[1]); }
-  bool is_parallel() const {
-    const Vector3<Real> across = cross(axes[0], axes[1]);
-    return std::all_of(across.begin(), across.end(), LoopSample::is_zero);
-  }
-};
-
 Real at_zero(const Input& input) { return input.kind == InputKind::q ? Real(0) : LoopSample::drawn(input); }
 
-AxisPair axes_at(const Mechanism& tree, const Loop& loop, Real (*value_of)(const Input&)) {
-  RealArithmetic<Real> arithmetic(value_of);
-  const NumberMap<RealArithmetic<Real>> number(tree.symbols, arithmetic);
-  const std::vector<Pose3<Real>> poses = body_poses(mechanism_over(tree, arithmetic), joint_points(tree, arithmetic));
-  AxisPair pair;
-  for (std::size_t e = 0; e < 2; ++e) {
-    const LinkFrame& link = frame_of(tree, loop.links[e].name);
-    const Vec3 axis = expanded(link.R * unit((*loop.axes)[e]));
-    const Vector3<Real> in_body = {number(axis[0]), number(axis[1]), number(axis[2])};
-    pair.axes[e] = link.body < 0 ? in_body : times(poses[static_cast<std::size_t>(link.body)].R, in_body);
-  }
-  return pair;
-}
-
-void check_axes(const Mechanism& tree, const Loop& loop, Diagnostics& diagnostics) {
-  const AxisPair anywhere = axes_at(tree, loop, LoopSample::drawn), zero = axes_at(tree, loop, at_zero);
-  if (anywhere.is_parallel()) return;
-  if (LoopSample::is_zero(anywhere.cosine() - zero.cosine())) {
-    diagnostics.error(
-        loop.place,
-        fmt::format(
-            "{}: its axes are never parallel: the angle between them is {:.4g} rad at all positions of the joints",
-            name_of(loop), static_cast<double>(acos(zero.cosine()))),
-        "check the axes: the loop's joints turn about parallel ones");
-    return;
-  }
-  diagnostics.unsupported(
-      loop.place,
-      name_of(loop) +
-          ": its joints do not by themselves keep its axes parallel, so that it takes more than its "
-          "points: revolute joints in space are not supported yet as what closes a loop",
-      "cut the loop at another joint: a ball joint (type=\"spherical\"), or in a plane");
+bool has_angles_in_symbols(const Mechanism& tree) {
+  return std::any_of(tree.bodies.begin(), tree.bodies.end(), [](const Body& body) {
+    return has_symbols(body.beta.c) || has_symbols(body.alpha.c) || has_symbols(body.theta.c);
+  });
 }
 
 }  // namespace
@@ -105,14 +61,37 @@ void close_at_zero(Robot& robot) {
   }
 }
 
-void check_loop_axes(const Robot& robot, Diagnostics& diagnostics) {
-  if (std::none_of(robot.loops.begin(), robot.loops.end(), [](const Loop& loop) { return loop.axes.has_value(); })) {
-    return;
+bool is_of_points(const Loop& loop, const Robot& robot, Diagnostics& diagnostics) {
+  if (!loop.axes) return true;
+  const Mechanism tree = with_coupling(open_mechanism(robot));
+  const LoopClosure closure = closure_of(loop, tree);
+  const LoopSample anywhere(tree, closure);
+  const std::vector<Real> gap = anywhere.gap();
+  const bool is_parallel = std::all_of(gap.begin() + LoopClosure::kOfPoints, gap.end(), LoopSample::is_zero);
+  if (is_parallel) return true;
+  const Real cosine = LoopSample(tree, closure, at_zero).cosine();
+  if (LoopSample::is_zero(anywhere.cosine() - cosine)) {
+    diagnostics.error(
+        loop.place,
+        fmt::format(
+            "{}: its axes are never parallel: the angle between them is {:.4g} rad at all positions of the joints",
+            name_of(loop), static_cast<double>(acos(cosine))),
+        "check the axes: the loop's joints turn about parallel ones");
   }
-  const Mechanism tree = open_mechanism(robot);
-  for (const Loop& loop : robot.loops) {
-    if (loop.axes) check_axes(tree, loop, diagnostics);
-  }
+  return false;
+}
+
+// Near enough that they cannot be meant to point the other way; without that, nothing is taken for granted.
+int sense_of_axes(const Robot& robot, const Mechanism& tree, const LoopClosure& loop) {
+  if (has_angles_in_symbols(tree)) return 0;
+  const std::vector<double> assembled = assembled_positions(robot, tree);
+  const auto value_of = [&assembled](const Input& input) {
+    return input.kind == InputKind::q ? Real(assembled[static_cast<std::size_t>(input.index)])
+                                      : LoopSample::drawn(input);
+  };
+  constexpr double kNear = 0.97;
+  const auto cosine = static_cast<double>(LoopSample(tree, loop, value_of).cosine());
+  return cosine > kNear ? 1 : cosine < -kNear ? -1 : 0;
 }
 
 }  // namespace flatdyn

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
+#include "model/loop_axes.hpp"
 #include "model/loop_sample.hpp"
 
 namespace flatdyn {
@@ -46,7 +48,7 @@ std::vector<std::size_t> sorted(const Mechanism& tree, const std::vector<LoopClo
   return order;
 }
 
-// What keeps one loop, taken by itself, from determining its dependent joints.
+// Finds why one loop, taken by itself, does not determine its dependent joints.
 class LoopCheck {
  public:
   LoopCheck(const Mechanism& tree, const Loop& written, Diagnostics& diagnostics)
@@ -54,6 +56,7 @@ class LoopCheck {
 
   void run() {
     const LoopSample sample(tree_, loop_);
+    if (loop_.aligns_axes() && !can_align(sample)) return;
     if (!can_close(sample.gap())) {
       error("its points can never meet: they lie apart in a direction in which no joint moves them",
             std::string("check ") + (written_.is_marked ? "the origins of its two ends" : "from and to") +
@@ -74,12 +77,37 @@ class LoopCheck {
   }
 
  private:
-  bool can_close(const Vector3<Real>& gap) const {
-    for (std::size_t row = 0; row < 3; ++row) {
-      const bool moves = std::find(loop_.rows.begin(), loop_.rows.end(), row) != loop_.rows.end();
-      if (!moves && !is_zero(gap[row])) return false;
+  bool stays_open(std::size_t row, const std::vector<Real>& gap) const {
+    const bool moves = std::find(loop_.rows.begin(), loop_.rows.end(), row) != loop_.rows.end();
+    return !moves && !is_zero(gap[row]);
+  }
+
+  bool can_close(const std::vector<Real>& gap) const {
+    return !stays_open(0, gap) && !stays_open(1, gap) && !stays_open(2, gap);
+  }
+
+  // For a loop along axes in space.
+  bool can_align(const LoopSample& sample) {
+    const std::vector<Real> gap = sample.gap();
+    const Matrix<Real> rows = sample.rows();
+    std::vector<int> all(index(rows.cols()));
+    std::iota(all.begin(), all.end(), 0);
+    const std::size_t rank = independent_columns(rows, all).size(), joints = moving_joints(rows);
+    if (stays_open(3, gap) || stays_open(4, gap)) {
+      error("its axes are never parallel: no joint turns them towards each other",
+            "check the axes: the loop's joints have to turn one onto the other");
+      return false;
     }
-    return true;
+    if (joints > loop_.rows.size() && rank == loop_.rows.size()) return true;
+    const std::string has = joints > loop_.rows.size() ? fmt::format("its joints change only {} of them freely", rank)
+                                                       : fmt::format("has {} joints for them", joints);
+    diagnostics_.unsupported(
+        written_.place,
+        fmt::format("{}: along its axes it takes {} coordinates, and {}: it stands still, or moves only because its "
+                    "lengths and angles are special (overconstrained), which is not supported",
+                    name_of(written_), loop_.rows.size(), has),
+        "cut the loop at a ball joint, if it has one; if it lies in a plane, its axes have to be exactly parallel");
+    return false;
   }
 
   void refuse_count() {
@@ -139,7 +167,10 @@ void check_names(const Robot& robot, Diagnostics& diagnostics) {
 
 std::vector<LoopClosure> closures(const Robot& robot, const Mechanism& tree) {
   std::vector<LoopClosure> loops;
-  for (const Loop& loop : robot.loops) loops.push_back(closure_of(loop, tree));
+  for (const Loop& loop : robot.loops) {
+    loops.push_back(closure_of(loop, tree));
+    if (loops.back().aligns_axes()) loops.back().sense = sense_of_axes(robot, tree, loops.back());
+  }
   return loops;
 }
 
@@ -178,6 +209,11 @@ void check_loops(const Robot& robot, const Mechanism& open, Diagnostics& diagnos
             "be solved together are not supported yet",
         "choose the dependent joints so that one loop is determined without the other");
   }
+}
+
+bool aligns_axes(const Mechanism& mechanism) {
+  return std::any_of(mechanism.loops.begin(), mechanism.loops.end(),
+                     [](const LoopClosure& loop) { return loop.aligns_axes(); });
 }
 
 }  // namespace flatdyn

@@ -10,11 +10,14 @@
 
 namespace flatdyn {
 
-// Of the robot's loops, in its tree. For loops that check_loops() has found right.
+// Adds the robot's loops to its tree. They must be loops that check_loops() has found right.
 void add_loops(const Robot& robot, Mechanism& tree);
 
 // Loops determine as many joints as they name, each one those that no loop before it does. Decided in 50 digits at one
 // position. `tree`: without loops.
 void check_loops(const Robot& robot, const Mechanism& tree, Diagnostics& diagnostics);
+
+// Whether one of its loops has equations of axes.
+bool aligns_axes(const Mechanism& mechanism);
 
 }  // namespace flatdyn

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 
 #include "model/joint_points.hpp"
 #include "model/rational_rotation.hpp"
+#include "model/still_points.hpp"
 
 namespace flatdyn {
 namespace {
@@ -21,9 +23,20 @@ Mechanism with_loop(Mechanism tree, const LoopClosure& loop) {
 }
 
 LoopClosure::End end_of(const Mechanism& tree, const std::string& name, const Vec3& point) {
-  const auto link =
-      std::find_if(tree.links.begin(), tree.links.end(), [&name](const LinkFrame& each) { return each.link == name; });
-  return {link->body, expanded(link->p + link->R * rationalised(point))};
+  const LinkFrame& link = frame_of(tree, name);
+  return {link.body, expanded(link.p + link.R * rationalised(point))};
+}
+
+Vec3 column_of(const Mat3& m, std::size_t k) { return {m[0][k], m[1][k], m[2][k]}; }
+
+// Exactly orthonormal, whatever the axes' lengths.
+void set_axes(const Loop& written, const Mechanism& tree, LoopClosure& loop) {
+  if (!written.axes) return;
+  const Mat3 first = expanded(frame_of(tree, written.links[0].name).R * rotation_onto((*written.axes)[0])),
+             second = expanded(frame_of(tree, written.links[1].name).R * rotation_onto((*written.axes)[1]));
+  loop.components = 5;
+  for (std::size_t k = 0; k < 2; ++k) loop.across[k] = column_of(first, k);
+  loop.axis = column_of(second, 2);
 }
 
 // The body that all of a loop moves with, and the bodies from there to each end.
@@ -69,6 +82,27 @@ bool is_zero_row(const Matrix<Real>& J, int row) {
   return true;
 }
 
+// Whether its points are together wherever the joints are.
+bool holds_points(const Mechanism& tree, const LoopClosure& loop) {
+  const LoopSample sample(tree, loop);
+  const Matrix<Real> J = sample.jacobian();
+  const std::vector<Real> gap = sample.gap();
+  for (std::size_t row = 0; row < LoopClosure::kOfPoints; ++row) {
+    if (!is_zero_row(J, static_cast<int>(row)) || !LoopSample::is_zero(gap[row])) return false;
+  }
+  return true;
+}
+
+// Along an axis, any of its points will do: in a spherical linkage its centre, where they are together anyway.
+void cut_at_centre(const Mechanism& tree, LoopClosure& loop) {
+  if (loop.components == LoopClosure::kOfPoints) return;
+  const std::optional<std::array<Vec3, 2>> points = still_points(tree, loop);
+  if (!points) return;
+  LoopClosure moved = loop;
+  for (std::size_t e = 0; e < 2; ++e) moved.ends[e].p = (*points)[e];
+  if (holds_points(tree, moved)) loop = std::move(moved);
+}
+
 void find_rows(const Mechanism& tree, LoopClosure& loop) {
   const Matrix<Real> J = LoopSample(tree, loop).jacobian();
   for (int row = 0; row < J.rows(); ++row) {
@@ -77,6 +111,11 @@ void find_rows(const Mechanism& tree, LoopClosure& loop) {
 }
 
 }  // namespace
+
+const LinkFrame& frame_of(const Mechanism& tree, const std::string& link) {
+  return *std::find_if(tree.links.begin(), tree.links.end(),
+                       [&link](const LinkFrame& each) { return each.link == link; });
+}
 
 Mechanism with_coupling(Mechanism tree) {
   if (tree.is_coupled()) return tree;
@@ -102,6 +141,8 @@ LoopClosure closure_of(const Loop& written, const Mechanism& tree) {
   const Chains chains = chains_of(tree, loop);
   loop.carrier = chains.carrier;
   loop.axes = axes_of(tree, chains.ways);
+  set_axes(written, tree, loop);
+  cut_at_centre(tree, loop);
   find_rows(tree, loop);
   for (const Reference& joint : written.dependent) {
     for (int k = 0; k < tree.position_count(); ++k) {
@@ -119,20 +160,51 @@ Real LoopSample::drawn(const Input& input) {
          floor(Real(k + 1) * Real("0.6180339887498948482"));
 }
 
-LoopSample::LoopSample(const Mechanism& tree, const LoopClosure& loop)
-    : arithmetic_(drawn),
+LoopSample::LoopSample(const Mechanism& tree, const LoopClosure& loop,
+                       const std::function<Real(const Input&)>& value_of)
+    : arithmetic_(value_of),
       field_(mechanism_over(with_loop(tree, loop), arithmetic_)),
       points_(joint_points(tree, arithmetic_)) {}
 
 Matrix<Real> LoopSample::jacobian() const { return geometry().jacobian(field_.loops.front()); }
 Matrix<Real> LoopSample::rows() const { return geometry().rows(field_.loops.front()); }
-Vector3<Real> LoopSample::gap() const { return geometry().gap(field_.loops.front()); }
+std::vector<Real> LoopSample::gap() const { return geometry().gap(field_.loops.front()); }
+Real LoopSample::cosine() const { return geometry().cosine(field_.loops.front()); }
 
 bool depends_on(const Matrix<Real>& J, int position) {
   for (int row = 0; row < J.rows(); ++row) {
     if (!LoopSample::is_zero(J(row, position))) return true;
   }
   return false;
+}
+
+namespace {
+
+// The rest of a column without its parts along unit vectors.
+std::vector<Real> rest_of(const Matrix<Real>& J, int column, const std::vector<std::vector<Real>>& units) {
+  std::vector<Real> rest;
+  for (int i = 0; i < J.rows(); ++i) rest.push_back(J(i, column));
+  for (const std::vector<Real>& unit : units) {
+    const Real along = std::inner_product(rest.begin(), rest.end(), unit.begin(), Real(0));
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= along * unit[i];
+  }
+  return rest;
+}
+
+}  // namespace
+
+std::vector<int> independent_columns(const Matrix<Real>& J, const std::vector<int>& positions) {
+  std::vector<std::vector<Real>> units;
+  std::vector<int> chosen;
+  for (const int k : positions) {
+    std::vector<Real> rest = rest_of(J, k, units);
+    const Real length = sqrt(std::inner_product(rest.begin(), rest.end(), rest.begin(), Real(0)));
+    if (LoopSample::is_zero(length)) continue;
+    for (Real& each : rest) each /= length;
+    units.push_back(std::move(rest));
+    chosen.push_back(k);
+  }
+  return chosen;
 }
 
 }  // namespace flatdyn

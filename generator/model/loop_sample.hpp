@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One closed loop in the tree, its joints at a position like any other, in 50 digits: where what is zero for all
-// positions is told from what is not.
+// positions is told from what is not. Or at a position that is given.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "flatdyn/reference/real50.hpp"
@@ -18,6 +19,9 @@ Mechanism with_coupling(Mechanism tree);
 // The tree that is left when the robot's loops are cut. Its mimicking joints stay coupled.
 Mechanism open_mechanism(const Robot& robot);
 
+// The frame of a link, which must be there.
+const LinkFrame& frame_of(const Mechanism& tree, const std::string& link);
+
 // A written loop in a tree that has gone through with_coupling().
 LoopClosure closure_of(const Loop& written, const Mechanism& tree);
 
@@ -31,11 +35,13 @@ class LoopSample {
   // Where the joints are, and what free symbols stand for: none a multiple of another.
   static Real drawn(const Input& input);
 
-  LoopSample(const Mechanism& tree, const LoopClosure& loop);
+  LoopSample(const Mechanism& tree, const LoopClosure& loop,
+             const std::function<Real(const Input&)>& value_of = LoopSample::drawn);
 
-  Matrix<Real> jacobian() const;  // of all three components, m or 1 per rad or m of an entry of q
+  Matrix<Real> jacobian() const;  // of all components, m or 1 per rad or m of an entry of q
   Matrix<Real> rows() const;      // of those that the joints change
-  Vector3<Real> gap() const;      // m
+  std::vector<Real> gap() const;  // of all components, m and 1
+  Real cosine() const;            // between its axes
 
  private:
   LoopGeometry<Real, Real> geometry() const { return {field_, points_}; }
@@ -47,5 +53,8 @@ class LoopSample {
 
 // Whether an entry of q has a part in the rows.
 bool depends_on(const Matrix<LoopSample::Real>& J, int position);
+
+// The first of these entries of q whose columns of J are independent, as many as there are.
+std::vector<int> independent_columns(const Matrix<LoopSample::Real>& J, const std::vector<int>& positions);
 
 }  // namespace flatdyn

@@ -80,19 +80,29 @@ struct CoordinateMultiple {
   Number factor = 1;  // positive
 };
 
-// A closed loop that is not a linear coupling, cut where two points meet. Its constraint is Φ(q) = 0, where Φ has those
-// components of the displacement from the first point to the second, in the frame of the carrier, that the joints
-// change.
+// A closed loop that is not a linear coupling, cut where two points, and perhaps two axes, meet. Its constraint is
+// Φ(q) = 0, where Φ has those of these components that the joints change: 0 to 2 are the displacement from the first
+// point to the second, in the frame of the carrier; 3 and 4 are the cosines between the second end's axis and two
+// directions across the first end's.
 struct LoopClosure {
+  static constexpr std::size_t kOfPoints = 3;
   struct End {
     int body = -1;  // -1: the base
     Vec3 p = zero_vector();
   };
   End ends[2];
   int carrier = -1;               // the body nearest to the ends that moves both of them; -1: the base
-  Mat3 axes = identity_matrix();  // the axes of the components, as columns, in the carrier's frame
-  std::vector<std::size_t> rows;  // the components that the joints change
+  Mat3 axes = identity_matrix();  // the axes of components 0 to 2, as columns, in the carrier's frame
+  int components = kOfPoints;     // 5 if axes meet as well
+  // e_1 and e_2 in the first end's body, which with its axis e_1 × e_2 are a frame; a in the second end's body, unit.
+  Vec3 across[2] = {zero_vector(), zero_vector()};
+  Vec3 axis = zero_vector();
+  int sense = 0;                  // whether a is e_1 × e_2 (1) or its opposite (-1) as assembled; 0: not known
+  std::vector<std::size_t> rows;  // the components that the joints change, in their order
   std::vector<int> dependent;     // entries of q that follow from the others; as many as rows
+
+  // Whether its joints do not by themselves keep its axes parallel.
+  bool aligns_axes() const { return !rows.empty() && rows.back() >= kOfPoints; }
 };
 
 class JointRange;

@@ -33,7 +33,9 @@ struct Range {
 
 Range position_range(const Body& body) {
   const double widest = body.prismatic ? 1 : kPi;
-  return {limit_or(body.limits.lower, -widest), limit_or(body.limits.upper, widest)};
+  const Range range{limit_or(body.limits.lower, -widest), limit_or(body.limits.upper, widest)};
+  if (range.low <= range.high) return range;  // else one limit alone is beyond them
+  return body.limits.lower ? Range{range.low, range.low + 2 * widest} : Range{range.high - 2 * widest, range.high};
 }
 
 // A limit's size, or `otherwise` if there is none. A limit of zero means that nobody filled it in.

@@ -41,7 +41,7 @@ std::vector<int> joints_above(const Robot& robot, Diagnostics& diagnostics) {
         joint.place,
         fmt::format("link \"{}\" is the child of two joints, \"{}\" (line {}) and \"{}\"",
                     robot.links[static_cast<std::size_t>(joint.child)].name, first.name, first.place.line, joint.name),
-        "a link has one parent; closed chains are not supported");
+        "a link has one parent: leave one joint out, and write it as a loop, <loop> in URDF, [[loop]] in TOML");
   }
   return joint_above;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/absent_limits.hpp"
 #include "model/physical_inertia.hpp"
 
 namespace flatdyn {
@@ -128,39 +129,8 @@ void check_range(const Joint& joint, Diagnostics& diagnostics) {
   }
 }
 
-bool take_away_if_zero(std::optional<Value>& limit) {
-  if (!limit || !is_exact_zero(limit->number)) return false;
-  limit.reset();
-  return true;
-}
-
-// Removes limits of zero, which exporters write if nobody gave any: lower = upper = 0, velocity = 0, ...
-void take_away_zero_limits(Joint& joint, Diagnostics& diagnostics) {
-  Limits& limits = joint.limits;
-  std::vector<std::string> zeros;
-  Place place = joint.place;
-  if (limits.lower && limits.upper && is_exact_zero(limits.lower->number) && is_exact_zero(limits.upper->number)) {
-    place = limits.lower->place;
-    limits.lower.reset();
-    limits.upper.reset();
-    zeros = {"lower", "upper"};
-  }
-  const std::array<std::pair<const char*, std::optional<Value>*>, 3> magnitudes = {
-      {{"velocity", &limits.velocity}, {"acceleration", &limits.acceleration}, {"effort", &limits.effort}}};
-  for (const auto& [name, limit] : magnitudes) {
-    const Place written = *limit ? (*limit)->place : place;
-    if (!take_away_if_zero(*limit)) continue;
-    if (zeros.empty()) place = written;
-    zeros.emplace_back(name);
-  }
-  if (zeros.empty()) return;
-  diagnostics.note(place,
-                   fmt::format("{}: limits of 0 are taken as not given: {}", named(joint), fmt::join(zeros, ", ")),
-                   "give the limits, or leave them out", "joints with limits of 0, which are taken as not given");
-}
-
 void check_limits(Joint& joint, Diagnostics& diagnostics) {
-  take_away_zero_limits(joint, diagnostics);
+  take_away_absent_limits(joint, diagnostics);
   check_range(joint, diagnostics);
   const std::array<std::pair<const char*, const std::optional<Value>*>, 3> magnitudes = {
       {{"velocity", &joint.limits.velocity},

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "definition/pivot_share.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/nearest.hpp"
 #include "graph/count.hpp"
-#include "definition/pivot_share.hpp"
 #include "symbolic/functions.hpp"
 
 namespace flatdyn {

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "diagnostics/characters.hpp"
 #include "model/number.hpp"
 
 namespace flatdyn {
 namespace {
 
 constexpr double kMostSeconds = 86400, kMostCandidates = 1e6;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

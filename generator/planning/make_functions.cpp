@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "input/common/context.hpp"
 #include "definition/pivot_share.hpp"
+#include "input/common/context.hpp"
 #include "planning/formulations.hpp"
 #include "planning/plan.hpp"
 #include "planning/plan_together.hpp"

@@ -13,6 +13,7 @@
 #include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
 #include "model/identifiers.hpp"
+#include "model/loop_closure.hpp"
 #include "python/module_names.hpp"
 #include "templates.hpp"
 
@@ -77,6 +78,7 @@ class ModuleWriter {
     page["symbols"] = data(symbols);
     page["functions"] = functions();
     page["closes_loops?"] = closes_loops();
+    page["closes_axes?"] = aligns_axes(mechanism_);
     page["positions"] = std::to_string(mechanism_.position_count());
     return page;
   }

@@ -168,6 +168,10 @@ class Converter {
         const LinkFrame& link = link_of(mechanism, closure.ends[e].body);
         loop.links[e] = index_of(mechanism, link);
         loop.points[e] = matrix(link.R).transpose() * (vector(closure.ends[e].p) - vector(link.p));
+        if (e == 1) loop.axis = matrix(link.R).transpose() * vector(closure.axis);
+        for (std::size_t k = 0; k < 2 && e == 0; ++k) {
+          loop.across[k] = matrix(link.R).transpose() * vector(closure.across[k]);
+        }
       }
       const LinkFrame& carrier = link_of(mechanism, closure.carrier);
       loop.carrier = index_of(mechanism, carrier);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "diagnostics/table.hpp"
+#include "model/rounded_up.hpp"
 
 namespace flatdyn {
 namespace {
@@ -19,19 +20,14 @@ std::vector<std::string> dropped_names(const Abbreviation& abbreviation) {
 
 std::string short_number(double value) { return fmt::format("{:.3g}", value); }
 
-// Rounds up to three digits, so that a bound stays a bound.
-std::string rounded_up(double value) {
-  if (value <= 0) return "0";
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
-  return short_number(std::ceil(value / unit) * unit);
-}
+std::string bound_text(double value) { return short_number(rounded_up(value, 3)); }
 
 }  // namespace
 
 std::string abbreviation_fact(const Abbreviation& abbreviation) {
   if (abbreviation.dropped.empty()) return "The error budget allows to leave out nothing.";
   std::vector<std::string> bounds;
-  for (const double bound : abbreviation.bound) bounds.push_back(rounded_up(bound));
+  for (const double bound : abbreviation.bound) bounds.push_back(bound_text(bound));
   return fmt::format(
       "Left out for an error budget, of the base parameters: {}. Within the limits of velocity and "
       "acceleration this changes the joints' torques by at most {} N m (N for prismatic joints).",
@@ -43,7 +39,7 @@ std::string describe_abbreviation(const LoadedRobot& model, const TorqueDeviatio
   std::vector<std::vector<std::string>> rows = {{"joint", "budget", "proven bound", "largest seen", "unit"}};
   for (std::size_t i = 0; i < abbreviation.bound.size(); ++i) {
     const Body& body = model.mechanism.joints()[i];
-    rows.push_back({body.joint, short_number(abbreviation.budget[i]), rounded_up(abbreviation.bound[i]),
+    rows.push_back({body.joint, short_number(abbreviation.budget[i]), bound_text(abbreviation.bound[i]),
                     short_number(seen.largest[i]), torque_unit(body)});
   }
   return fmt::format("error budget {}: left out {}{}\n{}(largest seen: of {} random states)\n",

@@ -268,6 +268,21 @@ std::string before_search(const OptimisedFunction& each) {
   return fmt::format("{} / {}", each.search->before.multiplications, each.search->before.additions);
 }
 
+// As people count joints, and the columns of CSV files: "q_2 to q_4, m_p".
+std::string list_as_counted(const std::vector<Input>& inputs, const std::vector<std::string>& symbols) {
+  std::vector<std::string> parts;
+  for (std::size_t first = 0, last = 0; first < inputs.size(); first = last + 1) {
+    last = first;
+    while (inputs[first].kind != InputKind::parameter && last + 1 < inputs.size() &&
+           inputs[last + 1].kind == inputs[first].kind && inputs[last + 1].index == inputs[last].index + 1) {
+      ++last;
+    }
+    parts.push_back(variable_of_input(inputs[first], symbols));
+    if (last > first) parts.back() += (last > first + 1 ? " to " : ", ") + variable_of_input(inputs[last], symbols);
+  }
+  return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
 bool is_searched(const std::vector<OptimisedFunction>& functions) {
   return !functions.empty() && functions.front().search;
 }
@@ -285,7 +300,7 @@ std::string describe_functions(const std::vector<OptimisedFunction>& functions,
     for (const int number : {count_operations(each.derived).arithmetic(), structural_zeros(each.function)}) {
       rows.back().push_back(std::to_string(number));
     }
-    rows.back().push_back(list_of_inputs(inputs_read(each.function), symbols));
+    rows.back().push_back(list_as_counted(inputs_read(each.function), symbols));
   }
   return aligned_table(rows);
 }

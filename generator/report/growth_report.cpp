@@ -91,7 +91,7 @@ ordered_json growth_json(const GrowthReport& report) {
 
 std::string growth_plot(const GrowthReport& report) {
   std::vector<Panel> panels = {growth_panel(report, "multiplications and additions",
-                                        [](const GrowthRow& r) { return 1.0 * r.operations.arithmetic(); }),
+                                            [](const GrowthRow& r) { return 1.0 * r.operations.arithmetic(); }),
                                growth_panel(report, "one call, ns", [](const GrowthRow& r) { return r.time.median; }),
                                growth_panel(report, "generation, s", [](const GrowthRow& r) { return r.generation; }),
                                growth_panel(report, "compilation, s", [](const GrowthRow& r) { return r.compilation; }),

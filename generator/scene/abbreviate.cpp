@@ -10,14 +10,12 @@
 #include "definition/lagrangian.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "graph/arithmetic.hpp"
+#include "model/rounded_up.hpp"
 #include "model/states.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
 namespace {
-
-// Covers the rounding errors of the bounds themselves.
-constexpr double kUpward = 1 + 1e-9;
 
 // The largest norms, within the limits, of ω, ω̇ and p̈ - g_0 of a body, and of its origin's displacement from its
 // parent's.

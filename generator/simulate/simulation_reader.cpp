@@ -198,6 +198,13 @@ class SimulationReader {
   Units units_;
 };
 
+void ask_about_times(const TorqueSamples& samples, const std::string& column, const Place& place,
+                     Diagnostics& diagnostics) {
+  if (samples.times.size() < 2) return;
+  const double step = (samples.times.back() - samples.times.front()) / static_cast<double>(samples.times.size() - 1);
+  if (step >= kFarApart) ask_for_unit_of_time(step, unit_by_size(step), column, place, diagnostics);
+}
+
 }  // namespace
 
 TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, Diagnostics& diagnostics) {
@@ -224,6 +231,8 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
       samples.torques.back().push_back(nearest_double(exact_value(table, row, source)));
     }
   }
+  const bool has_unit = time->clock.per_second > 1;
+  if (!has_unit) ask_about_times(samples, heading.name(time->column), {file, table.heading_line}, diagnostics);
   return samples;
 }
 

@@ -21,6 +21,8 @@ struct Folder {
 };
 std::array<Folder, 64> folders;
 std::array<volatile std::sig_atomic_t, 64> children;  // 0: none
+std::array<char, 1000> last_words;
+volatile std::sig_atomic_t length_of_last_words = 0;
 std::mutex changing;
 
 // Removes a folder. All calls here are safe in a handler (signal-safety(7)); another program removes what is in the
@@ -40,6 +42,10 @@ void clean_up(int signal) {
   }
   for (const Folder& folder : folders) {
     if (folder.is_used != 0) remove(folder.path);
+  }
+  if (length_of_last_words > 0) {
+    [[maybe_unused]] const ssize_t written =
+        ::write(STDOUT_FILENO, last_words.data(), static_cast<std::size_t>(length_of_last_words));
   }
   std::signal(signal, SIG_DFL);
   ::raise(signal);
@@ -93,6 +99,13 @@ void forget_when_interrupted(pid_t child) {
   for (volatile std::sig_atomic_t& each : children) {
     if (each == child) each = 0;
   }
+}
+
+void say_when_interrupted(std::string_view text) {
+  const std::lock_guard lock(changing);
+  length_of_last_words = 0;
+  length_of_last_words = static_cast<std::sig_atomic_t>(text.copy(last_words.data(), last_words.size()));
+  if (!text.empty()) take_signals();
 }
 
 }  // namespace flatdyn

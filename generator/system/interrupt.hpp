@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <string_view>
 
 namespace flatdyn {
 
@@ -29,5 +30,8 @@ void remove_when_interrupted(const std::filesystem::path& folder);
 void keep_when_interrupted(const std::filesystem::path& folder);  // reverses that
 void end_when_interrupted(pid_t child);
 void forget_when_interrupted(pid_t child);  // after it has ended
+
+// The last words on standard output of a program that a signal ends; "": none. At most 1000 characters.
+void say_when_interrupted(std::string_view text);
 
 }  // namespace flatdyn

@@ -16,7 +16,7 @@ namespace {
 // The largest step of an independent joint, rad or m, with which Newton's method stays with the assembly.
 constexpr double kFarthestStep = 0.05;
 constexpr int kMostHalvings = 10;
-// The tolerance of the loops' closure as a share of the links' summed lengths: some roundings.
+// The tolerance of the loops' closure, some roundings: as a share of the links' summed lengths, and of axes that meet.
 constexpr double kClosed = 1e-14;
 
 constexpr const char* kAway = "let the motion stay away from there, or choose other dependent joints";
@@ -24,7 +24,9 @@ constexpr const char* kAway = "let the motion stay away from there, or choose ot
 double reach(const reference::Robot<double>& robot) {
   double length = 0;
   for (const auto& joint : robot.joints) length += joint.p_0.norm();
-  for (const auto& loop : robot.loops) length += loop.points[0].norm() + loop.points[1].norm();
+  for (const auto& loop : robot.loops) {
+    length += loop.points[0].norm() + loop.points[1].norm() + (reference::detail::aligns_axes(loop) ? 1 : 0);
+  }
   return length;
 }
 

@@ -11,6 +11,7 @@
 #include "flatdyn/reference/closed_loops.hpp"
 #include "input/csv/positions.hpp"
 #include "input/csv/text.hpp"
+#include "model/loop_closure.hpp"
 #include "reference/regressor_reference.hpp"
 #include "reference/values.hpp"
 
@@ -260,7 +261,8 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
   constexpr double kClosed = 1e-6;  // m
   if (most <= kClosed) return;
   diagnostics.warning({file, line},
-                      fmt::format("the loops are open here, by {:.3g} m: values hold where they are closed", most),
+                      fmt::format("the loops are open here, by {:.3g} m{}: values hold where they are closed", most,
+                                  aligns_axes(mechanism) ? " or rad" : ""),
                       "loop_closure and loop_step lead to positions that close them");
 }
 

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "cli/program.hpp"
 #include "support/robot_models.hpp"
 
@@ -39,6 +41,25 @@ TEST_F(ClosedLoops, OpenOnesAreSaidSo) {
       run_flatdyn("eval robots/slider_crank.toml --function inverse_dynamics --states " + scratch.path("open.csv"));
   EXPECT_EQ(open.code, 0) << open.err;
   EXPECT_THAT(open.err, HasSubstr("open.csv:2: warning: the loops are open here, by 0."));
+}
+
+// In a plane, a hinge's axis says no more than its point.
+TEST_F(ClosedLoops, AxesInAPlaneAreWrittenAsPoints) {
+  const std::string points = text_of_robot("four_bar.toml");
+  std::string axes = points;
+  axes.insert(axes.find("dependent = "), "from_axis = [0, 0, 1]\nto_axis = [0, 0, -2]\n");
+  std::string headers[2];
+  for (const bool has_axes : {false, true}) {
+    scratch.write("four_bar.toml", has_axes ? axes : points);
+    ASSERT_EQ(run_flatdyn("generate " + scratch.path("four_bar.toml") + " -q -o " + scratch.path("out")).code, 0);
+    std::istringstream lines(scratch.read("out/four_bar.hpp"));
+    for (std::string line; std::getline(lines, line);) {
+      const bool has_hash = line.starts_with("// Input: ") || line.find("FLATDYN_FOUR_BAR_HPP_") != std::string::npos;
+      if (!has_hash) headers[has_axes] += line + "\n";
+    }
+  }
+  EXPECT_GT(headers[0].size(), 10000U);
+  EXPECT_TRUE(headers[0] == headers[1]);
 }
 
 TEST_F(ClosedLoops, RatesOfAllJointsAreRefused) {
@@ -82,7 +103,7 @@ TEST_F(ClosedLoops, HaveAllPositionsAlongATrajectory) {
   EXPECT_THAT(scratch.read("scaled.csv"), StartsWith("t,q1,q2,q3,q4,qd1,qd2,qdd1,qdd2,tau1,tau2\n"));
 }
 
-// What was simulated is read as a trajectory, and needs the torques that it was made with.
+// A simulated motion is read as a trajectory, and needs the torques that it was made with.
 TEST_F(ClosedLoops, MoveAndNeedTheTorquesThatMovedThem) {
   scratch.write("push.toml", "duration = 0.2\nrate = 100\n[start]\nq = [0.5]\n[torque]\nconstant = [0.05]\n");
   const Outcome moved = run_flatdyn(fmt::format("simulate robots/slider_crank.toml -q --simulation {} -o {}",

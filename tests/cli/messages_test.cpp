@@ -37,6 +37,35 @@ TEST(Messages, MisspeltOptionsGetTheNearest) {
               HasSubstr("--tolerance has no effect with --method rk4"));
 }
 
+TEST(Messages, WhatIsWrongOnTheCommandLineBeginsWithTheProgram) {
+  EXPECT_EQ(message("inspect robots/ur5.urdf --fix elbow_join"),
+            "flatdyn: error: there is no joint \"elbow_join\" to be fixed\n    hint: did you mean \"elbow_joint\"?\n");
+  EXPECT_THAT(message("inspect robots/ur5.urdf --tip tool1"), HasSubstr("flatdyn: error: --tip: there is no link"));
+  EXPECT_THAT(message("eval robots/scara.toml --function gravity --function bias --states q.csv -o x.csv"),
+              HasSubstr("flatdyn: error: --function is given 2 times\n    hint: give it once"));
+}
+
+TEST(Messages, ANameMayBeTooLongForAFile) {
+  const Scratch scratch;
+  std::string text = kBadMass;
+  text.replace(text.find("'a'") + 1, 1, std::string(300, 'a'));
+  text.replace(text.find("-1"), 2, "1");
+  scratch.write("r.urdf", text);
+  const std::string command =
+      "generate -q --functions gravity " + scratch.path("r.urdf") + " -o " + scratch.path("out");
+  const Outcome outcome = run_flatdyn(command);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("is too long for a file\n    hint: generated files are called as the robot; --name"));
+  EXPECT_EQ(run_flatdyn(command + " --name r").code, 0);
+}
+
+TEST(Messages, InputsAreCountedAsJointsAre) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn("generate robots/ur5.urdf --functions gravity -o " + scratch.path());
+  EXPECT_THAT(outcome.out, HasSubstr("q_2 to q_5"));
+}
+
 TEST(Messages, ListsOfNamesMayHaveBlanksAndNoHoles) {
   const std::string command = "verify robots/scara.toml --states 2 --json --functions ";
   const json report = json::parse(run_flatdyn(command + "'gravity, bias'").out);
@@ -82,6 +111,7 @@ TEST(Pipes, ARobotComesFromStdinAndAHeaderGoesToStdout) {
     EXPECT_EQ(outcome.err, "");
     EXPECT_THAT(outcome.out, HasSubstr("gravity(")) << input;
   }
+  EXPECT_EQ(run_flatdyn("generate /dev/stdin" + options + "- < robots/ur5.urdf").out, scratch.read("ur5.hpp"));
   EXPECT_EQ(run_flatdyn("generate -" + options + "- < robots/ur5.urdf").out, scratch.read("ur5.hpp"));
   EXPECT_THAT(message("generate robots/ur5.urdf --language c -o -"), HasSubstr("stdout has room for one"));
   EXPECT_THAT(message("certify robots/ur5.urdf -o -"), HasSubstr("stdout has room for one"));
@@ -97,6 +127,19 @@ TEST(Interrupted, ExcitationWritesTheBestMotionSoFar) {
   EXPECT_EQ(scratch.read("code"), "130\n");
   EXPECT_THAT(scratch.read("err"), HasSubstr("flatdyn: error: interrupted"));
   EXPECT_FALSE(scratch.read("panda_excitation.csv").empty());
+}
+
+TEST(Interrupted, ErrorsAreJsonWhereResultsAre) {
+  const Scratch scratch;
+  const std::string command = fmt::format(
+      "env --default-signal=INT timeout --signal=INT --preserve-status 3 '{}' verify '{}/robots/panda.urdf' -q --json "
+      "--states 1000000 > '{}'; echo $? > '{}'",
+      FLATDYN_PROGRAM, FLATDYN_SOURCE_DIR, scratch.path("out"), scratch.path("code"));
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(scratch.read("code"), "130\n");
+  const json object = json::parse(scratch.read("out"));
+  EXPECT_EQ(object["exit_code"], 130);
+  EXPECT_EQ(object["errors"].size(), 1U);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What holds for all documents: links lead somewhere, lines of prose are short, the pages of commands have the words of
-// the program, and figures that are said twice, or that the program prints, are the same.
+// All documents have these properties: links lead somewhere, lines of prose are short, the pages of commands have the
+// words of the program, and figures that are said twice, or that the program prints, are the same.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

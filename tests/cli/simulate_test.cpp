@@ -185,6 +185,17 @@ TEST(Simulate, EndsWithARowOfItsOwn) {
   EXPECT_EQ(rows[3][0], 0.25);
 }
 
+TEST(Simulate, AsksAboutTimesInMilliseconds) {
+  const Scratch scratch;
+  scratch.write("tau.csv", "t,tau1,tau2\n0,0,0\n10,0,0\n20,0,0\n");
+  scratch.write("run.toml", "duration = 0.1\n[torque]\nsamples = \"tau.csv\"\n");
+  const Outcome outcome =
+      run_flatdyn(kSimulate + fmt::format("--simulation {} -o {}", scratch.path("run.toml"), scratch.path("m.csv")));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("tau.csv:1: warning: from one sample to the next, 10 s pass\n"
+                                     "    hint: is the time in ms? Then write the column's heading as t [ms]"));
+}
+
 TEST(Simulate, CtrlCLeavesAValidFile) {
   const Scratch scratch;
   const std::string command = fmt::format(

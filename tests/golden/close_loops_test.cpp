@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of one language: 24 positions around the circle, the rod's other way round, and a crank that is held too far out.
+// The checks in one language: 24 positions around the circle, the rod's other way round, and a crank that is held too
+// far out.
 constexpr const char* kChecks = R"(
   for (int k = 0; k < 24; ++k) {
     const double theta = 0.3 * k, height = 0.15 * sin(theta), root = sqrt(0.09 - height * height);

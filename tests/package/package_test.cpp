@@ -152,7 +152,7 @@ TEST(InstalledPackage, LeavesOptionsOfUsersAlone) {
   EXPECT_THAT(project.compilation_of("main.cpp"), HasSubstr("-ffp-contract=off"));
 }
 
-// What links with generated code can be installed and found by a third project.
+// A library that links with generated code can be installed and found by a third project.
 TEST(InstalledPackage, IsExportedWithItsUsers) {
   Project project("package");
   ASSERT_TRUE(project.configure(fmt::format("-D CMAKE_PREFIX_PATH='{}'", prefix()))) << project.log();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Closed loops: four-bar linkage, slider-crank, five-bar, Andrews' squeezer, and a loop in space. Their functions
-// against the Lagrangian, against the tree with the forces that hold the loops, and against numbers from elsewhere.
+// Closed loops: four-bar linkage, slider-crank, five-bar, Andrews' squeezer, and loops in space, cut at a point or
+// along an axis. Their functions against the Lagrangian, against the tree with the forces that hold the loops, and
+// against numbers from elsewhere.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 #include <span>
 
@@ -18,6 +20,7 @@
 #include "reference/reference_model.hpp"
 #include "reference/values.hpp"
 #include "support/identified_arm.hpp"
+#include "support/spatial_loops.hpp"
 #include "support/written_model.hpp"
 #include "symbolic/functions.hpp"
 #include "system/temporary_folder.hpp"
@@ -118,7 +121,12 @@ xyz = [0.05, 0.02, 0.01]
 )";
 
 LoadedRobot loop_model(const std::string& name) {
-  return name == "spatial" ? testing::model_of_toml(kSpatial) : testing::model_of(name);
+  const std::map<std::string, std::string> written = {{"spatial", kSpatial},
+                                                      {"cut_at_hinge", testing::kCutAtHinge},
+                                                      {"cylinders", testing::kCylinders},
+                                                      {"spherical", testing::kSphericalFourBar}};
+  const auto found = written.find(name);
+  return found == written.end() ? testing::model_of(name) : testing::model_of_toml(found->second);
 }
 
 class Loops : public ::testing::TestWithParam<const char*> {
@@ -213,7 +221,8 @@ TEST_P(Loops, MoveAsTheTreeWithConstraintForces) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Loops,
                          ::testing::Values("slider_crank.toml", "four_bar.toml", "five_bar.toml",
-                                           "andrews_squeezer.toml", "spatial"),
+                                           "andrews_squeezer.toml", "spatial", "cut_at_hinge", "cylinders",
+                                           "spherical"),
                          [](const auto& robot) {
                            const std::string name = robot.param;
                            return name.substr(0, name.find('.'));
@@ -307,7 +316,7 @@ t1 = 0.9
 t2 = -1.2
 )";
 
-// Of Y_b at closed positions so far round the assembly, from the largest down, columns scaled to 1.
+// The singular values of Y_b at closed positions so far round the assembly, from the largest down, columns scaled to 1.
 Eigen::VectorXd singular_values(const LoadedRobot& model, double range) {
   const Function regressor = derive_function(model.mechanism, "base_regressor");
   const auto columns = static_cast<Eigen::Index>(regressor.outputs[0].cols);
@@ -338,7 +347,7 @@ Eigen::VectorXd singular_values(const LoadedRobot& model, double range) {
   return stacked.jacobiSvd().singularValues();
 }
 
-// Of K, beyond the rank.
+// The number of rows of K beyond the rank.
 long rows_too_many(const LoadedRobot& model, double range = 0.2) {
   const Eigen::VectorXd values = singular_values(model, range);
   return (values.array() < 1e-12 * values.maxCoeff()).count();
@@ -368,6 +377,35 @@ TEST(RobotsWithLoops, HaveTheRankOfTheirBaseParameters) {
   EXPECT_EQ(rows_too_many(testing::model_of("slider_crank.toml"), 3), 0);
   EXPECT_EQ(rows_too_many(testing::model_of("five_bar.toml")), 0);
   EXPECT_EQ(rows_too_many(testing::model_of("andrews_squeezer.toml"), 3), 0);
+}
+
+// Which way the axes point to each other where the loop is assembled, is known: masses and their moments along the
+// axis, which the cut hides, are three rows, and where it is not known two.
+TEST(LoopsAlongAxes, HaveTheRankOfTheirBaseParameters) {
+  const std::string loop = carried(testing::kHingeOfCarried);
+  const LoadedRobot unknown = testing::model_of_toml(loop), same = testing::model_of_toml(loop + R"([assembly]
+t1 = 0.9
+t2 = -0.497
+t3 = 1.209
+u1 = 1.113
+u2 = 0.336
+u3 = 0.011
+)"),
+                    opposite = testing::model_of_toml(loop + R"([assembly]
+t1 = 0.9
+t2 = -1.124
+t3 = -0.355
+u1 = 1.801
+u2 = -1.017
+u3 = -2.759
+)");
+  EXPECT_EQ(same.mechanism.loops[0].sense, 1);
+  EXPECT_EQ(opposite.mechanism.loops[0].sense, -1);
+  EXPECT_EQ(unknown.mechanism.loops[0].sense, 0);
+  EXPECT_EQ(rows_too_many(same), 0);
+  EXPECT_EQ(rows_too_many(opposite), 0);
+  EXPECT_EQ(base_parameters(unknown.mechanism).columns.size(), base_parameters(same.mechanism).columns.size() + 1);
+  EXPECT_EQ(rows_too_many(testing::model_of_toml(testing::kSphericalFourBar)), 0);
 }
 
 // Without noise, at positions where the loops are closed: all of π_b, so there K has no parameter too many.

@@ -123,6 +123,13 @@ void check_infinite_limit(std::string_view written, Bound bound, const Spot& spo
       std::string("if there is no limit, write ") + (bound == Bound::lower ? "-inf" : "inf") + " or leave it out");
 }
 
+bool is_pipe(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status) || path == "/dev/stdin" ||
+         path.string().starts_with("/dev/fd/");
+}
+
 FileKind kind_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the readers share while one robot is read: the options, the list of findings, symbols, snapped angles.
+// The state that the readers share while one robot is read: the options, the list of findings, symbols, snapped angles.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace flatdyn {
 
-// What a number stands for in messages, and where it is: `joint "shoulder", origin rpy`.
+// The meaning of a number in messages, and its place: `joint "shoulder", origin rpy`.
 struct Spot {
   Place place;
   std::string what;
@@ -83,6 +83,9 @@ bool check_magnitude(const Number& value, const std::string& shown, const Spot& 
 // Which limit a number is. An infinite one means none, but only where that is what it bounds.
 enum class Bound { lower, upper, magnitude };
 void check_infinite_limit(std::string_view written, Bound bound, const Spot& spot, Diagnostics& diagnostics);
+
+// /dev/stdin, <(...) of a shell: what is there can be read once, and its name tells nothing.
+bool is_pipe(const std::filesystem::path& path);
 
 FileKind kind_of(const std::filesystem::path& path);  // by its extension; .xacro is a URDF
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "diagnostics/characters.hpp"
 #include "input/common/exact_root.hpp"
 
 namespace flatdyn {
@@ -17,10 +18,9 @@ constexpr int kMostBits = 8192;               // of a numerator or denominator
 constexpr double kLargestDegree = 400;        // of a power of powers
 constexpr double kMostTerms = 40;             // of a sum, once all is multiplied out
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// What an expression in symbols would grow to, multiplied out. A few nested powers are enough to fill any memory.
+// The size of an expression in symbols, multiplied out. A few nested powers are enough to fill any memory.
 struct Growth {
   double terms = 1;   // at most
   double degree = 0;  // of the highest power

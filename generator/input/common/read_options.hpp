@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a caller may ask of the readers of robot files.
+// The options that a caller has for the readers of robot files.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct ReadOptions {
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
 };
 
-// What is smaller than this part of its neighbours is dust: 1e-9, or less if that is asked of angles.
+// A number smaller than this fraction of its neighbours is dust: 1e-9, or less if that is asked of angles.
 Number dust_part(const ReadOptions& options);
 
 }  // namespace flatdyn

@@ -35,6 +35,10 @@ std::optional<Source> Sources::read(const std::string& path, Diagnostics& diagno
   }
   std::optional<std::string> text = file_text(path, diagnostics);
   if (!text) return std::nullopt;
+  if (is_pipe(path)) {
+    const FileKind kind = kind_of_text(*text);
+    return kept_.emplace(path, Source{*std::move(text), path, kind}).first->second;
+  }
   if (!is_xacro(path)) return Source{*std::move(text), path, kind_of(path)};
   std::optional<std::string> expanded = expanded_by_xacro(path, xacro_arguments_, diagnostics);
   if (!expanded) return std::nullopt;

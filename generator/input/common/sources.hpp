@@ -13,7 +13,7 @@ namespace flatdyn {
 
 enum class FileKind { urdf, toml, unknown };
 
-// What stdin is called as a file: in messages, and where a robot is read again.
+// The name of stdin as a file: in messages, and where a robot is read again.
 inline constexpr const char* kStandardInput = "<stdin>";
 
 struct Source {

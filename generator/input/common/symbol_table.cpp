@@ -94,7 +94,7 @@ GiNaC::symbol SymbolTable::get(std::string_view name, const Place& place, std::s
 }
 
 void SymbolTable::report_bad_name(const std::string& name, const Place& place, Diagnostics& diagnostics) const {
-  // What the program itself prints and emits: q_1, qd_1, s_12 = sin(q_1 + q_2), tau_1.
+  // Names that the program itself prints and emits: q_1, qd_1, s_12 = sin(q_1 + q_2), tau_1.
   static const std::regex kOwnNames("(q|qd|qdd|dq|ddq|tau)_?[0-9]*|[sc]_?[0-9]+");
   if (std::regex_match(name, kOwnNames)) {
     diagnostics.error(place,

@@ -13,7 +13,7 @@
 
 namespace flatdyn {
 
-// What a value is, so that a symbol with two meanings is found.
+// The quantity of a value, so that a symbol with two meanings is found.
 enum class Quantity {
   length,
   angle,

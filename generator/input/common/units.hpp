@@ -21,7 +21,8 @@ Number decimal_angle(const Number& decimal, std::string_view written, const Unit
 // A warning that asks whether an angle, rad, was meant in degrees. hint: what to do then.
 void ask_for_degrees(const Number& angle, const Spot& spot, const std::string& hint, Diagnostics& diagnostics);
 
-// What a motion's file says of a joint, with the key `angles`, in rad (m): a rate, or a position, which is asked about.
+// A rate, or a position, of a joint in a motion's file with the key `angles`, in rad (m); odd positions are asked
+// about.
 Number rate_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,
                   Diagnostics& diagnostics);
 Number position_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,

@@ -15,8 +15,8 @@ namespace flatdyn {
 
 bool is_xacro(const std::filesystem::path& path);  // by its extension, .xacro
 
-// What `xacro FILE NAME:=VALUE…` prints. Throws Failure(io) if there is no xacro on the PATH; nullopt and a diagnostic
-// with xacro's own message if it fails.
+// The output of `xacro FILE NAME:=VALUE…`. Throws Failure(io) if there is no xacro on the PATH; nullopt and a
+// diagnostic with xacro's own message if it fails.
 std::optional<std::string> expanded_by_xacro(const std::string& file, const std::vector<std::string>& arguments,
                                              Diagnostics& diagnostics);
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "diagnostics/diagnostics.hpp"
+
 namespace flatdyn {
 
 // A decimal as it is written, to 18 places behind its point.
@@ -28,7 +30,7 @@ struct CsvClock {
 
   // Seconds since the origin. nullopt if the text is no finite number.
   std::optional<double> seconds(std::string_view text) const;
-  // Of a time in seconds and nanoseconds, both whole numbers; the origin is in nanoseconds.
+  // For a time in seconds and nanoseconds, both whole numbers; the origin is in nanoseconds.
   std::optional<double> seconds(std::string_view seconds, std::string_view nanoseconds) const;
 
   // Counts times from the first one, if they are so long ago that doubles would lose digits of them (10⁶ s).
@@ -41,5 +43,15 @@ std::optional<ExactTime> joined_time(std::string_view seconds, std::string_view 
 // The unit, "s", "ms", "us" or "ns", in which a number is a time between 2001 and 2100 counted from 1970; nullptr if it
 // is none in any of them.
 const char* unit_since_1970(std::string_view text);
+
+// Samples that are so far apart, s, are perhaps in another unit.
+inline constexpr double kFarApart = 1;
+
+// The unit that the time between samples, read as seconds, suggests by its size.
+const char* unit_by_size(double step);
+
+// Whether the times of a column are in this unit: a warning that asks.
+void ask_for_unit_of_time(double step, const std::string& unit, const std::string& column, const Place& place,
+                          Diagnostics& diagnostics);
 
 }  // namespace flatdyn

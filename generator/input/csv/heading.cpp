@@ -111,6 +111,7 @@ std::vector<std::optional<CsvSource>> CsvHeading::find(CsvQuantity quantity, int
                        "leave one of them out: a joint is named once, by its number or by its name");
     wrong_.insert(quantity);
   }
+  if (length > 1 && !found.back()) doubt_count(quantity, length);
   return found;
 }
 
@@ -182,6 +183,18 @@ bool CsvHeading::is_counted_well(CsvQuantity quantity, const std::vector<std::si
                   "which column is which joint's",
                   stem, first));
   return false;
+}
+
+// q1 to q5 of six joints: the first five, or the last five of a set from q0 to q5 whose first column is missing.
+void CsvHeading::doubt_count(CsvQuantity quantity, int length) {
+  std::set<int> numbers;
+  for (const std::size_t column : columns_of(quantity)) {
+    if (!columns_[column].number || joint_name_of(column)) return;
+    numbers.insert(*columns_[column].number);
+  }
+  const bool is_all_but_one = static_cast<int>(numbers.size()) == length - 1;
+  if (!is_all_but_one || *numbers.begin() != 1 || *numbers.rbegin() != length - 1) return;
+  perhaps_from_zero_.push_back(set_of_columns(stem_of(quantity), 1, length - 1));
 }
 
 void CsvHeading::count_from_zero(const std::vector<std::size_t>& columns) {
@@ -285,6 +298,13 @@ void CsvHeading::finish() {
   if (!from_zero_.empty()) {
     diagnostics_.note(place_, fmt::format("columns counted from 0: {}", fmt::join(from_zero_, ", ")), {},
                       "headings with columns counted from 0");
+  }
+  if (!perhaps_from_zero_.empty() && !diagnostics_.has_errors()) {
+    diagnostics_.warning(place_,
+                         fmt::format("{}: the last joint has no column; is the set counted from 0, and its 0 missing? "
+                                     "It is counted from 1 here",
+                                     fmt::join(perhaps_from_zero_, ", ")),
+                         "give a column to each joint, or name columns by joint");
   }
   if (!in_file_order_.empty()) {
     std::vector<std::string> joints;

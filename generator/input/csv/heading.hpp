@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which column of a CSV file is which of the robot's quantities: the one place that every command takes headings from.
-// What is read is described in docs/csv.md.
+// docs/csv.md describes what is read.
 #pragma once
 
 #include <map>
@@ -65,6 +65,7 @@ class CsvHeading {
   Entries entries_of(CsvQuantity quantity, int length);
   void place_numbered(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length, Entries& entries);
   bool is_counted_well(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length);
+  void doubt_count(CsvQuantity quantity, int length);
   void count_from_zero(const std::vector<std::size_t>& columns);
   void leave_out(CsvQuantity quantity, std::size_t column, int length);
   void place_by_joint_names(CsvQuantity quantity, const std::vector<std::size_t>& columns, Entries& entries);
@@ -90,6 +91,7 @@ class CsvHeading {
   std::map<std::size_t, std::string> fixed_texts_;
   std::vector<std::string> from_zero_;
   std::vector<std::size_t> in_file_order_, of_other_joints_;
+  std::vector<std::string> perhaps_from_zero_;  // sets that may lack their 0, as they lack their last one
 };
 
 // The first ten names, and how many there are besides.

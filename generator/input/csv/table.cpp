@@ -12,10 +12,11 @@ namespace {
 constexpr std::size_t kMostMessages = 20;
 constexpr const char* kOneMark = "write all numbers with one of them, and none between thousands";
 
-bool is_exact_decimal(const std::string& text) {
+// A decimal that is a finite double.
+bool is_finite_decimal(const std::string& text) {
+  static const GiNaC::numeric kLargest = magnitude(exact_decimal("1.7e308"));
   try {
-    exact_decimal(text);
-    return true;
+    return magnitude(exact_decimal(text)) < kLargest;
   } catch (const std::invalid_argument&) {
     return false;
   }
@@ -88,7 +89,7 @@ void check_entries(CsvTable& table, const std::vector<CsvSource>& sources, const
     for (const CsvSource& source : sources) {
       std::string& entry = table.rows[row][source.column];
       const bool is_marked_well = table.marks.normalise(entry);
-      if (is_marked_well && is_exact_decimal(entry)) continue;
+      if (is_marked_well && is_finite_decimal(entry)) continue;
       diagnostics.error(
           place,
           fmt::format("column \"{}\": \"{}\"{}", heading.name(source.column), entry,

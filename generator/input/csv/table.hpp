@@ -19,7 +19,7 @@ struct CsvTable {
   int heading_line = 1;
   DecimalMarks marks{','};
 
-  // Of file `file`, which diagnostics name. The table must outlive the heading.
+  // The heading of file `file`, which diagnostics name. The table must outlive the heading.
   CsvHeading heading(const std::string& file, const Mechanism& mechanism, Diagnostics& diagnostics) const;
 };
 

@@ -24,7 +24,7 @@ class LineReader {
   bool next(std::string_view& line);
   // The same, but lines that are empty or begin with # are left out, and so is a first line "sep=;".
   bool next_row(std::string_view& line);
-  // Of the line last read, counted from 1.
+  // The number of the line last read, counted from 1.
   int number() const { return number_; }
 
  private:
@@ -40,7 +40,7 @@ class LineReader {
 // spreadsheet, a bag) nor a row of numbers. If it is not, `diagnostics` gets the error, and this returns false.
 bool is_csv_heading(std::string_view line, const Place& place, Diagnostics& diagnostics);
 
-// What separates the entries of a file with this heading: a semicolon, else a comma, else a tab; a comma if there is
+// The separator of the entries of a file with this heading: a semicolon, else a comma, else a tab; a comma if there is
 // none of them. Quotation marks hide what is between them.
 char separator_of(std::string_view heading);
 

@@ -24,8 +24,8 @@ enum class CsvDimension {
   moment
 };
 
-// What makes a number in this unit one of SI: deg is pi/180, exactly. Written as people do: "deg/s^2", "°/s²", "N m",
-// "Nm", "N*m". nullopt for what is none of the dimension's.
+// The factor that converts a number in this unit to SI: deg is pi/180, exactly. Written as people do: "deg/s^2",
+// "°/s²", "N m", "Nm", "N*m". nullopt for what is none of the dimension's.
 std::optional<Number> unit_factor(const std::string& unit, CsvDimension dimension);
 
 // The units of the dimension, SI first.

@@ -33,7 +33,7 @@ void read_about(TomlTable& table, bool has_inertia, Inertial& inertial, Diagnost
   }
 }
 
-// What is not given stays as it is in `motor`.
+// Reads a motor. Keys that are not given stay as they are in `motor`.
 Motor read_motor(TomlTable& table, Motor motor, std::optional<Reference>& carrier) {
   motor.place = table.place();
   motor.mass = table.number("mass", Quantity::mass).value_or(motor.mass);
@@ -54,8 +54,8 @@ Motor motor_with_defaults(const Place& place) {
   return motor;
 }
 
-// What would have no effect on a joint that does not move. A joint that is only held still may keep it all: so one file
-// serves with and without --fix.
+// Refuses keys that have no effect on a joint that does not move. A joint that is only held still may keep it all: so
+// one file serves with and without --fix.
 void check_fixed(const TomlTable& table, const ReadContext& context, Joint& joint) {
   if (joint.type != JointType::fixed || is_held(joint.name, context)) return;
   if (context.diagnostics.only_unsupported()) return;  // it is fixed only because its type is not supported

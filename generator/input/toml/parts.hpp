@@ -15,7 +15,7 @@ namespace flatdyn {
 // A name as messages show it.
 inline std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
-// What a TOML file says about the whole robot, which can be applied only when the tree is known.
+// The parts of a TOML file about the whole robot, which can be applied only when the tree is known.
 struct Attachments {
   struct Payload {
     std::optional<Reference> link;  // the tip's if it is not given

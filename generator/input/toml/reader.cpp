@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/toml/reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -222,6 +223,25 @@ class TomlReader {
     }
   }
 
+  // For a loop.
+  bool check_axes(const TomlTable& row, const std::array<Vec3, 2>& axes) {
+    static constexpr std::array<const char*, 2> kKeys = {"from_axis", "to_axis"};
+    for (std::size_t e = 0; e < 2; ++e) {
+      const std::string key = kKeys[e], what = "loop, " + key + ": ";
+      if (!row.has(key)) {
+        diagnostics_.error(row.place(), what + "missing", "give the axis in both links, or in none");
+      } else if (std::any_of(axes[e].begin(), axes[e].end(), has_symbols)) {
+        diagnostics_.unsupported(row.place_of(key), what + "a symbol in the axis is not supported", "write numbers");
+      } else if (vanishes(dot(axes[e], axes[e]))) {
+        diagnostics_.error(row.place_of(key), what + "the axis is zero", "give the axis a direction");
+      } else {
+        continue;
+      }
+      return false;
+    }
+    return true;
+  }
+
   void read_loop(TomlTable& row) {
     const std::vector<Reference> links = row.references("links"), dependent = row.references("dependent");
     Loop loop;
@@ -229,7 +249,12 @@ class TomlReader {
     loop.points[0] = row.vector("from", Quantity::length, zero_vector());
     loop.points[1] = row.vector("to", Quantity::length, zero_vector());
     loop.dependent = dependent;
+    const bool has_axes = row.has("from_axis") || row.has("to_axis");
+    loop.axes = {row.vector("from_axis", Quantity::other, {0, 0, 1}),
+                 row.vector("to_axis", Quantity::other, {0, 0, 1})};
     row.reject_unknown_keys();
+    if (!has_axes) loop.axes.reset();
+    if (has_axes && !check_axes(row, *loop.axes)) return;
     if (links.size() != 2) {
       diagnostics_.error(row.place_of("links"), "loop: two links are expected, which meet where it is closed",
                          "write links = [\"...\", \"...\"]");

@@ -23,7 +23,7 @@ bool is_infinite(const toml::node& node) {
   return number != nullptr && (number->get() > 1e300 || number->get() < -1e300);
 }
 
-// Of the value, or of each number that is a term or factor beside its symbols.
+// Checks the value, or each number that is a term or factor beside its symbols.
 bool check_magnitudes(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
   if (!has_symbols(value)) return check_magnitude(value, shown, spot, diagnostics);
   if (GiNaC::is_a<GiNaC::power>(value)) return check_magnitudes(value.op(0), shown, spot, diagnostics);

@@ -25,10 +25,10 @@ class TomlSource {
   std::optional<toml::table> parse() const;
 
   Place place(const toml::source_region& region) const;
-  // What stands between the region's begin and end, which are in one line.
+  // The text between the region's begin and end, which are in one line.
   std::string text_of(const toml::source_region& region) const;
   ReadContext& context() const { return context_; }
-  // What the file's numbers are in; files of a kind that has no keys for that leave it as it is.
+  // The units of the file's numbers; files of a kind that has no keys for that leave it as it is.
   void set_units(const Units& units) { units_ = units; }
   const Units& units() const { return units_; }
   const std::string& documentation() const { return documentation_; }

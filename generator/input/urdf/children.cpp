@@ -36,7 +36,7 @@ std::vector<const XMLElement*> elements_in(const XMLElement& parent, const char*
 
 std::string trimmed_text_of(const XMLElement& element) {
   constexpr const char* kBlanks = " \t\r\n";
-  const std::string text = element.GetText() == nullptr ? "" : element.GetText();
+  const std::string text = text_in(element);
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string::npos) return "";
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
@@ -51,9 +51,24 @@ void refuse_other_attributes(const XMLElement& element, const std::string& what,
                              const UrdfValues& values) {
   for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
     if (std::find(known.begin(), known.end(), a->Name()) != known.end()) continue;
+    const std::string hint = hint_for_unknown(a->Name(), known, "attributes");
     values.context().diagnostics.error(values.place(element), what + ": unknown attribute \"" + a->Name() + "\"",
-                                       hint_for_unknown(a->Name(), known, "attributes"));
+                                       hint.empty() ? "no attributes are read from here: delete it" : hint);
   }
+}
+
+void refuse_children(const XMLElement& element, const std::string& what, const std::vector<std::string>& known,
+                     const UrdfValues& values) {
+  Diagnostics& diagnostics = values.context().diagnostics;
+  for (const XMLElement* child : elements_in(element)) {
+    if (std::find(known.begin(), known.end(), child->Name()) != known.end()) continue;
+    const std::string hint = hint_for_unknown(child->Name(), known, "elements");
+    diagnostics.error(values.place(*child), what + ": unknown element <" + child->Name() + ">",
+                      hint.empty() ? "no elements are read from here: delete it" : hint);
+  }
+  if (words_of(text_in(element)).empty()) return;
+  diagnostics.error(values.place(element), what + ": the text \"" + trimmed_text_of(element) + "\" is not read",
+                    "write values as attributes");
 }
 
 int link_called(const std::string& name, const Place& place, const std::string& what, const Robot& robot,

@@ -24,6 +24,10 @@ std::string named(const tinyxml2::XMLElement& element);
 void refuse_other_attributes(const tinyxml2::XMLElement& element, const std::string& what,
                              const std::vector<std::string>& known, const UrdfValues& values);
 
+// An error for each child of the element that is none of these, and for a text in it.
+void refuse_children(const tinyxml2::XMLElement& element, const std::string& what,
+                     const std::vector<std::string>& known, const UrdfValues& values);
+
 // Index of the link or joint of this name, -1 and an error if there is none. `what` says who refers to it.
 int link_called(const std::string& name, const Place& place, const std::string& what, const Robot& robot,
                 Diagnostics& diagnostics);

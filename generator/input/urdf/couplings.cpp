@@ -54,7 +54,9 @@ class CouplingReader {
  private:
   void read_coupling(const XMLElement& element, const CouplingTags& tags) {
     const std::string what = named(element);
-    for (const XMLElement* child : elements_in(element)) check_child(*child, what, tags);
+    refuse_other_attributes(element, what, {"name", "type"}, values_);
+    refuse_children(element, what, {tags.predecessor, tags.successor, tags.ratio}, values_);
+    for (const char* tag : {tags.predecessor, tags.successor, tags.ratio}) check_once(element, what, tag);
     const std::optional<int> predecessor = link_of(element, tags.predecessor, what);
     const std::optional<int> successor = link_of(element, tags.successor, what);
     const std::optional<Number> ratio = ratio_of(element, tags, what);
@@ -77,12 +79,10 @@ class CouplingReader {
     equations_.push_back(equation);
   }
 
-  void check_child(const XMLElement& child, const std::string& what, const CouplingTags& tags) {
-    const std::vector<std::string> known = {tags.predecessor, tags.successor, tags.ratio};
-    if (std::find(known.begin(), known.end(), child.Name()) == known.end()) {
-      diagnostics_.error(values_.place(child), what + ": unknown element <" + child.Name() + ">",
-                         hint_for_unknown(child.Name(), known, "elements"));
-    }
+  void check_once(const XMLElement& element, const std::string& what, const char* tag) {
+    const std::vector<const XMLElement*> all = elements_in(element, tag);
+    if (all.size() < 2) return;
+    diagnostics_.error(values_.place(*all[1]), what + " has two <" + tag + "> elements", "keep one");
   }
 
   std::optional<int> link_of(const XMLElement& element, const char* tag, const std::string& what) {
@@ -92,6 +92,8 @@ class CouplingReader {
                          std::string("write <") + tag + " link=\"...\"/>");
       return std::nullopt;
     }
+    refuse_other_attributes(*end, what + ", " + tag, {"link"}, values_);
+    refuse_children(*end, what + ", " + tag, {}, values_);
     const std::string name = values_.required_text(*end, "link", what + ", " + tag);
     if (name.empty()) return std::nullopt;
     const int link = link_called(name, values_.place(*end), what + ", " + tag, robot_, diagnostics_);
@@ -102,6 +104,7 @@ class CouplingReader {
     const XMLElement* ratio = element.FirstChildElement(tags.ratio);
     if (ratio == nullptr) return 1;
     refuse_other_attributes(*ratio, what + ", " + tags.ratio, {"value"}, values_);
+    refuse_children(*ratio, what + ", " + tags.ratio, {}, values_);
     const std::size_t before = diagnostics_.all().size();
     const Value value = values_.required_number(*ratio, "value", what + ", " + tags.ratio);
     if (!vanishes(value.number)) return value.number;

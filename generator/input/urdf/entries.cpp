@@ -53,15 +53,9 @@ const std::map<std::string_view, UrdfElement> kElements = {
     {"motorInertia", kOneValue},
     {"gear_ratio", kOneValue},
     {"mechanicalReduction", kOneValue},
+    {"mechanical_reduction", kOneValue},
+    {"reduction", kOneValue},
 };
-
-std::string text_in(const XMLElement& element) {
-  std::string text;
-  for (const XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (node->ToText() != nullptr) text += std::string(text.empty() ? "" : " ") + node->Value();
-  }
-  return text;
-}
 
 std::optional<Number> number_of(const std::string& word) {
   try {
@@ -76,6 +70,13 @@ std::optional<Number> number_of(const std::string& word) {
 const UrdfElement* known_urdf_element(std::string_view tag) {
   const auto found = kElements.find(tag);
   return found == kElements.end() ? nullptr : &found->second;
+}
+
+std::string home_of_value(std::string_view name) {
+  for (const char* tag : {"origin", "inertia", "dynamics", "limit"}) {
+    if (has_key(*known_urdf_element(tag), name)) return tag;
+  }
+  return "";
 }
 
 std::vector<std::string> key_names_of(const UrdfElement& element) {
@@ -94,6 +95,14 @@ std::string key_of(const UrdfElement& element, const UrdfEntry& entry) {
     if (entry.name == key.name || entry.name == key.other_name) return key.name;
   }
   return "";
+}
+
+std::string text_in(const XMLElement& element) {
+  std::string text;
+  for (const XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToText() != nullptr) text += std::string(text.empty() ? "" : " ") + node->Value();
+  }
+  return text;
 }
 
 std::string value_of(const XMLElement& element) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an element of a URDF says, wherever in the element it says so: <axis xyz="0 1 0"/>, and as other programs and
-// people write it, <axis><xyz>0 1 0</xyz></axis> and <axis>0 1 0</axis>.
+// The values of an element of a URDF, wherever in the element they stand: <axis xyz="0 1 0"/>, and as other programs
+// and people write it, <axis><xyz>0 1 0</xyz></axis> and <axis>0 1 0</axis>.
 #pragma once
 
 #include <tinyxml2.h>
@@ -39,6 +39,10 @@ struct UrdfElement {
 // nullptr if no values are read of elements with this name.
 const UrdfElement* known_urdf_element(std::string_view tag);
 
+// The element that a value of this name is read from, where there is only one for it: "dynamics" of "damping"; "" if
+// there is none.
+std::string home_of_value(std::string_view name);
+
 // The names of the keys, for messages.
 std::vector<std::string> key_names_of(const UrdfElement& element);
 
@@ -46,6 +50,9 @@ bool has_key(const UrdfElement& element, std::string_view name);
 
 // The name in URDF of the key that an entry gives; "" if it gives none.
 std::string key_of(const UrdfElement& element, const UrdfEntry& entry);
+
+// The texts directly in the element, before and behind its children.
+std::string text_in(const tinyxml2::XMLElement& element);
 
 // The value of an element that is one value itself: <damping>10</damping> or <damping value="10"/>.
 std::string value_of(const tinyxml2::XMLElement& element);

@@ -58,7 +58,7 @@ class LoopReader {
   void read(const XMLElement& root) {
     for (const XMLElement* element : elements_in(root)) {
       const std::string_view name = element->Name();
-      if (name == "loop" || name == "constraint") read_typed(*element);
+      if (name == "loop" || name == "loop_joint" || name == "constraint") read_typed(*element);
       if (name == "loop_constraint") read_loop(*element, Cut::point);
       if (name == "mujoco") {
         for (const XMLElement* equality : elements_in(*element, "equality")) read_equality(*equality);
@@ -83,13 +83,36 @@ class LoopReader {
     }
   }
 
+  // <loop_joint> is Drake's, with the point of each end in <link1 link xyz rpy> and <link2>.
+  static std::array<EndTags, 2> tags_of(const XMLElement& element) {
+    const std::string_view name = element.Name();
+    const auto has = [&element](const char* tag) { return element.FirstChildElement(tag) != nullptr; };
+    if (name == "loop_joint" && !has("predecessor") && !has("parent")) return {EndTags("link1"), EndTags("link2")};
+    const bool is_plus = name == "loop" || has("predecessor");
+    return {EndTags(is_plus ? "predecessor" : "parent"), EndTags(is_plus ? "successor" : "child")};
+  }
+
+  static bool has_point_in_link(const EndTags& tags) { return tags.link.starts_with("link"); }
+
+  // The axis of both ends and that of one of them are the same thing twice.
+  void check_axes(const XMLElement& element, const std::string& what, const std::array<EndTags, 2>& tags) {
+    const XMLElement* common = element.FirstChildElement("axis");
+    for (const EndTags& end : tags) {
+      const XMLElement* own = element.FirstChildElement(end.axis.c_str());
+      if (common == nullptr || own == nullptr) continue;
+      const auto axis = values_.text(*common, "xyz", what), other = values_.text(*own, "xyz", what);
+      if (axis && other && says_the_same(axis->text, other->text)) continue;
+      diagnostics_.error(values_.place(*own), what + " has both <axis> and <" + end.axis + ">, which differ",
+                         "keep the one that is right");
+    }
+  }
+
   void read_loop(const XMLElement& element, Cut cut) {
-    const bool is_plus =
-        element.FirstChildElement("predecessor") != nullptr || std::string_view(element.Name()) == "loop";
-    const std::array<EndTags, 2> tags = {EndTags(is_plus ? "predecessor" : "parent"),
-                                         EndTags(is_plus ? "successor" : "child")};
+    const std::array<EndTags, 2> tags = tags_of(element);
     const std::string what = named(element);
+    refuse_other_attributes(element, what, {"name", "type"}, values_);
     check_children(element, what, tags);
+    check_axes(element, what, tags);
     Loop loop;
     loop.place = values_.place(element);
     if (const char* name = element.Attribute("name")) loop.name = name;
@@ -116,13 +139,19 @@ class LoopReader {
   // The point and the axes of an end: <origin> in it, or beside it.
   Pose frame_of(const XMLElement& element, const std::string& what, const EndTags& tags) {
     const XMLElement* end = element.FirstChildElement(tags.link.c_str());
+    const XMLElement* beside = element.FirstChildElement(tags.origin.c_str());
+    if (end != nullptr && has_point_in_link(tags)) return values_.origin(element, what, tags.link.c_str());
     if (end != nullptr && end->FirstChildElement("origin") != nullptr) {
-      refuse_other_attributes(*end->FirstChildElement("origin"), what + ", " + tags.link + ", origin", {"xyz", "rpy"},
-                              values_);
+      if (beside != nullptr) {
+        diagnostics_.error(values_.place(*beside),
+                           what + " has both <" + tags.origin + "> and an <origin> in <" + tags.link + ">", "keep one");
+      }
+      refuse_other_attributes(*end->FirstChildElement("origin"), what + ", " + tags.link + ", origin",
+                              {"xyz", "rpy", "quat_xyzw"}, values_);
       return values_.origin(*end, what + ", " + tags.link);
     }
-    if (const XMLElement* origin = element.FirstChildElement(tags.origin.c_str())) {
-      refuse_other_attributes(*origin, what + ", " + tags.origin, {"xyz", "rpy"}, values_);
+    if (beside != nullptr) {
+      refuse_other_attributes(*beside, what + ", " + tags.origin, {"xyz", "rpy", "quat_xyzw"}, values_);
     }
     return values_.origin(element, what, tags.origin.c_str());
   }
@@ -146,9 +175,18 @@ class LoopReader {
                          "write <" + tags.link + " link=\"...\"/>");
       return false;
     }
-    for (const XMLElement* child : elements_in(*end)) refuse_unless_known(*child, what + ", " + tags.link, {"origin"});
-    link = {values_.required_text(*end, "link", what + ", " + tags.link), values_.place(*end)};
-    return !link.name.empty() && link_called(link.name, link.place, what + ", " + tags.link, robot_, diagnostics_) >= 0;
+    const std::string where = what + ", " + tags.link;
+    const bool has_point = has_point_in_link(tags);
+    refuse_children(*end, where, has_point ? std::vector<std::string>{} : std::vector<std::string>{"origin"}, values_);
+    if (elements_in(*end, "origin").size() > 1) {
+      diagnostics_.error(values_.place(*end), where + " has two <origin> elements", "keep one");
+    }
+    refuse_other_attributes(
+        *end, where,
+        has_point ? std::vector<std::string>{"link", "xyz", "rpy", "quat_xyzw"} : std::vector<std::string>{"link"},
+        values_);
+    link = {values_.required_text(*end, "link", where), values_.place(*end)};
+    return !link.name.empty() && link_called(link.name, link.place, where, robot_, diagnostics_) >= 0;
   }
 
   void check_children(const XMLElement& element, const std::string& what, const std::array<EndTags, 2>& tags) {
@@ -204,6 +242,8 @@ class LoopReader {
   // The second body is the world if it is left out.
   void read_connect(const XMLElement& element) {
     const std::string what = "mujoco, equality, " + named(element);
+    refuse_other_attributes(element, what, {"name", "class", "active", "body1", "body2", "anchor", "solref", "solimp"},
+                            values_);
     Loop loop;
     loop.place = values_.place(element);
     if (const char* name = element.Attribute("name")) loop.name = name;

@@ -7,6 +7,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/urdf/children.hpp"
+#include "input/urdf/words.hpp"
 
 namespace flatdyn {
 
@@ -43,13 +44,29 @@ bool says_same(const Coupled& a, const Coupled& b) {
                     [](const auto& x, const auto& y) { return x.first == y.first && vanishes(x.second - y.second); });
 }
 
+bool says_mimic(const char* text) { return text != nullptr && folded_name(text).find("mimic") != std::string::npos; }
+
+// By its name or file, or by what it has instead of <mimicJoint>: <mimic_joint>, <follow joint="...">.
 bool is_called_mimic(const XMLElement& plugin) {
-  const auto has_mimic = [&plugin](const char* key) {
-    std::string text = plugin.Attribute(key) == nullptr ? "" : plugin.Attribute(key);
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-    return text.find("mimic") != std::string::npos;
-  };
-  return has_mimic("name") || has_mimic("filename");
+  const std::vector<const XMLElement*> children = elements_in(plugin);
+  return says_mimic(plugin.Attribute("name")) || says_mimic(plugin.Attribute("filename")) ||
+         std::any_of(children.begin(), children.end(), [](const XMLElement* child) {
+           const std::string name = joined_name(child->Name());
+           return name.find("mimic") != std::string::npos ||
+                  (name.starts_with("follow") && child->Attribute("joint") != nullptr);
+         });
+}
+
+const std::vector<std::string> kNumbersOfMimics = {"multiplier", "offset"};
+
+// A name that may be meant for one of the numbers by which a joint follows: "multipler", "Offset", "ratio".
+bool may_be_number_of_mimic(std::string_view name) {
+  if (std::find(kNumbersOfMimics.begin(), kNumbersOfMimics.end(), name) != kNumbersOfMimics.end()) return false;
+  const std::string joined = joined_name(name);
+  for (const char* other : {"multiplier", "offset", "ratio", "gearratio", "factor", "scale", "gain", "coefficient"}) {
+    if (joined == other) return true;
+  }
+  return hint_for_unknown(name, kNumbersOfMimics, "names").starts_with("did you mean");
 }
 
 class MimicReader {
@@ -63,6 +80,7 @@ class MimicReader {
     for (const XMLElement* element : elements_in(root)) {
       const std::string_view name = element->Name();
       if (name == "gazebo") read_gazebo(*element);
+      if (name == "plugin") read_plugin(*element);
       if (name == "mujoco") read_mujoco(*element);
     }
     for (const XMLElement* control : elements_in(root, "ros2_control")) {
@@ -73,16 +91,26 @@ class MimicReader {
  private:
   // Drake writes its own tag where other readers of the file are not to see the coupling.
   void read_joint(const XMLElement& element, Joint& joint) {
-    if (joint.type == JointType::fixed) return;
     for (const char* tag : {"mimic", "drake:mimic"}) {
       const XMLElement* mimic = element.FirstChildElement(tag);
       if (mimic == nullptr) continue;
+      if (joint.type == JointType::fixed) {
+        note_still(joint, {"joint \"" + joint.name + "\", " + tag, values_.place(*mimic), "", {}, {}});
+        continue;
+      }
       const std::string where = "joint \"" + joint.name + "\", " + tag;
       const std::string leader = values_.required_text(*mimic, "joint", where);
       if (!leader.empty())
         follow(joint, {where, values_.place(*mimic), leader, attribute(*mimic, "multiplier", where),
                        attribute(*mimic, "offset", where)});
     }
+  }
+
+  // A joint that an option holds is one that is meant to stand still.
+  void note_still(const Joint& joint, const MimicWords& words) {
+    if (joint.held) return;
+    diagnostics_.note(words.place, words.what + ": joint \"" + joint.name + "\" is fixed: it stays still",
+                      "give it the type by which it moves, or delete the mimic", "mimics of joints that are fixed");
   }
 
   MimicNumber attribute(const XMLElement& element, const char* name, const std::string& where) const {
@@ -94,7 +122,16 @@ class MimicReader {
   MimicNumber child(const XMLElement& parent, const char* name, const std::string& where) const {
     const XMLElement* element = parent.FirstChildElement(name);
     if (element == nullptr) return {};
+    for (const XMLElement* other : elements_in(parent, name)) check_same(*element, *other, where + ", " + name);
+    refuse_other_attributes(*element, where + ", " + name, {}, values_);
     return {element->GetText() == nullptr ? "" : element->GetText(), {values_.place(*element), where + ", " + name}};
+  }
+
+  void check_same(const XMLElement& first, const XMLElement& other, const std::string& what) const {
+    const std::string text = trimmed_text_of(first), another = trimmed_text_of(other);
+    if (says_the_same(text, another)) return;
+    diagnostics_.error(values_.place(other), what + " is given twice, as " + text + " and as " + another,
+                       "keep the one that is right");
   }
 
   std::optional<Number> number_of(const MimicNumber& number, int if_left_out) {
@@ -132,7 +169,11 @@ class MimicReader {
     const int j = joint_called(follower, words.place, words.what, robot_, diagnostics_);
     if (j < 0 || joint_called(words.leader, words.place, words.what, robot_, diagnostics_) < 0) return;
     Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
-    if (joint.type != JointType::fixed) follow(joint, words);
+    if (joint.type == JointType::fixed) {
+      note_still(joint, words);
+    } else {
+      follow(joint, words);
+    }
   }
 
   void read_gazebo(const XMLElement& gazebo) {
@@ -140,6 +181,7 @@ class MimicReader {
     const XMLElement* axis = gazebo.FirstChildElement("axis");
     const XMLElement* mimic = axis != nullptr ? axis->FirstChildElement("mimic") : gazebo.FirstChildElement("mimic");
     if (mimic != nullptr) refuse_form(*mimic, "mimic in <gazebo>");
+    for (const XMLElement* model : elements_in(gazebo, "model")) read_gazebo(*model);
   }
 
   void read_plugin(const XMLElement& plugin) {
@@ -148,11 +190,25 @@ class MimicReader {
     const XMLElement* leader = plugin.FirstChildElement("joint");
     if (leader == nullptr) leader = plugin.FirstChildElement("jointName");
     if (followers.size() == 1 && followers[0]->FirstChildElement() == nullptr && leader != nullptr) {
+      check_words_of_plugin(plugin, what);
       follow_by_name(trimmed_text_of(*followers[0]),
                      {what, values_.place(*followers[0]), trimmed_text_of(*leader), child(plugin, "multiplier", what),
                       child(plugin, "offset", what)});
     } else if (!followers.empty() || (is_called_mimic(plugin) && plugin.FirstChildElement() != nullptr)) {
       refuse_form(plugin, what);
+    }
+  }
+
+  void check_words_of_plugin(const XMLElement& plugin, const std::string& what) {
+    for (const XMLElement* child : elements_in(plugin)) {
+      const std::string name = child->Name();
+      if (may_be_number_of_mimic(name)) {
+        diagnostics_.error(values_.place(*child), what + ": unknown element <" + name + ">",
+                           hint_for_unknown(name, kNumbersOfMimics, "elements"));
+      }
+      if (name == "joint" || name == "jointName" || name == "mimicJoint") {
+        refuse_other_attributes(*child, what + ", " + name, {}, values_);
+      }
     }
   }
 
@@ -167,7 +223,14 @@ class MimicReader {
     const std::string what = "ros2_control, joint \"" + follower + "\"";
     std::map<std::string, const XMLElement*> parameters;
     for (const XMLElement* parameter : elements_in(element, "param")) {
-      if (const char* name = parameter->Attribute("name")) parameters.emplace(name, parameter);
+      const char* name = parameter->Attribute("name");
+      if (name == nullptr) continue;
+      const XMLElement* first = parameters.emplace(name, parameter).first->second;
+      if (is_word_of_mimic(name)) check_same(*first, *parameter, what + ", " + name);
+    }
+    check_parameters(parameters, what);
+    for (const char* tag : {"mimic", "drake:mimic"}) {
+      if (const XMLElement* mimic = element.FirstChildElement(tag)) refuse_form(*mimic, what + ", <mimic>");
     }
     const auto number = [&](const char* name) {
       const auto found = parameters.find(name);
@@ -181,6 +244,22 @@ class MimicReader {
                                 number("multiplier"), number("offset")});
     }
     note_mark(element, follower, what);
+  }
+
+  static bool is_word_of_mimic(std::string_view name) {
+    return name == "mimic" || name == "multiplier" || name == "offset";
+  }
+
+  // Names that may be meant for those that are read; drivers have parameters called offset and ratio of their own.
+  void check_parameters(const std::map<std::string, const XMLElement*>& parameters, const std::string& what) {
+    const bool mimics = parameters.contains("mimic");
+    for (const auto& [name, parameter] : parameters) {
+      if (is_word_of_mimic(name)) continue;
+      const std::string hint = hint_for_unknown(name, {"mimic", "multiplier", "offset"}, "parameters");
+      const bool is_mimic = joined_name(name).starts_with("mimic") || hint == "did you mean \"mimic\"?";
+      if (!is_mimic && !(mimics && may_be_number_of_mimic(name))) continue;
+      diagnostics_.error(values_.place(*parameter), what + ": unknown parameter \"" + name + "\"", hint);
+    }
   }
 
   void note_mark(const XMLElement& element, const std::string& follower, const std::string& what) {
@@ -212,6 +291,8 @@ class MimicReader {
   void read_equality(const XMLElement& element) {
     const std::string what = "mujoco, equality, " + named(element);
     const Place place = values_.place(element);
+    refuse_other_attributes(element, what,
+                            {"name", "class", "active", "joint1", "joint2", "polycoef", "solref", "solimp"}, values_);
     const std::string follower = values_.required_text(element, "joint1", what);
     const char* leader = element.Attribute("joint2");
     if (leader == nullptr) {

@@ -7,7 +7,12 @@
 #include <vector>
 
 #include "diagnostics/nearest.hpp"
+#include "input/urdf/actuators.hpp"
+#include "input/urdf/children.hpp"
 #include "input/urdf/unknown.hpp"
+#include "input/urdf/unread.hpp"
+#include "input/urdf/unsupported.hpp"
+#include "input/urdf/words.hpp"
 
 namespace flatdyn {
 
@@ -16,33 +21,51 @@ namespace {
 using tinyxml2::XMLElement;
 using Names = std::vector<std::string>;
 
-const Names kOfRobot = {"link",     "joint",      "transmission",    "loop",
-                        "coupling", "constraint", "loop_constraint", "joint_constraint"};
+const Names kOfRobot = {
+    "link",       "joint",    "transmission", "gazebo",     "mujoco",          "ros2_control",    "loop",
+    "loop_joint", "coupling", "plugin",       "constraint", "loop_constraint", "joint_constraint"};
+const Names kIrrelevantInRobot = {"material", "sensor", "frame", "drake:collision_filter_group",
+                                  "self_collision_checking"};
 const Names kOfLink = {"inertial"};
+const Names kIrrelevantInLink = {"visual",
+                                 "collision",
+                                 "contact",
+                                 "self_filter",
+                                 "sensor",
+                                 "material",
+                                 "self_collision_checking",
+                                 "collision_checking"};
 const Names kOfInertial = {"origin", "mass", "inertia"};
 const Names kOfEveryJoint = {"origin", "parent", "child"};
 const Names kOfJoint = {"origin", "axis",     "parent",           "child",
                         "limit",  "dynamics", "joint_properties", "mimic"};  // of one that moves
-const Names kOfRotor = {"drake:rotor_inertia", "drake:gear_ratio", "rotor_inertia",
-                        "motorInertia",        "gear_ratio",       "mechanicalReduction"};
+const Names kBesideThem = {"actuator", "drake:mimic"};
+const Names kIrrelevantInJoint = {"safety_controller", "calibration", "hardwareInterface", "sensor"};
+const Names kOfRotor = {"rotor_inertia",        "motorInertia", "gear_ratio",          "mechanicalReduction",
+                        "mechanical_reduction", "reduction",    "drake:rotor_inertia", "drake:gear_ratio"};
+const Names kOfTransmission = {"type", "joint", "actuator", "plugin"};
+const Names kIrrelevantInActuator = {"hardwareInterface", "role", "offset", "state_interface", "command_interface"};
 
-bool contains(const Names& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+Names both(Names names, const Names& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
 }
 
 class NameChecker {
  public:
   explicit NameChecker(const UrdfValues& values)
-      : values_(values), diagnostics_(values.context().diagnostics), unknown_(values) {}
+      : values_(values), diagnostics_(values.context().diagnostics), unknown_(values), unread_(values) {}
 
   void check_robot(const XMLElement& root) {
-    check_spelling(root, "robot", kOfRobot);
-    for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-      const std::string_view name = e->Name();
-      if (name == "link") check_link(*e);
-      if (name == "joint") check_joint(*e);
-      if (name == "transmission") check_transmission(*e);
+    Names irrelevant = kIrrelevantInRobot;
+    for (const XMLElement* element : elements_in(root)) {
+      const std::string_view name = element->Name();
+      if (is_unsupported_element(name)) irrelevant.emplace_back(name);
+      if (name == "link") check_link(*element);
+      if (name == "joint") check_joint(*element);
     }
+    unread_.check(root, "robot", {kOfRobot, irrelevant});
+    for (const XMLElement* transmission : urdf_transmissions(root)) check_transmission(*transmission);
   }
 
  private:
@@ -52,48 +75,73 @@ class NameChecker {
   }
 
   void check_link(const XMLElement& element) {
-    check_spelling(element, what(element), kOfLink);
-    check_once(element, what(element), kOfLink);
-    unknown_.check_misplaced(element, what(element), kOfLink);
-    if (const XMLElement* inertial = element.FirstChildElement("inertial")) {
-      check_children(*inertial, what(element) + ", inertial", kOfInertial);
-      unknown_.check_misplaced(*inertial, what(element) + ", inertial", kOfInertial);
+    const std::string link = what(element);
+    unread_.check(element, link, {kOfLink, kIrrelevantInLink});
+    check_once(element, link, kOfLink);
+    unknown_.check_misplaced(element, link);
+    for (const char* tag : {"visual", "collision"}) {
+      for (const XMLElement* shape : elements_in(element, tag)) unread_.check_bodies_in(*shape, link);
     }
+    for (const XMLElement* contact : elements_in(element, "contact")) {
+      if (const XMLElement* scaling = contact->FirstChildElement("inertia_scaling")) unread_.note(*scaling, link);
+    }
+    const XMLElement* inertial = element.FirstChildElement("inertial");
+    if (inertial == nullptr) return;
+    unread_.check(*inertial, link + ", inertial", {kOfInertial, {}});
+    check_values(*inertial, link + ", inertial", kOfInertial);
+    unknown_.check_misplaced(*inertial, link + ", inertial");
   }
 
-  // Of a joint that does not move, what it would move by does not matter.
+  // For a joint that does not move, the numbers of its motion do not matter.
   void check_joint(const XMLElement& element) {
+    const std::string joint = what(element);
     const char* type = element.Attribute("type");
-    const bool is_fixed = type != nullptr && std::string_view(type) == "fixed";
-    check_children(element, what(element), is_fixed ? kOfEveryJoint : kOfJoint);
-    if (is_fixed) return;
-    unknown_.check_misplaced(element, what(element), kOfJoint);
-    check_children(element, what(element), kOfRotor);
+    if (type != nullptr && std::string_view(type) == "fixed") {
+      unread_.check_spelling(element, joint, kOfEveryJoint);
+      check_values(element, joint, kOfEveryJoint);
+      return;
+    }
+    const char* name = element.Attribute("name");
+    const bool moves = name == nullptr || !is_held(name, values_.context());
+    unread_.check(element, joint, {both(kOfJoint, both(kOfRotor, kBesideThem)), kIrrelevantInJoint, moves});
+    check_values(element, joint, both(kOfJoint, kOfRotor));
+    unknown_.check_misplaced(element, joint);
+    check_attributes_of_rotor(element, joint);
+    for (const XMLElement* actuator : elements_in(element, "actuator")) check_part(*actuator, joint + ", actuator");
   }
 
   void check_transmission(const XMLElement& element) {
-    for (const XMLElement* e = element.FirstChildElement("actuator"); e != nullptr;
-         e = e->NextSiblingElement("actuator"))
-      check_children(*e, what(element) + ", actuator", kOfRotor);
+    unread_.check(element, what(element), {both(kOfTransmission, kOfRotor), kIrrelevantInActuator});
+    check_attributes_of_rotor(element, what(element));
+    check_values(element, what(element), kOfRotor);
+    for (const XMLElement* actuator : elements_in(element, "actuator"))
+      check_part(*actuator, what(element) + ", actuator");
+    for (const XMLElement* joint : elements_in(element, "joint")) check_part(*joint, what(element) + ", joint");
   }
 
-  // The children that are read, by their names: spelt right, there once, with attributes that are known.
-  void check_children(const XMLElement& parent, const std::string& what, const Names& names) {
-    check_spelling(parent, what, names);
+  void check_part(const XMLElement& part, const std::string& what) {
+    unread_.check(part, what, {kOfRotor, kIrrelevantInActuator});
+    check_attributes_of_rotor(part, what);
+    check_values(part, what, kOfRotor);
+  }
+
+  // A number of a rotor may stand in an attribute, under the name that an element has.
+  void check_attributes_of_rotor(const XMLElement& part, const std::string& what) {
+    for (const tinyxml2::XMLAttribute* a = part.FirstAttribute(); a != nullptr; a = a->Next()) {
+      const std::string name = a->Name();
+      if (std::find(kOfRotor.begin(), kOfRotor.end(), name) != kOfRotor.end()) continue;
+      const std::string hint = hint_for_unknown(name, kOfRotor, "attributes");
+      if (!is_of_rotor(name) && !hint.starts_with("did you mean")) continue;
+      diagnostics_.error(values_.place(part), what + ": unknown attribute \"" + name + "\"", hint);
+    }
+  }
+
+  // The children that are read, by their names: there once, with attributes that are known.
+  void check_values(const XMLElement& parent, const std::string& what, const Names& names) {
     check_once(parent, what, names);
     for (const std::string& name : names) {
       const XMLElement* child = parent.FirstChildElement(name.c_str());
       if (child != nullptr) unknown_.check(*child, what + ", " + name);
-    }
-  }
-
-  void check_spelling(const XMLElement& parent, const std::string& what, const Names& names) {
-    for (const XMLElement* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-      const std::string_view name = e->Name();
-      if (contains(names, name) || has_namespace(name)) continue;
-      const std::string hint = hint_for_unknown(name, names, "elements");
-      if (!hint.starts_with("did you mean")) continue;  // no misspelling: an element of some other program
-      diagnostics_.error(values_.place(*e), what + ": unknown element <" + std::string(name) + ">", hint);
     }
   }
 
@@ -109,6 +157,7 @@ class NameChecker {
   const UrdfValues& values_;
   Diagnostics& diagnostics_;
   UnknownEntries unknown_;
+  UnreadElements unread_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "input/urdf/loops.hpp"
 #include "input/urdf/mimics.hpp"
 #include "input/urdf/names.hpp"
+#include "input/urdf/simulators.hpp"
 #include "input/urdf/unsupported.hpp"
 #include "input/urdf/values.hpp"
 
@@ -36,12 +37,14 @@ class UrdfReader {
     for (const XMLElement* e = root.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
       read_joint(*e);
     }
+    for (const int link : point_masses_) tell_of_point_mass(robot_.links[static_cast<std::size_t>(link)], moves(link));
     read_urdf_mimics(root, values_, robot_);
     read_urdf_marks(root, values_, robot_);
     read_urdf_couplings(root, values_, robot_);
     read_urdf_loops(root, values_, robot_);
     check_urdf_names(root, values_);
     refuse_unread_dynamics(root, values_, robot_);
+    check_urdf_simulators(root, values_, robot_);
     read_urdf_actuators(root, values_, robot_);
   }
 
@@ -69,13 +72,36 @@ class UrdfReader {
       inertial.mass = values_.required_number(*mass, "value", link + ", mass");
     }
     const XMLElement* inertia = element.FirstChildElement("inertia");
-    if (inertia == nullptr) {
-      diagnostics_.error(inertial.place, link + ": <inertial> has no <inertia>",
-                         "write <inertia ixx= iyy= izz= ixy= ixz= iyz=/> (kg m^2); all 0 for a point mass");
-    } else {
+    if (inertia != nullptr) {
       inertial.tensor = read_tensor(*inertia, link + ", inertia");
+    } else if (mass != nullptr) {
+      point_masses_.push_back(static_cast<int>(robot_.links.size()));
     }
     return inertial;
+  }
+
+  // Whether a joint moves it, or one that carries it. Trees are checked later: what goes round is not followed for
+  // ever.
+  bool moves(int link) const {
+    for (std::size_t step = 0; step < robot_.joints.size(); ++step) {
+      const auto above = std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                                      [link](const Joint& joint) { return joint.child == link; });
+      if (above == robot_.joints.end() || above->parent < 0) return false;
+      if (above->type != JointType::fixed) return true;
+      link = above->parent;
+    }
+    return false;
+  }
+
+  void tell_of_point_mass(const Link& link, bool moves) {
+    const Place& place = link.inertials.front().place;
+    const std::string message = "link \"" + link.name + "\": <inertial> has no <inertia>: it counts as a point mass";
+    const char* hint = "write <inertia ixx= iyy= izz= ixy= ixz= iyz=/> (kg m^2); all 0 for a point mass";
+    if (moves) {
+      diagnostics_.warning(place, message, hint, "links with a mass and no inertia, which count as point masses");
+    } else {
+      diagnostics_.note(place, message + ", and does not move", hint, "links at rest with a mass and no inertia");
+    }
   }
 
   Mat3 read_tensor(const XMLElement& element, const std::string& what) {
@@ -200,6 +226,7 @@ class UrdfReader {
   Diagnostics& diagnostics_;
   Robot& robot_;
   std::map<std::string, int> link_of_name_;
+  std::vector<int> point_masses_;  // links whose <inertial> has a mass and no inertia
 };
 
 // "XML_ERROR_MISMATCHED_ELEMENT" → "mismatched element"
@@ -230,7 +257,7 @@ const tinyxml2::XMLNode* content_beside(const XMLElement& root) {
   return nullptr;
 }
 
-// What processing instructions say concerns other programs, but the parser takes none within the robot, and no XML
+// Processing instructions concern other programs, but the parser takes none within the robot, and no XML
 // declaration after a comment. Blanks stand in for them, so that lines keep their numbers.
 std::string without_instructions(std::string text) {
   const auto end_of = [&text](std::size_t begin, std::string_view mark) {

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "diagnostics/nearest.hpp"
+#include "input/urdf/unread.hpp"
+#include "input/urdf/words.hpp"
 
 namespace flatdyn {
 
@@ -25,31 +27,14 @@ std::string list_of(const Names& names) {
   return text;
 }
 
-// The element that a value of this name is read from, where there is only one for it; "" if there is none.
-std::string home_of(std::string_view name) {
-  for (const char* tag : {"origin", "inertia", "dynamics", "limit"}) {
-    if (has_key(*known_urdf_element(tag), name)) return tag;
-  }
-  return "";
-}
-
-// The element in which an element of this name stands; "" if it is not one of which values are read.
-std::string parent_of(std::string_view tag) {
-  if (tag == "mass" || tag == "inertia") return "inertial";
-  if (tag == "axis" || tag == "limit" || tag == "dynamics") return "joint";
-  return tag == "origin" ? "inertial> or <joint" : "";
-}
-
-bool says_nothing(const XMLElement& element) {
-  if (known_urdf_element(element.Name()) == nullptr) return says_zero(value_of(element));
-  const std::vector<UrdfEntry> entries = entries_of(element);
-  return std::all_of(entries.begin(), entries.end(), [](const UrdfEntry& entry) { return says_zero(entry.text); });
-}
-
 bool is_si_unit(std::string_view unit) {
   constexpr auto kUnits = std::to_array<std::string_view>(
       {"m", "meter", "meters", "rad", "radian", "radians", "kg", "kg m^2", "kg*m^2", "N", "Nm", "N m", "SI", "si"});
   return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
+}
+
+std::string called(const UrdfEntry& entry) {
+  return entry.form == Form::child ? "element <" + entry.name + ">" : "attribute \"" + entry.name + "\"";
 }
 
 std::string shown(const UrdfEntry& entry) {
@@ -93,18 +78,26 @@ bool UnknownEntries::refuse(const XMLElement& element, const UrdfEntry& entry, c
                        "convert the value to SI units (m, rad, kg, s, N), and delete the unit");
     return true;
   }
-  const std::string home = home_of(entry.name);
+  if (const std::string meant = known_in_other_letters(entry.name, key_names_of(known.element)); !meant.empty()) {
+    diagnostics_.error(place, what + ": unknown " + called(entry), "did you mean \"" + meant + "\"?");
+    return true;
+  }
+  if (const std::string home = home_of_element(entry.name); entry.form == Form::child && !home.empty()) {
+    diagnostics_.error(place, what + ": <" + entry.name + "> has no effect here",
+                       "it is read from <" + home + ">: write it there, or delete it");
+    return true;
+  }
+  const std::string home = home_of_value(entry.name);
   if (!home.empty() && home != element.Name() && !says_zero(entry.text)) {
     diagnostics_.error(place, what + ": " + shown(entry) + " has no effect here",
                        "it is read from <" + home + ">: write it there, or delete it");
     return true;
   }
-  const std::string hint = known.hint_for(entry.name);
+  const bool is_rotor = has_key(known.element, "armature") && is_of_rotor(entry.name) && !says_zero(entry.text);
+  const std::string hint =
+      is_rotor ? "write armature, which is gear_ratio^2 * rotor_inertia" : known.hint_for(entry.name);
   if (hint.empty()) return false;
-  diagnostics_.error(place,
-                     what + (entry.form == Form::child ? ": unknown element <" + entry.name + ">"
-                                                       : ": unknown attribute \"" + entry.name + "\""),
-                     hint);
+  diagnostics_.error(place, what + ": unknown " + called(entry), hint);
   return true;
 }
 
@@ -126,7 +119,9 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
   const Known known(*element_known, entries);
   Names left_out;
   for (const UrdfEntry& entry : entries) {
-    if (!key_of(known.element, entry).empty() || has_namespace(entry.name)) continue;
+    if (!key_of(known.element, entry).empty()) continue;
+    const bool is_meant = !known_in_other_letters(entry.name, key_names_of(known.element)).empty();
+    if (has_namespace(entry.name) && !is_meant) continue;
     if (entry.form == Form::text) {
       diagnostics_.error(values_.place(element),
                          what + ": it is not clear what the text \"" + entry.text + "\" in <" + element.Name() + "> is",
@@ -138,21 +133,15 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
   note_left_out(element, left_out, what);
 }
 
-void UnknownEntries::check_misplaced(const XMLElement& holder, const std::string& what, const Names& elements) {
-  for (const UrdfEntry& entry : entries_of(holder)) {
-    const std::string home = home_of(entry.name);
+void UnknownEntries::check_misplaced(const XMLElement& holder, const std::string& what) {
+  for (const tinyxml2::XMLAttribute* a = holder.FirstAttribute(); a != nullptr; a = a->Next()) {
+    const UrdfEntry entry{a->Name(), a->Value(), holder.GetLineNum(), Form::attribute};
+    const std::string home = home_of_value(entry.name);
     const bool is_element = known_urdf_element(entry.name) != nullptr;
     if ((home.empty() && !is_element) || has_namespace(entry.name) || says_zero(entry.text)) continue;
     diagnostics_.error(values_.place(holder), what + ": " + shown(entry) + " has no effect here",
                        is_element ? "write an element: <" + entry.name + " .../>"
                                   : "it is read from <" + home + ">: write it there, or delete it");
-  }
-  for (const XMLElement* e = holder.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    if (is_among(elements, e->Name())) continue;
-    const std::string home = home_of(e->Name()).empty() ? parent_of(e->Name()) : home_of(e->Name());
-    if (home.empty() || says_nothing(*e)) continue;
-    diagnostics_.error(values_.place(*e), what + ": <" + std::string(e->Name()) + "> has no effect here",
-                       "it is read from <" + home + ">: write it there, or delete it");
   }
 }
 

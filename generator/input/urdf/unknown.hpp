@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What stands in an element of a URDF and is not read there: left out with a note, or refused where something that is
-// meant may be lost by that.
+// Attributes and elements in an element of a URDF that are not read there. They are left out with a note, or refused
+// where something that is meant may be lost.
 #pragma once
 
 #include <tinyxml2.h>
@@ -20,10 +20,8 @@ class UnknownEntries {
   // Attributes, children and text of an element of which values are read.
   void check(const tinyxml2::XMLElement& element, const std::string& what);
 
-  // Values that stand in `holder` itself and not in an element for them, and elements that belong elsewhere: <mass>
-  // outside <inertial>. `elements` are those that `holder` may have.
-  void check_misplaced(const tinyxml2::XMLElement& holder, const std::string& what,
-                       const std::vector<std::string>& elements);
+  // Values that stand as attributes in `holder` itself and not in an element for them: <joint axis="0 0 1">.
+  void check_misplaced(const tinyxml2::XMLElement& holder, const std::string& what);
 
  private:
   struct Known;

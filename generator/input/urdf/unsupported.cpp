@@ -2,7 +2,9 @@
 #include "input/urdf/unsupported.hpp"
 
 #include <algorithm>
-#include <string_view>
+
+#include "input/urdf/children.hpp"
+#include "input/urdf/words.hpp"
 
 namespace flatdyn {
 
@@ -11,22 +13,18 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr const char* kJointHint = "supported joints: revolute, continuous, prismatic, fixed, in a tree";
-constexpr const char* kLoopHint =
-    "write it as <loop name=\"...\" type=\"revolute\"> with <predecessor link=\"...\">, <successor link=\"...\">, an "
-    "<origin> "
-    "in each, and <axis>";
 constexpr const char* kConstraintHint = "supported: <loop> of type revolute or spherical, <coupling>, <mimic>";
 constexpr const char* kForceHint = "delete it, or add its forces to what the generated code returns";
+constexpr const char* kArmatureHint = "write the reflected inertia as <dynamics armature=\"...\"/> of the joint";
 
-// What to do instead of a constraint or force element; nullptr for all other elements.
+// The hint for a constraint or force element; nullptr for all other elements.
 const char* hint_instead_of(std::string_view name) {
   const auto has = [name](std::string_view part) { return name.find(part) != std::string_view::npos; };
-  if (name == "loop_joint") return kLoopHint;
-  if (name == "force_element") return kForceHint;
+  if (name == "force_element" || name == "cable") return kForceHint;
   if (!name.starts_with("drake:")) return nullptr;
   if (name == "drake:joint") return kJointHint;
   if (has("constraint")) return kConstraintHint;
-  return has("spring") || has("bushing") ? kForceHint : nullptr;
+  return has("spring") || has("bushing") || has("cable") ? kForceHint : nullptr;
 }
 
 class Refuser {
@@ -37,59 +35,52 @@ class Refuser {
   void check(const XMLElement& element) {
     const std::string_view name = element.Name();
     if (const char* hint = hint_instead_of(name)) {
-      refuse(element, "", hint);
+      refuse_unsupported(element, "", hint, values_);
     } else if (name == "joint") {
       check_spring(element);
-    } else if (name == "gazebo") {
-      check_gazebo(element);
+    } else if (name == "ros2_control") {
+      for (const XMLElement* joint : elements_in(element, "joint")) check_controlled(*joint);
     }
   }
 
  private:
-  void refuse(const XMLElement& element, const std::string& where, const char* hint) {
-    const char* name = element.Attribute("name");
-    diagnostics_.unsupported(values_.place(element),
-                             "<" + std::string(element.Name()) +
-                                 (name == nullptr ? "" : " name=\"" + std::string(name) + "\"") + ">" + where +
-                                 " is not supported yet",
-                             hint);
-  }
-
-  // A spring at a joint that does not move does nothing.
-  bool is_at_rest(const char* name) const {
-    return name != nullptr && std::any_of(robot_.joints.begin(), robot_.joints.end(), [&](const Joint& joint) {
-             return joint.name == name && joint.type == JointType::fixed;
-           });
-  }
-
-  void refuse_spring(const Place& place, const std::string& what, const Number& stiffness) {
-    if (vanishes(stiffness)) return;
-    diagnostics_.unsupported(place, what + ": springs are not supported yet",
-                             "delete it, or add its torque to what the generated code returns");
-  }
-
   void check_spring(const XMLElement& joint) {
     const char* name = joint.Attribute("name");
-    if (is_at_rest(name)) return;
+    if (is_at_rest(robot_, name)) return;
     const std::string what = "joint \"" + std::string(name == nullptr ? "" : name) + "\"";
     for (const char* key : {"spring_stiffness", "stiffness"}) {
       if (const auto stiffness = values_.dynamics(joint, key, what)) {
-        refuse_spring(stiffness->place, what + ", dynamics, " + key, stiffness->number);
+        refuse_spring(stiffness->place, what + ", dynamics, " + key, stiffness->number, diagnostics_);
       }
     }
   }
 
-  // Joints there close chains that a URDF cannot say, and add links; springs stand there for lack of a place in URDF.
-  void check_gazebo(const XMLElement& gazebo) {
-    for (const XMLElement* e = gazebo.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
-      const bool joins = e->FirstChildElement("parent") != nullptr || e->FirstChildElement("child") != nullptr;
-      if (joins) refuse(*e, " in <gazebo>", kLoopHint);
+  // Parameters go to drivers, which may be told gear ratios; an inertia there is one that the joint feels.
+  void check_controlled(const XMLElement& joint) {
+    if (is_at_rest(robot_, joint.Attribute("name"))) return;
+    for (const XMLElement* element : elements_in(joint)) {
+      const std::string_view tag = element->Name();
+      if (tag != "param" && is_of_dynamics(tag) && tag.find("mimic") == std::string_view::npos) {
+        refuse_unsupported(*element, " in <ros2_control>", "write it in the joint itself, or delete it", values_);
+      }
     }
-    const XMLElement* spring = gazebo.FirstChildElement("springStiffness");
-    const char* joint = gazebo.Attribute("reference");
-    if (spring == nullptr || is_at_rest(joint)) return;
-    const std::string what = "gazebo \"" + std::string(joint == nullptr ? "" : joint) + "\", springStiffness";
-    refuse_spring(values_.place(*spring), what, values_.number_of_text(*spring, what));
+    for (const XMLElement* parameter : elements_in(joint)) {
+      const char* name = parameter->Attribute("name");
+      if (name == nullptr || std::string_view(parameter->Name()) != "param" || says_zero(value_of(*parameter)))
+        continue;
+      const std::vector<std::string> words = words_of_name(name);
+      const auto has = [&words](const char* word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+      };
+      if (has("inertia") || has("armature") || (has("rotor") && has("mass"))) {
+        refuse_unsupported(*parameter, " in <ros2_control>", kArmatureHint, values_);
+      } else if (is_of_dynamics(name) && !has("mimic")) {
+        diagnostics_.note(values_.place(*parameter),
+                          "ros2_control, " + named(joint) + ": " + named(*parameter) + " is not read",
+                          "friction and armature of a joint are read from its <dynamics>",
+                          "parameters of ros2_control that are not read");
+      }
+    }
   }
 
   const UrdfValues& values_;
@@ -99,9 +90,33 @@ class Refuser {
 
 }  // namespace
 
+bool is_unsupported_element(std::string_view name) { return hint_instead_of(name) != nullptr; }
+
+void refuse_unsupported(const XMLElement& element, const std::string& where, const char* hint,
+                        const UrdfValues& values) {
+  const char* name = element.Attribute("name");
+  values.context().diagnostics.unsupported(values.place(element),
+                                           "<" + std::string(element.Name()) +
+                                               (name == nullptr ? "" : " name=\"" + std::string(name) + "\"") + ">" +
+                                               where + " is not supported yet",
+                                           hint);
+}
+
+bool is_at_rest(const Robot& robot, const char* joint) {
+  return joint != nullptr && std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& each) {
+           return each.name == joint && each.type == JointType::fixed;
+         });
+}
+
+void refuse_spring(const Place& place, const std::string& what, const Number& stiffness, Diagnostics& diagnostics) {
+  if (vanishes(stiffness)) return;
+  diagnostics.unsupported(place, what + ": springs are not supported yet",
+                          "delete it, or add its torque to what the generated code returns");
+}
+
 void refuse_unread_dynamics(const XMLElement& root, const UrdfValues& values, const Robot& robot) {
   Refuser refuser(values, robot);
-  for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) refuser.check(*e);
+  for (const XMLElement* element : elements_in(root)) refuser.check(*element);
 }
 
 }  // namespace flatdyn

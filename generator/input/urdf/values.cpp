@@ -6,6 +6,7 @@
 
 #include "diagnostics/utf8.hpp"
 #include "input/common/units.hpp"
+#include "input/urdf/quaternion.hpp"
 #include "model/unit_doubts.hpp"
 
 namespace flatdyn {
@@ -194,20 +195,27 @@ std::optional<Value> UrdfValues::limit(const XMLElement& element, const char* ke
   return Value{*value, where.place};
 }
 
-std::optional<Vec3> UrdfValues::vector(const UrdfEntry& entry, const Spot& spot) const {
+template <std::size_t n>
+std::optional<std::array<Number, n>> UrdfValues::numbers(const UrdfEntry& entry, const Spot& spot) const {
   const std::vector<std::string> words = words_of(entry.text);
-  if (words.size() != 3) {
-    context_.diagnostics.error(spot.place, spot.what + ": three numbers are expected, not \"" + entry.text + "\"",
-                               "separate them by blanks: \"0 0 0.5\"");
+  if (words.size() != n) {
+    context_.diagnostics.error(
+        spot.place,
+        spot.what + ": " + (n == 3 ? "three" : "four") + " numbers are expected, not \"" + entry.text + "\"",
+        std::string("separate them by blanks: ") + (n == 3 ? "\"0 0 0.5\"" : "\"0 0 0 1\", the real part last"));
     return std::nullopt;
   }
-  Vec3 values;
-  for (std::size_t i = 0; i < 3; ++i) {
+  std::array<Number, n> values;
+  for (std::size_t i = 0; i < n; ++i) {
     const std::optional<Number> value = checked_decimal(words[i], spot, context_.diagnostics);
     if (!value) return std::nullopt;
     values[i] = *value;
   }
   return values;
+}
+
+std::optional<Vec3> UrdfValues::vector(const UrdfEntry& entry, const Spot& spot) const {
+  return numbers<3>(entry, spot);
 }
 
 std::optional<Vec3> UrdfValues::vector(const XMLElement& element, const char* key, const std::string& what) const {
@@ -234,6 +242,37 @@ Vec3 UrdfValues::angles(const XMLElement& element, const char* key, const std::s
   return values;
 }
 
+Vec3 UrdfValues::turn(const XMLElement& element, const std::string& what) const {
+  const Vec3 rpy = angles(element, "rpy", what);
+  const std::optional<UrdfEntry> entry = written({&element}, "quat_xyzw", what);
+  if (!entry) return rpy;
+  const Spot where = spot(*entry, "quat_xyzw", what);
+  const std::optional<Quaternion> q = numbers<4>(*entry, where);
+  if (!q || !check_length(*q, where)) return rpy;
+  if (written({&element}, "rpy", what)) {
+    if (!is_rotation(*q, rpy)) {
+      context_.diagnostics.error(where.place, where.what + " and rpy are not the same rotation",
+                                 "keep the one that is right");
+    }
+    return rpy;
+  }
+  // A pitch that is so near to a quarter turn is snapped to it.
+  const bool snaps = !context_.options.snap_tolerance.is_zero();
+  const Vec3 angles = rpy_of(*q, snaps ? exact_decimal("1e-12") : Number(0));
+  Vec3 snapped;
+  for (std::size_t i = 0; i < 3; ++i) snapped[i] = snapped_angle(angles[i], entry->text, where, context_);
+  return snapped;
+}
+
+// Files have units to as many digits as are printed; what is much longer or shorter is no rotation that is meant.
+bool UrdfValues::check_length(const std::array<Number, 4>& quaternion, const Spot& spot) const {
+  const GiNaC::numeric off = magnitude(squared_norm(quaternion) - 1);
+  if (off <= magnitude(exact_decimal("1e-2"))) return true;
+  context_.diagnostics.error(spot.place, spot.what + " is not a unit quaternion",
+                             "write x y z w with a sum of squares of 1: 0 0 0 1 turns nothing");
+  return false;
+}
+
 Number UrdfValues::angle_of(const Number& decimal, const std::string& written, const Spot& spot) const {
   const Number angle = snapped_angle(decimal, written, spot, context_);
   if (may_be_degrees(angle)) {
@@ -247,14 +286,15 @@ Pose UrdfValues::origin(const XMLElement& parent, const std::string& what, const
   const XMLElement* element = parent.FirstChildElement(tag);
   if (element == nullptr) return {{}, place(parent)};
   const std::string where = what + ", " + tag;
-  if (written({element}, "quat_xyzw", where) || written({element}, "quat_wxyz", where)) {
-    context_.diagnostics.unsupported(place(*element), where + ": a quaternion is not supported", "write rpy instead");
+  if (written({element}, "quat_wxyz", where)) {
+    context_.diagnostics.unsupported(place(*element), where + ": quat_wxyz is not supported",
+                                     "write quat_xyzw, with the real part last, or rpy");
   }
   // One after the other: compilers differ in the order in which they evaluate arguments, and diagnostics would with
   // them.
   const Vec3 xyz = vector(*element, "xyz", where).value_or(zero_vector());
   for (const Number& length : xyz) note_length(length, {place(*element), where + ", xyz"}, {}, context_);
-  const Vec3 rpy = angles(*element, "rpy", where);
+  const Vec3 rpy = turn(*element, where);
   return pose_from_xyz_rpy(xyz, rpy, place(*element));
 }
 

@@ -6,6 +6,7 @@
 
 #include <tinyxml2.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,8 +60,8 @@ class UrdfValues {
   std::optional<Vec3> required_vector(const tinyxml2::XMLElement& element, const char* key,
                                       const std::string& what) const;
 
-  // <origin xyz rpy> of an element that may have one: xyz, then Rz(yaw) Ry(pitch) Rx(roll). tag: what else it is
-  // called.
+  // <origin xyz rpy> or <origin xyz quat_xyzw> of an element that may have one: xyz, then Rz(yaw) Ry(pitch) Rx(roll).
+  // tag: what else it is called.
   Pose origin(const tinyxml2::XMLElement& parent, const std::string& what, const char* tag = "origin") const;
 
   ReadContext& context() const { return context_; }
@@ -76,6 +77,11 @@ class UrdfValues {
   Spot spot(const UrdfEntry& entry, const std::string& key, const std::string& what) const;
   std::optional<Value> number(const Holders& holders, const char* key, const std::string& what) const;
   std::optional<Vec3> vector(const UrdfEntry& entry, const Spot& spot) const;
+  template <std::size_t n>
+  std::optional<std::array<Number, n>> numbers(const UrdfEntry& entry, const Spot& spot) const;
+  bool check_length(const std::array<Number, 4>& quaternion, const Spot& spot) const;
+  // By rpy, or by quat_xyzw: roll, pitch, yaw.
+  Vec3 turn(const tinyxml2::XMLElement& element, const std::string& what) const;
   Vec3 angles(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
 
   std::string file_;

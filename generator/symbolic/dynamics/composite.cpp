@@ -10,9 +10,7 @@ int parent_of(Frames& frames, int i) { return frames.body(i).parent; }
 
 // 2 (p·h) 1 - p hᵀ - h pᵀ + m (p·p 1 - p pᵀ): the change of an inertia when the reference point moves from the origin
 // of frame i to that of its parent; h is the first moment about the old point.
-Mat3 inertia_shift(const Number& m, const Vec3& h, const Vec3& p) {
-  return inertia_between(p, h + (m / 2) * p);
-}
+Mat3 inertia_shift(const Number& m, const Vec3& h, const Vec3& p) { return inertia_between(p, h + (m / 2) * p); }
 
 // The zz entry of that change, if the axes of body i and its parent are parallel; h and p are in axes of frame i.
 Number moved_axis(const Body& body, const Number& m, const Vec3& h, const Vec3& p) {
@@ -25,8 +23,8 @@ InertialParameters composite_in_parent(Frames& frames, int i, const InertialPara
   InertialParameters slid = composite;
   if (frames.body(i).prismatic) {
     const Vec3 slide = {0, 0, frames.slide(i)};
-    slid.inertia = d.named_symmetric(
-        composite.inertia + inertia_shift(composite.mass, composite.first_moment, slide), "Is_" + n);
+    slid.inertia =
+        d.named_symmetric(composite.inertia + inertia_shift(composite.mass, composite.first_moment, slide), "Is_" + n);
     slid.first_moment = d.named(composite.first_moment + composite.mass * slide, "hs_" + n);
   }
   const Vec3 h = frames.to_parent(i, slid.first_moment, "hu_" + n);

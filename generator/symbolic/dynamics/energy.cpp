@@ -56,7 +56,8 @@ Number kinetic_energy(Frames& frames) {
   for (int i = 0; i < mechanism.body_count(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
     const Number& qd = rates[static_cast<std::size_t>(i)];
-    links.push_back(link_velocity(frames, i, body.parent < 0 ? Velocity{} : links[static_cast<std::size_t>(body.parent)], qd));
+    links.push_back(
+        link_velocity(frames, i, body.parent < 0 ? Velocity{} : links[static_cast<std::size_t>(body.parent)], qd));
     twice += d.named(twice_link_energy(d, frames.inertia(i), links.back(), label(i)), "T_" + label(i));
     twice += d.named(twice_rotor_energy(d, body, frames.rotor_axis(i), links, qd, label(i)), "T_m" + label(i));
   }

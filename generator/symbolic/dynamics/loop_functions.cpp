@@ -2,6 +2,7 @@
 #include "symbolic/dynamics/loop_functions.hpp"
 
 #include "diagnostics/diagnostics.hpp"
+#include "model/loop_closure.hpp"
 #include "symbolic/loops/loops.hpp"
 
 namespace flatdyn {
@@ -29,7 +30,10 @@ std::vector<Number> along(const Rows& G, const std::vector<Number>& coordinates)
 Function loop_closure_function(Workbench& bench) {
   const std::vector<NodeId> phi = bench.nodes(loops_of(bench).closure());
   return finished(bench, {InputKind::q},
-                  {vector_output("phi", phi, "loop by loop, m: what lies between the points that meet; 0 if closed")});
+                  {vector_output("phi", phi,
+                                 aligns_axes(bench.mechanism)
+                                     ? "loop by loop: m between points that meet, cosines where axes do; 0 if closed"
+                                     : "loop by loop, m: what lies between the points that meet; 0 if closed")});
 }
 
 Function loop_jacobian_function(Workbench& bench) {

@@ -6,8 +6,7 @@ namespace {
 
 // The momenta about another reference point, from which the old one is at p and moves with u. `first_moment`: about the
 // old point.
-Momenta shifted_momenta(const Momenta& a, const Number& mass, const Vec3& first_moment, const Vec3& p,
-                                const Vec3& u) {
+Momenta shifted_momenta(const Momenta& a, const Number& mass, const Vec3& first_moment, const Vec3& p, const Vec3& u) {
   const Vec3 about_new = first_moment + mass * p;
   Momenta moved;
   moved.P = a.P + mass * u;

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/loops/loops.hpp"
 
+#include "symbolic/loops/loop_determinant.hpp"
+
 namespace flatdyn {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// By its first row.
-Number determinant(const Rows& A) {
-  if (A.size() == 1) return A[0][0];
-  Number sum = 0;
-  for (std::size_t k = 0; k < A.size(); ++k) {
-    Rows minor;
-    for (std::size_t i = 1; i < A.size(); ++i) {
-      minor.push_back(A[i]);
-      minor.back().erase(minor.back().begin() + static_cast<std::ptrdiff_t>(k));
-    }
-    sum += (k % 2 == 0 ? A[0][k] : Number(-A[0][k])) * determinant(minor);
-  }
-  return sum;
-}
 
 Rows columns_of(const Rows& A, const std::vector<int>& columns) {
   Rows result;
@@ -30,10 +17,22 @@ Rows columns_of(const Rows& A, const std::vector<int>& columns) {
   return result;
 }
 
-std::vector<Number> components(const Vec3& v, const std::vector<std::size_t>& rows) {
+std::vector<Number> those_of(const std::vector<std::size_t>& rows, const std::vector<Number>& components) {
   std::vector<Number> result;
-  for (const std::size_t row : rows) result.push_back(v[row]);
+  for (const std::size_t row : rows) result.push_back(components[row]);
   return result;
+}
+
+std::vector<Number> list_of(const Vec3& v) { return {v.begin(), v.end()}; }
+
+// ℓ^2r, with r rows of axes beside those of points.
+Number axes_factor(const LoopClosure& closure, const Number& scale) {
+  Number factor = 1;
+  if (closure.rows.front() >= LoopClosure::kOfPoints) return factor;
+  for (const std::size_t row : closure.rows) {
+    if (row >= LoopClosure::kOfPoints) factor *= scale;
+  }
+  return factor;
 }
 
 std::string entry_name(const std::string& name, std::size_t k) { return name + "_" + label(static_cast<int>(k)); }
@@ -47,9 +46,8 @@ ClosedLoops::ClosedLoops(const Mechanism& mechanism, Derivation& derivation)
 
 Number ClosedLoops::factor(int body, std::size_t position) const { return mechanism_.coupling[at(body)][position]; }
 
-// From the carrier outwards, as the Jacobian of a frame; `point`: where the end is.
-std::vector<ClosedLoops::Joint> ClosedLoops::way_to(const LoopClosure& closure, std::size_t end, Vec3& point,
-                                                    const std::string& name) {
+// From the carrier outwards, as the Jacobian of a frame.
+ClosedLoops::Way ClosedLoops::way_to(const LoopClosure& closure, std::size_t end, const std::string& name) {
   const std::vector<int> bodies = flatdyn::way_to(mechanism_, closure.ends[end].body, closure.carrier);
   std::vector<Joint> way;
   std::vector<Vec3> origins;
@@ -63,28 +61,44 @@ std::vector<ClosedLoops::Joint> ClosedLoops::way_to(const LoopClosure& closure, 
     way.push_back({i, frames_.body(i).prismatic, z, zero_vector(), zero_vector()});
     for (std::size_t k = 0; k < 3; ++k) R[k] = frames_.to_child(i, R[k], "R_" + n + std::to_string(k));
   }
-  point = d_.named(origin + R * closure.ends[end].p, "p_" + name + "e");
+  const Vec3 point = d_.named(origin + R * closure.ends[end].p, "p_" + name + "e");
   for (std::size_t k = 0; k < way.size(); ++k) {
     const std::string n = name + label(way[k].body);
     const Vec3& next = k + 1 < way.size() ? origins[k + 1] : point;
     way[k].link = d_.named(next - origins[k], "r_" + n);
     way[k].column = way[k].slides ? way[k].axis : d_.named(cross(way[k].axis, point - origins[k]), "J_" + n);
   }
-  return way;
+  return {std::move(way), point, R};
+}
+
+void ClosedLoops::find_axes(const LoopClosure& closure, const Way& first, const Way& second, const std::string& name,
+                            Loop& loop) {
+  loop.axis = d_.named(second.R * closure.axis, "a_" + name);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string n = name + "_" + std::to_string(k + 1);
+    loop.across[k] = d_.named(first.R * closure.across[k], "e_" + n);
+    loop.normals[k] = d_.named(cross(loop.axis, loop.across[k]), "n_" + n);
+    loop.gap.push_back(d_.named(dot(loop.across[k], loop.axis), "phi_" + n));
+  }
 }
 
 ClosedLoops::Loop ClosedLoops::geometry(const LoopClosure& closure, std::size_t l) {
   Loop loop;
   const std::string name = "l" + label(static_cast<int>(l));
-  Vec3 ends[2];
-  for (std::size_t e = 0; e < 2; ++e) loop.ways[e] = way_to(closure, e, ends[e], name + (e == 0 ? "a" : "b"));
-  loop.gap = d_.named(ends[1] - ends[0], "phi_" + name);
+  const Way ways[] = {way_to(closure, 0, name + "a"), way_to(closure, 1, name + "b")};
+  for (std::size_t e = 0; e < 2; ++e) loop.ways[e] = ways[e].joints;
+  loop.gap = list_of(d_.named(ways[1].end - ways[0].end, "phi_" + name));
+  if (closure.aligns_axes()) find_axes(closure, ways[0], ways[1], name, loop);
+  const auto column_of = [&loop](const Joint& joint, std::size_t row) -> Number {
+    if (row < LoopClosure::kOfPoints) return joint.column[row];
+    return joint.slides ? Number(0) : dot(joint.axis, loop.normals[row - LoopClosure::kOfPoints]);
+  };
   const auto m = at(mechanism_.position_count());
   for (const std::size_t row : closure.rows) {
     loop.J.emplace_back(m, 0);
     for (std::size_t e = 0; e < 2; ++e) {
       for (const Joint& joint : loop.ways[e]) {
-        const Number part = e == 0 ? Number(-joint.column[row]) : joint.column[row];
+        const Number column = column_of(joint, row), part = e == 0 ? Number(-column) : column;
         for (std::size_t k = 0; k < m; ++k) loop.J.back()[k] += factor(joint.body, k) * part;
       }
     }
@@ -92,7 +106,7 @@ ClosedLoops::Loop ClosedLoops::geometry(const LoopClosure& closure, std::size_t 
       loop.J.back()[k] = d_.named(loop.J.back()[k], entry_name("Phi_" + name + std::to_string(row + 1), k));
     }
   }
-  loop.determinant = d_.named(determinant(columns_of(loop.J, closure.dependent)), "det_" + name);
+  loop.determinant = d_.named(determinant(columns_of(loop.J, closure.dependent), d_, "M_" + name + "_"), "det_" + name);
   loop.reciprocal = d_.quotient(1, loop.determinant, "inv_" + name);
   return loop;
 }
@@ -107,12 +121,12 @@ std::vector<Number> ClosedLoops::completed(std::vector<Number> values, const Ext
       for (std::size_t k = 0; k < values.size(); ++k) rest[r] += loop.J[r][k] * values[k];  // dependent: still 0
       rest[r] = d_.named(rest[r], entry_name(name + "r" + label(static_cast<int>(l)), r));
     }
+    const Rows own = columns_of(loop.J, dependent);
     std::vector<Number> found;
     for (std::size_t c = 0; c < dependent.size(); ++c) {
-      Rows replaced = columns_of(loop.J, dependent);
-      for (std::size_t r = 0; r < rest.size(); ++r) replaced[r][c] = -rest[r];
       const std::string n = entry_name(name, at(dependent[c]));
-      found.push_back(d_.named(d_.named(determinant(replaced), n + "n") * loop.reciprocal, n));
+      const Number numerator = d_.named(determinant_with(own, c, rest, d_, name + "m"), n + "n");
+      found.push_back(d_.named(numerator * loop.reciprocal, n));
     }
     for (std::size_t c = 0; c < dependent.size(); ++c) values[at(dependent[c])] = found[c];
   }
@@ -122,7 +136,7 @@ std::vector<Number> ClosedLoops::completed(std::vector<Number> values, const Ext
 std::vector<Number> ClosedLoops::closure() const {
   std::vector<Number> result;
   for (std::size_t l = 0; l < loops_.size(); ++l) {
-    for (const Number& entry : components(loops_[l].gap, mechanism_.loops[l].rows)) result.push_back(entry);
+    for (const Number& entry : those_of(mechanism_.loops[l].rows, loops_[l].gap)) result.push_back(entry);
   }
   return result;
 }
@@ -146,12 +160,13 @@ Rows ClosedLoops::motion() const {
   return G;
 }
 
-// What an end accelerates by when no joint does: symmetric in the two motions, which may be the same one. A link that
-// turns swings what it carries, and takes the axes beyond it along.
-Vec3 ClosedLoops::acceleration(const std::vector<Joint>& way, const std::vector<Number>& u,
-                               const std::vector<Number>& v) const {
+// Accelerations are symmetric in the two motions, which may be the same one. A link that turns swings what it carries,
+// and takes the axes beyond it along.
+ClosedLoops::Motion ClosedLoops::motion_of(const std::vector<Joint>& way, const std::vector<Number>& u,
+                                           const std::vector<Number>& v) const {
   const Number half = Number(1) / 2;
-  Vec3 omega_u = zero_vector(), omega_v = zero_vector(), domega = zero_vector(), sum = zero_vector();
+  Motion motion;
+  auto& [omega_u, omega_v, domega, sum] = motion;
   for (const Joint& joint : way) {
     const std::string n = label(joint.body);
     const Vec3 spin_u = u[at(joint.body)] * joint.axis, spin_v = v[at(joint.body)] * joint.axis;
@@ -166,24 +181,57 @@ Vec3 ClosedLoops::acceleration(const std::vector<Joint>& way, const std::vector<
     const Vec3 swing = cross(omega_u, cross(omega_v, joint.link)) + cross(omega_v, cross(omega_u, joint.link));
     sum = d_.named(sum + cross(domega, joint.link) + half * swing, "a_l" + n);
   }
-  return sum;
+  return motion;
+}
+
+// The second derivative of e·a while q̈ = 0. The first one is n·ω with n = a × e and ω the angular velocity of the
+// second end relative to the first. So the second one is n·ω̇ + ω·ṅ, where with w of the first end, s of the second and
+// ω = s - w
+//   ω·ṅ = (e·s)(a·ω) - (a·w)(e·ω) - (e·a)(ω·ω)
+// for a motion, and half of it with two motions crossed both ways. Not only where the loop is closed.
+std::vector<Number> ClosedLoops::axis_drift(const Loop& loop, const Motion& first, const Motion& second) const {
+  const Number half = Number(1) / 2;
+  const Vec3 &w_u = first.omega_u, &w_v = first.omega_v, &s_u = second.omega_u, &s_v = second.omega_v;
+  const auto along = [this](const Vec3& v, const Vec3& omega, const std::string& name) {
+    return d_.named(dot(v, omega), name);
+  };
+  const Number a_w_u = along(loop.axis, w_u, "along_a"), a_w_v = along(loop.axis, w_v, "along_a");
+  const Number a_u = along(loop.axis, s_u, "along_a") - a_w_u, a_v = along(loop.axis, s_v, "along_a") - a_w_v;
+  const Number square = d_.named(dot(s_u - w_u, s_v - w_v), "omega2_l");
+  std::vector<Number> result;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Vec3& e = loop.across[k];
+    const Number e_s_u = along(e, s_u, "along_e"), e_s_v = along(e, s_v, "along_e");
+    const Number e_u = e_s_u - along(e, w_u, "along_e"), e_v = e_s_v - along(e, w_v, "along_e");
+    result.push_back(dot(loop.normals[k], second.domega - first.domega) -
+                     loop.gap[LoopClosure::kOfPoints + k] * square +
+                     half * (e_s_u * a_v + e_s_v * a_u - a_w_u * e_v - a_w_v * e_u));
+  }
+  return result;
+}
+
+std::vector<Number> ClosedLoops::drift_of(const Loop& loop, std::size_t l, const std::vector<Number>& rates,
+                                          const std::vector<Number>& rates_r) const {
+  const Motion first = motion_of(loop.ways[0], rates, rates_r), second = motion_of(loop.ways[1], rates, rates_r);
+  std::vector<Number> all = list_of(second.a - first.a);
+  if (mechanism_.loops[l].aligns_axes()) {
+    for (const Number& each : axis_drift(loop, first, second)) all.push_back(each);
+  }
+  return those_of(mechanism_.loops[l].rows, all);
 }
 
 std::vector<Number> ClosedLoops::drift(const std::vector<Number>& rates, const std::vector<Number>& rates_r,
                                        const std::string& name) const {
-  const auto extra = [&](const Loop& loop, std::size_t l) {
-    const Vec3 gap = acceleration(loop.ways[1], rates, rates_r) - acceleration(loop.ways[0], rates, rates_r);
-    return components(gap, mechanism_.loops[l].rows);
-  };
+  const auto extra = [&](const Loop& loop, std::size_t l) { return drift_of(loop, l, rates, rates_r); };
   return completed(std::vector<Number>(at(mechanism_.position_count()), 0), extra, name);
 }
 
 std::vector<Number> ClosedLoops::step() const {
-  const auto extra = [&](const Loop& loop, std::size_t l) { return components(loop.gap, mechanism_.loops[l].rows); };
+  const auto extra = [&](const Loop& loop, std::size_t l) { return those_of(mechanism_.loops[l].rows, loop.gap); };
   return completed(std::vector<Number>(at(mechanism_.position_count()), 0), extra, "step");
 }
 
-// Of the links beyond joint j of a way, and of how far it and joints after it slide.
+// The lengths of the links beyond joint j of a path, and of the strokes of prismatic joints beyond it.
 ClosedLoops::Lengths ClosedLoops::lengths_beyond(const std::vector<Joint>& way, std::size_t j,
                                                  const LoopClosure::End& end) const {
   if (way[j].slides) return {1, 1};  // its column is a unit vector
@@ -201,23 +249,58 @@ ClosedLoops::Lengths ClosedLoops::lengths_beyond(const std::vector<Joint>& way, 
   return lengths;
 }
 
-// Squared, by Hadamard: the lengths of its columns are at most those of the links beyond the joints, one after another,
-// and the square of a sum of k lengths at most k times the sum of their squares.
-Number ClosedLoops::largest_determinant(std::size_t l) const {
-  Number product = 1;
-  for (const int k : mechanism_.loops[l].dependent) {
-    Lengths column{0, 0};
-    for (std::size_t e = 0; e < 2; ++e) {
-      const std::vector<Joint>& way = loops_[l].ways[e];
-      for (std::size_t j = 0; j < way.size(); ++j) {
-        const Number times = factor(way[j].body, at(k));
-        if (vanishes(times)) continue;
-        const Lengths beyond = lengths_beyond(way, j, mechanism_.loops[l].ends[e]);
-        column.squares += times * times * beyond.squares;
-        column.count += beyond.count;
-      }
+// The end moves by at most the lengths of the links beyond the joints, one after another, and the square of a sum of k
+// lengths is at most k times the sum of their squares.
+ClosedLoops::Reach ClosedLoops::reach_of(std::size_t l, int position) const {
+  Lengths column{0, 0}, turns{0, 0};
+  for (std::size_t e = 0; e < 2; ++e) {
+    const std::vector<Joint>& way = loops_[l].ways[e];
+    for (std::size_t j = 0; j < way.size(); ++j) {
+      const Number times = factor(way[j].body, at(position));
+      if (vanishes(times)) continue;
+      const Lengths beyond = lengths_beyond(way, j, mechanism_.loops[l].ends[e]);
+      column.squares += times * times * beyond.squares;
+      column.count += beyond.count;
+      if (way[j].slides) continue;
+      turns.squares += times * times;
+      ++turns.count;
     }
-    product *= d_.named(column.count * column.squares, entry_name("reach_l" + label(static_cast<int>(l)), at(k)));
+  }
+  const std::string name = "reach_l" + label(static_cast<int>(l));
+  return {d_.named(column.count * column.squares, entry_name(name, at(position))), turns.count * turns.squares};
+}
+
+// ℓ², of a length like those by which joints that turn move the ends: of a loop whose axes meet, rows of points and
+// those of axes are compared by it. Of a spherical linkage there is none, and none is needed.
+Number ClosedLoops::length_scale(std::size_t l) const {
+  if (mechanism_.loops[l].rows.front() >= LoopClosure::kOfPoints) return 0;
+  Number sum = 0;
+  int count = 0;
+  for (const int k : mechanism_.loops[l].dependent) {
+    const Reach reach = reach_of(l, k);
+    if (vanishes(reach.turns)) continue;
+    sum += reach.moves;
+    ++count;
+  }
+  return d_.named(sum / count, "scale2_l" + label(static_cast<int>(l)));
+}
+
+// Squared, by Hadamard: a determinant is at most the product of its columns' lengths. Where axes meet, rows of points
+// are divided by ℓ, and what slides is multiplied by it, so that all have no unit: |Φ_d|² ℓ^2r is at most this, with r
+// rows of axes.
+Number ClosedLoops::largest_determinant(std::size_t l, const Number& scale) const {
+  const LoopClosure& closure = mechanism_.loops[l];
+  const bool has_points = closure.rows.front() < LoopClosure::kOfPoints;
+  Number product = 1;
+  for (const int k : closure.dependent) {
+    const Reach reach = reach_of(l, k);
+    if (!closure.aligns_axes()) {
+      product *= reach.moves;
+    } else if (has_points) {
+      product *= d_.named(reach.moves + scale * reach.turns, entry_name("reach_l" + label(static_cast<int>(l)), at(k)));
+    } else {
+      product *= reach.turns;
+    }
   }
   return product;
 }
@@ -228,8 +311,10 @@ std::vector<ClosedLoops::Condition> ClosedLoops::conditions() const {
   for (std::size_t l = 0; l < loops_.size(); ++l) {
     const std::string name = "l" + label(static_cast<int>(l));
     const Number& det = loops_[l].determinant;
-    const Number least = d_.named(trifle * trifle * largest_determinant(l), "least_" + name);
-    const Number measure = d_.named(d_.named(det * det, "det2_" + name) - least, "regular_" + name);
+    const Number scale = mechanism_.loops[l].aligns_axes() ? length_scale(l) : Number(0);
+    const Number least = d_.named(trifle * trifle * largest_determinant(l, scale), "least_" + name);
+    const Number square = d_.named(det * det, "det2_" + name) * axes_factor(mechanism_.loops[l], scale);
+    const Number measure = d_.named(square - least, "regular_" + name);
     NodeId reciprocal = d_.node(loops_[l].reciprocal);
     if (d_.graph().is_scaled(reciprocal)) reciprocal = d_.graph()[reciprocal].terms.front().node;  // what sums refer to
     result.push_back({reciprocal, d_.node(measure)});

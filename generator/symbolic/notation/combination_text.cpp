@@ -106,7 +106,9 @@ std::vector<Summand> pieces_of(const Number& polynomial, int digits) {
   return pieces;
 }
 
-std::string sum_text(const Number& polynomial, int digits) { return joined_summands(pieces_of(polynomial.expand(), digits)); }
+std::string sum_text(const Number& polynomial, int digits) {
+  return joined_summands(pieces_of(polynomial.expand(), digits));
+}
 
 // The coefficient before a parameter's name, with its sign kept apart; empty for 1.
 Summand coefficient_piece(const Number& coefficient, int digits) {

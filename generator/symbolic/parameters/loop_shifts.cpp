@@ -137,21 +137,40 @@ ParameterForm products_round_loop(const Mechanism& mechanism, const LoopClosure&
   return shift;
 }
 
+// As much on one axis as there is less on the other.
+ParameterForm masses_on_axes(const LoopClosure& loop, const std::optional<Vec3> (&axes)[2], std::size_t power) {
+  ParameterForm shift;
+  for (const bool is_second : {false, true}) {
+    const LoopClosure::End& end = loop.ends[is_second];
+    const Vec3 axis = axes[is_second].value_or(zero_vector());
+    add(end.body, masses_on_line(end.p, axis, power), is_second ? -1 : 1, shift);
+  }
+  return shift;
+}
+
+std::vector<ParameterForm> shifts_along_axes(const LoopClosure& loop) {
+  const std::optional<Vec3> axes[] = {expanded(cross(loop.across[0], loop.across[1])),
+                                      expanded(Number(loop.sense) * loop.axis)};
+  const std::optional<Vec3> lines[] = {axes[0], loop.axis};
+  std::vector<ParameterForm> shifts = {masses_on_axes(loop, lines, 0)};
+  if (loop.sense != 0) shifts.push_back(masses_on_axes(loop, axes, 1));
+  shifts.push_back(masses_on_axes(loop, lines, 2));
+  return shifts;
+}
+
 std::vector<ParameterForm> shifts_of(const Mechanism& mechanism, const LoopClosure& loop, const Size& size) {
   const std::optional<Vec3> axes[] = {carried_axis(mechanism, loop, loop.ends[0], size),
                                       carried_axis(mechanism, loop, loop.ends[1], size)};
   const bool has_common_axis = axes[0] && axes[1];
   std::vector<ParameterForm> shifts;
-  for (std::size_t power = 0; power < (has_common_axis ? 3 : 1); ++power) {
-    ParameterForm shift;
-    for (const bool is_second : {false, true}) {
-      const LoopClosure::End& end = loop.ends[is_second];
-      const Vec3 axis = axes[is_second].value_or(zero_vector());
-      add(end.body, masses_on_line(end.p, axis, power), is_second ? -1 : 1, shift);
+  if (loop.aligns_axes()) {
+    shifts = shifts_along_axes(loop);
+  } else {
+    for (std::size_t power = 0; power < (has_common_axis ? 3 : 1); ++power) {
+      shifts.push_back(masses_on_axes(loop, axes, power));
     }
-    shifts.push_back(std::move(shift));
+    if (has_common_axis) shifts.push_back(products_round_loop(mechanism, loop));
   }
-  if (has_common_axis) shifts.push_back(products_round_loop(mechanism, loop));
   for (ParameterForm& shift : shifts) {
     std::erase_if(shift, [&size](const auto& term) { return size.is_trifling(term.second); });
   }

@@ -4,7 +4,8 @@
 // In a loop whose joints all turn about one direction, the same holds for masses anywhere on the line through the
 // points in that direction: their sum, and their first and second moments along the line, are three δ. If all joints
 // are revolute, products of inertia with that direction that are perpendicular to the links' lengths add up to zero,
-// too: a fourth δ.
+// too: a fourth δ. In a loop that is closed along an axis in space, the same holds for masses anywhere on that axis:
+// three δ, without that of the first moments where it is not known whether the axes of the two ends point the same way.
 #pragma once
 
 #include <functional>

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "diagnostics/diagnostics.hpp"
+#include "model/rounded_up.hpp"
 
 namespace flatdyn {
 namespace {
@@ -171,9 +172,9 @@ TEST(RoundingFormat, RoundsLiteralsAndInputs) {
 
 TEST(RoundedUp, IsFourDigitsAndNeverLess) {
   for (const double value : {1.0, 0.12341, 9.9999, 1.2345e-13, 7e20}) {
-    EXPECT_GE(rounded_up(value), value);
-    EXPECT_LE(rounded_up(value), value * 1.0015);
-    EXPECT_EQ(std::stod(four_digits(rounded_up(value))), rounded_up(value));
+    EXPECT_GE(rounded_up(value, kBoundDigits), value);
+    EXPECT_LE(rounded_up(value, kBoundDigits), value * 1.0015);
+    EXPECT_EQ(std::stod(bound_text(rounded_up(value, kBoundDigits))), rounded_up(value, kBoundDigits));
   }
 }
 

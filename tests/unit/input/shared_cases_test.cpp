@@ -27,7 +27,7 @@ std::string all_of(const Diagnostics& diagnostics) {
   return text;
 }
 
-// What a file of one joint gives: its torques at q = 0 in the states of ../shared/cases/states.csv.
+// A file with one joint, and its torques at q = 0 in the states of ../shared/cases/states.csv.
 struct Torques {
   const char* file;
   double moving;        // N m, at q̇ = 1 rad/s, q̈ = 0
@@ -65,7 +65,7 @@ const Refusal kRefusals[] = {
     {"xacro.urdf", 2, "this is a xacro template"},
 };
 
-// What a file of several joints has: coordinates. Their dynamics are tested where loops and dust are.
+// A file with several joints, and its coordinates. Their dynamics are tested where loops and dust are.
 struct Coordinates {
   const char* file;
   int count;

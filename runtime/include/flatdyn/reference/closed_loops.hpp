@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed loops of the reference: the motion of the dependent joints. Φ(q) = 0 says that the points meet at which loops
-// were cut; Φ_q q̇ = 0 gives q̇ = G q̇_a, and its derivative q̈ = G q̈_a + γ.
+// Closed loops of the reference: the motion of the dependent joints. Φ(q) = 0 says that the points, and the axes, meet
+// at which loops were cut; Φ_q q̇ = 0 gives q̇ = G q̇_a, and its derivative q̈ = G q̈_a + γ.
 #pragma once
 
 #include "flatdyn/reference/newton_euler_of_tree.hpp"
@@ -31,8 +31,20 @@ Vector3<S> in_axes(const Loop<S>& loop, const std::vector<Pose<S>>& poses, const
   return loop.axes.transpose() * (poses[static_cast<std::size_t>(loop.carrier)].R.transpose() * v);
 }
 
+// The components of Φ, or of its derivatives, that joints change: the displacement between the points, m, and cosines
+// between the second link's axis and the directions across the first one's.
 template <class S>
-VectorX<S> rows_of(const Loop<S>& loop, const Vector3<S>& v) {
+using Components = Eigen::Matrix<S, 5, 1>;
+
+inline constexpr int kOfPoints = 3;
+
+template <class S>
+bool aligns_axes(const Loop<S>& loop) {
+  return !loop.rows.empty() && loop.rows.back() >= kOfPoints;
+}
+
+template <class S>
+VectorX<S> rows_of(const Loop<S>& loop, const Components<S>& v) {
   VectorX<S> result(static_cast<Eigen::Index>(loop.rows.size()));
   for (std::size_t r = 0; r < loop.rows.size(); ++r) result[static_cast<Eigen::Index>(r)] = v[loop.rows[r]];
   return result;
@@ -44,10 +56,23 @@ Vector3<S> end_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses, int en
   return link.p + link.R * loop.points[end];
 }
 
-// The displacement between the loop's ends, m: the components that joints change.
+template <class S>
+Vector3<S> axis_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses) {
+  return poses[static_cast<std::size_t>(loop.links[1])].R * loop.axis;
+}
+
+template <class S>
+Vector3<S> across_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses, int k) {
+  return poses[static_cast<std::size_t>(loop.links[0])].R * loop.across[k];
+}
+
+// Φ of one loop, the components that joints change: displacements of its ends, m, and cosines between its axes.
 template <class S>
 VectorX<S> gap_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses) {
-  return rows_of(loop, in_axes(loop, poses, Vector3<S>(end_of(loop, poses, 1) - end_of(loop, poses, 0))));
+  Components<S> gap;
+  gap.template head<3>() = in_axes(loop, poses, Vector3<S>(end_of(loop, poses, 1) - end_of(loop, poses, 0)));
+  for (int k = 0; k < 2; ++k) gap[kOfPoints + k] = across_of(loop, poses, k).dot(axis_of(loop, poses));
+  return rows_of(loop, gap);
 }
 
 // The Jacobian of one loop, with a column for each joint.
@@ -60,15 +85,39 @@ MatrixX<S> loop_jacobian_of_joints(const Robot<S>& robot, const Loop<S>& loop, c
       if (!moves_end(robot, loop, joint, end)) continue;
       const Pose<S>& parent = poses[static_cast<std::size_t>(joint.parent)];
       const Vector3<S> z = parent.R * joint.R_0 * joint.axis, origin = parent.p + parent.R * joint.p_0;
-      const Vector3<S> column = joint.type == JointType::prismatic ? z : Vector3<S>(z.cross(p - origin));
-      J.col(joint.index) += (end == 0 ? S(-1) : S(1)) * rows_of(loop, in_axes(loop, poses, column));
+      const bool slides = joint.type == JointType::prismatic;
+      Components<S> column = Components<S>::Zero();
+      column.template head<3>() = in_axes(loop, poses, slides ? z : Vector3<S>(z.cross(p - origin)));
+      for (int k = 0; k < 2 && !slides; ++k) {
+        column[kOfPoints + k] = across_of(loop, poses, k).dot(z.cross(axis_of(loop, poses)));
+      }
+      J.col(joint.index) += (end == 0 ? S(-1) : S(1)) * rows_of(loop, column);
     }
   }
   return J;
 }
 
-// Φ̇_q q̇ of one loop for rates of the joints: the relative acceleration of its points while q̈ = 0. Joints that carry
-// the whole loop have no effect on it.
+// The second derivative of e·a for both directions e across the axis while q̈ = 0: e·ä + 2 ė·ȧ + ë·a.
+template <class S>
+Eigen::Matrix<S, 2, 1> axis_drift(const Loop<S>& loop, const LinkMotion<S>& first, const LinkMotion<S>& second) {
+  const auto change = [](const LinkMotion<S>& link, const Vector3<S>& v) {
+    return Vector3<S>(link.R * link.omega.cross(v));
+  };
+  const auto second_change = [](const LinkMotion<S>& link, const Vector3<S>& v) {
+    return Vector3<S>(link.R * swing(link.omega, link.domega, v));
+  };
+  const Vector3<S> a = second.R * loop.axis;
+  Eigen::Matrix<S, 2, 1> drift;
+  for (int k = 0; k < 2; ++k) {
+    const Vector3<S> e = first.R * loop.across[k];
+    drift[k] = e.dot(second_change(second, loop.axis)) + second_change(first, loop.across[k]).dot(a) +
+               S(2) * change(first, loop.across[k]).dot(change(second, loop.axis));
+  }
+  return drift;
+}
+
+// Φ̇_q q̇ of one loop for rates of the joints: the relative acceleration of its points, and of its axes, while q̈ = 0.
+// Joints that carry the whole loop have no effect on it.
 template <class S>
 VectorX<S> loop_drift_of_joints(const Robot<S>& robot, const Loop<S>& loop, const std::vector<Pose<S>>& poses,
                                 const VectorX<S>& positions, VectorX<S> rates) {
@@ -84,16 +133,33 @@ VectorX<S> loop_drift_of_joints(const Robot<S>& robot, const Loop<S>& loop, cons
     const Vector3<S> a = link.R * (link.ddp + swing(link.omega, link.domega, loop.points[end]));
     gap += end == 0 ? Vector3<S>(-a) : a;
   }
-  return rows_of(loop, in_axes(loop, poses, gap));
+  const auto motion = [&](int end) -> const LinkMotion<S>& {
+    return motions[static_cast<std::size_t>(loop.links[end])];
+  };
+  Components<S> components;
+  components.template head<3>() = in_axes(loop, poses, gap);
+  components.template tail<2>() = axis_drift(loop, motion(0), motion(1));
+  return rows_of(loop, components);
 }
 
-// The determinant of a matrix of up to three rows, over any scalar.
+// The determinant of a matrix of up to five rows, over any scalar; beyond three rows by the first row.
 template <class S>
 S determinant(const MatrixX<S>& A) {
   if (A.rows() == 1) return A(0, 0);
   if (A.rows() == 2) return A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
-  const Vector3<S> a = A.col(0), b = A.col(1), c = A.col(2);
-  return a.dot(b.cross(c));
+  if (A.rows() == 3) {
+    const Vector3<S> a = A.col(0), b = A.col(1), c = A.col(2);
+    return a.dot(b.cross(c));
+  }
+  S sum(0);
+  for (Eigen::Index k = 0; k < A.cols(); ++k) {
+    MatrixX<S> minor(A.rows() - 1, A.cols() - 1);
+    minor.leftCols(k) = A.bottomRows(A.rows() - 1).leftCols(k);
+    minor.rightCols(A.cols() - 1 - k) = A.bottomRows(A.rows() - 1).rightCols(A.cols() - 1 - k);
+    const S part = A(0, k) * determinant(minor);
+    sum += k % 2 == 0 ? part : S(-part);
+  }
+  return sum;
 }
 
 template <class S>
@@ -133,7 +199,7 @@ VectorX<S> completed(const Robot<S>& robot, const std::vector<Pose<S>>& poses, V
 
 }  // namespace detail
 
-// Φ of all loops, m.
+// Φ of all loops: m for points, cosines for axes.
 template <class S>
 VectorX<S> loop_closure(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
@@ -198,9 +264,9 @@ VectorX<S> loop_step(const Robot<S>& robot, const VectorX<S>& q) {
   return detail::completed(robot, poses, VectorX<S>(VectorX<S>::Zero(q.size())), gap);
 }
 
-// Moves the dependent joints in q such that all loops are closed within the tolerance, m, by Newton's method, with
-// halved steps if a full one does not reduce the gap. Returns false and leaves q unchanged if the loops cannot be
-// closed from here, or are singular.
+// Moves the dependent joints in q such that all loops are closed within the tolerance (m for points, 1 for axes) by
+// Newton's method, with halved steps if a full one does not reduce the gap. Returns false and leaves q unchanged if the
+// loops cannot be closed from here, or are singular.
 template <class S>
 bool close_loops(const Robot<S>& robot, VectorX<S>& q, const S& tolerance) {
   constexpr int kMostSteps = 50, kMostHalvings = 20;
@@ -245,6 +311,28 @@ MatrixX<S> stretched_lengths(const Robot<S>& robot, const Loop<S>& loop, const V
   return lengths;
 }
 
+// Where axes meet, the rows of points are divided by a length, so that they are comparable, and columns have 1 beside
+// what they have of it. `J`, `lengths`: by joint.
+template <class S>
+void compare_rows(const Robot<S>& robot, const Loop<S>& loop, MatrixX<S>& J, MatrixX<S>& lengths) {
+  using std::max;
+  if (!aligns_axes(loop)) return;
+  S length(0);
+  for (const Joint<S>& joint : robot.joints) {
+    if (joint.index >= 0 && joint.type == JointType::revolute) length = max(length, lengths(0, joint.index));
+  }
+  if (!(length > S(0))) length = S(1);
+  for (std::size_t r = 0; r < loop.rows.size(); ++r) {
+    if (loop.rows[r] < kOfPoints) J.row(static_cast<Eigen::Index>(r)) /= length;
+  }
+  lengths /= length;
+  for (const Joint<S>& joint : robot.joints) {
+    const bool turns = joint.index >= 0 && joint.type == JointType::revolute;
+    if (turns && (moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1)))
+      lengths(0, joint.index) += S(1);
+  }
+}
+
 }  // namespace detail
 
 // The distance of the loops from singularity, 0 to 1: the smallest determinant that is divided by, relative to the
@@ -260,10 +348,11 @@ S loop_regularity(const Robot<S>& robot, const VectorX<S>& q) {
   const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, positions);
   S smallest(1);
   for (const Loop<S>& loop : robot.loops) {
-    const MatrixX<S> own = detail::dependent_columns<S>(
-        loop, detail::loop_jacobian_of_joints(robot, loop, poses).lazyProduct(robot.coupling));
-    const MatrixX<S> stretched = detail::dependent_columns<S>(
-        loop, detail::stretched_lengths(robot, loop, positions).lazyProduct(robot.coupling.cwiseAbs()));
+    MatrixX<S> J = detail::loop_jacobian_of_joints(robot, loop, poses);
+    MatrixX<S> lengths = detail::stretched_lengths(robot, loop, positions);
+    detail::compare_rows(robot, loop, J, lengths);
+    const MatrixX<S> own = detail::dependent_columns<S>(loop, J.lazyProduct(robot.coupling));
+    const MatrixX<S> stretched = detail::dependent_columns<S>(loop, lengths.lazyProduct(robot.coupling.cwiseAbs()));
     S largest(1);
     for (Eigen::Index k = 0; k < own.cols(); ++k) largest *= max(S(own.col(k).norm()), S(stretched(0, k) / 1000));
     smallest = min(smallest, S(abs(detail::determinant(own)) / largest));

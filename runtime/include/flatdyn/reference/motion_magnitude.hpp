@@ -39,6 +39,15 @@ inline VectorX<double> of_joints(const Robot<double>& robot, const VectorX<doubl
   return robot.coupling.cwiseAbs() * q.cwiseAbs();
 }
 
+// One value for each row of a loop: `of_points` for its points, `of_axes` for its axes.
+inline VectorX<double> by_row(const Loop<double>& loop, double of_points, double of_axes) {
+  VectorX<double> rows(static_cast<Eigen::Index>(loop.rows.size()));
+  for (Eigen::Index r = 0; r < rows.size(); ++r) {
+    rows[r] = loop.rows[static_cast<std::size_t>(r)] < kOfPoints ? of_points : of_axes;
+  }
+  return rows;
+}
+
 // The magnitude of one loop's Φ_q by joint: for a revolute joint, the length of the path to the end that it turns.
 inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const Loop<double>& loop,
                                                const VectorX<double>& positions) {
@@ -51,8 +60,9 @@ inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const
       if (joint == robot.joints.end()) break;
       way += joint->p_1.norm();
       if (moves_end(robot, loop, *joint, end)) {
-        J.col(joint->index).array() += joint->type == JointType::prismatic ? 1.0 : way;
-        if (joint->type == JointType::prismatic) way += std::abs(positions[joint->index]);
+        const bool slides = joint->type == JointType::prismatic;
+        J.col(joint->index) += slides ? by_row(loop, 1, 0) : by_row(loop, way, 1);
+        if (slides) way += std::abs(positions[joint->index]);
       }
       way += joint->p_0.norm();
       link = joint->parent;
@@ -78,9 +88,9 @@ inline double length_of(const Robot<double>& robot, const Loop<double>& loop, co
   return length;
 }
 
-// The magnitude of Φ̇_q q̇ of one loop: the acceleration of its ends.
-inline double loop_drift_magnitude(const Robot<double>& robot, const Loop<double>& loop,
-                                   const VectorX<double>& positions, const VectorX<double>& rates) {
+// The magnitude of Φ̇_q q̇ of one loop: the acceleration of its ends, and of its axes.
+inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const Loop<double>& loop,
+                                            const VectorX<double>& positions, const VectorX<double>& rates) {
   std::vector<MotionMagnitude> motions(robot.links.size());
   for (const Joint<double>& joint : robot.joints) {
     const bool is_in_loop = moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1);
@@ -88,12 +98,14 @@ inline double loop_drift_magnitude(const Robot<double>& robot, const Loop<double
     motions[static_cast<std::size_t>(joint.child)] = moved(parent, joint, joint.index < 0 ? 0 : positions[joint.index],
                                                            is_in_loop ? std::abs(rates[joint.index]) : 0, 0);
   }
-  double sum = 0;
+  double of_points = 0, of_axes = 0, turns = 2;
   for (int end = 0; end < 2; ++end) {
     const MotionMagnitude& link = motions[static_cast<std::size_t>(loop.links[end])];
-    sum += link.ddp + link.swing(loop.points[end].norm());
+    of_points += link.ddp + link.swing(loop.points[end].norm());
+    of_axes += link.swing(1);
+    turns *= link.omega;
   }
-  return sum;
+  return by_row(loop, of_points, of_axes + turns);
 }
 
 // The magnitudes of values of all entries of q that close the loops, Φ_q values + extra = 0, from the known ones of the
@@ -109,7 +121,7 @@ VectorX<double> completed_magnitude(const Robot<double>& robot, const VectorX<do
         dependent_columns<double>(loop, loop_jacobian_of_joints(robot, loop, poses) * robot.coupling);
     const MatrixX<double> size = loop_jacobian_magnitude(robot, loop, positions) * robot.coupling.cwiseAbs();
     VectorX<double> terms = size * known;
-    terms.array() += extra(loop);
+    terms += extra(loop);
     for (const int d : loop.dependent) terms += size.col(d) * std::abs(values[d]);
     const VectorX<double> found = own.inverse().cwiseAbs() * terms;
     for (std::size_t d = 0; d < loop.dependent.size(); ++d) {
@@ -127,8 +139,8 @@ inline MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const V
   MatrixX<double> result(G.rows(), G.cols());
   for (Eigen::Index a = 0; a < G.cols(); ++a) {
     const VectorX<double> unit = VectorX<double>::Unit(q.size(), robot.independent[static_cast<std::size_t>(a)]);
-    result.col(a) =
-        detail::completed_magnitude(robot, q, unit, VectorX<double>(G.col(a)), [](const Loop<double>&) { return 0.0; });
+    const auto nothing = [](const Loop<double>& loop) { return detail::by_row(loop, 0, 0); };
+    result.col(a) = detail::completed_magnitude(robot, q, unit, VectorX<double>(G.col(a)), nothing);
   }
   return result;
 }
@@ -160,12 +172,13 @@ inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const Ve
   return detail::completed_magnitude(robot, q, VectorX<double>::Zero(q.size()), loop_drift(robot, q, qd), drift);
 }
 
-// The magnitude of Φ: the lengths of the paths to both ends.
+// The magnitude of Φ: the lengths of the paths to both ends, and of their axes.
 inline VectorX<double> loop_closure_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   std::vector<double> entries;
   const VectorX<double> positions = detail::of_joints(robot, q);
   for (const Loop<double>& loop : robot.loops) {
-    entries.insert(entries.end(), loop.rows.size(), detail::length_of(robot, loop, positions));
+    const VectorX<double> rows = detail::by_row(loop, detail::length_of(robot, loop, positions), 1);
+    entries.insert(entries.end(), rows.begin(), rows.end());
   }
   return Eigen::Map<const VectorX<double>>(entries.data(), static_cast<Eigen::Index>(entries.size()));
 }
@@ -185,7 +198,9 @@ inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const
 // The magnitude of the Newton step.
 inline VectorX<double> loop_step_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const VectorX<double> positions = detail::of_joints(robot, q);
-  const auto gap = [&](const Loop<double>& loop) { return detail::length_of(robot, loop, positions); };
+  const auto gap = [&](const Loop<double>& loop) {
+    return detail::by_row(loop, detail::length_of(robot, loop, positions), 1);
+  };
   return detail::completed_magnitude(robot, q, VectorX<double>::Zero(q.size()), loop_step(robot, q), gap);
 }
 

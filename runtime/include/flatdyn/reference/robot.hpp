@@ -61,8 +61,11 @@ struct Loop {
   Vector3<S> points[2] = {Vector3<S>::Zero(), Vector3<S>::Zero()};  // in the links' frames, m
   int carrier = 0;                                                  // link
   Matrix3<S> axes = Matrix3<S>::Identity();                         // in the carrier's frame
-  std::vector<int> rows;                                            // the components, 0 to 2, that joints change
-  std::vector<int> dependent;                                       // indices into q, one per row
+  // Where axes meet as well: two directions across the first link's, and the second's axis, unit, in the links' frames.
+  Vector3<S> across[2] = {Vector3<S>::Zero(), Vector3<S>::Zero()};
+  Vector3<S> axis = Vector3<S>::Zero();
+  std::vector<int> rows;       // the components, 0 to 4, that joints change
+  std::vector<int> dependent;  // indices into q, one per row
 };
 
 template <class S>

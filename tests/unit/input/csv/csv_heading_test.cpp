@@ -91,6 +91,18 @@ TEST(CsvHeading, SetsAreCountedFromOneOrFromZero) {
   }
 }
 
+// The last five of a set from q0 to q5 look like that, too.
+TEST(CsvHeading, ASetWithoutTheLastJointMayLackItsZero) {
+  EXPECT_THAT(
+      Heading("q1,q2,q3,q4,q5", CsvQuantity::q, six_joints()).messages(),
+      HasSubstr("warning: q1 to q5: the last joint has no column; is the set counted from 0, and its 0 missing?"));
+  EXPECT_EQ(Heading("q1,q2,q3,q4", CsvQuantity::q, six_joints()).messages(), "");
+  Diagnostics found;  // where all are needed, the missing one is an error
+  CsvHeading heading({"q1"}, {}, {"log.csv", 1}, two_joints(), found);
+  EXPECT_TRUE(heading.require(CsvQuantity::q, "positions").empty());
+  EXPECT_THAT(found.all().at(0).message, HasSubstr("no column for the positions: q2"));
+}
+
 TEST(CsvHeading, ASetFromZeroStandsBesideOneFromOne) {
   Diagnostics found;
   CsvHeading heading({"q0", "q1", "tau_1", "tau_2"}, {}, {"log.csv", 1}, two_joints(), found);

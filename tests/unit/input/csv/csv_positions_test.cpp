@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 
 class CsvPositions : public RobotFiles {
  protected:
-  // What is asked about these states of a joint with limits, one without, and one that slides.
+  // The questions about these states of a joint with limits, one without, and one that slides.
   std::vector<std::string> asked(const std::string& states) {
     const Mechanism mechanism = testing::model_of_toml(
                                     "[[link]]\nmass = 1\nlimits = { lower = -8, upper = 8 }\n"

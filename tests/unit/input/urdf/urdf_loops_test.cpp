@@ -299,7 +299,7 @@ TEST_F(UrdfLoops, AxesInATiltedPlaneAreParallel) {
   EXPECT_EQ(found.loops[0].rows.size(), 2U);
 }
 
-// What CAD leaves of zeros would make of a mechanism in a plane one in space.
+// Dust that CAD leaves of zeros would make a mechanism in a plane one in space.
 TEST_F(UrdfLoops, DustInAxesAndPointsIsNone) {
   const std::string text =
       robot(link("crank") + link("coupler") + link("rocker") + joint("A", {"base", "crank", "0 0 0", "1.2e-15 0 1"}) +
@@ -310,6 +310,23 @@ TEST_F(UrdfLoops, DustInAxesAndPointsIsNone) {
   const Mechanism found = make_mechanism(read("r.urdf", text));
   ASSERT_EQ(found.loops.size(), 1U);
   EXPECT_EQ(found.loops[0].rows.size(), 2U);
+}
+
+// A hinge in space: five joints follow, and axes of any length are unit in their links' bodies.
+TEST_F(UrdfLoops, AHingeInSpaceTakesFiveJoints) {
+  std::string text;
+  const char *const axes[] = {"0 0 1", "0 1 0", "1 0 0"}, *const links[] = {"base", "a", "b", "c", "d", "e", "f"};
+  for (std::size_t k = 1; k < 7; ++k) {
+    text += link(links[k]) + joint(std::string("J") + links[k], {links[k - 1], links[k], "0.2 0.05 0.1", axes[k % 3]});
+  }
+  const Mechanism found = make_mechanism(
+      read("r.urdf",
+           robot(text + "<loop name=\"D\" type=\"revolute\">" + end("predecessor", "f", "xyz=\"0.1 0 0\"") +
+                 end("successor", "base", "xyz=\"0.3 0.3 0\" rpy=\"0.4 0 0.2\"") + "<axis xyz=\"0 2 0\"/></loop>")));
+  ASSERT_EQ(found.loops.size(), 1U);
+  EXPECT_THAT(dependent_of(found, 0), ElementsAre("Jb", "Jc", "Jd", "Je", "Jf"));
+  EXPECT_EQ(found.loops[0].rows, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+  EXPECT_TRUE(vanishes(dot(found.loops[0].axis, found.loops[0].axis) - 1));
 }
 
 // A ball joint in space: three joints follow.
