@@ -2,6 +2,7 @@
 // Problems of the textbook's chapter that are about formulas rather than a command: docs/problems/.
 #include <gtest/gtest.h>
 
+#include "planning/make_functions.hpp"
 #include "support/robot_models.hpp"
 #include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/textbook_robots.hpp"

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Comments are sentences, or name what they describe: none opens with the fragments "Of ..." and "What ...". Prose of
-// the documents fits into 120 columns.
+// Comments are sentences, or name what they describe: none opens with the fragments "Of ..." and "What ...".
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <regex>
 
-#include "diagnostics/table.hpp"
 #include "unit/layout/source_files.hpp"
 
 namespace flatdyn::testing {
 namespace {
-
-namespace fs = std::filesystem;
 
 // The numbers of lines that open a block of comments with a fragment.
 std::vector<std::size_t> fragments(const std::vector<std::string>& lines) {
@@ -47,27 +43,6 @@ TEST(Prose, AFragmentIsFound) {
                                           "",
                                           "// Of body i."};
   EXPECT_EQ(fragments(lines), (std::vector<std::size_t>{4, 8}));
-}
-
-TEST(Prose, OfDocumentsFitsInto120Columns) {
-  constexpr std::size_t kColumns = 120;
-  const fs::path root = FLATDYN_SOURCE_DIR;
-  std::vector<fs::path> pages = {root / "README.md", root / "generator/README.md"};
-  for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
-    if (entry.path().extension() == ".md") pages.push_back(entry.path());
-  }
-  for (const fs::path& page : pages) {
-    bool is_code = false;
-    const std::vector<std::string> lines = lines_of(page);
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      const std::string& line = lines[k];
-      if (line.starts_with("```")) is_code = !is_code;
-      const bool is_prose = !is_code && !line.starts_with("|") && !line.starts_with("    ");
-      if (is_prose && text_width(line) > kColumns) {
-        ADD_FAILURE() << fmt::format("{}:{}: {} columns", fs::relative(page, root).string(), k + 1, text_width(line));
-      }
-    }
-  }
 }
 
 }  // namespace

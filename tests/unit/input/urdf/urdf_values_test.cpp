@@ -68,11 +68,11 @@ TEST_F(UrdfValuesRead, ABodyWithoutInertiaIsAPointMass) {
 }
 
 TEST_F(UrdfValuesRead, AQuaternionIsARotation) {
-  using Kind = Displacement::Kind;
+  using Step = Displacement::Kind;
   const auto turn = [this](const std::string& origin) { return joint("revolute", origin).origin.displacements; };
   const auto quarter = turn(R"(<origin quat_xyzw="0 0 0.7071067811865476 0.7071067811865476"/>)");
   ASSERT_EQ(quarter.size(), 1U);
-  EXPECT_EQ(quarter[0].kind, Kind::rotation_z);
+  EXPECT_EQ(quarter[0].kind, Step::rotation_z);
   EXPECT_TRUE(quarter[0].angle.is_equal(GiNaC::Pi / 2));
   EXPECT_TRUE(turn(R"(<origin quat_xyzw="0 0 0 1"/>)").empty());
   // A quarter turn of pitch, where roll and yaw are about one axis.
