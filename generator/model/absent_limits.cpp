@@ -9,8 +9,8 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kFarthest = 10000;   // rad, m
-constexpr int kLargest = 1000000;  // of rates and efforts
+constexpr int kFarthest = 10000;       // rad, m
+constexpr int kLargestRate = 1000000;  // of rates and efforts
 
 struct NamedLimit {
   const char* name;
@@ -60,7 +60,7 @@ void take_away_absent_limits(Joint& joint, Diagnostics& diagnostics) {
       joint, [&](std::size_t i, const Number& limit) { return vanishes(limit) && (i > 1 || is_zero_range); },
       "limits of 0", "joints with limits of 0, which are taken as not given", diagnostics);
   take_away(
-      joint, [](std::size_t i, const Number& limit) { return magnitude(limit) > (i > 1 ? kLargest : kFarthest); },
+      joint, [](std::size_t i, const Number& limit) { return magnitude(limit) > (i > 1 ? kLargestRate : kFarthest); },
       "limits beyond what a joint reaches", "joints with huge limits, which are taken as not given", diagnostics);
   if (!is_exactly(limits.lower, 1) || !is_exactly(limits.upper, 0)) return;
   take_away(

@@ -49,7 +49,7 @@ TEST(FunctionText, IsReadBackAsTheSameFunction) {
 TEST(FunctionText, HasANodeALine) {
   const std::string text = to_text(one_of_each());
   EXPECT_NE(text.find("\n  %0 = q[1]\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n  %2 = sin %0                            ; s_2\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n  %2 = sin %0                           ; s_2\n"), std::string::npos) << text;
   EXPECT_NE(text.find("conditions:\n  %5 pivot of %1\n"), std::string::npos) << text;
 }
 

@@ -56,7 +56,7 @@ struct Refusal {
 };
 
 const Refusal kRefusals[] = {
-    {"loop_constraint.urdf", 10, "its points can never meet"},
+    {"loop_constraint.urdf", 10, "along its axes it takes 4 coordinates, and has 2 joints for them"},
     {"loop_independent.urdf", 8, "joint \"j2\" is marked independent=\"false\""},
     {"loop_urdfplus_coupling.urdf", 10, "coupling \"cp\": there is no joint between its predecessor"},
     {"ratio0.urdf", 1, "the gear ratio of its rotor is zero"},
