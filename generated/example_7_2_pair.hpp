@@ -22,7 +22,6 @@
 // Every entry of an output is written, zeros too. All inputs are read before anything is written:
 // inputs may share memory with each other and with outputs, but outputs must not overlap each
 // other. Nothing allocates, throws, or keeps state.
-
 //
 // Equation numbers such as (7.42), and "the textbook", refer to
 // Siciliano, Sciavicco, Villani, Oriolo: Robotics, Springer 2009, chapter 7.

@@ -78,14 +78,14 @@ void Delivery::add_to(CLI::App& command) {
 }
 
 std::string Delivery::deliver(std::vector<TextFile> files, const std::vector<std::string>& inputs) const {
-  const bool is_to_stdout = files.front().path == kStdout;
-  const std::vector<std::filesystem::path> outdated =
-      is_to_stdout ? std::vector<std::filesystem::path>() : outdated_certificate(files.front());
   std::vector<std::string> outputs;
   for (const TextFile& file : files) outputs.push_back(file.path.string());
   if (!depfile.empty()) files.push_back({depfile, dependency_rule(outputs, files_among(inputs))});
   outputs.push_back(depfile);
   check_outputs(outputs, inputs);
+  const bool is_to_stdout = files.front().path == kStdout;
+  const std::vector<std::filesystem::path> outdated =
+      is_to_stdout ? std::vector<std::filesystem::path>() : outdated_certificate(files.front());
   if (check) {
     compare(files);
     return listed(files, "up to date:");

@@ -43,15 +43,18 @@ TextFile followed(const TextFile& file) {
   return {fs::weakly_canonical(file.path), file.text};
 }
 
+void check_length_of_name(const fs::path& path) {
+  constexpr std::size_t kLongestName = 200;  // of 255; a temporary file beside it has a longer one
+  const std::string name = path.filename().string();
+  if (name.size() <= kLongestName) return;
+  throw Failure(ExitCode::input,
+                fmt::format("{}...: a name of {} bytes is too long for a file", name.substr(0, 40), name.size()),
+                "generated files are called as the robot; --name gives a shorter name");
+}
+
 // Checks, before anything is written, what rename() would report too late or not at all.
 void check_writable(const TextFile& file) {
-  constexpr std::size_t kLongestName = 200;  // of 255; a temporary file beside it has a longer one
-  const std::string name = file.path.filename().string();
-  if (name.size() > kLongestName) {
-    throw Failure(ExitCode::input,
-                  fmt::format("{}...: a name of {} bytes is too long for a file", name.substr(0, 40), name.size()),
-                  "generated files are called as the robot; --name gives a shorter name");
-  }
+  check_length_of_name(file.path);
   if (fs::is_directory(file.path)) cannot_write(file.path, std::strerror(EISDIR));
   if (fs::exists(file.path) && ::access(file.path.c_str(), W_OK) != 0) cannot_write(file.path, std::strerror(errno));
 }
@@ -61,6 +64,7 @@ void check_writable(const TextFile& file) {
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     if (output->empty()) continue;
+    check_length_of_name(*output);
     for (const std::string& input : inputs) {
       if (!is_one_file(*output, input)) continue;
       throw Failure(ExitCode::usage, fmt::format("{}: the output would replace the input {}", *output, input),

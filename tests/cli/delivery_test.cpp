@@ -148,7 +148,7 @@ TEST(Float, IsWideEnoughForARobot) {
   const Outcome outcome = run_flatdyn(generate(scratch.path(), "--scalar float"));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err, Not(HasSubstr("float")));
-  EXPECT_THAT(scratch.read("pendulum_motor.hpp"), HasSubstr("float rounds these once more"));
+  EXPECT_THAT(scratch.read("pendulum_motor.hpp"), HasSubstr("the nearest doubles, which float rounds again"));
 }
 
 TEST(DryRun, IsNoCheck) { EXPECT_EQ(run_flatdyn(generate("/nowhere/at/all", "-n --check")).code, 2); }

@@ -24,7 +24,7 @@ TEST(Generate, WritesAHeaderThatCompilesAloneAndReportsWhatItDid) {
   const Outcome outcome = run_flatdyn("generate robots/puma560.toml -o " + scratch.path("new/folder"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, StartsWith("robot puma560: 6 joints"));
-  for (const char* text : {"inverse_dynamics ", "sin/cos", "q[1..4]", "zeros", "wrote "}) {
+  for (const char* text : {"inverse_dynamics ", "sin/cos", "q_2 to q_5", "zeros", "wrote "}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));
   }
   const std::string command = fmt::format(

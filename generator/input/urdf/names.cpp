@@ -120,7 +120,8 @@ class NameChecker {
   }
 
   void check_part(const XMLElement& part, const std::string& what) {
-    unread_.check(part, what, {kOfRotor, kIrrelevantInActuator});
+    const bool is_joint = part.Name() == std::string_view("joint");  // may be named by its text
+    unread_.check(part, what, {kOfRotor, kIrrelevantInActuator, true, is_joint});
     check_attributes_of_rotor(part, what);
     check_values(part, what, kOfRotor);
   }

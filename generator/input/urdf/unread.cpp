@@ -191,6 +191,7 @@ void UnreadElements::check(const Element& holder, const std::string& what, const
     if (is_in_list(names.read, child->Name()) || is_in_list(names.irrelevant, child->Name())) continue;
     check_one(*child, what, names);
   }
+  if (names.reads_text) return;
   std::string text;
   for (const std::string& word : words_of(text_in(holder))) text += (text.empty() ? "" : " ") + word;
   if (text.empty()) return;

@@ -18,6 +18,7 @@ struct ChildNames {
   std::vector<std::string> read;
   std::vector<std::string> irrelevant;
   bool holder_moves = true;  // what does not move is not changed by springs, friction, and gears
+  bool reads_text = false;   // the text between the children is read as well
 };
 
 class UnreadElements {

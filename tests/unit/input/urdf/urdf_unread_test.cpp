@@ -12,6 +12,7 @@ namespace flatdyn {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // A chain of two joints, j and k, with a place for more in each of its elements.
 std::string with(const std::string& place, const std::string& text) {
@@ -296,6 +297,7 @@ TEST_F(UrdfKinds, ReductionsAreReadWhereverTheyStand) {
       const std::string element =
           around.empty() ? transmission : "<" + around + ">" + transmission + "</" + around + ">";
       EXPECT_EQ(read("r.urdf", with("robot", element)).joints.at(0).armature.number, Number(1) / 100) << element;
+      for (const Diagnostic& each : diagnostics_.all()) EXPECT_THAT(each.message, Not(HasSubstr("is not read")));
     }
   }
 }
