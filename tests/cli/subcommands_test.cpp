@@ -118,6 +118,27 @@ TEST(Generate, EmitsWhatIsAskedForAndNothingElse) {
   EXPECT_THAT(header, Not(HasSubstr("inverse_dynamics")));
 }
 
+TEST(Generate, WritesFunctionsAfterPassesAndHowLongTheyTook) {
+  const Scratch scratch;
+  const std::string command = fmt::format("generate {} --functions gravity -o {} ", kPendulum, scratch.path("out"));
+  const Outcome outcome = run_flatdyn(command + "--dump-after derived,share_sums --trace");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* text : {"step", "reading", "proving", "function", "share_sums"}) {
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+  }
+  const std::string before = scratch.read("out/pendulum_motor.gravity.0.derived.txt"),
+                    after = scratch.read("out/pendulum_motor.gravity.1.share_sums.txt");
+  for (const std::string& text : {before, after}) {
+    EXPECT_THAT(text, StartsWith("function gravity\n"));
+    EXPECT_THAT(text, HasSubstr("= sin %"));
+  }
+  EXPECT_EQ(scratch.read("out/pendulum_motor.gravity.1.rescale.txt"), "");
+  const Outcome misspelt = run_flatdyn(command + "--dump-after share_sum");
+  EXPECT_EQ(misspelt.code, 2);
+  EXPECT_THAT(misspelt.err, HasSubstr("--dump-after: there is no pass \"share_sum\""));
+  EXPECT_THAT(misspelt.err, HasSubstr("share_sums"));
+}
+
 // The one joint moves no mass: B is singular, everything else is well defined.
 TEST(Generate, LeavesOutForwardDynamicsWhereBIsSingular) {
   const Scratch scratch;
