@@ -10,6 +10,7 @@
 #include "bench/program.hpp"
 #include "bench/stage_steps.hpp"
 #include "diagnostics/nearest.hpp"
+#include "functions/units.hpp"
 #include "system/temporary_folder.hpp"
 
 namespace flatdyn {
@@ -21,21 +22,6 @@ constexpr int kCalledStates = 1024;
 // The bound on a peer's scaled error, about 2e-7 relative to the terms; a wrong model is far above. MuJoCo's numbers
 // were seen 2e7 off where inertia matters.
 constexpr double kPeerBound = 1e9;
-
-const char* unit_of(const std::string& function) {
-  const auto begins = [&function](const char* with) { return function.rfind(with, 0) == 0; };
-  if (begins("inverse_dynamics_derivatives")) return "N m per rad, rad/s";
-  if (begins("forward_dynamics_derivatives")) return "rad/s^2 per rad, rad/s, N m";
-  if (begins("inertia_matrix") || begins("christoffel")) return "kg m^2";
-  if (begins("coriolis_matrix")) return "N m s";
-  if (begins("forward_dynamics")) return "rad/s^2";
-  if (begins("kinetic_energy") || begins("potential_energy")) return "J";
-  if (begins("forward_kinematics")) return "m";
-  if (begins("jacobian_dot_qd")) return "m/s^2";
-  if (begins("jacobian")) return "m";
-  if (begins("base_parameters")) return "SI";
-  return begins("regressor") || begins("base_regressor") || begins("adaptive_regressor") ? "N m per parameter" : "N m";
-}
 
 std::vector<State> states_for(const Mechanism& mechanism, const std::vector<Function>& functions,
                               const SymbolValues& symbols, unsigned seed) {
@@ -178,7 +164,7 @@ class BenchRun {
       report.left_out.emplace_back("batch, together: they need xsimd (libxsimd-dev)");
     report.left_out.insert(report.left_out.end(), abbreviations_.left_out.begin(), abbreviations_.left_out.end());
     for (const Function& function : functions_) {
-      report.functions.push_back({function.name, unit_of(function.name), count_operations(function), {}});
+      report.functions.push_back({function.name, units_of(model_.mechanism, function), count_operations(function), {}});
     }
     for (std::size_t k = 0; k < cases.size(); ++k) {
       const std::vector<double>& samples = times.at(cases[k].name(functions_));

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "bench/statistics.hpp"
+#include "deviation/expected.hpp"
 #include "diagnostics/progress.hpp"
 #include "graph/count.hpp"
 #include "load/loaded_robot.hpp"
-#include "reference/expected.hpp"
 
 namespace flatdyn {
 

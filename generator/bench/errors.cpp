@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
-#include "reference/judge.hpp"
+#include "deviation/judge.hpp"
 
 namespace flatdyn {
 namespace {

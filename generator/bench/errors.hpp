@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/program.hpp"
-#include "reference/expected.hpp"
+#include "deviation/expected.hpp"
 
 namespace flatdyn {
 

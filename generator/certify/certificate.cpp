@@ -11,6 +11,7 @@
 #include "certify/gappa_script.hpp"
 #include "certify/model_constants.hpp"
 #include "diagnostics/diagnostics.hpp"
+#include "functions/units.hpp"
 #include "readback/emitted_text.hpp"
 
 namespace flatdyn {
@@ -26,18 +27,7 @@ RoundingModel rounding_model(const ModelConstants& constants, const RoundingForm
           [&constants, &format](double literal) { return constants.error(literal, format); }};
 }
 
-bool is_torque(const Output& output) { return output.meaning == kTorqueMeaning; }
-
-bool is_prismatic(const Mechanism& mechanism, int joint) { return mechanism.joint(joint).prismatic; }
-
-std::string unit_of(const Mechanism& mechanism, const Output& output, int entry) {
-  if (is_torque(output)) return torque_unit(mechanism.joint(entry));
-  if (output.name == "B" && output.layout == Layout::matrix) {
-    const int lengths = !is_prismatic(mechanism, entry / output.cols) + !is_prismatic(mechanism, entry % output.cols);
-    return lengths == 2 ? "kg m^2" : lengths == 1 ? "kg m" : "kg";
-  }
-  return "";
-}
+bool is_torque(const Output& output) { return output.quantity == OutputQuantity::joint_torque; }
 
 std::optional<double> effort_of(const Mechanism& mechanism, const Output& output, int entry) {
   if (!is_torque(output)) return std::nullopt;
@@ -116,7 +106,7 @@ class Certifier {
     }
     CertifiedOutput found;
     found.name = certified_name(output, entry);
-    found.unit = unit_of(mechanism_, output, static_cast<int>(entry));
+    found.unit = unit_of(mechanism_, function_, output, static_cast<std::size_t>(entry));
     found.effort = effort_of(mechanism_, output, static_cast<int>(entry));
     result_.outputs.push_back(std::move(found));
     operations_.push_back(operation);

@@ -44,7 +44,7 @@ struct Worst {
 
 // The mutations by which states are searched: for a large expected error, which is a smooth function of the state;
 // around that state, where only the roundings differ; and from the worst state so far.
-constexpr Mutation kAnywhere = {4, 0, 7}, kNearby = {0, 8, 37}, kFurther = {};
+constexpr StateMutation kAnywhere = {4, 0, 7}, kNearby = {0, 8, 37}, kFurther = {};
 
 struct Comparison {
   StateSource source;
@@ -69,7 +69,7 @@ struct Comparison {
   }
 
   // Children of a state, each changed towards one of the states drawn.
-  std::vector<State> children(const State& parent, const Mutation& mutation, unsigned seed) const {
+  std::vector<State> children(const State& parent, const StateMutation& mutation, unsigned seed) const {
     constexpr unsigned kOfChildren = 0x6368696c;  // a separate stream of random numbers
     std::vector<State> states = drawn(seed);
     std::mt19937_64 random(seed + kOfChildren);

@@ -10,10 +10,10 @@
 #include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
 #include "diagnostics/table.hpp"
+#include "functions/function_table.hpp"
 #include "input/common/expression.hpp"
 #include "input/common/name_list.hpp"
 #include "report/toml_string.hpp"
-#include "symbolic/functions.hpp"
 #include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
@@ -236,8 +236,8 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
   std::vector<std::vector<std::string>> rows;
   for (const bool on_request : {false, true}) {
     if (on_request) rows.emplace_back();
-    for (const FunctionEntry& entry : function_table()) {
-      if (entry.is_on_request() == on_request) rows.push_back({"", entry.name, entry.summary});
+    for (const FunctionRow& row : function_table()) {
+      if (row.traits.on_request == on_request) rows.push_back({"", row.name, row.summary});
     }
   }
   command.footer("Functions:\n" + aligned_table(rows) +

@@ -4,7 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/option_list.hpp"
-#include "symbolic/functions.hpp"
+#include "functions/function_table.hpp"
 
 namespace flatdyn {
 namespace {
@@ -43,7 +43,7 @@ std::string script(const CLI::App& app) {
     commands.push_back(command->get_name());
     cases += cases_of(*command);
   }
-  for (const FunctionEntry& entry : function_table()) functions.emplace_back(entry.name);
+  for (const FunctionRow& row : function_table()) functions.emplace_back(row.name);
   return "# bash completion for flatdyn, made by `flatdyn completion`.\n"
          "_flatdyn_words() { mapfile -t COMPREPLY < <(compgen -W \"$1\" -- \"$word\"); }\n"
          "_flatdyn_files() {\n"

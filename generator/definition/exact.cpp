@@ -8,9 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "definition/definition_point.hpp"
 #include "definition/degree.hpp"
-#include "definition/lagrangian.hpp"
-#include "definition/lagrangian_outputs.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "graph/mod_p.hpp"
 
@@ -87,61 +86,56 @@ double in_drawn_values(double degree, double angles, double reciprocals) {
   return degree * (1 + 2 * angles + reciprocals);
 }
 
-// The factor by which Euler angles multiply degrees: up to seven entries of R beside one of J, and a root, see
-// root_factor().
-constexpr double kAngleFactor = 32;
-
-// The degree of a function's comparison relative to the definition's. For single accelerations B^-1 (tau - n),
-// numerator and denominator have n factors of B or of its multipliers. The derivatives of forward dynamics are compared
-// at a q̈ computed from the function's own B⁻¹ and a torque.
-double own_degree_factor(const Mechanism& mechanism, const Function& function) {
-  if (function.name == "forward_dynamics_derivatives") return 2;
-  // B_A is the inverse of J B^-1 Jᵀ, which has at most six rows, and B^-1 is adj B / det B.
-  if (!function.task.empty()) {
-    const double factor = 2.0 * static_cast<double>(function.task.rows.size()) * (mechanism.size() + 2);
-    return function.task.has_angles() ? kAngleFactor * factor : factor;
-  }
-  if (function.name == "base_parameters") return 2;  // Y_b π_b is compared with Y π
-  const bool is_solved = function.name == "forward_dynamics" && !is_whole(function);
-  return is_solved ? 2.0 * mechanism.size() : 1;
-}
-
 // With closed loops, the determinants of the loops are common denominators, see Degree.
-double degree_factor(const Mechanism& mechanism, const Function& function) {
-  return (mechanism.has_loops() ? 2 : 1) * own_degree_factor(mechanism, function);
+double degree_factor(const Mechanism& mechanism, const Function& function, const Definition& definition) {
+  return (mechanism.has_loops() ? 2 : 1) * definition.degree_factor(mechanism, function);
 }
 
 }  // namespace
 
-ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const ExactOptions& options) {
+namespace {
+
+// Compares every output that is not left out at one point; returns the number of entries compared.
+template <std::uint64_t P>
+int compare_at(DefinitionPoint<ModPArithmetic<P>>& point, const Definition& definition,
+               std::set<MismatchKey>& mismatches) {
   int entries = 0;
-  const auto compare = [&](auto& arithmetic, std::set<MismatchKey>& mismatches) {
+  const Function& function = point.function;
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    const Output& output = function.outputs[k];
+    const auto expected = definition.expected.over<P>()(point, output);
+    const auto found = definition.found.over<P>()(point, output);
+    if (expected.size() != found.size()) {
+      throw Failure(ExitCode::bug, "output " + output.name + " of " + function.name + " has the wrong shape");
+    }
+    for (std::size_t e = 0; e < expected.size(); ++e) {
+      if (output.leaves_out(e)) continue;
+      if (!(expected[e] == found[e])) mismatches.emplace(k, static_cast<int>(e));
+      ++entries;
+    }
+  }
+  return entries;
+}
+
+}  // namespace
+
+ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const Definition& definition,
+                          const ExactOptions& options) {
+  int entries = 0;
+  const auto compare = [&]<std::uint64_t P>(FieldArithmetic<ModP<P>>& arithmetic, std::set<MismatchKey>& mismatches) {
     const auto values = evaluate(function, arithmetic);
     // The function itself is given velocities in any case: if it holds at rest, it must not read them.
     auto lagrangian_arithmetic = function.at_rest ? arithmetic.at_rest() : arithmetic;
-    LagrangianOutputs expected(mechanism, function, lagrangian_arithmetic, values);
-    entries = 0;
-    for (std::size_t k = 0; k < function.outputs.size(); ++k) {
-      const Output& output = function.outputs[k];
-      const auto wanted = expected.entries(output);
-      const auto found = expected.found(output);
-      if (wanted.size() != found.size()) {
-        throw Failure(ExitCode::bug, "output " + output.name + " of " + function.name + " has the wrong shape");
-      }
-      for (std::size_t e = 0; e < wanted.size(); ++e) {
-        if (output.leaves_out(e)) continue;
-        if (!(wanted[e] == found[e])) mismatches.emplace(k, static_cast<int>(e));
-        ++entries;
-      }
-    }
+    DefinitionPoint<ModPArithmetic<P>> point(mechanism, function, lagrangian_arithmetic, values);
+    entries = compare_at<P>(point, definition, mismatches);
   };
   const std::set<MismatchKey> mismatches = at_all_points(options, compare);
   const MechanismDegrees lagrangian =
-      is_regressor(function.name) ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
+      definition.is_over_parameters ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
   const FunctionDegrees own = function_degrees(function);
-  const double degree =
-      in_drawn_values(degree_factor(mechanism, function) * (lagrangian.degree + own.numerator + own.denominator),
-                      drawn_angles(function, mechanism), lagrangian.reciprocals);
+  const double degree = in_drawn_values(
+      degree_factor(mechanism, function, definition) * (lagrangian.degree + own.numerator + own.denominator),
+      drawn_angles(function, mechanism), lagrangian.reciprocals);
   return finished(function, mismatches, entries, degree, options);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "definition/definition.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 
@@ -38,9 +39,9 @@ struct ExactResult {
   std::string summary() const;
 };
 
-// Compares every output entry with the Lagrangian of `mechanism`, by the function's name ("jacobian:hand" for a link).
-// Throws Failure(bug) for an unknown function.
-ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const ExactOptions& options = {});
+// Compares every output entry with its definition for `mechanism`.
+ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const Definition& definition,
+                          const ExactOptions& options);
 
 // Compares two functions with the same outputs, entry by entry, conditions included; for example before and after a
 // pass.

@@ -7,6 +7,7 @@
 
 #include "emit/joints.hpp"
 #include "emit/writer.hpp"
+#include "functions/function_table.hpp"
 #include "symbolic/notation/combination_text.hpp"
 
 namespace flatdyn {
@@ -33,8 +34,8 @@ std::vector<std::string> comment_of(const BaseParameters& base) {
 }  // namespace
 
 bool uses_base_parameters(const Function& function) {
-  return function.name == "base_regressor" || function.name == "adaptive_regressor" ||
-         function.name == "base_parameters" || function.base_parameters > 0;
+  const FunctionRow* row = find_row(function.name);
+  return function.base_parameters > 0 || (row != nullptr && row->traits.uses_base_parameters);
 }
 
 BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names,

@@ -9,14 +9,14 @@
 #include <limits>
 #include <numbers>
 
+#include "deviation/expected.hpp"
 #include "emit/emit.hpp"
 #include "firmware/proven_bounds.hpp"
 #include "firmware/worst_state_found.hpp"
 #include "model/angles.hpp"
 #include "model/rounded_up.hpp"
 #include "readback/emitted_text.hpp"
-#include "reference/expected.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

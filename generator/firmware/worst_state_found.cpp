@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "readback/straight_line_values.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "stress/worst_state.hpp"
 
 namespace flatdyn {

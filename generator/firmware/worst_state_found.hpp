@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "deviation/expected.hpp"
 #include "graph/function.hpp"
 #include "readback/straight_line.hpp"
-#include "reference/expected.hpp"
 
 namespace flatdyn {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graph/graph.hpp"
+#include "graph/output_quantity.hpp"
 #include "graph/task.hpp"
 
 namespace flatdyn {
@@ -24,16 +25,14 @@ struct Output {
   Layout layout = Layout::vector;
   int rows = 1, cols = 1;
   std::vector<NodeId> entries;  // rows · cols nodes; a structural zero is the constant 0
-  std::string meaning;          // one line: quantity, unit, frame
+  std::string meaning;          // one line for people: what it is, unit, frame
   // By entry: true if it is not needed; it is then the constant 0 and is not written. Empty: all entries are needed.
   std::vector<bool> left_out{};
+  OutputQuantity quantity = OutputQuantity::none;
 
   bool leaves_out(std::size_t entry) const { return !left_out.empty() && left_out[entry]; }
   bool is_written() const;  // whether any entry is written
 };
-
-// The meaning of an output of joint torques.
-inline constexpr const char* kTorqueMeaning = "joint torques, N m (forces, N, for prismatic joints)";
 
 struct Function {
   std::string name;               // "inverse_dynamics"

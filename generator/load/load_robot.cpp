@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "functions/function_table.hpp"
 #include "input/reader.hpp"
 #include "model/snap_cancelled.hpp"
 
@@ -12,7 +13,8 @@ namespace {
 Needs needs_of(const LoadOptions& options, const Scene& scene) {
   const std::vector<std::string> names = functions_asked_for(options.functions, scene);
   const bool only_gravity = !names.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-    return name == "gravity" || name == "potential_energy";
+    const FunctionRow* row = find_row(name);
+    return row != nullptr && row->traits.depends_on_gravity_only;
   });
   return {scene.at_rest, only_gravity};
 }

@@ -95,7 +95,7 @@ std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned
   return StateSource(mechanism).draw(count, seed);
 }
 
-State child(const State& parent, const State& other, std::mt19937_64& random, const Mutation& mutation) {
+State child(const State& parent, const State& other, std::mt19937_64& random, const StateMutation& mutation) {
   const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   const std::size_t one_in = std::size_t(1) << below(mutation.rarest + 1);
   const auto bits = mutation.coarsest + below(mutation.finest - mutation.coarsest + 1);

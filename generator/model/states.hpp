@@ -71,13 +71,13 @@ class StateSource {
 
 // The random changes of a child in a search: each coordinate is changed with a probability of 2^-a, with a drawn from 0
 // to `rarest`, by 2^-b of the difference to another state's, with b drawn from `coarsest` to `finest`.
-struct Mutation {
+struct StateMutation {
   unsigned rarest = 5, coarsest = 0, finest = 44;  // down to the last places
 };
 
 // A child of `parent` for searches over errors without a gradient: some of its coordinates, few or many, move a part of
 // the way to those of `other`. So it stays within limits that both respect.
-State child(const State& parent, const State& other, std::mt19937_64& random, const Mutation& mutation = {});
+State child(const State& parent, const State& other, std::mt19937_64& random, const StateMutation& mutation = {});
 
 // Draws `count` base parameters, between -1 and 1, for each of the states.
 void draw_base_parameters(std::vector<State>& states, int count, unsigned seed);

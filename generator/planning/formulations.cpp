@@ -9,18 +9,16 @@
 #include "definition/pivot_share.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/nearest.hpp"
+#include "functions/function_table.hpp"
 #include "graph/count.hpp"
-#include "symbolic/functions.hpp"
 
 namespace flatdyn {
 namespace {
 
-const FunctionEntry& entry_of(const std::string& name) {
-  const auto& table = function_table();
-  const auto found = std::find_if(table.begin(), table.end(), [&](const FunctionEntry& e) { return name == e.name; });
-  if (found != table.end()) return *found;
+const FunctionRow& known_row(const std::string& name) {
+  if (const FunctionRow* row = find_row(name)) return *row;
   std::vector<std::string> known;
-  for (const FunctionEntry& entry : table) known.emplace_back(entry.name);
+  for (const FunctionRow& row : function_table()) known.emplace_back(row.name);
   throw Failure(ExitCode::usage, "unknown function \"" + name + "\"", hint_for_unknown(name, known, "functions"));
 }
 
@@ -35,17 +33,27 @@ const LinkFrame& link_of(const Mechanism& mechanism, const std::string& name) {
 
 // The function that a name asks for: "jacobian", or "jacobian:hand" for a link.
 struct Request {
-  const FunctionEntry* entry = nullptr;
+  const FunctionRow* row = nullptr;
   const LinkFrame* link = nullptr;
 };
 
+std::string functions_of_links() {
+  std::vector<std::string> names;
+  for (const FunctionRow& row : function_table()) {
+    if (row.derivation.of_link != nullptr) names.emplace_back(row.name);
+  }
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
 Request parsed(const Mechanism& mechanism, const std::string& name) {
   const std::size_t colon = name.find(':');
-  Request request{&entry_of(name.substr(0, colon)), nullptr};
+  Request request{&known_row(name.substr(0, colon)), nullptr};
   if (colon == std::string::npos) return request;
-  if (link_derivation(request.entry->name) == nullptr) {
-    throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.entry->name),
-                  "those of a link are forward_kinematics, jacobian and jacobian_dot_qd");
+  if (request.row->derivation.of_link == nullptr) {
+    throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),
+                  "those of a link are " + functions_of_links());
   }
   request.link = &link_of(mechanism, name.substr(colon + 1));
   return request;
@@ -53,13 +61,33 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
 
 // The summary "Pose of the tip", or "Pose of link hand".
 std::string summary_of(const Request& request) {
-  std::string summary = request.entry->summary;
+  std::string summary = request.row->summary;
   const std::string tip = "the tip";
   const std::size_t place = summary.find(tip);
   if (request.link != nullptr && place != std::string::npos) {
     summary.replace(place, tip.size(), "link \"" + request.link->link + "\"");
   }
   return summary;
+}
+
+Function derived_plainly(const Mechanism& mechanism, const Request& request, const Choices& choices) {
+  const DerivationRow& row = request.row->derivation;
+  if (row.from_choices != nullptr) return row.from_choices(mechanism, choices);
+  if (row.from_mechanism != nullptr) return row.from_mechanism(mechanism);
+  return row.of_link(mechanism, request.link != nullptr ? *request.link : mechanism.tip);
+}
+
+// Sets what a row says of its function. Throws Failure(bug) if the derivation has other outputs than the row.
+void describe(const FunctionRow& row, Function& function) {
+  function.equation = row.equation;
+  function.inputs = row.inputs;
+  const auto is_same = [](const Output& output, const OutputRow& expected) {
+    return output.name == expected.name && output.layout == expected.layout;
+  };
+  if (!std::equal(function.outputs.begin(), function.outputs.end(), row.outputs.begin(), row.outputs.end(), is_same)) {
+    throw Failure(ExitCode::bug, fmt::format("{}: its derivation has other outputs than its row", row.name));
+  }
+  for (std::size_t k = 0; k < row.outputs.size(); ++k) function.outputs[k].quantity = row.outputs[k].quantity;
 }
 
 }  // namespace
@@ -69,31 +97,28 @@ void check_function_name(const Mechanism& mechanism, const std::string& name) { 
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
                                     const Choices& choices) {
   const Request request = parsed(mechanism, name);
-  const FunctionEntry& entry = *request.entry;
+  const auto& alternatives = request.row->derivation.alternatives;
   std::optional<Function> result;
   if (way == 0) {
-    result = request.link != nullptr ? link_derivation(entry.name)(mechanism, *request.link)
-                                     : entry.derive(mechanism, choices);
-  } else if (request.link == nullptr && way <= entry.alternatives.size()) {
-    result = entry.alternatives[way - 1](mechanism, choices);
+    result = derived_plainly(mechanism, request, choices);
+  } else if (way <= alternatives.size()) {
+    result = alternatives[way - 1](mechanism, choices);
   }
   if (!result) return result;
   result->name = name;
   result->summary = summary_of(request);
-  result->equation = entry.equation;
+  describe(*request.row, *result);
   return result;
 }
 
 bool may_lose_pivots(const Mechanism& mechanism, const std::string& name) {
   // In float, about 2^-17 is lost beside 1; results are poor well before that.
   constexpr double kLeast = 0x1p-14;
-  return parsed(mechanism, name).entry->divides_by_pivots() && smallest_pivot_share(mechanism) < kLeast;
+  return parsed(mechanism, name).row->traits.divides_by_pivots && smallest_pivot_share(mechanism) < kLeast;
 }
 
 bool has_choices(const Mechanism& mechanism, const std::string& name) {
-  const Request request = parsed(mechanism, name);
-  const FunctionKind kind = request.entry->kind;
-  return kind != FunctionKind::kinematics && kind != FunctionKind::regressor && kind != FunctionKind::loops;
+  return parsed(mechanism, name).row->has_choices();
 }
 
 namespace {

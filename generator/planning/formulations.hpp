@@ -15,7 +15,7 @@ namespace flatdyn {
 // Throws Failure(usage) if no function has the name, or if it names a link that the robot does not have.
 void check_function_name(const Mechanism& mechanism, const std::string& name);
 
-// 0: the `derive` column of the table of functions; k: its k-th alternative.
+// 0: the derivation of the function's row; k: its k-th alternative.
 using FormulationIndex = std::size_t;
 inline constexpr FormulationIndex kFormulationCount = 3;  // no function has more
 

@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "definition/pivot_share.hpp"
+#include "functions/function_table.hpp"
 #include "input/common/context.hpp"
 #include "planning/formulations.hpp"
 #include "planning/plan.hpp"
 #include "planning/plan_together.hpp"
 #include "planning/search.hpp"
 #include "symbolic/dynamics/factorisation.hpp"
-#include "symbolic/functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -83,8 +83,8 @@ Diagnostics mending(const Robot& robot, const std::string& function, const Singu
 
 std::vector<std::string> names_of_functions(bool on_request, const Mechanism& mechanism) {
   std::vector<std::string> names;
-  for (const FunctionEntry& entry : function_table()) {
-    if (entry.is_on_request() == on_request && entry.is_of(mechanism)) names.emplace_back(entry.name);
+  for (const FunctionRow& row : function_table()) {
+    if (row.traits.on_request == on_request && row.is_of(mechanism)) names.emplace_back(row.name);
   }
   return names;
 }

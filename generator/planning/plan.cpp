@@ -5,14 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "deviation/rounding_loss.hpp"
+#include "functions/function_table.hpp"
 #include "graph/count.hpp"
 #include "load/bad_input.hpp"
 #include "passes/draft.hpp"
 #include "passes/reorder.hpp"
 #include "planning/formulations.hpp"
-#include "reference/rounding_loss.hpp"
 #include "scene/specialise.hpp"
-#include "symbolic/closed_functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -107,7 +107,8 @@ Plan cheapest_plan(const LoadedRobot& model, const std::string& name, Progress& 
   const Mechanism& mechanism = effective_mechanism(model);
   progress.step("deriving " + name);
   const std::vector<Formulation> candidates = within_reach(formulations(mechanism, name));
-  std::optional<Function> closed = closed_variant(mechanism, candidates.front().function);
+  std::optional<Function> closed = closed_variant(mechanism, candidates.front().function,
+                                                  row_of(candidates.front().function).derivation.closed_form);
   progress.step("optimising " + name);
   std::optional<Plan> best;
   for (const Formulation& candidate : candidates) {

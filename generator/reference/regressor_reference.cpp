@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
-#include <utility>
 
 #include "flatdyn/reference/magnitude.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
@@ -113,21 +111,20 @@ reference::VectorX<S> adaptive_column(const reference::Robot<S>& robot, const St
   return adaptive<S>(torque, vector_of(state.qd), vector_of(state.qd_r), vector_of(state.qdd_r));
 }
 
-// K π, and the sums of the absolute values of its terms.
-template <class S>
-std::pair<std::vector<S>, std::vector<S>> combined(const Mechanism& mechanism, const GiNaC::exmap& symbols) {
-  using std::abs;
-  const std::vector<Number> pi = dynamic_parameters(mechanism);
-  std::pair<std::vector<S>, std::vector<S>> result;
-  for (const ParameterForm& form : base_parameters(mechanism).combination) {
-    S sum(0), size(0);
-    for (const auto& [index, coefficient] : form) {
-      const S term = to_scalar<S>(coefficient, symbols) * to_scalar<S>(pi[static_cast<std::size_t>(index)], symbols);
-      sum += term;
-      size += abs(term);
-    }
-    result.first.push_back(sum);
-    result.second.push_back(size);
+GiNaC::exmap values_of(const std::vector<FreeSymbol>& symbols, const SymbolValues& values) {
+  GiNaC::exmap map;
+  for (std::size_t k = 0; k < symbols.size(); ++k) map[symbols[k].symbol] = values[k];
+  return map;
+}
+
+// A matrix with a column for each robot.
+template <class S, class Column>
+reference::MatrixX<S> by_columns(const std::vector<reference::Robot<S>>& robots, const Column& column) {
+  reference::MatrixX<S> result;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    const reference::VectorX<S> entries = column(robots[k]);
+    if (k == 0) result.resize(entries.size(), static_cast<Eigen::Index>(robots.size()));
+    result.col(static_cast<Eigen::Index>(k)) = entries;
   }
   return result;
 }
@@ -145,58 +142,60 @@ reference::VectorX<double> adaptive_magnitude(const reference::Robot<double>& ro
 }  // namespace
 
 template <class S>
+BaseValues<S> base_values_of(const Mechanism& mechanism, const SymbolValues& symbols) {
+  using std::abs;
+  const GiNaC::exmap values = values_of(mechanism.symbols, symbols);
+  const std::vector<Number> pi = dynamic_parameters(mechanism);
+  BaseValues<S> result;
+  for (const ParameterForm& form : base_parameters(mechanism).combination) {
+    S sum(0), size(0);
+    for (const auto& [index, coefficient] : form) {
+      const S term = to_scalar<S>(coefficient, values) * to_scalar<S>(pi[static_cast<std::size_t>(index)], values);
+      sum += term;
+      size += abs(term);
+    }
+    result.values.push_back(sum);
+    result.magnitudes.push_back(size);
+  }
+  return result;
+}
+
+template <class S>
 RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot,
-                                          const SymbolValues& symbols, const std::string& function)
-    : function_(function) {
-  GiNaC::exmap values;
-  for (std::size_t k = 0; k < mechanism.symbols.size(); ++k) values[mechanism.symbols[k].symbol] = symbols[k];
-  std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count()));
-  std::iota(columns.begin(), columns.end(), 0);
-  if (function != "regressor") columns = base_parameters(mechanism).columns;
-  if (function == "base_parameters") std::tie(base_values_, base_magnitudes_) = combined<S>(mechanism, values);
+                                          const SymbolValues& symbols, RegressorColumns columns) {
+  const GiNaC::exmap values = values_of(mechanism.symbols, symbols);
+  std::vector<int> indices(static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count()));
+  std::iota(indices.begin(), indices.end(), 0);
+  if (columns == RegressorColumns::base) indices = base_parameters(mechanism).columns;
   const reference::Robot<S> empty = without_parameters(robot);
-  for (const int index : columns) units_.push_back(unit_robot(mechanism, empty, values, index));
+  for (const int index : indices) units_.push_back(unit_robot(mechanism, empty, values, index));
 }
 
 template <class S>
 reference::MatrixX<S> RegressorReference<S>::matrix(const StateOf<S>& state) const {
-  const auto n = static_cast<Eigen::Index>(state.qd.size());
-  reference::MatrixX<S> Y(n, static_cast<Eigen::Index>(units_.size()));
-  for (std::size_t k = 0; k < units_.size(); ++k) {
-    Y.col(static_cast<Eigen::Index>(k)) =
-        function_ == "adaptive_regressor"
-            ? adaptive_column(units_[k], state)
-            : reference::inverse_dynamics(units_[k], vector_of(state.q), vector_of(state.qd), vector_of(state.qdd));
-  }
-  return Y;
+  const reference::VectorX<S> q = vector_of(state.q), qd = vector_of(state.qd), qdd = vector_of(state.qdd);
+  return by_columns(units_, [&](const auto& unit) { return reference::inverse_dynamics(unit, q, qd, qdd); });
 }
 
 template <class S>
-std::vector<S> RegressorReference<S>::values(const StateOf<S>& state) const {
-  if (function_ == "base_parameters") return base_values_;
-  const reference::MatrixX<S> Y = matrix(state);
-  if (function_ == "inverse_dynamics_base") return row_by_row(reference::VectorX<S>(Y * vector_of(state.pi_b)));
-  return row_by_row(Y);
+reference::MatrixX<S> RegressorReference<S>::adaptive_matrix(const StateOf<S>& state) const {
+  return by_columns(units_, [&](const auto& unit) { return adaptive_column(unit, state); });
 }
 
-std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state) {
-  if (of.function() == "base_parameters") return of.base_magnitudes();
-  const auto& units = of.units();
-  reference::MatrixX<double> M(static_cast<Eigen::Index>(state.qd.size()), static_cast<Eigen::Index>(units.size()));
-  for (std::size_t k = 0; k < units.size(); ++k) {
-    M.col(static_cast<Eigen::Index>(k)) =
-        of.function() == "adaptive_regressor"
-            ? adaptive_magnitude(units[k], state)
-            : reference::torque_magnitude(units[k], vector_of(state.q), vector_of(state.qd), vector_of(state.qdd));
-  }
-  if (of.function() == "inverse_dynamics_base") {
-    return row_by_row(reference::VectorX<double>(M * vector_of(state.pi_b).cwiseAbs()));
-  }
-  return row_by_row(M);
+reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, const State& state) {
+  const auto q = vector_of(state.q), qd = vector_of(state.qd), qdd = vector_of(state.qdd);
+  return by_columns(of.units(), [&](const auto& unit) { return reference::torque_magnitude(unit, q, qd, qdd); });
+}
+
+reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>& of, const State& state) {
+  return by_columns(of.units(), [&](const auto& unit) { return adaptive_magnitude(unit, state); });
 }
 
 template class RegressorReference<float>;
 template class RegressorReference<double>;
 template class RegressorReference<Real50>;
+template BaseValues<float> base_values_of(const Mechanism&, const SymbolValues&);
+template BaseValues<double> base_values_of(const Mechanism&, const SymbolValues&);
+template BaseValues<Real50> base_values_of(const Mechanism&, const SymbolValues&);
 
 }  // namespace flatdyn

@@ -3,50 +3,55 @@
 // parameters zero but π_k = 1. The mechanism only tells which frames the parameters refer to.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/states.hpp"
 #include "reference/reference_model.hpp"
 
 namespace flatdyn {
 
+enum class RegressorColumns {
+  all,   // 13 for every body
+  base,  // those of the base parameters
+};
+
 template <class S>
 class RegressorReference {
  public:
-  // `function`: a function of the parameters; "regressor" has all columns, the others have those of the base
-  // parameters.
   RegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot, const SymbolValues& symbols,
-                     const std::string& function);
+                     RegressorColumns columns);
 
-  // The function's entries: Y, Y_b, τ = Y_b π_b, or π_b.
-  std::vector<S> values(const StateOf<S>& state) const;
-
-  // Y_b or Y itself, n x columns.
+  // Y or Y_b, n x columns; and that of the torques B q̈_r + C(q, q̇) q̇_r + g + friction at q̇_r.
   reference::MatrixX<S> matrix(const StateOf<S>& state) const;
+  reference::MatrixX<S> adaptive_matrix(const StateOf<S>& state) const;
 
-  // π_b; base_magnitudes() are the sums of the absolute values of its terms.
-  const std::vector<S>& base_values() const { return base_values_; }
-  const std::vector<S>& base_magnitudes() const { return base_magnitudes_; }
-
-  const std::string& function() const { return function_; }
   // By column: the written robot with one parameter 1 and the others 0.
   const std::vector<reference::Robot<S>>& units() const { return units_; }
 
  private:
-  std::string function_;
   std::vector<reference::Robot<S>> units_;
-  std::vector<S> base_values_, base_magnitudes_;  // for base_parameters only
 };
 
-// By entry: the sum of the absolute values of its terms (flatdyn/reference/magnitude.hpp). First moments are pairs of
-// point masses of ±1/2 kg at 1 m, which may count twice.
-std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state);
+// By entry of the matrices: the sum of the absolute values of its terms (flatdyn/reference/magnitude.hpp). First
+// moments are pairs of point masses of ±1/2 kg at 1 m, which may count twice.
+reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, const State& state);
+reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>& of, const State& state);
+
+// π_b, and the sums of the absolute values of its terms.
+template <class S>
+struct BaseValues {
+  std::vector<S> values, magnitudes;
+};
+template <class S>
+BaseValues<S> base_values_of(const Mechanism& mechanism, const SymbolValues& symbols);
 
 extern template class RegressorReference<float>;
 extern template class RegressorReference<double>;
 extern template class RegressorReference<Real50>;
+
+extern template BaseValues<float> base_values_of(const Mechanism&, const SymbolValues&);
+extern template BaseValues<double> base_values_of(const Mechanism&, const SymbolValues&);
+extern template BaseValues<Real50> base_values_of(const Mechanism&, const SymbolValues&);
 
 }  // namespace flatdyn

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "functions/function_table.hpp"
 #include "passes/draft.hpp"
 #include "scene/entries.hpp"
 
@@ -22,13 +23,6 @@ Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
     copy_name(graph, id, result, image[slot(id)]);
   }
   return result;
-}
-
-// Whether the function's entries cannot be compared one by one with the definition: a base regressor is right as a
-// whole, and derivatives of accelerations depend on the inverse of B that comes with them.
-bool is_one_whole(const Function& function) {
-  return function.name == "base_regressor" || function.name == "adaptive_regressor" ||
-         function.name == "base_parameters" || function.name == "forward_dynamics_derivatives";
 }
 
 void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function) {
@@ -58,7 +52,7 @@ Function at_rest(const Function& function) {
 
 Function with_outputs(const Function& function, const Mechanism& mechanism, const SceneOutputs& wanted,
                       Diagnostics& diagnostics) {
-  if (is_one_whole(function)) {
+  if (row_of(function).traits.is_one_whole) {
     diagnostics.unsupported(wanted.function.place, "outputs: " + function.name + " cannot be made in part",
                             "ask for the function in `functions`");
     return function;

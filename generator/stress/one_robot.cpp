@@ -7,11 +7,11 @@
 #include <random>
 
 #include "emit/emit.hpp"
+#include "functions/function_table.hpp"
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"
 #include "readback/emitted_text.hpp"
 #include "readback/straight_line_values.hpp"
-#include "symbolic/closed_functions.hpp"
 #include "system/process.hpp"
 
 namespace flatdyn {
@@ -52,7 +52,8 @@ Function drawn(const LoadedRobot& model, const std::string& name, std::mt19937& 
   std::optional<Function> derived = formulation(mechanism, name, engine() % kFormulationCount, choices);
   if (!derived) derived = formulation(mechanism, name, 0, choices);
   if (mechanism.size() <= 2 && engine() % 4 == 0) {
-    if (std::optional<Function> closed = closed_variant(mechanism, *derived)) derived = std::move(closed);
+    if (std::optional<Function> closed = closed_variant(mechanism, *derived, row_of(*derived).derivation.closed_form))
+      derived = std::move(closed);
   }
   return engine() % 4 == 0 ? run_passes(*derived) : *derived;
 }

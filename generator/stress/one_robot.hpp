@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "deviation/expected.hpp"
 #include "readback/straight_line.hpp"
-#include "reference/expected.hpp"
 #include "stress/random_robots.hpp"
 
 namespace flatdyn {

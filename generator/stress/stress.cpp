@@ -7,9 +7,9 @@
 #include <random>
 
 #include "bench/calls.hpp"
+#include "deviation/extreme_states.hpp"
 #include "diagnostics/nearest.hpp"
 #include "model/angles.hpp"
-#include "reference/extreme_states.hpp"
 #include "stress/program.hpp"
 #include "stress/worst_state.hpp"
 

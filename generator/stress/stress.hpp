@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "deviation/judge.hpp"
 #include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
 #include "model/states.hpp"
-#include "reference/judge.hpp"
 
 namespace flatdyn {
 

@@ -13,8 +13,6 @@ namespace {
 
 constexpr int kMostJoints = 3;
 constexpr std::size_t kMostTerms = 200;
-constexpr const char* kNames[] = {"inverse_dynamics", "inertia_matrix", "christoffel",   "coriolis_matrix",
-                                  "gravity",          "bias",           "kinetic_energy"};
 
 std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism) {
   std::vector<GiNaC::symbol> result;
@@ -22,6 +20,8 @@ std::vector<GiNaC::symbol> parameters(const Mechanism& mechanism) {
   for (const FreeSymbol& symbol : mechanism.symbols) result.push_back(symbol.symbol);
   return result;
 }
+
+}  // namespace
 
 // B, c_ijk and g of the closed form as scalars of one derivation.
 class ClosedModel {
@@ -36,22 +36,6 @@ class ClosedModel {
   bool is_short() const { return terms_ <= kMostTerms; }
   Graph& graph() { return derivation_.graph(); }
 
-  std::vector<NodeId> entries(const std::string& function) {
-    std::vector<Number> values;
-    if (function == "inertia_matrix") return nodes(matrix([this](int i, int j) { return b(i, j); }));
-    if (function == "christoffel") return nodes(christoffel_symbols());
-    if (function == "coriolis_matrix") return nodes(matrix([this](int i, int j) { return coriolis(i, j); }));
-    if (function == "kinetic_energy") return nodes({kinetic_energy()});
-    for (int i = 0; i < n(); ++i) {
-      Number torque = gravity(i);
-      if (function != "gravity") torque += velocity_torque(i);
-      if (function == "inverse_dynamics") torque += inertial_torque(i);
-      values.push_back(torque);
-    }
-    return nodes(values);
-  }
-
- private:
   int n() const { return mechanism_.size(); }
 
   std::vector<NodeId> nodes(const std::vector<Number>& values) {
@@ -60,14 +44,53 @@ class ClosedModel {
     return result;
   }
 
-  template <class Entry>
-  std::vector<Number> matrix(const Entry& entry) {
+  Number b(int i, int j) { return scalar(form_.B[at(i)][at(j)], label("b", {std::max(i, j), std::min(i, j)})); }
+  Number gravity(int i) { return scalar(form_.g[at(i)], label("g", {i})); }
+  // The Christoffel symbols, at [i][k (k + 1) / 2 + j], j <= k.
+  std::vector<Number> christoffel_symbols() {
     std::vector<Number> values;
     for (int i = 0; i < n(); ++i) {
-      for (int j = 0; j < n(); ++j) values.push_back(entry(i, j));
+      for (int k = 0; k < n(); ++k) {
+        for (int j = 0; j <= k; ++j) values.push_back(c(i, j, k));
+      }
     }
     return values;
   }
+
+  Number coriolis(int i, int j) {
+    Number sum = 0;
+    for (int k = 0; k < n(); ++k) sum += c(i, j, k) * qd(k);
+    return sum;
+  }
+
+  Number inertial_torque(int i) {
+    Number sum = 0;
+    for (int j = 0; j < n(); ++j) sum += b(i, j) * derivation_.input(InputKind::qdd, j);
+    return sum;
+  }
+
+  // Entry i of C q̇ plus friction.
+  Number velocity_torque(int i) {
+    const Body& body = mechanism_.joint(i);  // coupled joints have no friction here
+    Number sum = body.viscous * qd(i);
+    if (!vanishes(body.coulomb)) sum += body.coulomb * derivation_.sign(qd(i), label("sgn", {i}));
+    for (int k = 0; k < n(); ++k) {
+      for (int j = 0; j <= k; ++j) sum += (j == k ? 1 : 2) * c(i, j, k) * qd(j) * qd(k);
+    }
+    return sum;
+  }
+
+  Number kinetic_energy() {
+    Number sum = 0;
+    for (int i = 0; i < n(); ++i) {
+      for (int j = 0; j <= i; ++j) sum += (i == j ? Number(1) / 2 : Number(1)) * b(i, j) * qd(i) * qd(j);
+    }
+    return sum;
+  }
+
+ private:
+  Number c(int i, int j, int k) { return scalar(form_.christoffel(i, j, k), label("c", {i, j, k})); }
+  Number qd(int i) { return derivation_.input(InputKind::qd, i); }
 
   // The expression as one scalar, written with the sines and cosines of sums of angles.
   Number scalar(const Number& expression, const std::string& name) {
@@ -118,53 +141,6 @@ class ClosedModel {
     return text;
   }
 
-  Number b(int i, int j) { return scalar(form_.B[at(i)][at(j)], label("b", {std::max(i, j), std::min(i, j)})); }
-  Number c(int i, int j, int k) { return scalar(form_.christoffel(i, j, k), label("c", {i, j, k})); }
-  Number gravity(int i) { return scalar(form_.g[at(i)], label("g", {i})); }
-  Number qd(int i) { return derivation_.input(InputKind::qd, i); }
-
-  // The Christoffel symbols, at [i][k (k + 1) / 2 + j], j <= k.
-  std::vector<Number> christoffel_symbols() {
-    std::vector<Number> values;
-    for (int i = 0; i < n(); ++i) {
-      for (int k = 0; k < n(); ++k) {
-        for (int j = 0; j <= k; ++j) values.push_back(c(i, j, k));
-      }
-    }
-    return values;
-  }
-
-  Number coriolis(int i, int j) {
-    Number sum = 0;
-    for (int k = 0; k < n(); ++k) sum += c(i, j, k) * qd(k);
-    return sum;
-  }
-
-  Number inertial_torque(int i) {
-    Number sum = 0;
-    for (int j = 0; j < n(); ++j) sum += b(i, j) * derivation_.input(InputKind::qdd, j);
-    return sum;
-  }
-
-  // Entry i of C q̇ plus friction.
-  Number velocity_torque(int i) {
-    const Body& body = mechanism_.joint(i);  // coupled joints have no friction here
-    Number sum = body.viscous * qd(i);
-    if (!vanishes(body.coulomb)) sum += body.coulomb * derivation_.sign(qd(i), label("sgn", {i}));
-    for (int k = 0; k < n(); ++k) {
-      for (int j = 0; j <= k; ++j) sum += (j == k ? 1 : 2) * c(i, j, k) * qd(j) * qd(k);
-    }
-    return sum;
-  }
-
-  Number kinetic_energy() {
-    Number sum = 0;
-    for (int i = 0; i < n(); ++i) {
-      for (int j = 0; j <= i; ++j) sum += (i == j ? Number(1) / 2 : Number(1)) * b(i, j) * qd(i) * qd(j);
-    }
-    return sum;
-  }
-
   const Mechanism& mechanism_;
   ClosedForm form_;
   Names names_;
@@ -172,6 +148,24 @@ class ClosedModel {
   Derivation derivation_;
   std::size_t terms_ = 0;
 };
+
+namespace {
+
+template <class Entry>
+std::vector<Number> square(int n, const Entry& entry) {
+  std::vector<Number> values;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) values.push_back(entry(i, j));
+  }
+  return values;
+}
+
+template <class Torque>
+std::vector<Number> per_joint(int n, const Torque& torque) {
+  std::vector<Number> values;
+  for (int i = 0; i < n; ++i) values.push_back(torque(i));
+  return values;
+}
 
 // Whether a joint that follows others has friction, which the closed form does not support.
 bool has_coupled_friction(const Mechanism& mechanism) {
@@ -182,13 +176,45 @@ bool has_coupled_friction(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::optional<Function> closed_variant(const Mechanism& mechanism, const Function& recursive) {
-  const bool has_it = std::find(std::begin(kNames), std::end(kNames), recursive.name) != std::end(kNames);
+std::vector<Number> closed_inertia_matrix(ClosedModel& model) {
+  return square(model.n(), [&model](int i, int j) { return model.b(i, j); });
+}
+
+std::vector<Number> closed_christoffel(ClosedModel& model) { return model.christoffel_symbols(); }
+
+std::vector<Number> closed_coriolis_matrix(ClosedModel& model) {
+  return square(model.n(), [&model](int i, int j) { return model.coriolis(i, j); });
+}
+
+std::vector<Number> closed_gravity(ClosedModel& model) {
+  return per_joint(model.n(), [&model](int i) { return model.gravity(i); });
+}
+
+std::vector<Number> closed_bias(ClosedModel& model) {
+  return per_joint(model.n(), [&model](int i) {
+    Number torque = model.gravity(i);
+    torque += model.velocity_torque(i);
+    return torque;
+  });
+}
+
+std::vector<Number> closed_inverse_dynamics(ClosedModel& model) {
+  return per_joint(model.n(), [&model](int i) {
+    Number torque = model.gravity(i);
+    torque += model.velocity_torque(i);
+    torque += model.inertial_torque(i);
+    return torque;
+  });
+}
+
+std::vector<Number> closed_kinetic_energy(ClosedModel& model) { return {model.kinetic_energy()}; }
+
+std::optional<Function> closed_variant(const Mechanism& mechanism, const Function& recursive, ClosedEntries entries) {
   const bool is_coupled = mechanism.has_loops() || !mechanism.angles.empty() || has_coupled_friction(mechanism);
-  if (!has_it || mechanism.size() > kMostJoints || is_coupled) return std::nullopt;
+  if (entries == nullptr || mechanism.size() > kMostJoints || is_coupled) return std::nullopt;
   ClosedModel model(mechanism);
   Function closed = recursive;
-  closed.outputs.at(0).entries = model.entries(recursive.name);
+  closed.outputs.at(0).entries = model.nodes(entries(model));
   if (!model.is_short()) return std::nullopt;
   closed.graph = std::move(model.graph());
   return closed;

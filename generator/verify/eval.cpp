@@ -6,14 +6,13 @@
 #include <map>
 #include <optional>
 
-#include "definition/regressor_outputs.hpp"
 #include "emit/arguments.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
+#include "functions/function_table.hpp"
 #include "input/csv/positions.hpp"
 #include "input/csv/text.hpp"
 #include "model/loop_closure.hpp"
-#include "reference/regressor_reference.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {
@@ -191,13 +190,13 @@ class Evaluator {
     // The robot's numbers change only with its symbols.
     if (!reference_ || !symbols_.empty()) {
       reference_ = seen_by(function_, robot_, reference_robot<S>(robot_, symbols_));
-      if (is_regressor(function_.name)) regressor_.emplace(mechanism_, *reference_, symbols_, function_.name);
+      expected_ = row_of(function_).reference.template over<S>()({mechanism_, *reference_, symbols_}, function_);
     }
     const reference::VectorX<S> q = vector_of(state.q);
     if (mechanism_.has_loops() && !(reference::loop_regularity(*reference_, q) > S(reference::kSingularLoop))) {
       return std::nullopt;
     }
-    return regressor_ ? regressor_->values(state) : reference_values(function_, *reference_, state);
+    return expected_(state);
   }
 
   const Robot& robot_;
@@ -207,7 +206,7 @@ class Evaluator {
   GraphEvaluator<S> graph_;
   SymbolValues symbols_;
   std::optional<reference::Robot<S>> reference_;
-  std::optional<RegressorReference<S>> regressor_;
+  ReferenceFunction<S> expected_;
 };
 
 // The reason why a function has no value at a state, and a remedy.

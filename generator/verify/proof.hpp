@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "definition/exact.hpp"
 #include "emit/stages.hpp"
+#include "functions/exact_proof.hpp"
 #include "graph/fusion.hpp"
 #include "planning/optimised_function.hpp"
 #include "readback/emitted_text.hpp"

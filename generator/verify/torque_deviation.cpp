@@ -6,7 +6,7 @@
 
 #include "model/states.hpp"
 #include "planning/formulations.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "definition/exact.hpp"
+#include "functions/exact_proof.hpp"
 #include "graph/function.hpp"
 #include "scene/abbreviate.hpp"
 

@@ -8,10 +8,10 @@
 #include <functional>
 #include <limits>
 
-#include "definition/exact.hpp"
 #include "diagnostics/table.hpp"
+#include "functions/exact_proof.hpp"
 #include "model/angles.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "verify/compiled.hpp"
 #include "verify/properties.hpp"
 

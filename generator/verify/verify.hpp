@@ -6,11 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "deviation/expected.hpp"
 #include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
-#include "reference/expected.hpp"
 
 namespace flatdyn {
 

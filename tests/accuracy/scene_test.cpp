@@ -7,7 +7,7 @@
 
 #include "graph/count.hpp"
 #include "planning/make_functions.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "system/temporary_folder.hpp"
 
 namespace flatdyn {

@@ -4,8 +4,8 @@
 // --family random --robots 100000 --seed 1001.
 #include <gtest/gtest.h>
 
-#include "reference/expected.hpp"
-#include "reference/values.hpp"
+#include "deviation/expected.hpp"
+#include "functions/function_table.hpp"
 #include "report/random_robots_report.hpp"
 #include "stress/random_robots.hpp"
 #include "support/kdl_chain.hpp"
@@ -72,7 +72,8 @@ struct Witness {
       if (robot.coupling.size() > 0 && name == "forward_dynamics") continue;
       const std::vector<double> found = values_of(*other, robot, name, all.state);
       const std::vector<Real50> truth(found.begin(), found.end());
-      std::vector<double> scale = magnitudes(all.functions[k], robot, all.state);
+      const NumericReference& reference = row_of(all.functions[k]).reference;
+      std::vector<double> scale = reference.magnitude({all.model.mechanism, robot, {}}, all.functions[k])(all.state);
       if (rounds_by_the_largest_entry) scale.assign(scale.size(), *std::max_element(scale.begin(), scale.end()));
       largest = std::max(largest, scaled_error(all.values[k], truth, scale));
       ++compared;

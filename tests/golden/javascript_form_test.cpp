@@ -8,12 +8,12 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "deviation/expected.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emit.hpp"
 #include "golden/golden.hpp"
 #include "planning/make_functions.hpp"
-#include "reference/expected.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {

@@ -22,10 +22,10 @@ namespace {
 using Matrix = reference::MatrixX<Real50>;
 
 // The rank of Y sampled in 50 digits: of the columns in `set`, or of Y_b.
-Eigen::Index numeric_rank(const Robot& robot, const Mechanism& mechanism, const std::string& function,
+Eigen::Index numeric_rank(const Robot& robot, const Mechanism& mechanism, RegressorColumns kind,
                           const std::vector<bool>& columns) {
   const SymbolValues symbols = random_symbol_values(robot, 1);
-  const RegressorReference<Real50> reference(mechanism, reference_robot<Real50>(robot, symbols), symbols, function);
+  const RegressorReference<Real50> reference(mechanism, reference_robot<Real50>(robot, symbols), symbols, kind);
   const auto wanted = static_cast<Eigen::Index>(std::count(columns.begin(), columns.end(), true));
   const int states = 2 + 2 * static_cast<int>(wanted) / std::max(1, mechanism.size());
   Matrix stacked(states * mechanism.size(), wanted);
@@ -47,7 +47,8 @@ void expect_three_ways(const Robot& robot, const Mechanism& mechanism, Parameter
   const BaseParameters base = base_parameters(mechanism, set);
   const SampledComparison sampled = compare_with_samples(mechanism, base, set);
   EXPECT_TRUE(sampled.equal) << mechanism.name << ": " << base.size() << ", sampled " << sampled.rank;
-  EXPECT_EQ(numeric_rank(robot, mechanism, "regressor", parameters_in(mechanism, set)), base.size()) << mechanism.name;
+  EXPECT_EQ(numeric_rank(robot, mechanism, RegressorColumns::all, parameters_in(mechanism, set)), base.size())
+      << mechanism.name;
 }
 
 class RandomTrees : public ::testing::TestWithParam<unsigned> {};
@@ -177,7 +178,7 @@ TEST_P(RobotsOfTheRepository, HaveTheRankOfFiftyDigits) {
 TEST_P(RobotsOfTheRepository, HaveABaseRegressorOfFullColumnRank) {
   const LoadedRobot model = testing::model_of(GetParam());
   const int b = base_parameters(model.mechanism).size();
-  EXPECT_EQ(numeric_rank(model.robot, model.mechanism, "base_regressor",
+  EXPECT_EQ(numeric_rank(model.robot, model.mechanism, RegressorColumns::base,
                          std::vector<bool>(static_cast<std::size_t>(b), true)),
             b);
 }

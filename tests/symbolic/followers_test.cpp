@@ -7,10 +7,11 @@
 
 #include <algorithm>
 
-#include "definition/exact.hpp"
 #include "definition/sampled_base.hpp"
 #include "emit/emit.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
+#include "functions/exact_proof.hpp"
+#include "functions/function_table.hpp"
 #include "model/angles.hpp"
 #include "model/states.hpp"
 #include "planning/formulations.hpp"
@@ -21,7 +22,6 @@
 #include "support/written_model.hpp"
 #include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/closed_functions.hpp"
-#include "symbolic/functions.hpp"
 #include "symbolic/notation/derive.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/textbook_robots.hpp"
@@ -111,9 +111,9 @@ TEST_F(Machine, HasACoordinateForEachIndependentJoint) {
 }
 
 TEST_F(Machine, EveryFunctionIsTheLagrangians) {
-  for (const FunctionEntry& entry : function_table()) {
+  for (const FunctionRow& entry : function_table()) {
     // The robot has three coordinates: the operational functions have tests of their own below.
-    if (!entry.is_of(model_.mechanism) || entry.kind == FunctionKind::operational) continue;
+    if (!entry.is_of(model_.mechanism) || entry.traits.uses_task) continue;
     const Function function = derive_function(model_.mechanism, entry.name);
     EXPECT_TRUE(prove_exactly(model_.mechanism, function).equal) << entry.name;
   }
@@ -185,7 +185,9 @@ mass = 1
 )")
                                   .mechanism;
   for (const char* name : {"inverse_dynamics", "christoffel", "coriolis_matrix", "inertia_matrix", "bias"}) {
-    const std::optional<Function> closed = closed_variant(mechanism, derive_function(mechanism, name));
+    const Function recursive = derive_function(mechanism, name);
+    const std::optional<Function> closed =
+        closed_variant(mechanism, recursive, row_of(recursive).derivation.closed_form);
     ASSERT_TRUE(closed.has_value()) << name;
     EXPECT_TRUE(prove_exactly(mechanism, *closed).equal) << name;
   }
@@ -282,8 +284,8 @@ TEST(FollowerByAFraction, BaseParametersAreThoseOfTheSamples) {
 
 TEST(FollowerByAFraction, EveryFunctionIsTheLagrangians) {
   const Mechanism mechanism = testing::model_of_toml(kGripper).mechanism;
-  for (const FunctionEntry& entry : function_table()) {
-    if (!entry.is_of(mechanism) || entry.kind == FunctionKind::operational) continue;  // the robot has two coordinates
+  for (const FunctionRow& entry : function_table()) {
+    if (!entry.is_of(mechanism) || entry.traits.uses_task) continue;  // the robot has two coordinates
     EXPECT_TRUE(prove_exactly(mechanism, derive_function(mechanism, entry.name)).equal) << entry.name;
   }
 }

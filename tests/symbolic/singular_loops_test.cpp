@@ -4,8 +4,8 @@
 
 #include "flatdyn/reference/closed_loops.hpp"
 #include "planning/formulations.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "reference/reference_model.hpp"
-#include "reference/values.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 #include "verify/verify.hpp"

@@ -92,12 +92,12 @@ class DrawingMaker {
     for (int k = 0; k < mechanism_.size(); ++k) add_axis(mechanism_.body_of(k));
     for (const int i : followers()) add_axis(i);
     for (const Number& entry : mechanism_.gravity) add(gravity, entry);
-    Function drawing = finished(bench, {InputKind::q},
-                                {vector_output("points", points, "where links are, base frame, m"),
-                                 vector_output("axes", axes, "unit vectors along the joints' axes, base frame"),
-                                 vector_output("g_0", gravity, "gravity, base frame, m/s^2")});
+    Function drawing = finished(bench, {vector_output("points", points, "where links are, base frame, m"),
+                                        vector_output("axes", axes, "unit vectors along the joints' axes, base frame"),
+                                        vector_output("g_0", gravity, "gravity, base frame, m/s^2")});
     drawing.name = "drawing";
-    drawing.summary = "What the robot is drawn from";
+    drawing.summary = "The points and axes from which the robot is drawn";
+    drawing.inputs = {InputKind::q};
     return drawing;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/derivative_functions.hpp"
 
+#include "diagnostics/diagnostics.hpp"
 #include "symbolic/dynamics/accelerations.hpp"
 #include "symbolic/dynamics/composite.hpp"
 #include "symbolic/dynamics/derivatives.hpp"
@@ -38,15 +39,12 @@ Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name)
   return result;
 }
 
-}  // namespace
-
 Function torque_derivatives_function(Workbench& bench) {
   const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qdd), bench.mechanism.gravity,
                       true};
   const TorqueDerivatives tau = derivatives_at_coordinates(bench, motion);
-  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
-                  {derivative_output(bench, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
-                   derivative_output(bench, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
+  return finished(bench, {derivative_output(bench, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
+                          derivative_output(bench, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
 }
 
 // Differentiates B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
@@ -58,11 +56,29 @@ Function acceleration_derivatives_function(Workbench& bench) {
   const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
   const Rows dtau = B.inverse("a");
   Conditions conditions = conditions_of(bench, B);
-  return finished(bench, {InputKind::q, InputKind::qd, InputKind::tau},
+  return finished(bench,
                   {derivative_output(bench, "dqdd_dq", dq, "row i, column k: of qdd[i] by q[k]"),
                    derivative_output(bench, "dqdd_dqd", dqd, "row i, column k: of qdd[i] by qd[k]"),
                    derivative_output(bench, "dqdd_dtau", dtau, "the inverse of B")},
                   std::move(conditions));
+}
+
+void refuse_loops(const Mechanism& mechanism, const std::string& name) {
+  if (!mechanism.has_loops()) return;
+  throw Failure(ExitCode::unsupported, name + ": derivatives of robots with closed loops are not supported yet",
+                "leave this function out");
+}
+
+}  // namespace
+
+Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  refuse_loops(mechanism, "inverse_dynamics_derivatives");
+  return derived(mechanism, choices, torque_derivatives_function);
+}
+
+Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  refuse_loops(mechanism, "forward_dynamics_derivatives");
+  return derived(mechanism, choices, acceleration_derivatives_function);
 }
 
 }  // namespace flatdyn

@@ -6,10 +6,12 @@
 
 namespace flatdyn {
 
+// Both throw Failure(unsupported) for robots with closed loops.
+
 // The derivatives ∂τ/∂q, ∂τ/∂q̇.
-Function torque_derivatives_function(Workbench& bench);
+Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices);
 
 // The derivatives ∂q̈/∂q, ∂q̈/∂q̇, ∂q̈/∂τ = B⁻¹.
-Function acceleration_derivatives_function(Workbench& bench);
+Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices);
 
 }  // namespace flatdyn

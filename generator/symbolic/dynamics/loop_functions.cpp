@@ -27,39 +27,40 @@ std::vector<Number> along(const Rows& G, const std::vector<Number>& coordinates)
 
 }  // namespace
 
-Function loop_closure_function(Workbench& bench) {
+Function derive_loop_closure(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
   const std::vector<NodeId> phi = bench.nodes(loops_of(bench).closure());
-  return finished(bench, {InputKind::q},
+  return finished(bench,
                   {vector_output("phi", phi,
                                  aligns_axes(bench.mechanism)
                                      ? "loop by loop: m between points that meet, cosines where axes do; 0 if closed"
                                      : "loop by loop, m: what lies between the points that meet; 0 if closed")});
 }
 
-Function loop_jacobian_function(Workbench& bench) {
+Function derive_loop_jacobian(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
   const Rows J = loops_of(bench).jacobian();
-  return finished(bench, {InputKind::q},
-                  {matrix_output("phi_q", static_cast<int>(J.size()), bench.mechanism.position_count(), bench.nodes(J),
-                                 "row i, column k: of phi[i] by q[k]")});
+  return finished(bench, {matrix_output("phi_q", static_cast<int>(J.size()), bench.mechanism.position_count(),
+                                        bench.nodes(J), "row i, column k: of phi[i] by q[k]")});
 }
 
-Function loop_step_function(Workbench& bench) {
+Function derive_loop_step(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
   const std::vector<NodeId> step = bench.nodes(loops_of(bench).step());
   return finished(
-      bench, {InputKind::q},
-      {vector_output("dq", step, "to be added to q, again and again; 0 for independent joints, which stay")});
+      bench, {vector_output("dq", step, "to be added to q, again and again; 0 for independent joints, which stay")});
 }
 
-Function loop_motion_function(Workbench& bench) {
+Function derive_loop_motion(const Mechanism& mechanism) {
+  Workbench bench(mechanism);
   const Rows G = loops_of(bench).motion();
   const std::vector<Number> rates = along(G, bench.all(InputKind::qd)),
                             drift = loops_of(bench).drift(bench.joint_motion(InputKind::qd),
                                                           bench.joint_motion(InputKind::qd), "drift");
   std::vector<Number> accelerations = along(G, bench.all(InputKind::qdd));
   for (std::size_t k = 0; k < accelerations.size(); ++k) accelerations[k] += drift[k];
-  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
-                  {vector_output("rates", bench.nodes(rates), "dq/dt of every entry of q"),
-                   vector_output("accelerations", bench.nodes(accelerations), "its derivative")});
+  return finished(bench, {vector_output("rates", bench.nodes(rates), "dq/dt of every entry of q"),
+                          vector_output("accelerations", bench.nodes(accelerations), "its derivative")});
 }
 
 }  // namespace flatdyn

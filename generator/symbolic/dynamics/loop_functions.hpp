@@ -7,9 +7,9 @@
 namespace flatdyn {
 
 // All of these throw Failure(unsupported) for a robot without closed loops.
-Function loop_closure_function(Workbench& bench);   // Φ(q)
-Function loop_jacobian_function(Workbench& bench);  // Φ_q
-Function loop_step_function(Workbench& bench);      // Newton's step towards Φ = 0
-Function loop_motion_function(Workbench& bench);    // q̇ and q̈ of all joints
+Function derive_loop_closure(const Mechanism& mechanism);   // Φ(q)
+Function derive_loop_jacobian(const Mechanism& mechanism);  // Φ_q
+Function derive_loop_step(const Mechanism& mechanism);      // Newton's step towards Φ = 0
+Function derive_loop_motion(const Mechanism& mechanism);    // q̇ and q̈ of all joints
 
 }  // namespace flatdyn

@@ -78,7 +78,7 @@ class OperationalSpace {
     return result;
   }
 
-  Function finished(std::vector<InputKind> inputs, std::vector<Output> outputs) const {
+  Function finished(std::vector<Output> outputs) const {
     // Every arm has poses in which J B⁻¹ Jᵀ is singular, so its pivots are always guarded, and come first.
     Conditions conditions{bench_.nodes(factors_.pivots()), bench_.nodes(factors_.diagonal())};
     const Conditions of_B = conditions_of(bench_, B_);
@@ -86,7 +86,7 @@ class OperationalSpace {
                                           of_B.validity_conditions.end());
     conditions.pivot_diagonals.insert(conditions.pivot_diagonals.end(), of_B.pivot_diagonals.begin(),
                                       of_B.pivot_diagonals.end());
-    Function function = flatdyn::finished(bench_, std::move(inputs), std::move(outputs), std::move(conditions));
+    Function function = flatdyn::finished(bench_, std::move(outputs), std::move(conditions));
     function.task = task_;
     return function;
   }
@@ -156,9 +156,7 @@ std::string condition_meaning(const OperationalSpace& space) {
              : "0..1, r^2 / (tr M tr M^-1) of M = J B^-1 J^T: 0 where the task is singular";
 }
 
-}  // namespace
-
-Function operational_inertia_function(Workbench& bench) {
+Function operational_inertia_at(Workbench& bench) {
   const OperationalSpace space(bench);
   const Rows B_A = space.inertia(), X = space.inverse_inertia_times_jacobian();
   const int r = static_cast<int>(space.size()), n = bench.size();
@@ -171,25 +169,23 @@ Function operational_inertia_function(Workbench& bench) {
     }
   }
   return space.finished(
-      {InputKind::q},
       {matrix_output("B_A", r, r, bench.nodes(B_A), of_task("inertia matrix", space) + ", symmetric, SI units"),
        matrix_output("J_bar", n, r, J_bar, "B^-1 J^T B_A: J_bar^T tau is the force on the task, SI units"),
        vector_output("condition", {bench.node(space.condition(B_A))}, condition_meaning(space))});
 }
 
-Function operational_bias_function(Workbench& bench) {
+Function operational_bias_at(Workbench& bench) {
   const OperationalSpace space(bench);
   const std::vector<Number> drift = task_drift(bench, space.task().rows, space.task().orientation);
   std::vector<Number> c = space.acceleration(coriolis_torques(bench), "c");
   for (std::size_t i = 0; i < space.size(); ++i) c[i] -= drift[i];
   const std::vector<Number> g = space.acceleration(bench.at_coordinates(gravity_torques(bench.frames)), "g");
   const std::vector<Number> c_A = space.inertia_times(c, "c_a"), g_A = space.inertia_times(g, "g_a");
-  return space.finished({InputKind::q, InputKind::qd},
-                        {vector_output("c_A", bench.nodes(c_A), of_task("C_A times the velocity", space) + ", N, N m"),
+  return space.finished({vector_output("c_A", bench.nodes(c_A), of_task("C_A times the velocity", space) + ", N, N m"),
                          vector_output("g_A", bench.nodes(g_A), of_task("gravity", space) + ", N, N m")});
 }
 
-Function null_space_torque_function(Workbench& bench) {
+Function null_space_torque_at(Workbench& bench) {
   const OperationalSpace space(bench);
   if (static_cast<int>(space.size()) == bench.size()) {
     throw Failure(ExitCode::unsupported,
@@ -201,9 +197,22 @@ Function null_space_torque_function(Workbench& bench) {
   const std::vector<Number> f = space.inertia_times(space.acceleration(tau, "tau"), "f");
   std::vector<Number> rest = space.torques_of(f);
   for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = tau[k] - rest[k];
-  return space.finished({InputKind::q, InputKind::tau},
-                        {vector_output("tau_n", bench.nodes(rest),
+  return space.finished({vector_output("tau_n", bench.nodes(rest),
                                        of_task("what of tau does not accelerate the tip along any", space) + ", N m")});
+}
+
+}  // namespace
+
+Function derive_operational_inertia(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, at_the_tip(choices, mechanism.tip), operational_inertia_at);
+}
+
+Function derive_operational_bias(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, at_the_tip(choices, mechanism.tip), operational_bias_at);
+}
+
+Function derive_null_space_torque(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, at_the_tip(choices, mechanism.tip), null_space_torque_at);
 }
 
 }  // namespace flatdyn

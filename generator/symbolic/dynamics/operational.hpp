@@ -11,13 +11,13 @@ namespace flatdyn {
 
 // B_A, (7.130), and the dynamically consistent inverse J̄ = B^-1 Jᵀ B_A, (7.138), where J̄ᵀ τ is the force of joint
 // torques τ at the tip, (7.140); and the condition of the inverted matrix, 0 to 1.
-Function operational_inertia_function(Workbench& bench);
+Function derive_operational_inertia(const Mechanism& mechanism, const Choices& choices);
 
 // C_A ẋ = B_A (J B^-1 C q̇ - J̇ q̇) and g_A = B_A J B^-1 g, (7.131), (7.132). Joint friction is left out.
-Function operational_bias_function(Workbench& bench);
+Function derive_operational_bias(const Mechanism& mechanism, const Choices& choices);
 
 // (1 - Jᵀ J̄ᵀ) τ_0: the part of τ_0 that moves the arm but not the tip, (7.141). Throws Failure(unsupported) if the
 // task needs all joints.
-Function null_space_torque_function(Workbench& bench);
+Function derive_null_space_torque(const Mechanism& mechanism, const Choices& choices);
 
 }  // namespace flatdyn

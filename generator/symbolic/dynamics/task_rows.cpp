@@ -71,7 +71,7 @@ FieldColumns columns_of(const Mechanism& mechanism, const std::vector<int>& rows
   Workbench bench(mechanism);
   const std::vector<NodeId> entries = bench.nodes(task_jacobian(bench, rows, mechanism.task.orientation));
   const Function jacobian =
-      finished(bench, {InputKind::q}, {matrix_output("J", static_cast<int>(rows.size()), bench.size(), entries, "")});
+      finished(bench, {matrix_output("J", static_cast<int>(rows.size()), bench.size(), entries, "")});
   return columns_somewhere(jacobian, mechanism.task.orientation);
 }
 

@@ -32,6 +32,10 @@ Output vector_output(const std::string& name, std::vector<NodeId> entries, const
   return {name, Layout::vector, rows, 1, std::move(entries), meaning};
 }
 
+Output torque_output(const std::string& name, std::vector<NodeId> entries) {
+  return vector_output(name, std::move(entries), "joint torques, N m (forces, N, for prismatic joints)");
+}
+
 Output matrix_output(const std::string& name, int rows, int cols, std::vector<NodeId> entries,
                      const std::string& meaning) {
   return {name, Layout::matrix, rows, cols, std::move(entries), meaning};
@@ -65,20 +69,33 @@ Conditions conditions_of(Workbench& bench, const Factorisation& B) {
   return conditions;
 }
 
-Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<InputKind> inputs,
-                  std::vector<Output> outputs, Conditions conditions) {
+Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<Output> outputs,
+                  Conditions conditions) {
   Function function;
   if (mechanism.has_loops()) {
     const std::vector<NodeId> loops = loop_conditions(mechanism, derivation, outputs);
     function.loop_conditions = static_cast<int>(loops.size());
     conditions.validity_conditions.insert(conditions.validity_conditions.end(), loops.begin(), loops.end());
   }
-  function.inputs = std::move(inputs);
   function.graph = std::move(derivation.graph());
   function.outputs = std::move(outputs);
   function.validity_conditions = std::move(conditions.validity_conditions);
   function.pivot_diagonals = std::move(conditions.pivot_diagonals);
   return function;
+}
+
+Function derived(const Mechanism& mechanism, const Choices& choices,
+                 const std::function<Function(Workbench&)>& derive) {
+  const Mechanism described = chosen(mechanism, choices);
+  Workbench bench(described, axes_of(choices));
+  bench.guards_pivots = choices.guards_pivots;
+  return derive(bench);
+}
+
+Choices at_the_tip(Choices choices, const LinkFrame& tip) {
+  if (tip.body >= 0) choices.joints[static_cast<std::size_t>(tip.body)].axes = Axes::turning;
+  choices.length_unit = 1;
+  return choices;
 }
 
 }  // namespace flatdyn

@@ -2,6 +2,7 @@
 // The state of one derivation: what every function of the table starts from, and how it becomes a Function.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "symbolic/dynamics/coordinates.hpp"
 #include "symbolic/dynamics/factorisation.hpp"
 #include "symbolic/dynamics/newton_euler.hpp"
+#include "symbolic/kernel/choices.hpp"
 
 namespace flatdyn {
 
@@ -48,17 +50,23 @@ struct Conditions {
 Conditions conditions_of(Workbench& bench, const Factorisation& B);
 
 Output vector_output(const std::string& name, std::vector<NodeId> entries, const std::string& meaning);
+Output torque_output(const std::string& name, std::vector<NodeId> entries);
 Output matrix_output(const std::string& name, int rows, int cols, std::vector<NodeId> entries,
                      const std::string& meaning);
 Output scalar_output(const std::string& name, NodeId entry, const std::string& meaning);
 
 // Makes a Function and takes the graph out of the derivation. With closed loops, the loops that the outputs depend on
-// must not be singular.
-Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<InputKind> inputs,
-                  std::vector<Output> outputs, Conditions conditions = {});
-inline Function finished(Workbench& bench, std::vector<InputKind> inputs, std::vector<Output> outputs,
-                         Conditions conditions = {}) {
-  return finished(bench.mechanism, bench.derivation, std::move(inputs), std::move(outputs), std::move(conditions));
+// must not be singular. The function's name, arguments and quantities are set from its row (functions/).
+Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<Output> outputs,
+                  Conditions conditions = {});
+inline Function finished(Workbench& bench, std::vector<Output> outputs, Conditions conditions = {}) {
+  return finished(bench.mechanism, bench.derivation, std::move(outputs), std::move(conditions));
 }
+
+// Derives a function from the mechanism in these choices of frames and units.
+Function derived(const Mechanism& mechanism, const Choices& choices, const std::function<Function(Workbench&)>& derive);
+
+// Choices with metres and with the axes of the tip's link, in which wrenches and tasks at the tip are given.
+Choices at_the_tip(Choices choices, const LinkFrame& tip);
 
 }  // namespace flatdyn

@@ -21,8 +21,7 @@ Function sampled_function(const Mechanism& mechanism, const BaseParameters& base
   const JointMotion motion{qd, qd, bench.joint_motion(InputKind::qdd), mechanism.gravity};
   const Rows Y = regressor(bench.frames, motion, base.columns);
   const std::vector<NodeId> entries = bench.nodes(rows_at_coordinates(mechanism, bench.derivation, Y, "y"));
-  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
-                  {matrix_output("Y_b", bench.size(), base.size(), entries, "")});
+  return finished(bench, {matrix_output("Y_b", bench.size(), base.size(), entries, "")});
 }
 
 using F = ModP<kMersenne61>;

@@ -22,29 +22,28 @@ Function regressor_of(const Mechanism& mechanism, const std::vector<int>& column
   const std::vector<Number> qd = bench.joint_motion(InputKind::qd);
   const JointMotion motion{qd, qd, bench.joint_motion(InputKind::qdd), mechanism.gravity};
   const std::vector<NodeId> entries = bench.nodes(regressor_at_coordinates(bench, motion, columns));
-  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qdd},
-                  {matrix_output(name, bench.size(), static_cast<int>(columns.size()), entries, meaning)});
+  return finished(bench, {matrix_output(name, bench.size(), static_cast<int>(columns.size()), entries, meaning)});
 }
 
 }  // namespace
 
-Function regressor_function(const Mechanism& mechanism) {
+Function derive_regressor(const Mechanism& mechanism) {
   std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count()));
   std::iota(columns.begin(), columns.end(), 0);
   return regressor_of(mechanism, columns, "Y", "m, m l (3), I_xx, xy, xz, yy, yz, zz, I_m, F_v, F_s of every joint");
 }
 
-Function base_regressor_function(const Mechanism& mechanism) {
+Function derive_base_regressor(const Mechanism& mechanism) {
   return regressor_of(mechanism, base_parameters(mechanism).columns, "Y_b", kColumnMeaning);
 }
 
-Function base_parameters_function(const Mechanism& mechanism) {
+Function derive_base_parameters(const Mechanism& mechanism) {
   Workbench bench(mechanism);
   const std::vector<Number> values = base_values(mechanism, base_parameters(mechanism));
-  return finished(bench, {}, {vector_output("pi_b", bench.nodes(values), "base parameters, SI units")});
+  return finished(bench, {vector_output("pi_b", bench.nodes(values), "base parameters, SI units")});
 }
 
-Function inverse_dynamics_base_function(const Mechanism& mechanism) {
+Function derive_inverse_dynamics_base(const Mechanism& mechanism) {
   Derivation derivation(Workbench::parameters(mechanism));
   const BaseParameters base = base_parameters(mechanism);
   const Mechanism run_time = with_base_parameters(mechanism, base, inputs(derivation, InputKind::pi_b, base.size()));
@@ -55,19 +54,18 @@ Function inverse_dynamics_base_function(const Mechanism& mechanism) {
   for (const Number& torque : at_coordinates(mechanism, derivation, torques(frames, motion), "tau")) {
     tau.push_back(derivation.node(torque));
   }
-  Function function = finished(mechanism, derivation, {InputKind::q, InputKind::qd, InputKind::qdd, InputKind::pi_b},
-                               {vector_output("tau", tau, kTorqueMeaning)});
+  Function function = finished(mechanism, derivation, {torque_output("tau", tau)});
   function.base_parameters = base.size();
   return function;
 }
 
-Function adaptive_regressor_function(const Mechanism& mechanism) {
+Function derive_adaptive_regressor(const Mechanism& mechanism) {
   Workbench bench(mechanism);
   const JointMotion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qd_r),
                            bench.joint_motion(InputKind::qdd_r), mechanism.gravity};
   const std::vector<int> columns = base_parameters(mechanism).columns;
   const std::vector<NodeId> entries = bench.nodes(regressor_at_coordinates(bench, motion, columns));
-  return finished(bench, {InputKind::q, InputKind::qd, InputKind::qd_r, InputKind::qdd_r},
+  return finished(bench,
                   {matrix_output("Y_b", bench.size(), static_cast<int>(columns.size()), entries, kColumnMeaning)});
 }
 

@@ -9,13 +9,13 @@
 namespace flatdyn {
 
 // Y with all columns, from q, q̇, q̈.
-Function regressor_function(const Mechanism& mechanism);
+Function derive_regressor(const Mechanism& mechanism);
 // Y_b, the columns of Y for the base parameters.
-Function base_regressor_function(const Mechanism& mechanism);
-Function base_parameters_function(const Mechanism& mechanism);  // π_b, from the free symbols
+Function derive_base_regressor(const Mechanism& mechanism);
+Function derive_base_parameters(const Mechanism& mechanism);  // π_b, from the free symbols
 // τ = Y_b π_b.
-Function inverse_dynamics_base_function(const Mechanism& mechanism);
+Function derive_inverse_dynamics_base(const Mechanism& mechanism);
 // Y_b of the torques B q̈_r + C(q, q̇) q̇_r + g + friction at q̇_r.
-Function adaptive_regressor_function(const Mechanism& mechanism);
+Function derive_adaptive_regressor(const Mechanism& mechanism);
 
 }  // namespace flatdyn

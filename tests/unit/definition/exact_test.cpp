@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The exact comparison accepts what is derived, and rejects every mutant of it.
-#include "definition/exact.hpp"
+#include "functions/exact_proof.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,19 +8,19 @@
 
 #include "definition/degree.hpp"
 #include "diagnostics/diagnostics.hpp"
+#include "functions/function_table.hpp"
 #include "planning/formulations.hpp"
 #include "support/mutants.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/spare_joints.hpp"
-#include "symbolic/functions.hpp"
 
 namespace flatdyn {
 namespace {
 
 std::vector<std::string> function_names(const Mechanism& mechanism) {
   std::vector<std::string> names;
-  for (const FunctionEntry& entry : function_table()) {
+  for (const FunctionRow& entry : function_table()) {
     if (entry.is_of(mechanism)) names.emplace_back(entry.name);
   }
   return names;

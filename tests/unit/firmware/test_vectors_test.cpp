@@ -9,11 +9,11 @@
 #include <algorithm>
 
 #include "certify/certificate.hpp"
+#include "deviation/expected.hpp"
 #include "emit/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "readback/emitted_text.hpp"
 #include "readback/straight_line_values.hpp"
-#include "reference/expected.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "definition/exact.hpp"
+#include "functions/exact_proof.hpp"
 #include "planning/formulations.hpp"
 #include "support/robot_models.hpp"
 

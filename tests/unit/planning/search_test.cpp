@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "definition/exact.hpp"
+#include "functions/exact_proof.hpp"
 #include "passes/draft.hpp"
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"

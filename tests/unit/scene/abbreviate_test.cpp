@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "definition/exact.hpp"
+#include "functions/exact_proof.hpp"
 #include "graph/count.hpp"
 #include "model/states.hpp"
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "verify/torque_deviation.hpp"

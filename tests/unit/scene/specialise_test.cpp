@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "definition/exact.hpp"
+#include "functions/exact_proof.hpp"
+#include "functions/function_table.hpp"
 #include "graph/count.hpp"
 #include "graph/well_formed.hpp"
 #include "planning/formulations.hpp"
 #include "support/robots.hpp"
 #include "support/spare_joints.hpp"
-#include "symbolic/functions.hpp"
 
 namespace flatdyn {
 namespace {
@@ -27,7 +27,7 @@ class Specialise : public ::testing::Test {
 };
 
 TEST_F(Specialise, EveryFunctionAtRestIsWhatTheLagrangianSaysThere) {
-  for (const FunctionEntry& entry : function_table()) {
+  for (const FunctionRow& entry : function_table()) {
     if (!entry.is_of(mechanism)) continue;
     const Function still = at_rest(derive_function(mechanism, entry.name));
     EXPECT_FALSE(check_well_formed(still)) << entry.name;

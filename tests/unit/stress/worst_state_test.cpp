@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "reference/extreme_states.hpp"
+#include "deviation/extreme_states.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "functions/function_table.hpp"
 #include "planning/formulations.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "support/robots.hpp"
 #include "support/spare_joints.hpp"
-#include "symbolic/functions.hpp"
 #include "verify/compiled.hpp"
 #include "verify/properties.hpp"
 
@@ -40,7 +40,7 @@ class Verify : public ::testing::Test {
 
 TEST_F(Verify, PassesWhatIsRight) {
   std::vector<Function> functions;
-  for (const FunctionEntry& entry : function_table()) {
+  for (const FunctionRow& entry : function_table()) {
     if (entry.is_of(mechanism)) functions.push_back(derive(entry.name));
   }
   const std::string link = robot.links.at(2).name;

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "reference/graph_evaluator.hpp"
 #include "reference/reference_model.hpp"
-#include "reference/values.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

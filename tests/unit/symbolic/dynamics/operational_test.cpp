@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "definition/exact.hpp"
 #include "flatdyn/reference/operational.hpp"
+#include "functions/exact_proof.hpp"
 #include "planning/formulations.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "reference/operational_values.hpp"
-#include "reference/values.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 #include "symbolic/dynamics/task_rows.hpp"

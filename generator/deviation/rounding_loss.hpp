@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "deviation/expected.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
-#include "reference/expected.hpp"
 
 namespace flatdyn {
 

@@ -37,8 +37,6 @@ class ExpectedValues {
 
  private:
   bool is_clear_of_singular_loops(const State& state) const;
-  Expected torques_and_poses(const Function& function) const;
-  Expected regressor_of(const Function& function) const;
 
   const Robot& robot_;
   const Mechanism& mechanism_;

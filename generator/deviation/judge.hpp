@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "deviation/expected.hpp"
 #include "graph/tape.hpp"
-#include "reference/expected.hpp"
-#include "reference/values.hpp"
+#include "reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 

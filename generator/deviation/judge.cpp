@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "reference/judge.hpp"
+#include "deviation/judge.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "reference/expected.hpp"
+#include "deviation/expected.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "definition/regressor_outputs.hpp"
+#include "functions/function_table.hpp"
 #include "reference/operational_values.hpp"
-#include "reference/regressor_reference.hpp"
-#include "reference/values.hpp"
 
 namespace flatdyn {
 namespace {
 
 std::vector<double> doubles(const std::vector<float>& values) { return {values.begin(), values.end()}; }
+
+std::vector<double> absolute(std::vector<double> values) {
+  for (double& value : values) value = std::abs(value);
+  return values;
+}
 
 }  // namespace
 
@@ -25,34 +29,19 @@ ExpectedValues::ExpectedValues(const Robot& robot, const Mechanism& mechanism, u
       in_float_(reference_robot<float>(robot, symbols_)) {}
 
 Expected ExpectedValues::of(const Function& function) const {
-  return is_regressor(function.name) ? regressor_of(function) : torques_and_poses(function);
-}
-
-Expected ExpectedValues::torques_and_poses(const Function& function) const {
-  const auto exact = seen_by(function, robot_, exact_);
-  const auto rounded = seen_by(function, robot_, rounded_);
-  const auto in_float = seen_by(function, robot_, in_float_);
-  return {[&function, exact](const State& s) { return reference_values<Real50>(function, exact, widened<Real50>(s)); },
-          [&function, rounded](const State& s) { return reference_values<double>(function, rounded, s); },
-          [&function, rounded](const State& s) { return magnitudes(function, rounded, s); },
-          [&function, in_float](const State& s) {
-            return doubles(reference_values<float>(function, in_float, widened<float>(s)));
-          },
-          [this, &function, rounded](const State& s) {
+  const NumericReference& reference = row_of(function).reference;
+  const auto rounded_robot = seen_by(function, robot_, rounded_);
+  const auto exact = reference.exact({mechanism_, seen_by(function, robot_, exact_), symbols_}, function);
+  const auto rounded = reference.in_double({mechanism_, rounded_robot, symbols_}, function);
+  const auto magnitude = reference.magnitude({mechanism_, rounded_robot, symbols_}, function);
+  const auto in_float = reference.in_float({mechanism_, seen_by(function, robot_, in_float_), symbols_}, function);
+  return {[exact](const State& s) { return exact(widened<Real50>(s)); }, rounded,
+          [magnitude](const State& s) { return absolute(magnitude(s)); },
+          [in_float](const State& s) { return doubles(in_float(widened<float>(s))); },
+          [this, &function, rounded_robot](const State& s) {
             if (!is_clear_of_singular_loops(s)) return false;
-            return function.task.empty() || is_regular(rounded, vector_of<double>(s.q), function.task);
+            return function.task.empty() || is_regular(rounded_robot, vector_of<double>(s.q), function.task);
           }};
-}
-
-Expected ExpectedValues::regressor_of(const Function& function) const {
-  const RegressorReference<Real50> exact(mechanism_, exact_, symbols_, function.name);
-  const RegressorReference<double> rounded(mechanism_, rounded_, symbols_, function.name);
-  const RegressorReference<float> in_float(mechanism_, in_float_, symbols_, function.name);
-  return {[exact](const State& s) { return exact.values(widened<Real50>(s)); },
-          [rounded](const State& s) { return rounded.values(s); },
-          [rounded](const State& s) { return magnitudes(rounded, s); },
-          [in_float](const State& s) { return doubles(in_float.values(widened<float>(s))); },
-          [this](const State& s) { return is_clear_of_singular_loops(s); }};
 }
 
 bool ExpectedValues::is_clear_of_singular_loops(const State& state) const {
@@ -71,9 +60,7 @@ std::vector<State> ExpectedValues::with_closed_loops(std::vector<State> states) 
   return states;
 }
 
-bool costs_many_recursions(const Function& function) {
-  return function.name == "christoffel" || function.name == "coriolis_matrix" || is_regressor(function.name);
-}
+bool costs_many_recursions(const Function& function) { return row_of(function).reference.needs_many_recursions; }
 
 std::size_t affordable_states(const Function& function, std::size_t joints, std::size_t wanted) {
   const bool many = costs_many_recursions(function);

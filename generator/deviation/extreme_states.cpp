@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "reference/extreme_states.hpp"
+#include "deviation/extreme_states.hpp"
 
 #include <random>
 

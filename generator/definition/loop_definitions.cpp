@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The values of the functions of closed loops by their definition, at one point of a field.
-#pragma once
+#include "definition/loop_definitions.hpp"
 
-#include <string>
-#include <vector>
+#include "definition/rules.hpp"
 
-#include "model/field_loops.hpp"
-
-namespace flatdyn {
+namespace flatdyn::definitions {
+namespace {
 
 template <class F>
-class LoopOutputs {
+class LoopDefinition {
  public:
   using Values = std::vector<F>;
 
   // Both must outlive this object. `q`: the position of every body's joint.
-  LoopOutputs(const MechanismOver<F>& mechanism, const std::vector<JointPoint<F>>& q)
+  LoopDefinition(const MechanismOver<F>& mechanism, const std::vector<JointPoint<F>>& q)
       : mechanism_(mechanism), q_(q), geometry_(mechanism, q) {}
-
-  Values entries(const std::string& output, const Values& qd, const Values& qdd) const {
-    if (output == "phi") return closure();
-    if (output == "phi_q") return jacobian();
-    if (output == "dq") return step();
-    const Matrix<F> G = loop_motion(mechanism_, q_);
-    if (output == "rates") return times(G, qd);
-    return accelerations(G, qd, qdd);
-  }
-
- private:
-  Values gap(const FieldLoop<F>& loop) const {
-    const Values all = geometry_.gap(loop);
-    Values rows;
-    for (const std::size_t row : loop.rows) rows.push_back(all[row]);
-    return rows;
-  }
 
   Values closure() const {
     Values all;
@@ -68,9 +48,9 @@ class LoopOutputs {
   }
 
   // d/dt (G q̇).
-  Values accelerations(const Matrix<F>& G, const Values& qd, const Values& qdd) const {
-    const Matrix<Dual<F>> moved = loop_motion(mechanism_, moving(q_, joint_values(mechanism_, qd)));
-    Values result = times(G, qdd);
+  Values accelerations(const Values& qd, const Values& qdd) const {
+    const Matrix<Dual<F>> moved = flatdyn::loop_motion(mechanism_, moving(q_, joint_values(mechanism_, qd)));
+    Values result = times(flatdyn::loop_motion(mechanism_, q_), qdd);
     for (int k = 0; k < moved.rows(); ++k) {
       for (int a = 0; a < moved.cols(); ++a) {
         result[static_cast<std::size_t>(k)] += moved(k, a).derivative * qd[static_cast<std::size_t>(a)];
@@ -79,9 +59,35 @@ class LoopOutputs {
     return result;
   }
 
+ private:
+  Values gap(const FieldLoop<F>& loop) const {
+    const Values all = geometry_.gap(loop);
+    Values rows;
+    for (const std::size_t row : loop.rows) rows.push_back(all[row]);
+    return rows;
+  }
+
   const MechanismOver<F>& mechanism_;
   const std::vector<JointPoint<F>>& q_;
   LoopGeometry<F, F> geometry_;
 };
 
-}  // namespace flatdyn
+template <class Point>
+auto loops_at(const Point& point) {
+  return LoopDefinition<typename Point::F>(point.lagrangian.mechanism(), point.q);
+}
+
+}  // namespace
+
+constinit const Definition loop_closure = defined_as([](auto& at, const Output&) { return loops_at(at).closure(); });
+
+constinit const Definition loop_jacobian = defined_as([](auto& at, const Output&) { return loops_at(at).jacobian(); });
+
+constinit const Definition loop_step = defined_as([](auto& at, const Output&) { return loops_at(at).step(); });
+
+constinit const Definition loop_motion = defined_as([](auto& at, const Output& output) {
+  if (output.name == "rates") return times(flatdyn::loop_motion(at.lagrangian.mechanism(), at.q), at.qd());
+  return loops_at(at).accelerations(at.qd(), at.qdd());
+});
+
+}  // namespace flatdyn::definitions

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "reference/rounding_loss.hpp"
+#include "deviation/rounding_loss.hpp"
 
 #include <algorithm>
 
+#include "deviation/extreme_states.hpp"
+#include "deviation/judge.hpp"
 #include "graph/tape.hpp"
-#include "reference/extreme_states.hpp"
-#include "reference/judge.hpp"
 
 namespace flatdyn {
 namespace {

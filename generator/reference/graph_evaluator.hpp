@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The value of a function at a state, from its graph and from the reference, and the magnitude against which its error
-// is measured.
+// The value of a function at a state, from its graph.
 #pragma once
 
 #include <optional>
@@ -29,23 +28,6 @@ class GraphEvaluator {
   std::unordered_map<const Rational*, S> constants_;
 };
 
-// The same entries from the recursive Newton–Euler reference.
-template <class S>
-std::vector<S> reference_values(const Function& function, const reference::Robot<S>& robot, const StateOf<S>& state);
-
-// The robot for a function: a function of a named link ("jacobian:hand") has that link's frame as its tip.
-template <class S>
-reference::Robot<S> seen_by(const Function& function, const Robot& written, reference::Robot<S> robot) {
-  const std::size_t colon = function.name.find(':');
-  if (colon == std::string::npos) return robot;
-  for (std::size_t l = 0; l < written.links.size(); ++l) {
-    if (written.links[l].name == function.name.substr(colon + 1)) robot.tip = static_cast<int>(l);
-  }
-  robot.R_tip.setIdentity();
-  robot.p_tip.setZero();
-  return robot;
-}
-
 // The values, among those of all entries of all outputs, that are not left out.
 template <class T>
 std::vector<T> kept_values(const Function& function, const std::vector<T>& all) {
@@ -65,8 +47,5 @@ StateOf<S> state_for(const Function& function, StateOf<S> state) {
   if (function.at_rest) state.qd.assign(state.qd.size(), S(0));
   return state;
 }
-
-// By entry: the sum of the absolute values of its terms (flatdyn/reference/magnitude.hpp).
-std::vector<double> magnitudes(const Function& function, const reference::Robot<double>& robot, const State& state);
 
 }  // namespace flatdyn

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "definition/derivative_definitions.hpp"
+
+#include "definition/rules.hpp"
+#include "definition/torque_derivatives.hpp"
+
+namespace flatdyn::definitions {
+namespace {
+
+// ∂τ/∂q or ∂τ/∂q̇ at these accelerations.
+template <class Point>
+auto torque_derivatives(Point& at, bool by_position, const typename Point::Values& qdd) {
+  if (!by_position) return torques_by_rate(at.lagrangian, at.qd()).entries();
+  return torques_by_position(at.mechanism, at.arithmetic, {at.q, at.qd(), qdd, at.signs()}).entries();
+}
+
+// The values that B times the derivatives must have. Where q̈ is needed, it is B⁻¹ (τ - n) with the function's own B⁻¹,
+// which is compared, too.
+template <class Point>
+auto acceleration_derivatives(Point& at, const Output& output) {
+  using F = typename Point::F;
+  const int n = at.mechanism.size();
+  if (output.name == "dqdd_dtau") {
+    Matrix<F> unit(n, n);
+    for (int i = 0; i < n; ++i) unit(i, i) = F(1);
+    return unit.entries();
+  }
+  const Matrix<F> inverse(n, at.own(at.function.outputs.back()));
+  auto result = torque_derivatives(at, output.name == "dqdd_dq", times(inverse, at.net_torques()));
+  for (F& entry : result) entry = -entry;
+  return result;
+}
+
+}  // namespace
+
+constinit const Definition inverse_dynamics_derivatives = defined_as(
+    [](auto& at, const Output& output) { return torque_derivatives(at, output.name == "dtau_dq", at.qdd()); });
+
+constinit const Definition forward_dynamics_derivatives = {
+    .expected = rules([](auto& at, const Output& output) { return acceleration_derivatives(at, output); }),
+    .found = rules([](auto& at, const Output& output) {
+      using F = typename std::decay_t<decltype(at)>::F;
+      return times(at.lagrangian.inertia(), Matrix<F>(output.cols, at.own(output))).entries();
+    }),
+    // They are compared at a q̈ computed from the function's own B⁻¹ and a torque.
+    .degree_factor = [](const Mechanism&, const Function&) { return 2.0; },
+};
+
+}  // namespace flatdyn::definitions

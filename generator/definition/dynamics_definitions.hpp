@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What dynamics must be, by Lagrange's equations. Equations are cited in lagrangian.hpp.
+#pragma once
+
+#include "definition/definition.hpp"
+
+namespace flatdyn::definitions {
+
+extern const Definition inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel, coriolis_matrix,
+    gravity, bias, forward_dynamics, kinetic_energy, potential_energy;
+
+}  // namespace flatdyn::definitions

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "definition/exact.hpp"
+
+namespace flatdyn {
+
+// Compares every output entry with the definition of the function's row (definition/exact.hpp). Throws Failure(bug) for
+// a function without a row.
+ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const ExactOptions& options = {});
+
+}  // namespace flatdyn

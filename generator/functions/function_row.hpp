@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// All that is known about a function before a robot is: one row of the table.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "definition/definition.hpp"
+#include "reference/numeric_reference.hpp"
+#include "symbolic/closed_functions.hpp"
+#include "symbolic/kernel/choices.hpp"
+
+namespace flatdyn {
+
+// A number of rows or columns, which depends on the robot.
+enum class Extent {
+  one,
+  three,
+  six,
+  joints,           // n, the number of coordinates
+  joint_pairs,      // n (n + 1) / 2
+  positions,        // the entries of q: with closed loops, those of dependent joints, too
+  loop_equations,   // the entries of Φ
+  task_rows,        // the directions of the task
+  parameters,       // 13 per body
+  base_parameters,  // the entries of π_b
+};
+
+struct OutputRow {
+  const char* name;
+  Layout layout;
+  Extent rows, cols;
+  OutputQuantity quantity;
+};
+
+// Exactly one of the first three derives the function.
+struct DerivationRow {
+  Function (*from_choices)(const Mechanism&, const Choices&) = nullptr;
+  Function (*from_mechanism)(const Mechanism&) = nullptr;
+  Function (*of_link)(const Mechanism&, const LinkFrame&) = nullptr;  // of any link; of the tip by default
+  // Other formulations of the same function; which one costs least depends on the robot, and not every robot has them.
+  std::vector<std::optional<Function> (*)(const Mechanism&, const Choices&)> alternatives = {};
+  ClosedEntries closed_form = nullptr;  // from Lagrange's equations as expanded polynomials
+};
+
+// Properties of a function that commands ask for; all false for most functions.
+struct FunctionTraits {
+  // Whether it is derived only where it is asked for by name. Such functions serve identification, adaptive control,
+  // optimisers and operational-space control, and are larger than all other functions of a controller together.
+  bool on_request = false;
+  bool needs_loops = false;              // whether it applies to robots with closed loops only
+  bool divides_by_pivots = false;        // whether it is computed by B = Lᵀ D L, or by articulated bodies
+  bool uses_task = false;                // whether it depends on the scene's task
+  bool uses_base_parameters = false;     // whether it has a column or an entry per base parameter
+  bool is_one_whole = false;             // whether its entries cannot be compared one by one with the definition
+  bool depends_on_gravity_only = false;  // whether inertia and friction do not change it
+};
+
+struct FunctionRow {
+  const char* name;
+  const char* summary;   // one line of help
+  const char* equation;  // of the textbook, or ""
+  std::vector<InputKind> inputs;
+  std::vector<OutputRow> outputs;
+  DerivationRow derivation;
+  Definition definition;
+  NumericReference reference;
+  FunctionTraits traits = {};
+
+  // Whether the function applies to the robot.
+  bool is_of(const Mechanism& mechanism) const { return !traits.needs_loops || mechanism.has_loops(); }
+  // Whether its cost depends on choices of frames and units.
+  bool has_choices() const { return derivation.from_choices != nullptr; }
+};
+
+}  // namespace flatdyn

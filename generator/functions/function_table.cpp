@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "functions/function_table.hpp"
+
+#include <algorithm>
+
+#include "definition/derivative_definitions.hpp"
+#include "definition/dynamics_definitions.hpp"
+#include "definition/kinematics_definitions.hpp"
+#include "definition/loop_definitions.hpp"
+#include "definition/operational_definitions.hpp"
+#include "definition/regressor_definitions.hpp"
+#include "diagnostics/diagnostics.hpp"
+#include "reference/derivative_references.hpp"
+#include "reference/dynamics_references.hpp"
+#include "reference/kinematics_references.hpp"
+#include "reference/loop_references.hpp"
+#include "reference/operational_references.hpp"
+#include "reference/regressor_references.hpp"
+#include "symbolic/dynamics/acceleration_functions.hpp"
+#include "symbolic/dynamics/derivative_functions.hpp"
+#include "symbolic/dynamics/energy_functions.hpp"
+#include "symbolic/dynamics/inertia_functions.hpp"
+#include "symbolic/dynamics/kinematics_functions.hpp"
+#include "symbolic/dynamics/loop_functions.hpp"
+#include "symbolic/dynamics/operational.hpp"
+#include "symbolic/dynamics/torque_functions.hpp"
+#include "symbolic/parameters/base_parameters.hpp"
+#include "symbolic/parameters/regressor_functions.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr InputKind q = InputKind::q, qd = InputKind::qd, qdd = InputKind::qdd, tau = InputKind::tau,
+                    h_e = InputKind::h_e, pi_b = InputKind::pi_b, qd_r = InputKind::qd_r, qdd_r = InputKind::qdd_r;
+
+constexpr OutputRow scalar(const char* name, OutputQuantity quantity) {
+  return {name, Layout::scalar, Extent::one, Extent::one, quantity};
+}
+constexpr OutputRow vector(const char* name, Extent rows, OutputQuantity quantity) {
+  return {name, Layout::vector, rows, Extent::one, quantity};
+}
+constexpr OutputRow matrix(const char* name, Extent rows, Extent cols, OutputQuantity quantity) {
+  return {name, Layout::matrix, rows, cols, quantity};
+}
+constexpr OutputRow per_joint(const char* name, OutputQuantity quantity) {
+  return vector(name, Extent::joints, quantity);
+}
+constexpr OutputRow square(const char* name, OutputQuantity quantity) {
+  return matrix(name, Extent::joints, Extent::joints, quantity);
+}
+
+const std::vector<FunctionRow> kRows = {
+    {.name = "inverse_dynamics",
+     .summary = "tau = B(q) qdd + C(q, qd) qd + g(q) + friction",
+     .equation = "(7.42)",
+     .inputs = {q, qd, qdd},
+     .outputs = {per_joint("tau", OutputQuantity::joint_torque)},
+     .derivation = {.from_choices = derive_inverse_dynamics, .closed_form = closed_inverse_dynamics},
+     .definition = definitions::inverse_dynamics,
+     .reference = references::inverse_dynamics},
+    {.name = "inverse_dynamics_tip_force",
+     .summary = "Inverse dynamics with a force h_e that the tip exerts on the environment",
+     .equation = "(7.42)",
+     .inputs = {q, qd, qdd, h_e},
+     .outputs = {per_joint("tau", OutputQuantity::joint_torque)},
+     .derivation = {.from_choices = derive_inverse_dynamics_tip_force},
+     .definition = definitions::inverse_dynamics_tip_force,
+     .reference = references::inverse_dynamics_tip_force},
+    {.name = "inertia_matrix",
+     .summary = "Joint-space inertia matrix B(q)",
+     .equation = "(7.32)",
+     .inputs = {q},
+     .outputs = {square("B", OutputQuantity::joint_inertia)},
+     .derivation = {.from_choices = derive_inertia_matrix, .closed_form = closed_inertia_matrix},
+     .definition = definitions::inertia_matrix,
+     .reference = references::inertia_matrix},
+    {.name = "christoffel",
+     .summary = "Christoffel symbols of the first kind c_ijk(q)",
+     .equation = "(7.45)",
+     .inputs = {q},
+     .outputs = {{"c", Layout::christoffel, Extent::joints, Extent::joint_pairs, OutputQuantity::christoffel_symbol}},
+     .derivation = {.from_choices = derive_christoffel, .closed_form = closed_christoffel},
+     .definition = definitions::christoffel,
+     .reference = references::christoffel},
+    {.name = "coriolis_matrix",
+     .summary = "C(q, qd) from the Christoffel symbols",
+     .equation = "(7.44)",
+     .inputs = {q, qd},
+     .outputs = {square("C", OutputQuantity::torque_per_rate)},
+     .derivation = {.from_choices = derive_coriolis_from_christoffel,
+                    .alternatives = {derive_coriolis_from_momenta},
+                    .closed_form = closed_coriolis_matrix},
+     .definition = definitions::coriolis_matrix,
+     .reference = references::coriolis_matrix},
+    {.name = "gravity",
+     .summary = "Gravity torques g(q)",
+     .equation = "(7.39)",
+     .inputs = {q},
+     .outputs = {per_joint("g", OutputQuantity::joint_torque)},
+     .derivation = {.from_choices = derive_gravity, .closed_form = closed_gravity},
+     .definition = definitions::gravity,
+     .reference = references::gravity,
+     .traits = {.depends_on_gravity_only = true}},
+    {.name = "bias",
+     .summary = "C(q, qd) qd + g(q) + friction",
+     .equation = "(7.116)",
+     .inputs = {q, qd},
+     .outputs = {per_joint("n", OutputQuantity::joint_torque)},
+     .derivation = {.from_choices = derive_bias, .closed_form = closed_bias},
+     .definition = definitions::bias,
+     .reference = references::bias},
+    {.name = "forward_dynamics",
+     .summary = "qdd from B(q) qdd = tau - bias(q, qd)",
+     .equation = "(7.115)",
+     .inputs = {q, qd, tau},
+     .outputs = {per_joint("qdd", OutputQuantity::joint_acceleration)},
+     .derivation = {.from_choices = derive_forward_dynamics,
+                    .alternatives = {derive_forward_dynamics_by_articulated_bodies,
+                                     derive_forward_dynamics_by_composite_bodies}},
+     .definition = definitions::forward_dynamics,
+     .reference = references::forward_dynamics,
+     .traits = {.divides_by_pivots = true}},
+    {.name = "kinetic_energy",
+     .summary = "Kinetic energy of links and rotors",
+     .equation = "(7.31)",
+     .inputs = {q, qd},
+     .outputs = {scalar("T", OutputQuantity::energy)},
+     .derivation = {.from_choices = derive_kinetic_energy, .closed_form = closed_kinetic_energy},
+     .definition = definitions::kinetic_energy,
+     .reference = references::kinetic_energy},
+    {.name = "potential_energy",
+     .summary = "Potential energy of links and rotors",
+     .equation = "(7.36)",
+     .inputs = {q},
+     .outputs = {scalar("U", OutputQuantity::energy)},
+     .derivation = {.from_choices = derive_potential_energy},
+     .definition = definitions::potential_energy,
+     .reference = references::potential_energy,
+     .traits = {.depends_on_gravity_only = true}},
+    {.name = "forward_kinematics",
+     .summary = "Pose of the tip",
+     .equation = "(2.50)",
+     .inputs = {q},
+     .outputs = {matrix("R", Extent::three, Extent::three, OutputQuantity::number),
+                 vector("p", Extent::three, OutputQuantity::position)},
+     .derivation = {.of_link = derive_forward_kinematics},
+     .definition = definitions::forward_kinematics,
+     .reference = references::forward_kinematics},
+    {.name = "jacobian",
+     .summary = "Geometric Jacobian of the tip",
+     .equation = "(7.14), (7.15)",
+     .inputs = {q},
+     .outputs = {matrix("J", Extent::six, Extent::joints, OutputQuantity::tip_jacobian)},
+     .derivation = {.of_link = derive_jacobian},
+     .definition = definitions::jacobian,
+     .reference = references::jacobian},
+    {.name = "jacobian_dot_qd",
+     .summary = "(dJ/dt) qd of the tip",
+     .equation = "",
+     .inputs = {q, qd},
+     .outputs = {vector("a", Extent::six, OutputQuantity::tip_acceleration)},
+     .derivation = {.of_link = derive_jacobian_dot_qd},
+     .definition = definitions::jacobian_dot_qd,
+     .reference = references::jacobian_dot_qd},
+    {.name = "loop_closure",
+     .summary = "Phi(q): what lies between the points where the loops are closed",
+     .equation = "",
+     .inputs = {q},
+     .outputs = {vector("phi", Extent::loop_equations, OutputQuantity::loop_gap)},
+     .derivation = {.from_mechanism = derive_loop_closure},
+     .definition = definitions::loop_closure,
+     .reference = references::loop_closure,
+     .traits = {.needs_loops = true}},
+    {.name = "loop_jacobian",
+     .summary = "Phi_q, the derivative of loop_closure",
+     .equation = "",
+     .inputs = {q},
+     .outputs = {matrix("phi_q", Extent::loop_equations, Extent::positions, OutputQuantity::loop_gap_per_position)},
+     .derivation = {.from_mechanism = derive_loop_jacobian},
+     .definition = definitions::loop_jacobian,
+     .reference = references::loop_jacobian,
+     .traits = {.needs_loops = true}},
+    {.name = "loop_step",
+     .summary = "Newton's step of the dependent joints towards closed loops",
+     .equation = "",
+     .inputs = {q},
+     .outputs = {vector("dq", Extent::positions, OutputQuantity::joint_position)},
+     .derivation = {.from_mechanism = derive_loop_step},
+     .definition = definitions::loop_step,
+     .reference = references::loop_step,
+     .traits = {.needs_loops = true}},
+    {.name = "loop_motion",
+     .summary = "Rates and accelerations of all joints of q, from those of the independent ones",
+     .equation = "",
+     .inputs = {q, qd, qdd},
+     .outputs = {vector("rates", Extent::positions, OutputQuantity::joint_rate),
+                 vector("accelerations", Extent::positions, OutputQuantity::joint_acceleration)},
+     .derivation = {.from_mechanism = derive_loop_motion},
+     .definition = definitions::loop_motion,
+     .reference = references::loop_motion,
+     .traits = {.needs_loops = true}},
+    {.name = "inverse_dynamics_derivatives",
+     .summary = "Derivatives of tau(q, qd, qdd) by q and by qd; Coulomb friction counts as constant",
+     .equation = "",
+     .inputs = {q, qd, qdd},
+     .outputs = {square("dtau_dq", OutputQuantity::torque_per_position),
+                 square("dtau_dqd", OutputQuantity::torque_per_rate)},
+     .derivation = {.from_choices = derive_inverse_dynamics_derivatives},
+     .definition = definitions::inverse_dynamics_derivatives,
+     .reference = references::inverse_dynamics_derivatives,
+     .traits = {.on_request = true}},
+    {.name = "forward_dynamics_derivatives",
+     .summary = "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant",
+     .equation = "",
+     .inputs = {q, qd, tau},
+     .outputs = {square("dqdd_dq", OutputQuantity::acceleration_per_position),
+                 square("dqdd_dqd", OutputQuantity::acceleration_per_rate),
+                 square("dqdd_dtau", OutputQuantity::acceleration_per_torque)},
+     .derivation = {.from_choices = derive_forward_dynamics_derivatives},
+     .definition = definitions::forward_dynamics_derivatives,
+     .reference = references::forward_dynamics_derivatives,
+     // The derivatives depend on the inverse of B that comes with them.
+     .traits = {.on_request = true, .divides_by_pivots = true, .is_one_whole = true}},
+    {.name = "operational_inertia",
+     .summary = "B_A and the consistent inverse of J: the inertia that the tip moves with",
+     .equation = "(7.130), (7.138)",
+     .inputs = {q},
+     .outputs = {matrix("B_A", Extent::task_rows, Extent::task_rows, OutputQuantity::task_inertia),
+                 matrix("J_bar", Extent::joints, Extent::task_rows, OutputQuantity::joint_rate_per_task),
+                 vector("condition", Extent::one, OutputQuantity::number)},
+     .derivation = {.from_choices = derive_operational_inertia},
+     .definition = definitions::operational_inertia,
+     .reference = references::operational_inertia,
+     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true}},
+    {.name = "operational_bias",
+     .summary = "C_A times the tip's velocity, and g_A",
+     .equation = "(7.131), (7.132)",
+     .inputs = {q, qd},
+     .outputs = {vector("c_A", Extent::task_rows, OutputQuantity::task_force),
+                 vector("g_A", Extent::task_rows, OutputQuantity::task_force)},
+     .derivation = {.from_choices = derive_operational_bias},
+     .definition = definitions::operational_bias,
+     .reference = references::operational_bias,
+     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true}},
+    {.name = "null_space_torque",
+     .summary = "The part of tau that moves the arm and leaves the tip where it is",
+     .equation = "(7.141)",
+     .inputs = {q, tau},
+     .outputs = {per_joint("tau_n", OutputQuantity::joint_torque)},
+     .derivation = {.from_choices = derive_null_space_torque},
+     .definition = definitions::null_space_torque,
+     .reference = references::null_space_torque,
+     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true}},
+    {.name = "regressor",
+     .summary = "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint, of its link with the rotors that it "
+                "carries, in and about the frame that flatdyn inspect shows",
+     .equation = "(7.81)",
+     .inputs = {q, qd, qdd},
+     .outputs = {matrix("Y", Extent::joints, Extent::parameters, OutputQuantity::torque_per_parameter)},
+     .derivation = {.from_mechanism = derive_regressor},
+     .definition = definitions::regressor,
+     .reference = references::regressor,
+     .traits = {.on_request = true}},
+    {.name = "base_regressor",
+     .summary = "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters",
+     .equation = "(7.81)",
+     .inputs = {q, qd, qdd},
+     .outputs = {matrix("Y_b", Extent::joints, Extent::base_parameters, OutputQuantity::torque_per_parameter)},
+     .derivation = {.from_mechanism = derive_base_regressor},
+     .definition = definitions::base_regressor,
+     .reference = references::base_regressor,
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_one_whole = true}},
+    {.name = "base_parameters",
+     .summary = "pi_b of this robot: Y_b pi_b = tau",
+     .equation = "",
+     .inputs = {},
+     .outputs = {vector("pi_b", Extent::base_parameters, OutputQuantity::parameter)},
+     .derivation = {.from_mechanism = derive_base_parameters},
+     .definition = definitions::base_parameters,
+     .reference = references::base_parameters,
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_one_whole = true}},
+    {.name = "inverse_dynamics_base",
+     .summary = "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
+     .equation = "(7.42)",
+     .inputs = {q, qd, qdd, pi_b},
+     .outputs = {per_joint("tau", OutputQuantity::joint_torque)},
+     .derivation = {.from_mechanism = derive_inverse_dynamics_base},
+     .definition = definitions::inverse_dynamics_base,
+     .reference = references::inverse_dynamics_base,
+     .traits = {.on_request = true, .uses_base_parameters = true}},
+    {.name = "adaptive_regressor",
+     .summary = "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
+     .equation = "(7.81)",
+     .inputs = {q, qd, qd_r, qdd_r},
+     .outputs = {matrix("Y_b", Extent::joints, Extent::base_parameters, OutputQuantity::torque_per_parameter)},
+     .derivation = {.from_mechanism = derive_adaptive_regressor},
+     .definition = definitions::adaptive_regressor,
+     .reference = references::adaptive_regressor,
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_one_whole = true}},
+};
+
+}  // namespace
+
+const std::vector<FunctionRow>& function_table() { return kRows; }
+
+const FunctionRow* find_row(const std::string& name) {
+  const std::string stem = name.substr(0, name.find(':'));
+  const auto found =
+      std::find_if(kRows.begin(), kRows.end(), [&stem](const FunctionRow& row) { return stem == row.name; });
+  return found == kRows.end() ? nullptr : &*found;
+}
+
+const FunctionRow& row_of(const Function& function) {
+  const FunctionRow* row = find_row(function.name);
+  if (row == nullptr) throw Failure(ExitCode::bug, "no row for function \"" + function.name + "\"");
+  return *row;
+}
+
+int extent_of(Extent extent, const Mechanism& mechanism, const Function& function) {
+  const int n = mechanism.size();
+  switch (extent) {
+    case Extent::one:
+      return 1;
+    case Extent::three:
+      return 3;
+    case Extent::six:
+      return 6;
+    case Extent::joints:
+      return n;
+    case Extent::joint_pairs:
+      return n * (n + 1) / 2;
+    case Extent::positions:
+      return mechanism.position_count();
+    case Extent::loop_equations: {
+      std::size_t rows = 0;
+      for (const LoopClosure& loop : mechanism.loops) rows += loop.rows.size();
+      return static_cast<int>(rows);
+    }
+    case Extent::task_rows:
+      return static_cast<int>(function.task.rows.size());
+    case Extent::parameters:
+      return kParametersPerJoint * mechanism.body_count();
+    case Extent::base_parameters:
+      return base_parameters(mechanism).size();
+  }
+  return 0;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The physical quantity of a function's output, from which the unit of each entry follows (functions/units.hpp).
+#pragma once
+
+namespace flatdyn {
+
+enum class OutputQuantity {
+  none,                       // not said: outputs that only flatdyn itself uses
+  number,                     // without a unit
+  position,                   // of a point
+  joint_position,             // an angle, or a distance for prismatic joints
+  joint_rate,                 // its derivative by time
+  joint_acceleration,         // and the second one
+  joint_torque,               // a force for prismatic joints
+  joint_inertia,              // entries of B
+  christoffel_symbol,         // c_ijk
+  energy,                     // of the whole robot
+  torque_per_position,        // a joint torque by a joint position
+  torque_per_rate,            // a joint torque by a joint rate
+  acceleration_per_position,  // a joint acceleration by a joint position
+  acceleration_per_rate,      // a joint acceleration by a joint rate
+  acceleration_per_torque,    // a joint acceleration by a joint torque
+  tip_jacobian,               // rows of the tip's twist, linear ones first, by joint rates
+  tip_acceleration,           // linear components first
+  task_inertia,               // of the task's directions
+  task_force,                 // along the task's directions, a moment where they turn
+  joint_rate_per_task,        // a joint rate by a velocity along the task's directions
+  loop_gap,                   // between points that meet where a loop is closed; cosines where axes do
+  loop_gap_per_position,      // its derivative by a joint position
+  parameter,                  // an inertial or friction parameter, or a sum of them
+  torque_per_parameter,       // a column per parameter
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Forward dynamics as a function, in three formulations.
+#pragma once
+
+#include <optional>
+
+#include "symbolic/dynamics/workbench.hpp"
+
+namespace flatdyn {
+
+Function derive_forward_dynamics(const Mechanism& mechanism, const Choices& choices);
+// nullopt for robots for which the formulation does not exist, or if the choices guard pivots.
+std::optional<Function> derive_forward_dynamics_by_articulated_bodies(const Mechanism& mechanism,
+                                                                      const Choices& choices);
+// nullopt for robots with prismatic joints or closed loops.
+std::optional<Function> derive_forward_dynamics_by_composite_bodies(const Mechanism& mechanism, const Choices& choices);
+
+}  // namespace flatdyn

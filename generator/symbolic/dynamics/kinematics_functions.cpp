@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "symbolic/dynamics/kinematics_functions.hpp"
+
+#include "symbolic/dynamics/kinematics.hpp"
+
+namespace flatdyn {
+
+Function derive_forward_kinematics(const Mechanism& mechanism, const LinkFrame& link) {
+  Workbench bench(mechanism);
+  const SymbolicPose result = pose(bench.frames, link);
+  std::vector<NodeId> R, p;
+  for (const Vec3& row : result.R) {
+    for (const Number& entry : row) R.push_back(bench.node(entry));
+  }
+  for (const Number& entry : result.p) p.push_back(bench.node(entry));
+  return finished(bench, {matrix_output("R", 3, 3, R, "rotation matrix of the frame in the base frame"),
+                          vector_output("p", p, "position of the frame's origin in the base frame, m")});
+}
+
+Function derive_jacobian(const Mechanism& mechanism, const LinkFrame& link) {
+  Workbench bench(mechanism);
+  const std::vector<JacobianColumn> columns = at_coordinates(mechanism, bench.derivation, jacobian(bench.frames, link));
+  std::vector<NodeId> entries;
+  for (std::size_t row = 0; row < 6; ++row) {
+    for (const JacobianColumn& column : columns) {
+      entries.push_back(bench.node(row < 3 ? column.linear[row] : column.angular[row - 3]));
+    }
+  }
+  return finished(bench, {matrix_output("J", 6, mechanism.size(), entries,
+                                        "geometric Jacobian in base axes: linear rows, then angular")});
+}
+
+Function derive_jacobian_dot_qd(const Mechanism& mechanism, const LinkFrame& link) {
+  Workbench bench(mechanism);
+  const JacobianColumn a = jacobian_dot_qd(bench.frames, link);
+  std::vector<Number> entries(a.linear.begin(), a.linear.end());
+  entries.insert(entries.end(), a.angular.begin(), a.angular.end());
+  return finished(
+      bench, {vector_output("a", bench.nodes(entries), "(dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2")});
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Joint torques as functions: inverse dynamics, gravity and the bias.
+#pragma once
+
+#include "symbolic/dynamics/workbench.hpp"
+
+namespace flatdyn {
+
+Function derive_inverse_dynamics(const Mechanism& mechanism, const Choices& choices);
+// With the wrench h_e that the tip exerts on its environment.
+Function derive_inverse_dynamics_tip_force(const Mechanism& mechanism, const Choices& choices);
+Function derive_gravity(const Mechanism& mechanism, const Choices& choices);
+Function derive_bias(const Mechanism& mechanism, const Choices& choices);
+
+}  // namespace flatdyn

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Every row of the table is complete, and what it says of its function holds for the derived function of several
+// robots.
+#include "functions/function_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "diagnostics/diagnostics.hpp"
+#include "functions/exact_proof.hpp"
+#include "functions/units.hpp"
+#include "planning/formulations.hpp"
+#include "support/robot_models.hpp"
+
+namespace flatdyn {
+namespace {
+
+Mechanism mechanism_of(const std::string& robot) {
+  return load_robot(FLATDYN_SOURCE_DIR "/robots/" + robot, {}).mechanism;
+}
+
+TEST(FunctionTable, HasRowsWithNamesOfTheirOwn) {
+  std::set<std::string> names;
+  for (const FunctionRow& row : function_table()) EXPECT_TRUE(names.insert(row.name).second) << row.name;
+}
+
+TEST(FunctionTable, HasADerivationADefinitionAReferenceAndAQuantityInEveryRow) {
+  for (const FunctionRow& row : function_table()) {
+    const DerivationRow& derivation = row.derivation;
+    const int ways =
+        (derivation.from_choices != nullptr) + (derivation.from_mechanism != nullptr) + (derivation.of_link != nullptr);
+    EXPECT_EQ(ways, 1) << row.name;
+    EXPECT_LT(derivation.alternatives.size(), kFormulationCount) << row.name;
+    EXPECT_TRUE(row.definition.expected.a != nullptr && row.definition.found.c != nullptr) << row.name;
+    EXPECT_NE(row.definition.degree_factor, nullptr) << row.name;
+    EXPECT_TRUE(row.reference.exact != nullptr && row.reference.in_double != nullptr) << row.name;
+    EXPECT_TRUE(row.reference.in_float != nullptr && row.reference.magnitude != nullptr) << row.name;
+    EXPECT_FALSE(row.outputs.empty()) << row.name;
+    EXPECT_NE(std::string(row.summary), "") << row.name;
+    for (const OutputRow& output : row.outputs) EXPECT_NE(output.quantity, OutputQuantity::none) << row.name;
+  }
+}
+
+class RowsOf : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RowsOf, SayTheShapesArgumentsAndUnitsOfDerivedFunctions) {
+  const Mechanism mechanism = mechanism_of(GetParam());
+  for (const FunctionRow& row : function_table()) {
+    if (!row.is_of(mechanism)) continue;
+    std::optional<Function> function;
+    try {
+      function = derive_function(mechanism, row.name);
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), ExitCode::unsupported) << row.name << ": " << failure.what();
+      continue;
+    }
+    for (const Input& input : inputs_read(*function)) {
+      const bool is_said = input.kind == InputKind::parameter ||
+                           std::find(row.inputs.begin(), row.inputs.end(), input.kind) != row.inputs.end();
+      EXPECT_TRUE(is_said) << row.name;
+    }
+    ASSERT_EQ(function->outputs.size(), row.outputs.size()) << row.name;
+    for (std::size_t k = 0; k < row.outputs.size(); ++k) {
+      EXPECT_EQ(function->outputs[k].rows, extent_of(row.outputs[k].rows, mechanism, *function)) << row.name;
+      EXPECT_EQ(function->outputs[k].cols, extent_of(row.outputs[k].cols, mechanism, *function)) << row.name;
+    }
+    EXPECT_EQ(units_of(mechanism, *function).find(", ,"), std::string::npos) << row.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, RowsOf, ::testing::Values("scara.toml", "four_bar.toml"), [](const auto& instance) {
+  const std::string name = instance.param;
+  return name.substr(0, name.find('.'));
+});
+
+TEST(FunctionTable, IsSearchedByNamesWithAndWithoutLinks) {
+  EXPECT_STREQ(find_row("jacobian:hand")->name, "jacobian");
+  EXPECT_STREQ(find_row("gravity")->name, "gravity");
+  EXPECT_EQ(find_row("inertia_matrix_gravity"), nullptr);
+  Function unknown;
+  unknown.name = "jerk";
+  EXPECT_THROW(row_of(unknown), Failure);
+  EXPECT_THROW(prove_exactly({}, unknown), Failure);
+}
+
+// The first two joints and the last of the SCARA turn, the third slides.
+TEST(Units, GoByTheJointsThatAnEntryBelongsTo) {
+  const Mechanism scara = mechanism_of("scara.toml");
+  const auto units = [&scara](const std::string& name) { return units_of(scara, derive_function(scara, name)); };
+  EXPECT_EQ(units("inverse_dynamics"), "N m, N");
+  EXPECT_EQ(units("inertia_matrix"), "kg m^2, kg m, kg");
+  EXPECT_EQ(units("christoffel"), "kg m^2, kg m, kg, kg m^-1");
+  EXPECT_EQ(units("coriolis_matrix"), "N m s, N s, N s/m");
+  EXPECT_EQ(units("forward_dynamics"), "rad/s^2, m/s^2");
+  EXPECT_EQ(units("forward_kinematics"), "1, m");
+  EXPECT_EQ(units("jacobian"), "m, 1, 1/m");
+  EXPECT_EQ(units("jacobian_dot_qd"), "m/s^2, rad/s^2");
+  EXPECT_EQ(units("inverse_dynamics_derivatives"), "N m, N, N/m, N m s, N s, N s/m");
+  EXPECT_EQ(units("kinetic_energy"), "J");
+  EXPECT_EQ(units("base_regressor"), "N m per parameter, N per parameter");
+  EXPECT_EQ(units("base_parameters"), "SI");
+}
+
+TEST(Units, AreMetresForLoopsOfPointsAndRadiansForTheirJoints) {
+  const Mechanism fourbar = mechanism_of("four_bar.toml");
+  const auto units = [&fourbar](const std::string& name) { return units_of(fourbar, derive_function(fourbar, name)); };
+  EXPECT_EQ(units("loop_closure"), "m");
+  EXPECT_EQ(units("loop_jacobian"), "m");
+  EXPECT_EQ(units("loop_step"), "rad");
+  EXPECT_EQ(units("loop_motion"), "rad/s, rad/s^2");
+}
+
+}  // namespace
+}  // namespace flatdyn
