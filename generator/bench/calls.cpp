@@ -76,12 +76,6 @@ std::string result_name(std::size_t output) { return output == 0 ? "result" : fm
 
 }  // namespace
 
-std::size_t entry_count(const Function& function) {
-  std::size_t count = 0;
-  for (const Output& output : function.outputs) count += output.entries.size();
-  return count;
-}
-
 std::string single_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant,
                         std::size_t first) {
   const Function& function = called.function;

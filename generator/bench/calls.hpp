@@ -8,9 +8,6 @@
 
 namespace flatdyn {
 
-// The number of entries of all outputs.
-std::size_t entry_count(const Function& function);
-
 // The call "robot::gravity(x.q.of(k), out)" at state k of the inputs x; its results go to `out` from entry `first` on.
 std::string single_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant,
                         std::size_t first = 0);

@@ -7,27 +7,13 @@
 #include <cmath>
 
 #include "emit/literals.hpp"
+#include "graph/text.hpp"
 
 namespace flatdyn {
 namespace {
 
 // The largest number of terms in a formula, as Gappa's time grows with the square of its length.
 constexpr std::size_t kLongest = 250;
-
-const char* name_of(InputKind kind) {
-  switch (kind) {
-    case InputKind::q:
-      return "q";
-    case InputKind::qd:
-      return "qd";
-    case InputKind::qdd:
-      return "qdd";
-    case InputKind::tau:
-      return "tau";
-    default:
-      return "in";
-  }
-}
 
 std::string expression(ErrorAnalysis& analysis, int k);
 

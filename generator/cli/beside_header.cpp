@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/beside_header.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "system/process.hpp"
 
 namespace flatdyn {
 
@@ -11,12 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-bool stays(const TextFile& header) { return fs::exists(header.path) && text_of(header.path) == header.text; }
+bool stays(const TextFile& header) { return fs::exists(header.path) && content_of_file(header.path) == header.text; }
 
 fs::path beside_the_header(const TextFile& header, const char* extension) {
   return fs::path(header.path).replace_extension(extension);
@@ -24,7 +19,7 @@ fs::path beside_the_header(const TextFile& header, const char* extension) {
 
 // Whether the file speaks of this header, and does not just have the right name.
 bool is_of(const fs::path& json_file, const TextFile& header) {
-  const auto json = nlohmann::json::parse(text_of(json_file), nullptr, false);
+  const auto json = nlohmann::json::parse(content_of_file(json_file), nullptr, false);
   return json.is_object() && json.contains("flatdyn") && json.contains("header") &&
          json["header"] == header.path.filename().string();
 }

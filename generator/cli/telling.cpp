@@ -10,10 +10,6 @@
 namespace flatdyn {
 namespace {
 
-const char* name_of(Severity severity) {
-  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
-}
-
 nlohmann::ordered_json json_of(const Diagnostic& diagnostic) {
   nlohmann::ordered_json json = {{"severity", name_of(diagnostic.severity)}};
   if (!diagnostic.place.file.empty()) json["file"] = diagnostic.place.file;

@@ -8,7 +8,15 @@ namespace flatdyn {
 
 namespace {
 
-std::string name_of(Severity severity) {
+std::string prefix_of(const Place& place, Severity severity) {
+  if (place.file.empty()) return severity == Severity::error ? "flatdyn: " : "";
+  if (place.line <= 0) return place.file + ": ";
+  return place.file + ":" + std::to_string(place.line) + ": ";
+}
+
+}  // namespace
+
+const char* name_of(Severity severity) {
   switch (severity) {
     case Severity::note:
       return "note";
@@ -19,14 +27,6 @@ std::string name_of(Severity severity) {
   }
   throw std::logic_error("unknown severity");
 }
-
-std::string prefix_of(const Place& place, Severity severity) {
-  if (place.file.empty()) return severity == Severity::error ? "flatdyn: " : "";
-  if (place.line <= 0) return place.file + ": ";
-  return place.file + ":" + std::to_string(place.line) + ": ";
-}
-
-}  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
   std::string text =

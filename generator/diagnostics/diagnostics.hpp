@@ -17,6 +17,7 @@ struct Place {
 };
 
 enum class Severity { note, warning, error };
+const char* name_of(Severity severity);
 
 struct Diagnostic {
   Severity severity = Severity::error;

@@ -93,15 +93,9 @@ class FolderWriter {
     return fmt::format("{}", fmt::join(std::vector<std::string>(angles, dialect_.literal(value)), ", "));
   }
 
-  static std::size_t entries_of(const Function& function) {
-    std::size_t count = 0;
-    for (const Output& output : function.outputs) count += output.entries.size();
-    return count;
-  }
-
   std::size_t most_entries() const {
     std::size_t most = 1;
-    for (const Function& function : functions_) most = std::max(most, entries_of(function));
+    for (const Function& function : functions_) most = std::max(most, entry_count(function));
     return most;
   }
 
@@ -156,7 +150,7 @@ class FolderWriter {
                                      decimal_literal(entry.allowed), decimal_literal(entry.proven)));
       }
       item["function"] = cpp_identifier(functions_[k].name);
-      item["entries"] = std::to_string(entries_of(functions_[k]));
+      item["entries"] = std::to_string(entry_count(functions_[k]));
       item["call"] = call(functions_[k]);
       item["straight_call"] = straight_call(functions_[k], straight[k]);
       item["expected"] = data(expected);

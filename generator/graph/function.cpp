@@ -50,6 +50,12 @@ bool always_holds(const Function& function, std::size_t k) {
   return graph.is_constant(scale) && graph[id].value >= safe_share * graph[scale].value;
 }
 
+std::size_t entry_count(const Function& function) {
+  std::size_t count = 0;
+  for (const Output& output : function.outputs) count += output.entries.size();
+  return count;
+}
+
 bool is_whole(const Function& function) {
   return std::all_of(function.outputs.begin(), function.outputs.end(),
                      [](const Output& output) { return output.left_out.empty(); });

@@ -66,6 +66,9 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
 // Whether condition k holds without being computed: it is a positive constant, in float, too.
 bool always_holds(const Function& function, std::size_t k);
 
+// The number of entries of all outputs.
+std::size_t entry_count(const Function& function);
+
 // Whether every entry of every output is computed.
 bool is_whole(const Function& function);
 

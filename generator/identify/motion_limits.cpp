@@ -8,17 +8,15 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kDigits = 17;
-
 struct Defaults {
   double position, speed, acceleration;
 };
 constexpr Defaults kTurning{1.5707963267948966, 2, 10};
 constexpr Defaults kSliding{0.25, 0.5, 2};
 
-double number_of(const Value& value) { return std::stod(to_decimal(value.number, kDigits)); }
-
-double number_or(const std::optional<Value>& limit, double otherwise) { return limit ? number_of(*limit) : otherwise; }
+double number_or(const std::optional<Value>& limit, double otherwise) {
+  return limit ? nearest_double(limit->number) : otherwise;
+}
 
 JointLimits limits_of(const Body& body) {
   const Defaults& defaults = body.prismatic ? kSliding : kTurning;
@@ -26,8 +24,8 @@ JointLimits limits_of(const Body& body) {
   JointLimits limits{-defaults.position, defaults.position, number_or(given.velocity, defaults.speed),
                      number_or(given.acceleration, defaults.acceleration),
                      number_or(given.effort, std::numeric_limits<double>::infinity())};
-  if (given.lower) limits.lower = number_of(*given.lower);
-  if (given.upper) limits.upper = number_of(*given.upper);
+  if (given.lower) limits.lower = nearest_double(given.lower->number);
+  if (given.upper) limits.upper = nearest_double(given.upper->number);
   if (given.lower && !given.upper) limits.upper = limits.lower + 2 * defaults.position;
   if (given.upper && !given.lower) limits.lower = limits.upper - 2 * defaults.position;
   return limits;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "simulate/vectors.hpp"
+#include "simulate/unbounded.hpp"
 
 namespace flatdyn {
 namespace {

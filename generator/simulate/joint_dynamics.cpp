@@ -3,7 +3,7 @@
 
 #include "model/joint_friction.hpp"
 #include "planning/make_functions.hpp"
-#include "simulate/vectors.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

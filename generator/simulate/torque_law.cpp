@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "simulate/vectors.hpp"
+#include "reference/reference_model.hpp"
+#include "simulate/unbounded.hpp"
 #include "trajectory/interpolation.hpp"
 #include "trajectory/pace_limits.hpp"
 
 namespace flatdyn {
-namespace {}  // namespace
 
 TorqueLaw::TorqueLaw(const Simulation& simulation, JointDynamics& dynamics)
     : simulation_(simulation),

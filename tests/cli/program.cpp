@@ -8,29 +8,20 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
+
+#include "system/process.hpp"
 
 namespace flatdyn::testing {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-std::string content_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-}  // namespace
 
 Outcome run_flatdyn(const std::string& arguments) {
   const Scratch scratch;
   const std::string command = fmt::format("cd '{}' && '{}' {} > '{}' 2> '{}'", FLATDYN_SOURCE_DIR, FLATDYN_PROGRAM,
                                           arguments, scratch.path("out"), scratch.path("err"));
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(scratch.path("out")),
-          content_of(scratch.path("err"))};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of_file(scratch.path("out")),
+          content_of_file(scratch.path("err"))};
 }
 
 Scratch::Scratch() {
@@ -48,6 +39,6 @@ void Scratch::write(const std::string& name, const std::string& text) const {
   std::ofstream(folder_ / name, std::ios::binary) << text;
 }
 
-std::string Scratch::read(const std::string& name) const { return content_of(folder_ / name); }
+std::string Scratch::read(const std::string& name) const { return content_of_file(folder_ / name); }
 
 }  // namespace flatdyn::testing

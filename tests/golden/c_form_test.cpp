@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 
@@ -20,8 +19,6 @@
 
 namespace flatdyn::testing {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kScalars[] = {"double", "float"};
 constexpr const char* kFlagsOfC =
@@ -151,21 +148,11 @@ std::string differences_of(const std::string& robot, int most_lines) {
           "-Wno-unused-variable -Wno-unused-but-set-variable main.cpp in_double.o in_float.o -o main && ./main");
 }
 
-std::vector<std::string> robots() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(fs::path(FLATDYN_SOURCE_DIR) / "robots")) {
-    const std::string extension = entry.path().extension().string();
-    if (extension == ".urdf" || extension == ".toml") names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 class CForm : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(CForm, HasTheBitsOfTheCppForm) { EXPECT_EQ(differences_of(GetParam(), 0), "0 differ\n"); }
 
-INSTANTIATE_TEST_SUITE_P(Robots, CForm, ::testing::ValuesIn(robots()),
+INSTANTIATE_TEST_SUITE_P(Robots, CForm, ::testing::ValuesIn(robot_files()),
                          [](const auto& test) { return test.param.substr(0, test.param.find('.')); });
 
 TEST(CFormInParts, HasTheBitsOfTheCppForm) {

@@ -79,6 +79,16 @@ std::vector<std::string> differences(const fs::path& expected, const fs::path& p
   return found;
 }
 
+std::vector<std::string> robot_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(fs::path(FLATDYN_SOURCE_DIR) / "robots")) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".urdf" || extension == ".toml") names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::string content_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();

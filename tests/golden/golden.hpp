@@ -26,6 +26,9 @@ std::string generate(const std::string& program, const std::filesystem::path& so
 // first different line; and one if nothing was produced.
 std::vector<std::string> differences(const std::filesystem::path& expected, const std::filesystem::path& produced);
 
+// The names of all robot files in robots/, sorted: "panda.urdf".
+std::vector<std::string> robot_files();
+
 std::string content_of(const std::filesystem::path& file);
 void write(const std::filesystem::path& file, const std::string& text);
 

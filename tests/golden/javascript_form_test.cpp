@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -115,16 +114,6 @@ void expect_small_errors(const std::string& robot, int most_lines) {
           << robot << " " << functions[f].name;
     }
   }
-}
-
-std::vector<std::string> robot_files() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(fs::path(FLATDYN_SOURCE_DIR) / "robots")) {
-    const std::string extension = entry.path().extension().string();
-    if (extension == ".urdf" || extension == ".toml") names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 class JavascriptForm : public ::testing::TestWithParam<std::string> {

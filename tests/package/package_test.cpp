@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include "cli/program.hpp"
+#include "system/process.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -64,13 +64,8 @@ class Project {
   void copy(const std::string& name) {
     std::filesystem::create_directories(scratch_.path(name));
     for (const auto& file : std::filesystem::directory_iterator(kConsumers + name)) {
-      scratch_.write(name + "/" + file.path().filename().string(), content_of(file.path()));
+      scratch_.write(name + "/" + file.path().filename().string(), content_of_file(file.path()));
     }
-  }
-
-  static std::string content_of(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
   }
 
   bool run(const std::string& command) {

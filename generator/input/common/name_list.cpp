@@ -6,23 +6,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "diagnostics/characters.hpp"
+
 namespace flatdyn {
-namespace {
-
-constexpr const char* kBlanks = " \t\n";
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
-}  // namespace
-
 std::vector<std::string> names_in(const std::string& list) {
   std::vector<std::string> names;
   std::istringstream parts(list + ",");
   for (std::string part; std::getline(parts, part, ',');) {
-    names.push_back(trimmed(part));
+    names.emplace_back(trimmed(part));
     if (!names.back().empty()) continue;
     throw std::invalid_argument(
         fmt::format("\"{}\" has no name {}; write them as gravity,bias", list,

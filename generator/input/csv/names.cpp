@@ -6,6 +6,7 @@
 #include <charconv>
 #include <map>
 
+#include "diagnostics/characters.hpp"
 #include "input/csv/text.hpp"
 
 namespace flatdyn {
@@ -48,9 +49,9 @@ std::optional<int> number_of(std::string_view digits) {
 std::pair<std::string, std::string> split_unit(const std::string& text) {
   const auto open = text.find_last_of("[(");
   if (open == std::string::npos || (text.back() != ']' && text.back() != ')')) return {text, ""};
-  const std::string unit(without_blanks(std::string_view(text).substr(open + 1, text.size() - open - 2)));
+  const std::string unit(trimmed(std::string_view(text).substr(open + 1, text.size() - open - 2)));
   if (is_digits(unit)) return {text, ""};
-  return {std::string(without_blanks(std::string_view(text).substr(0, open))), unit};
+  return {std::string(trimmed(std::string_view(text).substr(0, open))), unit};
 }
 
 // "position[2]", "position.2", "position2", "position_2" → "position", 2.

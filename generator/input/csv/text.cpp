@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "diagnostics/characters.hpp"
 #include "diagnostics/utf8.hpp"
 
 namespace flatdyn {
@@ -63,12 +64,6 @@ bool looks_like_number(const std::string& entry) {
 }
 
 }  // namespace
-
-std::string_view without_blanks(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 bool is_digits(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -172,14 +167,14 @@ const char* end_of_entry(const char* at, const char* end, char separator) {
 }
 
 std::string unquoted(std::string_view entry) {
-  entry = without_blanks(entry);
+  entry = trimmed(entry);
   if (entry.size() < 2 || entry.front() != '"' || entry.back() != '"') return std::string(entry);
   std::string text;
   for (std::size_t k = 1; k + 1 < entry.size(); ++k) {
     text += entry[k];
     if (entry[k] == '"' && entry[k + 1] == '"' && k + 2 < entry.size()) ++k;
   }
-  return std::string(without_blanks(text));
+  return std::string(trimmed(text));
 }
 
 std::vector<std::string> csv_entries(std::string_view line, char separator) {
@@ -195,7 +190,7 @@ std::vector<std::string> csv_entries(std::string_view line, char separator) {
 }
 
 std::string csv_entry(const std::string& text) {
-  const bool has_blanks = !text.empty() && without_blanks(text).size() != text.size();
+  const bool has_blanks = !text.empty() && trimmed(text).size() != text.size();
   if (!has_blanks && text.find_first_of(",\"") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -53,7 +53,6 @@ std::string unquoted(std::string_view entry);
 // Where the entry that begins at `at` ends: at the next separator outside quotation marks, or at `end`.
 const char* end_of_entry(const char* at, const char* end, char separator);
 
-std::string_view without_blanks(std::string_view text);
 bool is_digits(std::string_view text);  // and nothing else, and at least one
 
 // An entry as CSV: in quotation marks where it has commas, quotation marks or blanks around it.

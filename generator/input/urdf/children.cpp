@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "diagnostics/characters.hpp"
 #include "diagnostics/nearest.hpp"
 
 namespace flatdyn {
@@ -34,13 +35,7 @@ std::vector<const XMLElement*> elements_in(const XMLElement& parent, const char*
   return elements;
 }
 
-std::string trimmed_text_of(const XMLElement& element) {
-  constexpr const char* kBlanks = " \t\r\n";
-  const std::string text = text_in(element);
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
+std::string trimmed_text_of(const XMLElement& element) { return std::string(trimmed(text_in(element))); }
 
 std::string named(const XMLElement& element) {
   const char* name = element.Attribute("name");

@@ -141,6 +141,11 @@ bool says_the_same(const std::string& a, const std::string& b) {
                     });
 }
 
+std::string single_word(const std::string& text) {
+  const std::vector<std::string> words = words_of(text);
+  return words.size() == 1 ? words[0] : text;
+}
+
 bool says_zero(const std::string& text) {
   const std::vector<std::string> words = words_of(text);
   return std::all_of(words.begin(), words.end(), [](const std::string& word) {

@@ -68,6 +68,9 @@ bool says_zero(const std::string& text);
 
 std::vector<std::string> words_of(const std::string& text);
 
+// The word without the blanks around it if the text is a single one, else the text as it is.
+std::string single_word(const std::string& text);
+
 // Whether the name is one of another program's: "drake:gear_ratio".
 inline bool has_namespace(std::string_view name) { return name.find(':') != std::string_view::npos; }
 

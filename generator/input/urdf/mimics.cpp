@@ -136,14 +136,7 @@ class MimicReader {
 
   std::optional<Number> number_of(const MimicNumber& number, int if_left_out) {
     if (!number.text) return if_left_out;
-    return checked_decimal(trimmed(*number.text), number.spot, diagnostics_);
-  }
-
-  static std::string trimmed(const std::string& text) {
-    std::istringstream words(text);
-    std::string first, second;
-    words >> first >> second;
-    return second.empty() ? first : text;
+    return checked_decimal(single_word(*number.text), number.spot, diagnostics_);
   }
 
   void follow(Joint& joint, const MimicWords& words) {
@@ -151,7 +144,7 @@ class MimicReader {
     std::optional<Number> offset = number_of(words.offset, 0);
     if (!factor || !offset) return;
     if (joint.type != JointType::prismatic && words.offset.text) {
-      offset = values_.angle_of(*offset, trimmed(*words.offset.text), words.offset.spot);
+      offset = values_.angle_of(*offset, single_word(*words.offset.text), words.offset.spot);
     }
     if (words.leader == joint.name) {
       diagnostics_.error(words.place, words.what + ": \"" + joint.name + "\" mimics itself",

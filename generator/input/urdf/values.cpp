@@ -15,11 +15,6 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-std::string trimmed(const std::string& text) {
-  const std::vector<std::string> words = words_of(text);
-  return words.size() == 1 ? words[0] : text;
-}
-
 // Where URDF writes the value of a key.
 bool is_usual(const XMLElement& holder, const UrdfEntry& entry, const std::string& key) {
   const UrdfElement* known = known_urdf_element(holder.Name());
@@ -125,7 +120,7 @@ std::string UrdfValues::required_text(const XMLElement& element, const char* key
     context_.diagnostics.error(place(element), what + ": " + key + " is not UTF-8",
                                "save the file as UTF-8 (iconv -t UTF-8), or write the name in ASCII");
   }
-  return entry->form == UrdfEntry::Form::attribute ? entry->text : trimmed(entry->text);
+  return entry->form == UrdfEntry::Form::attribute ? entry->text : single_word(entry->text);
 }
 
 std::optional<UrdfText> UrdfValues::text(const XMLElement& element, const char* key, const std::string& what) const {
@@ -138,7 +133,7 @@ std::optional<Value> UrdfValues::number(const Holders& holders, const char* key,
   const std::optional<UrdfEntry> entry = written(holders, key, what);
   if (!entry) return std::nullopt;
   const Spot where = spot(*entry, key, what);
-  return Value{checked_decimal(trimmed(entry->text), where, context_.diagnostics).value_or(0), where.place};
+  return Value{checked_decimal(single_word(entry->text), where, context_.diagnostics).value_or(0), where.place};
 }
 
 std::optional<Value> UrdfValues::number(const XMLElement& element, const char* key, const std::string& what) const {
@@ -163,14 +158,14 @@ Number UrdfValues::angle(const XMLElement& element, const char* key, const std::
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   if (!entry) return 0;
   const Spot where = spot(*entry, key, what);
-  const std::string text = trimmed(entry->text);
+  const std::string text = single_word(entry->text);
   const std::optional<Number> value = checked_decimal(text, where, context_.diagnostics);
   return value ? angle_of(*value, text, where) : Number(0);
 }
 
 Number UrdfValues::number_of_text(const XMLElement& element, const std::string& what) const {
   const char* text = element.GetText();
-  return checked_decimal(text == nullptr ? "" : trimmed(text), {place(element), what}, context_.diagnostics)
+  return checked_decimal(text == nullptr ? "" : single_word(text), {place(element), what}, context_.diagnostics)
       .value_or(0);
 }
 
@@ -179,7 +174,7 @@ std::optional<Value> UrdfValues::limit(const XMLElement& element, const char* ke
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   if (!entry) return std::nullopt;
   const Spot where = spot(*entry, key, what);
-  const std::string text = trimmed(entry->text);
+  const std::string text = single_word(entry->text);
   if (is_infinite(text)) {
     check_infinite_limit(text, bound, where, context_.diagnostics);
     return std::nullopt;

@@ -124,9 +124,9 @@ class Lagrange {
   // A free vector of the parent, rotated to frame i by the transpose of Rz(beta) Rx(alpha) Rz(theta) Rz(q).
   Vec3 to_child(int i, const Vec3& v) const {
     const Body& b = body(i);
-    const Vec3 fixed = expanded_vector(turn_z(back(b.theta), turn_x(back(b.alpha), turn_z(back(b.beta), v))));
+    const Vec3 fixed = expanded_vector(turn_z(inverse(b.theta), turn_x(inverse(b.alpha), turn_z(inverse(b.beta), v))));
     if (b.prismatic) return fixed;
-    return expanded_vector(turn_z(back(angle_[at(i)]), fixed));
+    return expanded_vector(turn_z(inverse(angle_[at(i)]), fixed));
   }
 
   template <class Quantity>  // a vector or symmetric tensor of frame i, in its parent's axes

@@ -110,13 +110,13 @@ void Frames::hold(int i) {
 void Frames::hand_on(const Turn& held, int child) {
   const auto k = static_cast<std::size_t>(child);
   Turn& turn = turns_[k];
-  const Vec3 in_own_axes = turn_z(back(turn.gamma), turn_x(back(turn.alpha), turn_z(back(turn.beta), p_[k])));
+  const Vec3 in_own_axes = turn_z(inverse(turn.gamma), turn_x(inverse(turn.alpha), turn_z(inverse(turn.beta), p_[k])));
   p_in_own_axes_[k] = derivation_.named(in_own_axes, "p_own_" + label(child));
   p_[k] = derivation_.named(turn_z(held.gamma, p_[k]), "p_" + label(child));
   if (mechanism_.is_coupled()) return hand_on_multiples(held, child);
   const std::string before = held.angles + "_b" + label(child);
   PlanarRotation first = named(derivation_, held.gamma * turn.beta, before);
-  if (turn.alpha.c.is_equal(-1)) first = back(first);
+  if (turn.alpha.c.is_equal(-1)) first = inverse(first);
   turn.angles = held.angles + (turn.angles.empty() ? "" : "_" + turn.angles);
   turn.gamma = named(derivation_, first * turn.gamma, turn.angles);
   turn.beta = {};
@@ -127,7 +127,7 @@ void Frames::hand_on_multiples(const Turn& held, int child) {
   Turn& turn = turns_[static_cast<std::size_t>(child)];
   const bool flips = turn.alpha.c.is_equal(-1);
   PlanarRotation constant = held.constant * turn.beta;
-  if (flips) constant = back(constant);
+  if (flips) constant = inverse(constant);
   turn.constant = constant * turn.constant;
   turn.multiples.resize(held.multiples.size(), 0);  // a prismatic joint has none
   for (std::size_t k = 0; k < held.multiples.size(); ++k) {
@@ -139,7 +139,7 @@ void Frames::hand_on_multiples(const Turn& held, int child) {
 }
 
 Vec3 Frames::to_child(int i, const Vec3& v, const std::string& name) {
-  return derivation_.named(turn_z(back(turn_of(i).gamma), down_to_axis(i, v, name)), name);
+  return derivation_.named(turn_z(inverse(turn_of(i).gamma), down_to_axis(i, v, name)), name);
 }
 
 Vec3 Frames::to_parent(int i, const Vec3& v, const std::string& name) {
@@ -147,8 +147,8 @@ Vec3 Frames::to_parent(int i, const Vec3& v, const std::string& name) {
 }
 
 Vec3 Frames::down_to_axis(int i, const Vec3& v, const std::string& name) {
-  const Vec3 a = derivation_.named(turn_z(back(turn_of(i).beta), v), name + "_b");
-  return derivation_.named(turn_x(back(turn_of(i).alpha), a), name + "_a");
+  const Vec3 a = derivation_.named(turn_z(inverse(turn_of(i).beta), v), name + "_b");
+  return derivation_.named(turn_x(inverse(turn_of(i).alpha), a), name + "_a");
 }
 
 Vec3 Frames::up_to_axis(int i, const Vec3& v, const std::string& name) {

@@ -15,9 +15,6 @@ inline Vec3 turn_x(const PlanarRotation& a, const Vec3& v) {
   return {v[0], a.c * v[1] - a.s * v[2], a.s * v[1] + a.c * v[2]};
 }
 
-// The inverse rotation: Rz(back(a)) = Rz(a)ᵀ.
-inline PlanarRotation back(const PlanarRotation& a) { return {a.c, -a.s}; }
-
 // The tensor with axes permuted x → y → z → x, so that a rotation about x becomes one about z. Applied twice, it is the
 // inverse permutation.
 inline Mat3 cycled(const Mat3& T) {

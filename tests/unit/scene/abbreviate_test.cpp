@@ -10,25 +10,13 @@
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"
 #include "reference/graph_evaluator.hpp"
+#include "support/limited_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "verify/torque_deviation.hpp"
 
 namespace flatdyn {
 namespace {
-
-// Sets limits: every joint moves at up to 2 /s and 10 /s^2 and exerts up to 100 N m (N).
-Mechanism with_limits(Mechanism mechanism) {
-  for (Body& body : mechanism.bodies) {
-    body.limits.velocity = Value{2, {}};
-    body.limits.acceleration = Value{10, {}};
-    body.limits.effort = Value{100, {}};
-    if (!body.prismatic) continue;
-    body.limits.upper = Value{Number(1) / 2, {}};
-    body.limits.lower = Value{Number(-1) / 2, {}};
-  }
-  return mechanism;
-}
 
 void expect_within_bounds(const Mechanism& mechanism, const std::string& budget) {
   const Abbreviation part = abbreviated(mechanism, *error_budget(budget));
@@ -39,7 +27,7 @@ void expect_within_bounds(const Mechanism& mechanism, const std::string& budget)
 class RandomBudgets : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomBudgets, BoundWhatIsGivenUp) {
-  const Mechanism mechanism = with_limits(make_mechanism(testing::random_tree(GetParam(), 5)));
+  const Mechanism mechanism = testing::within_limits(make_mechanism(testing::random_tree(GetParam(), 5)));
   for (const char* budget : {"1%", "30%", "5", "100%"}) expect_within_bounds(mechanism, budget);
 }
 
@@ -72,7 +60,7 @@ TEST(ErrorBudget, OfNothingGivesNothingUp) {
 }
 
 TEST(ErrorBudget, KeepsBPositiveDefinite) {
-  const Mechanism ur5 = with_limits(testing::model_of("ur5.urdf").mechanism);
+  const Mechanism ur5 = testing::within_limits(testing::model_of("ur5.urdf").mechanism);
   for (const char* budget : {"10%", "30%", "100%"}) {
     const Abbreviation result = abbreviated(ur5, *error_budget(budget));
     EXPECT_FALSE(result.dropped.empty());

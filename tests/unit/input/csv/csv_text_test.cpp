@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "diagnostics/characters.hpp"
 #include "input/csv/units.hpp"
 
 namespace flatdyn {
@@ -26,7 +27,7 @@ TEST(CsvText, EntriesMayBeQuoted) {
   EXPECT_THAT(csv_entries("", ','), ElementsAre(""));
   EXPECT_THAT(csv_entries("\"\",\"\"\"\"", ','), ElementsAre("", "\""));
   for (const char* text : {"plain", "c,d", "say \"x\"", " a "}) {
-    EXPECT_THAT(csv_entries(csv_entry(text), ','), ElementsAre(without_blanks(text)));
+    EXPECT_THAT(csv_entries(csv_entry(text), ','), ElementsAre(trimmed(text)));
   }
 }
 
