@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "firmware/proven_bounds.hpp"
 #include "firmware/worst_state_found.hpp"
 #include "model/angles.hpp"

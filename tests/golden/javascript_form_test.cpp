@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "emit/arguments.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
 #include "planning/make_functions.hpp"
 #include "reference/expected.hpp"

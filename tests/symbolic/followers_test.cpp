@@ -9,7 +9,7 @@
 
 #include "definition/exact.hpp"
 #include "definition/sampled_base.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
 #include "model/angles.hpp"
 #include "model/states.hpp"

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "certify/certificate.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "readback/emitted_text.hpp"
 #include "readback/straight_line_values.hpp"
